@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "limn/geometry/pinhole_camera.h"
+#include "limn/geometry/rigid3.h"
+
+namespace limn {
+
+// F with l_b = F x_a: the line (a, b, c) in image b of all points that project to the homogeneous
+// pixel x_a in image a; x_b' F x_a = 0. Singular (zero) when the two centres coincide.
+Eigen::Matrix3d FundamentalMatrix(const PinholeCamera& camera_a, const Rigid3d& a_from_world,
+                                  const PinholeCamera& camera_b, const Rigid3d& b_from_world);
+
+// Unsigned angle between two undirected directions given as angles, in [0, pi/2].
+double UndirectedAngle(double angle_a_rad, double angle_b_rad);
+
+}  // namespace limn

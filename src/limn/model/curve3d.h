@@ -1,0 +1,70 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/curve_fragment.h"
+#include "limn/model/view.h"
+
+namespace limn {
+
+// An edgel of a view.
+struct EdgelRef {
+  ViewId view = -1;
+  EdgelId edgel = kInvalidEdgel;
+
+  auto operator<=>(const EdgelRef&) const = default;
+};
+
+// Per-sample lists of supporting edgels, stored back to back. Sorted by view within a sample; at most
+// one edgel per view.
+struct SupportLists {
+  std::vector<uint32_t> offsets = {0};  // one more than samples
+  std::vector<EdgelRef> edgels;
+
+  size_t NumSamples() const { return offsets.size() - 1; }
+  std::span<const EdgelRef> Of(size_t sample) const {
+    return {edgels.data() + offsets[sample], edgels.data() + offsets[sample + 1]};
+  }
+  void Append(std::span<const EdgelRef> of_sample) {
+    edgels.insert(edgels.end(), of_sample.begin(), of_sample.end());
+    offsets.push_back(static_cast<uint32_t>(edgels.size()));
+  }
+};
+
+// The image curve a 3D curve was made from: sample s comes from vertex (begin + s) of the fragment
+// (modulo its size when the fragment is closed).
+struct CurveAnchor {
+  ViewId view = -1;
+  int fragment = -1;
+  int begin = 0;
+};
+
+// A reconstructed curve: every generator makes these, the drawing consumes them.
+struct Curve3D {
+  std::vector<Eigen::Vector3d> points_in_world;
+  // Unit vectors, along the order of the points.
+  std::vector<Eigen::Vector3d> tangents_in_world;
+  // Standard deviation along the anchor's viewing ray, world units; infinity if unknown.
+  std::vector<double> depth_sigma;
+  // False where the depth is interpolated across an epipolar-tangent portion: keeps topology, tells
+  // nothing about geometry.
+  std::vector<uint8_t> certain;
+  CurveAnchor anchor;
+  // Supporting edgels of each sample, the anchor's own edgel included.
+  SupportLists support;
+  bool closed = false;
+
+  size_t size() const { return points_in_world.size(); }
+};
+
+// The original or the enhanced curve sketch: an unorganised set of 3D curves.
+struct CurveSketch {
+  std::vector<Curve3D> curves;
+};
+
+}  // namespace limn

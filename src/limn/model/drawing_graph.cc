@@ -1,0 +1,149 @@
+#include "limn/model/drawing_graph.h"
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+class Violations {
+ public:
+  void Add(const std::string& what, int id, const std::string& problem) {
+    list_.push_back(what + " " + std::to_string(id) + ": " + problem);
+  }
+  std::vector<std::string> Take() { return std::move(list_); }
+
+ private:
+  std::vector<std::string> list_;
+};
+
+bool IsNode(const DrawingGraph& graph, NodeId id) {
+  return id >= 0 && id < static_cast<int>(graph.nodes.size());
+}
+
+bool HasIncidence(const DrawingNode& node, LinkEnd end) {
+  return std::find(node.incident.begin(), node.incident.end(), end) != node.incident.end();
+}
+
+double Length(const std::vector<Eigen::Vector3d>& points) {
+  double length = 0;
+  for (size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return length;
+}
+
+void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
+  const DrawingLink& link = graph.links[id];
+  if (!IsNode(graph, link.node0) || !IsNode(graph, link.node1)) {
+    violations->Add("link", id, "node out of range");
+    return;
+  }
+  if (link.points_in_world.size() < 2) {
+    violations->Add("link", id, "fewer than two points");
+    return;
+  }
+  for (const Eigen::Vector3d& point : link.points_in_world) {
+    if (!point.allFinite()) violations->Add("link", id, "point not finite");
+  }
+  if (!(Length(link.points_in_world) > 0)) violations->Add("link", id, "zero length");
+  if (link.sigma.size() != link.points_in_world.size()) {
+    violations->Add("link", id, "as many sigmas as points needed");
+  }
+  if (link.points_in_world.front() != graph.nodes[link.node0].position_in_world ||
+      link.points_in_world.back() != graph.nodes[link.node1].position_in_world) {
+    violations->Add("link", id, "ends are not at its nodes");
+  }
+  if (link.closed && link.node0 != link.node1) {
+    violations->Add("link", id, "closed, but with two nodes");
+  }
+  if (!HasIncidence(graph.nodes[link.node0], {id, 0}) ||
+      !HasIncidence(graph.nodes[link.node1], {id, 1})) {
+    violations->Add("link", id, "missing at its node");
+  }
+}
+
+bool IsLoopAnchor(const DrawingGraph& graph, const DrawingNode& node) {
+  return node.incident.size() == 2 && node.incident[0].link == node.incident[1].link &&
+         graph.links[node.incident[0].link].closed;
+}
+
+void CheckIncidence(const DrawingGraph& graph, NodeId id, Violations* violations) {
+  const DrawingNode& node = graph.nodes[id];
+  for (const LinkEnd& end : node.incident) {
+    if (end.link < 0 || end.link >= static_cast<int>(graph.links.size()) ||
+        (end.end != 0 && end.end != 1)) {
+      violations->Add("node", id, "incident link end out of range");
+      return;
+    }
+    const DrawingLink& link = graph.links[end.link];
+    if ((end.end == 0 ? link.node0 : link.node1) != id) {
+      violations->Add("node", id, "incident link does not end here");
+    }
+  }
+  for (const auto& [first, second] : node.continuations) {
+    if (!HasIncidence(node, first) || !HasIncidence(node, second)) {
+      violations->Add("node", id, "continuation of a link that does not end here");
+    }
+  }
+  if (!std::is_sorted(node.incident.begin(), node.incident.end())) {
+    violations->Add("node", id, "incident link ends not ascending");
+  }
+}
+
+void CheckNode(const DrawingGraph& graph, NodeId id, Violations* violations) {
+  const DrawingNode& node = graph.nodes[id];
+  if (!node.position_in_world.allFinite()) violations->Add("node", id, "position not finite");
+  if (node.incident.empty()) violations->Add("node", id, "no link ends here");
+  const bool should_be_junction = node.Degree() >= 3;
+  if ((node.kind == NodeKind::kJunction) != should_be_junction) {
+    violations->Add("node", id, "junction and degree >= 3 do not agree");
+  }
+  CheckIncidence(graph, id, violations);
+}
+
+}  // namespace
+
+const char* NodeKindName(NodeKind kind) {
+  switch (kind) {
+    case NodeKind::kEnd:
+      return "end";
+    case NodeKind::kJunction:
+      return "junction";
+    case NodeKind::kLoopAnchor:
+      return "loop_anchor";
+  }
+  return "unknown";
+}
+
+std::vector<std::string> Validate(const DrawingGraph& graph) {
+  Violations violations;
+  for (size_t id = 0; id < graph.links.size(); ++id) {
+    CheckLink(graph, static_cast<LinkId>(id), &violations);
+  }
+  for (size_t id = 0; id < graph.nodes.size(); ++id) {
+    CheckNode(graph, static_cast<NodeId>(id), &violations);
+  }
+  for (size_t id = 0; id < graph.nodes.size(); ++id) {
+    const DrawingNode& node = graph.nodes[id];
+    if (node.kind == NodeKind::kLoopAnchor && !IsLoopAnchor(graph, node)) {
+      violations.Add("node", static_cast<NodeId>(id), "loop anchor without its closed link");
+    }
+  }
+  return violations.Take();
+}
+
+void RebuildIncidence(DrawingGraph* graph) {
+  for (DrawingNode& node : graph->nodes) node.incident.clear();
+  for (size_t id = 0; id < graph->links.size(); ++id) {
+    const DrawingLink& link = graph->links[id];
+    graph->nodes[link.node0].incident.push_back({static_cast<LinkId>(id), 0});
+    graph->nodes[link.node1].incident.push_back({static_cast<LinkId>(id), 1});
+  }
+  for (DrawingNode& node : graph->nodes) {
+    if (node.Degree() >= 3) {
+      node.kind = NodeKind::kJunction;
+    } else {
+      node.kind = IsLoopAnchor(*graph, node) ? NodeKind::kLoopAnchor : NodeKind::kEnd;
+    }
+  }
+}
+
+}  // namespace limn

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/curve3d.h"
+
+namespace limn {
+
+using NodeId = int;
+using LinkId = int;
+
+enum class NodeKind {
+  kEnd,         // degree 1, or degree 2 where two links meet at a corner
+  kJunction,    // degree 3 or more
+  kLoopAnchor,  // where a closed link begins and ends; both its ends are here and nothing else
+};
+
+const char* NodeKindName(NodeKind kind);
+
+// One end of a link: end 0 is its first point, end 1 its last.
+struct LinkEnd {
+  LinkId link = -1;
+  int end = 0;
+
+  auto operator<=>(const LinkEnd&) const = default;
+};
+
+struct DrawingNode {
+  Eigen::Vector3d position_in_world = Eigen::Vector3d::Zero();
+  NodeKind kind = NodeKind::kEnd;
+  // All link ends at this node, ascending. Degree = size.
+  std::vector<LinkEnd> incident;
+  // Pairs of incident link ends that continue each other smoothly.
+  std::vector<std::pair<LinkEnd, LinkEnd>> continuations;
+
+  int Degree() const { return static_cast<int>(incident.size()); }
+};
+
+// A run of samples of one sketch curve that was merged into a link.
+struct LinkMember {
+  int curve = -1;
+  int begin = 0;  // samples [begin, end)
+  int end = 0;
+};
+
+struct DrawingLink {
+  // First and last point are the positions of node0 and node1.
+  std::vector<Eigen::Vector3d> points_in_world;
+  // Isotropic standard deviation across the curve per point, world units.
+  std::vector<double> sigma;
+  NodeId node0 = -1;
+  NodeId node1 = -1;
+  // node0 == node1 is a loop anchor: the polyline returns to its first point.
+  bool closed = false;
+  // Views with edgels along this link, ascending.
+  std::vector<ViewId> supporting_views;
+  std::vector<LinkMember> members;
+  // Median distance of the reprojected link to its supporting edgels, pixels.
+  double residual_px = 0;
+};
+
+// The 3D drawing: curves (links) that meet at nodes.
+struct DrawingGraph {
+  std::vector<DrawingNode> nodes;
+  std::vector<DrawingLink> links;
+};
+
+// Broken invariants in words, empty if there are none: ids in range, incidence symmetric, link ends
+// at their nodes' positions, all numbers finite, links of at least two points, no link of zero length,
+// junction <=> degree >= 3, loop anchors have exactly the two ends of one closed link. Linear time.
+std::vector<std::string> Validate(const DrawingGraph& graph);
+
+// Recompute `incident` and `kind` of every node from the links' node0, node1 and closed.
+void RebuildIncidence(DrawingGraph* graph);
+
+}  // namespace limn

@@ -1,0 +1,53 @@
+#include "limn/model/edge_map.h"
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr double kDerivativeStepPx = 0.5;
+
+// d virtual / d stored by central differences; nothing where a neighbour cannot be mapped.
+std::optional<Eigen::Matrix2d> VirtualFromStoredJacobian(const LensMap& lens,
+                                                         const Eigen::Vector2d& stored) {
+  Eigen::Matrix2d jacobian;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector2d step = kDerivativeStepPx * Eigen::Vector2d::Unit(axis);
+    const auto ahead = lens.VirtualFromStored(stored + step);
+    const auto behind = lens.VirtualFromStored(stored - step);
+    if (!ahead || !behind) return std::nullopt;
+    jacobian.col(axis) = (*ahead - *behind) / (2 * kDerivativeStepPx);
+  }
+  // A lens model that folds has no orientation to give.
+  if (!(jacobian.determinant() > 0)) return std::nullopt;
+  return jacobian;
+}
+
+bool ApplyLensToEdgel(const LensMap& lens, Edgel* edgel) {
+  const Eigen::Vector2d stored = edgel->position_px;
+  const auto position = lens.VirtualFromStored(stored);
+  const auto jacobian = VirtualFromStoredJacobian(lens, stored);
+  if (!position || !jacobian) return false;
+  const Eigen::Vector2d tangent = *jacobian * edgel->Tangent();
+  edgel->position_px = *position;
+  edgel->tangent_rad = std::atan2(tangent.y(), tangent.x());
+  edgel->stored_from_virtual = jacobian->inverse().cast<float>();
+  return true;
+}
+
+}  // namespace
+
+std::vector<bool> ApplyLens(const LensMap* lens, EdgeMap* edge_map) {
+  std::vector<bool> usable(edge_map->edgels.size(), true);
+  for (size_t id = 0; id < edge_map->edgels.size(); ++id) {
+    Edgel& edgel = edge_map->edgels[id];
+    edgel.stored_px = edgel.position_px.cast<float>();
+    if (!lens || ApplyLensToEdgel(*lens, &edgel)) continue;
+    edgel.strength = 0;
+    usable[id] = false;
+    ++edge_map->num_outside_lens;
+  }
+  return usable;
+}
+
+}  // namespace limn

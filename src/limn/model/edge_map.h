@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/model/edgel.h"
+#include "limn/model/lens_map.h"
+
+namespace limn {
+
+// The edgels of one image, in row-major order of the pixel that holds them.
+struct EdgeMap {
+  // Size of the image as stored (after --max_image_size), pixels.
+  int width = 0;
+  int height = 0;
+  std::vector<Edgel> edgels;
+  // Standard deviation of one component of the smoothed gradient due to noise, grey levels per pixel.
+  double gradient_noise = 0;
+  // Edgels not taken over: outside the lens model's valid range or masked out.
+  int num_outside_lens = 0;
+};
+
+// Move edgels from stored pixels to the virtual pinhole image: position, tangent and Jacobian.
+// Ids keep their meaning: an edgel the lens cannot map (beyond its valid range) stays in the map with
+// strength 0 and is counted in num_outside_lens; `usable[id]` tells which were mapped.
+// With a null lens this only fills stored_px.
+std::vector<bool> ApplyLens(const LensMap* lens, EdgeMap* edge_map);
+
+}  // namespace limn

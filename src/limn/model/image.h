@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+namespace limn {
+
+// A decoded photograph: interleaved rows of RGB (or one grey) channel, values in grey levels 0..255
+// whatever the depth of the file. `mask` is empty, or holds one byte per pixel, 0 = do not use.
+struct Image {
+  int width = 0;
+  int height = 0;
+  int channels = 0;  // 1 or 3
+  std::vector<float> data;
+  std::vector<unsigned char> mask;
+};
+
+}  // namespace limn

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limn/geometry/pinhole_camera.h"
+#include "limn/geometry/rigid3.h"
+#include "limn/model/lens_map.h"
+
+namespace limn {
+
+// Index of a view in the run's list of views (sorted by name).
+using ViewId = int32_t;
+
+// Which pixels of the virtual pinhole image the photograph covers: a box, and inside it, for lenses
+// and masks, a coarse grid of cells.
+struct ImageRegion {
+  Eigen::Vector2d min_px = Eigen::Vector2d::Zero();
+  Eigen::Vector2d max_px = Eigen::Vector2d::Zero();
+  // Edge length of a cell; 0 when the box alone decides.
+  double cell_px = 0;
+  int cols = 0;
+  int rows = 0;
+  std::vector<uint8_t> valid;  // rows x cols, row-major, nonzero = covered
+
+  bool Contains(const Eigen::Vector2d& pixel) const;
+};
+
+// One photograph: a pinhole camera at a pose. Immutable after it has been made.
+struct View {
+  // Order of the image in the COLMAP model file, for .vis and PMVS numbering.
+  int model_index = 0;
+  // As in the model: relative to the image folder, with its sub-folders.
+  std::string name;
+  PinholeCamera camera;
+  Rigid3d cam_from_world;
+  ImageRegion region;
+  // Null when the stored image is a pinhole image.
+  std::shared_ptr<const LensMap> lens;
+
+  Eigen::Vector3d CenterInWorld() const;
+  // Nothing if the point is behind the camera or outside the region.
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& point_in_world) const;
+  // From the virtual image to the image as stored; nothing where the lens cannot map.
+  std::optional<Eigen::Vector2d> StoredFromVirtual(const Eigen::Vector2d& virtual_px) const;
+};
+
+// The region of a photograph: its rectangle less a margin, less what the mask (stored pixels, one
+// byte each, 0 = do not use; empty = none) excludes, less what the lens cannot map.
+ImageRegion MakeImageRegion(const PinholeCamera& camera, const LensMap* lens,
+                            const std::vector<unsigned char>& mask, double margin_px);
+
+}  // namespace limn

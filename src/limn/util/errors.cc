@@ -1,0 +1,20 @@
+#include "limn/util/errors.h"
+
+#include <sstream>
+
+namespace limn {
+
+IoError::IoError(const std::string& path, const std::string& reason)
+    : std::runtime_error(path + ": " + reason) {}
+
+IoError::IoError(const std::string& path, const std::string& place, const std::string& reason)
+    : std::runtime_error(path + ": " + place + ": " + reason) {}
+
+void CheckOption(bool ok, const char* name, double value, const char* constraint) {
+  if (ok) return;
+  std::ostringstream message;
+  message << name << " = " << value << ": must be " << constraint;
+  throw OptionError(message.str());
+}
+
+}  // namespace limn

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace limn {
+
+// A file that cannot be read or written as asked. The text names the path, the place in it (byte
+// offset or line) and the reason.
+class IoError : public std::runtime_error {
+ public:
+  IoError(const std::string& path, const std::string& reason);
+  IoError(const std::string& path, const std::string& place, const std::string& reason);
+};
+
+// An option or argument outside its allowed range. The text names option, value and constraint.
+class OptionError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+// Input that is well-formed but that nothing can be computed from, e.g. all cameras at one centre.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// The work was cancelled through RunContext::cancelled.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+// Throw OptionError "<name> = <value>: must be <constraint>" unless `ok`.
+void CheckOption(bool ok, const char* name, double value, const char* constraint);
+
+}  // namespace limn
+
+// LIMN_CHECK_OPTION(max_gap_px, > 0): for use inside `void XOptions::Check() const`.
+#define LIMN_CHECK_OPTION(field, constraint) \
+  ::limn::CheckOption(((field)constraint), #field, static_cast<double>(field), #constraint)

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+
+namespace limn {
+
+// How a stage runs: its threads, who hears of its progress, who may stop it. Never changes a result.
+struct RunContext {
+  // Number of threads; -1 means all cores.
+  int num_threads = -1;
+  // Called with (stage, items done, items in all), from any thread, one call at a time.
+  std::function<void(const char* stage, size_t done, size_t total)> progress;
+  // When set and true, ParallelFor throws Cancelled at the next item.
+  const std::atomic<bool>* cancelled = nullptr;
+};
+
+// Run body(i) for i in [0, count), each index once, in no particular order. Results are independent
+// of the number of threads if body(i) writes only what belongs to i. The first exception thrown by a
+// body is rethrown here after the others have stopped. `stage` labels the progress reports.
+void ParallelFor(const RunContext& context, const char* stage, size_t count,
+                 const std::function<void(size_t)>& body);
+
+}  // namespace limn
