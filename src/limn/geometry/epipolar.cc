@@ -17,6 +17,15 @@ Eigen::Matrix3d FundamentalMatrix(const PinholeCamera& camera_a, const Rigid3d& 
          camera_a.Calibration().inverse();
 }
 
+RelativeProjection MakeRelativeProjection(const PinholeCamera& camera_a, const Rigid3d& a_from_world,
+                                          const PinholeCamera& camera_b,
+                                          const Rigid3d& b_from_world) {
+  const Rigid3d b_from_a = b_from_world * Inverse(a_from_world);
+  const Eigen::Matrix3d calibration = camera_b.Calibration();
+  return {calibration * b_from_a.rotation.toRotationMatrix() * camera_a.Calibration().inverse(),
+          calibration * b_from_a.translation};
+}
+
 double UndirectedAngle(double angle_a_rad, double angle_b_rad) {
   const double difference = std::remainder(angle_a_rad - angle_b_rad, M_PI);
   return std::abs(difference);

@@ -12,6 +12,17 @@ namespace limn {
 Eigen::Matrix3d FundamentalMatrix(const PinholeCamera& camera_a, const Rigid3d& a_from_world,
                                   const PinholeCamera& camera_b, const Rigid3d& b_from_world);
 
+// How the point at depth z on the ray of pixel (u, v) of image a projects into image b:
+// x_b ~ z * infinite_homography * (u, v, 1) + epipole, where x_b.z is the depth in camera b.
+struct RelativeProjection {
+  Eigen::Matrix3d infinite_homography;
+  Eigen::Vector3d epipole;
+};
+
+RelativeProjection MakeRelativeProjection(const PinholeCamera& camera_a, const Rigid3d& a_from_world,
+                                          const PinholeCamera& camera_b,
+                                          const Rigid3d& b_from_world);
+
 // Unsigned angle between two undirected directions given as angles, in [0, pi/2].
 double UndirectedAngle(double angle_a_rad, double angle_b_rad);
 

@@ -1,0 +1,133 @@
+#include "limn/sketch/confirmation.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr double kDeg = M_PI / 180;
+
+// Mark in `supporting` the samples around which enough of the samples that the view contains are
+// inliers, in a window of arc length.
+void SmoothAlongCurve(uint32_t bit, const FragmentRays& fragment,
+                      const CurveHypothesis& hypothesis, const SketchOptions& options,
+                      HypothesisSupport* support) {
+  const auto arc = [&](size_t j) { return fragment.arc_px[hypothesis.samples[j].vertex]; };
+  const size_t count = hypothesis.samples.size();
+  size_t begin = 0;
+  size_t end = 0;
+  int contained = 0;
+  int inliers = 0;
+  for (size_t j = 0; j < count; ++j) {
+    for (; end < count && arc(end) <= arc(j) + options.support_window_px; ++end) {
+      contained += (support->contained[end] & bit) != 0;
+      inliers += (support->inliers[end] & bit) != 0;
+    }
+    for (; arc(begin) < arc(j) - options.support_window_px; ++begin) {
+      contained -= (support->contained[begin] & bit) != 0;
+      inliers -= (support->inliers[begin] & bit) != 0;
+    }
+    if (inliers > 0 && inliers >= options.min_window_support * contained) {
+      support->supporting[j] |= bit;
+    }
+  }
+}
+
+}  // namespace
+
+ConfirmationViews::ConfirmationViews(ViewId primary, const std::vector<ViewId>& confirmation_views,
+                                     const std::vector<View>& views,
+                                     const std::vector<std::unique_ptr<ViewEvidence>>& evidence) {
+  const View& from = views[primary];
+  for (const ViewId id : confirmation_views) {
+    const View& to = views[id];
+    const Rigid3d to_from = to.cam_from_world * Inverse(from.cam_from_world);
+    views_.push_back(
+        {id,
+         MakeRelativeProjection(from.camera, from.cam_from_world, to.camera, to.cam_from_world),
+         to.camera.Calibration() * to_from.rotation.toRotationMatrix(),
+         Inverse(to_from).translation, &to.region, &evidence[id]->mask});
+  }
+}
+
+void ConfirmationViews::ConfirmInView(const Entry& entry, uint32_t bit,
+                                      const FragmentRays& fragment,
+                                      const CurveHypothesis& hypothesis,
+                                      const SketchOptions& options,
+                                      std::vector<double>* tangency_weights,
+                                      HypothesisSupport* support) const {
+  const double sin_low = std::sin(options.min_epipolar_angle_deg * kDeg);
+  const double sin_high = std::sin(options.max_epipolar_angle_deg * kDeg);
+  for (size_t j = 0; j < hypothesis.samples.size(); ++j) {
+    const HypothesisSample& sample = hypothesis.samples[j];
+    const Eigen::Vector3d at_infinity = entry.from_primary.infinite_homography *
+                                        fragment.positions_px[sample.vertex].homogeneous();
+    const Eigen::Vector3d projected = sample.depth * at_infinity + entry.from_primary.epipole;
+    if (!(projected.z() > 0)) continue;
+    const Eigen::Vector2d pixel = projected.hnormalized();
+    if (!entry.region->Contains(pixel)) continue;
+    support->contained[j] |= bit;
+    // d pixel / d inverse depth; projected / depth = at_infinity + inverse_depth * epipole.
+    const Eigen::Vector2d motion =
+        (entry.from_primary.epipole.head<2>() - pixel * entry.from_primary.epipole.z()) *
+        (sample.depth / projected.z());
+    const double speed = motion.norm();
+    support->px_per_inverse_depth[j] += speed;
+    const Eigen::Vector3d direction = entry.direction_from_primary * sample.tangent_in_cam;
+    const double dx = direction.x() - pixel.x() * direction.z();
+    const double dy = direction.y() - pixel.y() * direction.z();
+    if (!entry.mask->Supports(pixel.x(), pixel.y(), dx, dy)) continue;
+    support->inliers[j] |= bit;
+    const double norm = std::hypot(dx, dy) * speed;
+    const double sine = norm > 0 ? std::abs(dx * motion.y() - dy * motion.x()) / norm : 0;
+    (*tangency_weights)[j] = std::clamp((sine - sin_low) / (sin_high - sin_low),
+                                        options.min_tangency_weight, 1.0);
+  }
+}
+
+HypothesisSupport ConfirmationViews::Confirm(const FragmentRays& fragment,
+                                             const CurveHypothesis& hypothesis, ViewId second,
+                                             const SketchOptions& options) const {
+  const size_t count = hypothesis.samples.size();
+  HypothesisSupport support;
+  support.contained.assign(count, 0);
+  support.inliers.assign(count, 0);
+  support.supporting.assign(count, 0);
+  support.weighted.assign(count, 0);
+  support.px_per_inverse_depth.assign(count, 0);
+  std::vector<double> weights(count);
+  for (size_t k = 0; k < views_.size(); ++k) {
+    if (views_[k].id == second) continue;
+    const uint32_t bit = 1u << k;
+    std::fill(weights.begin(), weights.end(), options.min_tangency_weight);
+    ConfirmInView(views_[k], bit, fragment, hypothesis, options, &weights, &support);
+    SmoothAlongCurve(bit, fragment, hypothesis, options, &support);
+    for (size_t j = 0; j < count; ++j) {
+      if (support.supporting[j] & bit) support.weighted[j] += weights[j];
+    }
+  }
+  for (size_t j = 0; j < count; ++j) {
+    support.px_per_inverse_depth[j] /= std::max(1, std::popcount(support.contained[j]));
+  }
+  return support;
+}
+
+double ConfirmationViews::MaxAngleDeg(const Eigen::Vector3d& point_in_cam, uint32_t mask) const {
+  double max_angle = 0;
+  for (size_t k = 0; k < views_.size(); ++k) {
+    if (!(mask >> k & 1)) continue;
+    const Eigen::Vector3d ray = point_in_cam - views_[k].centre_in_primary;
+    max_angle = std::max(
+        max_angle, std::atan2(point_in_cam.cross(ray).norm(), point_in_cam.dot(ray)) / kDeg);
+  }
+  return max_angle;
+}
+
+int RequiredViews(int num_containing, const SketchOptions& options) {
+  return std::clamp(static_cast<int>(std::lround(options.supporting_views_share * num_containing)),
+                    options.min_supporting_views, options.max_supporting_views);
+}
+
+}  // namespace limn

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "limn/geometry/epipolar.h"
+#include "limn/sketch/hypotheses.h"
+
+namespace limn {
+
+// How the confirmation views see the samples of one hypothesis. Bit k of a mask stands for the k-th
+// confirmation view of the plan (at most 32).
+struct HypothesisSupport {
+  // Views whose image contains the sample.
+  std::vector<uint32_t> contained;
+  // Views with an edgel at the sample's place and direction.
+  std::vector<uint32_t> inliers;
+  // Views in which enough of the curve around the sample is inlier: local support (ECCV 2016, section 3).
+  std::vector<uint32_t> supporting;
+  // Sum over supporting views of their tangency weight: 1 where the curve crosses the epipolar lines of
+  // the primary view, little where it runs along them and would be supported at any depth.
+  std::vector<double> weighted;
+  // Mean image motion over the containing views per unit of inverse depth, px.
+  std::vector<double> px_per_inverse_depth;
+};
+
+// The confirmation views of one primary view, ready to be asked.
+class ConfirmationViews {
+ public:
+  ConfirmationViews(ViewId primary, const std::vector<ViewId>& confirmation_views,
+                    const std::vector<View>& views,
+                    const std::vector<std::unique_ptr<ViewEvidence>>& evidence);
+
+  // Support of a hypothesis made with `second`, which does not confirm itself.
+  HypothesisSupport Confirm(const FragmentRays& fragment, const CurveHypothesis& hypothesis,
+                            ViewId second, const SketchOptions& options) const;
+
+  // Largest angle, degrees, between the primary ray to `point_in_cam` and the rays of the views in `mask`.
+  double MaxAngleDeg(const Eigen::Vector3d& point_in_cam, uint32_t mask) const;
+
+  size_t size() const { return views_.size(); }
+
+ private:
+  struct Entry {
+    ViewId id;
+    RelativeProjection from_primary;
+    Eigen::Matrix3d direction_from_primary;  // K R: homogeneous image direction of a 3D direction
+    Eigen::Vector3d centre_in_primary;
+    const ImageRegion* region;
+    const OrientationMask* mask;
+  };
+  void ConfirmInView(const Entry& entry, uint32_t bit, const FragmentRays& fragment,
+                     const CurveHypothesis& hypothesis, const SketchOptions& options,
+                     std::vector<double>* tangency_weights, HypothesisSupport* support) const;
+
+  std::vector<Entry> views_;
+};
+
+// Number of supporting views needed by a sample that `num_containing` confirmation views contain.
+int RequiredViews(int num_containing, const SketchOptions& options);
+
+}  // namespace limn

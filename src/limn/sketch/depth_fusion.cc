@@ -1,0 +1,178 @@
+#include "limn/sketch/depth_fusion.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace limn {
+namespace {
+
+constexpr int kMaxModes = 8;
+// A second view that agrees is worth this many supporting views; more than this many count no more.
+constexpr double kAgreementBonus = 0.5;
+constexpr int kMaxAgreement = 4;
+// Cost of a jump of 1 px between neighbours, its cap, and the cost of starting or ending a stretch.
+constexpr double kJumpCost = 2.0;
+constexpr double kMaxJumpCost = 10.0;
+constexpr double kBoundaryCost = 2.0;
+
+struct Mode {
+  double score = 0;
+  double inverse_depth = 0;
+  double slope_per_px = 0;
+  double px_per_inverse_depth = 0;
+  std::vector<int> members;
+};
+
+double Distance(const DepthCandidate& a, double inverse_depth) {
+  return std::abs(a.inverse_depth - inverse_depth) * a.px_per_inverse_depth;
+}
+
+// Greedy modes: the best supported candidate gathers those within the gate, and so on.
+std::vector<Mode> FindModes(const std::vector<DepthCandidate>& candidates, double gate_px) {
+  std::vector<int> order(candidates.size());
+  for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return candidates[a].weighted_support > candidates[b].weighted_support;
+  });
+  std::vector<bool> taken(candidates.size(), false);
+  std::vector<Mode> modes;
+  for (const int seed : order) {
+    if (taken[seed]) continue;
+    if (modes.size() == kMaxModes) break;
+    const DepthCandidate& best = candidates[seed];
+    Mode mode;
+    uint32_t seconds = 0;
+    double weight = 0;
+    for (size_t i = 0; i < candidates.size(); ++i) {
+      if (taken[i] || Distance(best, candidates[i].inverse_depth) > gate_px) continue;
+      taken[i] = true;
+      mode.members.push_back(static_cast<int>(i));
+      seconds |= 1u << std::min(candidates[i].second_rank, 31);
+      const double w = candidates[i].information + 1e-12;
+      mode.inverse_depth += w * candidates[i].inverse_depth;
+      mode.slope_per_px += w * candidates[i].slope_per_px;
+      weight += w;
+    }
+    mode.inverse_depth /= weight;
+    mode.slope_per_px /= weight;
+    mode.px_per_inverse_depth = best.px_per_inverse_depth;
+    mode.score = best.weighted_support +
+                 kAgreementBonus * std::min(std::popcount(seconds), kMaxAgreement);
+    modes.push_back(std::move(mode));
+  }
+  return modes;
+}
+
+double JumpCost(const Mode& from, const Mode& to, double step_px) {
+  const double predicted =
+      from.inverse_depth + 0.5 * step_px * (from.slope_per_px + to.slope_per_px);
+  const double jump_px = std::abs(to.inverse_depth - predicted) * to.px_per_inverse_depth;
+  return std::min(kJumpCost * jump_px * jump_px, kMaxJumpCost);
+}
+
+// Best sequence of modes, -1 = no depth, by dynamic programming. The first vertex of a closed fragment
+// is not tied to the last.
+std::vector<int> ChooseModes(const FragmentRays& fragment,
+                             const std::vector<std::vector<Mode>>& modes) {
+  const size_t count = modes.size();
+  // State 0 is "no depth", state m + 1 is mode m.
+  std::vector<std::vector<double>> score(count);
+  std::vector<std::vector<int>> previous(count);
+  for (size_t i = 0; i < count; ++i) {
+    const size_t num_states = modes[i].size() + 1;
+    score[i].assign(num_states, 0);
+    previous[i].assign(num_states, 0);
+    for (size_t s = 0; s < num_states; ++s) {
+      const double gain = s == 0 ? 0 : modes[i][s - 1].score;
+      if (i == 0) {
+        score[i][s] = gain;
+        continue;
+      }
+      double best = -std::numeric_limits<double>::infinity();
+      for (size_t p = 0; p < score[i - 1].size(); ++p) {
+        double cost = 0;
+        if ((p == 0) != (s == 0)) cost = kBoundaryCost;
+        if (p > 0 && s > 0) {
+          cost = JumpCost(modes[i - 1][p - 1], modes[i][s - 1],
+                          fragment.arc_px[i] - fragment.arc_px[i - 1]);
+        }
+        const double total = score[i - 1][p] - cost;
+        if (total > best) {
+          best = total;
+          previous[i][s] = static_cast<int>(p);
+        }
+      }
+      score[i][s] = best + gain;
+    }
+  }
+  std::vector<int> chosen(count, -1);
+  if (count == 0) return chosen;
+  int state = static_cast<int>(std::max_element(score.back().begin(), score.back().end()) -
+                               score.back().begin());
+  for (size_t i = count; i-- > 0;) {
+    chosen[i] = state - 1;
+    state = previous[i][state];
+  }
+  return chosen;
+}
+
+double WeightedMedian(std::vector<std::pair<double, double>> values_and_weights) {
+  std::sort(values_and_weights.begin(), values_and_weights.end());
+  double total = 0;
+  for (const auto& [value, weight] : values_and_weights) total += weight;
+  double below = 0;
+  for (const auto& [value, weight] : values_and_weights) {
+    below += weight;
+    if (below >= 0.5 * total) return value;
+  }
+  return values_and_weights.back().first;
+}
+
+FusedDepth Average(const std::vector<DepthCandidate>& candidates, const Mode& mode) {
+  std::vector<std::pair<double, double>> values;
+  for (const int i : mode.members) {
+    values.push_back({candidates[i].inverse_depth, candidates[i].information + 1e-12});
+  }
+  const double median = WeightedMedian(values);
+  for (auto& [value, weight] : values) value = std::abs(value - median);
+  // Two standard deviations by the median absolute deviation, but never below a quarter pixel.
+  const double gate = std::max(2 * 1.4826 * WeightedMedian(values),
+                               0.25 / std::max(mode.px_per_inverse_depth, 1e-300));
+  FusedDepth fused;
+  fused.px_per_inverse_depth = mode.px_per_inverse_depth;
+  double weight = 0;
+  for (const int i : mode.members) {
+    const DepthCandidate& candidate = candidates[i];
+    if (std::abs(candidate.inverse_depth - median) > gate) continue;
+    const double w = candidate.information + 1e-12;
+    fused.inverse_depth += w * candidate.inverse_depth;
+    weight += w;
+    fused.information += candidate.information;
+    fused.certain |= candidate.certain;
+    ++fused.num_candidates;
+  }
+  fused.inverse_depth /= weight;
+  fused.has_depth = true;
+  return fused;
+}
+
+}  // namespace
+
+std::vector<FusedDepth> FuseDepths(const FragmentRays& fragment,
+                                   const std::vector<std::vector<DepthCandidate>>& candidates,
+                                   const SketchOptions& options) {
+  std::vector<std::vector<Mode>> modes(candidates.size());
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    modes[i] = FindModes(candidates[i], options.depth_gate_px);
+  }
+  const std::vector<int> chosen = ChooseModes(fragment, modes);
+  std::vector<FusedDepth> fused(candidates.size());
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    if (chosen[i] >= 0) fused[i] = Average(candidates[i], modes[i][chosen[i]]);
+  }
+  return fused;
+}
+
+}  // namespace limn

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/model/curve_fragment.h"
+#include "limn/model/view.h"
+#include "limn/sketch/sketch_options.h"
+#include "limn/support/view_evidence.h"
+
+namespace limn {
+
+// One sample of a 3D curve hypothesis, in the frame of the primary camera.
+struct HypothesisSample {
+  // Vertex of the primary fragment.
+  int vertex = 0;
+  // Place on the second view's fragment, in vertices.
+  double second_parameter = 0;
+  // Z in the primary camera: the point is depth * ray of the vertex.
+  double depth = 0;
+  // Unit tangent, pointing along the fragment.
+  Eigen::Vector3d tangent_in_cam = Eigen::Vector3d::Zero();
+  // Sine of the smaller of the angles between curve and epipolar line in the two views.
+  double epipolar_sine = 0;
+  // Sine of the angle between the two viewing rays.
+  double triangulation_sine = 0;
+};
+
+// A fragment of the primary view matched with a fragment of the second view over a run of vertices.
+struct CurveHypothesis {
+  int second_fragment = -1;
+  std::vector<HypothesisSample> samples;  // ascending vertices
+};
+
+// The vertices of a fragment as rays of their camera.
+struct FragmentRays {
+  std::vector<Eigen::Vector2d> positions_px;
+  std::vector<Eigen::Vector2d> tangents_px;
+  std::vector<Eigen::Vector3d> rays;       // z = 1
+  std::vector<Eigen::Vector3d> normals;    // of the planes through the centre and the tangent, unit
+  // Arc length from the first vertex, px.
+  std::vector<double> arc_px;
+  bool closed = false;
+
+  size_t size() const { return rays.size(); }
+};
+
+FragmentRays MakeFragmentRays(const View& view, const ImageCurves& curves, int fragment);
+
+// All curve hypotheses of one primary fragment with one second view (curve sketch, CVPR 2010, section 3;
+// algorithm.md section 5). For every vertex the epipolar line, cut to the depth range, is intersected with
+// the fragments of the second view; position and tangent are interpolated at the intersection; runs of
+// intersections with one fragment become hypotheses. No hypothesis leaves the depth range.
+// Time: vertices x (cells along the epipolar segment).
+std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,
+                                            const View& second,
+                                            const ViewEvidence& second_evidence, double min_depth,
+                                            double max_depth, const SketchOptions& options);
+
+}  // namespace limn

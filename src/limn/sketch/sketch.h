@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "limn/model/curve3d.h"
+#include "limn/model/scene_hints.h"
+#include "limn/model/view.h"
+#include "limn/sketch/sketch_options.h"
+#include "limn/util/parallel.h"
+#include "limn/util/stage_summary.h"
+
+namespace limn {
+
+// What every sketch generator works on. `curves[v]` belongs to `views[v]`, after ApplyLens.
+struct SketchInput {
+  const std::vector<View>& views;
+  const std::vector<ImageCurves>& curves;
+  const SceneHints& hints;
+  // Only what lies in this box is reconstructed.
+  std::optional<Eigen::AlignedBox3d> box;
+};
+
+struct SketchResult {
+  CurveSketch sketch;
+  StageSummary summary;
+};
+
+// The 3D curve sketch (Fabbri and Kimia, CVPR 2010), the paper's baseline (i): for every pair of primary
+// and second view, image curves that overlap epipolarly are matched, triangulated, and kept when the whole
+// curve has enough edge support in the confirmation views. Portions tangent to epipolar lines are cut
+// away. Duplicates are the rule: one curve per pair of views.
+SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& options,
+                                 const RunContext& context);
+
+// The enhanced curve sketch (ECCV 2016, section 3), the paper's baseline (ii): local support sample by
+// sample, weights near epipolar tangency, and robust averaging in inverse depth of all reconstructions
+// of the same edgel of the primary view.
+SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
+                                 const RunContext& context);
+
+}  // namespace limn

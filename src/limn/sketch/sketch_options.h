@@ -1,0 +1,58 @@
+#pragma once
+
+#include "limn/sketch/view_selection.h"
+#include "limn/support/edgel_index.h"
+
+namespace limn {
+
+struct SketchOptions {
+  ViewSelectionOptions view_selection;
+
+  // Fragments shorter than this are not matched, px of arc length. Lower finds smaller details and more
+  // accidental matches.
+  double min_fragment_length_px = 10;
+  // Shortest stretch over which two fragments must correspond, px of arc length in the primary view.
+  double min_overlap_px = 5;
+
+  // Edge support (tau_d, tau_theta): a reprojected sample is supported by an edgel within this distance
+  // across the edge and this angle.
+  double max_support_distance_px = 1.5;
+  double max_support_angle_deg = 15;
+  // Half length of the stretch of curve that decides whether a view supports a sample, px.
+  double support_window_px = 4;
+  // Share of the samples in that stretch which must be supported.
+  double min_window_support = 0.7;
+  // Views that must support a sample: this share of the confirmation views that contain it, but at
+  // least min and at most max (algorithm.md 0.1 item 8).
+  double supporting_views_share = 0.3;
+  int min_supporting_views = 3;
+  int max_supporting_views = 6;
+  // Epipolar tangency: a view whose epipolar line makes an angle below the first with the curve counts
+  // with the least weight, above the second fully.
+  double min_epipolar_angle_deg = 3;
+  double max_epipolar_angle_deg = 15;
+  double min_tangency_weight = 0.1;
+
+  // Two reconstructions of one edgel belong together when they reproject within this distance.
+  double depth_gate_px = 1.5;
+  // Gaps in support up to this length do not break a curve, px.
+  double max_unsupported_gap_px = 2.5;
+  // An epipolar-tangent portion up to this length is interpolated between its ends, px.
+  double max_interpolated_gap_px = 30;
+  // Shorter pieces are dropped, px of arc length.
+  double min_piece_length_px = 8;
+
+  // Original sketch only (whole-curve support as published; lengths as for 640 x 360 images).
+  double original_min_fragment_length_px = 20;
+  double original_min_epipolar_angle_deg = 10;
+  int original_min_inliers_view = 15;
+  int original_min_inliers_total = 5;
+  double original_first_to_second_ratio = 1.5;
+
+  SupportGate Gate() const {
+    return {max_support_distance_px, 1.0, max_support_angle_deg * M_PI / 180};
+  }
+  void Check() const;
+};
+
+}  // namespace limn

@@ -1,0 +1,218 @@
+#include "limn/sketch/sketch_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limn {
+namespace {
+
+// A jump between neighbours beyond this, in px of the confirmation views and after allowing for the
+// slope of the curve, ends a piece.
+constexpr double kMaxJumpPx = 3;
+// Half width of the stretch that the slope of depth is fitted to, px.
+constexpr double kSlopeWindowPx = 6;
+// Standard deviation of an edgel across the edge that depth errors are derived from, px.
+constexpr double kEdgelSigmaPx = 0.2;
+
+double ArcBetween(const FragmentRays& fragment, int from, int to) {
+  const int count = static_cast<int>(fragment.size());
+  if (to < count) return fragment.arc_px[to] - fragment.arc_px[from];
+  const double closing =
+      (fragment.positions_px.front() - fragment.positions_px.back()).norm();
+  const double full = fragment.arc_px.back() + closing;
+  return full + fragment.arc_px[to - count] -
+         (from < count ? fragment.arc_px[from] : full + fragment.arc_px[from - count]);
+}
+
+void FillBetween(const FragmentRays& fragment, int from, int to, std::vector<FusedDepth>* depths) {
+  const FusedDepth first = (*depths)[from];
+  const FusedDepth last = (*depths)[to];
+  const double length = fragment.arc_px[to] - fragment.arc_px[from];
+  for (int i = from + 1; i < to; ++i) {
+    const double t = length > 0 ? (fragment.arc_px[i] - fragment.arc_px[from]) / length : 0.5;
+    FusedDepth& depth = (*depths)[i];
+    depth.has_depth = true;
+    depth.certain = false;
+    depth.information = 0;
+    depth.inverse_depth = (1 - t) * first.inverse_depth + t * last.inverse_depth;
+    depth.px_per_inverse_depth = first.px_per_inverse_depth;
+  }
+}
+
+// Whether `from` and `to`, neighbours in the fragment, may belong to one 3D curve. The second
+// differences on both sides tell slope from jump.
+bool Connected(const std::vector<FusedDepth>& depths, int from, int to) {
+  const int count = static_cast<int>(depths.size());
+  const FusedDepth& a = depths[from];
+  const FusedDepth& b = depths[to];
+  if (!a.has_depth || !b.has_depth) return false;
+  const double step = b.inverse_depth - a.inverse_depth;
+  double unexplained = std::abs(step);
+  const auto explain = [&](int i, int j) {
+    if (i < 0 || j < 0 || i >= count || j >= count) return;
+    if (!depths[i].has_depth || !depths[j].has_depth) return;
+    const double neighbour_step = depths[j].inverse_depth - depths[i].inverse_depth;
+    unexplained = std::min(unexplained, std::abs(step - neighbour_step));
+  };
+  explain(from - 1, from);
+  explain(to, to + 1);
+  return unexplained * std::max(a.px_per_inverse_depth, b.px_per_inverse_depth) <= kMaxJumpPx;
+}
+
+// Slope of inverse depth per px at position j of a run, fitted to its neighbourhood.
+double FitSlope(const std::vector<double>& arc, const std::vector<double>& inverse_depth,
+                const std::vector<double>& weight, size_t j) {
+  double sum = 0, sum_s = 0, sum_ss = 0, sum_q = 0, sum_sq = 0;
+  const auto add = [&](size_t k) {
+    const double s = arc[k] - arc[j];
+    sum += weight[k];
+    sum_s += weight[k] * s;
+    sum_ss += weight[k] * s * s;
+    sum_q += weight[k] * inverse_depth[k];
+    sum_sq += weight[k] * s * inverse_depth[k];
+  };
+  for (size_t k = j; k < arc.size() && arc[k] - arc[j] <= kSlopeWindowPx; ++k) add(k);
+  for (size_t k = j; k-- > 0 && arc[j] - arc[k] <= kSlopeWindowPx;) add(k);
+  const double determinant = sum * sum_ss - sum_s * sum_s;
+  if (!(determinant > 1e-12 * sum * sum_ss)) return 0;
+  return (sum * sum_sq - sum_s * sum_q) / determinant;
+}
+
+}  // namespace
+
+void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
+                     std::vector<FusedDepth>* depths) {
+  const int count = static_cast<int>(depths->size());
+  const auto interpolate_between = [&](auto is_anchor, double max_length_px) {
+    int last = -1;
+    for (int i = 0; i < count; ++i) {
+      if (!is_anchor((*depths)[i])) continue;
+      const bool gap = last >= 0 && i > last + 1;
+      if (gap && fragment.arc_px[i] - fragment.arc_px[last] <= max_length_px) {
+        const double jump = std::abs((*depths)[i].inverse_depth - (*depths)[last].inverse_depth) *
+                            (*depths)[i].px_per_inverse_depth;
+        if (jump <= kMaxJumpPx + fragment.arc_px[i] - fragment.arc_px[last]) {
+          FillBetween(fragment, last, i, depths);
+        }
+      }
+      last = i;
+    }
+  };
+  interpolate_between([](const FusedDepth& depth) { return depth.has_depth; },
+                      options.max_unsupported_gap_px + 1);
+  // Only stretches that are supported throughout, if at uncertain depth, are re-interpolated.
+  int last_certain = -1;
+  bool all_have_depth = true;
+  for (int i = 0; i < count; ++i) {
+    if (!(*depths)[i].has_depth) all_have_depth = false;
+    if (!(*depths)[i].has_depth || !(*depths)[i].certain) continue;
+    if (last_certain >= 0 && i > last_certain + 1 && all_have_depth &&
+        fragment.arc_px[i] - fragment.arc_px[last_certain] <= options.max_interpolated_gap_px) {
+      FillBetween(fragment, last_certain, i, depths);
+    }
+    last_certain = i;
+    all_have_depth = true;
+  }
+}
+
+std::vector<VertexRun> FindRuns(const FragmentRays& fragment,
+                                const std::vector<FusedDepth>& depths,
+                                const SketchOptions& options) {
+  const int count = static_cast<int>(depths.size());
+  std::vector<VertexRun> runs;
+  if (count == 0) return runs;
+  int start = 0;
+  bool wraps = false;
+  if (fragment.closed) {
+    // Begin right after a break, so that no run is cut at the arbitrary first vertex.
+    wraps = true;
+    start = -1;
+    for (int i = 0; i < count && start < 0; ++i) {
+      if (!Connected(depths, i, (i + 1) % count)) start = (i + 1) % count;
+    }
+    if (start < 0) return {{0, count, true}};
+  }
+  int begin = -1;
+  for (int k = 0; k < count; ++k) {
+    const int i = wraps ? (start + k) % count : k;
+    if (!depths[i].has_depth) {
+      begin = -1;
+      continue;
+    }
+    if (begin < 0) begin = k;
+    const bool continues = k + 1 < count && Connected(depths, i, (i + 1) % count);
+    if (continues) continue;
+    const int first = wraps ? (start + begin) % count : begin;
+    const int size = k - begin + 1;
+    if (ArcBetween(fragment, first, first + size - 1) >= options.min_piece_length_px) {
+      runs.push_back({first, size, false});
+    }
+    begin = -1;
+  }
+  return runs;
+}
+
+Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
+                  const std::vector<FusedDepth>& depths, const VertexRun& run) {
+  Curve3D curve;
+  curve.closed = run.closed;
+  curve.anchor.begin = run.begin;
+  const int count = static_cast<int>(fragment.size());
+  const Rigid3d world_from_cam = Inverse(view.cam_from_world);
+  std::vector<double> arc, inverse_depth, weight;
+  for (int k = 0; k < run.size; ++k) {
+    const int i = (run.begin + k) % count;
+    arc.push_back(ArcBetween(fragment, run.begin, run.begin + k));
+    inverse_depth.push_back(depths[i].inverse_depth);
+    weight.push_back(depths[i].information + 1e-9);
+  }
+  const double focal = view.camera.MeanFocal();
+  for (int k = 0; k < run.size; ++k) {
+    const int i = (run.begin + k) % count;
+    const double q = inverse_depth[k];
+    const Eigen::Vector3d point = fragment.rays[i] / q;
+    const Eigen::Vector3d ray_tangent(fragment.tangents_px[i].x() / view.camera.fx,
+                                      fragment.tangents_px[i].y() / view.camera.fy, 0);
+    const double slope = FitSlope(arc, inverse_depth, weight, k);
+    const Eigen::Vector3d tangent = ray_tangent / q - fragment.rays[i] * (slope / (q * q));
+    curve.points_in_world.push_back(world_from_cam * point);
+    curve.tangents_in_world.push_back(world_from_cam.rotation * tangent.normalized());
+    const double information = depths[i].information;
+    curve.depth_sigma.push_back(information > 0
+                                    ? kEdgelSigmaPx / (q * focal * std::sqrt(information))
+                                    : std::numeric_limits<double>::infinity());
+    curve.certain.push_back(depths[i].certain);
+  }
+  return curve;
+}
+
+void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                    const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                    const std::vector<ViewId>& candidate_views, const SupportGate& gate,
+                    Curve3D* curve) {
+  const CurveFragment& fragment = curves[curve->anchor.view].fragments[curve->anchor.fragment];
+  std::vector<EdgelRef> of_sample;
+  for (size_t s = 0; s < curve->size(); ++s) {
+    of_sample.clear();
+    const EdgelId own =
+        fragment.edgel_ids[(curve->anchor.begin + s) % fragment.edgel_ids.size()];
+    of_sample.push_back({curve->anchor.view, own});
+    for (const ViewId v : candidate_views) {
+      const auto pixel = views[v].Project(curve->points_in_world[s]);
+      if (!pixel) continue;
+      const Eigen::Vector3d point = views[v].cam_from_world * curve->points_in_world[s];
+      const Eigen::Vector3d tangent =
+          views[v].cam_from_world.rotation * curve->tangents_in_world[s];
+      const double dx = views[v].camera.fx * (tangent.x() * point.z() - point.x() * tangent.z());
+      const double dy = views[v].camera.fy * (tangent.y() * point.z() - point.y() * tangent.z());
+      if (dx == 0 && dy == 0) continue;
+      const auto match = evidence[v]->edgels.Best(*pixel, std::atan2(dy, dx), gate);
+      if (match) of_sample.push_back({v, match->edgel});
+    }
+    std::sort(of_sample.begin(), of_sample.end());
+    curve->support.Append(of_sample);
+  }
+}
+
+}  // namespace limn

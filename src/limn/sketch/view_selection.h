@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/model/scene_hints.h"
+#include "limn/model/view.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+struct ViewSelectionOptions {
+  // Second views a primary view is paired with to make hypotheses. More raises recall and time.
+  int max_second_views = 10;
+  // Views that confirm the hypotheses of a primary view. More raises precision and time.
+  int max_confirmation_views = 24;
+  // Triangulation angles between primary and second view, degrees: below the smaller one depth is
+  // unreliable, above the larger one the views no longer show the same edges.
+  double min_pair_angle_deg = 3.0;
+  double max_pair_angle_deg = 45.0;
+  // The same for confirmation views, which need to discriminate depths only a little.
+  double min_confirmation_angle_deg = 2.0;
+  double max_confirmation_angle_deg = 70.0;
+  // A view with fewer points than this takes its depth range from geometry alone.
+  int min_points_for_depth = 50;
+  // The points' depth range is widened by this factor on either side.
+  double points_depth_widening = 2.0;
+
+  void Check() const;
+};
+
+// What is matched with one primary view.
+struct ViewPlan {
+  // Depths (z in the camera) in which curves are sought; empty range (min > max) when no other view
+  // overlaps.
+  double min_depth = 1;
+  double max_depth = 0;
+  std::vector<ViewId> second_views;        // best first
+  std::vector<ViewId> confirmation_views;  // ascending
+};
+
+// Choose for every view its depth range, second views and confirmation views from the frusta: sample
+// points on a grid of pixels and depths, keep the depths that enough other views see under usable
+// angles, score the views by how much of that they see, and pick greedily with spread in angle and in
+// epipolar direction. Points of the sparse model widen the depth range where there are enough.
+// At most max_second_views + max_confirmation_views per view, so the stages after it are linear in the
+// number of views; the choice itself looks at all pairs with some 500 projections each.
+std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
+                                  const ViewSelectionOptions& options, const RunContext& context);
+
+}  // namespace limn

@@ -1,0 +1,108 @@
+#include "limn/support/edgel_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "limn/geometry/epipolar.h"
+
+namespace limn {
+namespace {
+
+constexpr double kCellPx = 4;
+
+double VirtualPerStored(const Edgel& edgel) {
+  const Eigen::Matrix2f inverse = edgel.stored_from_virtual.inverse();
+  return std::max(inverse.col(0).norm(), inverse.col(1).norm());
+}
+
+}  // namespace
+
+EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable)
+    : edge_map_(edge_map) {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
+    if (!usable[id]) continue;
+    low = low.cwiseMin(edge_map.edgels[id].position_px);
+    high = high.cwiseMax(edge_map.edgels[id].position_px);
+    max_scale_ = std::max(max_scale_, VirtualPerStored(edge_map.edgels[id]));
+  }
+  if (!(low.x() <= high.x())) {
+    cell_begin_.assign(1, 0);
+    return;
+  }
+  origin_ = low;
+  cols_ = static_cast<int>((high.x() - low.x()) / kCellPx) + 1;
+  rows_ = static_cast<int>((high.y() - low.y()) / kCellPx) + 1;
+  const auto cell_of = [&](const Edgel& edgel) {
+    const Eigen::Vector2d cell = (edgel.position_px - origin_) / kCellPx;
+    return static_cast<int>(cell.y()) * cols_ + static_cast<int>(cell.x());
+  };
+  cell_begin_.assign(static_cast<size_t>(cols_) * rows_ + 1, 0);
+  for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
+    if (usable[id]) ++cell_begin_[cell_of(edge_map.edgels[id]) + 1];
+  }
+  for (size_t i = 1; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
+  edgels_.resize(cell_begin_.back());
+  std::vector<int> next(cell_begin_.begin(), cell_begin_.end() - 1);
+  for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
+    if (usable[id]) edgels_[next[cell_of(edge_map.edgels[id])]++] = static_cast<EdgelId>(id);
+  }
+}
+
+template <typename Visit>
+void EdgelIndex::VisitCells(const Eigen::Vector2d& position_px, double radius_px,
+                            Visit&& visit) const {
+  const Eigen::Vector2d centre = (position_px - origin_) / kCellPx;
+  const double radius = radius_px / kCellPx;
+  const int col_begin = std::max(0, static_cast<int>(std::floor(centre.x() - radius)));
+  const int col_end = std::min(cols_ - 1, static_cast<int>(std::floor(centre.x() + radius)));
+  const int row_begin = std::max(0, static_cast<int>(std::floor(centre.y() - radius)));
+  const int row_end = std::min(rows_ - 1, static_cast<int>(std::floor(centre.y() + radius)));
+  for (int row = row_begin; row <= row_end; ++row) {
+    for (int col = col_begin; col <= col_end; ++col) {
+      const int cell = row * cols_ + col;
+      for (int i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) visit(edgels_[i]);
+    }
+  }
+}
+
+std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px, double direction_rad,
+                                           const SupportGate& gate) const {
+  const double radius_px = std::hypot(gate.normal_px, gate.along_px) * max_scale_;
+  EdgelMatch best;
+  double best_cost = std::numeric_limits<double>::infinity();
+  VisitCells(position_px, radius_px, [&](EdgelId id) {
+    const Edgel& edgel = edge_map_.edgels[id];
+    const double angle = UndirectedAngle(direction_rad, edgel.tangent_rad);
+    if (angle > gate.angle_rad) return;
+    const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
+    const Eigen::Vector2d offset = stored_from_virtual * (position_px - edgel.position_px);
+    const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
+    const double normal = tangent.y() * offset.x() - tangent.x() * offset.y();
+    const double along = tangent.dot(offset);
+    if (std::abs(normal) > gate.normal_px || std::abs(along) > gate.along_px) return;
+    const double cost = (normal * normal + 0.25 * along * along) / (gate.normal_px * gate.normal_px) +
+                        (angle * angle) / (gate.angle_rad * gate.angle_rad);
+    if (cost < best_cost || (cost == best_cost && id < best.edgel)) {
+      best_cost = cost;
+      best = {id, normal, angle};
+    }
+  });
+  if (best.edgel == kInvalidEdgel) return std::nullopt;
+  return best;
+}
+
+void EdgelIndex::ForEachWithin(const Eigen::Vector2d& position_px, double radius_px,
+                               const std::function<void(EdgelId)>& visit) const {
+  VisitCells(position_px, radius_px, [&](EdgelId id) {
+    if ((edge_map_.edgels[id].position_px - position_px).squaredNorm() <= radius_px * radius_px) {
+      visit(id);
+    }
+  });
+}
+
+}  // namespace limn

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "limn/model/edge_map.h"
+
+namespace limn {
+
+// How near an edgel must be to a predicted edge to support it.
+struct SupportGate {
+  // Largest distance across the edgel's direction, stored pixels.
+  double normal_px = 1.5;
+  // Largest distance along it, stored pixels: about the spacing of edgels.
+  double along_px = 1.0;
+  // Largest angle between the predicted direction and the edgel's, radians, undirected.
+  double angle_rad = 0.26;
+};
+
+struct EdgelMatch {
+  EdgelId edgel = kInvalidEdgel;
+  // Signed distance of the query from the edgel's tangent line along the edgel's normal, stored pixels.
+  double normal_residual_px = 0;
+  double angle_rad = 0;
+};
+
+// Edgels of one view by place and direction, on a grid over the virtual image. Holds a reference to
+// the edge map, which must outlive it.
+class EdgelIndex {
+ public:
+  // Indexes the edgels with usable[id].
+  EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable);
+
+  // The edgel within the gate with the smallest (distance / gate)^2 + (angle / gate)^2; the smallest
+  // id on ties. Constant expected time.
+  std::optional<EdgelMatch> Best(const Eigen::Vector2d& position_px, double direction_rad,
+                                 const SupportGate& gate) const;
+
+  // Call `visit` for every edgel whose virtual position is within radius_px, by ascending cell.
+  void ForEachWithin(const Eigen::Vector2d& position_px, double radius_px,
+                     const std::function<void(EdgelId)>& visit) const;
+
+ private:
+  template <typename Visit>
+  void VisitCells(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;
+
+  const EdgeMap& edge_map_;
+  Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
+  int cols_ = 0;
+  int rows_ = 0;
+  std::vector<int> cell_begin_;  // cols * rows + 1
+  std::vector<EdgelId> edgels_;  // by cell, ascending within a cell
+  double max_scale_ = 1;
+};
+
+}  // namespace limn
