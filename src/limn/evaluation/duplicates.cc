@@ -1,0 +1,96 @@
+#include "limn/evaluation/duplicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "limn/util/union_find.h"
+
+namespace limn {
+namespace {
+
+const double kMinCosine = std::cos(30.0 * M_PI / 180.0);
+
+struct Approach {
+  int sample = -1;
+  PolylinePoint place;
+};
+
+// Of the neighbours [begin, end), all of one curve, the nearest point on their cells.
+Approach NearestApproach(const CurveSamples& samples, const Eigen::Vector3d& query,
+                         const SpatialIndex::Neighbor* begin, const SpatialIndex::Neighbor* end) {
+  Approach best;
+  best.place.squared_distance = std::numeric_limits<double>::infinity();
+  for (const SpatialIndex::Neighbor* neighbor = begin; neighbor != end; ++neighbor) {
+    const PolylinePoint place = ClosestPoint(samples.Cell(neighbor->index), query);
+    if (place.squared_distance < best.place.squared_distance) best = {neighbor->index, place};
+  }
+  return best;
+}
+
+// The end (0 or 1) of its curve at which the approach is nearest, or -1.
+int EndOfApproach(const CurveSamples& samples, const Approach& approach) {
+  if (samples.IsFirst(approach.sample) && approach.place.segment == 0 && approach.place.t == 0) {
+    return 0;
+  }
+  if (samples.IsLast(approach.sample) && approach.place.segment == 1 && approach.place.t == 1) {
+    return 1;
+  }
+  return -1;
+}
+
+bool IsAlongside(const AlongsideSearch& search, int sample, double radius,
+                 const Approach& approach) {
+  const CurveSamples& samples = search.samples;
+  if (approach.place.squared_distance > radius * radius) return false;
+  const double cosine = samples.Direction(sample).dot(samples.Direction(approach.sample));
+  if (!(std::abs(cosine) >= kMinCosine)) return false;
+  const int end = EndOfApproach(samples, approach);
+  if (end < 0) return true;
+  const int node = search.topology.end_nodes[samples.CurveOf(approach.sample)][end];
+  for (const int own : search.topology.end_nodes[samples.CurveOf(sample)]) {
+    if (search.node_groups[own] == search.node_groups[node]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool RunsAlongsideAnother(const AlongsideSearch& search, int sample, double radius,
+                          std::vector<SpatialIndex::Neighbor>* scratch) {
+  const CurveSamples& samples = search.samples;
+  const Eigen::Vector3d& query = samples.Position(sample);
+  samples.FindNear(query, radius, scratch);
+  const SpatialIndex::Neighbor* const end = scratch->data() + scratch->size();
+  // Ascending order keeps the samples of one curve together.
+  for (const SpatialIndex::Neighbor* begin = scratch->data(); begin != end;) {
+    const int curve = samples.CurveOf(begin->index);
+    const SpatialIndex::Neighbor* next = begin;
+    while (next != end && samples.CurveOf(next->index) == curve) ++next;
+    const int own = samples.CurveOf(sample);
+    if (search.earlier_only ? curve < own : curve != own) {
+      if (IsAlongside(search, sample, radius, NearestApproach(samples, query, begin, next))) {
+        return true;
+      }
+    }
+    begin = next;
+  }
+  return false;
+}
+
+std::vector<int> GroupNodes(const std::vector<Polyline3d>& polylines, const CurveTopology& topology,
+                            const std::function<double(const Polyline3d&)>& scale_of) {
+  UnionFind groups(static_cast<int>(topology.nodes.size()));
+  for (size_t curve = 0; curve < polylines.size(); ++curve) {
+    const auto& [first, last] = topology.end_nodes[curve];
+    if (first >= 0 && Length(polylines[curve]) < scale_of(polylines[curve]))
+      groups.Union(first, last);
+  }
+  std::vector<int> representatives(topology.nodes.size());
+  for (size_t node = 0; node < representatives.size(); ++node) {
+    representatives[node] = groups.Find(static_cast<int>(node));
+  }
+  return representatives;
+}
+
+}  // namespace limn

@@ -1,0 +1,281 @@
+#include "limn/evaluation/evaluate_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "limn/evaluation/curve_samples.h"
+#include "limn/evaluation/curve_topology.h"
+#include "limn/evaluation/duplicates.h"
+#include "limn/evaluation/footprint.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+constexpr double kStepPerTau = 0.25;
+constexpr double kCopyDistancePerTau = 0.25;
+constexpr int kMinJunctionDegree = 3;
+constexpr size_t kChunk = 512;
+// The footprint along a curve is looked up at this many places to choose its step.
+constexpr int kFootprintProbes = 16;
+
+// Local unit of length at a point: 1 for world units.
+using UnitAt = std::function<double(const Eigen::Vector3d&)>;
+
+struct Scene {
+  const CurveSet& reconstruction;
+  const CurveSet& truth;
+  const CurveSet& dont_care;
+  const EvaluationOptions& options;
+  const UnitAt& unit_at;
+  const RunContext& context;
+  CurveTopology topology;
+  CurveTopology true_topology;
+};
+
+// What is known of a sample once it has been looked at.
+struct Judged {
+  bool counts = false;
+  bool duplicated = false;
+  double distance = 0;  // in local units
+  double weight = 0;
+};
+
+void CheckSet(const CurveSet& set, const char* name, bool may_be_empty) {
+  const auto check_finite = [&](const Eigen::Vector3d& point) {
+    if (!point.allFinite()) throw InputError(std::string(name) + ": a point is not finite");
+  };
+  bool empty = set.points.empty();
+  for (const Polyline3d& polyline : set.polylines) {
+    std::for_each(polyline.begin(), polyline.end(), check_finite);
+    empty = empty && polyline.empty();
+  }
+  std::for_each(set.points.begin(), set.points.end(), check_finite);
+  if (empty && !may_be_empty) throw InputError(std::string(name) + ": no curves and no points");
+}
+
+CurveSamples Sample(const CurveSet& set, double tau, const UnitAt& unit_at) {
+  return CurveSamples(set, [&](const Polyline3d& polyline) {
+    double unit = std::numeric_limits<double>::infinity();
+    const double length = Length(polyline);
+    if (!(length > 0)) return tau;
+    for (const Eigen::Vector3d& probe : ResampleUniform(polyline, length / kFootprintProbes)) {
+      unit = std::min(unit, unit_at(probe));
+    }
+    return kStepPerTau * tau * unit;
+  });
+}
+
+void ForEachSample(const Scene& scene, int count, const std::function<void(int)>& body) {
+  const size_t num_chunks = (count + kChunk - 1) / kChunk;
+  ParallelFor(scene.context, "evaluation", num_chunks, [&](size_t chunk) {
+    const size_t end = std::min((chunk + 1) * kChunk, static_cast<size_t>(count));
+    for (size_t i = chunk * kChunk; i < end; ++i) body(static_cast<int>(i));
+  });
+}
+
+bool InRegion(const Scene& scene, const Eigen::Vector3d& point) {
+  return !scene.options.region || scene.options.region->contains(point);
+}
+
+std::vector<Judged> JudgeReconstruction(const Scene& scene, const CurveSamples& samples,
+                                        const CurveSamples& truth, const CurveSamples& dont_care,
+                                        double tau) {
+  std::vector<Judged> judged(samples.size());
+  const std::vector<int> groups =
+      GroupNodes(scene.reconstruction.polylines, scene.topology,
+                 [&](const Polyline3d& link) { return tau * scene.unit_at(link.front()); });
+  const AlongsideSearch search{samples, scene.topology, groups};
+  ForEachSample(scene, samples.size(), [&](int i) {
+    thread_local std::vector<SpatialIndex::Neighbor> scratch;
+    const Eigen::Vector3d& position = samples.Position(i);
+    if (!InRegion(scene, position)) return;
+    const double unit = scene.unit_at(position);
+    if (dont_care.Distance(position) < scene.options.dont_care_taus * tau * unit) return;
+    judged[i].counts = true;
+    judged[i].weight = samples.Weight(i);
+    judged[i].distance = truth.Distance(position) / unit;
+    judged[i].duplicated = RunsAlongsideAnother(search, i, tau * unit, &scratch);
+  });
+  return judged;
+}
+
+std::vector<Judged> JudgeTruth(const Scene& scene, const CurveSamples& truth,
+                               const CurveSamples& reconstruction, double tau) {
+  std::vector<Judged> judged(truth.size());
+  std::vector<int> groups(scene.true_topology.nodes.size());
+  std::iota(groups.begin(), groups.end(), 0);
+  const AlongsideSearch search{truth, scene.true_topology, groups, /*earlier_only=*/true};
+  ForEachSample(scene, truth.size(), [&](int i) {
+    thread_local std::vector<SpatialIndex::Neighbor> scratch;
+    const Eigen::Vector3d& position = truth.Position(i);
+    if (!InRegion(scene, position)) return;
+    const double unit = scene.unit_at(position);
+    if (RunsAlongsideAnother(search, i, kCopyDistancePerTau * tau * unit, &scratch)) return;
+    judged[i].counts = true;
+    judged[i].weight = truth.Weight(i);
+    judged[i].distance = reconstruction.Distance(position) / unit;
+  });
+  return judged;
+}
+
+struct Shares {
+  double total = 0;
+  std::optional<double> within, mean, median, duplicated;
+};
+
+double WeightedMedian(std::vector<std::pair<double, double>> distance_and_weight, double total) {
+  std::sort(distance_and_weight.begin(), distance_and_weight.end());
+  double below = 0;
+  for (const auto& [distance, weight] : distance_and_weight) {
+    below += weight;
+    if (below >= 0.5 * total) return distance;
+  }
+  return distance_and_weight.back().first;
+}
+
+Shares Summarize(const std::vector<Judged>& judged, double tau) {
+  Shares shares;
+  double within = 0;
+  double duplicated = 0;
+  double moment = 0;
+  std::vector<std::pair<double, double>> distances;
+  for (const Judged& sample : judged) {
+    if (!sample.counts || !(sample.weight > 0)) continue;
+    shares.total += sample.weight;
+    if (sample.distance <= tau) within += sample.weight;
+    if (sample.duplicated) duplicated += sample.weight;
+    moment += sample.weight * sample.distance;
+    distances.emplace_back(sample.distance, sample.weight);
+  }
+  if (!(shares.total > 0)) return shares;
+  shares.within = within / shares.total;
+  shares.duplicated = duplicated / shares.total;
+  if (!std::isfinite(moment)) return shares;  // nothing to be distant from
+  shares.mean = moment / shares.total;
+  shares.median = WeightedMedian(std::move(distances), shares.total);
+  return shares;
+}
+
+// Share of `junctions` with one of `others` within junction_taus; `count` gets their number.
+std::optional<double> ShareOfJunctions(const Scene& scene,
+                                       const std::vector<Eigen::Vector3d>& junctions,
+                                       const std::vector<Eigen::Vector3d>& others,
+                                       const CurveSamples* dont_care, double tau, int* count) {
+  const SpatialIndex index(others);
+  int found = 0;
+  *count = 0;
+  for (const Eigen::Vector3d& junction : junctions) {
+    if (!InRegion(scene, junction)) continue;
+    const double unit = scene.unit_at(junction);
+    if (dont_care && dont_care->Distance(junction) < scene.options.dont_care_taus * tau * unit) {
+      continue;
+    }
+    ++*count;
+    if (index.size() == 0) continue;
+    const double distance = std::sqrt(index.Nearest(junction).squared_distance);
+    if (distance <= scene.options.junction_taus * tau * unit) ++found;
+  }
+  if (*count == 0) return std::nullopt;
+  return static_cast<double>(found) / *count;
+}
+
+void EvaluateJunctions(const Scene& scene, const CurveSamples& dont_care, TauResult* row) {
+  const auto junctions = NodesOfDegree(scene.reconstruction, kMinJunctionDegree);
+  const auto true_junctions = NodesOfDegree(scene.truth, kMinJunctionDegree);
+  if (true_junctions.empty()) return;
+  row->junction_precision =
+      ShareOfJunctions(scene, junctions, true_junctions, &dont_care, row->tau, &row->num_junctions);
+  row->junction_recall = ShareOfJunctions(scene, true_junctions, junctions, nullptr, row->tau,
+                                          &row->num_true_junctions);
+}
+
+TauResult EvaluateAt(const Scene& scene, double tau) {
+  const CurveSamples samples = Sample(scene.reconstruction, tau, scene.unit_at);
+  const CurveSamples truth = Sample(scene.truth, tau, scene.unit_at);
+  const CurveSamples dont_care = Sample(scene.dont_care, tau, scene.unit_at);
+  const Shares precision =
+      Summarize(JudgeReconstruction(scene, samples, truth, dont_care, tau), tau);
+  const Shares recall = Summarize(JudgeTruth(scene, truth, samples, tau), tau);
+  TauResult row;
+  row.tau = tau;
+  row.precision = precision.within;
+  row.recall = recall.within;
+  if (row.precision && row.recall) {
+    const double sum = *row.precision + *row.recall;
+    row.f = sum > 0 ? 2 * *row.precision * *row.recall / sum : 0.0;
+  }
+  row.accuracy = precision.mean;
+  row.median_accuracy = precision.median;
+  row.completeness = recall.mean;
+  row.median_completeness = recall.median;
+  if (!scene.reconstruction.polylines.empty()) row.duplicated = precision.duplicated;
+  row.reconstructed_length = precision.total;
+  row.true_length = recall.total;
+  EvaluateJunctions(scene, dont_care, &row);
+  return row;
+}
+
+EvaluationReport Evaluate(const CurveSet& reconstruction, const CurveSet& truth,
+                          const CurveSet& dont_care, const UnitAt& unit_at,
+                          const EvaluationOptions& options, const RunContext& context) {
+  options.Check();
+  CheckSet(reconstruction, "reconstruction", true);
+  CheckSet(truth, "ground truth", false);
+  CheckSet(dont_care, "don't-care curves", true);
+  const Scene scene{reconstruction,
+                    truth,
+                    dont_care,
+                    options,
+                    unit_at,
+                    context,
+                    FindTopology(reconstruction.polylines),
+                    FindTopology(truth.polylines)};
+  EvaluationReport report;
+  for (const double tau : options.taus) report.rows.push_back(EvaluateAt(scene, tau));
+  report.num_links = static_cast<int>(reconstruction.polylines.size());
+  report.num_points = static_cast<int>(reconstruction.points.size());
+  for (const Polyline3d& link : reconstruction.polylines) report.total_length += Length(link);
+  if (report.num_links > 0) report.mean_link_length = report.total_length / report.num_links;
+  report.num_components = CountComponents(scene.topology);
+  report.nodes_by_degree = CountNodesByDegree(reconstruction);
+  if (report.num_links > 0) report.num_ignored_points = report.num_points;
+  return report;
+}
+
+}  // namespace
+
+void EvaluationOptions::Check() const {
+  LIMN_CHECK_OPTION(taus.size(), > 0);
+  for (const double tau : taus) {
+    LIMN_CHECK_OPTION(tau, > 0);
+    LIMN_CHECK_OPTION(tau, < std::numeric_limits<double>::infinity());
+  }
+  LIMN_CHECK_OPTION(dont_care_taus, >= 0);
+  LIMN_CHECK_OPTION(junction_taus, > 0);
+  if (region && region->isEmpty()) throw OptionError("region: its minimum exceeds its maximum");
+}
+
+EvaluationReport EvaluateCurves(const CurveSet& reconstruction, const CurveSet& truth,
+                                const EvaluationOptions& options, const CurveSet& dont_care,
+                                const RunContext& context) {
+  const UnitAt world_units = [](const Eigen::Vector3d&) { return 1.0; };
+  return Evaluate(reconstruction, truth, dont_care, world_units, options, context);
+}
+
+EvaluationReport EvaluateCurvesInFootprints(const CurveSet& reconstruction, const CurveSet& truth,
+                                            const std::vector<View>& views,
+                                            const EvaluationOptions& options,
+                                            const CurveSet& dont_care, const RunContext& context) {
+  if (views.empty()) throw InputError("pixel footprints need at least one view");
+  const UnitAt footprint = [&](const Eigen::Vector3d& point) {
+    return PixelFootprint(views, point);
+  };
+  EvaluationReport report = Evaluate(reconstruction, truth, dont_care, footprint, options, context);
+  report.in_footprints = true;
+  return report;
+}
+
+}  // namespace limn

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "limn/model/curve_set.h"
+#include "limn/model/view.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+struct EvaluationOptions {
+  // Distances at which a curve counts as found, in world units or pixel footprints; each gives a
+  // row.
+  std::vector<double> taus;
+  // Only samples inside count; distances are to the whole other set. None: everything counts.
+  std::optional<Eigen::AlignedBox3d> region;
+  // Reconstructed samples and junctions nearer than this many taus to a don't-care curve are left
+  // out of every share. Raising it forgives more.
+  double dont_care_taus = 2.0;
+  // A junction is found by one of the other set's nearer than this many taus.
+  double junction_taus = 2.0;
+
+  void Check() const;
+};
+
+// Shares are within [0, 1] and absent where there is nothing to take a share of.
+struct TauResult {
+  double tau = 0;
+  // Share of the reconstructed length (or points) within tau of the truth.
+  std::optional<double> precision;
+  // Share of the true length (or points) within tau of the reconstruction.
+  std::optional<double> recall;
+  // Harmonic mean of the two.
+  std::optional<double> f;
+  // Mean and median distance of the reconstruction to the truth, and of the truth to the
+  // reconstruction, in the unit of tau.
+  std::optional<double> accuracy, median_accuracy;
+  std::optional<double> completeness, median_completeness;
+  // Share of the reconstructed length that runs alongside another link: see duplicates.h.
+  std::optional<double> duplicated;
+  // What the shares are of: length in world units, or points.
+  double reconstructed_length = 0;
+  double true_length = 0;
+  // Shares of the junctions (nodes of degree >= 3) that the other set has too; absent without any.
+  std::optional<double> junction_precision, junction_recall;
+  int num_junctions = 0;
+  int num_true_junctions = 0;
+};
+
+struct EvaluationReport {
+  std::vector<TauResult> rows;  // as options.taus
+  bool in_footprints = false;
+  // Of the whole reconstruction, inside and outside the region.
+  int num_links = 0;
+  int num_points = 0;
+  double total_length = 0;
+  double mean_link_length = 0;
+  int num_components = 0;
+  std::map<int, int> nodes_by_degree;
+  // Points left out because the set has polylines too.
+  int num_ignored_points = 0;
+};
+
+// Compare curves or points with ground truth. Both sets are cut into cells of tau/4 or less along
+// their length and judged at the cells' middles; distances are to the other set's curves. True
+// curves that run alongside an earlier one (within tau/4, 30 degrees) are copies of the same edge
+// and count once; copies in the reconstruction all count, and make its duplicated share. Points
+// count one each. An empty reconstruction has recall 0 and no precision. Throws OptionError, or
+// InputError if the truth is empty or a point is not finite. Time: O(n log n) in the number of
+// cells, that is, total length / tau, times the number of copies.
+EvaluationReport EvaluateCurves(const CurveSet& reconstruction, const CurveSet& truth,
+                                const EvaluationOptions& options, const CurveSet& dont_care = {},
+                                const RunContext& context = {});
+
+// The same with taus and distances in pixel footprints of these views: every distance is divided by
+// PixelFootprint at the sample it is measured from.
+EvaluationReport EvaluateCurvesInFootprints(const CurveSet& reconstruction, const CurveSet& truth,
+                                            const std::vector<View>& views,
+                                            const EvaluationOptions& options,
+                                            const CurveSet& dont_care = {},
+                                            const RunContext& context = {});
+
+}  // namespace limn

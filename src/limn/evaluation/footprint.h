@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/view.h"
+
+namespace limn {
+
+// The local unit of length rho(X): the median over the views that contain X of depth / focal
+// length, that is, the width of one pixel at X. A point that no view contains takes the views that
+// have it in front of them, and one behind all cameras the least distance / focal length. Always
+// positive; occlusion is not looked at. Linear in the number of views. Precondition: there is a
+// view.
+double PixelFootprint(const std::vector<View>& views, const Eigen::Vector3d& point_in_world);
+
+}  // namespace limn

@@ -1,0 +1,117 @@
+#include "limn/evaluation/report_writers.h"
+
+#include <iomanip>
+#include <limits>
+#include <ostream>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string Cell(const std::optional<double>& value, int digits) {
+  if (!value) return "-";
+  std::ostringstream text;
+  text << std::setprecision(digits) << *value;
+  return text.str();
+}
+
+std::string Percent(const std::optional<double>& share) {
+  if (!share) return "-";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << 100 * *share;
+  return text.str();
+}
+
+Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json RowAsJson(const TauResult& row) {
+  return {{"tau", row.tau},
+          {"precision", OrNull(row.precision)},
+          {"recall", OrNull(row.recall)},
+          {"f", OrNull(row.f)},
+          {"accuracy", OrNull(row.accuracy)},
+          {"median_accuracy", OrNull(row.median_accuracy)},
+          {"completeness", OrNull(row.completeness)},
+          {"median_completeness", OrNull(row.median_completeness)},
+          {"duplicated", OrNull(row.duplicated)},
+          {"reconstructed_length", row.reconstructed_length},
+          {"true_length", row.true_length},
+          {"junction_precision", OrNull(row.junction_precision)},
+          {"junction_recall", OrNull(row.junction_recall)},
+          {"num_junctions", row.num_junctions},
+          {"num_true_junctions", row.num_true_junctions}};
+}
+
+}  // namespace
+
+void PrintReport(const EvaluationReport& report, std::ostream& out) {
+  constexpr int kWidth = 10;
+  const auto print_row = [&](const std::vector<std::string>& cells) {
+    for (const std::string& cell : cells) out << std::setw(kWidth) << cell << ' ';
+    out << '\n';
+  };
+  print_row({report.in_footprints ? "tau [rho]" : "tau", "P %", "R %", "F %", "dupl. %", "accuracy",
+             "complete", "length", "true len.", "junc. P %", "junc. R %"});
+  for (const TauResult& row : report.rows) {
+    print_row({Cell(row.tau, 4), Percent(row.precision), Percent(row.recall), Percent(row.f),
+               Percent(row.duplicated), Cell(row.accuracy, 4), Cell(row.completeness, 4),
+               Cell(row.reconstructed_length, 5), Cell(row.true_length, 5),
+               Percent(row.junction_precision), Percent(row.junction_recall)});
+  }
+  out << "links " << report.num_links << ", mean length " << Cell(report.mean_link_length, 4)
+      << ", total " << Cell(report.total_length, 5) << ", components " << report.num_components
+      << '\n';
+  out << "nodes by degree:";
+  for (const auto& [degree, count] : report.nodes_by_degree) out << ' ' << degree << ": " << count;
+  out << '\n';
+  if (report.num_links == 0) out << "points " << report.num_points << '\n';
+  if (report.num_ignored_points > 0) {
+    out << "left out: " << report.num_ignored_points << " points that belong to no polyline\n";
+  }
+}
+
+void WriteReportCsv(const EvaluationReport& report, std::ostream& out) {
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  bool first = true;
+  for (const TauResult& row : report.rows) {
+    const Json json = RowAsJson(row);
+    if (first) {
+      for (const auto& [name, value] : json.items()) text << name << ',';
+      text << "unit,links,mean_link_length,total_length,components\n";
+      first = false;
+    }
+    for (const auto& [name, value] : json.items()) {
+      if (!value.is_null()) text << value;
+      text << ',';
+    }
+    text << (report.in_footprints ? "footprint" : "world") << ',' << report.num_links << ','
+         << report.mean_link_length << ',' << report.total_length << ',' << report.num_components
+         << '\n';
+  }
+  out << text.str();
+}
+
+void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
+  Json json;
+  json["unit"] = report.in_footprints ? "footprint" : "world";
+  json["rows"] = Json::array();
+  for (const TauResult& row : report.rows) json["rows"].push_back(RowAsJson(row));
+  json["num_links"] = report.num_links;
+  json["num_points"] = report.num_points;
+  json["num_ignored_points"] = report.num_ignored_points;
+  json["total_length"] = report.total_length;
+  json["mean_link_length"] = report.mean_link_length;
+  json["num_components"] = report.num_components;
+  json["nodes_by_degree"] = Json::object();
+  for (const auto& [degree, count] : report.nodes_by_degree) {
+    json["nodes_by_degree"][std::to_string(degree)] = count;
+  }
+  out << json.dump(2) << '\n';
+}
+
+}  // namespace limn

@@ -1,0 +1,96 @@
+#include "limn/geometry/spatial_index.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <flann/algorithms/dist.h>
+#include <flann/algorithms/kdtree_single_index.h>
+
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+constexpr int kLeafSize = 16;
+using KdTree = flann::KDTreeSingleIndex<flann::L2_Simple<double>>;
+using Neighbor = SpatialIndex::Neighbor;
+
+// FLANN's own result sets allocate per query and break ties by the order of the tree.
+class NearestResult : public flann::ResultSet<double> {
+ public:
+  bool full() const override { return best_.index >= 0; }
+  void addPoint(double squared_distance, size_t index) override {
+    const int candidate = static_cast<int>(index);
+    if (squared_distance < best_.squared_distance ||
+        (squared_distance == best_.squared_distance && candidate < best_.index)) {
+      best_ = {candidate, squared_distance};
+    }
+  }
+  // FLANN keeps what is strictly closer than this; one step up lets ties through.
+  double worstDist() const override {
+    return std::nextafter(best_.squared_distance, std::numeric_limits<double>::infinity());
+  }
+  const Neighbor& best() const { return best_; }
+
+ private:
+  Neighbor best_{-1, std::numeric_limits<double>::infinity()};
+};
+
+class WithinResult : public flann::ResultSet<double> {
+ public:
+  WithinResult(double squared_radius, std::vector<Neighbor>* found)
+      : squared_radius_(squared_radius), found_(found) {}
+  bool full() const override { return true; }
+  void addPoint(double squared_distance, size_t index) override {
+    found_->push_back({static_cast<int>(index), squared_distance});
+  }
+  double worstDist() const override { return squared_radius_; }
+
+ private:
+  double squared_radius_;
+  std::vector<Neighbor>* found_;
+};
+
+}  // namespace
+
+struct SpatialIndex::Tree {
+  std::vector<Eigen::Vector3d> points;
+  KdTree kd_tree;
+
+  explicit Tree(const std::vector<Eigen::Vector3d>& input)
+      : points(input),
+        kd_tree(flann::Matrix<double>(points.front().data(), points.size(), 3),
+                flann::KDTreeSingleIndexParams(kLeafSize)) {
+    kd_tree.buildIndex();
+  }
+};
+
+SpatialIndex::SpatialIndex(const std::vector<Eigen::Vector3d>& points)
+    : num_points_(points.size()) {
+  for (const Eigen::Vector3d& point : points) {
+    if (!point.allFinite()) throw InputError("spatial index: a point is not finite");
+  }
+  if (!points.empty()) tree_ = std::make_unique<Tree>(points);
+}
+
+SpatialIndex::~SpatialIndex() = default;
+SpatialIndex::SpatialIndex(SpatialIndex&&) noexcept = default;
+SpatialIndex& SpatialIndex::operator=(SpatialIndex&&) noexcept = default;
+
+SpatialIndex::Neighbor SpatialIndex::Nearest(const Eigen::Vector3d& query) const {
+  NearestResult result;
+  tree_->kd_tree.findNeighbors(result, query.data(), flann::SearchParams());
+  return result.best();
+}
+
+void SpatialIndex::FindWithin(const Eigen::Vector3d& query, double radius,
+                              std::vector<Neighbor>* found) const {
+  found->clear();
+  if (!tree_) return;
+  WithinResult result(radius * radius, found);
+  tree_->kd_tree.findNeighbors(result, query.data(), flann::SearchParams());
+  std::sort(found->begin(), found->end(),
+            [](const Neighbor& a, const Neighbor& b) { return a.index < b.index; });
+}
+
+}  // namespace limn

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace limn {
+
+// Exact nearest-neighbour look-up in a fixed set of 3D points: a single kd-tree (FLANN), leaves of
+// 16 points. Building takes O(n log n), a look-up O(log n + found). Immutable once built, so that
+// several threads may ask at the same time.
+class SpatialIndex {
+ public:
+  struct Neighbor {
+    int index = -1;
+    double squared_distance = 0;
+  };
+
+  // Throws InputError if a coordinate is not finite.
+  explicit SpatialIndex(const std::vector<Eigen::Vector3d>& points);
+  ~SpatialIndex();
+  SpatialIndex(SpatialIndex&&) noexcept;
+  SpatialIndex& operator=(SpatialIndex&&) noexcept;
+
+  size_t size() const { return num_points_; }
+
+  // The nearest point; the smallest index wins on ties. Precondition: size() > 0.
+  Neighbor Nearest(const Eigen::Vector3d& query) const;
+
+  // All points closer than `radius`, ascending by index; `found` is cleared first.
+  void FindWithin(const Eigen::Vector3d& query, double radius, std::vector<Neighbor>* found) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+  size_t num_points_ = 0;
+};
+
+}  // namespace limn

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/geometry/polyline.h"
+#include "limn/model/curve3d.h"
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// Where curves end or meet.
+struct CurveNode {
+  Eigen::Vector3d position_in_world = Eigen::Vector3d::Zero();
+  int degree = 0;  // number of curve ends here
+};
+
+// Curves or points as any program may have made them: what files of curves hold and what evaluation
+// and pictures look at.
+struct CurveSet {
+  std::vector<Polyline3d> polylines;
+  // Points that belong to no polyline.
+  std::vector<Eigen::Vector3d> points;
+  // Empty: nodes are where ends of polylines coincide exactly.
+  std::vector<CurveNode> nodes;
+};
+
+inline CurveSet ToCurveSet(const DrawingGraph& graph) {
+  CurveSet set;
+  set.polylines.reserve(graph.links.size());
+  for (const DrawingLink& link : graph.links) set.polylines.push_back(link.points_in_world);
+  set.nodes.reserve(graph.nodes.size());
+  for (const DrawingNode& node : graph.nodes) {
+    set.nodes.push_back({node.position_in_world, node.Degree()});
+  }
+  return set;
+}
+
+// A closed curve returns to its first point.
+inline CurveSet ToCurveSet(const CurveSketch& sketch) {
+  CurveSet set;
+  set.polylines.reserve(sketch.curves.size());
+  for (const Curve3D& curve : sketch.curves) {
+    set.polylines.push_back(curve.points_in_world);
+    if (curve.closed && curve.size() > 1) {
+      set.polylines.back().push_back(curve.points_in_world.front());
+    }
+  }
+  return set;
+}
+
+}  // namespace limn
