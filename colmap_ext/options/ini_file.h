@@ -1,0 +1,21 @@
+#pragma once
+
+#include <istream>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+// `key = value` lines under [Group] headers, as COLMAP's project.ini; the key becomes "Group.key".
+struct IniEntry {
+  std::string key;
+  std::string value;
+  int line = 0;
+};
+
+// Blank lines and lines that begin with '#' or ';' are skipped; a value may contain these
+// characters. Throws IoError with path and line.
+std::vector<IniEntry> ReadIniFile(std::istream& in, const std::string& path);
+std::vector<IniEntry> ReadIniFile(const std::string& path);
+
+}  // namespace limn

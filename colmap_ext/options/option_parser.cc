@@ -1,0 +1,285 @@
+#include "colmap_ext/options/option_parser.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <ostream>
+#include <set>
+#include <string_view>
+
+#include <boost/program_options.hpp>
+
+#include "colmap_ext/options/ini_file.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr char kProjectPath[] = "project_path";
+constexpr unsigned kHelpColumns = 100;
+
+template <typename Number>
+std::optional<Number> ParseNumber(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> ParseDouble(std::string_view text) {
+  const std::optional<double> value = ParseNumber<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+// The shortest text that reads back as the same number.
+std::string FormatDouble(double value) {
+  char buffer[32];
+  const auto [end, error] = std::to_chars(std::begin(buffer), std::end(buffer), value);
+  return {buffer, end};
+}
+
+std::optional<std::vector<double>> ParseDoubles(std::string_view text) {
+  std::vector<double> values;
+  while (!text.empty()) {
+    const size_t comma = std::min(text.find(','), text.size());
+    const std::optional<double> value = ParseDouble(text.substr(0, comma));
+    if (!value || comma + 1 == text.size()) return std::nullopt;
+    values.push_back(*value);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return values;
+}
+
+std::string FormatDoubles(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) {
+    if (!text.empty()) text += ',';
+    text += FormatDouble(value);
+  }
+  return text;
+}
+
+std::string GroupOf(const std::string& name) {
+  const size_t dot = name.find('.');
+  return dot == std::string::npos ? "" : name.substr(0, dot);
+}
+
+// "--name value" and "--name=value", names in full, and "-h".
+std::vector<po::option> SplitCommandLine(int argc, const char* const* argv,
+                                         const po::options_description& known) {
+  namespace style = po::command_line_style;
+  const int allowed = style::allow_long | style::long_allow_next | style::long_allow_adjacent |
+                      style::allow_short | style::allow_dash_for_short | style::short_allow_next;
+  try {
+    const po::positional_options_description none;
+    return po::command_line_parser(argc, argv)
+        .options(known)
+        .positional(none)
+        .style(allowed)
+        .run()
+        .options;
+  } catch (const po::error& error) {
+    throw OptionError(error.what());
+  }
+}
+
+}  // namespace
+
+OptionParser::OptionParser(std::string command, std::string summary)
+    : command_(std::move(command)), summary_(std::move(summary)) {}
+
+void OptionParser::Add(Option option) {
+  if (Find(option.name) || option.name == kProjectPath || option.name == "help") {
+    throw std::logic_error("option " + option.name + " is declared twice");
+  }
+  options_.push_back(std::move(option));
+}
+
+void OptionParser::AddOption(const std::string& name, double* value, const std::string& help) {
+  const auto set = [value](const std::string& text) -> std::string {
+    const auto parsed = ParseDouble(text);
+    if (!parsed) return "a number";
+    *value = *parsed;
+    return "";
+  };
+  Add({name, help, set, [value] { return FormatDouble(*value); }});
+}
+
+void OptionParser::AddOption(const std::string& name, int* value, const std::string& help) {
+  const auto set = [value](const std::string& text) -> std::string {
+    const auto parsed = ParseNumber<int>(text);
+    if (!parsed) return "a whole number";
+    *value = *parsed;
+    return "";
+  };
+  Add({name, help, set, [value] { return std::to_string(*value); }});
+}
+
+void OptionParser::AddOption(const std::string& name, bool* value, const std::string& help) {
+  const auto set = [value](const std::string& text) -> std::string {
+    *value = text == "1" || text == "true";
+    return *value || text == "0" || text == "false" ? "" : "0, 1, true or false";
+  };
+  Add({name, help, set, [value] { return std::string(*value ? "1" : "0"); }});
+}
+
+void OptionParser::AddOption(const std::string& name, std::string* value, const std::string& help) {
+  const auto set = [value](const std::string& text) -> std::string {
+    *value = text;
+    return "";
+  };
+  Add({name, help, set, [value] { return *value; }});
+}
+
+void OptionParser::AddOption(const std::string& name, std::vector<double>* value,
+                             const std::string& help) {
+  const auto set = [value](const std::string& text) -> std::string {
+    const auto parsed = ParseDoubles(text);
+    if (!parsed) return "numbers separated by commas";
+    *value = *parsed;
+    return "";
+  };
+  Add({name, help, set, [value] { return FormatDoubles(*value); }});
+}
+
+void OptionParser::AddOption(const std::string& name, std::string* value,
+                             std::vector<std::string> allowed, const std::string& help) {
+  const auto get = [value, allowed] {
+    return static_cast<size_t>(std::find(allowed.begin(), allowed.end(), *value) - allowed.begin());
+  };
+  AddWords(
+      name, help, allowed, [value, allowed](size_t word) { *value = allowed[word]; }, get);
+}
+
+void OptionParser::AddWords(const std::string& name, const std::string& help,
+                            std::vector<std::string> words, std::function<void(size_t)> set,
+                            std::function<size_t()> get) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "{" : ", ") + word;
+  list += "}";
+  if (get() >= words.size())
+    throw std::logic_error("the default of " + name + " is not in " + list);
+  const auto set_text = [words, set, list](const std::string& text) -> std::string {
+    const auto found = std::find(words.begin(), words.end(), text);
+    if (found == words.end()) return "one of " + list;
+    set(found - words.begin());
+    return "";
+  };
+  Add({name, help + " " + list, set_text, [words, get] { return words[get()]; }});
+}
+
+OptionParser::Option* OptionParser::Find(const std::string& name) {
+  const auto found = std::find_if(options_.begin(), options_.end(),
+                                  [&](const Option& option) { return option.name == name; });
+  return found == options_.end() ? nullptr : &*found;
+}
+
+bool OptionParser::WasGiven(const std::string& name) const {
+  return std::any_of(options_.begin(), options_.end(),
+                     [&](const Option& option) { return option.name == name && option.given; });
+}
+
+void OptionParser::Set(const std::string& name, const std::string& text,
+                       const std::string& origin) {
+  Option* option = Find(name);
+  if (!option) throw OptionError(origin + "unknown option '" + name + "'");
+  const std::string expected = option->set(text);
+  if (!expected.empty()) {
+    throw OptionError(origin + name + " = " + text + ": must be " + expected);
+  }
+  option->given = true;
+}
+
+void OptionParser::ReadIni(const std::string& path) {
+  std::set<std::string> seen;
+  for (const IniEntry& entry : ReadIniFile(path)) {
+    const std::string origin = path + ": line " + std::to_string(entry.line) + ": ";
+    if (!seen.insert(entry.key).second) {
+      throw OptionError(origin + "option '" + entry.key + "' is given twice");
+    }
+    Set(entry.key, entry.value, origin);
+  }
+}
+
+OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
+                                          std::ostream& help_out) {
+  po::options_description known;
+  known.add_options()("help,h", "");
+  known.add_options()(kProjectPath, po::value<std::string>(), "");
+  for (const Option& option : options_) {
+    known.add_options()(option.name.c_str(), po::value<std::string>(), "");
+  }
+  const std::vector<po::option> given = SplitCommandLine(argc, argv, known);
+
+  std::set<std::string> seen;
+  std::string project_path;
+  for (const po::option& option : given) {
+    if (option.string_key == "help") {
+      PrintHelp(help_out);
+      return Outcome::kHelp;
+    }
+    if (option.position_key >= 0 || option.string_key.empty()) {
+      throw OptionError("unexpected argument '" + option.value.front() + "'");
+    }
+    if (!seen.insert(option.string_key).second) {
+      throw OptionError("option '--" + option.string_key + "' is given twice");
+    }
+    if (option.string_key == kProjectPath) project_path = option.value.front();
+  }
+  if (!project_path.empty()) ReadIni(project_path);
+  for (const po::option& option : given) {
+    if (option.string_key != kProjectPath) Set(option.string_key, option.value.front(), "");
+  }
+  return Outcome::kRun;
+}
+
+void OptionParser::PrintHelp(std::ostream& out) const {
+  po::options_description table(kHelpColumns, kHelpColumns / 2);
+  table.add_options()("help,h", "Print this text.");
+  table.add_options()(kProjectPath, po::value<std::string>(),
+                      "Read options from this ini file; the command line overrides it.");
+  for (const Option& option : options_) {
+    const std::string value = option.get();
+    auto* semantic = po::value<std::string>();
+    if (!value.empty()) semantic->default_value(value);
+    table.add_options()(option.name.c_str(), semantic, option.help.c_str());
+  }
+  out << "limn " << command_ << ": " << summary_ << "\n\n" << table;
+}
+
+void OptionParser::WriteIni(std::ostream& out) const {
+  std::vector<std::string> groups = {""};
+  for (const Option& option : options_) {
+    const std::string group = GroupOf(option.name);
+    if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+  }
+  for (const std::string& group : groups) {
+    if (!group.empty()) out << "[" << group << "]\n";
+    for (const Option& option : options_) {
+      if (GroupOf(option.name) != group) continue;
+      const std::string key = group.empty() ? option.name : option.name.substr(group.size() + 1);
+      out << key << "=" << option.get() << "\n";
+    }
+  }
+}
+
+void OptionParser::WriteIni(const std::string& path) const {
+  const std::string temporary = path + ".tmp";
+  {
+    std::ofstream out(temporary);
+    WriteIni(out);
+    out.close();
+    if (!out) throw IoError(temporary, "cannot be written");
+  }
+  std::error_code error;
+  std::filesystem::rename(temporary, path, error);
+  if (error) throw IoError(path, "cannot be written: " + error.message());
+}
+
+}  // namespace limn

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limn {
+
+// The options of a command in COLMAP's dialect:
+//
+//   --workspace_path my_project --Linking.min_length_px 8 --Drawing.refine=0
+//   --project_path file.ini     options from a file; the command line overrides it (unlike COLMAP)
+//   -h, --help                  every option with its default
+//
+// Each option is bound to a variable, whose value at the time of AddOption is the default. Names
+// are written out in full; an option may be given once. Bools are 0, 1, true or false.
+class OptionParser {
+ public:
+  enum class Outcome { kRun, kHelp };
+
+  // `command` and `summary` (one line) head the help text.
+  OptionParser(std::string command, std::string summary);
+
+  // The variable must outlive the parser. A name is `snake_case`, or `Group.snake_case` for an
+  // option of an algorithm.
+  void AddOption(const std::string& name, double* value, const std::string& help);
+  void AddOption(const std::string& name, int* value, const std::string& help);
+  void AddOption(const std::string& name, bool* value, const std::string& help);
+  void AddOption(const std::string& name, std::string* value, const std::string& help);
+  // Numbers separated by commas.
+  void AddOption(const std::string& name, std::vector<double>* value, const std::string& help);
+  // One of a list of words; the help text names them.
+  void AddOption(const std::string& name, std::string* value, std::vector<std::string> allowed,
+                 const std::string& help);
+  // An enum by its words.
+  template <typename Enum>
+  void AddOption(const std::string& name, Enum* value,
+                 const std::vector<std::pair<std::string, Enum>>& words, const std::string& help);
+
+  // Sets the variables. Throws OptionError (one line, naming option and value) for unknown,
+  // repeated or incomplete options and bad values, IoError for an ini file that cannot be read. The
+  // variables are unspecified after an exception. On kHelp the help text has been written and
+  // nothing set.
+  Outcome Parse(int argc, const char* const* argv, std::ostream& help_out);
+
+  // Every option with its present value, readable with --project_path: first those without a group,
+  // then a section per group. Writes to a temporary name and renames. Throws IoError.
+  void WriteIni(const std::string& path) const;
+  void WriteIni(std::ostream& out) const;
+
+  // Whether an option was given on the command line or in the ini file (after Parse).
+  bool WasGiven(const std::string& name) const;
+
+ private:
+  struct Option {
+    std::string name;
+    std::string help;
+    // Returns what the value must be, or an empty string if it was set.
+    std::function<std::string(const std::string& text)> set;
+    std::function<std::string()> get;
+    bool given = false;
+  };
+
+  void Add(Option option);
+  void AddWords(const std::string& name, const std::string& help, std::vector<std::string> words,
+                std::function<void(size_t)> set, std::function<size_t()> get);
+  void PrintHelp(std::ostream& out) const;
+  Option* Find(const std::string& name);
+  void Set(const std::string& name, const std::string& text, const std::string& origin);
+  void ReadIni(const std::string& path);
+
+  std::string command_;
+  std::string summary_;
+  std::vector<Option> options_;  // in the order of the calls
+};
+
+template <typename Enum>
+void OptionParser::AddOption(const std::string& name, Enum* value,
+                             const std::vector<std::pair<std::string, Enum>>& words,
+                             const std::string& help) {
+  std::vector<std::string> texts;
+  std::vector<Enum> values;
+  for (const auto& [text, word_value] : words) {
+    texts.push_back(text);
+    values.push_back(word_value);
+  }
+  AddWords(
+      name, help, std::move(texts), [value, values](size_t word) { *value = values[word]; },
+      [value, values] {
+        size_t word = 0;
+        while (word < values.size() && values[word] != *value) ++word;
+        return word;
+      });
+}
+
+}  // namespace limn

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <istream>
+#include <optional>
+
+#include "colmap_ext/workspace/image_reader.h"
+
+namespace limn::colmap_ext {
+
+// Size from the header of a PNG (IHDR chunk) or JPEG (first start-of-frame marker) file, without
+// decoding it. Nothing for other formats, damaged headers and files that cannot be opened.
+std::optional<ImageSize> ReadSizeFromHeader(std::istream& in);
+std::optional<ImageSize> ReadSizeFromHeader(const std::filesystem::path& path);
+
+}  // namespace limn::colmap_ext

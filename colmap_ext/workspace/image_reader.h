@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+
+#include "limn/model/image.h"
+
+namespace limn::colmap_ext {
+
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+
+  bool operator==(const ImageSize&) const = default;
+};
+
+// Size of the pixels as stored (no EXIF rotation, which COLMAP ignores too). JPEG and PNG headers
+// are parsed, other formats decoded. Throws IoError.
+ImageSize ReadImageSize(const std::filesystem::path& path);
+
+// The size after --max_image_size: unchanged if neither side is longer than max_image_size or that
+// is -1, else the longer side becomes max_image_size and the other is rounded.
+ImageSize ShrunkSize(ImageSize size, int max_image_size);
+
+// Decode a photograph: 8 or 16 bits per channel, grey or colour (alpha is dropped), EXIF rotation
+// ignored; values in grey levels 0..255, colour as RGB. Shrunk by an area filter to ShrunkSize.
+// Throws IoError if the file is missing, cannot be decoded, or has another depth.
+Image ReadImage(const std::filesystem::path& path, int max_image_size = -1);
+
+// Decode a mask and shrink it likewise: nonzero where the file is nonzero in all that a pixel
+// covers. Throws IoError, also when the mask is not of size `expected` (the size as stored of its
+// photograph).
+std::vector<unsigned char> ReadMask(const std::filesystem::path& path, ImageSize expected,
+                                    int max_image_size = -1);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,231 @@
+#include "colmap_ext/workspace/layout.h"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "colmap_ext/workspace/model.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMaxListed = 20;
+
+struct Candidate {
+  fs::path model_dir;
+  fs::path image_dir;
+  fs::path base_dir;   // results go here
+  fs::path dense_dir;  // empty for a sparse model
+  int index = 0;
+  size_t num_rivals = 0;  // models it was chosen from
+};
+
+bool IsFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+std::vector<fs::path> SortedEntries(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    entries.push_back(it->path());
+  }
+  if (error) throw IoError(folder.string(), "cannot be listed: " + error.message());
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+// The sub-folders whose names are numbers, ascending.
+std::vector<std::pair<int, fs::path>> NumberedFolders(const fs::path& folder) {
+  std::vector<std::pair<int, fs::path>> folders;
+  if (!IsFolder(folder)) return folders;
+  for (const fs::path& entry : SortedEntries(folder)) {
+    const std::string name = entry.filename().string();
+    int index = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+    if (error == std::errc() && end == name.data() + name.size() && index >= 0 && IsFolder(entry)) {
+      folders.emplace_back(index, entry);
+    }
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+// "a/ b.txt ..." for messages; folders with a slash.
+std::string Listing(const fs::path& folder) {
+  const std::vector<fs::path> entries = SortedEntries(folder);
+  if (entries.empty()) return "nothing";
+  std::string text;
+  for (size_t i = 0; i < std::min(entries.size(), kMaxListed); ++i) {
+    text +=
+        (i > 0 ? ", " : "") + entries[i].filename().string() + (IsFolder(entries[i]) ? "/" : "");
+  }
+  if (entries.size() > kMaxListed) {
+    text += " and " + std::to_string(entries.size() - kMaxListed) + " more";
+  }
+  return text;
+}
+
+[[noreturn]] void FailNothingFits(const fs::path& workspace, const LayoutOptions& options) {
+  std::string found = "found " + Listing(workspace);
+  for (const char* name : {"sparse", "dense"}) {
+    if (IsFolder(workspace / name)) {
+      found += std::string("; in ") + name + ": " + Listing(workspace / name);
+    }
+  }
+  const std::string asked =
+      options.model_index < 0 ? "" : " with model_index " + std::to_string(options.model_index);
+  throw IoError(
+      workspace.string(),
+      "no COLMAP model with its images" + asked +
+          " (expected sparse/ and images/, dense/<i>/, or sparse/<i>/ and images/): " + found);
+}
+
+// The first one that has most registered images.
+Candidate MostRegistered(const std::vector<Candidate>& found) {
+  size_t best = 0;
+  uint64_t most = 0;
+  for (size_t i = 0; i < found.size() && found.size() > 1; ++i) {
+    const uint64_t count = CountRegisteredImages(found[i].model_dir);
+    if (count > most) {
+      most = count;
+      best = i;
+    }
+  }
+  Candidate chosen = found[best];
+  chosen.num_rivals = found.size();
+  return chosen;
+}
+
+class Finder {
+ public:
+  Finder(fs::path workspace, const LayoutOptions& options)
+      : workspace_(std::move(workspace)), options_(options) {}
+
+  Candidate Find() const {
+    const fs::path sparse = workspace_ / "sparse";
+    std::vector<Candidate> found;
+    AddDense(workspace_, kNoIndex, &found);
+    if (found.empty()) {
+      for (const auto& [index, folder] : NumberedFolders(workspace_ / "dense")) {
+        AddDense(folder, index, &found);
+      }
+    }
+    if (found.empty()) AddDense(workspace_ / "dense", kNoIndex, &found);
+    if (found.empty()) {
+      for (const auto& [index, folder] : NumberedFolders(sparse)) {
+        Add({folder, ImagesIn(workspace_), workspace_, {}, index}, &found);
+      }
+    }
+    if (found.empty()) Add({sparse, ImagesIn(workspace_), workspace_, {}, kNoIndex}, &found);
+    if (found.empty()) FailNothingFits(workspace_, options_);
+    return MostRegistered(found);
+  }
+
+ private:
+  static constexpr int kNoIndex = -1;
+
+  fs::path ImagesIn(const fs::path& folder) const {
+    return options_.image_path.empty() ? folder / "images" : fs::path(options_.image_path);
+  }
+
+  void AddDense(const fs::path& folder, int index, std::vector<Candidate>* found) const {
+    Add({folder / "sparse", ImagesIn(folder), folder, folder, index}, found);
+  }
+
+  void Add(const Candidate& candidate, std::vector<Candidate>* found) const {
+    if (options_.model_index >= 0 && candidate.index != options_.model_index) return;
+    if (HoldsModel(candidate.model_dir) && IsFolder(candidate.image_dir)) {
+      found->push_back(candidate);
+    }
+  }
+
+  fs::path workspace_;
+  const LayoutOptions& options_;
+};
+
+// A model folder given by the user: the folder itself, or the best of its numbered sub-folders.
+Candidate GivenModelFolder(const fs::path& given, int model_index) {
+  Candidate direct;
+  direct.model_dir = given;
+  direct.num_rivals = 1;
+  if (HoldsModel(given)) return direct;
+  std::vector<Candidate> found;
+  for (const auto& [index, folder] : NumberedFolders(given)) {
+    if (!HoldsModel(folder) || (model_index >= 0 && index != model_index)) continue;
+    found.push_back(direct);
+    found.back().model_dir = folder;
+  }
+  if (!found.empty()) return MostRegistered(found);
+  if (!IsFolder(given)) throw IoError(given.string(), "no such folder");
+  throw IoError(given.string(), "no COLMAP model (cameras and images): found " + Listing(given));
+}
+
+// A model given by the user: its images are beside it or its parent folder, else in the workspace.
+Candidate GivenModel(const LayoutOptions& options) {
+  Candidate result = GivenModelFolder(options.input_path, options.model_index);
+  const fs::path absolute = fs::weakly_canonical(result.model_dir);
+  const fs::path parent = absolute.parent_path();
+  const bool dense =
+      absolute.filename() == "sparse" && IsFolder(parent / "images") && IsFolder(parent / "stereo");
+  if (dense) result.dense_dir = parent;
+  result.base_dir = dense ? parent : fs::path(options.workspace_path);
+  result.image_dir = options.image_path;
+  if (!options.image_path.empty()) return result;
+  for (const fs::path& folder : {parent, parent.parent_path(), fs::path(options.workspace_path)}) {
+    result.image_dir = folder / "images";
+    if (IsFolder(result.image_dir)) return result;
+  }
+  throw IoError(options.input_path,
+                "no folder `images` near this model; name it with --image_path");
+}
+
+std::string Describe(const WorkspaceLayout& layout, size_t num_rivals) {
+  const std::string choice =
+      num_rivals < 2 ? "" : ", most of " + std::to_string(num_rivals) + " models";
+  return "Model " + layout.model_dir.string() + " (" +
+         std::to_string(CountRegisteredImages(layout.model_dir)) + " registered images" + choice +
+         "), images in " + layout.image_dir.string() + ", results to " +
+         layout.output.drawing_dir.string();
+}
+
+}  // namespace
+
+void LayoutOptions::Check() const {
+  LIMN_CHECK_OPTION(model_index, >= -1);
+  const bool complete = !input_path.empty() && !image_path.empty() && !output_path.empty();
+  if (workspace_path.empty() && !complete) {
+    throw OptionError(
+        "workspace_path is missing: give it, or all of input_path, image_path and output_path");
+  }
+}
+
+WorkspaceLayout ResolveLayout(const LayoutOptions& options) {
+  options.Check();
+  if (!options.image_path.empty() && !IsFolder(options.image_path)) {
+    throw IoError(options.image_path, "no such folder (image_path)");
+  }
+  if (!options.workspace_path.empty() && !IsFolder(options.workspace_path)) {
+    throw IoError(options.workspace_path, "no such folder (workspace_path)");
+  }
+  const Candidate chosen = options.input_path.empty()
+                               ? Finder(options.workspace_path, options).Find()
+                               : GivenModel(options);
+  WorkspaceLayout layout;
+  layout.model_dir = chosen.model_dir;
+  layout.image_dir = chosen.image_dir;
+  layout.dense_dir = chosen.dense_dir;
+  const fs::path base =
+      options.output_path.empty() ? chosen.base_dir : fs::path(options.output_path);
+  layout.output = {base, base / "curves"};
+  layout.description = Describe(layout, chosen.num_rivals);
+  return layout;
+}
+
+}  // namespace limn::colmap_ext

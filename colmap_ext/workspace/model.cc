@@ -1,0 +1,128 @@
+#include "colmap_ext/workspace/model.h"
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+#include "colmap_ext/workspace/byte_reader.h"
+#include "colmap_ext/workspace/line_reader.h"
+#include "colmap_ext/workspace/model_builder.h"
+#include "colmap_ext/workspace/model_files.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ReadFile = void (*)(std::istream&, const std::string&, ModelBuilder*);
+
+struct Flavour {
+  const char* extension;
+  ReadFile cameras;
+  ReadFile images;
+  ReadFile points;
+};
+
+constexpr Flavour kBinary = {".bin", ReadCamerasBinary, ReadImagesBinary, ReadPointsBinary};
+constexpr Flavour kText = {".txt", ReadCamerasText, ReadImagesText, ReadPointsText};
+
+bool IsFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+fs::path FileOf(const fs::path& folder, const char* stem, const Flavour& flavour) {
+  return folder / (std::string(stem) + flavour.extension);
+}
+
+bool IsComplete(const fs::path& folder, const Flavour& flavour) {
+  return IsFile(FileOf(folder, "cameras", flavour)) && IsFile(FileOf(folder, "images", flavour));
+}
+
+// Names the files that keep the folder from being a model.
+[[noreturn]] void FailIncomplete(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) throw IoError(folder.string(), "no such folder");
+  std::string missing = "cameras.bin and images.bin (or .txt) expected, neither of them found";
+  for (const Flavour* flavour : {&kBinary, &kText}) {
+    const std::string cameras = FileOf("", "cameras", *flavour).string();
+    const std::string images = FileOf("", "images", *flavour).string();
+    if (IsFile(folder / cameras)) missing = images + " is missing beside " + cameras;
+    if (IsFile(folder / images)) missing = cameras + " is missing beside " + images;
+  }
+  throw IoError(folder.string(), "not a COLMAP model: " + missing);
+}
+
+const Flavour& FlavourOf(const fs::path& folder) {
+  if (IsComplete(folder, kBinary)) return kBinary;
+  if (IsComplete(folder, kText)) return kText;
+  FailIncomplete(folder);
+}
+
+std::ifstream Open(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw IoError(path.string(), "cannot be opened for reading");
+  return in;
+}
+
+void Read(ReadFile read, const fs::path& path, ModelBuilder* builder) {
+  std::ifstream in = Open(path);
+  read(in, path.string(), builder);
+  if (in.bad()) throw IoError(path.string(), "read error");
+}
+
+void WarnAboutSecondFlavour(const fs::path& folder, ModelBuilder* builder) {
+  if (!IsComplete(folder, kBinary) || !IsComplete(folder, kText)) return;
+  std::error_code ignored;
+  const bool newer_text = fs::last_write_time(FileOf(folder, "images", kText), ignored) >
+                          fs::last_write_time(FileOf(folder, "images", kBinary), ignored);
+  if (newer_text) {
+    builder->Warn(
+        folder.string() +
+        ": images.txt is newer than images.bin; the binary files were read, as in COLMAP");
+  }
+}
+
+}  // namespace
+
+const Camera& SparseModel::CameraOf(const ModelImage& image) const {
+  return *std::find_if(cameras.begin(), cameras.end(),
+                       [&](const Camera& camera) { return camera.id == image.camera_id; });
+}
+
+bool HoldsModel(const fs::path& folder) {
+  return IsComplete(folder, kBinary) || IsComplete(folder, kText);
+}
+
+uint64_t CountRegisteredImages(const fs::path& folder) {
+  const Flavour& flavour = FlavourOf(folder);
+  const fs::path path = FileOf(folder, "images", flavour);
+  std::ifstream in = Open(path);
+  if (&flavour == &kBinary) {
+    return ByteReader(in, path.string()).ReadCount("number of images", 73);
+  }
+  LineReader reader(in, path.string());
+  uint64_t count = 0;
+  for (; reader.NextRecord(); ++count) reader.NextLine();
+  return count;
+}
+
+SparseModel ReadModel(const fs::path& folder) {
+  const Flavour& flavour = FlavourOf(folder);
+  ModelBuilder builder;
+  WarnAboutSecondFlavour(folder, &builder);
+  Read(flavour.cameras, FileOf(folder, "cameras", flavour), &builder);
+  Read(flavour.images, FileOf(folder, "images", flavour), &builder);
+  const fs::path points = FileOf(folder, "points3D", flavour);
+  if (IsFile(points)) {
+    Read(flavour.points, points, &builder);
+  } else {
+    builder.Warn(points.string() + " is missing: going on with the poses alone");
+  }
+  SparseModel model = builder.Finish();
+  model.folder = folder;
+  return model;
+}
+
+}  // namespace limn::colmap_ext

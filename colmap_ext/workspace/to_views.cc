@@ -1,0 +1,236 @@
+#include "colmap_ext/workspace/to_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+#include <system_error>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "colmap_ext/workspace/camera_lens_map.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> ReadImageList(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) throw IoError(path, "the image list cannot be opened for reading");
+  std::set<std::string> names;
+  const char* space = " \t\r";
+  for (std::string line; std::getline(in, line);) {
+    const size_t begin = line.find_first_not_of(space);
+    if (begin == std::string::npos) continue;
+    names.insert(line.substr(begin, line.find_last_not_of(space) + 1 - begin));
+  }
+  return names;
+}
+
+// Indices into model.images of the images to use, sorted by name.
+std::vector<int> SelectImages(const SparseModel& model, const std::string& image_list_path) {
+  std::vector<int> selected;
+  std::set<std::string> wanted;
+  if (!image_list_path.empty()) wanted = ReadImageList(image_list_path);
+  std::set<std::string> unknown = wanted;
+  for (size_t i = 0; i < model.images.size(); ++i) {
+    const std::string& name = model.images[i].name;
+    unknown.erase(name);
+    if (image_list_path.empty() || wanted.contains(name)) selected.push_back(static_cast<int>(i));
+  }
+  if (!unknown.empty()) {
+    throw IoError(image_list_path, "image \"" + *unknown.begin() + "\" is not registered in " +
+                                       model.folder.string());
+  }
+  if (selected.empty())
+    throw InputError(model.folder.string() + ": no registered image to work on");
+  std::sort(selected.begin(), selected.end(),
+            [&](int a, int b) { return model.images[a].name < model.images[b].name; });
+  return selected;
+}
+
+void CheckImagesExist(const std::vector<std::string>& paths) {
+  const auto missing = [](const std::string& path) {
+    std::error_code ignored;
+    return !fs::is_regular_file(path, ignored);
+  };
+  const auto first = std::find_if(paths.begin(), paths.end(), missing);
+  if (first == paths.end()) return;
+  const auto count = std::count_if(first, paths.end(), missing);
+  const std::string others =
+      count == 1 ? "" : " (and " + std::to_string(count - 1) + " other images)";
+  throw IoError(*first, "the image is registered in the model but missing on disk" + others);
+}
+
+// The file may be a resized version of what the camera describes; anything else is a wrong image.
+void CheckSizeFitsCamera(const std::string& path, ImageSize file, const Camera& camera) {
+  const double width = static_cast<double>(camera.width);
+  const double height = static_cast<double>(camera.height);
+  const double error = std::min(std::abs(file.width * height / width - file.height),
+                                std::abs(file.height * width / height - file.width));
+  if (error <= 1) return;
+  throw IoError(path, "the image is " + std::to_string(file.width) + " x " +
+                          std::to_string(file.height) + " pixels, but its camera " +
+                          std::to_string(camera.id) + " is " + std::to_string(camera.width) +
+                          " x " + std::to_string(camera.height) +
+                          ": not the images of this model? (raw and undistorted ones differ)");
+}
+
+// What all images of one camera and one file size share.
+struct Optics {
+  PinholeCamera camera;
+  std::shared_ptr<const LensMap> lens;
+  ImageRegion region;  // without mask
+};
+
+Optics MakeOptics(const Camera& stored, ImageSize file, const ViewOptions& options) {
+  const ImageSize size = ShrunkSize(file, options.max_image_size);
+  const Intrinsics intrinsics =
+      Rescaled(IntrinsicsOf(stored), size.width / static_cast<double>(stored.width),
+               size.height / static_cast<double>(stored.height));
+  Optics optics;
+  optics.camera = VirtualPinhole(intrinsics, size.width, size.height);
+  if (!IsPinhole(intrinsics)) optics.lens = std::make_shared<CameraLensMap>(intrinsics);
+  optics.region = MakeImageRegion(optics.camera, optics.lens.get(), {}, options.border_margin_px);
+  return optics;
+}
+
+using OpticsKey = std::tuple<uint32_t, int, int>;
+
+// One Optics per camera and file size, made in parallel.
+std::map<OpticsKey, Optics> MakeAllOptics(
+    const std::map<OpticsKey, std::pair<const Camera*, ImageSize>>& inputs,
+    const ViewOptions& options, const RunContext& context) {
+  std::map<OpticsKey, Optics> result;
+  std::vector<std::pair<Optics*, const std::pair<const Camera*, ImageSize>*>> jobs;
+  for (const auto& [key, input] : inputs) jobs.emplace_back(&result[key], &input);
+  ParallelFor(context, "cameras", jobs.size(), [&](size_t i) {
+    const auto& [camera, size] = *jobs[i].second;
+    *jobs[i].first = MakeOptics(*camera, size, options);
+  });
+  return result;
+}
+
+std::string MaskPath(const std::string& mask_dir, const std::string& image_name) {
+  if (mask_dir.empty()) return "";
+  const fs::path path = fs::path(mask_dir) / (image_name + ".png");
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) ? path.string() : "";
+}
+
+SceneHints MakeHints(const SparseModel& model, const std::vector<int>& selected) {
+  std::unordered_map<uint32_t, ViewId> view_of_image;
+  for (size_t view = 0; view < selected.size(); ++view) {
+    view_of_image[model.images[selected[view]].id] = static_cast<ViewId>(view);
+  }
+  SceneHints hints;
+  for (const ModelPoint& point : model.points) {
+    ScenePoint hint;
+    hint.position_in_world = point.position;
+    for (const TrackElement& element : point.track) {
+      const auto view = view_of_image.find(element.image_id);
+      if (view != view_of_image.end()) hint.views.push_back(view->second);
+    }
+    std::sort(hint.views.begin(), hint.views.end());
+    hint.views.erase(std::unique(hint.views.begin(), hint.views.end()), hint.views.end());
+    if (!hint.views.empty()) hints.points.push_back(std::move(hint));
+  }
+  return hints;
+}
+
+void AddWarnings(const SparseModel& model, const std::vector<int>& selected, ViewSet* set) {
+  set->warnings = model.warnings;
+  int num_resized = 0;
+  for (size_t i = 0; i < selected.size(); ++i) {
+    const Camera& camera = model.CameraOf(model.images[selected[i]]);
+    num_resized += static_cast<uint64_t>(set->stored_sizes[i].width) != camera.width ||
+                   static_cast<uint64_t>(set->stored_sizes[i].height) != camera.height;
+  }
+  if (num_resized > 0) {
+    set->warnings.push_back(std::to_string(num_resized) +
+                            " images differ in size from their camera; intrinsics were rescaled");
+  }
+  if (selected.size() == model.images.size() && set->hints.points.size() < model.points.size()) {
+    set->warnings.push_back(std::to_string(model.points.size() - set->hints.points.size()) +
+                            " 3D points are seen by no image and were left out");
+  }
+}
+
+}  // namespace
+
+void ViewOptions::Check() const {
+  CheckOption(max_image_size == -1 || max_image_size >= 16, "max_image_size", max_image_size,
+              "-1 or at least 16");
+  LIMN_CHECK_OPTION(border_margin_px, >= 0);
+}
+
+ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewOptions& options,
+                const RunContext& context) {
+  options.Check();
+  if (std::error_code ignored;
+      !options.mask_path.empty() && !fs::is_directory(options.mask_path, ignored)) {
+    throw IoError(options.mask_path, "no such folder (mask_path)");
+  }
+  const std::vector<int> selected = SelectImages(model, options.image_list_path);
+  ViewSet set;
+  set.max_image_size = options.max_image_size;
+  for (const int index : selected) {
+    const std::string& name = model.images[index].name;
+    set.image_paths.push_back((image_dir / name).string());
+    set.mask_paths.push_back(MaskPath(options.mask_path, name));
+  }
+  CheckImagesExist(set.image_paths);
+  set.stored_sizes.resize(selected.size());
+  ParallelFor(context, "image headers", selected.size(),
+              [&](size_t i) { set.stored_sizes[i] = ReadImageSize(set.image_paths[i]); });
+
+  std::map<OpticsKey, std::pair<const Camera*, ImageSize>> inputs;
+  std::vector<OpticsKey> keys;
+  for (size_t i = 0; i < selected.size(); ++i) {
+    const Camera& camera = model.CameraOf(model.images[selected[i]]);
+    const ImageSize size = set.stored_sizes[i];
+    CheckSizeFitsCamera(set.image_paths[i], size, camera);
+    keys.emplace_back(camera.id, size.width, size.height);
+    inputs[keys.back()] = {&camera, size};
+  }
+  const std::map<OpticsKey, Optics> optics = MakeAllOptics(inputs, options, context);
+
+  set.views.resize(selected.size());
+  ParallelFor(context, "views", selected.size(), [&](size_t i) {
+    const ModelImage& image = model.images[selected[i]];
+    const Optics& of_view = optics.at(keys[i]);
+    View& view = set.views[i];
+    view.model_index = selected[i];
+    view.name = image.name;
+    view.camera = of_view.camera;
+    view.cam_from_world = image.cam_from_world;
+    view.lens = of_view.lens;
+    view.region = of_view.region;
+    if (set.mask_paths[i].empty()) return;
+    const auto mask = ReadMask(set.mask_paths[i], set.stored_sizes[i], options.max_image_size);
+    view.region = MakeImageRegion(view.camera, view.lens.get(), mask, options.border_margin_px);
+  });
+  set.hints = MakeHints(model, selected);
+  AddWarnings(model, selected, &set);
+  return set;
+}
+
+Image ReadViewImage(const ViewSet& view_set, ViewId view) {
+  Image image = ReadImage(view_set.image_paths[view], view_set.max_image_size);
+  const PinholeCamera& camera = view_set.views[view].camera;
+  if (image.width != camera.width || image.height != camera.height) {
+    throw IoError(view_set.image_paths[view], "the image changed its size while Limn was running");
+  }
+  if (!view_set.mask_paths[view].empty()) {
+    image.mask =
+        ReadMask(view_set.mask_paths[view], view_set.stored_sizes[view], view_set.max_image_size);
+  }
+  return image;
+}
+
+}  // namespace limn::colmap_ext

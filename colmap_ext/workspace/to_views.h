@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "colmap_ext/workspace/image_reader.h"
+#include "colmap_ext/workspace/model.h"
+#include "limn/model/image.h"
+#include "limn/model/scene_hints.h"
+#include "limn/model/view.h"
+#include "limn/util/parallel.h"
+
+namespace limn::colmap_ext {
+
+// Which images are used, and how large.
+struct ViewOptions {
+  // Text file with the names of the images to use, one per line. Empty = all registered images.
+  std::string image_list_path;
+  // Folder of masks, <mask_path>/<image name>.png as for COLMAP: nothing is drawn where they are 0.
+  // An image without a mask file is used whole. Empty = no masks.
+  std::string mask_path;
+  // Longer side of the images in pixels; larger ones are shrunk by an area filter: faster, coarser.
+  // -1 = as stored.
+  int max_image_size = -1;
+  // Width of the strip along the image borders that is left out, pixels: lenses are at their worst
+  // there and filters see no neighbourhood.
+  double border_margin_px = 8;
+
+  // Throws OptionError.
+  void Check() const;
+};
+
+// Views and, per view at the same index, where its files are.
+struct ViewSet {
+  std::vector<View> views;  // sorted by name; View::id is the index
+  SceneHints hints;
+  std::vector<std::string> image_paths;
+  std::vector<std::string> mask_paths;  // empty string = no mask
+  std::vector<ImageSize> stored_sizes;  // of the files, before max_image_size
+  int max_image_size = -1;
+  std::vector<std::string> warnings;
+};
+
+// The only place where COLMAP's conventions become Limn's. Principal points move by -0.5 pixel;
+// cameras with distortion get a LensMap onto a virtual pinhole of the same focal length and
+// principal point. Intrinsics follow the size of the file when its aspect is the camera's (within
+// one pixel), and max_image_size. Headers of all images and masks are read, in parallel.
+//
+// Throws IoError: an image is missing or unreadable, its size does not fit its camera, a name in
+// the list is not registered, a mask has the wrong size. Throws InputError if no image is left.
+ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
+                const ViewOptions& options, const RunContext& context = {});
+
+// The photograph of a view with its mask, at the size of the view. Throws IoError.
+Image ReadViewImage(const ViewSet& view_set, ViewId view);
+
+}  // namespace limn::colmap_ext
