@@ -1,0 +1,236 @@
+#include "limn/linking/fragment_cleanup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "limn/linking/edgel_grid.h"
+#include "limn/linking/fragment_geometry.h"
+
+namespace limn {
+namespace {
+
+using Eigen::Vector2d;
+
+// A corner turns this much more than the curve beside it.
+constexpr double kMinCornerExcessRad = 0.4;
+// Directions of chain ends are taken over this length.
+constexpr double kEndArmPx = 5;
+// A gap must be within this distance of the straight continuation of either end.
+constexpr double kMaxBridgeOffsetPx = 1.0;
+
+double Radians(double degrees) { return degrees * M_PI / 180; }
+
+double AngleBetween(const Vector2d& a, const Vector2d& b) {
+  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+}
+
+// Turning between the arms on both sides of each vertex; 0 near the ends of an open chain.
+std::vector<double> TurningAngles(const FragmentPath& path, double arm_px) {
+  std::vector<double> turning(path.size(), 0);
+  for (int i = 0; i < path.size(); ++i) {
+    const auto back = path.ArmAt(i, -1, arm_px);
+    const auto front = path.ArmAt(i, 1, arm_px);
+    if (std::min(back.length_px, front.length_px) < 0.5 * arm_px) continue;
+    turning[i] = AngleBetween(-back.direction, front.direction);
+  }
+  return turning;
+}
+
+// Turning beside vertex i, one arm away on either side, averaged.
+double TurningBeside(const FragmentPath& path, const std::vector<double>& turning, int i,
+                     double arm_px) {
+  double sum = 0;
+  for (const int direction : {-1, 1}) {
+    double at_end = 0;
+    path.Walk(i, direction, arm_px, [&](int j, double) { at_end = turning[j]; });
+    sum += at_end;
+  }
+  return 0.5 * sum;
+}
+
+bool IsLargestWithin(const FragmentPath& path, const std::vector<double>& turning, int i,
+                     double reach_px) {
+  bool largest = true;
+  for (const int direction : {-1, 1}) {
+    path.Walk(i, direction, reach_px, [&](int j, double) {
+      if (turning[j] > turning[i] || (turning[j] == turning[i] && j < i)) largest = false;
+    });
+  }
+  return largest;
+}
+
+// One end of an open chain.
+struct ChainEnd {
+  EdgelId id;
+  Vector2d position;
+  Vector2d along;  // unit, in the direction of the chain's order
+  double chain_length_px;
+};
+
+struct ChainEnds {
+  std::vector<ChainEnd> heads;  // first edgels
+  std::vector<ChainEnd> tails;  // last edgels
+};
+
+ChainEnds CollectEnds(const std::vector<Edgel>& edgels, const Chaining& chaining) {
+  ChainEnds ends;
+  for (const CurveFragment& chain : TraceChains(chaining)) {
+    if (chain.closed) continue;
+    const FragmentPath path(edgels, chain);
+    const int last = path.size() - 1;
+    ends.heads.push_back(
+        {chain.edgel_ids[0], path.Point(0), path.ArmAt(0, 1, kEndArmPx).direction, path.Length()});
+    ends.tails.push_back({chain.edgel_ids[last], path.Point(last),
+                          -path.ArmAt(last, -1, kEndArmPx).direction, path.Length()});
+  }
+  return ends;
+}
+
+struct Bridge {
+  double cost;
+  EdgelId from;
+  EdgelId to;
+
+  bool operator<(const Bridge& other) const {
+    return std::tie(cost, from, to) < std::tie(other.cost, other.from, other.to);
+  }
+};
+
+// How bad it is to go on from the tail to the head; negative if they must not be joined.
+double BridgeCost(const ChainEnd& tail, const ChainEnd& head, const LinkingOptions& options) {
+  const Vector2d gap = head.position - tail.position;
+  const double length = gap.norm();
+  const double angle = AngleBetween(tail.along, head.along);
+  const double max_angle = Radians(options.max_bridge_angle_deg);
+  if (length > options.max_bridge_px || angle > max_angle) return -1;
+  // A chain is not joined over a gap that is longer than itself.
+  if (length > std::min(tail.chain_length_px, head.chain_length_px)) return -1;
+  double worst = angle;
+  for (const Vector2d& along : {tail.along, head.along}) {
+    const double forward = gap.dot(along);
+    const double offset = std::abs(gap.x() * along.y() - gap.y() * along.x());
+    if (forward <= 0 || offset > kMaxBridgeOffsetPx) return -1;
+    // The offset has noise of its own: half a pixel is free.
+    worst = std::max(worst, std::atan2(std::max(0.0, offset - 0.5), forward));
+  }
+  return worst <= max_angle ? length * (1 + worst / max_angle) : -1;
+}
+
+}  // namespace
+
+int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
+                   Chaining* chaining) {
+  const double arm = options.corner_arm_px;
+  const double min_turning = Radians(options.corner_angle_deg);
+  int breaks = 0;
+  for (const CurveFragment& chain : TraceChains(*chaining)) {
+    const FragmentPath path(edgels, chain);
+    if (path.Length() < arm) continue;
+    const std::vector<double> turning = TurningAngles(path, arm);
+    for (int i = 0; i < path.size(); ++i) {
+      if (turning[i] < min_turning || !IsLargestWithin(path, turning, i, arm)) continue;
+      if (turning[i] - TurningBeside(path, turning, i, arm) < kMinCornerExcessRad) continue;
+      chaining->BreakAfter(chain.edgel_ids[i]);
+      ++breaks;
+    }
+  }
+  return breaks;
+}
+
+int BridgeGaps(const std::vector<Edgel>& edgels, const LinkingOptions& options,
+               Chaining* chaining) {
+  if (options.max_bridge_px <= 0) return 0;
+  const ChainEnds ends = CollectEnds(edgels, *chaining);
+  // Heads are found through a grid of pseudo edgels at their positions.
+  std::vector<Edgel> heads(ends.heads.size());
+  for (size_t i = 0; i < heads.size(); ++i) heads[i].position_px = ends.heads[i].position;
+  const EdgelGrid grid(heads, options.max_bridge_px);
+  std::vector<Bridge> bridges;
+  std::vector<EdgelId> near;
+  for (const ChainEnd& tail : ends.tails) {
+    near.clear();
+    grid.Near(tail.position, options.max_bridge_px, &near);
+    for (const EdgelId i : near) {
+      const double cost = BridgeCost(tail, ends.heads[i], options);
+      if (cost >= 0) bridges.push_back({cost, tail.id, ends.heads[i].id});
+    }
+  }
+  std::sort(bridges.begin(), bridges.end());
+  int joined = 0;
+  for (const Bridge& bridge : bridges) {
+    if (chaining->next[bridge.from] != kInvalidEdgel ||
+        chaining->prev[bridge.to] != kInvalidEdgel) {
+      continue;
+    }
+    chaining->Join(bridge.from, bridge.to);
+    ++joined;
+  }
+  return joined;
+}
+
+int BreakAtJunctions(const std::vector<Edgel>& edgels, const LinkingOptions& options,
+                     Chaining* chaining) {
+  const std::vector<CurveFragment> chains = TraceChains(*chaining);
+  std::vector<int> chain_of(edgels.size(), -1);
+  std::vector<int> index_of(edgels.size(), -1);
+  std::vector<FragmentPath> paths;
+  for (size_t c = 0; c < chains.size(); ++c) {
+    paths.emplace_back(edgels, chains[c]);
+    for (size_t k = 0; k < chains[c].edgel_ids.size(); ++k) {
+      chain_of[chains[c].edgel_ids[k]] = static_cast<int>(c);
+      index_of[chains[c].edgel_ids[k]] = static_cast<int>(k);
+    }
+  }
+  // Far enough from the ends of the chain it lies on that both parts survive.
+  const auto is_interior = [&](EdgelId id) {
+    const FragmentPath& path = paths[chain_of[id]];
+    const double at = path.ArcLength(index_of[id]);
+    return path.closed() || std::min(at, path.Length() - at) >= options.min_length_px;
+  };
+
+  const EdgelGrid grid(edgels, std::max(1.0, options.junction_distance_px));
+  const double min_angle = Radians(options.junction_angle_deg);
+  const ChainEnds ends = CollectEnds(edgels, *chaining);
+  std::vector<EdgelId> breaks;
+  std::vector<EdgelId> near;
+  for (const auto* side : {&ends.heads, &ends.tails}) {
+    for (const ChainEnd& stem : *side) {
+      if (stem.chain_length_px < options.junction_stem_px) continue;
+      near.clear();
+      grid.Near(stem.position, options.junction_distance_px, &near);
+      EdgelId best = kInvalidEdgel;
+      double best_distance = 0;
+      for (const EdgelId id : near) {
+        if (chain_of[id] < 0 || chain_of[id] == chain_of[stem.id] || !is_interior(id)) continue;
+        const double turn = AngleBetween(edgels[id].Tangent(), stem.along);
+        if (std::min(turn, M_PI - turn) < min_angle) continue;
+        const double distance = (edgels[id].position_px - stem.position).norm();
+        if (best == kInvalidEdgel || distance < best_distance ||
+            (distance == best_distance && id < best)) {
+          best = id;
+          best_distance = distance;
+        }
+      }
+      if (best != kInvalidEdgel) breaks.push_back(best);
+    }
+  }
+  std::sort(breaks.begin(), breaks.end());
+  std::vector<double> broken_at;
+  int count = 0;
+  std::vector<std::vector<double>> broken_of_chain(chains.size());
+  for (const EdgelId id : breaks) {
+    const double at = paths[chain_of[id]].ArcLength(index_of[id]);
+    std::vector<double>& broken = broken_of_chain[chain_of[id]];
+    const bool taken = std::any_of(broken.begin(), broken.end(), [&](double other) {
+      return std::abs(other - at) < options.min_length_px;
+    });
+    if (taken) continue;
+    broken.push_back(at);
+    chaining->BreakAfter(id);
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace limn

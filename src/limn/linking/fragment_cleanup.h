@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/linking/link_graph.h"
+#include "limn/linking/linking.h"
+
+namespace limn {
+
+// The geometric clean-up of chains. Each returns the number of changes it made.
+
+// Break chains at corners: vertices where the arms turn by more than the corner angle and more
+// sharply than the curve turns beside them (so that small circles stay whole).
+int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
+                   Chaining* chaining);
+
+// Join the end of a chain to the beginning of another one (or its own: a closed curve) where the
+// gap is short and the continuation smooth; shortest and smoothest first.
+int BridgeGaps(const std::vector<Edgel>& edgels, const LinkingOptions& options, Chaining* chaining);
+
+// Break chains where the end of another chain abuts at an angle.
+int BreakAtJunctions(const std::vector<Edgel>& edgels, const LinkingOptions& options,
+                     Chaining* chaining);
+
+}  // namespace limn

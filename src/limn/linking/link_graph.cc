@@ -1,0 +1,116 @@
+#include "limn/linking/link_graph.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "limn/linking/curvelets.h"
+
+namespace limn {
+namespace {
+
+struct BestLink {
+  EdgelId to = kInvalidEdgel;
+  int votes = 0;
+  double distance = 0;
+
+  bool IsWorseThan(const BestLink& other) const {
+    if (votes != other.votes) return votes < other.votes;
+    if (distance != other.distance) return distance > other.distance;
+    return to > other.to;
+  }
+};
+
+void Offer(const BestLink& candidate, BestLink* best) {
+  if (best->to == kInvalidEdgel || best->IsWorseThan(candidate)) *best = candidate;
+}
+
+CurveFragment Trace(const Chaining& chaining, EdgelId start, std::vector<uint8_t>* seen) {
+  CurveFragment chain;
+  for (EdgelId e = start; e != kInvalidEdgel && !(*seen)[e]; e = chaining.next[e]) {
+    (*seen)[e] = 1;
+    chain.edgel_ids.push_back(e);
+  }
+  chain.closed = chaining.prev[start] != kInvalidEdgel;
+  return chain;
+}
+
+}  // namespace
+
+void Chaining::Join(EdgelId from, EdgelId to) {
+  next[from] = to;
+  prev[to] = from;
+}
+
+void Chaining::BreakAfter(EdgelId from) {
+  if (next[from] == kInvalidEdgel) return;
+  prev[next[from]] = kInvalidEdgel;
+  next[from] = kInvalidEdgel;
+}
+
+std::vector<EdgelLink> BuildLinkGraph(const std::vector<Edgel>& edgels,
+                                      const LinkingOptions& options, int64_t* num_curvelets) {
+  const CurveletBuilder builder(edgels, options);
+  std::vector<std::pair<EdgelId, EdgelId>> votes;
+  int64_t count = 0;
+  for (size_t i = 0; i < edgels.size(); ++i) {
+    for (const Curvelet& curvelet : builder.Around(static_cast<EdgelId>(i))) {
+      ++count;
+      for (size_t k = 1; k < curvelet.size(); ++k) {
+        votes.emplace_back(std::minmax(curvelet[k - 1], curvelet[k]));
+      }
+    }
+  }
+  if (num_curvelets) *num_curvelets = count;
+  std::sort(votes.begin(), votes.end());
+  std::vector<EdgelLink> links;
+  for (const auto& [a, b] : votes) {
+    if (links.empty() || links.back().a != a || links.back().b != b) links.push_back({a, b, 0});
+    ++links.back().votes;
+  }
+  return links;
+}
+
+Chaining ChainMutualBest(const std::vector<Edgel>& edgels, const std::vector<EdgelLink>& links) {
+  std::vector<BestLink> ahead(edgels.size());
+  std::vector<BestLink> behind(edgels.size());
+  for (const EdgelLink& link : links) {
+    const Eigen::Vector2d d = edgels[link.b].position_px - edgels[link.a].position_px;
+    const double along_a = d.dot(edgels[link.a].Tangent());
+    const double along_b = d.dot(edgels[link.b].Tangent());
+    // Sideways for one of them: a link that is evidence of a junction, but no way to go on.
+    if (along_a * along_b <= 0) continue;
+    const EdgelId from = along_a > 0 ? link.a : link.b;
+    const EdgelId to = along_a > 0 ? link.b : link.a;
+    Offer({to, link.votes, d.norm()}, &ahead[from]);
+    Offer({from, link.votes, d.norm()}, &behind[to]);
+  }
+  Chaining chaining(edgels.size());
+  for (size_t i = 0; i < edgels.size(); ++i) {
+    const EdgelId to = ahead[i].to;
+    if (to != kInvalidEdgel && behind[to].to == static_cast<EdgelId>(i)) {
+      chaining.Join(static_cast<EdgelId>(i), to);
+    }
+  }
+  return chaining;
+}
+
+std::vector<CurveFragment> TraceChains(const Chaining& chaining) {
+  const EdgelId count = static_cast<EdgelId>(chaining.next.size());
+  std::vector<uint8_t> seen(count, 0);
+  std::vector<CurveFragment> chains;
+  for (EdgelId e = 0; e < count; ++e) {
+    if (chaining.prev[e] != kInvalidEdgel || chaining.next[e] == kInvalidEdgel) continue;
+    chains.push_back(Trace(chaining, e, &seen));
+  }
+  // What is left and has a successor is on a cycle.
+  for (EdgelId e = 0; e < count; ++e) {
+    if (seen[e] || chaining.next[e] == kInvalidEdgel) continue;
+    chains.push_back(Trace(chaining, e, &seen));
+  }
+  std::sort(chains.begin(), chains.end(), [](const CurveFragment& a, const CurveFragment& b) {
+    return a.edgel_ids[0] < b.edgel_ids[0];
+  });
+  return chains;
+}
+
+}  // namespace limn

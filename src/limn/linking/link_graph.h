@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "limn/linking/linking.h"
+
+namespace limn {
+
+// Every edgel's successor and predecessor along its curve; kInvalidEdgel at the ends. Invariant:
+// next[a] == b exactly if prev[b] == a.
+struct Chaining {
+  std::vector<EdgelId> next;
+  std::vector<EdgelId> prev;
+
+  explicit Chaining(size_t count) : next(count, kInvalidEdgel), prev(count, kInvalidEdgel) {}
+  // Both places must be free.
+  void Join(EdgelId from, EdgelId to);
+  // Remove the link from `from` to its successor.
+  void BreakAfter(EdgelId from);
+};
+
+// All links that curvelets vote for, sorted by (a, b). `num_curvelets` may be null.
+std::vector<EdgelLink> BuildLinkGraph(const std::vector<Edgel>& edgels,
+                                      const LinkingOptions& options, int64_t* num_curvelets);
+
+// Keep the links that are the best one ahead of one edgel and the best one behind the other: most
+// votes, then shortest. Linear time.
+Chaining ChainMutualBest(const std::vector<Edgel>& edgels, const std::vector<EdgelLink>& links);
+
+// The chains of two edgels or more, ordered by their first edgel. A closed chain begins at its
+// smallest id and does not repeat it.
+std::vector<CurveFragment> TraceChains(const Chaining& chaining);
+
+}  // namespace limn

@@ -1,0 +1,88 @@
+#include "limn/linking/linking.h"
+
+#include <utility>
+
+#include "limn/linking/fragment_cleanup.h"
+#include "limn/linking/fragment_geometry.h"
+#include "limn/linking/link_graph.h"
+#include "limn/linking/tangent_fit.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+// Move the long enough chains to the result and count the rest.
+void KeepLongChains(std::vector<CurveFragment> chains, double min_length_px,
+                    LinkingResult* result) {
+  LinkingStats& stats = result->stats;
+  int64_t in_chains = 0;
+  for (CurveFragment& chain : chains) {
+    const auto size = static_cast<int64_t>(chain.edgel_ids.size());
+    in_chains += size;
+    const double length = FragmentPath(result->curves.edge_map.edgels, chain).Length();
+    if (length < min_length_px) {
+      stats.edgels_in_short_chains += size;
+      ++stats.short_chains;
+      continue;
+    }
+    stats.edgels_in_fragments += size;
+    stats.fragments_length_px += length;
+    result->curves.fragments.push_back(std::move(chain));
+  }
+  stats.fragments = static_cast<int64_t>(result->curves.fragments.size());
+  stats.edgels_unlinked = stats.edgels - in_chains;
+}
+
+}  // namespace
+
+void LinkingOptions::Check() const {
+  LIMN_CHECK_OPTION(neighbour_radius_px, > 1);
+  LIMN_CHECK_OPTION(neighbour_radius_px, <= 10);
+  LIMN_CHECK_OPTION(position_tolerance_px, > 0);
+  LIMN_CHECK_OPTION(position_tolerance_px, <= 2);
+  LIMN_CHECK_OPTION(max_position_tolerance_px, > 0);
+  LIMN_CHECK_OPTION(max_position_tolerance_px, <= 2);
+  LIMN_CHECK_OPTION(angle_tolerance_deg, > 0);
+  LIMN_CHECK_OPTION(angle_tolerance_deg, <= 45);
+  LIMN_CHECK_OPTION(max_curvature, > 0);
+  LIMN_CHECK_OPTION(min_curvelet_px, > 0);
+  LIMN_CHECK_OPTION(max_bridge_px, >= 0);
+  LIMN_CHECK_OPTION(max_bridge_angle_deg, > 0);
+  LIMN_CHECK_OPTION(max_bridge_angle_deg, <= 90);
+  LIMN_CHECK_OPTION(corner_arm_px, > 1);
+  LIMN_CHECK_OPTION(corner_arm_px, <= 50);
+  LIMN_CHECK_OPTION(corner_angle_deg, > 0);
+  LIMN_CHECK_OPTION(corner_angle_deg, <= 180);
+  LIMN_CHECK_OPTION(junction_distance_px, >= 0);
+  LIMN_CHECK_OPTION(junction_stem_px, >= 0);
+  LIMN_CHECK_OPTION(junction_angle_deg, >= 0);
+  LIMN_CHECK_OPTION(junction_angle_deg, <= 90);
+  LIMN_CHECK_OPTION(min_length_px, >= 0);
+  LIMN_CHECK_OPTION(tangent_arm_px, > 0);
+  LIMN_CHECK_OPTION(tangent_arm_px, <= 50);
+}
+
+LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options) {
+  options.Check();
+  LinkingResult result;
+  result.curves.edge_map = std::move(edge_map);
+  std::vector<Edgel>& edgels = result.curves.edge_map.edgels;
+  LinkingStats& stats = result.stats;
+  stats.edgels = static_cast<int64_t>(edgels.size());
+
+  result.curves.link_graph = BuildLinkGraph(edgels, options, &stats.curvelets);
+  stats.graph_links = static_cast<int64_t>(result.curves.link_graph.size());
+  Chaining chaining = ChainMutualBest(edgels, result.curves.link_graph);
+  stats.corner_breaks = BreakAtCorners(edgels, options, &chaining);
+  stats.bridged_gaps = BridgeGaps(edgels, options, &chaining);
+  stats.corner_breaks += BreakAtCorners(edgels, options, &chaining);
+  stats.junction_breaks = BreakAtJunctions(edgels, options, &chaining);
+
+  KeepLongChains(TraceChains(chaining), options.min_length_px, &result);
+  for (const CurveFragment& fragment : result.curves.fragments) {
+    RefitTangents(fragment, options.tangent_arm_px, &edgels);
+  }
+  return result;
+}
+
+}  // namespace limn
