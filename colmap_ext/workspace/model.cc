@@ -8,6 +8,7 @@
 #include "colmap_ext/workspace/line_reader.h"
 #include "colmap_ext/workspace/model_builder.h"
 #include "colmap_ext/workspace/model_files.h"
+#include "colmap_ext/workspace/rig.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -22,10 +23,14 @@ struct Flavour {
   ReadFile cameras;
   ReadFile images;
   ReadFile points;
+  std::vector<Rig> (*rigs)(std::istream&, const std::string&);
+  std::vector<Frame> (*frames)(std::istream&, const std::string&);
 };
 
-constexpr Flavour kBinary = {".bin", ReadCamerasBinary, ReadImagesBinary, ReadPointsBinary};
-constexpr Flavour kText = {".txt", ReadCamerasText, ReadImagesText, ReadPointsText};
+constexpr Flavour kBinary = {".bin",           ReadCamerasBinary, ReadImagesBinary,
+                             ReadPointsBinary, ReadRigsBinary,    ReadFramesBinary};
+constexpr Flavour kText = {".txt",         ReadCamerasText, ReadImagesText,
+                           ReadPointsText, ReadRigsText,    ReadFramesText};
 
 bool IsFile(const fs::path& path) {
   std::error_code ignored;
@@ -70,6 +75,21 @@ void Read(ReadFile read, const fs::path& path, ModelBuilder* builder) {
   std::ifstream in = Open(path);
   read(in, path.string(), builder);
   if (in.bad()) throw IoError(path.string(), "read error");
+}
+
+// Rigs and frames say something only together.
+void ReadRigsAndFrames(const fs::path& folder, const Flavour& flavour, SparseModel* model) {
+  const fs::path rigs_path = FileOf(folder, "rigs", flavour);
+  const fs::path frames_path = FileOf(folder, "frames", flavour);
+  if (IsFile(rigs_path) != IsFile(frames_path)) {
+    model->warnings.push_back((IsFile(rigs_path) ? frames_path : rigs_path).string() +
+                              " is missing: going on with the poses of the images file");
+  }
+  if (!IsFile(rigs_path) || !IsFile(frames_path)) return;
+  std::ifstream rigs = Open(rigs_path);
+  std::ifstream frames = Open(frames_path);
+  ApplyRigs(flavour.rigs(rigs, rigs_path.string()), flavour.frames(frames, frames_path.string()),
+            model);
 }
 
 void WarnAboutSecondFlavour(const fs::path& folder, ModelBuilder* builder) {
@@ -122,6 +142,7 @@ SparseModel ReadModel(const fs::path& folder) {
   }
   SparseModel model = builder.Finish();
   model.folder = folder;
+  ReadRigsAndFrames(folder, flavour, &model);
   return model;
 }
 

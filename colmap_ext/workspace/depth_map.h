@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace limn::colmap_ext {
+
+// COLMAP's .bin arrays: depth maps (1 channel: depth along the optical axis, <= 0 = unknown) and
+// normal maps (3 channels: unit normal in the camera frame). May be smaller than the image. COLMAP
+// relates them to 3D by K^-1 (column, row, 1) with the unshifted K of its own convention.
+struct FloatMap {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<float> data;  // plane by plane, rows in order
+
+  float At(int column, int row, int channel = 0) const {
+    return data[(static_cast<size_t>(channel) * height + row) * width + column];
+  }
+};
+
+// "W&H&C&" in ASCII, then little-endian floats. The streams must be seekable. Throw IoError: bad
+// header, sides above 10^6, data short or too long.
+FloatMap ReadFloatMap(std::istream& in, const std::string& path);
+FloatMap ReadFloatMap(const std::filesystem::path& path);
+
+// Throws IoError if it cannot be written.
+void WriteFloatMap(const FloatMap& map, std::ostream& out);
+void WriteFloatMap(const FloatMap& map, const std::filesystem::path& path);
+
+// The two kinds of the dense stage; throw IoError unless the file has 1 or 3 channels.
+FloatMap ReadDepthMap(const std::filesystem::path& path);
+FloatMap ReadNormalMap(const std::filesystem::path& path);
+
+}  // namespace limn::colmap_ext
