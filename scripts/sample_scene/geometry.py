@@ -186,16 +186,15 @@ class Prism:
     def contours(self, viewpoint=None, direction=None):
         """Straight lines where smooth sides turn away from a viewpoint or a light direction (world)."""
         result = []
-        for number, pieces in enumerate(self._loops()):
-            for piece in pieces:
-                if len(piece) > 2:
-                    result += self._contours_of_piece(piece, number, viewpoint, direction)
+        for piece in self.outline:  # a hole's wall is concave: it never hides itself
+            if len(piece) > 2:
+                result += self._contours_of_piece(piece, viewpoint, direction)
         return result
 
-    def _contours_of_piece(self, piece, number, viewpoint, direction):
+    def _contours_of_piece(self, piece, viewpoint, direction):
         middle = (piece[1:] + piece[:-1]) / 2
         step = piece[1:] - piece[:-1]
-        normal = np.stack([step[:, 1], -step[:, 0]], 1) * (1 if number == 0 else -1)
+        normal = np.stack([step[:, 1], -step[:, 0]], 1)
         if viewpoint is not None:
             towards = self.pose.to_local(viewpoint[None])[0, :2] - middle
         else:
@@ -282,9 +281,9 @@ def painted_disc(colour, centre, normal_axis, radius):
     return Paint(colour, [circle_in_space(centre, normal_axis, radius)], centre=centre, radius=radius)
 
 
-def painted_band(colour, outline, low, high):
-    """A stripe around a prism, from local z = low to high."""
-    border = [np.column_stack([piece, np.full(len(piece), z)]) for z in (low, high) for piece in outline]
+def painted_band(colour, pieces, low, high):
+    """A stripe around a prism (inside its hole too), from local z = low to high; pieces of all its loops."""
+    border = [np.column_stack([piece, np.full(len(piece), z)]) for z in (low, high) for piece in pieces]
     infinity = np.inf
     return Paint(colour, border, low=(-infinity, -infinity, low), high=(infinity, infinity, high))
 
@@ -294,7 +293,7 @@ def painted_rectangle(colour, axis, value, low, high):
     (u0, v0), (u1, v1) = low, high
     corners = [np.insert(np.array(c, float), axis, value) for c in ((u0, v0), (u1, v0), (u1, v1), (u0, v1))]
     border = [np.stack(pair) for pair in zip(corners, corners[1:] + corners[:1])]
-    eps = 1e-3
+    eps = 1e-4
     return Paint(colour, border,
                  low=tuple(np.insert(np.array(low, float), axis, value - eps)),
                  high=tuple(np.insert(np.array(high, float), axis, value + eps)))

@@ -2,7 +2,7 @@
 
 Cycles has a camera whose angle from the axis is a polynomial of degree four in the distance from the image
 centre. The distorted set therefore needs no resampling: the polynomial is fitted to the inverse of COLMAP's
-model, and k1, k2 below were chosen so that the fit is good to a few thousandths of a pixel.
+model, and k1, k2 below were chosen so that the fit is good to about a thousandth of a pixel.
 """
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from scene import HEIGHT, WIDTH
 
 FOCAL_PX = 600.0
-K1, K2 = -0.17, 0.05
+K1, K2 = -0.10, 0.08
 PRINCIPAL_POINT = (WIDTH / 2.0, HEIGHT / 2.0)
 
 

@@ -241,7 +241,7 @@ def set_up_render(samples, scale):
     cycles = scene.cycles
     cycles.device, cycles.samples = "CPU", samples
     cycles.use_adaptive_sampling, cycles.use_denoising = False, False
-    cycles.max_bounces, cycles.diffuse_bounces = 2, 2
+    cycles.max_bounces, cycles.diffuse_bounces = 1, 1
     cycles.sample_clamp_indirect = 4.0
     cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 1.5
 

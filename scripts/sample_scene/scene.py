@@ -64,7 +64,7 @@ def _table():
         foot = pose.to_world([(dx * 0.28, dy * 0.18, 0)])[0]
         parts.append(box(f"leg {number}", (leg, leg, height), upright(*foot, turn), DARK))
     parts.append(Prism("mug", circle(0.06), 0.12, upright(0.12, 0.36, top), BLUE,
-                       [painted_band(WHITE, circle(0.06), 0.04, 0.075)], hole=circle(0.048)))
+                       [painted_band(WHITE, circle(0.06) + circle(0.048), 0.04, 0.075)], hole=circle(0.048)))
     parts.append(Pyramid("pyramid", [(-0.09, -0.09), (0.09, -0.09), (0.09, 0.09), (-0.09, 0.09)],
                          (0, 0, 0.17), upright(0.41, 0.40, top, 22), GREEN))
     return parts
@@ -72,7 +72,7 @@ def _table():
 
 def _round_things():
     tube = Prism("tube", circle(0.17), 0.30, upright(0.78, -0.47, PLINTH_TOP), BLUE,
-                 [painted_band(OCHRE, circle(0.17), 0.11, 0.19)], hole=circle(0.135))
+                 [painted_band(OCHRE, circle(0.17) + circle(0.135), 0.11, 0.19)], hole=circle(0.135))
     drum = Prism("drum", circle(0.15), 0.20, upright(0.20, -0.14, PLINTH_TOP), OCHRE,
                  [painted_disc(VIOLET, (0.03, 0.0, 0.20), 2, 0.075)])
     return [tube, drum]
@@ -80,12 +80,12 @@ def _round_things():
 
 def _gate_and_board():
     gate = Prism("gate", arch(0.20, 0.26, 0.30), 0.14, standing(-0.52, 0.49, PLINTH_TOP, -16), GREEN)
-    board = box("board", (0.04, 0.72, 0.60), upright(0.95, 0.30, PLINTH_TOP), WHITE, [
-        painted_rectangle(RED, 0, 0.02, (-0.20, 0.34), (0.16, 0.60)),
-        painted_rectangle(BLUE, 0, 0.02, (-0.36, 0.06), (0.36, 0.15)),
+    board = box("board", (0.04, 0.66, 0.46), upright(0.95, 0.30, PLINTH_TOP), WHITE, [
+        painted_rectangle(RED, 0, 0.02, (-0.18, 0.27), (0.14, 0.46)),
+        painted_rectangle(BLUE, 0, 0.02, (-0.33, 0.06), (0.33, 0.14)),
     ])
-    shelf = box("shelf", (0.17, 0.34, 0.03), upright(0.845, 0.28, PLINTH_TOP + 0.24), VIOLET)
-    fin = box("fin", (0.14, 0.03, 0.24), upright(1.04, 0.30, PLINTH_TOP), GREEN)
+    shelf = box("shelf", (0.17, 0.34, 0.03), upright(0.845, 0.28, PLINTH_TOP + 0.22), VIOLET)
+    fin = box("fin", (0.14, 0.03, 0.20), upright(1.04, 0.34, PLINTH_TOP), GREEN)
     waves = Prism("wave", wave(0.46, 0.16, 0.045, 1.5), 0.05, standing(-0.10, 0.10, PLINTH_TOP, 72), VIOLET)
     return [gate, board, shelf, fin, waves]
 
@@ -143,7 +143,7 @@ def camera_centre(index):
     rng = np.random.default_rng(index)
     azimuth = np.radians(360.0 * index / VIEW_COUNT + rng.uniform(-4, 4))
     elevation = np.radians((20, 37, 28, 50)[index % 4] + rng.uniform(-4, 4))
-    distance = 3.25 + rng.uniform(-0.3, 0.45)
+    distance = 3.15 + rng.uniform(-0.3, 0.4)
     return distance * np.array([np.cos(azimuth) * np.cos(elevation), np.sin(azimuth) * np.cos(elevation),
                                 np.sin(elevation)]) + (0, 0, 0.15)
 
@@ -151,12 +151,12 @@ def camera_centre(index):
 # ----------------------------------------------------------------------------------------------
 # Lights. A sun has the direction its light travels; a lamp has a position.
 
-SUNS = {"day": dict(elevation=48.0, azimuth=-62.0, strength=2.6, angle=1.2, colour=(1.0, 0.97, 0.92)),
+SUNS = {"day": dict(elevation=48.0, azimuth=-62.0, strength=3.2, angle=1.2, colour=(1.0, 0.97, 0.92)),
         "evening": dict(elevation=24.0, azimuth=152.0, strength=2.6, angle=1.2, colour=(1.0, 0.72, 0.45))}
 LAMPS = {"lamp": dict(position=(0.55, 0.05, 2.1), power=75.0, radius=0.04, colour=(1.0, 0.85, 0.62))}
 # Fill light from all around: mean strength, colour, and how much brighter it is towards `bright`.
-SKIES = {"day": dict(strength=0.55, colour=(0.85, 0.93, 1.0), bright=(0.75, 0.45, 0.5), contrast=0.75),
-         "evening": dict(strength=0.40, colour=(0.72, 0.82, 1.0), bright=(0.3, -0.85, 0.4), contrast=0.75),
+SKIES = {"day": dict(strength=0.28, colour=(0.85, 0.93, 1.0), bright=(0.75, 0.45, 0.5), contrast=0.75),
+         "evening": dict(strength=0.26, colour=(0.72, 0.82, 1.0), bright=(0.3, -0.85, 0.4), contrast=0.75),
          "lamp": dict(strength=0.16, colour=(0.75, 0.85, 1.0), bright=(-0.8, -0.2, 0.5), contrast=0.75)}
 
 

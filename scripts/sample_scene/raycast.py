@@ -1,0 +1,40 @@
+"""Visibility in the scene by ray casting. Runs inside Blender (mathutils' bounding volume hierarchy)."""
+
+import numpy as np
+from mathutils.bvhtree import BVHTree
+
+GROUND_HALF_SIZE = 60.0
+NO_HIT = np.inf
+
+
+class RayCaster:
+    """All solids and the ground as one triangle soup."""
+
+    def __init__(self, solids):
+        vertices, faces = [], []
+        for solid in solids:
+            local, solid_faces = solid.mesh()
+            first = len(vertices)
+            vertices += [tuple(v) for v in solid.pose.to_world(local)]
+            faces += [[first + i for i in face] for face in solid_faces]
+        first, h = len(vertices), GROUND_HALF_SIZE
+        vertices += [(-h, -h, 0.0), (h, -h, 0.0), (h, h, 0.0), (-h, h, 0.0)]
+        faces.append([first, first + 1, first + 2, first + 3])
+        self._tree = BVHTree.FromPolygons(vertices, faces)
+
+    def distances(self, origins, directions):
+        """Distance to the first hit along unit directions; infinity where nothing is hit."""
+        result = np.full(len(directions), NO_HIT)
+        cast = self._tree.ray_cast
+        origins = np.broadcast_to(origins, np.shape(directions))
+        for i, (origin, direction) in enumerate(zip(origins.tolist(), directions.tolist())):
+            distance = cast(origin, direction)[3]
+            if distance is not None:
+                result[i] = distance
+        return result
+
+    def sees(self, viewpoint, points, tolerance):
+        """Which points are not hidden from a viewpoint by more than `tolerance` (metres)."""
+        offset = points - viewpoint
+        distance = np.linalg.norm(offset, axis=1)
+        return self.distances(viewpoint, offset / distance[:, None]) >= distance - tolerance
