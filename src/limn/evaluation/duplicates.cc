@@ -16,13 +16,15 @@ struct Approach {
   PolylinePoint place;
 };
 
-// Of the neighbours [begin, end), all of one curve, the nearest point on their cells.
-Approach NearestApproach(const CurveSamples& samples, const Eigen::Vector3d& query,
+// Of the neighbours [begin, end), all of one curve, the nearest point on their cells; sample -1 if
+// none of them is kept.
+Approach NearestApproach(const AlongsideSearch& search, const Eigen::Vector3d& query,
                          const SpatialIndex::Neighbor* begin, const SpatialIndex::Neighbor* end) {
   Approach best;
   best.place.squared_distance = std::numeric_limits<double>::infinity();
   for (const SpatialIndex::Neighbor* neighbor = begin; neighbor != end; ++neighbor) {
-    const PolylinePoint place = ClosestPoint(samples.Cell(neighbor->index), query);
+    if (search.kept && !(*search.kept)[neighbor->index]) continue;
+    const PolylinePoint place = ClosestPoint(search.samples.Cell(neighbor->index), query);
     if (place.squared_distance < best.place.squared_distance) best = {neighbor->index, place};
   }
   return best;
@@ -68,10 +70,9 @@ bool RunsAlongsideAnother(const AlongsideSearch& search, int sample, double radi
     const SpatialIndex::Neighbor* next = begin;
     while (next != end && samples.CurveOf(next->index) == curve) ++next;
     const int own = samples.CurveOf(sample);
-    if (search.earlier_only ? curve < own : curve != own) {
-      if (IsAlongside(search, sample, radius, NearestApproach(samples, query, begin, next))) {
-        return true;
-      }
+    if (search.kept ? curve < own : curve != own) {
+      const Approach approach = NearestApproach(search, query, begin, next);
+      if (approach.sample >= 0 && IsAlongside(search, sample, radius, approach)) return true;
     }
     begin = next;
   }

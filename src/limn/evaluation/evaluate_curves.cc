@@ -102,21 +102,33 @@ std::vector<Judged> JudgeReconstruction(const Scene& scene, const CurveSamples& 
   return judged;
 }
 
+// The true samples in the region, without copies of the same edge. One after the other: what is
+// dropped as a copy must not drop others, or a row of close lines would shrink to its first.
+std::vector<bool> KeepTruth(const Scene& scene, const CurveSamples& truth, double tau) {
+  std::vector<int> groups(scene.true_topology.nodes.size());
+  std::iota(groups.begin(), groups.end(), 0);
+  std::vector<bool> kept(truth.size(), false);
+  const AlongsideSearch search{truth, scene.true_topology, groups, &kept};
+  std::vector<SpatialIndex::Neighbor> scratch;
+  for (int i = 0; i < truth.size(); ++i) {
+    const Eigen::Vector3d& position = truth.Position(i);
+    if (!InRegion(scene, position)) continue;
+    const double radius = kCopyDistancePerTau * tau * scene.unit_at(position);
+    kept[i] = !RunsAlongsideAnother(search, i, radius, &scratch);
+  }
+  return kept;
+}
+
 std::vector<Judged> JudgeTruth(const Scene& scene, const CurveSamples& truth,
                                const CurveSamples& reconstruction, double tau) {
   std::vector<Judged> judged(truth.size());
-  std::vector<int> groups(scene.true_topology.nodes.size());
-  std::iota(groups.begin(), groups.end(), 0);
-  const AlongsideSearch search{truth, scene.true_topology, groups, /*earlier_only=*/true};
+  const std::vector<bool> kept = KeepTruth(scene, truth, tau);
   ForEachSample(scene, truth.size(), [&](int i) {
-    thread_local std::vector<SpatialIndex::Neighbor> scratch;
+    if (!kept[i]) return;
     const Eigen::Vector3d& position = truth.Position(i);
-    if (!InRegion(scene, position)) return;
-    const double unit = scene.unit_at(position);
-    if (RunsAlongsideAnother(search, i, kCopyDistancePerTau * tau * unit, &scratch)) return;
     judged[i].counts = true;
     judged[i].weight = truth.Weight(i);
-    judged[i].distance = reconstruction.Distance(position) / unit;
+    judged[i].distance = reconstruction.Distance(position) / scene.unit_at(position);
   });
   return judged;
 }

@@ -1,0 +1,101 @@
+#include "limn/io/drawing_json_reader.h"
+
+#include <limits>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "limn/io/whole_file.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+// Ordered, so that the options come back in the order they were written in.
+using Json = nlohmann::ordered_json;
+
+Eigen::Vector3d ToPoint(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+LinkEnd ToLinkEnd(const Json& json) { return {json.at(0).get<int>(), json.at(1).get<int>()}; }
+
+NodeKind ToNodeKind(const std::string& name) {
+  for (const NodeKind kind : {NodeKind::kEnd, NodeKind::kJunction, NodeKind::kLoopAnchor}) {
+    if (name == NodeKindName(kind)) return kind;
+  }
+  throw InputError("unknown kind of node \"" + name.substr(0, 40) + "\"");
+}
+
+DrawingNode ToNode(const Json& json) {
+  DrawingNode node;
+  node.position_in_world = ToPoint(json.at("position"));
+  node.kind = ToNodeKind(json.at("kind").get<std::string>());
+  for (const Json& end : json.at("incident")) node.incident.push_back(ToLinkEnd(end));
+  for (const Json& pair : json.at("continuations")) {
+    node.continuations.emplace_back(ToLinkEnd(pair.at(0)), ToLinkEnd(pair.at(1)));
+  }
+  return node;
+}
+
+DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_ids) {
+  DrawingLink link;
+  link.node0 = json.at("node0").get<int>();
+  link.node1 = json.at("node1").get<int>();
+  link.closed = json.at("closed").get<bool>();
+  link.residual_px = json.at("residual_px").get<double>();
+  for (const Json& point : json.at("points")) link.points_in_world.push_back(ToPoint(point));
+  for (const Json& sigma : json.at("sigma")) {
+    // JSON has no infinity: unknown is null.
+    link.sigma.push_back(sigma.is_null() ? std::numeric_limits<double>::infinity()
+                                         : sigma.get<double>());
+  }
+  for (const Json& name : json.at("supporting_views")) {
+    const auto id = view_ids.find(name.get<std::string>());
+    if (id == view_ids.end()) throw InputError("supporting view is not in the list of views");
+    link.supporting_views.push_back(id->second);
+  }
+  for (const Json& member : json.at("members")) {
+    link.members.push_back(
+        {member.at(0).get<int>(), member.at(1).get<int>(), member.at(2).get<int>()});
+  }
+  return link;
+}
+
+DrawingFile ToDrawingFile(const Json& json) {
+  if (json.at("format").get<std::string>() != kDrawingJsonFormat) {
+    throw InputError("\"format\" is not \"" + std::string(kDrawingJsonFormat) + "\"");
+  }
+  const int version = json.at("format_version").get<int>();
+  if (version != kDrawingJsonVersion) {
+    throw InputError("format version " + std::to_string(version) + "; this program reads version " +
+                     std::to_string(kDrawingJsonVersion));
+  }
+  DrawingFile file;
+  std::map<std::string, ViewId> view_ids;
+  for (const Json& name : json.at("views")) {
+    file.metadata.view_names.push_back(name.get<std::string>());
+    view_ids.emplace(file.metadata.view_names.back(), static_cast<ViewId>(view_ids.size()));
+  }
+  file.metadata.options_json = json.at("options").dump();
+  for (const Json& node : json.at("nodes")) file.graph.nodes.push_back(ToNode(node));
+  for (const Json& link : json.at("links")) file.graph.links.push_back(ToLink(link, view_ids));
+  const std::vector<std::string> violations = Validate(file.graph);
+  if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
+  return file;
+}
+
+}  // namespace
+
+DrawingFile ReadDrawingJson(const std::string& path) {
+  const std::string text = ReadWholeFile(path);
+  try {
+    return ToDrawingFile(Json::parse(text));
+  } catch (const Json::exception& error) {
+    throw IoError(path, error.what());
+  } catch (const InputError& error) {
+    throw IoError(path, error.what());
+  }
+}
+
+}  // namespace limn

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// What a drawing file says beside the graph.
+struct DrawingMetadata {
+  // Names of the run's views; a link's supporting views are indices into it.
+  std::vector<std::string> view_names;
+  // The options of the run, as the text of a JSON object.
+  std::string options_json = "{}";
+};
+
+struct DrawingFile {
+  DrawingGraph graph;
+  DrawingMetadata metadata;
+};
+
+constexpr const char* kDrawingJsonFormat = "limn-drawing";
+constexpr int kDrawingJsonVersion = 1;
+
+// A drawing.json as export/drawing_json.h writes it. Throws IoError, also when the graph breaks one
+// of the invariants of Validate.
+DrawingFile ReadDrawingJson(const std::string& path);
+
+}  // namespace limn

@@ -1,0 +1,83 @@
+#include "limn/io/obj_reader.h"
+
+#include <charconv>
+
+#include "limn/io/curve_chains.h"
+#include "limn/io/text_scanner.h"
+#include "limn/io/whole_file.h"
+
+namespace limn {
+namespace {
+
+class ObjParser {
+ public:
+  explicit ObjParser(TextScanner* scanner) : scanner_(scanner) {}
+
+  CurveSet Run() {
+    while (!scanner_->AtEnd()) ParseStatement(scanner_->Word("statement"));
+    CurveSet set = ChainEdges(soup_);
+    if (has_elements_) set.points = std::move(points_);
+    return set;
+  }
+
+ private:
+  void ParseStatement(std::string_view keyword) {
+    if (keyword == "v") {
+      soup_.vertices.push_back(scanner_->Point());
+    } else if (keyword == "l") {
+      ParseLine();
+    } else if (keyword == "p") {
+      has_elements_ = true;
+      while (!scanner_->AtEndOfLine()) points_.push_back(soup_.vertices[VertexIndex()]);
+    } else if (keyword == "o" || keyword == "g") {
+      ++label_;
+    }
+    scanner_->RestOfLine();
+  }
+
+  void ParseLine() {
+    has_elements_ = true;
+    int previous = -1;
+    while (!scanner_->AtEndOfLine()) {
+      const int index = VertexIndex();
+      if (previous >= 0) {
+        soup_.edges.emplace_back(previous, index);
+        soup_.labels.push_back(label_);
+      }
+      previous = index;
+    }
+  }
+
+  // "7", "7/3" or relative to the end "-1"; counts from 1.
+  int VertexIndex() {
+    const std::string_view word = scanner_->Word("vertex index");
+    const std::string_view digits = word.substr(0, word.find('/'));
+    long value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const long count = static_cast<long>(soup_.vertices.size());
+    if (value < 0) value += count + 1;
+    if (error != std::errc() || end != digits.data() + digits.size() || value < 1 ||
+        value > count) {
+      std::string reason = "vertex index \"";
+      reason.append(word.substr(0, 40)).append("\" is none of the ");
+      scanner_->Fail(reason + std::to_string(count) + " vertices so far");
+    }
+    return static_cast<int>(value - 1);
+  }
+
+  TextScanner* scanner_;
+  EdgeSoup soup_;
+  std::vector<Eigen::Vector3d> points_;
+  int label_ = 0;
+  bool has_elements_ = false;
+};
+
+}  // namespace
+
+CurveSet ReadObjCurves(const std::string& path) {
+  const std::string text = ReadWholeFile(path);
+  TextScanner scanner(path, text);
+  return ObjParser(&scanner).Run();
+}
+
+}  // namespace limn

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "limn/model/curve_set.h"
+
+namespace limn {
+
+// The v, l and p statements of a Wavefront OBJ file (others are passed over). Line elements of one
+// object or group (o, g) are joined by ChainEdges. Vertices no statement uses are left out if there
+// is any l or p; else all vertices are points. Throws IoError.
+CurveSet ReadObjCurves(const std::string& path);
+
+}  // namespace limn

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <Eigen/Core>
+
+namespace limn {
+
+// Walks through the words and numbers of a text and knows where it is. Errors are IoError with path
+// and line.
+class TextScanner {
+ public:
+  // The text must outlive the scanner. `first_line` is the number of the text's first line.
+  TextScanner(std::string path, std::string_view text, int first_line = 1)
+      : path_(std::move(path)), text_(text), line_(first_line) {}
+
+  // Skips white space, line ends included; whether nothing is left.
+  bool AtEnd();
+  // The next word; throws at the end of the text.
+  std::string_view Word(const char* what);
+  // The next number; `what` names it in errors.
+  double Number(const char* what);
+  Eigen::Vector3d Point();
+  // The rest of the line, without its end.
+  std::string_view RestOfLine();
+  // Skips blanks but not line ends; whether the line has nothing more.
+  bool AtEndOfLine();
+  // Whether the next character, after AtEnd(), is '#'.
+  bool AtComment() const { return at_ < text_.size() && text_[at_] == '#'; }
+
+  [[noreturn]] void Fail(const std::string& reason) const;
+
+ private:
+  std::string path_;
+  std::string_view text_;
+  size_t at_ = 0;
+  int line_ = 1;
+};
+
+}  // namespace limn

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace limn {
+
+// The bytes of a file; a gzip file comes back unpacked. Throws IoError.
+std::string ReadWholeFile(const std::string& path);
+
+}  // namespace limn
