@@ -77,13 +77,7 @@ std::vector<po::option> SplitCommandLine(int argc, const char* const* argv,
   const int allowed = style::allow_long | style::long_allow_next | style::long_allow_adjacent |
                       style::allow_short | style::allow_dash_for_short | style::short_allow_next;
   try {
-    const po::positional_options_description none;
-    return po::command_line_parser(argc, argv)
-        .options(known)
-        .positional(none)
-        .style(allowed)
-        .run()
-        .options;
+    return po::command_line_parser(argc, argv).options(known).style(allowed).run().options;
   } catch (const po::error& error) {
     throw OptionError(error.what());
   }

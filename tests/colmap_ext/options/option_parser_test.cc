@@ -1,0 +1,198 @@
+#include "colmap_ext/options/option_parser.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+enum class Mode { kOriginal, kEnhanced };
+
+struct Values {
+  std::string path;
+  std::string quality = "medium";
+  Mode mode = Mode::kEnhanced;
+  double length_px = 5.5;
+  int count = -1;
+  bool refine = true;
+  std::vector<double> taus = {0.01, 2};
+};
+
+class OptionParserTest : public testing::Test {
+ protected:
+  OptionParserTest() : parser_("curve_drawer", "Draws curves.") {
+    parser_.AddOption("path", &values_.path, "A path.");
+    parser_.AddOption("quality", &values_.quality, {"low", "medium", "high"}, "How well.");
+    parser_.AddOption<Mode>("Sketch.mode", &values_.mode,
+                            {{"original", Mode::kOriginal}, {"enhanced", Mode::kEnhanced}},
+                            "Which.");
+    parser_.AddOption("Linking.length_px", &values_.length_px, "A length.");
+    parser_.AddOption("Linking.count", &values_.count, "A count.");
+    parser_.AddOption("Sketch.refine", &values_.refine, "Whether.");
+    parser_.AddOption("taus", &values_.taus, "Several.");
+  }
+
+  OptionParser::Outcome Parse(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "limn");
+    return parser_.Parse(static_cast<int>(arguments.size()), arguments.data(), help_);
+  }
+  std::string ErrorOf(const std::vector<const char*>& arguments) {
+    const std::string error = ErrorText<OptionError>([&] { Parse(arguments); });
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+    return error;
+  }
+
+  Values values_;
+  OptionParser parser_;
+  std::ostringstream help_;
+  TempDir dir_;
+};
+
+TEST_F(OptionParserTest, NothingGivenKeepsTheDefaults) {
+  EXPECT_EQ(Parse({}), OptionParser::Outcome::kRun);
+  EXPECT_EQ(values_.length_px, 5.5);
+  EXPECT_EQ(values_.mode, Mode::kEnhanced);
+  EXPECT_FALSE(parser_.WasGiven("taus"));
+}
+
+TEST_F(OptionParserTest, EveryTypeIsSet) {
+  Parse({"--path", "a b", "--quality", "high", "--Sketch.mode=original", "--Linking.length_px=1e-3",
+         "--Linking.count", "-7", "--Sketch.refine", "0", "--taus", "1,2.5"});
+  EXPECT_EQ(values_.path, "a b");
+  EXPECT_EQ(values_.quality, "high");
+  EXPECT_EQ(values_.mode, Mode::kOriginal);
+  EXPECT_EQ(values_.length_px, 1e-3);
+  EXPECT_EQ(values_.count, -7);
+  EXPECT_FALSE(values_.refine);
+  EXPECT_THAT(values_.taus, ElementsAre(1, 2.5));
+  EXPECT_TRUE(parser_.WasGiven("taus"));
+}
+
+TEST_F(OptionParserTest, BoolsAreFourWords) {
+  for (const char* text : {"1", "true"}) {
+    values_.refine = false;
+    Parse({"--Sketch.refine", text});
+    EXPECT_TRUE(values_.refine) << text;
+  }
+  for (const char* text : {"0", "false"}) {
+    Parse({"--Sketch.refine", text});
+    EXPECT_FALSE(values_.refine) << text;
+    values_.refine = true;
+  }
+}
+
+TEST_F(OptionParserTest, NegativeNumbersAreValues) {
+  Parse({"--Linking.length_px", "-2.5"});
+  EXPECT_EQ(values_.length_px, -2.5);
+}
+
+TEST_F(OptionParserTest, BadValuesNameOptionAndValue) {
+  EXPECT_EQ(ErrorOf({"--Linking.length_px", "long"}), "Linking.length_px = long: must be a number");
+  EXPECT_EQ(ErrorOf({"--Linking.length_px", "nan"}), "Linking.length_px = nan: must be a number");
+  EXPECT_EQ(ErrorOf({"--Linking.count", "1.5"}), "Linking.count = 1.5: must be a whole number");
+  EXPECT_EQ(ErrorOf({"--Linking.count", "99999999999"}),
+            "Linking.count = 99999999999: must be a whole number");
+  EXPECT_EQ(ErrorOf({"--Sketch.refine", "yes"}),
+            "Sketch.refine = yes: must be 0, 1, true or false");
+  EXPECT_EQ(ErrorOf({"--Sketch.mode", "best"}),
+            "Sketch.mode = best: must be one of {original, enhanced}");
+  EXPECT_EQ(ErrorOf({"--quality", "ultra"}), "quality = ultra: must be one of {low, medium, high}");
+  for (const char* text : {"1,", ",1", "1;2", "1,,2", "a"}) {
+    EXPECT_THAT(ErrorOf({"--taus", text}), HasSubstr("must be numbers separated by commas"))
+        << text;
+  }
+}
+
+TEST_F(OptionParserTest, WrongUseIsOneLine) {
+  EXPECT_THAT(ErrorOf({"--nonsense", "1"}), HasSubstr("--nonsense"));
+  EXPECT_THAT(ErrorOf({"--qual", "high"}), HasSubstr("--qual"));  // no abbreviations
+  EXPECT_THAT(ErrorOf({"--quality"}), HasSubstr("--quality"));
+  EXPECT_THAT(ErrorOf({"stray"}), HasSubstr("stray"));
+  EXPECT_THAT(ErrorOf({"--path", "a", "b"}), HasSubstr("'b'"));
+  EXPECT_THAT(ErrorOf({"--path", "a", "--path", "b"}), HasSubstr("'--path' is given twice"));
+}
+
+TEST_F(OptionParserTest, HelpShowsEveryOptionWithItsDefault) {
+  for (const char* flag : {"-h", "--help"}) {
+    help_.str("");
+    EXPECT_EQ(Parse({"--Linking.count", "3", flag}), OptionParser::Outcome::kHelp);
+    EXPECT_THAT(help_.str(), AllOf(HasSubstr("curve_drawer"), HasSubstr("Draws curves.")));
+    EXPECT_THAT(help_.str(), HasSubstr("--Linking.length_px arg (=5.5)"));
+    EXPECT_THAT(help_.str(), AllOf(HasSubstr("--Sketch.mode arg (=enhanced)"),
+                                   HasSubstr("{original, enhanced}")));
+    EXPECT_THAT(help_.str(), AllOf(HasSubstr("--taus arg (=0.01,2)"), HasSubstr("--project_path")));
+  }
+  EXPECT_EQ(values_.count, -1);
+}
+
+TEST_F(OptionParserTest, IniFileSetsAndCommandLineOverrides) {
+  const std::string ini = dir_.WriteFile(
+      "project.ini", "path=from ini\n[Linking]\nlength_px=7\ncount=2\n[Sketch]\nmode=original\n");
+  Parse({"--Linking.count", "3", "--project_path", ini.c_str()});
+  EXPECT_EQ(values_.path, "from ini");
+  EXPECT_EQ(values_.length_px, 7);
+  EXPECT_EQ(values_.count, 3);
+  EXPECT_EQ(values_.mode, Mode::kOriginal);
+}
+
+TEST_F(OptionParserTest, ErrorsInTheIniFileNameItsLine) {
+  const auto error = [&](const std::string& text) {
+    const std::string ini = dir_.WriteFile("project.ini", text);
+    return ErrorOf({"--project_path", ini.c_str()});
+  };
+  EXPECT_THAT(error("\nnonsense=1\n"), HasSubstr("project.ini: line 2: unknown option 'nonsense'"));
+  EXPECT_THAT(error("[Linking]\ncount=many\n"), HasSubstr("line 2: Linking.count = many"));
+  EXPECT_THAT(error("path=a\npath=b\n"), HasSubstr("line 2: option 'path' is given twice"));
+  EXPECT_THAT(ErrorText<IoError>([&] {
+                Parse({"--project_path", "/nonexistent.ini"});
+              }),
+              HasSubstr("/nonexistent.ini"));
+}
+
+TEST_F(OptionParserTest, WrittenIniFileRunsAgain) {
+  Parse({"--path", "x=# y", "--Linking.length_px", "0.1", "--Linking.count", "12", "--Sketch.mode",
+         "original", "--Sketch.refine", "false", "--taus", "0.3,1e-300", "--quality", "low"});
+  const Values first = values_;
+  const std::string ini = (dir_ / "project.ini").string();
+  parser_.WriteIni(ini);
+  values_ = Values();
+  Parse({"--project_path", ini.c_str()});
+  EXPECT_EQ(values_.path, first.path);
+  EXPECT_EQ(values_.length_px, 0.1);
+  EXPECT_EQ(values_.count, 12);
+  EXPECT_EQ(values_.mode, Mode::kOriginal);
+  EXPECT_FALSE(values_.refine);
+  EXPECT_EQ(values_.taus, first.taus);
+  EXPECT_EQ(values_.quality, "low");
+}
+
+TEST_F(OptionParserTest, IniFileHasUngroupedKeysFirstThenSections) {
+  std::ostringstream out;
+  parser_.WriteIni(out);
+  EXPECT_EQ(out.str(),
+            "path=\nquality=medium\ntaus=0.01,2\n"
+            "[Sketch]\nmode=enhanced\nrefine=1\n"
+            "[Linking]\nlength_px=5.5\ncount=-1\n");
+}
+
+TEST_F(OptionParserTest, UnwritableIniIsAnError) {
+  EXPECT_THROW(parser_.WriteIni((dir_ / "no" / "project.ini").string()), IoError);
+}
+
+TEST_F(OptionParserTest, DeclaringAnOptionTwiceIsAProgrammingError) {
+  EXPECT_THROW(parser_.AddOption("taus", &values_.count, ""), std::logic_error);
+  EXPECT_THROW(parser_.AddOption("project_path", &values_.path, ""), std::logic_error);
+  EXPECT_THROW(parser_.AddOption("other", &values_.path, {"a", "b"}, ""), std::logic_error);
+}
+
+}  // namespace
+}  // namespace limn

@@ -1,0 +1,163 @@
+#include "colmap_ext/workspace/image_reader.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/image_header.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using testing::HasSubstr;
+
+class ImageReader : public testing::Test {
+ protected:
+  std::string Write(const std::string& name, const cv::Mat& image) {
+    const std::string path = (dir_ / name).string();
+    EXPECT_TRUE(cv::imwrite(path, image));
+    return path;
+  }
+
+  TempDir dir_;
+};
+
+// A JPEG of 6 x 4 pixels whose EXIF asks for a turn by 90 degrees (orientation 6).
+std::string RotatedJpeg(const std::string& plain) {
+  const std::string exif(
+      "\xFF\xE1\x00\x22"
+      "Exif\0\0"
+      "II\x2A\0\x08\0\0\0"
+      "\x01\0"
+      "\x12\x01\x03\0\x01\0\0\0\x06\0\0\0"
+      "\0\0\0\0",
+      36);
+  return plain.substr(0, 2) + exif + plain.substr(2);
+}
+
+std::string Content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream content;
+  content << in.rdbuf();
+  return content.str();
+}
+
+TEST_F(ImageReader, ColourIsRgb) {
+  const Image image = ReadImage(Write("a.png", cv::Mat(2, 3, CV_8UC3, cv::Scalar(10, 20, 30))));
+  EXPECT_EQ(image.width, 3);
+  EXPECT_EQ(image.height, 2);
+  EXPECT_EQ(image.channels, 3);
+  ASSERT_EQ(image.data.size(), 18u);
+  EXPECT_EQ(image.data[0], 30);
+  EXPECT_EQ(image.data[1], 20);
+  EXPECT_EQ(image.data[2], 10);
+  EXPECT_TRUE(image.mask.empty());
+}
+
+TEST_F(ImageReader, RowsComeInOrder) {
+  cv::Mat grey(2, 3, CV_8UC1);
+  for (int i = 0; i < 6; ++i) grey.at<uchar>(i / 3, i % 3) = static_cast<uchar>(i);
+  const Image image = ReadImage(Write("grey.png", grey));
+  EXPECT_EQ(image.channels, 1);
+  EXPECT_THAT(image.data, testing::ElementsAre(0, 1, 2, 3, 4, 5));
+}
+
+TEST_F(ImageReader, SixteenBitsBecomeGreyLevels) {
+  const Image image = ReadImage(Write("deep.png", cv::Mat(2, 2, CV_16UC1, cv::Scalar(65535))));
+  EXPECT_EQ(image.data.at(0), 255);
+  const Image colour =
+      ReadImage(Write("deep3.png", cv::Mat(2, 2, CV_16UC3, cv::Scalar(0, 257, 514))));
+  EXPECT_EQ(colour.data.at(0), 2);
+}
+
+TEST_F(ImageReader, AlphaIsDropped) {
+  const Image image = ReadImage(Write("alpha.png", cv::Mat(2, 2, CV_8UC4, cv::Scalar(1, 2, 3, 0))));
+  EXPECT_EQ(image.channels, 3);
+  EXPECT_EQ(image.data.at(0), 3);
+}
+
+TEST_F(ImageReader, ExifRotationIsIgnored) {
+  const std::string plain = Write("plain.jpg", cv::Mat(4, 6, CV_8UC3, cv::Scalar(9, 9, 9)));
+  const std::string path = dir_.WriteFile("rotated.jpg", RotatedJpeg(Content(plain)));
+  // The file does ask for a rotation.
+  ASSERT_EQ(cv::imread(path).cols, 4);
+  EXPECT_EQ(ReadImage(path).width, 6);
+  EXPECT_EQ(ReadImageSize(path), (ImageSize{6, 4}));
+}
+
+TEST_F(ImageReader, FloatImagesAreRefused) {
+  const std::string path = Write("float.tiff", cv::Mat(2, 2, CV_32FC1, cv::Scalar(0.5)));
+  EXPECT_THAT(ErrorText<IoError>([&] { ReadImage(path); }), HasSubstr("8 or 16 bits"));
+}
+
+TEST_F(ImageReader, MissingAndDamagedFilesAreNamed) {
+  EXPECT_THAT(ErrorText<IoError>([&] { ReadImage(dir_ / "no.png"); }),
+              HasSubstr("no.png: no such image file"));
+  const std::string empty = dir_.WriteFile("empty.jpg", "");
+  const std::string html = dir_.WriteFile("page.jpg", "<html></html>");
+  for (const std::string& path : {empty, html}) {
+    EXPECT_THAT(ErrorText<IoError>([&] { ReadImage(path); }), HasSubstr("cannot be decoded"));
+    EXPECT_THAT(ErrorText<IoError>([&] { ReadImageSize(path); }), HasSubstr("cannot be decoded"));
+  }
+}
+
+TEST_F(ImageReader, SizeComesFromTheHeader) {
+  const cv::Mat image(5, 7, CV_8UC3, cv::Scalar(0, 0, 0));
+  for (const char* name : {"a.png", "a.jpg"}) {
+    EXPECT_EQ(ReadSizeFromHeader(Write(name, image)), (ImageSize{7, 5})) << name;
+  }
+  for (const char* name : {"a.png", "a.jpg", "a.tiff", "a.bmp"}) {
+    EXPECT_EQ(ReadImageSize(Write(name, image)), (ImageSize{7, 5})) << name;
+  }
+}
+
+TEST_F(ImageReader, DamagedHeadersHaveNoSize) {
+  const cv::Mat image(5, 7, CV_8UC3, cv::Scalar(0, 0, 0));
+  for (const char* name : {"a.png", "a.jpg"}) {
+    const std::string content = Content(Write(name, image));
+    for (size_t size = 0; size < 24; ++size) {
+      std::istringstream in(content.substr(0, size));
+      EXPECT_FALSE(ReadSizeFromHeader(in)) << name << " " << size;
+    }
+  }
+  std::istringstream text("text");
+  EXPECT_FALSE(ReadSizeFromHeader(text));
+}
+
+TEST_F(ImageReader, LongerSideIsLimited) {
+  EXPECT_EQ(ShrunkSize({640, 480}, -1), (ImageSize{640, 480}));
+  EXPECT_EQ(ShrunkSize({640, 480}, 640), (ImageSize{640, 480}));
+  EXPECT_EQ(ShrunkSize({640, 480}, 320), (ImageSize{320, 240}));
+  EXPECT_EQ(ShrunkSize({480, 641}, 100), (ImageSize{75, 100}));
+  EXPECT_EQ(ShrunkSize({1, 1000}, 100), (ImageSize{1, 100}));
+}
+
+TEST_F(ImageReader, ShrinkingAverages) {
+  cv::Mat grey(2, 4, CV_8UC1, cv::Scalar(0));
+  grey.at<uchar>(0, 0) = 100;
+  grey.at<uchar>(1, 3) = 40;
+  const Image image = ReadImage(Write("grey.png", grey), 2);
+  EXPECT_EQ(image.width, 2);
+  EXPECT_EQ(image.height, 1);
+  EXPECT_THAT(image.data, testing::ElementsAre(25, 10));
+}
+
+TEST_F(ImageReader, MaskCountsOnlyPixelsThatAreWholeInside) {
+  cv::Mat grey(2, 4, CV_8UC1, cv::Scalar(1));
+  grey.at<uchar>(1, 3) = 0;
+  const std::string path = Write("mask.png", grey);
+  EXPECT_THAT(ReadMask(path, {4, 2}), testing::ElementsAre(1, 1, 1, 1, 1, 1, 1, 0));
+  EXPECT_THAT(ReadMask(path, {4, 2}, 2), testing::ElementsAre(1, 0));
+  EXPECT_THAT(ErrorText<IoError>([&] {
+                ReadMask(path, {4, 3});
+              }),
+              HasSubstr("the mask is 4 x 2 pixels, its image 4 x 3"));
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext

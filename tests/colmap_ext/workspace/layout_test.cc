@@ -1,0 +1,172 @@
+#include "colmap_ext/workspace/layout.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/workspace/test_model.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class Layout : public testing::Test {
+ protected:
+  void AddModel(const std::string& folder, size_t num_images = 3) {
+    SparseModel model = MakeModel();
+    model.images.resize(num_images);
+    fs::create_directories(dir_ / folder);
+    WriteModelBinary(model, dir_ / folder);
+  }
+  void AddFolder(const std::string& folder) { fs::create_directories(dir_ / folder); }
+
+  LayoutOptions Options() const {
+    LayoutOptions options;
+    options.workspace_path = dir_.path().string();
+    return options;
+  }
+
+  void ExpectLayout(const LayoutOptions& options, const std::string& model,
+                    const std::string& images, const std::string& drawing) {
+    const WorkspaceLayout layout = ResolveLayout(options);
+    EXPECT_EQ(layout.model_dir, dir_ / model);
+    EXPECT_EQ(layout.image_dir, dir_ / images);
+    EXPECT_EQ(fs::weakly_canonical(layout.output.drawing_dir),
+              fs::weakly_canonical(dir_ / drawing));
+    EXPECT_EQ(layout.output.curves_dir, layout.output.drawing_dir / "curves");
+    EXPECT_THAT(layout.description, HasSubstr((dir_ / model).string()));
+  }
+
+  std::string ErrorOf(const LayoutOptions& options) const {
+    return ErrorText<IoError>([&] { ResolveLayout(options); });
+  }
+
+  TempDir dir_;
+};
+
+TEST_F(Layout, DenseWorkspaceItself) {
+  AddModel("sparse");
+  AddFolder("images");
+  AddModel("dense/0/sparse");
+  AddFolder("dense/0/images");
+  ExpectLayout(Options(), "sparse", "images", ".");
+  EXPECT_EQ(ResolveLayout(Options()).dense_dir, dir_.path());
+}
+
+TEST_F(Layout, DenseFolderComesBeforeTheSparseModels) {
+  AddModel("sparse/0");
+  AddFolder("images");
+  AddModel("dense/0/sparse");
+  AddFolder("dense/0/images");
+  ExpectLayout(Options(), "dense/0/sparse", "dense/0/images", "dense/0");
+  EXPECT_EQ(ResolveLayout(Options()).dense_dir, dir_ / "dense/0");
+}
+
+TEST_F(Layout, DenseFolderWithoutNumber) {
+  AddModel("sparse/0");
+  AddFolder("images");
+  AddModel("dense/sparse");
+  AddFolder("dense/images");
+  ExpectLayout(Options(), "dense/sparse", "dense/images", "dense");
+}
+
+TEST_F(Layout, SparseModelWithItsImages) {
+  AddModel("sparse/0");
+  AddFolder("images");
+  AddFolder("dense/0");
+  ExpectLayout(Options(), "sparse/0", "images", ".");
+  EXPECT_EQ(ResolveLayout(Options()).dense_dir, "");
+}
+
+TEST_F(Layout, MostRegisteredImagesWin) {
+  AddModel("sparse/0", 1);
+  AddModel("sparse/1", 3);
+  AddModel("sparse/10", 3);
+  AddModel("sparse/2", 2);
+  AddFolder("images");
+  ExpectLayout(Options(), "sparse/1", "images", ".");
+  EXPECT_THAT(ResolveLayout(Options()).description,
+              HasSubstr("3 registered images, most of 4 models"));
+}
+
+TEST_F(Layout, ModelIndexChooses) {
+  AddModel("sparse/0", 3);
+  AddModel("sparse/1", 1);
+  AddModel("dense/0/sparse", 3);
+  AddFolder("dense/0/images");
+  AddFolder("images");
+  LayoutOptions options = Options();
+  options.model_index = 1;
+  ExpectLayout(options, "sparse/1", "images", ".");
+  options.model_index = 2;
+  EXPECT_THAT(ErrorOf(options), HasSubstr("with model_index 2"));
+}
+
+TEST_F(Layout, GivenModelIsUsedWithTheImagesNearIt) {
+  AddModel("sparse/0");
+  AddModel("sparse/1", 1);
+  AddFolder("images");
+  AddModel("dense/0/sparse");
+  AddFolder("dense/0/images");
+  AddFolder("dense/0/stereo");
+  LayoutOptions options = Options();
+  options.input_path = (dir_ / "sparse/1").string();
+  ExpectLayout(options, "sparse/1", "images", ".");
+  options.input_path = (dir_ / "sparse").string();
+  ExpectLayout(options, "sparse/0", "images", ".");
+  options.input_path = (dir_ / "dense/0/sparse").string();
+  ExpectLayout(options, "dense/0/sparse", "dense/0/images", "dense/0");
+}
+
+TEST_F(Layout, GivenFoldersReplaceTheFoundOnes) {
+  AddModel("sparse/0");
+  AddFolder("photos");
+  LayoutOptions options = Options();
+  EXPECT_THAT(ErrorOf(options), HasSubstr("no COLMAP model with its images"));
+  options.image_path = (dir_ / "photos").string();
+  ExpectLayout(options, "sparse/0", "photos", ".");
+  options.output_path = (dir_ / "out").string();
+  ExpectLayout(options, "sparse/0", "photos", "out");
+  options.workspace_path = "";
+  options.input_path = (dir_ / "sparse/0").string();
+  ExpectLayout(options, "sparse/0", "photos", "out");
+  options.output_path = "";
+  EXPECT_THAT(ErrorText<OptionError>([&] { ResolveLayout(options); }),
+              HasSubstr("workspace_path is missing"));
+}
+
+TEST_F(Layout, ErrorsListWhatWasFound) {
+  EXPECT_THAT(ErrorOf(Options()), HasSubstr("found nothing"));
+  AddFolder("sparse/0");
+  dir_.WriteFile("database.db", "");
+  dir_.WriteFile("sparse/0/cameras.bin", "");
+  EXPECT_THAT(ErrorOf(Options()),
+              AllOf(HasSubstr("database.db, sparse/"), HasSubstr("in sparse: 0/")));
+  LayoutOptions options = Options();
+  options.workspace_path += "/nowhere";
+  EXPECT_THAT(ErrorOf(options), HasSubstr("nowhere: no such folder (workspace_path)"));
+  options = Options();
+  options.input_path = (dir_ / "sparse").string();
+  EXPECT_THAT(ErrorOf(options), HasSubstr("no COLMAP model (cameras and images): found 0/"));
+  options.input_path = (dir_ / "elsewhere").string();
+  EXPECT_THAT(ErrorOf(options), HasSubstr("elsewhere: no such folder"));
+  options = Options();
+  options.image_path = (dir_ / "photos").string();
+  EXPECT_THAT(ErrorOf(options), HasSubstr("photos: no such folder (image_path)"));
+}
+
+TEST_F(Layout, ErrorsAreOneLine) {
+  for (int i = 0; i < 50; ++i) dir_.WriteFile("file" + std::to_string(i), "");
+  const std::string error = ErrorOf(Options());
+  EXPECT_EQ(error.find('\n'), std::string::npos);
+  EXPECT_THAT(error, HasSubstr("and 30 more"));
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext

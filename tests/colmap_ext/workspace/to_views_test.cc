@@ -1,0 +1,259 @@
+#include "colmap_ext/workspace/to_views.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/camera_projection.h"
+#include "colmap_ext/workspace/test_model.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class ToViewsTest : public testing::Test {
+ protected:
+  ToViewsTest() : model_(MakeModel()) {
+    model_.folder = "the_model";
+    for (const ModelImage& image : model_.images) WriteImage(image.name, 800, 600);
+  }
+
+  void WriteImage(const std::string& name, int width, int height) {
+    Write(name, cv::Mat(height, width, CV_8UC3, cv::Scalar(10, 20, 30)));
+  }
+  void Write(const std::string& name, const cv::Mat& image) {
+    const fs::path path = dir_.path() / name;
+    fs::create_directories(path.parent_path());
+    ASSERT_TRUE(cv::imwrite(path.string(), image));
+  }
+
+  ViewSet Views() const { return ToViews(model_, dir_.path(), options_); }
+  std::string ErrorOf() const {
+    return ErrorText<IoError>([&] { Views(); });
+  }
+  void SetCamera3(CameraModelId id) { model_.cameras[1] = MakeCamera(id, 3); }
+
+  TempDir dir_;
+  SparseModel model_;
+  ViewOptions options_;
+};
+
+TEST_F(ToViewsTest, ViewsAreSortedByNameAndKeepTheirFileOrder) {
+  const ViewSet set = Views();
+  ASSERT_EQ(set.views.size(), 3u);
+  EXPECT_EQ(set.views[0].name, "b.png");
+  EXPECT_EQ(set.views[1].name, "c.png");
+  EXPECT_EQ(set.views[2].name, "sub/a b.png");
+  EXPECT_EQ(set.views[0].model_index, 2);
+  EXPECT_EQ(set.views[1].model_index, 0);
+  EXPECT_EQ(set.views[2].model_index, 1);
+  EXPECT_EQ(set.image_paths[2], (dir_.path() / "sub/a b.png").string());
+  EXPECT_EQ(set.views[1].cam_from_world.translation, model_.images[0].cam_from_world.translation);
+  EXPECT_THAT(set.warnings, IsEmpty());
+}
+
+TEST_F(ToViewsTest, PrincipalPointMovesByHalfAPixel) {
+  const View view =
+      Views().views[1];  // camera 3: PINHOLE, principal point at the centre (w/2, h/2)
+  EXPECT_EQ(view.camera.cx, 800 / 2 - 0.5);
+  EXPECT_EQ(view.camera.cy, 600 / 2 - 0.5);
+  EXPECT_EQ(view.camera.fx, 503);
+  EXPECT_EQ(view.camera.fy, 513);
+  EXPECT_EQ(view.camera.width, 800);
+  EXPECT_EQ(view.camera.height, 600);
+  EXPECT_EQ(view.lens, nullptr);
+}
+
+TEST_F(ToViewsTest, LensIsInLimnsPixels) {
+  SetCamera3(CameraModelId::kOpencv);
+  const View view = Views().views[1];
+  ASSERT_NE(view.lens, nullptr);
+  EXPECT_EQ(view.camera.fx, 500.5);
+  EXPECT_EQ(view.camera.cx, 403.25 - 0.5);
+  EXPECT_EQ(view.camera.cy, 297.75 - 0.5);
+  // The stored pixel of a ray, in COLMAP's pixels, is the lens's image of the virtual pixel of that
+  // ray.
+  const CameraProjection projection(IntrinsicsOf(model_.cameras[1]));
+  const Eigen::Vector2d ray(0.4, -0.3);
+  const Eigen::Vector2d colmap_px = *projection.PixelFromRay(ray);
+  const Eigen::Vector2d virtual_px = view.camera.Project({ray.x(), ray.y(), 1});
+  const auto stored = view.lens->StoredFromVirtual(virtual_px);
+  ASSERT_TRUE(stored);
+  EXPECT_LT((*stored - (colmap_px - Eigen::Vector2d(0.5, 0.5))).norm(), 1e-10);
+  const auto back = view.lens->VirtualFromStored(*stored);
+  ASSERT_TRUE(back);
+  EXPECT_LT((*back - virtual_px).norm(), 1e-8);
+  EXPECT_GT((*stored - virtual_px).norm(), 1);  // there is distortion to speak of
+}
+
+TEST_F(ToViewsTest, ZeroDistortionNeedsNoLensButFisheyesDo) {
+  model_.cameras[1] = {3, CameraModelId::kSimpleRadial, 800, 600, {500, 400, 300, 1e-9}};
+  EXPECT_EQ(Views().views[1].lens, nullptr);
+  model_.cameras[1] = {3, CameraModelId::kSimpleFisheye, 800, 600, {500, 400, 300}};
+  EXPECT_NE(Views().views[1].lens, nullptr);
+}
+
+TEST_F(ToViewsTest, ImagesOfOneCameraShareItsLens) {
+  SetCamera3(CameraModelId::kRadial);
+  const ViewSet set = Views();
+  EXPECT_EQ(set.views[0].lens, set.views[1].lens);
+  EXPECT_EQ(set.views[2].lens, nullptr);
+}
+
+TEST_F(ToViewsTest, PointsBecomeHintsInSelectedViews) {
+  ViewSet set = Views();
+  ASSERT_EQ(set.hints.points.size(), 2u);
+  EXPECT_EQ(set.hints.points[0].position_in_world, model_.points[0].position);
+  EXPECT_THAT(set.hints.points[0].views, ElementsAre(0, 1));
+  EXPECT_THAT(set.hints.points[1].views, ElementsAre(0));
+  model_.points[0].track = {{5, 0}, {5, 1}};
+  model_.points[1].track = {};
+  set = Views();
+  ASSERT_EQ(set.hints.points.size(), 1u);
+  EXPECT_THAT(set.hints.points[0].views, ElementsAre(0));
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("1 3D points are seen by no image")));
+}
+
+TEST_F(ToViewsTest, ResizedImagesRescaleTheIntrinsics) {
+  WriteImage("c.png", 400, 300);
+  const ViewSet set = Views();
+  EXPECT_EQ(set.views[1].camera.fx, 503 / 2.0);
+  EXPECT_EQ(set.views[1].camera.cx, 400 / 2.0 - 0.5);
+  EXPECT_EQ(set.views[1].camera.width, 400);
+  EXPECT_EQ(set.views[0].camera.width, 800);
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("1 images differ in size from their camera")));
+}
+
+TEST_F(ToViewsTest, RoundedSizesRescalePerAxis) {
+  WriteImage("c.png", 267, 200);
+  const View view = Views().views[1];
+  EXPECT_DOUBLE_EQ(view.camera.fx, 503 * 267 / 800.0);
+  EXPECT_DOUBLE_EQ(view.camera.fy, 513 * 200 / 600.0);
+}
+
+TEST_F(ToViewsTest, OtherAspectIsRefused) {
+  WriteImage("c.png", 600, 800);
+  EXPECT_THAT(ErrorOf(), AllOf(HasSubstr("c.png: the image is 600 x 800 pixels"),
+                               HasSubstr("camera 3 is 800 x 600")));
+  WriteImage("c.png", 800, 598);
+  EXPECT_THAT(ErrorOf(), HasSubstr("800 x 598"));
+  WriteImage("c.png", 800, 599);
+  EXPECT_EQ(ErrorOf(), "");
+}
+
+TEST_F(ToViewsTest, MaxImageSizeShrinksImageAndIntrinsicsAlike) {
+  // A step between the pixel columns 399 and 400: in Limn's pixels at 399.5, on the optical axis.
+  cv::Mat step(600, 800, CV_8UC1, cv::Scalar(0));
+  step.colRange(400, 800).setTo(200);
+  Write("c.png", step);
+  options_.max_image_size = 200;
+  const ViewSet set = Views();
+  const View& view = set.views[1];
+  EXPECT_EQ(view.camera.width, 200);
+  EXPECT_EQ(view.camera.height, 150);
+  EXPECT_DOUBLE_EQ(view.camera.fx, 503 / 4.0);
+  const Image image = ReadViewImage(set, 1);
+  ASSERT_EQ(image.width, 200);
+  ASSERT_EQ(image.channels, 1);
+  EXPECT_EQ(image.data[99], 0);
+  EXPECT_EQ(image.data[100], 200);
+  EXPECT_EQ(view.camera.cx, 99.5);
+}
+
+TEST_F(ToViewsTest, RegionLeavesAMargin) {
+  const View view = Views().views[0];
+  EXPECT_TRUE(view.region.Contains({8, 8}));
+  EXPECT_FALSE(view.region.Contains({7.9, 100}));
+  EXPECT_TRUE(view.region.Contains({791, 591}));
+  EXPECT_FALSE(view.region.Contains({100, 591.1}));
+}
+
+TEST_F(ToViewsTest, ImageListSelects) {
+  options_.image_list_path = dir_.WriteFile("list.txt", "sub/a b.png\r\n\n c.png \n");
+  const ViewSet set = Views();
+  ASSERT_EQ(set.views.size(), 2u);
+  EXPECT_EQ(set.views[0].name, "c.png");
+  EXPECT_EQ(set.views[1].name, "sub/a b.png");
+  ASSERT_EQ(set.hints.points.size(), 1u);  // image 5 is not selected
+  EXPECT_THAT(set.hints.points[0].views, ElementsAre(0));
+  EXPECT_THAT(set.warnings, IsEmpty());
+}
+
+TEST_F(ToViewsTest, UnknownNamesInTheListAreErrors) {
+  options_.image_list_path = dir_.WriteFile("list.txt", "c.png\nd.png\n");
+  EXPECT_THAT(ErrorOf(), HasSubstr("list.txt: image \"d.png\" is not registered in the_model"));
+  options_.image_list_path = (dir_ / "none.txt").string();
+  EXPECT_THAT(ErrorOf(), HasSubstr("none.txt: the image list cannot be opened"));
+}
+
+TEST_F(ToViewsTest, NoImageLeftIsAnError) {
+  options_.image_list_path = dir_.WriteFile("list.txt", "\n");
+  EXPECT_THROW(Views(), InputError);
+}
+
+TEST_F(ToViewsTest, MissingImagesAreNamed) {
+  fs::remove(dir_ / "c.png");
+  EXPECT_THAT(ErrorOf(), AllOf(HasSubstr("c.png: the image is registered"), HasSubstr("missing")));
+  fs::remove(dir_ / "b.png");
+  EXPECT_THAT(ErrorOf(), AllOf(HasSubstr("b.png: "), HasSubstr("and 1 other images")));
+}
+
+TEST_F(ToViewsTest, MasksCutTheRegionAndComeWithTheImage) {
+  cv::Mat mask(600, 800, CV_8UC1, cv::Scalar(255));
+  mask.colRange(0, 400).setTo(0);
+  Write("masks/sub/a b.png.png", mask);
+  options_.mask_path = (dir_ / "masks").string();
+  const ViewSet set = Views();
+  EXPECT_FALSE(set.views[2].region.Contains({300, 300}));
+  EXPECT_TRUE(set.views[2].region.Contains({500, 300}));
+  EXPECT_TRUE(set.views[0].region.Contains({300, 300}));
+  const Image image = ReadViewImage(set, 2);
+  ASSERT_EQ(image.mask.size(), 800u * 600u);
+  EXPECT_EQ(image.mask[399], 0);
+  EXPECT_NE(image.mask[400], 0);
+  EXPECT_TRUE(ReadViewImage(set, 0).mask.empty());
+}
+
+TEST_F(ToViewsTest, MasksOfAnotherSizeAndMissingMaskFoldersAreErrors) {
+  Write("masks/c.png.png", cv::Mat(300, 400, CV_8UC1, cv::Scalar(255)));
+  options_.mask_path = (dir_ / "masks").string();
+  EXPECT_THAT(ErrorOf(), HasSubstr("the mask is 400 x 300 pixels, its image 800 x 600"));
+  options_.mask_path = (dir_ / "nowhere").string();
+  EXPECT_THAT(ErrorOf(), HasSubstr("nowhere: no such folder (mask_path)"));
+}
+
+TEST_F(ToViewsTest, OptionsAreChecked) {
+  options_.max_image_size = 0;
+  EXPECT_THAT(ErrorText<OptionError>([&] { Views(); }), HasSubstr("max_image_size = 0"));
+  options_.max_image_size = -1;
+  options_.border_margin_px = -1;
+  EXPECT_THAT(ErrorText<OptionError>([&] { Views(); }), HasSubstr("border_margin_px = -1"));
+}
+
+TEST_F(ToViewsTest, ThreadsDoNotMatter) {
+  SetCamera3(CameraModelId::kRadial);
+  RunContext one;
+  one.num_threads = 1;
+  const ViewSet a = ToViews(model_, dir_.path(), options_, one);
+  const ViewSet b = Views();
+  ASSERT_EQ(a.views.size(), b.views.size());
+  for (size_t i = 0; i < a.views.size(); ++i) {
+    EXPECT_EQ(a.views[i].name, b.views[i].name);
+    EXPECT_EQ(a.views[i].region.min_px, b.views[i].region.min_px);
+    EXPECT_EQ(a.views[i].region.valid, b.views[i].region.valid);
+  }
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext
