@@ -1,0 +1,97 @@
+#include "limn/export/drawing_json.h"
+
+#include <cmath>
+#include <ostream>
+
+#include <nlohmann/json.hpp>
+
+#include "limn/geometry/polyline.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ToJson(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+Json ToJson(const LinkEnd& end) { return {end.link, end.end}; }
+
+Json ToJson(const DrawingNode& node, size_t id) {
+  Json json = {{"id", id},
+               {"position", ToJson(node.position_in_world)},
+               {"kind", NodeKindName(node.kind)},
+               {"degree", node.Degree()}};
+  json["incident"] = Json::array();
+  for (const LinkEnd& end : node.incident) json["incident"].push_back(ToJson(end));
+  json["continuations"] = Json::array();
+  for (const auto& [first, second] : node.continuations) {
+    json["continuations"].push_back(Json::array({ToJson(first), ToJson(second)}));
+  }
+  return json;
+}
+
+Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& view_names) {
+  Json json = {{"id", id},
+               {"node0", link.node0},
+               {"node1", link.node1},
+               {"closed", link.closed},
+               {"length", Length(link.points_in_world)},
+               {"residual_px", link.residual_px}};
+  json["supporting_views"] = Json::array();
+  for (const ViewId view : link.supporting_views) {
+    if (view < 0 || view >= static_cast<ViewId>(view_names.size())) {
+      throw InputError("link " + std::to_string(id) + ": supporting view " + std::to_string(view) +
+                       " has no name");
+    }
+    json["supporting_views"].push_back(view_names[view]);
+  }
+  json["members"] = Json::array();
+  for (const LinkMember& member : link.members) {
+    json["members"].push_back({member.curve, member.begin, member.end});
+  }
+  json["points"] = Json::array();
+  for (const Eigen::Vector3d& point : link.points_in_world) json["points"].push_back(ToJson(point));
+  json["sigma"] = Json::array();
+  for (const double sigma : link.sigma) {
+    json["sigma"].push_back(std::isfinite(sigma) ? Json(sigma) : Json(nullptr));
+  }
+  return json;
+}
+
+Json ParseOptions(const std::string& text) {
+  const Json options = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!options.is_object()) throw InputError("the options of a drawing must be a JSON object");
+  return options;
+}
+
+template <typename Items, typename AsJson>
+void PutList(const char* name, const Items& items, const AsJson& as_json, std::ostream& out) {
+  out << '"' << name << "\": [";
+  for (size_t id = 0; id < items.size(); ++id) {
+    out << (id == 0 ? "\n" : ",\n") << as_json(items[id], id).dump();
+  }
+  out << "\n]";
+}
+
+}  // namespace
+
+void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata,
+                      std::ostream& out) {
+  out << "{\"format\": \"" << kDrawingJsonFormat
+      << "\",\n\"format_version\": " << kDrawingJsonVersion
+      << ",\n\"limn_version\": \"" LIMN_VERSION "\",\n\"views\": "
+      << Json(metadata.view_names).dump()
+      << ",\n\"options\": " << ParseOptions(metadata.options_json).dump() << ",\n";
+  PutList(
+      "nodes", graph.nodes, [](const DrawingNode& node, size_t id) { return ToJson(node, id); },
+      out);
+  out << ",\n";
+  PutList(
+      "links", graph.links,
+      [&](const DrawingLink& link, size_t id) { return ToJson(link, id, metadata.view_names); },
+      out);
+  out << "}\n";
+}
+
+}  // namespace limn

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "limn/io/drawing_json_reader.h"
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// A drawing as JSON, to be read back by ReadDrawingJson without loss:
+//   {"format": "limn-drawing", "format_version": 1, "limn_version": "...",
+//    "views": [name, ...], "options": {...},
+//    "nodes": [{"id", "position": [x, y, z], "kind": "end"|"junction"|"loop_anchor", "degree",
+//               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],
+//               ...]}],
+//    "links": [{"id", "node0", "node1", "closed", "length", "residual_px",
+//               "supporting_views": [name, ...], "members": [[curve, begin, end], ...],
+//               "points": [[x, y, z], ...], "sigma": [..., null = unknown]}]}
+// One node or link per line. Throws InputError if a supporting view has no name in the metadata or
+// its options are no JSON object.
+void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata,
+                      std::ostream& out);
+
+}  // namespace limn

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// A drawing as Wavefront OBJ: the nodes' vertices first, then per link an object "link_<id>" with
+// its inner vertices and one polyline element.
+void WriteDrawingObj(const DrawingGraph& graph, std::ostream& out);
+
+}  // namespace limn
