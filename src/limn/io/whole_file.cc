@@ -18,7 +18,7 @@ std::string ReadWholeFile(const std::string& path) {
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
   if (!file) throw IoError(path, std::string("cannot open: ") + std::strerror(errno));
   std::string bytes;
-  constexpr unsigned kBlock = 1 << 20;
+  constexpr unsigned kBlock = 1 << 16;
   while (true) {
     const size_t old_size = bytes.size();
     bytes.resize(old_size + kBlock);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limn/model/curve_fragment.h"
+
+namespace limn {
+
+// The edgels and fragments of one image on disk (see stage_file.h for the container and
+// `identity`).
+void WriteImageCurves(const std::string& path, const ImageCurves& curves,
+                      const std::string& identity);
+
+// Nothing if the file was made from another input or by another version of limn: make it anew.
+// An empty `identity` accepts any. Everything read is checked (ids in range, numbers finite);
+// throws IoError.
+std::optional<ImageCurves> ReadImageCurves(const std::string& path, const std::string& identity);
+
+}  // namespace limn
