@@ -25,7 +25,7 @@ struct Channel {
   PaddedPlane plane;
   GradientField gradient;
   std::vector<float> magnitude;
-  double noise = 0;
+  NoiseModel noise;
 };
 
 std::vector<float> ExtractChannel(const Image& image, int channel) {
@@ -56,7 +56,7 @@ Channel PrepareChannel(const std::vector<float>& values, int width, int height, 
     const float dy = channel.gradient.dy[i];
     channel.magnitude[i] = std::sqrt(dx * dx + dy * dy);
   }
-  channel.noise = EstimateGradientNoise(channel.gradient, sigma_px);
+  channel.noise = MeasureNoise(channel.plane, channel.gradient, sigma_px);
   return channel;
 }
 
@@ -117,60 +117,61 @@ bool InUsablePixel(const std::vector<unsigned char>& usable, int width, const Ed
   return usable[static_cast<size_t>(y) * width + x] != 0;
 }
 
-// All refined edgels of a channel, unsorted by strength and with duplicates. `skip(x, y, tangent)`
-// tells which grid candidates not to refine.
+// All refined edgels of a channel, unsorted and with duplicates. `skip(x, y, tangent)` tells which
+// grid candidates not to refine.
 template <typename Skip>
-std::vector<Edgel> DetectInChannel(const Channel& channel, const std::vector<unsigned char>& usable,
-                                   double sigma_px, double threshold, const Skip& skip) {
-  const SubpixelDerivatives derivatives(channel.plane, sigma_px);
-  const RefinementContext context{sigma_px, channel.noise, threshold};
+std::vector<RefinedEdgel> DetectInChannel(const Channel& channel, const RefinementContext& context,
+                                          const std::vector<unsigned char>& usable,
+                                          const Skip& skip) {
+  const SubpixelDerivatives derivatives(channel.plane, context.sigma_px);
   const int width = channel.plane.width;
-  std::vector<Edgel> edgels;
+  std::vector<RefinedEdgel> edgels;
   for (int y = 0; y < channel.plane.height; ++y) {
     for (int x = 0; x < width; ++x) {
       const size_t i = static_cast<size_t>(y) * width + x;
-      if (!usable[i] || channel.magnitude[i] < kGridStrengthShare * threshold ||
-          !(channel.magnitude[i] > 0) || !NearMaximum(channel, i)) {
-        continue;
-      }
+      if (!usable[i] || !(channel.magnitude[i] > 0)) continue;
+      if (!NearMaximum(channel, i)) continue;
+      const double noise = context.noise.At(channel.gradient.smooth[i]);
+      const double threshold = std::max(context.noise_factor * noise, context.min_strength);
+      if (channel.magnitude[i] < kGridStrengthShare * threshold) continue;
       if (skip(x, y, std::atan2(channel.gradient.dx[i], -channel.gradient.dy[i]))) continue;
-      const auto edgel = RefineEdgel(derivatives, x, y, context);
-      if (edgel && InUsablePixel(usable, width, *edgel)) edgels.push_back(*edgel);
+      const auto refined = RefineEdgel(derivatives, x, y, context);
+      if (refined && InUsablePixel(usable, width, refined->edgel)) edgels.push_back(*refined);
     }
   }
   return edgels;
 }
 
 // Edges of equal brightness: edgels of red and blue that no main edgel accounts for. The two
-// channels see the same edge up to 2 px apart, so the stronger one claims its neighbourhood.
+// channels see the same edge up to 2 px apart, so the one that sees more claims its neighbourhood.
 void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& options,
                           const std::vector<unsigned char>& usable, EdgelRaster* raster) {
-  const EdgelRaster main_edgels = *raster;
   const double near_px = options.isoluminant_distance_px;
-  const auto explained = [&](int x, int y, double tangent_rad) {
-    return main_edgels.HasParallelNear(x, y, tangent_rad, near_px, kSimilarDirectionRad);
+  const auto explained = [near_px](const EdgelRaster& by, double x, double y, double tangent_rad) {
+    return by.HasParallelNear(x, y, tangent_rad, near_px, kSimilarDirectionRad);
   };
-  std::vector<Edgel> of_channel[2];
-  double strongest[2] = {0, 0};
+  std::vector<RefinedEdgel> of_channel[2];
+  double total_strength[2] = {0, 0};
   for (int k = 0; k < 2; ++k) {
     const Channel channel = PrepareChannel(ExtractChannel(image, k == 0 ? 0 : 2), image.width,
                                            image.height, options.sigma_px);
-    const double threshold = std::max(options.isoluminant_noise_factor * channel.noise,
-                                      options.isoluminant_min_strength);
-    of_channel[k] = DetectInChannel(channel, usable, options.sigma_px, threshold, explained);
-    SortByStrength(&of_channel[k]);
-    for (const Edgel& edgel : of_channel[k]) strongest[k] += edgel.strength;
+    const RefinementContext context{options.sigma_px, channel.noise,
+                                    options.isoluminant_noise_factor,
+                                    options.isoluminant_min_strength};
+    of_channel[k] = DetectInChannel(channel, context, usable, [&](int x, int y, double tangent) {
+      return explained(*raster, x, y, tangent);
+    });
+    for (const RefinedEdgel& refined : of_channel[k]) total_strength[k] += refined.edgel.strength;
   }
-  const int first = strongest[1] > strongest[0] ? 1 : 0;
-  for (const Edgel& edgel : of_channel[first]) raster->TryAdd(edgel);
-  const EdgelRaster with_first = *raster;
-  for (const Edgel& edgel : of_channel[1 - first]) {
-    if (with_first.HasParallelNear(edgel.position_px.x(), edgel.position_px.y(), edgel.tangent_rad,
-                                   near_px, kSimilarDirectionRad)) {
-      continue;
-    }
-    raster->TryAdd(edgel);
-  }
+  const int first = total_strength[1] > total_strength[0] ? 1 : 0;
+  raster->AddStrongestFirst(of_channel[first]);
+  std::vector<RefinedEdgel>& rest = of_channel[1 - first];
+  std::erase_if(rest, [&](const RefinedEdgel& refined) {
+    const Edgel& edgel = refined.edgel;
+    return explained(*raster, edgel.position_px.x(), edgel.position_px.y(), edgel.tangent_rad);
+  });
+  raster->AddStrongestFirst(rest);
+  raster->DropWeakShortRuns(options.strong_ratio, options.min_run_px);
 }
 
 void CheckImage(const Image& image) {
@@ -198,6 +199,8 @@ void EdgeDetectionOptions::Check() const {
   LIMN_CHECK_OPTION(noise_factor, > 0);
   LIMN_CHECK_OPTION(noise_factor, <= 100);
   LIMN_CHECK_OPTION(min_strength, >= 0);
+  LIMN_CHECK_OPTION(min_run_px, >= 0);
+  LIMN_CHECK_OPTION(strong_ratio, >= 1);
   LIMN_CHECK_OPTION(isoluminant_noise_factor, > 0);
   LIMN_CHECK_OPTION(isoluminant_min_strength, >= 0);
   LIMN_CHECK_OPTION(isoluminant_distance_px, >= 0);
@@ -212,21 +215,21 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
                                     : options.channel == "green" ? ExtractChannel(image, 1)
                                                                  : Luminance(image);
   const Channel channel = PrepareChannel(values, image.width, image.height, options.sigma_px);
-  const double threshold = std::max(options.noise_factor * channel.noise, options.min_strength);
+  const RefinementContext context{options.sigma_px, channel.noise, options.noise_factor,
+                                  options.min_strength};
   const std::vector<unsigned char> usable = UsablePixels(image, options);
 
-  std::vector<Edgel> edgels = DetectInChannel(channel, usable, options.sigma_px, threshold,
-                                              [](int, int, double) { return false; });
-  SortByStrength(&edgels);
   EdgelRaster raster(image.width, image.height);
-  for (const Edgel& edgel : edgels) raster.TryAdd(edgel);
+  raster.AddStrongestFirst(
+      DetectInChannel(channel, context, usable, [](int, int, double) { return false; }));
+  raster.DropWeakShortRuns(options.strong_ratio, options.min_run_px);
   if (colour && options.find_isoluminant) AddIsoluminantEdgels(image, options, usable, &raster);
 
   EdgeMap map;
   map.width = image.width;
   map.height = image.height;
   map.edgels = raster.InPixelOrder();
-  map.gradient_noise = channel.noise;
+  map.gradient_noise = channel.noise.Mean();
   return map;
 }
 

@@ -17,18 +17,23 @@ struct EdgeDetectionOptions {
   double sigma_px = 1.5;
 
   // Weakest edge in multiples of the gradient noise measured in the image, (0, 100]. Smaller:
-  // weaker edges and more false edgels (in pure noise 5 per 1,000 px^2 at 3.3, 40 at 2.5).
-  double noise_factor = 3.3;
+  // weaker edges and more false edgels (together with min_run_px: in white noise 3 per 1,000 px^2).
+  double noise_factor = 2.3;
 
   // Weakest edge whatever the noise, grey levels per px, >= 0. Below 0.6 the 8-bit banding of
   // smooth shading makes edges.
   double min_strength = 0.6;
 
+  // An edgel weaker than strong_ratio times its threshold is dropped unless it belongs to a run of
+  // edgels that continue each other over at least this length, px, >= 0. Noise makes short runs.
+  double min_run_px = 7;
+  double strong_ratio = 1.75;
+
   // Also look in the red and blue channels, for edges that the main channel does not show.
   bool find_isoluminant = true;
 
   // As noise_factor and min_strength, for edges found in red or blue only.
-  double isoluminant_noise_factor = 4.0;
+  double isoluminant_noise_factor = 3.5;
   double isoluminant_min_strength = 1.5;
 
   // A red or blue edgel is dropped if a main edgel of similar direction is this near, px, >= 0.
@@ -50,7 +55,8 @@ struct EdgeDetectionOptions {
 // Candidates come from the gradient on the pixel grid. Each is refined with derivatives evaluated
 // at the sub-pixel position by Newton steps on the logarithm of the gradient's profile along the
 // normal, which is a parabola for a blurred step, then shifted against the bias that smoothing
-// gives to curved edges. At most one edgel per pixel, none closer than 0.35 px to another.
+// gives to curved edges. At most one edgel per pixel, none closer than 0.35 px to another. Weak
+// edgels need company: see min_run_px.
 //
 // Positions are in the image as stored (stored_from_virtual is the identity, position_px =
 // stored_px). Pixels where the mask is 0 hold no edgel, nor do those within sigma of one. Throws

@@ -18,6 +18,7 @@ constexpr double kMaxCurvature = 0.2;
 
 // Derivatives in the frame of the gradient: n along it, t = n turned so that (n, t) is a rotation.
 struct LocalJet {
+  double value = 0;
   Eigen::Vector2d normal;
   double n = 0;
   double nn = 0, nt = 0, tt = 0;
@@ -26,6 +27,7 @@ struct LocalJet {
 
 LocalJet AlongGradient(const Jet& jet) {
   LocalJet local;
+  local.value = jet.value;
   local.n = std::hypot(jet.x, jet.y);
   if (local.n == 0) return local;
   const double c = jet.x / local.n;
@@ -69,19 +71,18 @@ double NormalCorrection(const LocalJet& jet, double sigma_px) {
 // Smoothing moves a curved edge towards its centre of curvature by about (s^2 + 1/12) / 2R. Returns
 // the shift along the normal that undoes it, with the curvature shrunk by its noise so that
 // straight noisy edges stay in place.
-double CurvatureShift(const LocalJet& jet, const RefinementContext& context) {
+double CurvatureShift(const LocalJet& jet, double sigma_px, double noise) {
   const double curvature = std::clamp(jet.tt / jet.n, -kMaxCurvature, kMaxCurvature);
-  const double sigma_curvature =
-      context.gradient_noise * std::sqrt(1.5) / (context.sigma_px * jet.n);
+  const double sigma_curvature = noise * std::sqrt(1.5) / (sigma_px * jet.n);
   const double ratio = sigma_curvature / std::max(std::abs(curvature), 1e-9);
   const double shrink = std::max(0.0, 1 - ratio * ratio);
-  return 0.5 * shrink * curvature * (context.sigma_px * context.sigma_px + 1.0 / 12);
+  return 0.5 * shrink * curvature * (sigma_px * sigma_px + 1.0 / 12);
 }
 
 }  // namespace
 
-std::optional<Edgel> RefineEdgel(const SubpixelDerivatives& derivatives, int x, int y,
-                                 const RefinementContext& context) {
+std::optional<RefinedEdgel> RefineEdgel(const SubpixelDerivatives& derivatives, int x, int y,
+                                        const RefinementContext& context) {
   Eigen::Vector2d position(x, y);
   LocalJet jet;
   for (int iteration = 0;; ++iteration) {
@@ -96,11 +97,13 @@ std::optional<Edgel> RefineEdgel(const SubpixelDerivatives& derivatives, int x, 
     if (std::abs(*step) < kConvergedPx) break;
     if (iteration + 1 == kMaxIterations) return std::nullopt;
   }
-  if (jet.n < context.threshold) return std::nullopt;
+  const double noise = context.noise.At(jet.value);
+  const double threshold = std::max(context.noise_factor * noise, context.min_strength);
+  if (jet.n < threshold) return std::nullopt;
 
   const double normal_rad =
       std::atan2(jet.normal.y(), jet.normal.x()) + NormalCorrection(jet, context.sigma_px);
-  position += CurvatureShift(jet, context) * jet.normal;
+  position += CurvatureShift(jet, context.sigma_px, noise) * jet.normal;
 
   Edgel edgel;
   edgel.position_px = position;
@@ -108,10 +111,10 @@ std::optional<Edgel> RefineEdgel(const SubpixelDerivatives& derivatives, int x, 
   // Edgel::Normal() is the tangent turned by -90 degrees.
   edgel.tangent_rad = std::remainder(normal_rad + M_PI_2, 2 * M_PI);
   edgel.strength = static_cast<float>(jet.n);
-  const double noise_nn = context.gradient_noise * std::sqrt(1.5) / context.sigma_px;
+  const double noise_nn = noise * std::sqrt(1.5) / context.sigma_px;
   edgel.position_sigma_px =
       static_cast<float>(std::max(kMinPositionSigmaPx, noise_nn / std::abs(jet.nnn)));
-  return edgel;
+  return RefinedEdgel{edgel, threshold > 0 ? jet.n / threshold : 1};
 }
 
 }  // namespace limn

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "limn/edges/gaussian_derivatives.h"
+#include "limn/edges/gradient_noise.h"
 #include "limn/model/edgel.h"
 
 namespace limn {
@@ -10,16 +11,23 @@ namespace limn {
 // What the refinement of a candidate needs to know.
 struct RefinementContext {
   double sigma_px = 1.5;
-  // Standard deviation of a gradient component.
-  double gradient_noise = 0;
-  // Weakest edge accepted, grey levels per px.
-  double threshold = 0;
+  NoiseModel noise;
+  // Weakest edge accepted: the larger of noise_factor times the noise at its grey level and
+  // min_strength, grey levels per px.
+  double noise_factor = 0;
+  double min_strength = 0;
+};
+
+// An edgel and its strength in multiples of the threshold that applied to it, >= 1.
+struct RefinedEdgel {
+  Edgel edgel;
+  double significance = 1;
 };
 
 // The maximum of the gradient magnitude along the gradient near the pixel (x, y), or nothing if
 // there is none within 0.7 px (larger coordinate) or it is weaker than the threshold. The tangent
 // is directed so that the channel rises along Edgel::Normal().
-std::optional<Edgel> RefineEdgel(const SubpixelDerivatives& derivatives, int x, int y,
-                                 const RefinementContext& context);
+std::optional<RefinedEdgel> RefineEdgel(const SubpixelDerivatives& derivatives, int x, int y,
+                                        const RefinementContext& context);
 
 }  // namespace limn

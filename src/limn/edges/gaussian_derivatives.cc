@@ -79,16 +79,17 @@ GradientField SmoothedGradient(const PaddedPlane& plane, double sigma_px) {
     AccumulateTaps(derive, half, width, shifted, rows_derived.data() + offset);
   }
 
-  GradientField field{width, height, std::vector<float>(size), std::vector<float>(size)};
+  GradientField field{width, height, std::vector<float>(size), std::vector<float>(size),
+                      std::vector<float>(size)};
   for (int y = 0; y < height; ++y) {
     const auto offset = [&](int k) { return static_cast<size_t>(y + half + k) * width; };
     const size_t out = static_cast<size_t>(y) * width;
     AccumulateTaps(
         smooth, half, width, [&](int k) { return rows_derived.data() + offset(k); },
         field.dx.data() + out);
-    AccumulateTaps(
-        derive, half, width, [&](int k) { return rows_smooth.data() + offset(k); },
-        field.dy.data() + out);
+    const auto smooth_row = [&](int k) { return rows_smooth.data() + offset(k); };
+    AccumulateTaps(derive, half, width, smooth_row, field.dy.data() + out);
+    AccumulateTaps(smooth, half, width, smooth_row, field.smooth.data() + out);
   }
   return field;
 }
@@ -141,6 +142,7 @@ Jet SubpixelDerivatives::At(double x, double y) const {
       for (int order = 0; order < 4; ++order) along_x[order] += value * kernel_x[i].order[order];
     }
     const float* k = kernel_y[j].order;
+    jet.value += along_x[0] * k[0];
     jet.x += along_x[1] * k[0];
     jet.y += along_x[0] * k[1];
     jet.xx += along_x[2] * k[0];
@@ -151,6 +153,7 @@ Jet SubpixelDerivatives::At(double x, double y) const {
     jet.xyy += along_x[1] * k[2];
     jet.yyy += along_x[0] * k[3];
   }
+  jet.value += level;
   return jet;
 }
 

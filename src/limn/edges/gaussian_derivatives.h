@@ -23,11 +23,12 @@ int GaussianPadding(double sigma_px);
 // Pad a plane of width x height values in row-major order. Both sizes must be positive.
 PaddedPlane MakePaddedPlane(const std::vector<float>& values, int width, int height, int pad);
 
-// First derivatives of the Gaussian-smoothed channel on the pixel grid, row-major, grey levels per
-// px.
+// The Gaussian-smoothed channel and its first derivatives on the pixel grid, row-major, grey levels
+// and grey levels per px.
 struct GradientField {
   int width = 0;
   int height = 0;
+  std::vector<float> smooth;
   std::vector<float> dx;
   std::vector<float> dy;
 };
@@ -35,8 +36,9 @@ struct GradientField {
 // Separable filters with half-size ceil(4 sigma). Linear in pixels times kernel size.
 GradientField SmoothedGradient(const PaddedPlane& plane, double sigma_px);
 
-// All partial derivatives of order 1 to 3 of the Gaussian-smoothed channel at one point.
+// All partial derivatives of order 0 to 3 of the Gaussian-smoothed channel at one point.
 struct Jet {
+  double value = 0;
   double x = 0, y = 0;
   double xx = 0, xy = 0, yy = 0;
   double xxx = 0, xxy = 0, xyy = 0, yyy = 0;

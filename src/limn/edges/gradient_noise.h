@@ -1,17 +1,37 @@
 #pragma once
 
+#include <vector>
+
 #include "limn/edges/gaussian_derivatives.h"
 
 namespace limn {
 
-// Standard deviation of one component of the smoothed gradient due to noise, grey levels per px.
+// Standard deviation of one component of the smoothed gradient due to noise, grey levels per px, as
+// a function of the grey level: sensors and compression are noisier in bright or in dark parts.
+struct NoiseModel {
+  // Supporting points, ascending in level; linear between, constant beyond. Empty: no noise.
+  std::vector<double> level;
+  std::vector<double> noise;
+
+  double At(double grey_level) const;
+  // Mean over the supporting points, each of which stands for the same area.
+  double Mean() const;
+};
+
+// Measure the noise of an image. Blocks of 32 x 32 px are divided in up to six groups of about the
+// same number by their mean grey level; in each group two measurements bound the noise:
 //
-// Where the image is flat, the gradient magnitude of Gaussian noise has a Rayleigh distribution, so
-// its quantile q lies at noise * sqrt(-2 ln(1 - q)). A low quantile is taken in each block of 32 x
-// 32 px (edges fill only the upper part of a block's distribution), and a low quantile over the
-// blocks (texture and shading only raise a block's value). Blocks quieter than quantisation allows
-// are clipped or synthetic and tell nothing; 0 if no other block exists. Linear time.
-double EstimateGradientNoise(const GradientField& gradient, double sigma_px);
+// - From above: where the image is flat, the gradient magnitude of Gaussian noise has a Rayleigh
+//   distribution, so its quantile q lies at noise * sqrt(-2 ln(1 - q)). A low quantile of a block
+//   is insensitive to edges, a low quantile over the blocks to textured blocks; shading and texture
+//   everywhere still raise it.
+// - From below: the response to a mask that cancels planes and edges (Immerkaer, "Fast noise
+// variance
+//   estimation", CVIU 1996) gives the white part of the noise; compression removes it.
+//
+// The estimate is the first, but no more than a little above the second. Blocks quieter than
+// quantisation allows are clipped or synthetic and tell nothing. Linear time.
+NoiseModel MeasureNoise(const PaddedPlane& plane, const GradientField& gradient, double sigma_px);
 
 // Gradient noise that white noise of `pixel_noise` grey levels causes: pixel_noise / (sqrt(8 pi)
 // s^2).
