@@ -1,0 +1,15 @@
+#pragma once
+
+namespace limn::colmap_ext {
+
+// One function per command: declare options, parse, read, call, write. `argv` begins with the name
+// of the command. They return the exit code and throw what main.cc turns into one line and exit
+// code 1.
+int RunAutomaticDrawer(int argc, const char* const* argv);
+int RunCurveDrawer(int argc, const char* const* argv);
+int RunCurveLinker(int argc, const char* const* argv);
+int RunCurveSketcher(int argc, const char* const* argv);
+int RunDrawingEvaluator(int argc, const char* const* argv);
+int RunEdgeExtractor(int argc, const char* const* argv);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,146 @@
+#include "colmap_ext/commands/console.h"
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+namespace limn::colmap_ext {
+namespace {
+
+constexpr double kSecondsBetweenLines = 2;
+constexpr double kSecondsBetweenRewrites = 0.1;
+// Before that the estimate of the time left is worth nothing.
+constexpr double kSecondsBeforeEstimate = 1;
+
+std::atomic<bool> g_cancelled = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
+
+void HandleInterrupt(int) { g_cancelled = true; }
+
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// 1234567 -> "1,234,567".
+std::string WithCommas(int64_t value) {
+  const std::string digits = std::to_string(value);
+  std::string text;
+  for (size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0 && digits[i - 1] != '-') text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+void PrintTable(const char* heading, const StageSummary::Counts& counts) {
+  const char* label = heading;
+  for (const auto& [reason, count] : counts) {
+    std::printf("  %-8s %12s  %s\n", label, WithCommas(count).c_str(), reason.c_str());
+    label = "";
+  }
+}
+
+// Peak resident memory of this process, MB; 0 where the system does not tell.
+int64_t PeakMemoryMb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with("VmHWM:")) continue;
+    int64_t kilobytes = 0;
+    std::istringstream(line.substr(6)) >> kilobytes;
+    return kilobytes / 1024;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Console::Console(int num_threads)
+    : is_terminal_(isatty(STDOUT_FILENO) == 1), stage_start_(Clock::now()) {
+  context_.num_threads = num_threads;
+  context_.progress = [this](const char* stage, size_t done, size_t total) {
+    ShowProgress(stage, done, total);
+  };
+  context_.cancelled = &g_cancelled;
+  g_cancelled = false;
+  std::signal(SIGINT, HandleInterrupt);
+}
+
+Console::~Console() {
+  ClearProgressLine();
+  std::signal(SIGINT, SIG_DFL);
+}
+
+void Console::ShowProgress(const char* stage, size_t done, size_t total) {
+  if (total == 0) return;
+  // Another stage, or the same one again from the start.
+  if (progress_stage_ != stage || done < progress_done_) {
+    progress_stage_ = stage;
+    progress_tenth_ = 0;
+    progress_start_ = last_shown_ = Clock::now();
+  }
+  progress_done_ = done;
+  const double seconds = SecondsSince(progress_start_);
+  const double share = static_cast<double>(done) / static_cast<double>(total);
+  const int tenth = static_cast<int>(10 * share);
+  const bool due =
+      is_terminal_ ? SecondsSince(last_shown_) >= kSecondsBetweenRewrites
+                   : tenth > progress_tenth_ && SecondsSince(last_shown_) >= kSecondsBetweenLines;
+  if (!due) return;
+  last_shown_ = Clock::now();
+  progress_tenth_ = tenth;
+  char line[160];
+  const int length =
+      std::snprintf(line, sizeof(line), "%s: %3.0f %%", stage, std::floor(100 * share));
+  if (seconds >= kSecondsBeforeEstimate && done > 0 && done < total) {
+    std::snprintf(line + length, sizeof(line) - length, ", about %.0f s left",
+                  std::ceil(seconds * (1 - share) / share));
+  }
+  if (is_terminal_) {
+    std::printf("\r\033[K%s", line);
+    has_progress_line_ = true;
+  } else {
+    std::printf("%s\n", line);
+  }
+  std::fflush(stdout);
+}
+
+void Console::ClearProgressLine() {
+  if (has_progress_line_) std::printf("\r\033[K");
+  has_progress_line_ = false;
+  std::fflush(stdout);
+}
+
+void Console::Say(const std::string& line) {
+  ClearProgressLine();
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+void Console::Report(const StageSummary& summary) {
+  ClearProgressLine();
+  std::printf("%s: %.1f s, peak memory %s MB\n", summary.stage.c_str(), SecondsSince(stage_start_),
+              WithCommas(PeakMemoryMb()).c_str());
+  PrintTable("in", summary.in);
+  PrintTable("kept", summary.kept);
+  PrintTable("dropped", summary.dropped);
+  for (const std::string& warning : summary.warnings) {
+    std::printf("  WARNING: %s\n", warning.c_str());
+  }
+  std::fflush(stdout);
+  stage_start_ = Clock::now();
+}
+
+void Console::Report(const CacheUse& cache) {
+  if (cache.reused > 0) Say(WithCommas(cache.reused) + " images were taken from the cache");
+  if (cache.outdated > 0) {
+    Say(WithCommas(cache.outdated) +
+        " images were in the cache with other options or pixels and were computed again");
+  }
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "limn/pipeline/extract_curves.h"
+#include "limn/util/parallel.h"
+#include "limn/util/stage_summary.h"
+
+namespace limn::colmap_ext {
+
+// What the user sees of a run on standard output: progress with the time left (one line that is
+// rewritten on a terminal; otherwise a plain line every 10 %, not more than one in 2 seconds), and
+// a summary after every stage. Ctrl-C cancels the run: stages throw Cancelled.
+class Console {
+ public:
+  // Takes over SIGINT. One console at a time.
+  explicit Console(int num_threads);
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+  ~Console();
+
+  // For the stages. Refers to this console.
+  const RunContext& context() const { return context_; }
+
+  void Say(const std::string& line);
+  // Counts in, kept and dropped, seconds since the last summary, peak memory of the program.
+  void Report(const StageSummary& summary);
+  // One line on what came from the cache.
+  void Report(const CacheUse& cache);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void ShowProgress(const char* stage, size_t done, size_t total);
+  void ClearProgressLine();
+
+  RunContext context_;
+  bool is_terminal_ = false;
+  bool has_progress_line_ = false;
+  std::string progress_stage_;
+  size_t progress_done_ = 0;
+  int progress_tenth_ = 0;
+  Clock::time_point progress_start_;
+  Clock::time_point last_shown_;
+  Clock::time_point stage_start_;
+};
+
+}  // namespace limn::colmap_ext

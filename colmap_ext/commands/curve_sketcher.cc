@@ -1,0 +1,40 @@
+#include "colmap_ext/commands/commands.h"
+#include "colmap_ext/commands/console.h"
+#include "colmap_ext/commands/project.h"
+#include "colmap_ext/commands/results.h"
+#include "colmap_ext/commands/run_options.h"
+#include "limn/sketch/sketch.h"
+
+namespace limn::colmap_ext {
+
+int RunCurveSketcher(int argc, const char* const* argv) {
+  RunOptions options;
+  std::string mode = "enhanced";
+  const auto parser = ParseRunOptions(
+      "curve_sketcher", "reconstruct 3D curves: the original or the enhanced curve sketch",
+      {.linking = true, .sketch = true}, argc, argv, &options, [&](OptionParser* more) {
+        more->AddOption("mode", &mode, {"original", "enhanced"}, "kind of sketch");
+      });
+  if (!parser) return 0;
+  Console console(options.num_threads);
+  const Project project(options, &console);
+  const CurvesResult image_curves =
+      ExtractCurves({project.views(), project.images(), project.CacheDir()}, options.pipeline.edges,
+                    options.pipeline.linking, console.context());
+  console.Report(image_curves.cache);
+  console.Report(image_curves.summary);
+
+  const SketchInput input{project.views(), image_curves.curves, project.view_set().hints,
+                          BoxFromNumbers(options.box)};
+  const auto build = mode == "original" ? BuildOriginalSketch : BuildEnhancedSketch;
+  SketchResult result = build(input, options.pipeline.sketch, console.context());
+  console.Report(result.summary);
+
+  const std::string name = mode == "original" ? "sketch" : "enhanced-sketch";
+  WriteSketchResults(project, name, image_curves.curves,
+                     {std::move(result.sketch), Provenance(options)});
+  console.Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");
+  return 0;
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,57 @@
+#include "colmap_ext/commands/project.h"
+
+#include <fstream>
+
+#include "colmap_ext/workspace/model.h"
+#include "limn/pipeline/content_hash.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// Size and hash of a file's bytes; its name and time do not matter.
+std::string FileIdentity(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw IoError(path, "cannot be opened");
+  ContentHash hash;
+  std::vector<char> block(1 << 20);
+  uint64_t size = 0;
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+    hash.Add(std::string_view(block.data(), static_cast<size_t>(in.gcount())));
+    size += static_cast<uint64_t>(in.gcount());
+  }
+  if (in.bad()) throw IoError(path, "cannot be read");
+  return std::to_string(size) + " " + hash.Hex();
+}
+
+std::string ImageIdentity(const ViewSet& set, ViewId view) {
+  std::string identity = "image " + FileIdentity(set.image_paths[view]);
+  const std::string& mask_path = set.mask_paths[view];
+  if (!mask_path.empty()) identity += "\nmask " + FileIdentity(mask_path);
+  const PinholeCamera& camera = set.views[view].camera;
+  return identity + "\nsize " + std::to_string(camera.width) + " " + std::to_string(camera.height);
+}
+
+}  // namespace
+
+Project::Project(const RunOptions& options, Console* console)
+    : layout_(ResolveLayout(options.layout)) {
+  console->Say(layout_.description);
+  view_set_ =
+      ToViews(ReadModel(layout_.model_dir), layout_.image_dir, options.view, console->context());
+  for (const std::string& warning : view_set_.warnings) console->Say("WARNING: " + warning);
+  console->Say(std::to_string(views().size()) + " images, " +
+               std::to_string(view_set_.hints.points.size()) + " 3D points");
+  images_.read = [this](ViewId view) { return ReadViewImage(view_set_, view); };
+  images_.identity = [this](ViewId view) { return ImageIdentity(view_set_, view); };
+}
+
+std::string Project::DrawingPath(const std::string& name) const {
+  return (layout_.output.drawing_dir / name).string();
+}
+
+std::string Project::CurvesPath(const std::string& name) const {
+  return (layout_.output.curves_dir / name).string();
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "colmap_ext/commands/console.h"
+#include "colmap_ext/commands/run_options.h"
+#include "colmap_ext/workspace/layout.h"
+#include "colmap_ext/workspace/to_views.h"
+#include "limn/pipeline/extract_curves.h"
+
+namespace limn::colmap_ext {
+
+// A COLMAP project that has been read: where things are, the views, and their photographs.
+class Project {
+ public:
+  // Finds and reads the model and the headers of all images, and says what was chosen. Throws
+  // OptionError, IoError and InputError; nothing is written.
+  Project(const RunOptions& options, Console* console);
+  Project(const Project&) = delete;
+  Project& operator=(const Project&) = delete;
+
+  const WorkspaceLayout& layout() const { return layout_; }
+  const ViewSet& view_set() const { return view_set_; }
+  const std::vector<View>& views() const { return view_set_.views; }
+  const ImageSource& images() const { return images_; }
+
+  std::string CacheDir() const { return CurvesPath("cache"); }
+  // A file beside fused.ply.
+  std::string DrawingPath(const std::string& name) const;
+  // A file in the folder of curves.
+  std::string CurvesPath(const std::string& name) const;
+
+ private:
+  WorkspaceLayout layout_;
+  ViewSet view_set_;
+  ImageSource images_;
+};
+
+}  // namespace limn::colmap_ext

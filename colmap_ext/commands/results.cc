@@ -1,0 +1,60 @@
+#include "colmap_ext/commands/results.h"
+
+#include <nlohmann/json.hpp>
+
+#include "limn/export/write_drawing.h"
+#include "limn/pipeline/extract_curves.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void CheckGraph(const DrawingGraph& graph) {
+  const std::vector<std::string> broken = Validate(graph);
+  if (broken.empty()) return;
+  throw InputError("the drawing is not written, it breaks " + std::to_string(broken.size()) +
+                   " invariants; the first: " + broken.front());
+}
+
+}  // namespace
+
+std::string Provenance(const RunOptions& options) {
+  Json json = Json::parse(OptionsAsJson(options.pipeline));
+  json["max_image_size"] = options.view.max_image_size;
+  json["box"] = options.box;
+  return json.dump();
+}
+
+std::string Provenance(const RunOptions& options, const std::string& sketch_provenance) {
+  Json json = Json::parse(sketch_provenance);
+  json["Drawing"] = Json::parse(OptionsAsJson(options.pipeline))["Drawing"];
+  return json.dump();
+}
+
+void WriteSketchResults(const Project& project, const std::string& name,
+                        const std::vector<ImageCurves>& curves, const StoredSketch& stored) {
+  WriteSketchFile(project.CurvesPath(name + ".bin"), CurvesKey(project.views(), curves), stored);
+  WriteSketch(project.CurvesPath(name + ".ply"), stored.sketch);
+}
+
+StoredSketch ReadSketchResult(const Project& project, const std::string& name,
+                              const std::vector<ImageCurves>& curves) {
+  return ReadSketchFile(project.CurvesPath(name + ".bin"), CurvesKey(project.views(), curves));
+}
+
+void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
+                         const std::string& provenance, Console* console) {
+  CheckGraph(graph);
+  DrawingMetadata metadata;
+  for (const View& view : project.views()) metadata.view_names.push_back(view.name);
+  metadata.options_json = provenance;
+  for (const char* name : {"drawing.ply", "drawing.json", "drawing.obj"}) {
+    WriteDrawing(project.DrawingPath(name), graph, metadata);
+  }
+  WriteTracks(project.CurvesPath("tracks.txt"), graph, project.views());
+  console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}"));
+}
+
+}  // namespace limn::colmap_ext

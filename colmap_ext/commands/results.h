@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "colmap_ext/commands/project.h"
+#include "limn/model/curve3d.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/pipeline/stage_files.h"
+
+namespace limn::colmap_ext {
+
+// The options that a result depends on, as the text of a JSON object: no paths, no number of
+// threads.
+std::string Provenance(const RunOptions& options);
+
+// Of a drawing made with `options` from a sketch that says in `sketch_provenance` how it was made.
+std::string Provenance(const RunOptions& options, const std::string& sketch_provenance);
+
+// Write <curves>/<name>.bin and .ply.
+void WriteSketchResults(const Project& project, const std::string& name,
+                        const std::vector<ImageCurves>& curves, const StoredSketch& stored);
+
+// Read <curves>/<name>.bin. Throws IoError if it is missing, damaged or not made from these curves.
+StoredSketch ReadSketchResult(const Project& project, const std::string& name,
+                              const std::vector<ImageCurves>& curves);
+
+// Write drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays. Throws InputError,
+// before anything is written, if the graph breaks an invariant.
+void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
+                         const std::string& provenance, Console* console);
+
+}  // namespace limn::colmap_ext

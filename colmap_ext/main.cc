@@ -1,0 +1,57 @@
+#include <cstdio>
+#include <exception>
+#include <string_view>
+
+#include "colmap_ext/commands/commands.h"
+
+namespace {
+
+using namespace limn::colmap_ext;
+
+struct Command {
+  std::string_view name;
+  int (*run)(int argc, const char* const* argv);
+  const char* summary;
+};
+
+constexpr Command kCommands[] = {
+    //     {"automatic_drawer", RunAutomaticDrawer, "the main job: from a COLMAP project to a 3D
+    //     drawing"},
+    {"edge_extractor", RunEdgeExtractor, "find the edgels of all images"},
+    {"curve_linker", RunCurveLinker, "link them to curve fragments"},
+    {"curve_sketcher", RunCurveSketcher, "reconstruct a sketch of 3D curves, original or enhanced"},
+    //     {"curve_drawer", RunCurveDrawer, "make the drawing from a stored enhanced sketch"},
+    {"drawing_evaluator", RunDrawingEvaluator, "compare curves with ground truth"},
+};
+
+void PrintUsage() {
+  std::printf(
+      "limn: 3D drawings from COLMAP projects\n\n"
+      "  limn automatic_drawer --workspace_path my_project\n"
+      "  limn <command> -h          the options of a command\n\nCommands:\n");
+  for (const Command& command : kCommands) {
+    std::printf("  %-20.*s %s\n", static_cast<int>(command.name.size()), command.name.data(),
+                command.summary);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string_view name = argc > 1 ? argv[1] : "help";
+  if (name == "help" || name == "-h" || name == "--help") {
+    PrintUsage();
+    return 0;
+  }
+  for (const Command& command : kCommands) {
+    if (command.name != name) continue;
+    try {
+      return command.run(argc - 1, argv + 1);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "ERROR: %s\n", error.what());
+      return 1;
+    }
+  }
+  std::fprintf(stderr, "ERROR: unknown command '%s'; 'limn help' lists the commands\n", argv[1]);
+  return 1;
+}

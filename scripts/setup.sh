@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Install what Limn is built from and tested with (Debian 12). Does nothing when all is there.
+set -euo pipefail
+
+packages=(
+  cmake ninja-build ccache g++ python3 clang-format
+  libeigen3-dev libopencv-dev libceres-dev libflann-dev liblz4-dev libtbb-dev zlib1g-dev
+  libboost-program-options-dev nlohmann-json3-dev
+  libgtest-dev libgmock-dev libbenchmark-dev
+  colmap
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [[ $status == installed ]] || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  exit 0
+fi
+
+echo "Installing: ${missing[*]}"
+as_root=()
+((EUID == 0)) || as_root=(sudo)
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -q -y --no-install-recommends "${missing[@]}"

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Install, build with warnings as errors, run all tests; then the quick ones under the address and
+# undefined-behaviour sanitizers. `scripts/test.sh --no-sanitizers` leaves out the latter.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+scripts/setup.sh
+cmake --preset release -DLIMN_WARNINGS_AS_ERRORS=ON
+cmake --build --preset release
+ctest --preset release
+
+[[ ${1:-} == --no-sanitizers ]] && exit 0
+cmake --preset asan -DLIMN_WARNINGS_AS_ERRORS=OFF
+cmake --build --preset asan
+ctest --preset asan --label-exclude slow

@@ -1,0 +1,139 @@
+#pragma once
+
+#include "limn/pipeline/pipeline_options.h"
+
+namespace limn {
+
+// The fields of every options struct, in order: visit(name, field, help). `field` is a reference to
+// a double, int, bool or std::string. The one list that command line, ini files, cache keys and
+// provenance are made from. Nested structs are groups of their own: see VisitGroups.
+
+template <typename Visit>
+void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
+  visit("channel", o.channel, "channel of positions and directions: green or luminance");
+  visit("sigma_px", o.sigma_px, "scale of the Gaussian derivatives, px");
+  visit("noise_factor", o.noise_factor, "weakest edge in multiples of the image's gradient noise");
+  visit("min_strength", o.min_strength, "weakest edge, grey levels per px");
+  visit("find_isoluminant", o.find_isoluminant, "also find edges in red or blue only");
+  visit("isoluminant_noise_factor", o.isoluminant_noise_factor, "noise_factor in red and blue");
+  visit("isoluminant_min_strength", o.isoluminant_min_strength, "min_strength in red and blue");
+  visit("isoluminant_distance_px", o.isoluminant_distance_px,
+        "drop red and blue edgels this near to a similar main one, px");
+  visit("margin_px", o.margin_px, "border of the image that is not used, px");
+}
+
+template <typename Visit>
+void VisitFields(LinkingOptions& o, Visit&& visit) {
+  visit("neighbour_radius_px", o.neighbour_radius_px, "neighbourhood of a curvelet, px");
+  visit("position_tolerance_px", o.position_tolerance_px, "curvelets: tolerance across, px");
+  visit("max_position_tolerance_px", o.max_position_tolerance_px,
+        "upper limit of the tolerance for uncertain edgels, px");
+  visit("angle_tolerance_deg", o.angle_tolerance_deg, "curvelets: tolerance on directions, deg");
+  visit("max_curvature", o.max_curvature, "largest curvature of a curvelet, 1/px");
+  visit("min_curvelet_px", o.min_curvelet_px, "shortest curvelet that links, px");
+  visit("max_bridge_px", o.max_bridge_px, "longest gap to join fragments over, px");
+  visit("max_bridge_angle_deg", o.max_bridge_angle_deg, "largest turn at such a gap, deg");
+  visit("corner_arm_px", o.corner_arm_px, "length of the arms that show a corner, px");
+  visit("corner_angle_deg", o.corner_angle_deg, "fragments break at larger turns, deg");
+  visit("junction_distance_px", o.junction_distance_px,
+        "an end this near to another fragment breaks it, px");
+  visit("junction_stem_px", o.junction_stem_px, "least length of the fragment that ends, px");
+  visit("junction_angle_deg", o.junction_angle_deg, "least angle between the two, deg");
+  visit("min_length_px", o.min_length_px, "shorter fragments are dropped, px");
+  visit("tangent_arm_px", o.tangent_arm_px, "directions are fitted to this length either side, px");
+}
+
+template <typename Visit>
+void VisitFields(ViewSelectionOptions& o, Visit&& visit) {
+  visit("max_second_views", o.max_second_views, "views that a view is paired with");
+  visit("max_confirmation_views", o.max_confirmation_views, "views that confirm its curves");
+  visit("min_pair_angle_deg", o.min_pair_angle_deg, "least triangulation angle of a pair, deg");
+  visit("max_pair_angle_deg", o.max_pair_angle_deg, "largest triangulation angle of a pair, deg");
+  visit("min_confirmation_angle_deg", o.min_confirmation_angle_deg,
+        "least angle of a confirmation view, deg");
+  visit("max_confirmation_angle_deg", o.max_confirmation_angle_deg,
+        "largest angle of a confirmation view, deg");
+  visit("min_points_for_depth", o.min_points_for_depth,
+        "with fewer 3D points in a view they say nothing of its depth range");
+  visit("points_depth_widening", o.points_depth_widening,
+        "factor that widens the depth range of the points");
+}
+
+template <typename Visit>
+void VisitFields(SketchOptions& o, Visit&& visit) {
+  visit("min_fragment_length_px", o.min_fragment_length_px,
+        "shorter fragments are not matched, px");
+  visit("min_overlap_px", o.min_overlap_px, "shortest stretch that two fragments share, px");
+  visit("max_support_distance_px", o.max_support_distance_px,
+        "an edgel this near across the edge supports a sample, px");
+  visit("max_support_angle_deg", o.max_support_angle_deg, "and within this angle, deg");
+  visit("support_window_px", o.support_window_px,
+        "half length of the stretch that decides on local support, px");
+  visit("min_window_support", o.min_window_support, "share of it that must be supported");
+  visit("supporting_views_share", o.supporting_views_share,
+        "share of the confirmation views that must support a sample");
+  visit("min_supporting_views", o.min_supporting_views, "at least so many views");
+  visit("max_supporting_views", o.max_supporting_views, "never asked for more than so many");
+  visit("min_epipolar_angle_deg", o.min_epipolar_angle_deg,
+        "nearer to the epipolar line a view counts least, deg");
+  visit("max_epipolar_angle_deg", o.max_epipolar_angle_deg, "farther from it fully, deg");
+  visit("min_tangency_weight", o.min_tangency_weight, "the least weight");
+  visit("depth_gate_px", o.depth_gate_px, "reconstructions of an edgel this near agree, px");
+  visit("max_unsupported_gap_px", o.max_unsupported_gap_px, "longest unsupported gap, px");
+  visit("max_interpolated_gap_px", o.max_interpolated_gap_px,
+        "longest epipolar-tangent stretch to interpolate, px");
+  visit("min_piece_length_px", o.min_piece_length_px, "shorter curves are dropped, px");
+  visit("original_min_fragment_length_px", o.original_min_fragment_length_px,
+        "original mode: shorter fragments are not matched, px");
+  visit("original_min_epipolar_angle_deg", o.original_min_epipolar_angle_deg,
+        "original mode: curves are cut where nearer to epipolar lines, deg");
+  visit("original_min_inliers_view", o.original_min_inliers_view,
+        "original mode: inlier edgels that make a view count");
+  visit("original_min_inliers_total", o.original_min_inliers_total,
+        "original mode: inliers per confirmation view a curve needs in all");
+  visit("original_first_to_second_ratio", o.original_first_to_second_ratio,
+        "original mode: support of the best match over that of the next");
+}
+
+template <typename Visit>
+void VisitFields(DrawingOptions& o, Visit&& visit) {
+  visit("max_support_distance_px", o.max_support_distance_px,
+        "an edgel this near across the edge supports a sample, px");
+  visit("max_support_angle_deg", o.max_support_angle_deg, "and within this angle, deg");
+  visit("robust_residual_px", o.robust_residual_px, "larger residuals count linearly, px");
+  visit("bending_sigma_px", o.bending_sigma_px,
+        "allowed change of direction between samples; smaller is smoother, px");
+  visit("min_supporting_views", o.min_supporting_views, "views that must support a sample");
+  visit("strong_link_views", o.strong_link_views, "views with common edgels of a strong link");
+  visit("dense_link_views", o.dense_link_views, "the same of a dense link");
+  visit("min_linked_length_px", o.min_linked_length_px,
+        "strongly linked length that links two curves, px");
+  visit("overlap_regularity_px", o.overlap_regularity_px,
+        "shorter gaps in an overlap are filled, shorter overlaps removed, px");
+  visit("max_link_angle_deg", o.max_link_angle_deg, "largest angle of linked curves, deg");
+  visit("averaging_tolerance_px", o.averaging_tolerance_px, "averaging stops below it, px");
+  visit("max_averaging_rounds", o.max_averaging_rounds, "or after so many rounds");
+  visit("merge_distance_px", o.merge_distance_px, "samples this near to a link belong to it, px");
+  visit("min_primary_views", o.min_primary_views, "primary views that must show a link");
+  visit("min_branch_length_px", o.min_branch_length_px, "shorter stubs are no branches, px");
+  visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
+  visit("junction_distance_px", o.junction_distance_px, "ends this near meet in a node, px");
+  visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
+  visit("max_junction_miss_px", o.max_junction_miss_px,
+        "how near their tangent lines must pass, px");
+  visit("min_junction_views", o.min_junction_views, "images that must show the meeting");
+  visit("max_continuation_angle_deg", o.max_continuation_angle_deg,
+        "two links that turn by less are one, deg");
+}
+
+// visit(group name, options struct) for every group.
+template <typename Visit>
+void VisitGroups(PipelineOptions& options, Visit&& visit) {
+  visit("EdgeDetection", options.edges);
+  visit("Linking", options.linking);
+  visit("ViewSelection", options.sketch.view_selection);
+  visit("Sketch", options.sketch);
+  visit("Drawing", options.drawing);
+}
+
+}  // namespace limn

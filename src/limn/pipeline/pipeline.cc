@@ -1,0 +1,26 @@
+#include "limn/pipeline/pipeline.h"
+
+#include <utility>
+
+namespace limn {
+
+PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
+                         const RunContext& context, const StageObserver& on_stage_end) {
+  options.Check();
+
+  CurvesResult image_curves = ExtractCurves({input.views, input.images, input.cache_dir},
+                                            options.edges, options.linking, context);
+  on_stage_end(image_curves.summary, image_curves.cache);
+
+  SketchResult sketch = BuildEnhancedSketch(
+      {input.views, image_curves.curves, input.hints, input.box}, options.sketch, context);
+  on_stage_end(sketch.summary, {});
+
+  DrawingResult drawing =
+      BuildDrawing({input.views, image_curves.curves, sketch.sketch}, options.drawing, context);
+  on_stage_end(drawing.summary, {});
+
+  return {std::move(image_curves.curves), std::move(sketch.sketch), std::move(drawing.graph)};
+}
+
+}  // namespace limn

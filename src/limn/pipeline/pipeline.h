@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "limn/drawing/drawing.h"
+#include "limn/pipeline/extract_curves.h"
+#include "limn/pipeline/pipeline_options.h"
+#include "limn/sketch/sketch.h"
+
+namespace limn {
+
+// Everything a drawing is made from.
+struct PipelineInput {
+  const std::vector<View>& views;
+  const SceneHints& hints;
+  const ImageSource& images;
+  // Only what lies in this box is reconstructed.
+  std::optional<Eigen::AlignedBox3d> box;
+  // As in ExtractionInput.
+  std::string cache_dir;
+};
+
+struct PipelineResult {
+  std::vector<ImageCurves> curves;
+  CurveSketch sketch;  // enhanced
+  DrawingGraph graph;
+};
+
+// Hears of every stage when it has ended. The cache is only used by the first one.
+using StageObserver = std::function<void(const StageSummary& summary, const CacheUse& cache)>;
+
+// The whole way from photographs to the drawing (ECCV 2016): edges and fragments of every image,
+// the enhanced sketch, the drawing graph. Throws OptionError, InputError, what `images` throws, and
+// Cancelled.
+PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
+                         const RunContext& context, const StageObserver& on_stage_end);
+
+}  // namespace limn

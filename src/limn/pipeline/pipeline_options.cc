@@ -1,0 +1,75 @@
+#include "limn/pipeline/pipeline_options.h"
+
+#include <nlohmann/json.hpp>
+
+#include "limn/pipeline/option_fields.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// By value: fields are visited through non-const references.
+template <typename Options>
+Json FieldsAsJson(Options options) {
+  Json json = Json::object();
+  VisitFields(options,
+              [&](const char* name, const auto& value, const char*) { json[name] = value; });
+  return json;
+}
+
+template <typename Options>
+std::string FieldsAsText(const Options& options) {
+  std::string text;
+  for (const auto& [name, value] : FieldsAsJson(options).items()) {
+    text += name + "=" + value.dump() + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+void PipelineOptions::Check() const {
+  PipelineOptions copy = *this;
+  VisitGroups(copy, [](const char* group, const auto& options) {
+    try {
+      options.Check();
+    } catch (const OptionError& error) {
+      throw OptionError(std::string(group) + "." + error.what());
+    }
+  });
+}
+
+QualityPreset PresetOf(Quality quality) {
+  QualityPreset preset;
+  ViewSelectionOptions& views = preset.options.sketch.view_selection;
+  switch (quality) {
+    case Quality::kLow:
+      preset.max_image_size = 1000;
+      views.max_second_views = 6;
+      views.max_confirmation_views = 16;
+      break;
+    case Quality::kMedium:
+      break;
+    case Quality::kHigh:
+      views.max_second_views = 20;
+      views.max_confirmation_views = 32;
+      break;
+  }
+  return preset;
+}
+
+std::string OptionsAsJson(const PipelineOptions& options) {
+  PipelineOptions copy = options;
+  Json json = Json::object();
+  VisitGroups(copy,
+              [&](const char* group, const auto& fields) { json[group] = FieldsAsJson(fields); });
+  return json.dump();
+}
+
+std::string OptionsAsText(const EdgeDetectionOptions& options) { return FieldsAsText(options); }
+
+std::string OptionsAsText(const LinkingOptions& options) { return FieldsAsText(options); }
+
+}  // namespace limn

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "limn/drawing/drawing_options.h"
+#include "limn/edges/edge_detection.h"
+#include "limn/linking/linking.h"
+#include "limn/sketch/sketch_options.h"
+
+namespace limn {
+
+// The options of all stages from photographs to the drawing.
+struct PipelineOptions {
+  EdgeDetectionOptions edges;
+  LinkingOptions linking;
+  SketchOptions sketch;
+  DrawingOptions drawing;
+
+  // Throws OptionError naming group and option.
+  void Check() const;
+};
+
+enum class Quality { kLow, kMedium, kHigh };
+
+// What a level of quality means. Single options given beside it override it.
+struct QualityPreset {
+  PipelineOptions options;
+  // Longer side of the images, pixels; -1 = as stored.
+  int max_image_size = -1;
+};
+
+// medium: the defaults of all structs. low: images of at most 1,000 px, fewer views to pair and
+// confirm with; for a first look. high: more views to pair and confirm with; about twice the time
+// of medium.
+QualityPreset PresetOf(Quality quality);
+
+// All options as the text of a JSON object {group: {name: value}}, for provenance.
+std::string OptionsAsJson(const PipelineOptions& options);
+
+// One group as "name=value" lines: two structs have the same text if and only if they are the same.
+std::string OptionsAsText(const EdgeDetectionOptions& options);
+std::string OptionsAsText(const LinkingOptions& options);
+
+}  // namespace limn
