@@ -1,0 +1,112 @@
+#include "limn/pictures/overlays.h"
+
+#include <algorithm>
+
+#include "limn/export/tracks.h"
+#include "limn/pictures/canvas.h"
+#include "limn/pictures/draw_node.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+constexpr int kSmallImagePx = 1000;
+
+int Scale(const PictureOptions& options, int width, int height) {
+  if (options.scale > 0) return options.scale;
+  return std::max(width, height) < kSmallImagePx ? 2 : 1;
+}
+
+Canvas MakeCanvas(const Image& photo, const PictureOptions& options) {
+  return Canvas(photo, options.brightness, Scale(options, photo.width, photo.height));
+}
+
+void CheckSize(const Image& photo, int width, int height, const std::string& what) {
+  if (photo.width == width && photo.height == height) return;
+  throw InputError(what + ": the photograph has " + std::to_string(photo.width) + "x" +
+                   std::to_string(photo.height) + " pixels, not " + std::to_string(width) + "x" +
+                   std::to_string(height));
+}
+
+Color Faded(const Color& color) {
+  const auto fade = [](uint8_t channel) { return static_cast<uint8_t>((channel + 110) / 2); };
+  return {fade(color.red), fade(color.green), fade(color.blue)};
+}
+
+void DrawPolyline(const View& view, const std::vector<Eigen::Vector3d>& points, const Color& color,
+                  int width, Canvas* canvas) {
+  for (const auto& run : ProjectPolyline(view, points)) canvas->DrawLine(run, color, width);
+}
+
+bool Supports(ViewId view, const DrawingLink& link) {
+  return std::binary_search(link.supporting_views.begin(), link.supporting_views.end(), view);
+}
+
+}  // namespace
+
+void PictureOptions::Check() const {
+  LIMN_CHECK_OPTION(scale, >= 0);
+  LIMN_CHECK_OPTION(scale, <= 8);
+  LIMN_CHECK_OPTION(brightness, >= 0);
+  LIMN_CHECK_OPTION(brightness, <= 1);
+  LIMN_CHECK_OPTION(line_width_px, >= 1);
+  LIMN_CHECK_OPTION(line_width_px, <= 100);
+  LIMN_CHECK_OPTION(node_radius_px, >= 0);
+  LIMN_CHECK_OPTION(node_radius_px, <= 100);
+}
+
+Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const DrawingGraph& graph,
+                    const PictureOptions& options) {
+  options.Check();
+  CheckSize(photo, view.camera.width, view.camera.height, view.name);
+  Canvas canvas = MakeCanvas(photo, options);
+  for (const bool supported : {false, true}) {
+    for (size_t id = 0; id < graph.links.size(); ++id) {
+      const DrawingLink& link = graph.links[id];
+      if (Supports(view_id, link) != supported) continue;
+      const Color color = ColorOfCurve(static_cast<int>(id));
+      DrawPolyline(view, link.points_in_world, supported ? color : Faded(color),
+                   supported ? options.line_width_px : 1, &canvas);
+    }
+  }
+  for (const DrawingNode& node : graph.nodes) {
+    const bool supported =
+        std::any_of(node.incident.begin(), node.incident.end(),
+                    [&](LinkEnd end) { return Supports(view_id, graph.links[end.link]); });
+    if (supported) DrawNode(view, node, options.node_radius_px, &canvas);
+  }
+  return canvas.picture();
+}
+
+Picture DrawOverlay(const Image& photo, const View& view, const CurveSketch& sketch,
+                    const PictureOptions& options) {
+  options.Check();
+  CheckSize(photo, view.camera.width, view.camera.height, view.name);
+  Canvas canvas = MakeCanvas(photo, options);
+  for (size_t id = 0; id < sketch.curves.size(); ++id) {
+    const Curve3D& curve = sketch.curves[id];
+    std::vector<Eigen::Vector3d> points = curve.points_in_world;
+    if (curve.closed && !points.empty()) points.push_back(points.front());
+    DrawPolyline(view, points, ColorOfCurve(static_cast<int>(id)), options.line_width_px, &canvas);
+  }
+  return canvas.picture();
+}
+
+Picture DrawFragments(const Image& photo, const ImageCurves& curves,
+                      const PictureOptions& options) {
+  options.Check();
+  CheckSize(photo, curves.edge_map.width, curves.edge_map.height, "fragments");
+  Canvas canvas = MakeCanvas(photo, options);
+  for (size_t id = 0; id < curves.fragments.size(); ++id) {
+    const CurveFragment& fragment = curves.fragments[id];
+    std::vector<Eigen::Vector2d> points;
+    for (const EdgelId edgel : fragment.edgel_ids) {
+      points.push_back(curves.edge_map.edgels[edgel].stored_px.cast<double>());
+    }
+    if (fragment.closed && !points.empty()) points.push_back(points.front());
+    canvas.DrawLine(points, ColorOfCurve(static_cast<int>(id)), options.line_width_px);
+  }
+  return canvas.picture();
+}
+
+}  // namespace limn

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "limn/model/curve3d.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/image.h"
+#include "limn/model/view.h"
+#include "limn/pictures/picture.h"
+
+namespace limn {
+
+struct PictureOptions {
+  // Enlargement, 1..8; 0 doubles pictures whose longer side is below 1000 px.
+  int scale = 0;
+  // What the photograph's grey levels are multiplied by, in [0, 1]; lower lets the lines stand out.
+  double brightness = 0.55;
+  // Width of the lines and radius of a junction's disc, pixels of the picture.
+  int line_width_px = 2;
+  double node_radius_px = 5.0;
+
+  void Check() const;
+};
+
+// A drawing over a photograph, in stored pixels, through the lens: one colour per link
+// (ColorOfCurve), links this view does not support thin and faded; junctions as discs, ends as
+// small squares, loop anchors as diamonds, at nodes with a link this view supports. Occlusion is
+// not known. Throws InputError if the photograph has not the size of the view's camera.
+Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const DrawingGraph& graph,
+                    const PictureOptions& options = {});
+
+// A curve sketch over a photograph: one colour per curve.
+Picture DrawOverlay(const Image& photo, const View& view, const CurveSketch& sketch,
+                    const PictureOptions& options = {});
+
+// The fragments of one image over it: one colour per fragment.
+Picture DrawFragments(const Image& photo, const ImageCurves& curves,
+                      const PictureOptions& options = {});
+
+}  // namespace limn

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+// An 8-bit RGB picture, rows from the top, interleaved.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<uint8_t> rgb;
+
+  const uint8_t* At(int x, int y) const { return &rgb[3 * (static_cast<size_t>(y) * width + x)]; }
+};
+
+// Write as PNG, whole or not at all; missing folders are made, so that image names keep theirs.
+// Throws IoError.
+void WritePng(const std::string& path, const Picture& picture);
+
+// "sub/a.jpg" under "overlays" is "overlays/sub/a.jpg.png": two photographs never share a picture,
+// even if their names differ by the extension only.
+std::string PicturePath(const std::string& folder, const std::string& image_name);
+
+}  // namespace limn

@@ -1,0 +1,168 @@
+#include "limn/pictures/overlays.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "limn/export/colors.h"
+#include "limn/export/small_drawing.h"
+#include "limn/io/temporary_folder.h"
+#include "limn/pictures/render_drawing.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+Image GrayPhoto(int width, int height) {
+  Image photo;
+  photo.width = width;
+  photo.height = height;
+  photo.channels = 1;
+  photo.data.assign(static_cast<size_t>(width) * height, 100.f);
+  return photo;
+}
+
+View SmallView() {
+  View view;
+  view.name = "a.png";
+  view.camera = {100, 100, 50, 50, 101, 101};
+  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
+  return view;
+}
+
+DrawingGraph HorizontalLink() {
+  DrawingGraph graph;
+  graph.nodes.resize(2);
+  graph.nodes[0].position_in_world = {-0.3, 0.1, 1};
+  graph.nodes[1].position_in_world = {0.3, 0.1, 1};
+  DrawingLink link;
+  link.points_in_world = {{-0.3, 0.1, 1}, {0.3, 0.1, 1}};
+  link.sigma = {0, 0};
+  link.node0 = 0;
+  link.node1 = 1;
+  link.supporting_views = {0};
+  graph.links = {link};
+  RebuildIncidence(&graph);
+  return graph;
+}
+
+bool IsColor(const uint8_t* pixel, const Color& color) {
+  return pixel[0] == color.red && pixel[1] == color.green && pixel[2] == color.blue;
+}
+
+TEST(DrawOverlay, LineIsWhereTheLinkProjects) {
+  PictureOptions options;
+  options.scale = 1;
+  options.brightness = 0.5;
+  options.line_width_px = 3;
+  const Picture picture =
+      DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, HorizontalLink(), options);
+  ASSERT_EQ(picture.width, 101);
+  EXPECT_TRUE(IsColor(picture.At(50, 60), ColorOfCurve(0)));
+  EXPECT_TRUE(IsColor(picture.At(50, 55), {50, 50, 50}));
+  // The line lies in the middle of its row: both sides look the same.
+  for (int offset = 1; offset < 6; ++offset) {
+    EXPECT_NEAR(picture.At(50, 60 - offset)[0], picture.At(50, 60 + offset)[0], 8) << offset;
+  }
+  EXPECT_TRUE(IsColor(picture.At(20, 60), {255, 230, 0}));  // an end's square
+}
+
+TEST(DrawOverlay, SmallPhotosAreDoubledAboutPixelCentres) {
+  PictureOptions options;
+  options.line_width_px = 2;
+  const Picture picture =
+      DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, HorizontalLink(), options);
+  ASSERT_EQ(picture.width, 202);
+  // Row 60 of the photo covers rows 120 and 121 of the picture.
+  const auto differs = [&](int y) { return !IsColor(picture.At(100, y), {55, 55, 55}); };
+  EXPECT_TRUE(differs(120));
+  EXPECT_TRUE(differs(121));
+  EXPECT_FALSE(differs(117));
+  EXPECT_FALSE(differs(124));
+}
+
+TEST(DrawOverlay, UnsupportedLinksAreFadedAndTheirNodesUnmarked) {
+  PictureOptions options;
+  options.scale = 1;
+  const Picture picture =
+      DrawOverlay(GrayPhoto(101, 101), SmallView(), 7, HorizontalLink(), options);
+  EXPECT_FALSE(IsColor(picture.At(50, 60), ColorOfCurve(0)));
+  EXPECT_FALSE(IsColor(picture.At(50, 60), {55, 55, 55}));
+  EXPECT_FALSE(IsColor(picture.At(20, 60), {255, 230, 0}));
+}
+
+TEST(DrawOverlay, SketchAndFragments) {
+  CurveSketch sketch;
+  sketch.curves.resize(1);
+  sketch.curves[0].points_in_world = {{-0.3, 0, 1}, {0.3, 0, 1}};
+  PictureOptions options;
+  options.scale = 1;
+  options.line_width_px = 3;
+  const Image photo = GrayPhoto(101, 101);
+  EXPECT_TRUE(
+      IsColor(DrawOverlay(photo, SmallView(), sketch, options).At(50, 50), ColorOfCurve(0)));
+
+  ImageCurves curves;
+  curves.edge_map.width = curves.edge_map.height = 101;
+  for (int i = 0; i < 20; ++i) {
+    Edgel edgel;
+    edgel.stored_px = {10.f + i, 30.f};
+    curves.edge_map.edgels.push_back(edgel);
+    curves.fragments.resize(1);
+    curves.fragments[0].edgel_ids.push_back(i);
+  }
+  EXPECT_TRUE(IsColor(DrawFragments(photo, curves, options).At(20, 30), ColorOfCurve(0)));
+}
+
+TEST(DrawOverlay, BadInputIsRefused) {
+  EXPECT_THROW(DrawOverlay(GrayPhoto(50, 50), SmallView(), 0, HorizontalLink()), InputError);
+  PictureOptions options;
+  options.brightness = 2;
+  EXPECT_THROW(DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, HorizontalLink(), options),
+               OptionError);
+}
+
+TEST(WritePng, ComesBackAndKeepsFolders) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(PicturePath("overlays", "sub/a.jpg"), "overlays/sub/a.jpg.png");
+  Picture picture{2, 1, {10, 20, 30, 40, 50, 60}};
+  const std::string path = PicturePath(folder.Path("overlays"), "sub/a.jpg");
+  WritePng(path, picture);
+  const cv::Mat read = cv::imread(path, cv::IMREAD_COLOR);
+  ASSERT_EQ(read.cols, 2);
+  EXPECT_EQ(read.at<cv::Vec3b>(0, 1), cv::Vec3b(60, 50, 40));  // OpenCV's order is blue, green, red
+}
+
+TEST(RenderDrawing, OrbitSeesTheWholeDrawing) {
+  const DrawingGraph graph = SmallDrawing();
+  OrbitOptions orbit;
+  orbit.kept_share = 1;
+  orbit.width = 300;
+  orbit.height = 200;
+  const Eigen::Vector3d up = Eigen::Vector3d(0.1, 0.2, 1).normalized();
+  for (const double azimuth : {0.0, 77.0, 200.0}) {
+    orbit.azimuth_deg = azimuth;
+    const View view = OrbitView(graph, up, orbit);
+    EXPECT_NEAR(view.cam_from_world.rotation.toRotationMatrix().determinant(), 1, 1e-9);
+    for (const DrawingLink& link : graph.links) {
+      for (const Eigen::Vector3d& point : link.points_in_world) {
+        EXPECT_TRUE(view.Project(point)) << azimuth;
+      }
+    }
+    // What is higher in the world is higher in the picture.
+    const Eigen::Vector3d center = graph.links[0].points_in_world[0];
+    EXPECT_LT(view.Project(center + 0.1 * up)->y(), view.Project(center)->y());
+    const Picture picture = RenderDrawing(graph, view);
+    EXPECT_EQ(picture.width, 300);
+    EXPECT_TRUE(std::any_of(picture.rgb.begin(), picture.rgb.end(),
+                            [](uint8_t value) { return value < 100; }));
+  }
+  EXPECT_THROW(OrbitView({}, up, orbit), InputError);
+}
+
+TEST(RenderDrawing, UpIsAgainstTheImagesYAxis) {
+  EXPECT_NEAR((UpDirection({SmallView()}) + Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
+  EXPECT_EQ(UpDirection({}), Eigen::Vector3d::UnitZ());
+}
+
+}  // namespace
+}  // namespace limn
