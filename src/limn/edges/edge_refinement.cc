@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kMaxIterations = 4;
 constexpr double kMaxStepPx = 0.6;
-constexpr double kConvergedPx = 0.01;
+// The error left after a step this small is far below 0.01 px.
+constexpr double kConvergedPx = 0.05;
 constexpr double kMaxOffsetPx = 0.7;
 constexpr double kMinPositionSigmaPx = 0.05;
 // Curvature above this is a corner, where the correction for a smooth curve means nothing.

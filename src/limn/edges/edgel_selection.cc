@@ -14,15 +14,13 @@ constexpr double kMinDistancePx = 0.35;
 constexpr double kRunStepPx = 2.0;
 const double kRunMinCosine = std::cos(M_PI / 6);
 
-// Does an edgel continue another one? The offset may leave the tangent by a third of a pixel plus
-// 35 degrees.
-bool Continues(const Edgel& a, const Edgel& b) {
-  const Vector2d tangent = a.Tangent();
-  if (tangent.dot(b.Tangent()) < kRunMinCosine) return false;
-  const Vector2d offset = b.position_px - a.position_px;
+// Does an edgel at `offset` with tangent `other` continue one with tangent `tangent`? The offset
+// may leave the tangent by a third of a pixel plus 35 degrees.
+bool Continues(const Vector2d& tangent, const Vector2d& offset, const Vector2d& other) {
+  if (tangent.dot(other) < kRunMinCosine || offset.norm() > kRunStepPx) return false;
   const double along = std::abs(offset.dot(tangent));
-  const double across = std::abs(offset.dot(a.Normal()));
-  return offset.norm() <= kRunStepPx && across <= 0.3 + 0.7 * along;
+  const double across = std::abs(tangent.x() * offset.y() - tangent.y() * offset.x());
+  return across <= 0.3 + 0.7 * along;
 }
 
 bool StrongerThan(const RefinedEdgel& a, const RefinedEdgel& b) {
@@ -86,10 +84,14 @@ bool EdgelRaster::HasParallelNear(double x, double y, double tangent_rad, double
 
 void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
   const int count = static_cast<int>(edgels_.size());
+  std::vector<Vector2d> tangents;
+  for (const RefinedEdgel& refined : edgels_) tangents.push_back(refined.edgel.Tangent());
   UnionFind runs(count);
   for (int i = 0; i < count; ++i) {
-    VisitSquare(edgels_[i].edgel.position_px, kRunStepPx, [&](int other) {
-      if (Continues(edgels_[i].edgel, edgels_[other].edgel)) runs.Union(i, other);
+    const Vector2d& position = edgels_[i].edgel.position_px;
+    VisitSquare(position, kRunStepPx, [&](int other) {
+      const Vector2d offset = edgels_[other].edgel.position_px - position;
+      if (Continues(tangents[i], offset, tangents[other])) runs.Union(i, other);
     });
   }
   std::vector<Vector2d> low(count);

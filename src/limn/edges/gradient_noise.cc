@@ -20,10 +20,10 @@ constexpr double kWhiteBlockQuantile = 0.3;
 // Rounding to integers alone is noise of 0.29 grey levels; half of that is left where an image is
 // partly constant.
 constexpr double kQuietestPixelNoise = 0.14;
-// The estimate is at most this factor times the white noise plus this pixel noise, which
-// compression may have hidden.
-constexpr double kMaxOverWhiteNoise = 1.2;
-constexpr double kHiddenPixelNoise = 1.5;
+// The estimate is at most this factor times the white noise, with this much pixel noise added (as
+// variances) that compression may have hidden.
+constexpr double kMaxOverWhiteNoise = 1.15;
+constexpr double kHiddenPixelNoise = 3.5;
 constexpr size_t kMaxGroups = 6;
 constexpr size_t kMinBlocksPerGroup = 20;
 
@@ -94,8 +94,8 @@ double NoiseOfGroup(std::span<const Sample> group, double sigma_px) {
   }
   const double upper = QuantileOf(&rayleigh, kGradientBlockQuantile) / kGradientBlockBias;
   const double white_noise = QuantileOf(&white, kWhiteBlockQuantile);
-  return std::min(upper, GradientNoiseFromPixelNoise(
-                             kMaxOverWhiteNoise * white_noise + kHiddenPixelNoise, sigma_px));
+  const double highest = std::hypot(kMaxOverWhiteNoise * white_noise, kHiddenPixelNoise);
+  return std::min(upper, GradientNoiseFromPixelNoise(highest, sigma_px));
 }
 
 }  // namespace
