@@ -1,0 +1,76 @@
+#include "limn/geometry/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+const Polyline3d kCorner = {{0, 0, 0}, {3, 0, 0}, {3, 4, 0}};
+
+TEST(Polyline, CumulativeLength) {
+  EXPECT_EQ(CumulativeLength(kCorner), (std::vector<double>{0, 3, 7}));
+  EXPECT_EQ(Length(kCorner), 7);
+  EXPECT_TRUE(CumulativeLength({}).empty());
+  EXPECT_EQ(Length({}), 0);
+}
+
+TEST(Polyline, ClosestPointInsideAtVerticesAndBeyondTheEnds) {
+  const PolylinePoint inside = ClosestPoint(kCorner, {2, -1, 0});
+  EXPECT_EQ(inside.segment, 0);
+  EXPECT_NEAR(inside.t, 2.0 / 3, 1e-12);
+  EXPECT_NEAR(inside.squared_distance, 1, 1e-12);
+  const PolylinePoint corner = ClosestPoint(kCorner, {4, -1, 0});
+  EXPECT_EQ(corner.position, kCorner[1]);
+  EXPECT_EQ(corner.segment, 0);  // the first on ties
+  const PolylinePoint beyond = ClosestPoint(kCorner, {3, 9, 2});
+  EXPECT_EQ(beyond.position, kCorner[2]);
+  EXPECT_EQ(beyond.t, 1);
+  EXPECT_NEAR(beyond.squared_distance, 29, 1e-12);
+}
+
+TEST(Polyline, ClosestPointSurvivesRepeatedVertices) {
+  const PolylinePoint place =
+      ClosestPoint(Polyline3d{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {0.5, 1, 0});
+  EXPECT_EQ(place.segment, 1);
+  EXPECT_NEAR(place.t, 0.5, 1e-12);
+}
+
+TEST(Polyline, ClosestPointIsNoFartherThanAnySample) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  Polyline3d polyline(12);
+  for (Eigen::Vector3d& point : polyline) point = {normal(random), normal(random), normal(random)};
+  const Polyline3d samples = ResampleUniform(polyline, 0.01);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Vector3d query(normal(random), normal(random), normal(random));
+    double best = INFINITY;
+    for (const Eigen::Vector3d& sample : samples) best = std::min(best, (sample - query).norm());
+    const PolylinePoint place = ClosestPoint(polyline, query);
+    const double distance = std::sqrt(place.squared_distance);
+    EXPECT_NEAR((place.position - query).norm(), distance, 1e-12);
+    EXPECT_LE(distance, best + 1e-12);
+    EXPECT_GE(distance, best - 0.01);
+  }
+}
+
+TEST(Polyline, ResampleUniformKeepsEndsAndStep) {
+  const Polyline3d samples = ResampleUniform(kCorner, 1.5);
+  ASSERT_EQ(samples.size(), 6u);  // five steps of 1.4
+  EXPECT_EQ(samples.front(), kCorner.front());
+  EXPECT_EQ(samples.back(), kCorner.back());
+  EXPECT_LT((samples[2] - Eigen::Vector3d(2.8, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((samples[3] - Eigen::Vector3d(3, 1.2, 0)).norm(), 1e-12);
+}
+
+TEST(Polyline, ResampleUniformOfDegeneratePolylines) {
+  EXPECT_TRUE(ResampleUniform({}, 1).empty());
+  EXPECT_EQ(ResampleUniform(Polyline3d{{1, 2, 3}, {1, 2, 3}}, 1).size(), 1u);
+  EXPECT_EQ(ResampleUniform(Polyline3d{{0, 0, 0}, {1, 0, 0}}, 10).size(), 2u);
+}
+
+}  // namespace
+}  // namespace limn

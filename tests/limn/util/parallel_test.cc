@@ -1,0 +1,83 @@
+#include "limn/util/parallel.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+RunContext Threads(int count) {
+  RunContext context;
+  context.num_threads = count;
+  return context;
+}
+
+TEST(ParallelFor, RunsEachIndexOnce) {
+  for (const int threads : {-1, 1, 2, 7}) {
+    std::vector<int> visits(1000, 0);
+    ParallelFor(Threads(threads), "test", visits.size(), [&](size_t i) { ++visits[i]; });
+    EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), 1000) << threads;
+  }
+  ParallelFor(Threads(2), "test", 0, [](size_t) { FAIL() << "there is no index"; });
+}
+
+TEST(ParallelFor, ResultsDoNotDependOnThreads) {
+  const auto compute = [](int threads) {
+    std::vector<double> values(500);
+    ParallelFor(Threads(threads), "test", values.size(), [&](size_t i) {
+      for (int k = 1; k < 100; ++k) values[i] += 1.0 / (static_cast<double>(i) + k);
+    });
+    return values;
+  };
+  EXPECT_EQ(compute(1), compute(2));
+}
+
+TEST(ParallelFor, ExceptionOfABodyComesOut) {
+  for (const int threads : {1, 2}) {
+    try {
+      ParallelFor(Threads(threads), "test", 100, [](size_t i) {
+        if (i == 13) throw std::runtime_error("thirteen");
+      });
+      FAIL() << "the exception was lost";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "thirteen");
+    }
+  }
+}
+
+TEST(ParallelFor, CancellationStopsTheWork) {
+  std::atomic<bool> cancelled = false;
+  std::atomic<int> done = 0;
+  RunContext context = Threads(2);
+  context.cancelled = &cancelled;
+  EXPECT_THROW(ParallelFor(context, "test", 100000,
+                           [&](size_t) {
+                             if (++done == 10) cancelled = true;
+                           }),
+               Cancelled);
+  EXPECT_LT(done, 1000);
+}
+
+TEST(ParallelFor, ReportsEveryItemInOrder) {
+  std::vector<size_t> reports;
+  RunContext context = Threads(2);
+  context.progress = [&](const char* stage, size_t done, size_t total) {
+    EXPECT_EQ(std::string(stage), "drawing");
+    EXPECT_EQ(total, 50u);
+    reports.push_back(done);
+  };
+  ParallelFor(context, "drawing", 50, [](size_t) {});
+  std::vector<size_t> expected(50);
+  std::iota(expected.begin(), expected.end(), 1);
+  EXPECT_EQ(reports, expected);
+}
+
+}  // namespace
+}  // namespace limn
