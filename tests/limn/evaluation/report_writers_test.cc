@@ -1,0 +1,70 @@
+#include "limn/evaluation/report_writers.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace limn {
+namespace {
+
+using ::testing::HasSubstr;
+
+EvaluationReport SmallReport() {
+  EvaluationReport report;
+  TauResult row;
+  row.tau = 0.01;
+  row.precision = 0.875;
+  row.recall = 0.5;
+  row.f = 0.636;
+  row.accuracy = 0.002;
+  report.rows = {row, row};
+  report.rows[1].precision.reset();
+  report.num_links = 12;
+  report.num_components = 3;
+  report.nodes_by_degree = {{1, 4}, {3, 2}};
+  return report;
+}
+
+TEST(ReportWriters, TableShowsPercentAndAbsentShares) {
+  std::ostringstream out;
+  PrintReport(SmallReport(), out);
+  EXPECT_THAT(out.str(), HasSubstr("87.5"));
+  EXPECT_THAT(out.str(), HasSubstr(" - "));
+  EXPECT_THAT(out.str(), HasSubstr("links 12"));
+  EXPECT_THAT(out.str(), HasSubstr("1: 4 3: 2"));
+}
+
+TEST(ReportWriters, CsvHasAsManyCellsAsColumns) {
+  std::ostringstream out;
+  WriteReportCsv(SmallReport(), out);
+  std::istringstream lines(out.str());
+  std::string header, first, second, rest;
+  std::getline(lines, header);
+  std::getline(lines, first);
+  std::getline(lines, second);
+  EXPECT_FALSE(std::getline(lines, rest));
+  const auto commas = [](const std::string& line) {
+    return std::count(line.begin(), line.end(), ',');
+  };
+  EXPECT_EQ(commas(first), commas(header));
+  EXPECT_EQ(commas(second), commas(header));
+  EXPECT_THAT(header, ::testing::StartsWith("tau,precision,recall,f,"));
+  EXPECT_THAT(first, ::testing::StartsWith("0.01,0.875,0.5,0.636,"));
+  EXPECT_THAT(second, ::testing::StartsWith("0.01,,0.5,"));
+}
+
+TEST(ReportWriters, JsonHasNullForAbsentShares) {
+  std::ostringstream out;
+  WriteReportJson(SmallReport(), out);
+  const nlohmann::json json = nlohmann::json::parse(out.str());
+  EXPECT_EQ(json.at("unit"), "world");
+  EXPECT_EQ(json.at("rows").at(0).at("precision"), 0.875);
+  EXPECT_TRUE(json.at("rows").at(1).at("precision").is_null());
+  EXPECT_EQ(json.at("nodes_by_degree").at("3"), 2);
+}
+
+}  // namespace
+}  // namespace limn
