@@ -68,7 +68,7 @@ def edge_offsets(image, pixels, normals):
 
 def offsets_of_set(name, sample, caster, curves, linear):
     distorted = name == "distorted"
-    offsets, directions = [], []
+    offsets, directions, positions = [], [], []
     for view in range(scene.VIEW_COUNT):
         image = grey_image(sample / name / "images" / scene.view_name(view), linear)
         for curve in curves:
@@ -79,22 +79,30 @@ def offsets_of_set(name, sample, caster, curves, linear):
                 ok = np.isfinite(offset)
                 offsets.append((offset * sign)[ok])
                 directions.append((normals * sign[:, None])[ok])
-    return np.concatenate(offsets), np.concatenate(directions)
+                positions.append(pixels[seen][ok])
+    return np.concatenate(offsets), np.concatenate(directions), np.concatenate(positions)
 
 
-def report(name, offsets, directions, what):
-    shift = np.zeros(2)
-    for _ in range(10):
-        residual = offsets - directions @ shift
-        keep = np.abs(residual - np.median(residual)) < 0.3
-        shift += np.linalg.lstsq(np.column_stack([directions, np.ones(len(directions))])[keep],
-                                 residual[keep], rcond=None)[0][:2]
+def report(name, offsets, directions, positions, what):
+    shift_x, shift_y, growth = common_motion(offsets, directions, positions)
     x_side = [np.median(offsets[s * directions[:, 0] > 0.9]) for s in (1, -1)]
     y_side = [np.median(offsets[s * directions[:, 1] > 0.9]) for s in (1, -1)]
     print(f"{name} ({what}): {len(offsets)} samples, median offset towards bright {np.median(offsets):+.3f} px, "
           f"median |offset| {np.median(np.abs(offsets)):.3f}; bright side right {x_side[0]:+.3f}, "
-          f"left {x_side[1]:+.3f}, below {y_side[0]:+.3f}, above {y_side[1]:+.3f}; "
-          f"common shift ({shift[0]:+.3f}, {shift[1]:+.3f}) px")
+          f"left {x_side[1]:+.3f}, below {y_side[0]:+.3f}, above {y_side[1]:+.3f}; common shift "
+          f"({shift_x:+.3f}, {shift_y:+.3f}) px, radial growth at the corners {growth:+.3f} px")
+
+
+def common_motion(offsets, directions, positions):
+    """Shift (px) and cubic radial growth (px at the image's corners) that best explain the offsets; robust."""
+    from_centre = (positions - (scene.WIDTH / 2, scene.HEIGHT / 2)) / (np.hypot(scene.WIDTH, scene.HEIGHT) / 2)
+    radial = np.einsum("ij,ij->i", from_centre, directions) * np.sum(from_centre**2, axis=1)
+    design = np.column_stack([directions, radial, np.ones(len(offsets))])
+    solution = np.zeros(4)
+    for _ in range(10):
+        keep = np.abs(offsets - design @ solution) < 0.3
+        solution = np.linalg.lstsq(design[keep], offsets[keep], rcond=None)[0]
+    return solution[:3]
 
 
 def draw_overlays(folder, name, sample, caster, curves, colour, scale=2):

@@ -4,6 +4,7 @@ import cv2
 import numpy as np
 
 import cameras
+import scene
 from truth_curves import STEP, index_runs, tangents
 
 MIN_VIEWS = 4
@@ -65,7 +66,7 @@ def unoccluded(caster, points, view, distorted=False):
     pixels, depth = cameras.project(points, view, distorted)
     visible = cameras.in_image(pixels, depth, IMAGE_MARGIN_PX)
     if visible.any():
-        visible[visible] = caster.sees(cameras.scene.camera_centre(view), points[visible], OCCLUSION_TOLERANCE)
+        visible[visible] = caster.sees(scene.camera_centre(view), points[visible], OCCLUSION_TOLERANCE)
     return visible, pixels
 
 
