@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "colmap_ext/workspace/camera_projection.h"
 #include "limn/geometry/pinhole_camera.h"
 #include "limn/model/lens_map.h"

@@ -4,6 +4,7 @@
 #include <istream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "colmap_ext/workspace/model_builder.h"
 

@@ -1,5 +1,6 @@
 #include "colmap_ext/workspace/model.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include <gmock/gmock.h>

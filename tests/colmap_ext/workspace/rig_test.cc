@@ -1,7 +1,7 @@
 #include "colmap_ext/workspace/rig.h"
 
+#include <cmath>
 #include <cstring>
-#include <numbers>
 #include <sstream>
 
 #include <gmock/gmock.h>
