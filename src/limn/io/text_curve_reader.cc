@@ -15,7 +15,7 @@ std::vector<Eigen::Vector3d> ReadPoints(const std::string& path) {
   TextScanner scanner(path, text);
   std::vector<Eigen::Vector3d> points;
   while (!scanner.AtEnd()) {
-    if (!scanner.AtComment()) points.push_back(scanner.Point());
+    if (scanner.Peek() != '#') points.push_back(scanner.Point());
     scanner.RestOfLine();
   }
   if (points.empty()) throw IoError(path, "no points");

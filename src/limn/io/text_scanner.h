@@ -17,6 +17,10 @@ class TextScanner {
 
   // Skips white space, line ends included; whether nothing is left.
   bool AtEnd();
+  // Skips blanks but not line ends; whether the line has nothing more.
+  bool AtEndOfLine();
+  // The next character, 0 at the end.
+  char Peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
   // The next word; throws at the end of the text.
   std::string_view Word(const char* what);
   // The next number; `what` names it in errors.
@@ -24,10 +28,6 @@ class TextScanner {
   Eigen::Vector3d Point();
   // The rest of the line, without its end.
   std::string_view RestOfLine();
-  // Skips blanks but not line ends; whether the line has nothing more.
-  bool AtEndOfLine();
-  // Whether the next character, after AtEnd(), is '#'.
-  bool AtComment() const { return at_ < text_.size() && text_[at_] == '#'; }
 
   [[noreturn]] void Fail(const std::string& reason) const;
 
