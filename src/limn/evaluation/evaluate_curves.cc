@@ -15,7 +15,6 @@ namespace limn {
 namespace {
 
 constexpr double kStepPerTau = 0.25;
-constexpr double kCopyDistancePerTau = 0.25;
 constexpr int kMinJunctionDegree = 3;
 constexpr size_t kChunk = 512;
 // The footprint along a curve is looked up at this many places to choose its step.
@@ -113,8 +112,8 @@ std::vector<bool> KeepTruth(const Scene& scene, const CurveSamples& truth, doubl
   for (int i = 0; i < truth.size(); ++i) {
     const Eigen::Vector3d& position = truth.Position(i);
     if (!InRegion(scene, position)) continue;
-    const double radius = kCopyDistancePerTau * tau * scene.unit_at(position);
-    kept[i] = !RunsAlongsideAnother(search, i, radius, &scratch);
+    const double radius = scene.options.copy_taus * tau * scene.unit_at(position);
+    kept[i] = !(radius > 0 && RunsAlongsideAnother(search, i, radius, &scratch));
   }
   return kept;
 }
@@ -266,6 +265,7 @@ void EvaluationOptions::Check() const {
     LIMN_CHECK_OPTION(tau, < std::numeric_limits<double>::infinity());
   }
   LIMN_CHECK_OPTION(dont_care_taus, >= 0);
+  LIMN_CHECK_OPTION(copy_taus, >= 0);
   LIMN_CHECK_OPTION(junction_taus, > 0);
   if (region && region->isEmpty()) throw OptionError("region: its minimum exceeds its maximum");
 }

@@ -79,6 +79,13 @@ TEST(EvaluateCurves, DoubledTruthCountsOnce) {
   EXPECT_NEAR(row.true_length, 2, 1e-9);
 }
 
+TEST(EvaluateCurves, EveryTrueCopyCountsIfAskedFor) {
+  EvaluationOptions options;
+  options.copy_taus = 0;
+  const CurveSet truth = Curves({Line(0, 1), Line(0, 1), Line(0, 1, 5)});
+  EXPECT_NEAR(*EvaluateAtTau(Curves({Line(0, 1)}), truth, options).recall, 2.0 / 3, 1e-9);
+}
+
 TEST(EvaluateCurves, RowOfCloseTrueLinesIsThinnedNotEaten) {
   // Ten lines 0.2 tau apart: each is within tau/4 of the one before, every second one remains.
   std::vector<Polyline3d> row_of_lines;
