@@ -15,6 +15,8 @@
 namespace limn {
 namespace {
 
+constexpr double kMaxLabel = 2147483647;
+
 template <typename T>
 double As(const char* bytes) {
   T value;
@@ -104,6 +106,7 @@ class PlyValues {
 // Reads one element; calls `take` with the scalar properties of each of its rows (lists are 0).
 template <typename Take>
 void ReadRows(const PlyElement& element, PlyValues* values, const Take& take) {
+  if (element.properties.empty()) return;  // its rows are nothing, however many there are
   values->CheckRoomFor(element);
   std::vector<double> row(element.properties.size());
   for (size_t i = 0; i < element.count; ++i) {
@@ -152,7 +155,9 @@ void ReadEdges(const std::string& path, const PlyElement& element, PlyValues* va
   };
   ReadRows(element, values, [&](const std::vector<double>& row) {
     soup->edges.emplace_back(index(row[vertex1]), index(row[vertex2]));
-    if (label >= 0) soup->labels.push_back(static_cast<int>(row[label]));
+    if (label < 0) return;
+    if (!(std::abs(row[label]) <= kMaxLabel)) values->Fail("link id out of range");
+    soup->labels.push_back(static_cast<int>(row[label]));
   });
 }
 

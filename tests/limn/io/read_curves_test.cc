@@ -100,6 +100,13 @@ TEST(ReadCurves, BadPlyIsRefusedWithPlaceAndReason) {
                              "element vertex 99999999999999\nproperty double x\n"
                              "property double y\nproperty double z\nend_header\n"),
                 "too short");
+  ExpectIoError(folder.Write("9.ply", vertices + edges + "property double link\nend_header\n" +
+                                          "1 2 3\n0 0 nan\n"),
+                "link id");
+  ExpectIoError(folder.Write("10.ply",
+                             "ply\nformat ascii 1.0\nelement nothing 99999999999999\n"
+                             "end_header\n"),
+                "no element vertex");
   ExpectIoError(folder.Path("absent.ply"), "No such file");
   std::filesystem::create_directory(folder.Path("d.ply"));
   ExpectIoError(folder.Path("d.ply"), "folder");
