@@ -1,5 +1,7 @@
 #include "limn/geometry/triangulation.h"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 namespace limn {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "limn/support/edgel_residual.h"
+
 namespace limn {
 namespace {
 
@@ -201,13 +203,10 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
     for (const ViewId v : candidate_views) {
       const auto pixel = views[v].Project(curve->points_in_world[s]);
       if (!pixel) continue;
-      const Eigen::Vector3d point = views[v].cam_from_world * curve->points_in_world[s];
-      const Eigen::Vector3d tangent =
-          views[v].cam_from_world.rotation * curve->tangents_in_world[s];
-      const double dx = views[v].camera.fx * (tangent.x() * point.z() - point.x() * tangent.z());
-      const double dy = views[v].camera.fy * (tangent.y() * point.z() - point.y() * tangent.z());
-      if (dx == 0 && dy == 0) continue;
-      const auto match = evidence[v]->edgels.Best(*pixel, std::atan2(dy, dx), gate);
+      const auto direction = ProjectedDirection(views[v], curve->points_in_world[s],
+                                                curve->tangents_in_world[s]);
+      if (!direction) continue;
+      const auto match = evidence[v]->edgels.Best(*pixel, *direction, gate);
       if (match) of_sample.push_back({v, match->edgel});
     }
     std::sort(of_sample.begin(), of_sample.end());

@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "limn/drawing/graph_assembly.h"
+#include "limn/drawing/vertex_grid.h"
+
+namespace limn {
+namespace {
+
+constexpr double kDeg = M_PI / 180;
+// A link is covered when this share of its points runs along others.
+constexpr double kCoveredShare = 0.8;
+
+struct End {
+  int link = -1;
+  int end = 0;
+};
+
+using EndsAtNode = std::map<int, std::vector<End>>;
+
+EndsAtNode CollectEnds(const Draft& draft) {
+  EndsAtNode ends;
+  for (size_t i = 0; i < draft.links.size(); ++i) {
+    for (const int end : {0, 1}) {
+      const int node = draft.links[i].node[end];
+      if (node >= 0) ends[node].push_back({static_cast<int>(i), end});
+    }
+  }
+  return ends;
+}
+
+int64_t NumSamples(const DraftLink& link) {
+  int64_t count = 0;
+  for (const auto& of_point : link.samples) count += static_cast<int64_t>(of_point.size());
+  return count;
+}
+
+void Reverse(DraftLink* link) {
+  std::reverse(link->position.begin(), link->position.end());
+  std::reverse(link->information.begin(), link->information.end());
+  std::reverse(link->footprint.begin(), link->footprint.end());
+  std::reverse(link->samples.begin(), link->samples.end());
+  std::swap(link->node[0], link->node[1]);
+}
+
+template <typename T>
+void AppendTail(const std::vector<T>& from, std::vector<T>* to) {
+  to->insert(to->end(), from.begin() + 1, from.end());
+}
+
+// Nodes left with one end are free ends; nodes where two links continue each other dissolve.
+class NodeCleaner {
+ public:
+  NodeCleaner(const DrawingOptions& options, Draft* draft) : options_(options), draft_(draft) {}
+
+  int64_t Run() {
+    int64_t dissolved = 0;
+    // Only degrees 1 and 2 act, and both only lower the degree of other nodes' links' ids.
+    bool changed = true;
+    while (changed) {
+      changed = false;
+      for (const auto& [node, ends] : CollectEnds(*draft_)) {
+        if (ends.size() == 1) {
+          draft_->links[ends[0].link].node[ends[0].end] = -1;
+          continue;
+        }
+        if (ends.size() != 2) continue;
+        if (ends[0].link == ends[1].link) {
+          CloseLoop(ends[0].link);
+          changed = true;
+        } else if (Continue(ends[0], ends[1])) {
+          Fuse(ends[0], ends[1]);
+          ++dissolved;
+          changed = true;
+        }
+        if (changed) break;
+      }
+    }
+    return dissolved;
+  }
+
+ private:
+  bool Continue(const End& a, const End& b) const {
+    const EndLine line_a = LineAtEnd(draft_->links[a.link], a.end);
+    const EndLine line_b = LineAtEnd(draft_->links[b.link], b.end);
+    return line_a.outward.dot(line_b.outward) <
+           -std::cos(options_.max_continuation_angle_deg * kDeg);
+  }
+
+  void CloseLoop(int id) {
+    DraftLink& link = draft_->links[id];
+    link.node[0] = link.node[1] = -1;
+    if (link.size() < 4) return;
+    // The last point repeats the first.
+    link.samples.front().insert(link.samples.front().end(), link.samples.back().begin(),
+                                link.samples.back().end());
+    link.position.pop_back();
+    link.information.pop_back();
+    link.footprint.pop_back();
+    link.samples.pop_back();
+    link.closed = true;
+  }
+
+  void Fuse(const End& a, const End& b) {
+    DraftLink& first = draft_->links[a.link];
+    DraftLink& second = draft_->links[b.link];
+    if (a.end == 0) Reverse(&first);
+    if (b.end == 1) Reverse(&second);
+    first.samples.back().insert(first.samples.back().end(), second.samples.front().begin(),
+                                second.samples.front().end());
+    AppendTail(second.position, &first.position);
+    AppendTail(second.information, &first.information);
+    AppendTail(second.footprint, &first.footprint);
+    AppendTail(second.samples, &first.samples);
+    first.node[1] = second.node[1];
+    draft_->links.erase(draft_->links.begin() + b.link);
+  }
+
+  const DrawingOptions& options_;
+  Draft* draft_;
+};
+
+// Links that hang by one end or by none and are shorter than the limit.
+std::vector<uint8_t> LongOrTied(const DrawingOptions& options, const Draft& draft) {
+  const EndsAtNode ends = CollectEnds(draft);
+  const auto tied = [&](int node) { return node >= 0 && ends.at(node).size() > 1; };
+  std::vector<uint8_t> keep;
+  for (const DraftLink& link : draft.links) {
+    const bool both_tied = tied(link.node[0]) && tied(link.node[1]);
+    keep.push_back(link.size() >= 2 && LengthPx(link) > 0 &&
+                   (link.closed || both_tied || LengthPx(link) >= options.min_link_length_px));
+  }
+  return keep;
+}
+
+// Shorter links that run along longer ones.
+class CoverageCheck {
+ public:
+  CoverageCheck(const DrawingOptions& options, const Draft& draft)
+      : options_(options), draft_(draft), grid_(2 * options.merge_distance_px) {
+    for (size_t i = 0; i < draft.links.size(); ++i) {
+      const DraftLink& link = draft.links[i];
+      for (int k = 0; k < link.size(); ++k) {
+        grid_.Add(static_cast<int>(places_.size()), link.position[k], link.footprint[k]);
+        places_.push_back({static_cast<int>(i), k});
+      }
+    }
+  }
+
+  std::vector<uint8_t> NotCovered() const {
+    std::vector<std::pair<double, int>> order;
+    for (size_t i = 0; i < draft_.links.size(); ++i) {
+      order.push_back({LengthPx(draft_.links[i]), static_cast<int>(i)});
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<uint8_t> keep(draft_.links.size(), 1);
+    for (const auto& [length, id] : order) {
+      if (Covered(id, keep)) keep[id] = 0;
+    }
+    return keep;
+  }
+
+ private:
+  static Eigen::Vector3d Direction(const DraftLink& link, int k) {
+    const int last = link.size() - 1;
+    const Eigen::Vector3d chord =
+        link.position[std::min(k + 1, last)] - link.position[std::max(k - 1, 0)];
+    return chord.norm() > 0 ? Eigen::Vector3d(chord.normalized()) : chord;
+  }
+
+  bool Covered(int id, const std::vector<uint8_t>& keep) const {
+    const DraftLink& link = draft_.links[id];
+    const double min_cosine = std::cos(options_.max_link_angle_deg * kDeg);
+    int covered = 0;
+    for (int k = 0; k < link.size(); ++k) {
+      const double footprint = link.footprint[k];
+      const double radius = 2 * options_.merge_distance_px * footprint;
+      const Eigen::Vector3d direction = Direction(link, k);
+      bool found = false;
+      grid_.ForEachNear(link.position[k], footprint, [&](int place) {
+        const auto& [other, index] = places_[place];
+        if (found || other == id || !keep[other]) return;
+        const Eigen::Vector3d offset = draft_.links[other].position[index] - link.position[k];
+        const double along = offset.dot(direction);
+        if (std::abs(along) > radius) return;
+        // Across, errors may be large along the weak direction of the sample only.
+        const Eigen::Vector3d across = offset - along * direction;
+        const double chi_squared = across.dot(link.information[k] * across);
+        const bool near = across.norm() <= options_.merge_distance_px * footprint ||
+                          (across.norm() <= radius && chi_squared < 9);
+        found = near && std::abs(Direction(draft_.links[other], index).dot(direction)) > min_cosine;
+      });
+      covered += found;
+    }
+    return covered >= kCoveredShare * link.size();
+  }
+
+  const DrawingOptions& options_;
+  const Draft& draft_;
+  VertexGrid grid_;
+  std::vector<std::pair<int, int>> places_;
+};
+
+int64_t Remove(const std::vector<uint8_t>& keep, int64_t* num_links, Draft* draft) {
+  int64_t num_samples = 0;
+  int64_t removed = 0;
+  for (size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i]) continue;
+    ++removed;
+    num_samples += NumSamples(draft->links[i]);
+  }
+  *num_links += removed;
+  KeepLinks(keep, draft);
+  return num_samples;
+}
+
+}  // namespace
+
+CleanupCounts CleanUp(const SampleSet&, const DrawingOptions& options, Draft* draft) {
+  CleanupCounts counts;
+  counts.dissolved_nodes += NodeCleaner(options, draft).Run();
+  counts.samples_covered +=
+      Remove(CoverageCheck(options, *draft).NotCovered(), &counts.covered_links, draft);
+  for (bool changed = true; changed;) {
+    counts.dissolved_nodes += NodeCleaner(options, draft).Run();
+    const int64_t before = counts.pruned_links;
+    counts.samples_pruned += Remove(LongOrTied(options, *draft), &counts.pruned_links, draft);
+    changed = counts.pruned_links > before;
+  }
+  return counts;
+}
+
+}  // namespace limn

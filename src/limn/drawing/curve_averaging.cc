@@ -1,0 +1,101 @@
+#include "limn/drawing/curve_averaging.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace limn {
+namespace {
+
+// Samples to either side of the partner in which the closest point is sought.
+constexpr int kSearchSamples = 6;
+// Partners further off than this multiple of the merge distance are not averaged.
+constexpr double kOutlierFactor = 2;
+
+// Closest point to x on the other curve near `partner`; nothing where the foot is beyond the curve's end.
+std::optional<Eigen::Vector3d> ClosestNear(const SampleSet& samples, int partner,
+                                           const Eigen::Vector3d& x) {
+  const int curve = samples.curve_of[partner];
+  const int first = std::max(samples.curve_begin[curve], partner - kSearchSamples);
+  const int last = std::min(samples.curve_begin[curve + 1] - 1, partner + kSearchSamples);
+  double best = std::numeric_limits<double>::infinity();
+  std::optional<Eigen::Vector3d> closest;
+  for (int s = first; s < last; ++s) {
+    const Eigen::Vector3d along = samples.position[s + 1] - samples.position[s];
+    const double squared = along.squaredNorm();
+    if (!(squared > 0)) continue;
+    const double t = (x - samples.position[s]).dot(along) / squared;
+    const bool beyond = (t < 0 && s == samples.curve_begin[curve]) ||
+                        (t > 1 && s + 2 == samples.curve_begin[curve + 1]);
+    const Eigen::Vector3d foot = samples.position[s] + std::clamp(t, 0.0, 1.0) * along;
+    const double distance = (x - foot).squaredNorm();
+    if (distance >= best) continue;
+    best = distance;
+    closest = beyond && !samples.origins[curve].closed ? std::nullopt : std::optional(foot);
+  }
+  return closest;
+}
+
+Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap>& overlaps, int s,
+                        int k, const DrawingOptions& options) {
+  const Eigen::Vector3d& x = samples.position[s];
+  const Eigen::Vector3d& tangent = samples.tangent[s];
+  const double footprint = samples.footprint[s];
+  Eigen::Matrix<double, 3, 2> across;
+  across.col(0) = tangent.unitOrthogonal();
+  across.col(1) = tangent.cross(across.col(0));
+  // Every estimate is at best known to a tenth of a pixel: none may rule alone.
+  const double floor = std::pow(0.1 * footprint, 2);
+  const auto weight = [&](int sample) {
+    const Eigen::Matrix2d information =
+        across.transpose() * samples.information[sample] * across +
+        Eigen::Matrix2d::Identity() / std::pow(30 * footprint, 2);
+    return Eigen::Matrix2d((information.inverse() + floor * Eigen::Matrix2d::Identity()).inverse());
+  };
+  Eigen::Matrix2d sum = weight(s);
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  const double max_distance = kOutlierFactor * options.merge_distance_px * footprint;
+  for (const CurveOverlap& overlap : overlaps) {
+    if (overlap.partner[k] < 0) continue;
+    const auto foot = ClosestNear(samples, overlap.partner[k], x);
+    if (!foot || (*foot - x).norm() > 3 * max_distance) continue;
+    const Eigen::Vector2d offset = across.transpose() * (*foot - x);
+    const Eigen::Matrix2d w = weight(overlap.partner[k]);
+    // Distance in units of the better determined direction, so that depth errors do not exclude.
+    const double mahalanobis_px = std::sqrt(offset.dot(w * offset) / w.trace()) / footprint;
+    if (mahalanobis_px > kOutlierFactor * options.merge_distance_px) continue;
+    sum += w;
+    right += w * offset;
+  }
+  return x + across * sum.inverse() * right;
+}
+
+}  // namespace
+
+int AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
+                  const RunContext& context, SampleSet* samples) {
+  std::vector<Eigen::Vector3d> next = samples->position;
+  for (int round = 1; round <= options.max_averaging_rounds; ++round) {
+    std::vector<double> moved(samples->NumCurves(), 0);
+    ParallelFor(context, "averaging", moved.size(), [&](size_t c) {
+      if (network.overlaps[c].empty()) return;
+      for (int k = 0; k < samples->Size(static_cast<int>(c)); ++k) {
+        const int s = samples->curve_begin[c] + k;
+        next[s] = Average(*samples, network.overlaps[c], s, k, options);
+        moved[c] = std::max(moved[c],
+                            (next[s] - samples->position[s]).norm() / samples->footprint[s]);
+      }
+    });
+    samples->position = next;
+    if (*std::max_element(moved.begin(), moved.end()) <= options.averaging_tolerance_px) {
+      return round;
+    }
+  }
+  return options.max_averaging_rounds;
+}
+
+}  // namespace limn

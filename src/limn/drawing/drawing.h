@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/drawing/drawing_options.h"
+#include "limn/model/curve3d.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/util/parallel.h"
+#include "limn/util/stage_summary.h"
+
+namespace limn {
+
+// `curves[v]` belongs to `views[v]`; the sketch's support lists point into `curves`.
+struct DrawingInput {
+  const std::vector<View>& views;
+  const std::vector<ImageCurves>& curves;
+  const CurveSketch& sketch;
+};
+
+struct DrawingResult {
+  DrawingGraph graph;
+  StageSummary summary;
+};
+
+// The 3D drawing (ECCV 2016, sections 4 and 5): re-triangulate the samples of the sketch from all their
+// edgels, build the local and the curve-level consistency network, average the curves of each cluster,
+// merge them into links, find corners and T junctions across clusters. The graph passes Validate().
+DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
+                           const RunContext& context);
+
+}  // namespace limn

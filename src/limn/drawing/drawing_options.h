@@ -1,0 +1,60 @@
+#pragma once
+
+#include "limn/support/edgel_index.h"
+
+namespace limn {
+
+struct DrawingOptions {
+  // Edgels within this distance across the edge and this angle support a sample.
+  double max_support_distance_px = 1.5;
+  double max_support_angle_deg = 15;
+
+  // Re-triangulation: residuals beyond this count linearly (Huber), px.
+  double robust_residual_px = 0.6;
+  // Strength of the smoothing along a curve: the standard deviation allowed for the change of direction
+  // from one sample to the next, px. Smaller is smoother; data that determine a sample well win.
+  double bending_sigma_px = 0.03;
+  // Views, the anchor included, that must still support a sample after re-triangulation.
+  int min_supporting_views = 4;
+
+  // Local consistency network: samples that share edgels in this many views are strongly (tau_eps) or
+  // densely linked.
+  int strong_link_views = 3;
+  int dense_link_views = 2;
+  // Curve consistency network: two curves are linked by strong links over this arc length (tau_sl), px.
+  double min_linked_length_px = 5;
+  // Gaps in the overlap of two curves up to this length are filled, overlaps below it removed, px.
+  double overlap_regularity_px = 9;
+  // Directions of linked curves differ by less than this.
+  double max_link_angle_deg = 25;
+
+  // Averaging stops when no sample moves by more than this, px, or after the number of rounds.
+  double averaging_tolerance_px = 0.05;
+  int max_averaging_rounds = 30;
+
+  // A sample belongs to a link when their reprojections are this near, px (tau_merge).
+  double merge_distance_px = 1.5;
+  // A link must be seen by curves of this many primary views to be believed, unless it is well
+  // supported otherwise.
+  int min_primary_views = 2;
+  // Stubs shorter than this are not branches, px (tau_branch).
+  double min_branch_length_px = 10;
+  // Links shorter than this that hang by one end or by none are dropped, px.
+  double min_link_length_px = 10;
+  // Link ends (and junctions) this near meet in one node, px (tau_junc).
+  double junction_distance_px = 4;
+  // Largest gap bridged between link ends whose tangent lines meet, px, and how near they must pass.
+  double max_junction_gap_px = 10;
+  double max_junction_miss_px = 2;
+  // Views in which the images must show that the curves meet.
+  int min_junction_views = 3;
+  // Two links that meet alone in a node and turn by less than this are one link.
+  double max_continuation_angle_deg = 30;
+
+  SupportGate Gate() const {
+    return {max_support_distance_px, 1.0, max_support_angle_deg * M_PI / 180};
+  }
+  void Check() const;
+};
+
+}  // namespace limn

@@ -1,0 +1,239 @@
+#include "limn/drawing/retriangulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "limn/drawing/curve_smoothing.h"
+#include "limn/support/edgel_residual.h"
+
+namespace limn {
+namespace {
+
+constexpr int kRounds = 3;
+constexpr int kGaussNewtonSteps = 3;
+// Errors of an edgel that its own sigma does not know: calibration, sampling, px.
+constexpr double kModelSigmaPx = 0.2;
+// Standard deviation of the pull back to where a step began, px: decides nothing but what the edgels
+// leave open.
+constexpr double kPriorSigmaPx = 3;
+// One curve on its way.
+struct WorkingCurve {
+  std::vector<Eigen::Vector3d> position;
+  std::vector<Eigen::Vector3d> tangent;
+  std::vector<Eigen::Matrix3d> information;
+  std::vector<double> footprint;
+  std::vector<std::vector<EdgelRef>> support;
+  bool closed = false;
+
+  int size() const { return static_cast<int>(position.size()); }
+};
+
+class CurveRetriangulation {
+ public:
+  CurveRetriangulation(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                       const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                       const DrawingOptions& options)
+      : views_(views), curves_(curves), evidence_(evidence), options_(options) {}
+
+  WorkingCurve Run(const Curve3D& curve) const {
+    WorkingCurve working;
+    working.closed = curve.closed;
+    working.position = curve.points_in_world;
+    working.tangent = curve.tangents_in_world;
+    working.information.resize(curve.size());
+    working.footprint.resize(curve.size());
+    for (size_t s = 0; s < curve.size(); ++s) {
+      const auto edgels = curve.support.Of(s);
+      working.support.emplace_back(edgels.begin(), edgels.end());
+    }
+    for (int round = 0; round < kRounds; ++round) {
+      for (int s = 0; s < working.size(); ++s) MoveToEdgels(s, &working);
+      working.position = SmoothCurve({working.position, working.tangent, working.information,
+                                      working.footprint, working.closed},
+                                     options_.bending_sigma_px, false);
+      UpdateTangents(&working);
+      UpdateSupport(curve, &working);
+    }
+    return working;
+  }
+
+ private:
+  const Edgel& EdgelOf(const EdgelRef& ref) const {
+    return curves_[ref.view].edge_map.edgels[ref.edgel];
+  }
+
+  double MedianFootprint(const Eigen::Vector3d& point, const std::vector<EdgelRef>& support) const {
+    std::vector<double> footprints;
+    for (const EdgelRef& ref : support) {
+      if (const auto footprint = Footprint(views_[ref.view], point)) footprints.push_back(*footprint);
+    }
+    if (footprints.empty()) return 0;
+    const auto middle = footprints.begin() + footprints.size() / 2;
+    std::nth_element(footprints.begin(), middle, footprints.end());
+    return *middle;
+  }
+
+  // Robust Gauss-Newton in the plane across the curve.
+  void MoveToEdgels(int s, WorkingCurve* working) const {
+    const std::vector<EdgelRef>& support = working->support[s];
+    Eigen::Vector3d& position = working->position[s];
+    const Eigen::Vector3d start = position;
+    const double footprint = MedianFootprint(position, support);
+    working->footprint[s] = footprint > 0 ? footprint : working->footprint[s];
+    const Eigen::Vector3d& tangent = working->tangent[s];
+    Eigen::Matrix<double, 3, 2> across;
+    across.col(0) = tangent.unitOrthogonal();
+    across.col(1) = tangent.cross(across.col(0));
+    const double prior = 1 / std::pow(kPriorSigmaPx * working->footprint[s], 2);
+    Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+    for (int step = 0; step < kGaussNewtonSteps; ++step) {
+      information.setZero();
+      Eigen::Vector2d right = -prior * (across.transpose() * (position - start));
+      for (const EdgelRef& ref : support) {
+        const Edgel& edgel = EdgelOf(ref);
+        const auto residual = ResidualToEdgel(views_[ref.view], edgel, position);
+        if (!residual) continue;
+        const double sigma = std::hypot<double>(edgel.position_sigma_px, kModelSigmaPx);
+        const double size = std::abs(residual->residual_px);
+        const double robust =
+            size > options_.robust_residual_px ? options_.robust_residual_px / size : 1;
+        const double weight = robust / (sigma * sigma);
+        const Eigen::Vector2d gradient = across.transpose() * residual->gradient;
+        information += weight * gradient * gradient.transpose();
+        right -= weight * gradient * residual->residual_px;
+      }
+      const Eigen::Matrix2d damped = information + prior * Eigen::Matrix2d::Identity();
+      position += across * damped.inverse() * right;
+    }
+    working->information[s] = across * information * across.transpose();
+  }
+
+  static void UpdateTangents(WorkingCurve* working) {
+    const int size = working->size();
+    for (int s = 0; s < size; ++s) {
+      const int before = working->closed ? (s + size - 2) % size : std::max(s - 2, 0);
+      const int after = working->closed ? (s + 2) % size : std::min(s + 2, size - 1);
+      const Eigen::Vector3d chord = working->position[after] - working->position[before];
+      if (chord.norm() > 0) working->tangent[s] = chord.normalized();
+    }
+  }
+
+  // The nearest edgels where the sample now is, in all views that support any of the curve.
+  void UpdateSupport(const Curve3D& curve, WorkingCurve* working) const {
+    std::vector<ViewId> views;
+    for (const auto& support : working->support) {
+      for (const EdgelRef& ref : support) views.push_back(ref.view);
+    }
+    std::sort(views.begin(), views.end());
+    views.erase(std::unique(views.begin(), views.end()), views.end());
+    const SupportGate gate = options_.Gate();
+    for (int s = 0; s < working->size(); ++s) {
+      std::vector<EdgelRef> support;
+      for (const ViewId v : views) {
+        const auto pixel = views_[v].Project(working->position[s]);
+        if (!pixel) continue;
+        const auto direction =
+            ProjectedDirection(views_[v], working->position[s], working->tangent[s]);
+        if (!direction) continue;
+        const auto match = evidence_[v]->edgels.Best(*pixel, *direction, gate);
+        if (match) support.push_back({v, match->edgel});
+      }
+      // The anchor's own edgel stays the sample's identity while it supports it at all.
+      for (EdgelRef& ref : support) {
+        if (ref.view == curve.anchor.view) ref = OwnEdgel(curve, s);
+      }
+      working->support[s] = std::move(support);
+    }
+  }
+
+  EdgelRef OwnEdgel(const Curve3D& curve, int s) const {
+    for (const EdgelRef& ref : curve.support.Of(s)) {
+      if (ref.view == curve.anchor.view) return ref;
+    }
+    return {};
+  }
+
+  const std::vector<View>& views_;
+  const std::vector<ImageCurves>& curves_;
+  const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
+  const DrawingOptions& options_;
+};
+
+class SampleCollector {
+ public:
+  SampleCollector(const DrawingOptions& options, RetriangulationStats* stats)
+      : options_(options), stats_(stats) {}
+
+  void Add(const WorkingCurve& working, int sketch_curve, ViewId anchor_view) {
+    const int size = working.size();
+    stats_->samples_in += size;
+    const auto supported = [&](int s) {
+      return static_cast<int>(working.support[s].size()) >= options_.min_supporting_views;
+    };
+    // Single unsupported samples do not cut a curve.
+    const auto usable = [&](int s) {
+      return supported(s) || (s > 0 && s + 1 < size && supported(s - 1) && supported(s + 1));
+    };
+    int begin = 0;
+    for (int s = 0; s <= size; ++s) {
+      if (s < size && usable(s)) continue;
+      AddRun(working, begin, s, sketch_curve, anchor_view);
+      if (s < size) ++stats_->too_few_views;
+      begin = s + 1;
+    }
+  }
+
+  SampleSet Take() { return std::move(samples_); }
+
+ private:
+  void AddRun(const WorkingCurve& working, int begin, int end, int sketch_curve,
+              ViewId anchor_view) {
+    double length_px = 0;
+    for (int s = begin + 1; s < end; ++s) {
+      length_px += (working.position[s] - working.position[s - 1]).norm() / working.footprint[s];
+    }
+    if (length_px < options_.min_linked_length_px) {
+      stats_->piece_too_short += end - begin;
+      return;
+    }
+    stats_->samples_kept += end - begin;
+    const int curve = samples_.NumCurves();
+    const bool whole = end - begin == working.size();
+    samples_.origins.push_back({sketch_curve, begin, anchor_view, working.closed && whole});
+    for (int s = begin; s < end; ++s) {
+      samples_.curve_of.push_back(curve);
+      samples_.position.push_back(working.position[s]);
+      samples_.tangent.push_back(working.tangent[s]);
+      samples_.information.push_back(working.information[s]);
+      samples_.footprint.push_back(working.footprint[s]);
+      samples_.support.Append(working.support[s]);
+    }
+    samples_.curve_begin.push_back(samples_.NumSamples());
+  }
+
+  const DrawingOptions& options_;
+  RetriangulationStats* stats_;
+  SampleSet samples_;
+};
+
+}  // namespace
+
+SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& views,
+                        const std::vector<ImageCurves>& curves,
+                        const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                        const DrawingOptions& options, const RunContext& context,
+                        RetriangulationStats* stats) {
+  const CurveRetriangulation retriangulation(views, curves, evidence, options);
+  std::vector<WorkingCurve> working(sketch.curves.size());
+  ParallelFor(context, "re-triangulation", sketch.curves.size(),
+              [&](size_t c) { working[c] = retriangulation.Run(sketch.curves[c]); });
+  SampleCollector collector(options, stats);
+  for (size_t c = 0; c < working.size(); ++c) {
+    collector.Add(working[c], static_cast<int>(c), sketch.curves[c].anchor.view);
+  }
+  return collector.Take();
+}
+
+}  // namespace limn

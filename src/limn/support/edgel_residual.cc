@@ -1,0 +1,42 @@
+#include "limn/support/edgel_residual.h"
+
+#include <cmath>
+
+namespace limn {
+
+std::optional<EdgelResidual> ResidualToEdgel(const View& view, const Edgel& edgel,
+                                             const Eigen::Vector3d& point_in_world) {
+  const Eigen::Vector3d point = view.cam_from_world * point_in_world;
+  if (!(point.z() > 0)) return std::nullopt;
+  const Eigen::Vector2d pixel = view.camera.Project(point);
+  const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
+  const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
+  const Eigen::Vector2d normal(tangent.y(), -tangent.x());
+  const Eigen::Vector2d row = stored_from_virtual.transpose() * normal;
+  const double fx = view.camera.fx / point.z();
+  const double fy = view.camera.fy / point.z();
+  const Eigen::Vector3d gradient_in_cam(
+      row.x() * fx, row.y() * fy,
+      -(row.x() * fx * point.x() + row.y() * fy * point.y()) / point.z());
+  return EdgelResidual{row.dot(pixel - edgel.position_px),
+                       view.cam_from_world.rotation.conjugate() * gradient_in_cam};
+}
+
+std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d& point_in_world,
+                                         const Eigen::Vector3d& tangent_in_world) {
+  const Eigen::Vector3d point = view.cam_from_world * point_in_world;
+  if (!(point.z() > 0)) return std::nullopt;
+  const Eigen::Vector3d tangent = view.cam_from_world.rotation * tangent_in_world;
+  const double dx = view.camera.fx * (tangent.x() * point.z() - point.x() * tangent.z());
+  const double dy = view.camera.fy * (tangent.y() * point.z() - point.y() * tangent.z());
+  if (dx == 0 && dy == 0) return std::nullopt;
+  return std::atan2(dy, dx);
+}
+
+std::optional<double> Footprint(const View& view, const Eigen::Vector3d& point_in_world) {
+  const double depth = (view.cam_from_world * point_in_world).z();
+  if (!(depth > 0)) return std::nullopt;
+  return depth / view.camera.MeanFocal();
+}
+
+}  // namespace limn
