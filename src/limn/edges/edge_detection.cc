@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -125,14 +126,18 @@ std::vector<RefinedEdgel> DetectInChannel(const Channel& channel, const Refineme
                                           const Skip& skip) {
   const SubpixelDerivatives derivatives(channel.plane, context.sigma_px);
   const int width = channel.plane.width;
+  // Below this nowhere an edge.
+  double lowest = std::numeric_limits<double>::max();
+  for (const double level : context.noise.level) {
+    lowest = std::min(lowest, kGridStrengthShare * context.ThresholdAt(level));
+  }
+  if (context.noise.level.empty()) lowest = kGridStrengthShare * context.ThresholdAt(0);
   std::vector<RefinedEdgel> edgels;
   for (int y = 0; y < channel.plane.height; ++y) {
     for (int x = 0; x < width; ++x) {
       const size_t i = static_cast<size_t>(y) * width + x;
-      if (!usable[i] || !(channel.magnitude[i] > 0)) continue;
-      if (!NearMaximum(channel, i)) continue;
-      const double noise = context.noise.At(channel.gradient.smooth[i]);
-      const double threshold = std::max(context.noise_factor * noise, context.min_strength);
+      if (!usable[i] || !(channel.magnitude[i] > lowest) || !NearMaximum(channel, i)) continue;
+      const double threshold = context.ThresholdAt(channel.gradient.smooth[i]);
       if (channel.magnitude[i] < kGridStrengthShare * threshold) continue;
       if (skip(x, y, std::atan2(channel.gradient.dx[i], -channel.gradient.dy[i]))) continue;
       const auto refined = RefineEdgel(derivatives, x, y, context);

@@ -99,7 +99,7 @@ std::optional<RefinedEdgel> RefineEdgel(const SubpixelDerivatives& derivatives, 
     if (iteration + 1 == kMaxIterations) return std::nullopt;
   }
   const double noise = context.noise.At(jet.value);
-  const double threshold = std::max(context.noise_factor * noise, context.min_strength);
+  const double threshold = context.ThresholdAt(jet.value);
   if (jet.n < threshold) return std::nullopt;
 
   const double normal_rad =

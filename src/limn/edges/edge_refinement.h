@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "limn/edges/gaussian_derivatives.h"
@@ -16,6 +17,10 @@ struct RefinementContext {
   // min_strength, grey levels per px.
   double noise_factor = 0;
   double min_strength = 0;
+
+  double ThresholdAt(double grey_level) const {
+    return std::max(noise_factor * noise.At(grey_level), min_strength);
+  }
 };
 
 // An edgel and its strength in multiples of the threshold that applied to it, >= 1.

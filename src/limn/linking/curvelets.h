@@ -14,8 +14,8 @@ using Curvelet = std::vector<EdgelId>;
 // The curvelets through an edgel (Guo et al. 2014; "CC3D" bundles). The edgel's position across the
 // curve and its direction may be off by the tolerances; for every such perturbation (a cell of a
 // small grid) the neighbours that an arc must pass leave an interval of curvatures, the bundle.
-// Starting from each neighbour that is in no curvelet yet, others are added nearest first as long as
-// some cell's interval is not empty. Time: neighbours times curvelets.
+// Starting from each neighbour that is in no curvelet yet, others are added nearest first as long
+// as some cell's interval is not empty. Time: neighbours times curvelets.
 class CurveletBuilder {
  public:
   // Both arguments must outlive the builder.

@@ -12,12 +12,16 @@ namespace {
 
 using Eigen::Vector2d;
 
+// Smoothing rounds a corner over this distance from its apex.
+constexpr double kCornerRadiusPx = 1.5;
 // A corner turns this much more than the curve beside it.
 constexpr double kMinCornerExcessRad = 0.4;
 // Directions of chain ends are taken over this length.
 constexpr double kEndArmPx = 5;
 // A gap must be within this distance of the straight continuation of either end.
 constexpr double kMaxBridgeOffsetPx = 1.0;
+// A stem heads for a bar within about 45 degrees.
+constexpr double kMinHeadingCosine = 0.7;
 
 double Radians(double degrees) { return degrees * M_PI / 180; }
 
@@ -25,28 +29,39 @@ double AngleBetween(const Vector2d& a, const Vector2d& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
-// Turning between the arms on both sides of each vertex; 0 near the ends of an open chain.
+// Turning between the arms on both sides of each vertex; -1 near the ends of an open chain.
 std::vector<double> TurningAngles(const FragmentPath& path, double arm_px) {
-  std::vector<double> turning(path.size(), 0);
+  std::vector<double> turning(path.size(), -1);
   for (int i = 0; i < path.size(); ++i) {
-    const auto back = path.ArmAt(i, -1, arm_px);
-    const auto front = path.ArmAt(i, 1, arm_px);
-    if (std::min(back.length_px, front.length_px) < 0.5 * arm_px) continue;
+    const auto back = path.ArmAt(i, -1, kCornerRadiusPx, kCornerRadiusPx + arm_px);
+    const auto front = path.ArmAt(i, 1, kCornerRadiusPx, kCornerRadiusPx + arm_px);
+    if (std::min(back.reach_px, front.reach_px) < kCornerRadiusPx + 0.5 * arm_px) continue;
     turning[i] = AngleBetween(-back.direction, front.direction);
   }
   return turning;
 }
 
-// Turning beside vertex i, one arm away on either side, averaged.
+// One and a half standard deviations of the turning of a straight chain of edgels like this one: a
+// line fitted to n points over the arm errs by sqrt(12 / n) sigma / arm, neighbouring edgels share
+// their noise (n = arm / 2), and there are two arms.
+double TurningNoise(const Edgel& edgel, double arm_px) {
+  return 1.5 * std::sqrt(2 * 24 / arm_px) * edgel.position_sigma_px / arm_px;
+}
+
+// Turning beside vertex i, one arm away: the mean of both sides, or the one side where the chain
+// goes on far enough to tell.
 double TurningBeside(const FragmentPath& path, const std::vector<double>& turning, int i,
                      double arm_px) {
   double sum = 0;
+  int sides = 0;
   for (const int direction : {-1, 1}) {
-    double at_end = 0;
-    path.Walk(i, direction, arm_px, [&](int j, double) { at_end = turning[j]; });
-    sum += at_end;
+    int last = i;
+    path.Walk(i, direction, kCornerRadiusPx + arm_px, [&](int j, double) { last = j; });
+    if (last == i || turning[last] < 0) continue;
+    sum += turning[last];
+    ++sides;
   }
-  return 0.5 * sum;
+  return sides > 0 ? sum / sides : 0;
 }
 
 bool IsLargestWithin(const FragmentPath& path, const std::vector<double>& turning, int i,
@@ -79,10 +94,10 @@ ChainEnds CollectEnds(const std::vector<Edgel>& edgels, const Chaining& chaining
     if (chain.closed) continue;
     const FragmentPath path(edgels, chain);
     const int last = path.size() - 1;
-    ends.heads.push_back(
-        {chain.edgel_ids[0], path.Point(0), path.ArmAt(0, 1, kEndArmPx).direction, path.Length()});
+    ends.heads.push_back({chain.edgel_ids[0], path.Point(0),
+                          path.ArmAt(0, 1, 0, kEndArmPx).direction, path.Length()});
     ends.tails.push_back({chain.edgel_ids[last], path.Point(last),
-                          -path.ArmAt(last, -1, kEndArmPx).direction, path.Length()});
+                          -path.ArmAt(last, -1, 0, kEndArmPx).direction, path.Length()});
   }
   return ends;
 }
@@ -117,6 +132,61 @@ double BridgeCost(const ChainEnd& tail, const ChainEnd& head, const LinkingOptio
   return worst <= max_angle ? length * (1 + worst / max_angle) : -1;
 }
 
+// Which chain an edgel is on and where.
+struct ChainIndex {
+  std::vector<CurveFragment> chains;
+  std::vector<FragmentPath> paths;
+  std::vector<int> chain_of;     // of an edgel, -1: none
+  std::vector<int> position_of;  // of an edgel in its chain
+
+  ChainIndex(const std::vector<Edgel>& edgels, const Chaining& chaining)
+      : chains(TraceChains(chaining)), chain_of(edgels.size(), -1), position_of(edgels.size(), -1) {
+    for (size_t c = 0; c < chains.size(); ++c) {
+      paths.emplace_back(edgels, chains[c]);
+      for (size_t k = 0; k < chains[c].edgel_ids.size(); ++k) {
+        chain_of[chains[c].edgel_ids[k]] = static_cast<int>(c);
+        position_of[chains[c].edgel_ids[k]] = static_cast<int>(k);
+      }
+    }
+  }
+
+  double ArcLength(EdgelId id) const { return paths[chain_of[id]].ArcLength(position_of[id]); }
+
+  // Is the edgel at least this far from both ends of its chain?
+  bool IsInterior(EdgelId id, double margin_px) const {
+    if (chain_of[id] < 0) return false;
+    const FragmentPath& path = paths[chain_of[id]];
+    return path.closed() || std::min(ArcLength(id), path.Length() - ArcLength(id)) >= margin_px;
+  }
+};
+
+// The nearest interior edgel of another chain that a chain end heads for at an angle, or none.
+EdgelId BarOfStem(const std::vector<Edgel>& edgels, const LinkingOptions& options,
+                  const ChainIndex& index, const EdgelGrid& grid, const ChainEnd& stem,
+                  const Vector2d& outward) {
+  EdgelId best = kInvalidEdgel;
+  if (stem.chain_length_px < options.junction_stem_px) return best;
+  const double min_angle = Radians(options.junction_angle_deg);
+  double best_distance = 0;
+  std::vector<EdgelId> near;
+  grid.Near(stem.position, options.junction_distance_px, &near);
+  for (const EdgelId id : near) {
+    if (index.chain_of[id] == index.chain_of[stem.id]) continue;
+    if (!index.IsInterior(id, options.min_length_px)) continue;
+    const Vector2d gap = edgels[id].position_px - stem.position;
+    const double distance = gap.norm();
+    if (distance > 1 && gap.dot(outward) < kMinHeadingCosine * distance) continue;
+    const double turn = AngleBetween(edgels[id].Tangent(), outward);
+    if (std::min(turn, M_PI - turn) < min_angle) continue;
+    if (best == kInvalidEdgel || distance < best_distance ||
+        (distance == best_distance && id < best)) {
+      best = id;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
@@ -129,8 +199,9 @@ int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& optio
     if (path.Length() < arm) continue;
     const std::vector<double> turning = TurningAngles(path, arm);
     for (int i = 0; i < path.size(); ++i) {
-      if (turning[i] < min_turning || !IsLargestWithin(path, turning, i, arm)) continue;
-      if (turning[i] - TurningBeside(path, turning, i, arm) < kMinCornerExcessRad) continue;
+      const double noise = TurningNoise(edgels[chain.edgel_ids[i]], arm);
+      if (turning[i] < min_turning + noise || !IsLargestWithin(path, turning, i, arm)) continue;
+      if (turning[i] - TurningBeside(path, turning, i, arm) < kMinCornerExcessRad + noise) continue;
       chaining->BreakAfter(chain.edgel_ids[i]);
       ++breaks;
     }
@@ -171,63 +242,29 @@ int BridgeGaps(const std::vector<Edgel>& edgels, const LinkingOptions& options,
 
 int BreakAtJunctions(const std::vector<Edgel>& edgels, const LinkingOptions& options,
                      Chaining* chaining) {
-  const std::vector<CurveFragment> chains = TraceChains(*chaining);
-  std::vector<int> chain_of(edgels.size(), -1);
-  std::vector<int> index_of(edgels.size(), -1);
-  std::vector<FragmentPath> paths;
-  for (size_t c = 0; c < chains.size(); ++c) {
-    paths.emplace_back(edgels, chains[c]);
-    for (size_t k = 0; k < chains[c].edgel_ids.size(); ++k) {
-      chain_of[chains[c].edgel_ids[k]] = static_cast<int>(c);
-      index_of[chains[c].edgel_ids[k]] = static_cast<int>(k);
-    }
-  }
-  // Far enough from the ends of the chain it lies on that both parts survive.
-  const auto is_interior = [&](EdgelId id) {
-    const FragmentPath& path = paths[chain_of[id]];
-    const double at = path.ArcLength(index_of[id]);
-    return path.closed() || std::min(at, path.Length() - at) >= options.min_length_px;
-  };
-
+  const ChainIndex index(edgels, *chaining);
   const EdgelGrid grid(edgels, std::max(1.0, options.junction_distance_px));
-  const double min_angle = Radians(options.junction_angle_deg);
   const ChainEnds ends = CollectEnds(edgels, *chaining);
-  std::vector<EdgelId> breaks;
-  std::vector<EdgelId> near;
-  for (const auto* side : {&ends.heads, &ends.tails}) {
-    for (const ChainEnd& stem : *side) {
-      if (stem.chain_length_px < options.junction_stem_px) continue;
-      near.clear();
-      grid.Near(stem.position, options.junction_distance_px, &near);
-      EdgelId best = kInvalidEdgel;
-      double best_distance = 0;
-      for (const EdgelId id : near) {
-        if (chain_of[id] < 0 || chain_of[id] == chain_of[stem.id] || !is_interior(id)) continue;
-        const double turn = AngleBetween(edgels[id].Tangent(), stem.along);
-        if (std::min(turn, M_PI - turn) < min_angle) continue;
-        const double distance = (edgels[id].position_px - stem.position).norm();
-        if (best == kInvalidEdgel || distance < best_distance ||
-            (distance == best_distance && id < best)) {
-          best = id;
-          best_distance = distance;
-        }
-      }
-      if (best != kInvalidEdgel) breaks.push_back(best);
-    }
+  std::vector<EdgelId> bars;
+  for (const ChainEnd& head : ends.heads) {
+    bars.push_back(BarOfStem(edgels, options, index, grid, head, -head.along));
   }
-  std::sort(breaks.begin(), breaks.end());
-  std::vector<double> broken_at;
+  for (const ChainEnd& tail : ends.tails) {
+    bars.push_back(BarOfStem(edgels, options, index, grid, tail, tail.along));
+  }
+  std::sort(bars.begin(), bars.end());
+  std::vector<std::vector<double>> broken_at(index.chains.size());
   int count = 0;
-  std::vector<std::vector<double>> broken_of_chain(chains.size());
-  for (const EdgelId id : breaks) {
-    const double at = paths[chain_of[id]].ArcLength(index_of[id]);
-    std::vector<double>& broken = broken_of_chain[chain_of[id]];
-    const bool taken = std::any_of(broken.begin(), broken.end(), [&](double other) {
+  for (const EdgelId bar : bars) {
+    if (bar == kInvalidEdgel) continue;
+    const double at = index.ArcLength(bar);
+    std::vector<double>& taken = broken_at[index.chain_of[bar]];
+    const bool is_near = std::any_of(taken.begin(), taken.end(), [&](double other) {
       return std::abs(other - at) < options.min_length_px;
     });
-    if (taken) continue;
-    broken.push_back(at);
-    chaining->BreakAfter(id);
+    if (is_near) continue;
+    taken.push_back(at);
+    chaining->BreakAfter(bar);
     ++count;
   }
   return count;

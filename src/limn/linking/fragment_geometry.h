@@ -41,13 +41,14 @@ class FragmentPath {
     }
   }
 
-  // Direction from vertex i to the mean of its neighbours on one side (unit), and how far that side
-  // reaches. Zero vector where there is none.
+  // The straight line fitted to the vertices on one side of vertex i whose arc length from it is
+  // between `from_px` (the vertex itself included if 0) and `to_px`: its direction away from i
+  // (unit; zero vector if fewer than two vertices), and how far the vertices reach.
   struct Arm {
     Eigen::Vector2d direction = Eigen::Vector2d::Zero();
-    double length_px = 0;
+    double reach_px = 0;
   };
-  Arm ArmAt(int i, int direction, double reach_px) const;
+  Arm ArmAt(int i, int direction, double from_px, double to_px) const;
 
  private:
   std::vector<Eigen::Vector2d> points_;

@@ -31,15 +31,17 @@ struct LinkingOptions {
   double max_bridge_px = 4;
   double max_bridge_angle_deg = 25;
 
-  // Fragments are broken where the two arms of this length beside a vertex turn by more than the
-  // angle, (1, 50] and (0, 180].
+  // Fragments are broken where two straight arms of this length, that begin 1.5 px on either side
+  // of a vertex (smoothing rounds the corner itself), turn by more than the angle, (1, 50] and (0,
+  // 180].
   double corner_arm_px = 5;
   double corner_angle_deg = 35;
 
-  // A fragment is broken where the end of another one (of at least junction_stem_px) falls this
-  // near to its interior at more than the angle, >= 0, >= 0 and [0, 90].
-  double junction_distance_px = 2;
-  double junction_stem_px = 10;
+  // A fragment is broken where the end of another one (of at least junction_stem_px) heads for its
+  // interior from this near at more than the angle, >= 0, >= 0 and [0, 90]. Smoothing makes a stem
+  // end about two detection sigmas before the bar.
+  double junction_distance_px = 3.5;
+  double junction_stem_px = 15;
   double junction_angle_deg = 30;
 
   // Shorter fragments are dropped, >= 0.

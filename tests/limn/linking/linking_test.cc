@@ -137,9 +137,7 @@ Image TeeImage() {
 }
 
 TEST(LinkEdgels, TeeMakesThreeFragments) {
-  LinkingOptions options;
-  options.junction_distance_px = 4;
-  const LinkingResult result = DetectAndLink(TeeImage(), options);
+  const LinkingResult result = DetectAndLink(TeeImage());
   CheckInvariants(result);
   EXPECT_EQ(result.curves.fragments.size(), 3u);
   EXPECT_EQ(result.stats.junction_breaks, 1);
