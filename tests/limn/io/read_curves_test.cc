@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include "limn/io/junctions_reader.h"
 #include "limn/io/temporary_folder.h"
 #include "limn/util/errors.h"
 
@@ -139,6 +140,20 @@ TEST(ReadCurves, TextPointsPlainAndPacked) {
   EXPECT_EQ(ReadCurves(packed).points, plain.points);
   const std::string bytes = TemporaryFolder::Read(packed);
   EXPECT_THROW(ReadCurves(folder.Write("cut.txt.gz", bytes.substr(0, bytes.size() - 9))), IoError);
+}
+
+TEST(ReadJunctions, PositionsAndDegrees) {
+  const TemporaryFolder folder;
+  const std::vector<CurveNode> nodes = ReadJunctions(folder.Write(
+      "j.json", R"({"set": "day", "junctions": [{"position": [1, 2.5, -3], "degree": 4}]})"));
+  ASSERT_EQ(nodes.size(), 1u);
+  EXPECT_EQ(nodes[0].position_in_world, Eigen::Vector3d(1, 2.5, -3));
+  EXPECT_EQ(nodes[0].degree, 4);
+  for (const char* bad : {"{}", R"({"junctions": [{"degree": 3}]})", "[",
+                          R"({"junctions": [{"position": [1, 2], "degree": 3}]})",
+                          R"({"junctions": [{"position": [1, 2, 3], "degree": 0}]})"}) {
+    EXPECT_THROW(ReadJunctions(folder.Write("bad.json", bad)), IoError) << bad;
+  }
 }
 
 TEST(ReadCurves, PointsWithAFileOfEdges) {
