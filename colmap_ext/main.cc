@@ -14,13 +14,15 @@ struct Command {
   const char* summary;
 };
 
-constexpr Command kCommands[] = {
-    //     {"automatic_drawer", RunAutomaticDrawer, "the main job: from a COLMAP project to a 3D
-    //     drawing"},
+constexpr Command kCommands[] = {{
+    "automatic_drawer",
+    RunAutomaticDrawer,
+    "the main job: from a COLMAP project to a 3D
+    drawing "},
     {"edge_extractor", RunEdgeExtractor, "find the edgels of all images"},
     {"curve_linker", RunCurveLinker, "link them to curve fragments"},
     {"curve_sketcher", RunCurveSketcher, "reconstruct a sketch of 3D curves, original or enhanced"},
-    //     {"curve_drawer", RunCurveDrawer, "make the drawing from a stored enhanced sketch"},
+    {"curve_drawer", RunCurveDrawer, "make the drawing from a stored enhanced sketch"},
     {"drawing_evaluator", RunDrawingEvaluator, "compare curves with ground truth"},
 };
 

@@ -30,7 +30,7 @@ int RunCurveSketcher(int argc, const char* const* argv) {
   SketchResult result = build(input, options.pipeline.sketch, console.context());
   console.Report(result.summary);
 
-  const std::string name = mode == "original" ? "sketch" : "enhanced-sketch";
+  const std::string name = mode == "original" ? kOriginalSketchName : kEnhancedSketchName;
   WriteSketchResults(project, name, image_curves.curves,
                      {std::move(result.sketch), Provenance(options)});
   console.Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");

@@ -1,10 +1,6 @@
-#include <array>
 #include <iostream>
 
-#include <nlohmann/json.hpp>
-
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/run_options.h"
 #include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/workspace/layout.h"
@@ -13,8 +9,8 @@
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/io/atomic_file.h"
+#include "limn/io/junctions_reader.h"
 #include "limn/io/read_curves.h"
-#include "limn/io/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -51,6 +47,8 @@ void AddOptions(EvaluatorOptions* options, OptionParser* parser) {
   parser->AddOption("box", &options->box, "only what is inside counts: x0,x1,y0,y1,z0,z1");
   parser->AddOption("dont_care_taus", &evaluation.dont_care_taus,
                     "reach of don't-care curves, taus");
+  parser->AddOption("copy_taus", &evaluation.copy_taus,
+                    "true curves this near alongside others count once, taus");
   parser->AddOption("junction_taus", &evaluation.junction_taus, "reach of a junction, taus");
   parser->AddOption("workspace_path", &options->layout.workspace_path,
                     "COLMAP project whose pixels are the unit footprint");
@@ -69,20 +67,9 @@ void Check(const EvaluatorOptions& options) {
   require(options.truth_path, "truth_path");
   if (options.evaluation.taus.empty()) throw OptionError("--taus must be given");
   if (options.unit == Unit::kFootprint) require(options.layout.workspace_path, "workspace_path");
+  CheckOption(options.num_threads == -1 || options.num_threads >= 1, "num_threads",
+              options.num_threads, "-1 or >= 1");
   options.evaluation.Check();
-}
-
-std::vector<CurveNode> ReadJunctions(const std::string& path) {
-  std::vector<CurveNode> nodes;
-  try {
-    for (const auto& junction : nlohmann::json::parse(ReadWholeFile(path)).at("junctions")) {
-      const auto position = junction.at("position").get<std::array<double, 3>>();
-      nodes.push_back({Eigen::Vector3d(position.data()), junction.at("degree").get<int>()});
-    }
-  } catch (const nlohmann::json::exception& error) {
-    throw IoError(path, std::string("not a file of junctions: ") + error.what());
-  }
-  return nodes;
 }
 
 EvaluationReport Evaluate(const EvaluatorOptions& options, const RunContext& context) {
@@ -109,8 +96,9 @@ int RunDrawingEvaluator(int argc, const char* const* argv) {
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   options.evaluation.region = BoxFromNumbers(options.box);
   Check(options);
-  Console console(options.num_threads);
-  const EvaluationReport report = Evaluate(options, console.context());
+  RunContext context;
+  context.num_threads = options.num_threads;
+  const EvaluationReport report = Evaluate(options, context);
   PrintReport(report, std::cout);
   if (!options.output_csv.empty()) {
     WriteFileAtomically(options.output_csv,

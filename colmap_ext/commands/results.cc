@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/export/write_drawing.h"
+#include "limn/pictures/overlays.h"
 #include "limn/pipeline/extract_curves.h"
 #include "limn/util/errors.h"
 
@@ -11,14 +12,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// The drawing over every photograph; one photograph per thread is in memory.
+void WriteOverlays(const Project& project, const DrawingGraph& graph, const RunContext& context) {
+  const std::string folder = project.CurvesPath("overlays");
+  ParallelFor(context, "overlays", project.views().size(), [&](size_t v) {
+    const auto id = static_cast<ViewId>(v);
+    const View& view = project.views()[v];
+    const Picture picture = DrawOverlay(project.images().read(id), view, id, graph);
+    WritePng(PicturePath(folder, view.name), picture);
+  });
+}
+
+}  // namespace
+
 void CheckGraph(const DrawingGraph& graph) {
   const std::vector<std::string> broken = Validate(graph);
   if (broken.empty()) return;
   throw InputError("the drawing is not written, it breaks " + std::to_string(broken.size()) +
                    " invariants; the first: " + broken.front());
 }
-
-}  // namespace
 
 std::string Provenance(const RunOptions& options) {
   Json json = Json::parse(OptionsAsJson(options.pipeline));
@@ -46,7 +58,6 @@ StoredSketch ReadSketchResult(const Project& project, const std::string& name,
 
 void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
                          const std::string& provenance, Console* console) {
-  CheckGraph(graph);
   DrawingMetadata metadata;
   for (const View& view : project.views()) metadata.view_names.push_back(view.name);
   metadata.options_json = provenance;
@@ -54,7 +65,9 @@ void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
     WriteDrawing(project.DrawingPath(name), graph, metadata);
   }
   WriteTracks(project.CurvesPath("tracks.txt"), graph, project.views());
-  console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}"));
+  WriteOverlays(project, graph, console->context());
+  console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +
+               project.CurvesPath("tracks.txt") + ", " + project.CurvesPath("overlays"));
 }
 
 }  // namespace limn::colmap_ext

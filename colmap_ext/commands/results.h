@@ -18,6 +18,13 @@ std::string Provenance(const RunOptions& options);
 // Of a drawing made with `options` from a sketch that says in `sketch_provenance` how it was made.
 std::string Provenance(const RunOptions& options, const std::string& sketch_provenance);
 
+// File names, without extension, in the folder of curves.
+constexpr char kOriginalSketchName[] = "sketch";
+constexpr char kEnhancedSketchName[] = "enhanced-sketch";
+
+// Throws InputError if the graph breaks an invariant. To be called before anything is written.
+void CheckGraph(const DrawingGraph& graph);
+
 // Write <curves>/<name>.bin and .ply.
 void WriteSketchResults(const Project& project, const std::string& name,
                         const std::vector<ImageCurves>& curves, const StoredSketch& stored);
@@ -26,8 +33,7 @@ void WriteSketchResults(const Project& project, const std::string& name,
 StoredSketch ReadSketchResult(const Project& project, const std::string& name,
                               const std::vector<ImageCurves>& curves);
 
-// Write drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays. Throws InputError,
-// before anything is written, if the graph breaks an invariant.
+// Write drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.
 void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
                          const std::string& provenance, Console* console);
 

@@ -14,6 +14,8 @@ void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
   visit("sigma_px", o.sigma_px, "scale of the Gaussian derivatives, px");
   visit("noise_factor", o.noise_factor, "weakest edge in multiples of the image's gradient noise");
   visit("min_strength", o.min_strength, "weakest edge, grey levels per px");
+  visit("min_run_px", o.min_run_px, "weak edgels need a run of edgels of this length, px");
+  visit("strong_ratio", o.strong_ratio, "multiple of the threshold from which they need none");
   visit("find_isoluminant", o.find_isoluminant, "also find edges in red or blue only");
   visit("isoluminant_noise_factor", o.isoluminant_noise_factor, "noise_factor in red and blue");
   visit("isoluminant_min_strength", o.isoluminant_min_strength, "min_strength in red and blue");

@@ -21,8 +21,9 @@ Json FieldsAsJson(Options options) {
 
 template <typename Options>
 std::string FieldsAsText(const Options& options) {
+  const Json fields = FieldsAsJson(options);
   std::string text;
-  for (const auto& [name, value] : FieldsAsJson(options).items()) {
+  for (const auto& [name, value] : fields.items()) {
     text += name + "=" + value.dump() + "\n";
   }
   return text;

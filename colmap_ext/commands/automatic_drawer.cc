@@ -1,0 +1,33 @@
+#include "colmap_ext/commands/commands.h"
+#include "colmap_ext/commands/console.h"
+#include "colmap_ext/commands/project.h"
+#include "colmap_ext/commands/results.h"
+#include "colmap_ext/commands/run_options.h"
+#include "limn/pipeline/pipeline.h"
+
+namespace limn::colmap_ext {
+
+int RunAutomaticDrawer(int argc, const char* const* argv) {
+  RunOptions options;
+  const auto parser =
+      ParseRunOptions("automatic_drawer", "make the 3D drawing of a COLMAP project",
+                      {.linking = true, .sketch = true, .drawing = true}, argc, argv, &options);
+  if (!parser) return 0;
+  Console console(options.num_threads);
+  const Project project(options, &console);
+  PipelineResult result = DrawScene({project.views(), project.view_set().hints, project.images(),
+                                     BoxFromNumbers(options.box), project.CacheDir()},
+                                    options.pipeline, console.context(),
+                                    [&](const StageSummary& summary, const CacheUse& cache) {
+                                      console.Report(cache);
+                                      console.Report(summary);
+                                    });
+  CheckGraph(result.graph);
+  WriteSketchResults(project, kEnhancedSketchName, result.curves,
+                     {std::move(result.sketch), Provenance(options)});
+  WriteDrawingResults(project, result.graph, Provenance(options), &console);
+  parser->WriteIni(project.CurvesPath("project.ini"));
+  return 0;
+}
+
+}  // namespace limn::colmap_ext

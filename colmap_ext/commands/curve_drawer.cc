@@ -1,0 +1,32 @@
+#include "colmap_ext/commands/commands.h"
+#include "colmap_ext/commands/console.h"
+#include "colmap_ext/commands/project.h"
+#include "colmap_ext/commands/results.h"
+#include "colmap_ext/commands/run_options.h"
+#include "limn/drawing/drawing.h"
+
+namespace limn::colmap_ext {
+
+int RunCurveDrawer(int argc, const char* const* argv) {
+  RunOptions options;
+  const auto parser = ParseRunOptions(
+      "curve_drawer", "make the 3D drawing from the enhanced sketch that curve_sketcher has stored",
+      {.linking = true, .drawing = true}, argc, argv, &options);
+  if (!parser) return 0;
+  Console console(options.num_threads);
+  const Project project(options, &console);
+  const CurvesResult image_curves =
+      ExtractCurves({project.views(), project.images(), project.CacheDir()}, options.pipeline.edges,
+                    options.pipeline.linking, console.context());
+  console.Report(image_curves.cache);
+  console.Report(image_curves.summary);
+  const StoredSketch stored = ReadSketchResult(project, kEnhancedSketchName, image_curves.curves);
+  const DrawingResult result = BuildDrawing({project.views(), image_curves.curves, stored.sketch},
+                                            options.pipeline.drawing, console.context());
+  console.Report(result.summary);
+  CheckGraph(result.graph);
+  WriteDrawingResults(project, result.graph, Provenance(options, stored.options_json), &console);
+  return 0;
+}
+
+}  // namespace limn::colmap_ext
