@@ -14,11 +14,8 @@ struct Command {
   const char* summary;
 };
 
-constexpr Command kCommands[] = {{
-    "automatic_drawer",
-    RunAutomaticDrawer,
-    "the main job: from a COLMAP project to a 3D
-    drawing "},
+constexpr Command kCommands[] = {
+    {"automatic_drawer", RunAutomaticDrawer, "the main job: the 3D drawing of a COLMAP project"},
     {"edge_extractor", RunEdgeExtractor, "find the edgels of all images"},
     {"curve_linker", RunCurveLinker, "link them to curve fragments"},
     {"curve_sketcher", RunCurveSketcher, "reconstruct a sketch of 3D curves, original or enhanced"},
