@@ -6,7 +6,7 @@ namespace limn {
 
 struct DrawingOptions {
   // Edgels within this distance across the edge and this angle support a sample.
-  double max_support_distance_px = 1.5;
+  double max_support_distance_px = 1.0;
   double max_support_angle_deg = 15;
 
   // Re-triangulation: residuals beyond this count linearly (Huber), px.

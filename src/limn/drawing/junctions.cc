@@ -501,34 +501,39 @@ class Joiner {
       targets[*place].push_back({ref, point});
       ++counts_.t_junctions;
     }
-    // From the back, so that the indices in front stay valid while links are cut.
+    // First all cuts, from the back of each link so that the indices in front stay valid; only then are
+    // ends moved, which changes indices.
+    std::vector<int> nodes;
+    int previous_link = -1;
+    int shift = 0;
     for (auto it = targets.rbegin(); it != targets.rend(); ++it) {
       const auto& [link, index] = it->first;
+      if (link != previous_link) shift = 0;
+      previous_link = link;
       const int node = draft_->num_nodes++;
-      CutAt(link, index, node, &targets);
-      for (const Target& target : it->second) EndAt(target.from, node, target.point);
-    }
-  }
-
-  template <typename Targets>
-  void CutAt(int link, int index, int node, Targets* targets) {
-    DraftLink& whole = draft_->links[link];
-    if (whole.closed) {
-      OpenLoop(index, node, &whole);
-      return;
-    }
-    // An end of the cut link that waits to be joined elsewhere moves to the new part.
-    const int new_link = static_cast<int>(draft_->links.size());
-    SplitLink(draft_, link, index, node);
-    for (auto& [place, waiting] : *targets) {
-      for (auto& target : waiting) {
-        if (target.from.link == link && target.from.end == 1) target.from.link = new_link;
+      if (draft_->links[link].closed) {
+        // What was in front of the cut now follows it.
+        shift = draft_->links[link].size() - index;
+        OpenLoop(index, node, &draft_->links[link]);
+      } else {
+        const int new_link = static_cast<int>(draft_->links.size());
+        SplitLink(draft_, link, index + shift, node);
+        // An end of the cut link that waits to be joined elsewhere moves to the new part.
+        for (auto& [place, waiting] : targets) {
+          for (auto& target : waiting) {
+            if (target.from.link == link && target.from.end == 1) target.from.link = new_link;
+          }
+        }
       }
+      nodes.push_back(node);
+    }
+    size_t joint = 0;
+    for (auto it = targets.rbegin(); it != targets.rend(); ++it, ++joint) {
+      for (const Target& target : it->second) EndAt(target.from, nodes[joint], target.point);
     }
   }
 
-  // A loop with one junction begins and ends at it. Other junctions of the same loop come later, with
-  // smaller indices: rotating must keep them in place, so the loop is opened at its present start.
+  // A loop with a junction begins and ends at it.
   void OpenLoop(int index, int node, DraftLink* loop) {
     const auto rotate = [&](auto* values) {
       std::rotate(values->begin(), values->begin() + index, values->end());

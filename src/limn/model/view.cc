@@ -43,12 +43,7 @@ void VirtualBox(const PinholeCamera& camera, const LensMap& lens, ImageRegion* r
 
 }  // namespace
 
-bool ImageRegion::Contains(const Eigen::Vector2d& pixel) const {
-  if (!(pixel.x() >= min_px.x() && pixel.x() <= max_px.x() && pixel.y() >= min_px.y() &&
-        pixel.y() <= max_px.y())) {
-    return false;
-  }
-  if (cell_px == 0) return true;
+bool ImageRegion::CellIsValid(const Eigen::Vector2d& pixel) const {
   const int col = std::min(static_cast<int>((pixel.x() - min_px.x()) / cell_px), cols - 1);
   const int row = std::min(static_cast<int>((pixel.y() - min_px.y()) / cell_px), rows - 1);
   return valid[static_cast<size_t>(row) * cols + col] != 0;

@@ -26,7 +26,12 @@ struct ImageRegion {
   int rows = 0;
   std::vector<uint8_t> valid;  // rows x cols, row-major, nonzero = covered
 
-  bool Contains(const Eigen::Vector2d& pixel) const;
+  bool Contains(const Eigen::Vector2d& pixel) const {
+    return pixel.x() >= min_px.x() && pixel.x() <= max_px.x() && pixel.y() >= min_px.y() &&
+           pixel.y() <= max_px.y() && (cell_px == 0 || CellIsValid(pixel));
+  }
+  // Precondition: the pixel is inside the box, and there are cells.
+  bool CellIsValid(const Eigen::Vector2d& pixel) const;
 };
 
 // One photograph: a pinhole camera at a pose. Immutable after it has been made.

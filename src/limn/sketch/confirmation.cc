@@ -8,6 +8,8 @@ namespace limn {
 namespace {
 
 constexpr double kDeg = M_PI / 180;
+// A hypothesis that none of the first views supports anywhere is given up.
+constexpr size_t kFirstViews = 8;
 
 // Mark in `supporting` the samples around which enough of the samples that the view contains are
 // inliers, in a window of arc length.
@@ -55,41 +57,55 @@ ConfirmationViews::ConfirmationViews(ViewId primary, const std::vector<ViewId>& 
 void ConfirmationViews::ConfirmInView(const Entry& entry, uint32_t bit,
                                       const FragmentRays& fragment,
                                       const CurveHypothesis& hypothesis,
-                                      const SketchOptions& options,
-                                      std::vector<double>* tangency_weights,
+                                      std::vector<Inlier>* inliers,
                                       HypothesisSupport* support) const {
-  const double sin_low = std::sin(options.min_epipolar_angle_deg * kDeg);
-  const double sin_high = std::sin(options.max_epipolar_angle_deg * kDeg);
+  const Eigen::Matrix3d& homography = entry.from_primary.infinite_homography;
+  const Eigen::Vector3d& epipole = entry.from_primary.epipole;
   for (size_t j = 0; j < hypothesis.samples.size(); ++j) {
     const HypothesisSample& sample = hypothesis.samples[j];
-    const Eigen::Vector3d at_infinity = entry.from_primary.infinite_homography *
-                                        fragment.positions_px[sample.vertex].homogeneous();
-    const Eigen::Vector3d projected = sample.depth * at_infinity + entry.from_primary.epipole;
+    const Eigen::Vector3d projected =
+        sample.depth * (homography * fragment.positions_px[sample.vertex].homogeneous()) + epipole;
     if (!(projected.z() > 0)) continue;
-    const Eigen::Vector2d pixel = projected.hnormalized();
+    const double inverse = 1 / projected.z();
+    const Eigen::Vector2d pixel(projected.x() * inverse, projected.y() * inverse);
     if (!entry.region->Contains(pixel)) continue;
     support->contained[j] |= bit;
-    // d pixel / d inverse depth; projected / depth = at_infinity + inverse_depth * epipole.
-    const Eigen::Vector2d motion =
-        (entry.from_primary.epipole.head<2>() - pixel * entry.from_primary.epipole.z()) *
-        (sample.depth / projected.z());
-    const double speed = motion.norm();
-    support->px_per_inverse_depth[j] += speed;
     const Eigen::Vector3d direction = entry.direction_from_primary * sample.tangent_in_cam;
     const double dx = direction.x() - pixel.x() * direction.z();
     const double dy = direction.y() - pixel.y() * direction.z();
     if (!entry.mask->Supports(pixel.x(), pixel.y(), dx, dy)) continue;
     support->inliers[j] |= bit;
-    const double norm = std::hypot(dx, dy) * speed;
-    const double sine = norm > 0 ? std::abs(dx * motion.y() - dy * motion.x()) / norm : 0;
-    (*tangency_weights)[j] = std::clamp((sine - sin_low) / (sin_high - sin_low),
-                                        options.min_tangency_weight, 1.0);
+    // d pixel / d inverse depth; projected / depth = at_infinity + inverse_depth * epipole.
+    const double scale = sample.depth * inverse;
+    (*inliers)[j] = {dx, dy, (epipole.x() - pixel.x() * epipole.z()) * scale,
+                     (epipole.y() - pixel.y() * epipole.z()) * scale};
   }
 }
 
-HypothesisSupport ConfirmationViews::Confirm(const FragmentRays& fragment,
-                                             const CurveHypothesis& hypothesis, ViewId second,
-                                             const SketchOptions& options) const {
+void ConfirmationViews::AddWeights(uint32_t bit, const std::vector<Inlier>& inliers,
+                                   const SketchOptions& options,
+                                   HypothesisSupport* support) const {
+  const double sin_low = std::sin(options.min_epipolar_angle_deg * kDeg);
+  const double sin_high = std::sin(options.max_epipolar_angle_deg * kDeg);
+  for (size_t j = 0; j < inliers.size(); ++j) {
+    if (!(support->supporting[j] & bit)) continue;
+    double weight = options.min_tangency_weight;
+    if (support->inliers[j] & bit) {
+      const Inlier& in = inliers[j];
+      const double speed = std::sqrt(in.motion_x * in.motion_x + in.motion_y * in.motion_y);
+      const double norm = std::sqrt(in.dx * in.dx + in.dy * in.dy) * speed;
+      const double sine = norm > 0 ? std::abs(in.dx * in.motion_y - in.dy * in.motion_x) / norm : 0;
+      weight = std::clamp((sine - sin_low) / (sin_high - sin_low), options.min_tangency_weight, 1.0);
+      support->px_per_inverse_depth[j] += speed;
+    }
+    support->weighted[j] += weight;
+  }
+}
+
+std::optional<HypothesisSupport> ConfirmationViews::Confirm(const FragmentRays& fragment,
+                                                            const CurveHypothesis& hypothesis,
+                                                            ViewId second,
+                                                            const SketchOptions& options) const {
   const size_t count = hypothesis.samples.size();
   HypothesisSupport support;
   support.contained.assign(count, 0);
@@ -97,19 +113,21 @@ HypothesisSupport ConfirmationViews::Confirm(const FragmentRays& fragment,
   support.supporting.assign(count, 0);
   support.weighted.assign(count, 0);
   support.px_per_inverse_depth.assign(count, 0);
-  std::vector<double> weights(count);
+  std::vector<Inlier> inliers(count);
   for (size_t k = 0; k < views_.size(); ++k) {
     if (views_[k].id == second) continue;
     const uint32_t bit = 1u << k;
-    std::fill(weights.begin(), weights.end(), options.min_tangency_weight);
-    ConfirmInView(views_[k], bit, fragment, hypothesis, options, &weights, &support);
+    ConfirmInView(views_[k], bit, fragment, hypothesis, &inliers, &support);
     SmoothAlongCurve(bit, fragment, hypothesis, options, &support);
-    for (size_t j = 0; j < count; ++j) {
-      if (support.supporting[j] & bit) support.weighted[j] += weights[j];
-    }
+    AddWeights(bit, inliers, options, &support);
+    const bool hopeless = k + 1 == kFirstViews && views_.size() > 2 * kFirstViews &&
+                          std::all_of(support.supporting.begin(), support.supporting.end(),
+                                      [](uint32_t mask) { return mask == 0; });
+    if (hopeless) return std::nullopt;
   }
   for (size_t j = 0; j < count; ++j) {
-    support.px_per_inverse_depth[j] /= std::max(1, std::popcount(support.contained[j]));
+    const uint32_t both = support.supporting[j] & support.inliers[j];
+    support.px_per_inverse_depth[j] /= std::max(1, std::popcount(both));
   }
   return support;
 }

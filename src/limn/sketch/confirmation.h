@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "limn/geometry/epipolar.h"
@@ -21,7 +22,7 @@ struct HypothesisSupport {
   // Sum over supporting views of their tangency weight: 1 where the curve crosses the epipolar lines of
   // the primary view, little where it runs along them and would be supported at any depth.
   std::vector<double> weighted;
-  // Mean image motion over the containing views per unit of inverse depth, px.
+  // Mean image motion over the supporting views per unit of inverse depth, px.
   std::vector<double> px_per_inverse_depth;
 };
 
@@ -32,8 +33,9 @@ class ConfirmationViews {
                     const std::vector<View>& views,
                     const std::vector<std::unique_ptr<ViewEvidence>>& evidence);
 
-  // Support of a hypothesis made with `second`, which does not confirm itself.
-  HypothesisSupport Confirm(const FragmentRays& fragment, const CurveHypothesis& hypothesis,
+  // Support of a hypothesis made with `second`, which does not confirm itself. Nothing if the first
+  // views, which are the most diverse ones, do not support it anywhere.
+  std::optional<HypothesisSupport> Confirm(const FragmentRays& fragment, const CurveHypothesis& hypothesis,
                             ViewId second, const SketchOptions& options) const;
 
   // Largest angle, degrees, between the primary ray to `point_in_cam` and the rays of the views in `mask`.
@@ -50,9 +52,18 @@ class ConfirmationViews {
     const ImageRegion* region;
     const OrientationMask* mask;
   };
+  // An inlier sample in one view: image directions of the tangent and of the motion with inverse depth.
+  struct Inlier {
+    double dx = 0;
+    double dy = 0;
+    double motion_x = 0;
+    double motion_y = 0;
+  };
   void ConfirmInView(const Entry& entry, uint32_t bit, const FragmentRays& fragment,
-                     const CurveHypothesis& hypothesis, const SketchOptions& options,
-                     std::vector<double>* tangency_weights, HypothesisSupport* support) const;
+                     const CurveHypothesis& hypothesis, std::vector<Inlier>* inliers,
+                     HypothesisSupport* support) const;
+  void AddWeights(uint32_t bit, const std::vector<Inlier>& inliers, const SketchOptions& options,
+                  HypothesisSupport* support) const;
 
   std::vector<Entry> views_;
 };

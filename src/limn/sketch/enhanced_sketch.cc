@@ -44,13 +44,20 @@ class PrimaryView {
         MakeFragmentRays(input_.views[id_], input_.curves[id_], fragment_id);
     std::vector<Fate> fates(fragment.size(), Fate::kFragmentTooShort);
     if (fragment.size() >= 2 && fragment.arc_px.back() >= options_.min_fragment_length_px) {
-      const auto candidates = Candidates(fragment, &fates);
-      std::vector<FusedDepth> depths = FuseDepths(fragment, candidates, options_);
-      for (size_t i = 0; i < fates.size(); ++i) {
+      const std::vector<int> vertices = SpacedVertices(fragment, options_.sample_spacing_px);
+      const FragmentRays spaced = Subset(fragment, vertices);
+      std::vector<Fate> spaced_fates(spaced.size());
+      const auto candidates = Candidates(spaced, &spaced_fates);
+      const std::vector<FusedDepth> spaced_depths = FuseDepths(spaced, candidates, options_);
+      for (size_t i = 0; i < spaced.size(); ++i) {
         if (!candidates[i].empty()) {
-          fates[i] = depths[i].has_depth ? Fate::kPieceTooShort : Fate::kInconsistent;
+          spaced_fates[i] =
+              spaced_depths[i].has_depth ? Fate::kPieceTooShort : Fate::kInconsistent;
         }
+        const size_t next = i + 1 < vertices.size() ? vertices[i + 1] : fragment.size();
+        for (size_t k = vertices[i]; k < next; ++k) fates[k] = spaced_fates[i];
       }
+      std::vector<FusedDepth> depths = ExpandDepths(fragment, vertices, spaced_depths);
       InterpolateGaps(fragment, options_, &depths);
       for (const VertexRun& run : FindRuns(fragment, depths, options_)) {
         for (int k = 0; k < run.size; ++k) {
@@ -79,11 +86,13 @@ class PrimaryView {
       for (const CurveHypothesis& hypothesis :
            FindHypotheses(fragment, input_.views[id_], input_.views[second], *evidence_[second],
                           plan_.min_depth, plan_.max_depth, options_)) {
-        const HypothesisSupport support =
-            confirmation_.Confirm(fragment, hypothesis, second, options_);
+        for (const HypothesisSample& sample : hypothesis.samples) {
+          (*fates)[sample.vertex] = Fate::kTooFewViews;
+        }
+        const auto support = confirmation_.Confirm(fragment, hypothesis, second, options_);
+        if (!support) continue;
         for (size_t j = 0; j < hypothesis.samples.size(); ++j) {
-          (*fates)[hypothesis.samples[j].vertex] = Fate::kTooFewViews;
-          AddCandidate(fragment, hypothesis.samples[j], support, j, static_cast<int>(rank),
+          AddCandidate(fragment, hypothesis.samples[j], *support, j, static_cast<int>(rank),
                        &candidates);
         }
       }

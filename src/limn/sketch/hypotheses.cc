@@ -12,8 +12,8 @@ namespace {
 
 // A run of intersections continues over at most this many vertices without one.
 constexpr int kMaxVertexGap = 3;
-// Vertices of the second fragment that one vertex of the primary may advance by.
-constexpr double kMaxParameterStep = 6;
+// Vertices of the second fragment that it may advance by per vertex of the primary.
+constexpr double kMaxParameterStep = 8;
 
 double CrossNorm(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return std::abs(a.x() * b.y() - a.y() * b.x());
@@ -175,6 +175,30 @@ FragmentRays MakeFragmentRays(const View& view, const ImageCurves& curves, int f
     rays.arc_px.push_back(i > 0 ? rays.arc_px.back() + step : 0);
   }
   return rays;
+}
+
+std::vector<int> SpacedVertices(const FragmentRays& fragment, double spacing_px) {
+  std::vector<int> vertices;
+  const int count = static_cast<int>(fragment.size());
+  for (int i = 0; i < count; ++i) {
+    const bool due = vertices.empty() ||
+                     fragment.arc_px[i] - fragment.arc_px[vertices.back()] >= spacing_px;
+    if (due || i + 1 == count) vertices.push_back(i);
+  }
+  return vertices;
+}
+
+FragmentRays Subset(const FragmentRays& fragment, const std::vector<int>& vertices) {
+  FragmentRays subset;
+  subset.closed = fragment.closed;
+  for (const int i : vertices) {
+    subset.positions_px.push_back(fragment.positions_px[i]);
+    subset.tangents_px.push_back(fragment.tangents_px[i]);
+    subset.rays.push_back(fragment.rays[i]);
+    subset.normals.push_back(fragment.normals[i]);
+    subset.arc_px.push_back(fragment.arc_px[i]);
+  }
+  return subset;
 }
 
 std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,

@@ -46,6 +46,12 @@ struct FragmentRays {
 
 FragmentRays MakeFragmentRays(const View& view, const ImageCurves& curves, int fragment);
 
+// Every vertex that is at least `spacing_px` of arc length from the one taken before it, and the last.
+std::vector<int> SpacedVertices(const FragmentRays& fragment, double spacing_px);
+
+// The fragment reduced to some of its vertices.
+FragmentRays Subset(const FragmentRays& fragment, const std::vector<int>& vertices);
+
 // All curve hypotheses of one primary fragment with one second view (curve sketch, CVPR 2010, section 3;
 // algorithm.md section 5). For every vertex the epipolar line, cut to the depth range, is intersected with
 // the fragments of the second view; position and tangent are interpolated at the intersection; runs of

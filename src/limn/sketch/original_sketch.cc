@@ -107,15 +107,16 @@ class PairMatcher {
       const CurveHypothesis* winner = nullptr;
       HypothesisSupport winner_support;
       for (const CurveHypothesis& hypothesis : hypotheses) {
-        HypothesisSupport support = confirmation_.Confirm(fragment, hypothesis, second, options_);
-        const double total = TotalSupport(support, confirmation_.size(), options_);
+        auto support = confirmation_.Confirm(fragment, hypothesis, second, options_);
+        const double total =
+            support ? TotalSupport(*support, confirmation_.size(), options_) : 0;
         if (total == 0) ++sketch->counts.too_little_support;
         if (total > best) {
           if (winner) ++sketch->counts.ambiguous;
           second_best = best;
           best = total;
           winner = &hypothesis;
-          winner_support = std::move(support);
+          winner_support = std::move(*support);
         } else if (total > 0) {
           ++sketch->counts.ambiguous;
           second_best = std::max(second_best, total);
@@ -136,17 +137,13 @@ class PairMatcher {
     const auto depths = AsDepths(fragment, hypothesis, support);
     const int begin = hypothesis.samples.front().vertex;
     // One curve over the whole overlap, as published: inner vertices without a match are passed over.
-    FragmentRays matched;
+    std::vector<int> vertices;
     std::vector<FusedDepth> matched_depths;
     for (const HypothesisSample& sample : hypothesis.samples) {
-      const int i = sample.vertex;
-      matched.positions_px.push_back(fragment.positions_px[i]);
-      matched.tangents_px.push_back(fragment.tangents_px[i]);
-      matched.rays.push_back(fragment.rays[i]);
-      matched.normals.push_back(fragment.normals[i]);
-      matched.arc_px.push_back(fragment.arc_px[i]);
-      matched_depths.push_back(depths[i]);
+      vertices.push_back(sample.vertex);
+      matched_depths.push_back(depths[sample.vertex]);
     }
+    const FragmentRays matched = Subset(fragment, vertices);
     const int count = static_cast<int>(matched.size());
     Curve3D curve = MakeCurve(input_.views[primary_], matched, matched_depths, {0, count, false});
     if (input_.box) {
@@ -155,7 +152,9 @@ class PairMatcher {
       }
     }
     curve.anchor = {primary_, fragment_id, begin};
-    CollectSupport(input_.views, input_.curves, evidence_, plan_.confirmation_views,
+    std::vector<ViewId> support_views = plan_.confirmation_views;
+    std::sort(support_views.begin(), support_views.end());
+    CollectSupport(input_.views, input_.curves, evidence_, support_views,
                    options_.Gate(), &curve);
     sketch->curves.push_back(std::move(curve));
   }

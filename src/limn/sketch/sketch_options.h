@@ -10,13 +10,17 @@ struct SketchOptions {
 
   // Fragments shorter than this are not matched, px of arc length. Lower finds smaller details and more
   // accidental matches.
-  double min_fragment_length_px = 10;
+  double min_fragment_length_px = 15;
   // Shortest stretch over which two fragments must correspond, px of arc length in the primary view.
   double min_overlap_px = 5;
 
+  // Spacing of the samples of a fragment for which depths are sought, px; edgels between them are
+  // interpolated. Larger is faster and coarser.
+  double sample_spacing_px = 2;
+
   // Edge support (tau_d, tau_theta): a reprojected sample is supported by an edgel within this distance
   // across the edge and this angle.
-  double max_support_distance_px = 1.5;
+  double max_support_distance_px = 1.0;
   double max_support_angle_deg = 15;
   // Half length of the stretch of curve that decides whether a view supports a sample, px.
   double support_window_px = 4;

@@ -83,6 +83,28 @@ double FitSlope(const std::vector<double>& arc, const std::vector<double>& inver
 
 }  // namespace
 
+std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment,
+                                     const std::vector<int>& vertices,
+                                     const std::vector<FusedDepth>& depths) {
+  std::vector<FusedDepth> all(fragment.size());
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    const FusedDepth& a = depths[i];
+    all[vertices[i]] = a;
+    if (i + 1 == vertices.size() || !a.has_depth || !depths[i + 1].has_depth) continue;
+    const FusedDepth& b = depths[i + 1];
+    const double length = fragment.arc_px[vertices[i + 1]] - fragment.arc_px[vertices[i]];
+    for (int k = vertices[i] + 1; k < vertices[i + 1]; ++k) {
+      const double t = length > 0 ? (fragment.arc_px[k] - fragment.arc_px[vertices[i]]) / length : 0;
+      FusedDepth& depth = all[k];
+      depth = t < 0.5 ? a : b;
+      depth.certain = a.certain && b.certain;
+      depth.inverse_depth = (1 - t) * a.inverse_depth + t * b.inverse_depth;
+      depth.information = (1 - t) * a.information + t * b.information;
+    }
+  }
+  return all;
+}
+
 void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
                      std::vector<FusedDepth>* depths) {
   const int count = static_cast<int>(depths->size());

@@ -7,6 +7,12 @@
 
 namespace limn {
 
+// Depths of all vertices of a fragment from those of some of them: linear in arc length between
+// neighbouring ones that both have a depth.
+std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment,
+                                     const std::vector<int>& vertices,
+                                     const std::vector<FusedDepth>& depths);
+
 // Fill gaps no longer than max_unsupported_gap_px, and epipolar-tangent (uncertain) stretches between
 // certain ends no longer than max_interpolated_gap_px, by inverse depth linear in arc length. What was
 // filled is marked uncertain.

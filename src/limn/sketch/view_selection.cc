@@ -131,7 +131,6 @@ class PlanBuilder {
     plan.confirmation_views =
         PickSpread(candidates, &CandidateView::confirmation_score, kConfirmationSpreadDeg,
                    options_.max_confirmation_views);
-    std::sort(plan.confirmation_views.begin(), plan.confirmation_views.end());
     return plan;
   }
 

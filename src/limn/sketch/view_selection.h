@@ -35,7 +35,7 @@ struct ViewPlan {
   double min_depth = 1;
   double max_depth = 0;
   std::vector<ViewId> second_views;        // best first
-  std::vector<ViewId> confirmation_views;  // ascending
+  std::vector<ViewId> confirmation_views;  // most useful and diverse first
 };
 
 // Choose for every view its depth range, second views and confirmation views from the frusta: sample

@@ -7,7 +7,7 @@
 namespace limn {
 namespace {
 
-constexpr double kCellPx = 8;
+constexpr double kCellPx = 5;
 
 // The part of the segment inside a box, as parameters in [0, 1]; empty when first > second.
 std::pair<double, double> ClipToBox(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
