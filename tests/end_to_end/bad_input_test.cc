@@ -1,0 +1,162 @@
+// Bad input gives one line on standard error and exit code 1, and nothing is written.
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "end_to_end/run_limn.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// A dense workspace of our own: the sample's model, its images by links.
+class BadInput : public ::testing::Test {
+ protected:
+  BadInput() : workspace_(dir_ / "workspace"), output_(dir_ / "output") {
+    const fs::path day = fs::path(LIMN_SAMPLE_DIR) / "day";
+    fs::create_directories(workspace_ / "images");
+    fs::copy(day / "sparse", workspace_ / "sparse");
+    for (const auto& entry : fs::directory_iterator(day / "images")) {
+      fs::create_symlink(fs::absolute(entry.path()),
+                         workspace_ / "images" / entry.path().filename());
+    }
+  }
+
+  // Call after having spoilt the workspace.
+  void ExpectRefused(const std::vector<std::string>& more_arguments, const auto& line_matcher) {
+    const auto before = ReadTree(dir_.path());
+    std::vector<std::string> arguments = {"automatic_drawer", "--output_path", output_.string()};
+    if (std::find(more_arguments.begin(), more_arguments.end(), "--workspace_path") ==
+        more_arguments.end()) {
+      arguments.insert(arguments.end(), {"--workspace_path", workspace_.string()});
+    }
+    arguments.insert(arguments.end(), more_arguments.begin(), more_arguments.end());
+    const LimnRun run = RunLimn(arguments);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, StartsWith("ERROR: "));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_THAT(run.err, line_matcher);
+    EXPECT_EQ(ReadTree(dir_.path()), before);
+  }
+
+  TempDir dir_;
+  fs::path workspace_;
+  fs::path output_;
+};
+
+TEST_F(BadInput, MissingFolder) {
+  ExpectRefused({"--workspace_path", (dir_ / "nowhere").string()}, HasSubstr("nowhere"));
+}
+
+TEST_F(BadInput, EmptyFolder) {
+  fs::create_directories(dir_ / "empty");
+  ExpectRefused({"--workspace_path", (dir_ / "empty").string()}, HasSubstr("empty"));
+}
+
+TEST_F(BadInput, NoPathAtAll) {
+  const LimnRun run = RunLimn({"automatic_drawer"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: "), HasSubstr("workspace_path")));
+}
+
+TEST_F(BadInput, TruncatedImages) {
+  const fs::path file = workspace_ / "sparse" / "images.bin";
+  fs::resize_file(file, fs::file_size(file) - 7);
+  ExpectRefused({}, HasSubstr("images.bin"));
+}
+
+TEST_F(BadInput, UnknownCameraModel) {
+  // u64 number of cameras, u32 camera id, i32 model id, ...
+  constexpr size_t kModelIdOffset = 12;
+  const std::string path = (workspace_ / "sparse" / "cameras.bin").string();
+  std::string bytes = ReadTree(workspace_ / "sparse").at("cameras.bin");
+  const int32_t unknown = 99;
+  std::memcpy(bytes.data() + kModelIdOffset, &unknown, sizeof(unknown));
+  dir_.WriteFile("workspace/sparse/cameras.bin", bytes);
+  ExpectRefused({}, AllOf(HasSubstr("cameras.bin"), HasSubstr("99")));
+}
+
+TEST_F(BadInput, MissingImage) {
+  fs::remove(workspace_ / "images" / "view_07.jpg");
+  ExpectRefused({}, HasSubstr("view_07.jpg"));
+}
+
+TEST_F(BadInput, ImageThatIsNone) {
+  fs::remove(workspace_ / "images" / "view_07.jpg");
+  dir_.WriteFile("workspace/images/view_07.jpg", "this is no picture");
+  ExpectRefused({}, HasSubstr("view_07.jpg"));
+}
+
+TEST_F(BadInput, WrongOptionValue) {
+  ExpectRefused({"--EdgeDetection.sigma_px", "0"}, HasSubstr("EdgeDetection.sigma_px = 0"));
+  ExpectRefused({"--Linking.min_length_px", "long"}, HasSubstr("Linking.min_length_px = long"));
+  ExpectRefused({"--quality", "best"}, HasSubstr("quality = best"));
+  ExpectRefused({"--box", "0,1,0,1"}, HasSubstr("box"));
+  ExpectRefused({"--box", "0,1,1,0,0,1"}, HasSubstr("box"));
+  ExpectRefused({"--num_threads", "0"}, HasSubstr("num_threads = 0"));
+  ExpectRefused({"--max_image_size", "3"}, HasSubstr("max_image_size = 3"));
+}
+
+TEST_F(BadInput, UnknownOption) {
+  ExpectRefused({"--Drawing.no_such_option", "1"}, HasSubstr("Drawing.no_such_option"));
+}
+
+TEST_F(BadInput, UnregisteredImageInTheList) {
+  const std::string list = dir_.WriteFile("list.txt", "view_00.jpg\nview_77.jpg\n");
+  ExpectRefused({"--image_list_path", list}, HasSubstr("view_77.jpg"));
+}
+
+TEST_F(BadInput, MissingProjectFile) {
+  ExpectRefused({"--project_path", (dir_ / "none.ini").string()}, HasSubstr("none.ini"));
+}
+
+TEST_F(BadInput, CurveDrawerWithoutSketch) {
+  const std::string list = dir_.WriteFile("list.txt", "view_00.jpg\n");
+  const LimnRun run =
+      RunLimn({"curve_drawer", "--workspace_path", workspace_.string(), "--output_path",
+               output_.string(), "--image_list_path", list, "--max_image_size", "160"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: "), HasSubstr("enhanced-sketch.bin")));
+  EXPECT_FALSE(fs::exists(output_ / "drawing.ply"));
+}
+
+// Ctrl-C while the edges are looked for.
+TEST_F(BadInput, InterruptedRunSaysSo) {
+  const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", workspace_.string(),
+                               "--output_path", output_.string(), "--num_threads", "1"},
+                              /*interrupt_after_seconds=*/0.5);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err, "ERROR: cancelled\n");
+  EXPECT_FALSE(fs::exists(output_ / "drawing.ply"));
+}
+
+TEST(Commands, UnknownCommandIsRefused) {
+  const LimnRun run = RunLimn({"automatic_painter"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: "), HasSubstr("automatic_painter")));
+}
+
+TEST(Commands, AllAreListedAndHaveHelp) {
+  const LimnRun help = RunLimn({"help"});
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* command : {"automatic_drawer", "edge_extractor", "curve_linker",
+                              "curve_sketcher", "curve_drawer", "drawing_evaluator"}) {
+    EXPECT_THAT(help.out, HasSubstr(command));
+    const LimnRun run = RunLimn({command, "-h"});
+    EXPECT_EQ(run.exit_code, 0) << command;
+    EXPECT_THAT(run.out, HasSubstr("_path")) << command;
+    EXPECT_EQ(run.err, "") << command;
+  }
+}
+
+}  // namespace
+}  // namespace limn::testing

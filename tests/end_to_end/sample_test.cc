@@ -1,0 +1,56 @@
+// The main job on the whole sample scene with default options, judged against the truth.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/layout.h"
+#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/to_views.h"
+#include "end_to_end/run_limn.h"
+#include "limn/evaluation/evaluate_curves.h"
+#include "limn/io/drawing_json_reader.h"
+#include "limn/io/junctions_reader.h"
+#include "limn/io/read_curves.h"
+#include "limn/model/curve_set.h"
+
+namespace limn::testing {
+namespace {
+
+constexpr double kTauFootprints = 2;
+constexpr double kMinPrecision = 0.85;
+constexpr double kMinRecall = 0.85;
+constexpr double kMinJunctionRecall = 0.80;
+
+// Distances are multiples of the pixel footprint; junctions are found within two taus.
+TauResult Judge(const DrawingGraph& graph) {
+  const std::string truth_dir = LIMN_SAMPLE_DIR "/truth/";
+  CurveSet truth = ReadCurves(truth_dir + "curves-visible.ply");
+  truth.nodes = ReadJunctions(truth_dir + "junctions.json");
+  colmap_ext::LayoutOptions paths;
+  paths.workspace_path = LIMN_SAMPLE_DIR "/day";
+  const colmap_ext::WorkspaceLayout layout = colmap_ext::ResolveLayout(paths);
+  const colmap_ext::ViewSet set =
+      colmap_ext::ToViews(colmap_ext::ReadModel(layout.model_dir), layout.image_dir, {});
+  EvaluationOptions options;
+  options.taus = {kTauFootprints};
+  options.region =
+      Eigen::AlignedBox3d(Eigen::Vector3d(-1.25, -0.95, 0.04), Eigen::Vector3d(1.25, 0.95, 1.05));
+  return EvaluateCurvesInFootprints(ToCurveSet(graph), truth, set.views, options,
+                                    ReadCurves(truth_dir + "dont-care.ply"))
+      .rows.front();
+}
+
+TEST(Sample, DrawingAgreesWithTheTruth) {
+  const TempDir dir;
+  const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day",
+                               "--output_path", dir.path().string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const TauResult result = Judge(ReadDrawingJson((dir / "drawing.json").string()).graph);
+  EXPECT_GE(result.precision.value(), kMinPrecision);
+  EXPECT_GE(result.recall.value(), kMinRecall);
+  EXPECT_GE(result.junction_recall.value(), kMinJunctionRecall);
+}
+
+}  // namespace
+}  // namespace limn::testing

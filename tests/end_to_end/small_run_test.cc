@@ -1,0 +1,137 @@
+// All commands on eight small images of the sample scene.
+#include <algorithm>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "end_to_end/run_limn.h"
+#include "limn/io/drawing_json_reader.h"
+#include "limn/io/read_curves.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class SmallRun : public ::testing::Test {
+ protected:
+  SmallRun() {
+    std::string names;
+    for (int i = 0; i < 8; ++i) names += "view_0" + std::to_string(i) + ".jpg\n";
+    list_ = dir_.WriteFile("list.txt", names);
+  }
+
+  void Run(const std::string& command, const std::string& output,
+           const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {command,
+                                          "--workspace_path",
+                                          LIMN_SAMPLE_DIR "/day",
+                                          "--output_path",
+                                          (dir_ / output).string(),
+                                          "--image_list_path",
+                                          list_,
+                                          "--quality",
+                                          "low",
+                                          "--max_image_size",
+                                          "320"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const LimnRun run = RunLimn(arguments);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+  }
+
+  fs::path Output(const std::string& output, const std::string& name) const {
+    return dir_ / output / name;
+  }
+
+  TempDir dir_;
+  std::string list_;
+};
+
+// All outputs but the options of the run, which name threads and paths.
+std::map<std::string, std::string> Results(const fs::path& folder) {
+  auto files = ReadTree(folder);
+  EXPECT_EQ(files.erase("curves/project.ini"), 1u);
+  return files;
+}
+
+TEST_F(SmallRun, AutomaticDrawerWritesEverythingWhateverTheThreads) {
+  Run("automatic_drawer", "one", {"--num_threads", "1"});
+  Run("automatic_drawer", "two", {"--num_threads", "2"});
+  const auto one = Results(dir_ / "one");
+  const auto two = Results(dir_ / "two");
+  for (const char* name :
+       {"drawing.ply", "drawing.json", "drawing.obj", "curves/enhanced-sketch.bin",
+        "curves/enhanced-sketch.ply", "curves/tracks.txt", "curves/overlays/view_03.jpg.png",
+        "curves/cache/edges/view_03.jpg.edges", "curves/cache/fragments/view_03.jpg.fragments"}) {
+    EXPECT_TRUE(one.contains(name)) << name;
+  }
+  ASSERT_EQ(one.size(), two.size());
+  for (const auto& [name, bytes] : one) {
+    EXPECT_TRUE(two.contains(name) && two.at(name) == bytes) << name << " differs";
+  }
+
+  // ReadDrawingJson validates the graph.
+  const DrawingFile drawing = ReadDrawingJson(Output("one", "drawing.json").string());
+  EXPECT_GT(drawing.graph.links.size(), 20u);
+  EXPECT_EQ(drawing.metadata.view_names.size(), 8u);
+  for (const char* name : {"drawing.ply", "drawing.obj"}) {
+    EXPECT_EQ(ReadCurves(Output("one", name).string()).polylines.size(), drawing.graph.links.size())
+        << name;
+  }
+}
+
+TEST_F(SmallRun, ProjectFileRepeatsTheRun) {
+  Run("automatic_drawer", "first");
+  const LimnRun again =
+      RunLimn({"automatic_drawer", "--project_path", Output("first", "curves/project.ini").string(),
+               "--output_path", (dir_ / "again").string()});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(Results(dir_ / "again"), Results(dir_ / "first"));
+}
+
+TEST_F(SmallRun, StepByStepGivesTheSameDrawing) {
+  Run("automatic_drawer", "automatic");
+  Run("edge_extractor", "steps");
+  Run("curve_linker", "steps");
+  Run("curve_sketcher", "steps");
+  Run("curve_drawer", "steps");
+  EXPECT_EQ(ReadTree(dir_ / "steps"), Results(dir_ / "automatic"));
+}
+
+TEST_F(SmallRun, CurveDrawerRefusesASketchOfOtherCurves) {
+  Run("curve_sketcher", "out");
+  const LimnRun run = RunLimn({"curve_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day",
+                               "--output_path", (dir_ / "out").string(), "--image_list_path", list_,
+                               "--quality", "low", "--max_image_size", "300"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("curve_sketcher"));
+  EXPECT_FALSE(fs::exists(Output("out", "drawing.ply")));
+}
+
+TEST_F(SmallRun, OriginalSketch) {
+  Run("curve_sketcher", "out", {"--mode", "original"});
+  EXPECT_GT(ReadCurves(Output("out", "curves/sketch.ply").string()).polylines.size(), 20u);
+  EXPECT_TRUE(fs::exists(Output("out", "curves/sketch.bin")));
+  EXPECT_FALSE(fs::exists(Output("out", "curves/enhanced-sketch.bin")));
+}
+
+TEST_F(SmallRun, BoxLimitsTheDrawing) {
+  Run("automatic_drawer", "out", {"--box=-0.5,0.5,-0.5,0.5,0.04,1.05"});
+  const DrawingFile drawing = ReadDrawingJson(Output("out", "drawing.json").string());
+  ASSERT_FALSE(drawing.graph.links.empty());
+  // Averaging may move what lies on the border by a few pixel footprints (1 cm each).
+  constexpr double kSlack = 0.03;
+  for (const DrawingLink& link : drawing.graph.links) {
+    for (const Eigen::Vector3d& point : link.points_in_world) {
+      EXPECT_LT(std::max(std::abs(point.x()), std::abs(point.y())), 0.5 + kSlack);
+      EXPECT_GT(point.z(), 0.04 - kSlack);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limn::testing
