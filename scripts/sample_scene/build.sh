@@ -14,10 +14,10 @@ in_blender() {
   nice -n 19 blender --background --python "$here/$script" -- "$@" | grep -v '^Fra:'
 }
 
-for light in day evening lamp; do
-  in_blender render.py --light "$light" --output "$work/frames/$light"
-done
-in_blender render.py --light day --distorted --output "$work/frames/distorted"
+in_blender render.py --light day --output "$work/frames/day" --samples 64
+in_blender render.py --light evening --output "$work/frames/evening" --samples 40
+in_blender render.py --light lamp --output "$work/frames/lamp" --samples 40
+in_blender render.py --light day --distorted --output "$work/frames/distorted" --samples 20
 /usr/bin/python3 "$here/make_workspaces.py" --frames "$work/frames" --sample "$sample"
 /usr/bin/python3 "$here/sift_points.py" --sample "$sample" --work "$work/colmap" --points
 in_blender truth.py --sample "$sample" --depth
