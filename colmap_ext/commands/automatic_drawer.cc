@@ -15,16 +15,16 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
-  PipelineResult result = DrawScene({project.views(), project.view_set().hints, project.images(),
-                                     BoxFromNumbers(options.box), project.CacheDir()},
-                                    options.pipeline, console.context(),
-                                    [&](const StageSummary& summary, const CacheUse& cache) {
-                                      console.Report(cache);
-                                      console.Report(summary);
-                                    });
+  const PipelineResult result = DrawScene(
+      {project.views(), project.view_set().hints, project.images(), BoxFromNumbers(options.box),
+       project.CacheDir()},
+      options.pipeline, console.context(), [&](const StageSummary& summary, const CacheUse& cache) {
+        console.Report(cache);
+        console.Report(summary);
+      });
   CheckGraph(result.graph);
-  WriteSketchResults(project, kEnhancedSketchName, result.curves,
-                     {std::move(result.sketch), Provenance(options)});
+  WriteSketchResults(project, kEnhancedSketchName, result.curves, result.sketch,
+                     Provenance(options));
   WriteDrawingResults(project, result.graph, Provenance(options), &console);
   parser->WriteIni(project.CurvesPath("project.ini"));
   return 0;

@@ -20,12 +20,14 @@ int RunCurveDrawer(int argc, const char* const* argv) {
                     options.pipeline.linking, console.context());
   console.Report(image_curves.cache);
   console.Report(image_curves.summary);
-  const StoredSketch stored = ReadSketchResult(project, kEnhancedSketchName, image_curves.curves);
+  const StoredCurveSketch stored =
+      ReadSketchResult(project, kEnhancedSketchName, image_curves.curves);
   const DrawingResult result = BuildDrawing({project.views(), image_curves.curves, stored.sketch},
                                             options.pipeline.drawing, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
-  WriteDrawingResults(project, result.graph, Provenance(options, stored.options_json), &console);
+  WriteDrawingResults(project, result.graph, Provenance(options, stored.metadata.options_json),
+                      &console);
   return 0;
 }
 

@@ -27,12 +27,11 @@ int RunCurveSketcher(int argc, const char* const* argv) {
   const SketchInput input{project.views(), image_curves.curves, project.view_set().hints,
                           BoxFromNumbers(options.box)};
   const auto build = mode == "original" ? BuildOriginalSketch : BuildEnhancedSketch;
-  SketchResult result = build(input, options.pipeline.sketch, console.context());
+  const SketchResult result = build(input, options.pipeline.sketch, console.context());
   console.Report(result.summary);
 
   const std::string name = mode == "original" ? kOriginalSketchName : kEnhancedSketchName;
-  WriteSketchResults(project, name, image_curves.curves,
-                     {std::move(result.sketch), Provenance(options)});
+  WriteSketchResults(project, name, image_curves.curves, result.sketch, Provenance(options));
   console.Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");
   return 0;
 }

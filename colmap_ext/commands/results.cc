@@ -12,6 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+DrawingMetadata Metadata(const Project& project, const std::string& provenance) {
+  DrawingMetadata metadata;
+  for (const View& view : project.views()) metadata.view_names.push_back(view.name);
+  metadata.options_json = provenance;
+  return metadata;
+}
+
 // The drawing over every photograph; one photograph per thread is in memory.
 void WriteOverlays(const Project& project, const DrawingGraph& graph, const RunContext& context) {
   const std::string folder = project.CurvesPath("overlays");
@@ -46,21 +53,28 @@ std::string Provenance(const RunOptions& options, const std::string& sketch_prov
 }
 
 void WriteSketchResults(const Project& project, const std::string& name,
-                        const std::vector<ImageCurves>& curves, const StoredSketch& stored) {
-  WriteSketchFile(project.CurvesPath(name + ".bin"), CurvesKey(project.views(), curves), stored);
-  WriteSketch(project.CurvesPath(name + ".ply"), stored.sketch);
+                        const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
+                        const std::string& provenance) {
+  WriteCurveSketch(project.CurvesPath(name + ".bin"), sketch, Metadata(project, provenance),
+                   CurvesKey(project.views(), curves));
+  WriteSketch(project.CurvesPath(name + ".ply"), sketch);
 }
 
-StoredSketch ReadSketchResult(const Project& project, const std::string& name,
-                              const std::vector<ImageCurves>& curves) {
-  return ReadSketchFile(project.CurvesPath(name + ".bin"), CurvesKey(project.views(), curves));
+StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
+                                   const std::vector<ImageCurves>& curves) {
+  const std::string path = project.CurvesPath(name + ".bin");
+  auto stored = ReadCurveSketch(path, CurvesKey(project.views(), curves));
+  if (!stored) {
+    throw IoError(path,
+                  "was made from other images, cameras or options of edges and linking, or "
+                  "by another version of limn: run curve_sketcher again");
+  }
+  return std::move(*stored);
 }
 
 void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
                          const std::string& provenance, Console* console) {
-  DrawingMetadata metadata;
-  for (const View& view : project.views()) metadata.view_names.push_back(view.name);
-  metadata.options_json = provenance;
+  const DrawingMetadata metadata = Metadata(project, provenance);
   for (const char* name : {"drawing.ply", "drawing.json", "drawing.obj"}) {
     WriteDrawing(project.DrawingPath(name), graph, metadata);
   }

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "colmap_ext/commands/project.h"
+#include "limn/io/curve_sketch_file.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
-#include "limn/pipeline/stage_files.h"
 
 namespace limn::colmap_ext {
 
@@ -27,11 +27,12 @@ void CheckGraph(const DrawingGraph& graph);
 
 // Write <curves>/<name>.bin and .ply.
 void WriteSketchResults(const Project& project, const std::string& name,
-                        const std::vector<ImageCurves>& curves, const StoredSketch& stored);
+                        const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
+                        const std::string& provenance);
 
 // Read <curves>/<name>.bin. Throws IoError if it is missing, damaged or not made from these curves.
-StoredSketch ReadSketchResult(const Project& project, const std::string& name,
-                              const std::vector<ImageCurves>& curves);
+StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
+                                   const std::vector<ImageCurves>& curves);
 
 // Write drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.
 void WriteDrawingResults(const Project& project, const DrawingGraph& graph,

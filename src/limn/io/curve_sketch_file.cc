@@ -94,10 +94,11 @@ void CheckSizes(const Curve3D& curve) {
 }  // namespace
 
 void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
-                      const std::vector<std::string>& view_names, const std::string& identity) {
+                      const DrawingMetadata& metadata, const std::string& identity) {
   ByteWriter out;
-  out.PutCount(view_names.size());
-  for (const std::string& name : view_names) out.PutString(name);
+  out.PutString(metadata.options_json);
+  out.PutCount(metadata.view_names.size());
+  for (const std::string& name : metadata.view_names) out.PutString(name);
   out.PutCount(sketch.curves.size());
   for (const Curve3D& curve : sketch.curves) {
     CheckSizes(curve);
@@ -112,8 +113,9 @@ std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
   if (!payload) return std::nullopt;
   ByteReader in(path + " (unpacked)", *payload);
   StoredCurveSketch stored;
+  stored.metadata.options_json = in.GetString();
   const size_t num_views = in.GetCount(sizeof(uint64_t));
-  for (size_t i = 0; i < num_views; ++i) stored.view_names.push_back(in.GetString());
+  for (size_t i = 0; i < num_views; ++i) stored.metadata.view_names.push_back(in.GetString());
   const size_t num_curves = in.GetCount(3 * sizeof(int32_t) + 1 + sizeof(uint64_t));
   for (size_t i = 0; i < num_curves; ++i) {
     stored.sketch.curves.push_back(GetCurve(&in, static_cast<int>(num_views)));

@@ -1,13 +1,14 @@
 #include "limn/pipeline/extract_curves.h"
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "limn/io/image_curves_file.h"
 #include "limn/pipeline/content_hash.h"
 #include "limn/pipeline/pipeline_options.h"
-#include "limn/pipeline/stage_files.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -18,34 +19,33 @@ class Cache {
  public:
   Cache(const std::string& dir, const char* kind) : dir_(dir), kind_(kind) {}
 
-  bool enabled() const { return !dir_.empty(); }
-
-  std::string PathOf(const View& view) const {
-    return (std::filesystem::path(dir_) / kind_ / (view.name + "." + kind_)).string();
-  }
-
-  // What `read(path, key)` gives; nothing if the file is missing, of another key, or damaged.
-  template <typename Read>
-  auto Find(const View& view, const std::string& key, Read&& read)
-      -> decltype(read(std::string(), key)) {
-    if (!enabled()) return std::nullopt;
+  // Nothing if there is no file, or it was made from something else, or is damaged.
+  std::optional<ImageCurves> Find(const View& view, const std::string& key) {
     const std::string path = PathOf(view);
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) return std::nullopt;
+    if (dir_.empty() || !std::filesystem::exists(path, ignored)) return std::nullopt;
     try {
-      auto found = read(path, key);
+      std::optional<ImageCurves> found = ReadImageCurves(path, key);
       ++(found ? reused_ : outdated_);
       return found;
     } catch (const IoError&) {
-      // A damaged cache costs time, never the run; the notice of outdated files covers it.
+      // A damaged cache costs time, never the run; it is counted with the outdated files.
       ++outdated_;
       return std::nullopt;
     }
   }
 
+  void Store(const View& view, const std::string& key, const ImageCurves& curves) const {
+    if (!dir_.empty()) WriteImageCurves(PathOf(view), curves, key);
+  }
+
   CacheUse Use() const { return {reused_, outdated_}; }
 
  private:
+  std::string PathOf(const View& view) const {
+    return (std::filesystem::path(dir_) / kind_ / (view.name + ".bin")).string();
+  }
+
   std::string dir_;
   const char* kind_;
   std::atomic<int64_t> reused_ = 0;
@@ -58,16 +58,30 @@ class Extractor {
   Extractor(const ExtractionInput& input, const EdgeDetectionOptions& edges)
       : input_(input), edge_options_(edges), edge_key_(OptionsAsText(edges)) {}
 
-  EdgeMap EdgesOf(ViewId id) { return EdgesOf(id, EdgeKey(id)); }
+  // By way of the cache, which keeps them too.
+  EdgeMap EdgesOf(ViewId id) {
+    const View& view = input_.views[id];
+    const std::string key = EdgeKey(id);
+    if (auto found = edges_.Find(view, key)) return std::move(found->edge_map);
+    ImageCurves curves;
+    curves.edge_map = DetectEdges(input_.images.read(id), edge_options_);
+    edges_.Store(view, key, curves);
+    return std::move(curves.edge_map);
+  }
 
-  LinkingResult FragmentsOf(ViewId id, const LinkingOptions& linking) {
+  // By way of the cache. New edge maps are not kept: they are as large as the fragments.
+  ImageCurves FragmentsOf(ViewId id, const LinkingOptions& linking) {
     const View& view = input_.views[id];
     const std::string edge_key = EdgeKey(id);
     const std::string key = edge_key + OptionsAsText(linking);
-    if (auto found = fragments_.Find(view, key, ReadFragmentsFile)) return std::move(*found);
-    LinkingResult linked = LinkEdgels(EdgesOf(id, edge_key), linking);
-    if (fragments_.enabled()) WriteFragmentsFile(fragments_.PathOf(view), key, linked);
-    return linked;
+    if (auto found = fragments_.Find(view, key)) return std::move(*found);
+    auto edges = edges_.Find(view, edge_key);
+    ImageCurves curves = LinkEdgels(edges ? std::move(edges->edge_map)
+                                          : DetectEdges(input_.images.read(id), edge_options_),
+                                    linking)
+                             .curves;
+    fragments_.Store(view, key, curves);
+    return curves;
   }
 
   CacheUse EdgesUse() const { return edges_.Use(); }
@@ -76,14 +90,6 @@ class Extractor {
  private:
   std::string EdgeKey(ViewId id) const { return input_.images.identity(id) + "\n" + edge_key_; }
 
-  EdgeMap EdgesOf(ViewId id, const std::string& key) {
-    const View& view = input_.views[id];
-    if (auto found = edges_.Find(view, key, ReadEdgeMapFile)) return std::move(*found);
-    EdgeMap map = DetectEdges(input_.images.read(id), edge_options_);
-    if (edges_.enabled()) WriteEdgeMapFile(edges_.PathOf(view), key, map);
-    return map;
-  }
-
   const ExtractionInput& input_;
   const EdgeDetectionOptions& edge_options_;
   std::string edge_key_;
@@ -91,10 +97,13 @@ class Extractor {
   Cache fragments_{input_.cache_dir, "fragments"};
 };
 
+// Where the edgels of a view are.
 struct ViewCounts {
-  LinkingStats linking;
-  int64_t outside_lens = 0;         // of the edgels in fragments
-  int64_t edgels_in_fragments = 0;  // after the lens
+  int64_t edgels = 0;
+  int64_t not_linked = 0;   // in no link of the link graph
+  int64_t not_grouped = 0;  // linked, but in no fragment that is long enough
+  int64_t outside_lens = 0;
+  int64_t in_fragments = 0;
   int64_t fragments = 0;
 };
 
@@ -106,22 +115,37 @@ int64_t CountEdgelsInFragments(const ImageCurves& curves) {
   return count;
 }
 
+// Before the lens.
+ViewCounts CountLinked(const ImageCurves& curves) {
+  ViewCounts counts;
+  const size_t num_edgels = curves.edge_map.edgels.size();
+  std::vector<bool> linked(num_edgels, false);
+  for (const EdgelLink& link : curves.link_graph) linked[link.a] = linked[link.b] = true;
+  for (const CurveFragment& fragment : curves.fragments) {
+    for (const EdgelId id : fragment.edgel_ids) linked[id] = true;
+  }
+  counts.edgels = static_cast<int64_t>(num_edgels);
+  counts.not_linked = std::count(linked.begin(), linked.end(), false);
+  counts.not_grouped = counts.edgels - counts.not_linked - CountEdgelsInFragments(curves);
+  return counts;
+}
+
 StageSummary Summarize(const std::vector<ViewCounts>& views) {
   ViewCounts sum;
   for (const ViewCounts& view : views) {
-    sum.linking.edgels += view.linking.edgels;
-    sum.linking.edgels_unlinked += view.linking.edgels_unlinked;
-    sum.linking.edgels_in_short_chains += view.linking.edgels_in_short_chains;
+    sum.edgels += view.edgels;
+    sum.not_linked += view.not_linked;
+    sum.not_grouped += view.not_grouped;
     sum.outside_lens += view.outside_lens;
-    sum.edgels_in_fragments += view.edgels_in_fragments;
+    sum.in_fragments += view.in_fragments;
     sum.fragments += view.fragments;
   }
   StageSummary summary;
   summary.stage = "image curves";
-  summary.in = {{"images", static_cast<int64_t>(views.size())}, {"edgels", sum.linking.edgels}};
-  summary.kept = {{"edgels", sum.edgels_in_fragments}, {"fragments", sum.fragments}};
-  summary.dropped = {{"edgels: unlinked", sum.linking.edgels_unlinked},
-                     {"edgels: fragment too short", sum.linking.edgels_in_short_chains},
+  summary.in = {{"images", static_cast<int64_t>(views.size())}, {"edgels", sum.edgels}};
+  summary.kept = {{"edgels", sum.in_fragments}, {"fragments", sum.fragments}};
+  summary.dropped = {{"edgels: not linked to a neighbour", sum.not_linked},
+                     {"edgels: fragment too short", sum.not_grouped},
                      {"edgels: outside the lens model", sum.outside_lens}};
   return summary;
 }
@@ -221,14 +245,15 @@ CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOpti
   result.curves.resize(input.views.size());
   std::vector<ViewCounts> counts(input.views.size());
   ParallelFor(context, "image curves", input.views.size(), [&](size_t v) {
-    LinkingResult linked = extractor.FragmentsOf(static_cast<ViewId>(v), linking);
     ImageCurves& curves = result.curves[v];
-    curves = std::move(linked.curves);
+    curves = extractor.FragmentsOf(static_cast<ViewId>(v), linking);
+    ViewCounts& of_view = counts[v];
+    of_view = CountLinked(curves);
     RemoveUnusableEdgels(ApplyLens(input.views[v].lens.get(), &curves.edge_map), &curves);
-    counts[v].linking = linked.stats;
-    counts[v].edgels_in_fragments = CountEdgelsInFragments(curves);
-    counts[v].outside_lens = linked.stats.edgels_in_fragments - counts[v].edgels_in_fragments;
-    counts[v].fragments = static_cast<int64_t>(curves.fragments.size());
+    of_view.in_fragments = CountEdgelsInFragments(curves);
+    of_view.outside_lens =
+        of_view.edgels - of_view.not_linked - of_view.not_grouped - of_view.in_fragments;
+    of_view.fragments = static_cast<int64_t>(curves.fragments.size());
   });
   result.summary = Summarize(counts);
   result.cache = extractor.FragmentsUse();

@@ -26,8 +26,8 @@ struct ImageSource {
 struct ExtractionInput {
   const std::vector<View>& views;
   const ImageSource& images;
-  // Folder of edge maps and fragments of earlier runs, <cache_dir>/edges/<view name>.edges and
-  // <cache_dir>/fragments/<view name>.fragments. Empty = no cache.
+  // Folder of edge maps and fragments of earlier runs, <cache_dir>/edges/<view name>.bin and
+  // <cache_dir>/fragments/<view name>.bin. Empty = no cache.
   std::string cache_dir;
 };
 
@@ -50,12 +50,13 @@ struct CurvesResult {
   CacheUse cache;
 };
 
-// The edge maps of all views. At most one image per thread is in memory.
+// The edge maps of all views, which the cache keeps. At most one image per thread is in memory.
 EdgeMapsResult ExtractEdgeMaps(const ExtractionInput& input, const EdgeDetectionOptions& edges,
                                const RunContext& context);
 
 // Edges, fragments and lens of all views. Edgels keep the ids that the detector gave them; where
-// the lens cannot map an edgel its fragment is split. At most one image per thread is in memory.
+// the lens cannot map an edgel its fragment is split. The cache keeps the fragments. At most one
+// image per thread is in memory.
 CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOptions& edges,
                            const LinkingOptions& linking, const RunContext& context);
 

@@ -66,6 +66,7 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
   visit("min_fragment_length_px", o.min_fragment_length_px,
         "shorter fragments are not matched, px");
   visit("min_overlap_px", o.min_overlap_px, "shortest stretch that two fragments share, px");
+  visit("sample_spacing_px", o.sample_spacing_px, "spacing at which depths are sought, px");
   visit("max_support_distance_px", o.max_support_distance_px,
         "an edgel this near across the edge supports a sample, px");
   visit("max_support_angle_deg", o.max_support_angle_deg, "and within this angle, deg");

@@ -55,7 +55,7 @@ CurveSketch SmallSketch() {
   return sketch;
 }
 
-const std::vector<std::string> kViewNames = {"a.png", "dir/b.png"};
+const DrawingMetadata kMetadata{{"a.png", "dir/b.png"}, "{\"a\": 1}"};
 
 TEST(ImageCurvesFile, RoundTrip) {
   const TemporaryFolder folder;
@@ -94,10 +94,11 @@ TEST(ImageCurvesFile, RoundTrip) {
 TEST(CurveSketchFile, RoundTrip) {
   const TemporaryFolder folder;
   const CurveSketch written = SmallSketch();
-  WriteCurveSketch(folder.Path("a.bin"), written, kViewNames, "x");
+  WriteCurveSketch(folder.Path("a.bin"), written, kMetadata, "x");
   const std::optional<StoredCurveSketch> read = ReadCurveSketch(folder.Path("a.bin"), "");
   ASSERT_TRUE(read);
-  EXPECT_EQ(read->view_names, kViewNames);
+  EXPECT_EQ(read->metadata.view_names, kMetadata.view_names);
+  EXPECT_EQ(read->metadata.options_json, kMetadata.options_json);
   ASSERT_EQ(read->sketch.curves.size(), written.curves.size());
   for (size_t c = 0; c < written.curves.size(); ++c) {
     const Curve3D& a = written.curves[c];
@@ -172,7 +173,7 @@ TEST(StageFile, IdsOutOfRangeAreRefused) {
   const auto refuse_sketch = [&](const std::function<void(Curve3D*)>& spoil) {
     CurveSketch sketch = SmallSketch();
     spoil(&sketch.curves[2]);
-    WriteCurveSketch(folder.Path("s.bin"), sketch, kViewNames, "id");
+    WriteCurveSketch(folder.Path("s.bin"), sketch, kMetadata, "id");
     EXPECT_THROW(ReadCurveSketch(folder.Path("s.bin"), "id"), IoError);
   };
   refuse_sketch([](Curve3D* curve) { curve->anchor.view = 2; });
@@ -182,7 +183,7 @@ TEST(StageFile, IdsOutOfRangeAreRefused) {
   refuse_sketch([](Curve3D* curve) { curve->depth_sigma[0] = NAN; });
   CurveSketch uneven = SmallSketch();
   uneven.curves[1].certain.pop_back();
-  EXPECT_THROW(WriteCurveSketch(folder.Path("s.bin"), uneven, kViewNames, "id"), InputError);
+  EXPECT_THROW(WriteCurveSketch(folder.Path("s.bin"), uneven, kMetadata, "id"), InputError);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "limn/pipeline/stage_files.h"
 #include "support/synthetic_image.h"
 
 namespace limn {
@@ -116,11 +115,19 @@ TEST_F(ExtractCurvesTest, TheSecondRunComesFromTheCache) {
   EXPECT_EQ(second.summary.dropped, first.summary.dropped);
 }
 
-TEST_F(ExtractCurvesTest, OtherLinkingUsesTheEdgesAgain) {
+TEST_F(ExtractCurvesTest, KeptEdgeMapsAreUsed) {
+  const CurvesResult direct = Extract();
+  ExtractEdgeMaps({views_, images_, cache_.string()}, edges_, RunContext());
+  const CurvesResult result = Extract(cache_.string());
+  EXPECT_EQ(num_read_, 0);
+  EXPECT_EQ(result.cache.reused, 0);
+  EXPECT_EQ(CurvesKey(views_, result.curves), CurvesKey(views_, direct.curves));
+}
+
+TEST_F(ExtractCurvesTest, OtherLinkingIsComputedAgain) {
   Extract(cache_.string());
   linking_.min_length_px = 20;
   const CurvesResult result = Extract(cache_.string());
-  EXPECT_EQ(num_read_, 0);
   EXPECT_EQ(result.cache.reused, 0);
   EXPECT_EQ(result.cache.outdated, 2);
 }
@@ -136,11 +143,9 @@ TEST_F(ExtractCurvesTest, OtherPixelsAreComputedAgain) {
 
 TEST_F(ExtractCurvesTest, DamagedCacheIsComputedAgain) {
   const CurvesResult first = Extract(cache_.string());
-  for (const char* kind : {"edges", "fragments"}) {
-    const fs::path file = cache_ / kind / (std::string("b.png.") + kind);
-    ASSERT_TRUE(fs::exists(file));
-    fs::resize_file(file, fs::file_size(file) / 2);
-  }
+  const fs::path file = cache_ / "fragments" / "b.png.bin";
+  ASSERT_TRUE(fs::exists(file));
+  fs::resize_file(file, fs::file_size(file) / 2);
   const CurvesResult second = Extract(cache_.string());
   EXPECT_EQ(num_read_, 1);
   EXPECT_EQ(second.cache.reused, 1);
