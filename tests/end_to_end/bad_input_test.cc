@@ -133,7 +133,7 @@ TEST_F(BadInput, CurveDrawerWithoutSketch) {
 TEST_F(BadInput, InterruptedRunSaysSo) {
   const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", workspace_.string(),
                                "--output_path", output_.string(), "--num_threads", "1"},
-                              /*interrupt_after_seconds=*/0.5);
+                              /*interrupt_after_seconds=*/2);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.err, "ERROR: cancelled\n");
   EXPECT_FALSE(fs::exists(output_ / "drawing.ply"));
