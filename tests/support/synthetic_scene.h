@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/geometry/polyline.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/view.h"
+
+namespace limn::testing {
+
+// A curve of a scene of bare wires: every view sees all of it.
+struct SceneCurve {
+  // Vertices close enough together to stand for the curve; a closed one does not repeat the first.
+  Polyline3d points;
+  bool closed = false;
+};
+
+SceneCurve Segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+// Parallel to the xy plane.
+SceneCurve Circle(const Eigen::Vector3d& center, double radius);
+// The 8 corners and 12 edges of the axis-parallel cube around the origin.
+std::vector<Eigen::Vector3d> CubeCorners(double half_side);
+std::vector<SceneCurve> CubeEdges(double half_side);
+
+// The curves as evaluation wants them: a closed curve returns to its first point.
+std::vector<Polyline3d> Polylines(const std::vector<SceneCurve>& curves);
+
+// A camera of 640 x 480 px and 600 px focal length at `center`, looking at `target`, z up.
+View LookAt(const Eigen::Vector3d& center, const Eigen::Vector3d& target);
+// Views of the origin from a dome of this radius, elevations 20 to 65 degrees, evenly spread.
+std::vector<View> DomeViews(int count, double radius);
+// The same cameras in a world `factor` times as large.
+std::vector<View> Scaled(const std::vector<View>& views, double factor);
+
+// The projections of the curves: one fragment per curve in the same order, edgels about 1 px apart,
+// exact but for Gaussian noise of this standard deviation (px) across the edge. Throws
+// std::invalid_argument if a curve is not wholly inside the view's region.
+ImageCurves ProjectCurves(const View& view, const std::vector<SceneCurve>& curves,
+                          double noise_px = 0, unsigned seed = 1);
+// For every view, each with a seed of its own.
+std::vector<ImageCurves> ProjectCurves(const std::vector<View>& views,
+                                       const std::vector<SceneCurve>& curves, double noise_px = 0);
+
+// The edge map of these edgels alone, without fragments.
+EdgeMap MakeEdgeMap(const View& view, std::vector<Edgel> edgels);
+// An exact edgel of the stored image.
+Edgel MakeEdgel(const Eigen::Vector2d& position_px, double tangent_rad);
+
+}  // namespace limn::testing
