@@ -1,0 +1,113 @@
+#include "limn/sketch/depth_fusion.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+// `count` vertices 2 px apart.
+FragmentRays StraightFragment(int count) {
+  FragmentRays fragment;
+  for (int i = 0; i < count; ++i) {
+    fragment.positions_px.push_back({2.0 * i, 0});
+    fragment.tangents_px.push_back({1, 0});
+    fragment.rays.push_back({0.002 * i, 0, 1});
+    fragment.normals.push_back({0, 1, 0});
+    fragment.arc_px.push_back(2.0 * i);
+  }
+  return fragment;
+}
+
+DepthCandidate Candidate(double inverse_depth, double support, int second_rank) {
+  DepthCandidate candidate;
+  candidate.inverse_depth = inverse_depth;
+  candidate.px_per_inverse_depth = 1000;
+  candidate.information = 0.1;
+  candidate.weighted_support = support;
+  candidate.num_supporting = static_cast<int>(support);
+  candidate.second_rank = second_rank;
+  return candidate;
+}
+
+TEST(DepthFusionTest, ModeWithMostSupportWins) {
+  const int count = 20;
+  std::vector<std::vector<DepthCandidate>> candidates(count);
+  for (auto& of_vertex : candidates) {
+    of_vertex = {Candidate(0.3, 4, 0), Candidate(0.2, 9, 1), Candidate(0.1, 5, 2)};
+  }
+  const auto fused = FuseDepths(StraightFragment(count), candidates, SketchOptions());
+  ASSERT_EQ(fused.size(), candidates.size());
+  for (const FusedDepth& depth : fused) {
+    ASSERT_TRUE(depth.has_depth);
+    EXPECT_NEAR(depth.inverse_depth, 0.2, 1e-9);
+    EXPECT_EQ(depth.num_candidates, 1);
+  }
+}
+
+TEST(DepthFusionTest, CandidatesOfAModeAreAveragedByInformation) {
+  DepthCandidate strong = Candidate(0.2000, 8, 0), weak = Candidate(0.2001, 8, 1);  // 0.1 px apart
+  strong.information = 0.3;
+  const auto fused =
+      FuseDepths(StraightFragment(10), std::vector<std::vector<DepthCandidate>>(10, {strong, weak}),
+                 SketchOptions());
+  for (const FusedDepth& depth : fused) {
+    EXPECT_NEAR(depth.inverse_depth, (0.3 * 0.2000 + 0.1 * 0.2001) / 0.4, 1e-9);
+    EXPECT_NEAR(depth.information, 0.4, 1e-9);
+    EXPECT_EQ(depth.num_candidates, 2);
+  }
+}
+
+TEST(DepthFusionTest, OutliersOfAModeAreDropped) {
+  // Seven within 0.06 px, one 1.3 px off: inside the gate of the mode, but an outlier.
+  std::vector<DepthCandidate> of_vertex;
+  for (int i = 0; i < 7; ++i) of_vertex.push_back(Candidate(0.2 + 1e-5 * (i - 3), 8, i));
+  of_vertex[3].weighted_support = 9;
+  of_vertex.push_back(Candidate(0.2013, 8, 7));
+  const auto fused =
+      FuseDepths(StraightFragment(10), std::vector<std::vector<DepthCandidate>>(10, of_vertex),
+                 SketchOptions());
+  for (const FusedDepth& depth : fused) {
+    EXPECT_NEAR(depth.inverse_depth, 0.2, 1e-9);
+    EXPECT_EQ(depth.num_candidates, 7);
+  }
+}
+
+TEST(DepthFusionTest, SmoothCourseBeatsAccidentalSupport) {
+  // One vertex has a little more support for a wrong depth 50 px off.
+  std::vector<std::vector<DepthCandidate>> candidates(21, {Candidate(0.2, 8, 0)});
+  candidates[10].push_back(Candidate(0.25, 9, 1));
+  const auto fused = FuseDepths(StraightFragment(21), candidates, SketchOptions());
+  ASSERT_TRUE(fused[10].has_depth);
+  EXPECT_NEAR(fused[10].inverse_depth, 0.2, 1e-9);
+}
+
+TEST(DepthFusionTest, SlopeExplainsASlantedCurve) {
+  std::vector<std::vector<DepthCandidate>> candidates;
+  for (int i = 0; i < 30; ++i) {
+    DepthCandidate slanted = Candidate(0.2 + 0.003 * 2 * i, 6, 0);  // 6 px from one to the next
+    slanted.slope_per_px = 0.003;
+    DepthCandidate flat = Candidate(0.1, 5, 1);
+    candidates.push_back({slanted, flat});
+  }
+  const auto fused = FuseDepths(StraightFragment(30), candidates, SketchOptions());
+  for (int i = 0; i < 30; ++i) EXPECT_NEAR(fused[i].inverse_depth, 0.2 + 0.006 * i, 1e-9);
+}
+
+TEST(DepthFusionTest, NoCandidatesNoDepth) {
+  std::vector<std::vector<DepthCandidate>> candidates(20, {Candidate(0.2, 8, 0)});
+  candidates[7].clear();
+  const auto fused = FuseDepths(StraightFragment(20), candidates, SketchOptions());
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(fused[i].has_depth, i != 7);
+}
+
+TEST(DepthFusionTest, CertainIfAnyCandidateOfTheModeIs) {
+  DepthCandidate certain = Candidate(0.2, 8, 0), uncertain = Candidate(0.2, 7, 1);
+  uncertain.certain = false;
+  std::vector<std::vector<DepthCandidate>> candidates(10, {certain, uncertain});
+  candidates[5] = {uncertain};
+  const auto fused = FuseDepths(StraightFragment(10), candidates, SketchOptions());
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(fused[i].certain, i != 5);
+}
+
+}  // namespace
+}  // namespace limn
