@@ -12,6 +12,8 @@ namespace {
 constexpr double kDeg = M_PI / 180;
 // A link is covered when this share of its points runs along others.
 constexpr double kCoveredShare = 0.8;
+// Links between two nodes may be short, px.
+constexpr double kMinBridgePx = 2;
 
 struct End {
   int link = -1;
@@ -122,15 +124,16 @@ class NodeCleaner {
   Draft* draft_;
 };
 
-// Links that hang by one end or by none and are shorter than the limit.
+// All but the links that hang by one end or by none and are shorter than the limit.
 std::vector<uint8_t> LongOrTied(const DrawingOptions& options, const Draft& draft) {
   const EndsAtNode ends = CollectEnds(draft);
   const auto tied = [&](int node) { return node >= 0 && ends.at(node).size() > 1; };
   std::vector<uint8_t> keep;
   for (const DraftLink& link : draft.links) {
     const bool both_tied = tied(link.node[0]) && tied(link.node[1]);
-    keep.push_back(link.size() >= 2 && LengthPx(link) > 0 &&
-                   (link.closed || both_tied || LengthPx(link) >= options.min_link_length_px));
+    const bool bridge = both_tied && link.node[0] != link.node[1];
+    const double needed = bridge ? kMinBridgePx : options.min_link_length_px;
+    keep.push_back(link.size() >= 2 && LengthPx(link) >= needed);
   }
   return keep;
 }

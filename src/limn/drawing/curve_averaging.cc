@@ -13,6 +13,9 @@ namespace {
 
 // Samples to either side of the partner in which the closest point is sought.
 constexpr int kSearchSamples = 6;
+// Partners that are averaged at most, spread evenly over the overlapping curves: more hardly change the
+// mean and cost time.
+constexpr int kMaxPartners = 12;
 // Partners further off than this multiple of the merge distance are not averaged.
 constexpr double kOutlierFactor = 2;
 
@@ -59,8 +62,13 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   Eigen::Matrix2d sum = weight(s);
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   const double max_distance = kOutlierFactor * options.merge_distance_px * footprint;
+  const int num_partners = static_cast<int>(std::count_if(
+      overlaps.begin(), overlaps.end(),
+      [&](const CurveOverlap& overlap) { return overlap.partner[k] >= 0; }));
+  const int stride = (num_partners + kMaxPartners - 1) / kMaxPartners;
+  int rank = 0;
   for (const CurveOverlap& overlap : overlaps) {
-    if (overlap.partner[k] < 0) continue;
+    if (overlap.partner[k] < 0 || rank++ % stride != 0) continue;
     const auto foot = ClosestNear(samples, overlap.partner[k], x);
     if (!foot || (*foot - x).norm() > 3 * max_distance) continue;
     const Eigen::Vector2d offset = across.transpose() * (*foot - x);

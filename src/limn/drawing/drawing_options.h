@@ -30,22 +30,22 @@ struct DrawingOptions {
 
   // Averaging stops when no sample moves by more than this, px, or after the number of rounds.
   double averaging_tolerance_px = 0.05;
-  int max_averaging_rounds = 30;
+  int max_averaging_rounds = 10;
 
   // A sample belongs to a link when their reprojections are this near, px (tau_merge).
-  double merge_distance_px = 1.5;
+  double merge_distance_px = 1.0;
   // A link must be seen by curves of this many primary views to be believed, unless it is well
   // supported otherwise.
   int min_primary_views = 2;
   // Stubs shorter than this are not branches, px (tau_branch).
   double min_branch_length_px = 10;
   // Links shorter than this that hang by one end or by none are dropped, px.
-  double min_link_length_px = 10;
+  double min_link_length_px = 8;
   // Link ends (and junctions) this near meet in one node, px (tau_junc).
   double junction_distance_px = 4;
   // Largest gap bridged between link ends whose tangent lines meet, px, and how near they must pass.
   double max_junction_gap_px = 10;
-  double max_junction_miss_px = 2;
+  double max_junction_miss_px = 3;
   // Views in which the images must show that the curves meet.
   int min_junction_views = 3;
   // Two links that meet alone in a node and turn by less than this are one link.

@@ -10,7 +10,7 @@ struct SketchOptions {
 
   // Fragments shorter than this are not matched, px of arc length. Lower finds smaller details and more
   // accidental matches.
-  double min_fragment_length_px = 15;
+  double min_fragment_length_px = 12;
   // Shortest stretch over which two fragments must correspond, px of arc length in the primary view.
   double min_overlap_px = 5;
 
@@ -20,7 +20,7 @@ struct SketchOptions {
 
   // Edge support (tau_d, tau_theta): a reprojected sample is supported by an edgel within this distance
   // across the edge and this angle.
-  double max_support_distance_px = 1.0;
+  double max_support_distance_px = 1.5;
   double max_support_angle_deg = 15;
   // Half length of the stretch of curve that decides whether a view supports a sample, px.
   double support_window_px = 4;
@@ -30,7 +30,7 @@ struct SketchOptions {
   // least min and at most max (algorithm.md 0.1 item 8).
   double supporting_views_share = 0.3;
   int min_supporting_views = 3;
-  int max_supporting_views = 6;
+  int max_supporting_views = 4;
   // Epipolar tangency: a view whose epipolar line makes an angle below the first with the curve counts
   // with the least weight, above the second fully.
   double min_epipolar_angle_deg = 3;

@@ -78,18 +78,21 @@ void FragmentIndex::VisitCell(int col, int row, const Eigen::Vector2d& from,
                               const Eigen::Vector2d& to,
                               std::vector<LineCrossing>* crossings) const {
   const Eigen::Vector2d along = to - from;
+  const Eigen::Vector2f origin = from.cast<float>();
+  const Eigen::Vector2f direction = along.normalized().cast<float>();
   const int cell = row * cols_ + col;
   for (int i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
     const Chord& chord = chords_[i];
+    // Distances from the line, in single precision: good to 1e-4 px, and the same for both chords at a
+    // shared vertex, so that a line through it crosses exactly one (half-open) of them.
+    const Eigen::Vector2f to_begin = chord.begin - origin;
+    const Eigen::Vector2f to_end = chord.end - origin;
+    const float side_begin = direction.x() * to_begin.y() - direction.y() * to_begin.x();
+    const float side_end = direction.x() * to_end.y() - direction.y() * to_end.x();
+    if ((side_begin >= 0) == (side_end >= 0)) continue;
     const Eigen::Vector2d begin = chord.begin.cast<double>();
     const Eigen::Vector2d end = chord.end.cast<double>();
-    const Eigen::Vector2d to_begin = begin - from;
-    const Eigen::Vector2d to_end = end - from;
-    const double side_begin = along.x() * to_begin.y() - along.y() * to_begin.x();
-    const double side_end = along.x() * to_end.y() - along.y() * to_end.x();
-    // Half-open, so that a line through a shared vertex crosses one of its two chords.
-    if ((side_begin >= 0) == (side_end >= 0)) continue;
-    const double t = side_begin / (side_begin - side_end);
+    const double t = static_cast<double>(side_begin) / (side_begin - side_end);
     const Eigen::Vector2d position = begin + t * (end - begin);
     // A chord is listed in every cell it touches: only the cell of the crossing counts it.
     const Eigen::Vector2d at = (position - origin_) / kCellPx;
