@@ -17,7 +17,7 @@ constexpr int kSearchSamples = 6;
 // mean and cost time.
 constexpr int kMaxPartners = 12;
 // Partners further off than this multiple of the merge distance are not averaged.
-constexpr double kOutlierFactor = 2;
+constexpr double kOutlierFactor = 1;
 
 // Closest point to x on the other curve near `partner`; nothing where the foot is beyond the curve's end.
 std::optional<Eigen::Vector3d> ClosestNear(const SampleSet& samples, int partner,

@@ -44,8 +44,8 @@ struct DrawingOptions {
   // Link ends (and junctions) this near meet in one node, px (tau_junc).
   double junction_distance_px = 4;
   // Largest gap bridged between link ends whose tangent lines meet, px, and how near they must pass.
-  double max_junction_gap_px = 10;
-  double max_junction_miss_px = 3;
+  double max_junction_gap_px = 12;
+  double max_junction_miss_px = 4;
   // Views in which the images must show that the curves meet.
   int min_junction_views = 3;
   // Two links that meet alone in a node and turn by less than this are one link.
