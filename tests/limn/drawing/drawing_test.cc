@@ -80,7 +80,13 @@ TauResult Evaluate(const DrawingGraph& graph, double tau) {
   truth.polylines = testing::Polylines(CubeWithCircle());
   EvaluationOptions options;
   options.taus = {tau};
-  return EvaluateCurvesInFootprints(ToCurveSet(graph), truth, Views(), options).rows.at(0);
+  const TauResult row =
+      EvaluateCurvesInFootprints(ToCurveSet(graph), truth, Views(), options).rows.at(0);
+  ::testing::Test::RecordProperty("recall", std::to_string(row.recall.value()));
+  ::testing::Test::RecordProperty("precision", std::to_string(row.precision.value()));
+  ::testing::Test::RecordProperty("duplicated", std::to_string(row.duplicated.value()));
+  ::testing::Test::RecordProperty("accuracy", std::to_string(row.accuracy.value()));
+  return row;
 }
 
 void ExpectSamplesAccountedFor(const StageSummary& summary) {

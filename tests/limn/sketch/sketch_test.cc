@@ -1,5 +1,8 @@
 #include "limn/sketch/sketch.h"
 
+#include <algorithm>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "limn/evaluation/evaluate_curves.h"
@@ -23,7 +26,7 @@ const std::vector<ImageCurves>& Curves() {
 
 using Generator = SketchResult (*)(const SketchInput&, const SketchOptions&, const RunContext&);
 
-SketchResult Run(Generator generator, std::optional<Eigen::AlignedBox3d> box = std::nullopt) {
+SketchResult RunSketch(Generator generator, std::optional<Eigen::AlignedBox3d> box = std::nullopt) {
   static const SceneHints no_hints;
   RunContext context;
   context.num_threads = 2;
@@ -31,12 +34,12 @@ SketchResult Run(Generator generator, std::optional<Eigen::AlignedBox3d> box = s
 }
 
 const SketchResult& Original() {
-  static const SketchResult result = Run(BuildOriginalSketch);
+  static const SketchResult result = RunSketch(BuildOriginalSketch);
   return result;
 }
 
 const SketchResult& Enhanced() {
-  static const SketchResult result = Run(BuildEnhancedSketch);
+  static const SketchResult result = RunSketch(BuildEnhancedSketch);
   return result;
 }
 
@@ -45,7 +48,11 @@ TauResult Evaluate(const CurveSketch& sketch, double tau) {
   truth.polylines = testing::Polylines(testing::CubeEdges(kHalfSide));
   EvaluationOptions options;
   options.taus = {tau};
-  return EvaluateCurvesInFootprints(ToCurveSet(sketch), truth, Views(), options).rows.at(0);
+  const TauResult row =
+      EvaluateCurvesInFootprints(ToCurveSet(sketch), truth, Views(), options).rows.at(0);
+  ::testing::Test::RecordProperty("recall", std::to_string(row.recall.value()));
+  ::testing::Test::RecordProperty("precision", std::to_string(row.precision.value()));
+  return row;
 }
 
 // Arrays of equal length, unit tangents along the curve, support sorted by view and with the
@@ -85,7 +92,7 @@ TEST(EnhancedSketchTest, FindsTheCubePrecisely) {
 
 TEST(EnhancedSketchTest, ReconstructsOnlyInsideTheBox) {
   const Eigen::AlignedBox3d box(Eigen::Vector3d(-2, -2, 0.1), Eigen::Vector3d(2, 2, 2));
-  const CurveSketch sketch = Run(BuildEnhancedSketch, box).sketch;
+  const CurveSketch sketch = RunSketch(BuildEnhancedSketch, box).sketch;
   ASSERT_FALSE(sketch.curves.empty());
   // Samples between two inside are inside too; fitting may move them by a fraction of a pixel.
   for (const Curve3D& curve : sketch.curves) {
