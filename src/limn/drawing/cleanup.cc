@@ -221,7 +221,7 @@ int64_t Remove(const std::vector<uint8_t>& keep, int64_t* num_links, Draft* draf
 
 }  // namespace
 
-CleanupCounts CleanUp(const SampleSet&, const DrawingOptions& options, Draft* draft) {
+CleanupCounts CleanUp(const DrawingOptions& options, Draft* draft) {
   CleanupCounts counts;
   counts.dissolved_nodes += NodeCleaner(options, draft).Run();
   counts.samples_covered +=

@@ -86,6 +86,7 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
 
 int AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
                   const RunContext& context, SampleSet* samples) {
+  if (samples->NumCurves() == 0) return 0;
   std::vector<Eigen::Vector3d> next = samples->position;
   for (int round = 1; round <= options.max_averaging_rounds; ++round) {
     std::vector<double> moved(samples->NumCurves(), 0);

@@ -46,7 +46,7 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   const MergedCurves merged = MergeCurves(samples, network, keep, input.views, options);
   Draft draft = FitLinks(samples, merged, options);
   const JunctionCounts junctions = JoinLinks(samples, input.views, evidence, options, &draft);
-  const CleanupCounts cleanup = CleanUp(samples, options, &draft);
+  const CleanupCounts cleanup = CleanUp(options, &draft);
 
   DrawingResult result;
   result.graph = AssembleGraph(samples, input.views, input.curves, options, draft);

@@ -40,7 +40,7 @@ struct DrawingOptions {
   // Stubs shorter than this are not branches, px (tau_branch).
   double min_branch_length_px = 10;
   // Links shorter than this that hang by one end or by none are dropped, px.
-  double min_link_length_px = 8;
+  double min_link_length_px = 14;
   // Link ends (and junctions) this near meet in one node, px (tau_junc).
   double junction_distance_px = 4;
   // Largest gap bridged between link ends whose tangent lines meet, px, and how near they must pass.

@@ -16,7 +16,7 @@ struct CleanupCounts {
 
 // Tidy the draft until nothing changes: nodes in which two links meet alone and go on smoothly dissolve,
 // short links that hang by one end or by none and links that run along others are removed.
-CleanupCounts CleanUp(const SampleSet& samples, const DrawingOptions& options, Draft* draft);
+CleanupCounts CleanUp(const DrawingOptions& options, Draft* draft);
 
 // The graph of a draft: free ends and loops get nodes, node positions are the mean of the incident ends,
 // members, supporting views, residuals and smooth continuations are filled in. Passes Validate().

@@ -13,7 +13,7 @@ namespace limn {
 // one hash grid per power of two of it. Points can be added at any time.
 class VertexGrid {
  public:
-  // Cells are `cell_px` footprints wide at the small end of each level.
+  // Cells are twice `cell_px` footprints wide at the small end of each level.
   explicit VertexGrid(double cell_px) : cell_px_(cell_px) {}
 
   void Add(int vertex, const Eigen::Vector3d& position, double footprint) {
@@ -47,7 +47,7 @@ class VertexGrid {
   }
 
   static uint64_t Key(int level, const Eigen::Vector3i& cell) {
-    uint64_t key = static_cast<uint64_t>(level + 1024);
+    uint64_t key = static_cast<uint64_t>(level + 1024) * 0xD1B54A32D192ED03ull;
     for (int axis = 0; axis < 3; ++axis) {
       key = (key ^ static_cast<uint32_t>(cell[axis])) * 0x9E3779B97F4A7C15ull;
       key ^= key >> 29;

@@ -241,7 +241,8 @@ std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHin
   std::vector<Eigen::Vector3d> centres;
   for (const View& view : views) centres.push_back(view.CenterInWorld());
   const double scene_scale = MedianCentreDistance(centres);
-  if (!(scene_scale > 0)) {
+  // Centres that differ by rounding only are one centre.
+  if (!(scene_scale > 1e-9 * centres.front().norm())) {
     throw InputError("the cameras are all at one centre: nothing can be triangulated");
   }
   const auto point_depths = PointDepths(views, hints);

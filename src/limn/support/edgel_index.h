@@ -32,8 +32,9 @@ class EdgelIndex {
   // Indexes the edgels with usable[id].
   EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable);
 
-  // The edgel within the gate with the smallest (distance / gate)^2 + (angle / gate)^2; the smallest
-  // id on ties. Constant expected time.
+  // The edgel within the gate with the smallest
+  //   (across^2 + along^2 / 4) / normal_px^2 + (angle / angle_rad)^2,
+  // where across and along are the parts of the offset in stored pixels; the smallest id on ties. Constant expected time.
   std::optional<EdgelMatch> Best(const Eigen::Vector2d& position_px, double direction_rad,
                                  const SupportGate& gate) const;
 
