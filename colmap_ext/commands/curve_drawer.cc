@@ -15,11 +15,7 @@ int RunCurveDrawer(int argc, const char* const* argv) {
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
-  const CurvesResult image_curves =
-      ExtractCurves({project.views(), project.images(), project.CacheDir()}, options.pipeline.edges,
-                    options.pipeline.linking, console.context());
-  console.Report(image_curves.cache);
-  console.Report(image_curves.summary);
+  const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
   const StoredCurveSketch stored =
       ReadSketchResult(project, kEnhancedSketchName, image_curves.curves);
   const DrawingResult result = BuildDrawing({project.views(), image_curves.curves, stored.sketch},

@@ -13,11 +13,7 @@ int RunCurveLinker(int argc, const char* const* argv) {
   }
   Console console(options.num_threads);
   const Project project(options, &console);
-  const CurvesResult result =
-      ExtractCurves({project.views(), project.images(), project.CacheDir()}, options.pipeline.edges,
-                    options.pipeline.linking, console.context());
-  console.Report(result.cache);
-  console.Report(result.summary);
+  ExtractProjectCurves(project, options, &console);
   return 0;
 }
 

@@ -54,4 +54,14 @@ std::string Project::CurvesPath(const std::string& name) const {
   return (layout_.output.curves_dir / name).string();
 }
 
+CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
+                                  Console* console) {
+  CurvesResult result =
+      ExtractCurves({project.views(), project.images(), project.CacheDir()}, options.pipeline.edges,
+                    options.pipeline.linking, console->context());
+  console->Report(result.cache);
+  console->Report(result.summary);
+  return result;
+}
+
 }  // namespace limn::colmap_ext

@@ -16,8 +16,6 @@ constexpr int kSearchSamples = 6;
 // Partners that are averaged at most, spread evenly over the overlapping curves: more hardly change the
 // mean and cost time.
 constexpr int kMaxPartners = 12;
-// Partners further off than this multiple of the merge distance are not averaged.
-constexpr double kOutlierFactor = 1;
 
 // Closest point to x on the other curve near `partner`; nothing where the foot is beyond the curve's end.
 std::optional<Eigen::Vector3d> ClosestNear(const SampleSet& samples, int partner,
@@ -61,7 +59,7 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   };
   Eigen::Matrix2d sum = weight(s);
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  const double max_distance = kOutlierFactor * options.merge_distance_px * footprint;
+  const double max_distance = options.merge_distance_px * footprint;
   const int num_partners = static_cast<int>(std::count_if(
       overlaps.begin(), overlaps.end(),
       [&](const CurveOverlap& overlap) { return overlap.partner[k] >= 0; }));
@@ -75,7 +73,7 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
     const Eigen::Matrix2d w = weight(overlap.partner[k]);
     // Distance in units of the better determined direction, so that depth errors do not exclude.
     const double mahalanobis_px = std::sqrt(offset.dot(w * offset) / w.trace()) / footprint;
-    if (mahalanobis_px > kOutlierFactor * options.merge_distance_px) continue;
+    if (mahalanobis_px > options.merge_distance_px) continue;
     sum += w;
     right += w * offset;
   }
