@@ -132,7 +132,8 @@ std::vector<uint8_t> LongOrTied(const DrawingOptions& options, const Draft& draf
   for (const DraftLink& link : draft.links) {
     const bool both_tied = tied(link.node[0]) && tied(link.node[1]);
     const bool bridge = both_tied && link.node[0] != link.node[1];
-    const double needed = bridge ? kMinBridgePx : options.min_link_length_px;
+    const bool rooted = link.grown && (tied(link.node[0]) || tied(link.node[1]));
+    const double needed = bridge || rooted ? kMinBridgePx : options.min_link_length_px;
     keep.push_back(link.size() >= 2 && LengthPx(link) >= needed);
   }
   return keep;

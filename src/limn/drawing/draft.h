@@ -21,6 +21,7 @@ struct DraftLink {
   // Per point the samples merged into it; empty where a point was added.
   std::vector<std::vector<int>> samples;
   int node[2] = {-1, -1};  // -1 = free end
+  bool grown = false;      // from a corner, by GrowCornerEdges
   bool closed = false;     // the last point is followed by the first, which is not repeated
 
   int size() const { return static_cast<int>(position.size()); }

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <set>
 
+#include "limn/drawing/corner_edges.h"
 #include "limn/drawing/curve_averaging.h"
 #include "limn/drawing/curve_consistency.h"
 #include "limn/drawing/graph_assembly.h"
 #include "limn/drawing/junctions.h"
 #include "limn/drawing/merging.h"
 #include "limn/drawing/retriangulation.h"
+#include "limn/drawing/short_edges.h"
 
 namespace limn {
 namespace {
@@ -19,14 +21,47 @@ int64_t NumClusters(const CurveConsistency& network) {
 }
 
 // Samples that curves of enough other primary views agree with.
-std::vector<uint8_t> AgreedSamples(const SampleSet& samples, const CurveConsistency& network,
+std::vector<uint8_t> AgreedSamples(const std::vector<int>& agreeing_views,
                                    const DrawingOptions& options, int64_t* num_dropped) {
   std::vector<uint8_t> keep;
-  for (const int count : CountAgreeingViews(samples, network)) {
+  for (const int count : agreeing_views) {
     keep.push_back(count >= options.min_primary_views);
     *num_dropped += !keep.back();
   }
   return keep;
+}
+
+// Mean along a link of the number of primary views that agree.
+double MeanAgreement(const DraftLink& link, const std::vector<int>& agreeing_views) {
+  double sum = 0;
+  double length_px = 0;
+  int before = 0;
+  for (int k = 0; k < link.size(); ++k) {
+    int here = 0;
+    for (const int s : link.samples[k]) here = std::max(here, agreeing_views[s]);
+    if (k > 0) {
+      const double step_px = ArcPx(link, k - 1, k);
+      sum += 0.5 * (before + here) * step_px;
+      length_px += step_px;
+    }
+    before = here;
+  }
+  return length_px > 0 ? sum / length_px : 0;
+}
+
+// Remove the links that too few primary views agree with on the whole. Returns the number of samples in
+// them.
+int64_t RemoveDoubtfulLinks(const std::vector<int>& agreeing_views, const DrawingOptions& options,
+                            Draft* draft) {
+  int64_t num_samples = 0;
+  std::vector<uint8_t> keep;
+  for (const DraftLink& link : draft->links) {
+    keep.push_back(MeanAgreement(link, agreeing_views) >= options.min_link_primary_views);
+    if (keep.back()) continue;
+    for (const auto& of_point : link.samples) num_samples += static_cast<int64_t>(of_point.size());
+  }
+  KeepLinks(keep, draft);
+  return num_samples;
 }
 
 }  // namespace
@@ -41,11 +76,18 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   const LocalConsistency local = BuildLocalConsistency(samples, input.curves, options, context);
   const CurveConsistency network = BuildCurveConsistency(samples, local, options, context);
   int64_t not_agreed = 0;
-  const std::vector<uint8_t> keep = AgreedSamples(samples, network, options, &not_agreed);
+  const std::vector<int> agreeing_views = CountAgreeingViews(samples, network);
+  const std::vector<uint8_t> keep = AgreedSamples(agreeing_views, options, &not_agreed);
   const int rounds = AverageCurves(network, options, context, &samples);
   const MergedCurves merged = MergeCurves(samples, network, keep, input.views, options);
   Draft draft = FitLinks(samples, merged, options);
+  const int64_t doubtful = RemoveDoubtfulLinks(agreeing_views, options, &draft);
   const JunctionCounts junctions = JoinLinks(samples, input.views, evidence, options, &draft);
+  const int64_t grown =
+      getenv("NOGROW") ? 0 : GrowCornerEdges(input.views, input.curves, evidence, options, &samples, &draft);
+  if (!getenv("NOREJOIN")) JoinLinks(samples, input.views, evidence, options, &draft);
+  const int64_t short_edges = getenv("NOSHORT") ? 0 :
+      AddShortEdges(input.views, input.curves, evidence, options, &samples, &draft);
   const CleanupCounts cleanup = CleanUp(options, &draft);
 
   DrawingResult result;
@@ -78,11 +120,14 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
                   {"corners", junctions.corners},
                   {"T junctions", junctions.t_junctions},
                   {"ends joined to nodes", junctions.joined_nodes},
+                  {"edges grown from corners", grown},
+                  {"short edges between nodes", short_edges},
                   {"dissolved nodes", cleanup.dissolved_nodes}};
   summary.dropped = {
       {"samples: too few views after re-triangulation", retriangulation.too_few_views},
       {"samples: piece too short after re-triangulation", retriangulation.piece_too_short},
       {"samples: no other primary view agrees", not_agreed},
+      {"samples: in links that few primary views agree with", doubtful},
       {"samples: in short links", cleanup.samples_pruned},
       {"samples: in links that run along others", cleanup.samples_covered},
       {"meetings without image evidence", junctions.without_image_evidence}};

@@ -34,9 +34,10 @@ struct DrawingOptions {
 
   // A sample belongs to a link when their reprojections are this near, px (tau_merge).
   double merge_distance_px = 1.0;
-  // A link must be seen by curves of this many primary views to be believed, unless it is well
-  // supported otherwise.
+  // Primary views whose curves must agree with a sample, its own included, and with a link in the mean
+  // over its length: single samples may be weak where the link is strong.
   int min_primary_views = 2;
+  double min_link_primary_views = 3;
   // Stubs shorter than this are not branches, px (tau_branch).
   double min_branch_length_px = 10;
   // Links shorter than this that hang by one end or by none are dropped, px.
@@ -46,6 +47,8 @@ struct DrawingOptions {
   // Largest gap bridged between link ends whose tangent lines meet, px, and how near they must pass.
   double max_junction_gap_px = 12;
   double max_junction_miss_px = 4;
+  // Longest edge that is found from its two ends alone, px.
+  double max_short_edge_px = 30;
   // Views in which the images must show that the curves meet.
   int min_junction_views = 3;
   // Two links that meet alone in a node and turn by less than this are one link.

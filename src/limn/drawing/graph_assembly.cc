@@ -35,6 +35,7 @@ std::vector<LinkMember> Members(const SampleSet& samples, const DraftLink& link)
   std::vector<LinkMember> members;
   for (const int s : all) {
     const CurveOrigin& origin = samples.origins[samples.curve_of[s]];
+    if (origin.sketch_curve < 0) continue;
     const int index = origin.begin + s - samples.curve_begin[samples.curve_of[s]];
     if (!members.empty() && members.back().curve == origin.sketch_curve &&
         members.back().end == index) {

@@ -117,11 +117,13 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("averaging_tolerance_px", o.averaging_tolerance_px, "averaging stops below it, px");
   visit("max_averaging_rounds", o.max_averaging_rounds, "or after so many rounds");
   visit("merge_distance_px", o.merge_distance_px, "samples this near to a link belong to it, px");
-  visit("min_primary_views", o.min_primary_views, "primary views that must show a link");
+  visit("min_primary_views", o.min_primary_views, "primary views that must show a sample");
+  visit("min_link_primary_views", o.min_link_primary_views, "the same in the mean over a link");
   visit("min_branch_length_px", o.min_branch_length_px, "shorter stubs are no branches, px");
   visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
   visit("junction_distance_px", o.junction_distance_px, "ends this near meet in a node, px");
   visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
+  visit("max_short_edge_px", o.max_short_edge_px, "longest edge found from its two ends alone, pixels");
   visit("max_junction_miss_px", o.max_junction_miss_px,
         "how near their tangent lines must pass, px");
   visit("min_junction_views", o.min_junction_views, "images that must show the meeting");

@@ -1,0 +1,67 @@
+#include "limn/drawing/segment_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr double kMinCoveredShare = 0.7;
+constexpr double kRoundedPx = 1.5;
+// Shorter projections say nothing.
+constexpr double kMinProjectedPx = 3;
+// Sideways shifts of the copies that measure the background, px.
+constexpr double kShiftsPx[] = {-9, -7, -5, 5, 7, 9};
+// No background is lower than this: the images hold more than the copies see.
+constexpr double kMinBackground = 0.02;
+
+bool EdgelsRunAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                    const EdgelIndex& edgels, const SupportGate& gate) {
+  const double length = (to - from).norm();
+  const Eigen::Vector2d along = (to - from) / length;
+  const double direction = std::atan2(along.y(), along.x());
+  const double margin = std::min(kRoundedPx, length / 3);
+  const int count = std::max(2, static_cast<int>(std::ceil(length - 2 * margin)) + 1);
+  int covered = 0;
+  for (int i = 0; i < count; ++i) {
+    const double at = margin + (length - 2 * margin) * i / (count - 1);
+    covered += edgels.Best(from + at * along, direction, gate).has_value();
+  }
+  return covered >= kMinCoveredShare * count;
+}
+
+}  // namespace
+
+SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                             const std::vector<View>& views,
+                             const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                             const SupportGate& gate) {
+  SegmentEvidence result;
+  int num_copies = 0;
+  int num_hits = 0;
+  for (size_t v = 0; v < views.size(); ++v) {
+    const auto a = views[v].Project(from);
+    const auto b = views[v].Project(to);
+    if (!a || !b || (*b - *a).norm() < kMinProjectedPx) continue;
+    ++result.num_views;
+    const EdgelIndex& edgels = evidence[v]->edgels;
+    if (EdgelsRunAlong(*a, *b, edgels, gate)) result.seen_in.push_back(static_cast<ViewId>(v));
+    const Eigen::Vector2d across = Eigen::Vector2d(a->y() - b->y(), b->x() - a->x()).normalized();
+    for (const double shift : kShiftsPx) {
+      ++num_copies;
+      num_hits += EdgelsRunAlong(*a + shift * across, *b + shift * across, edgels, gate);
+    }
+  }
+  const double share = num_copies > 0 ? static_cast<double>(num_hits) / num_copies : 1;
+  result.background = std::max(share, kMinBackground);
+  return result;
+}
+
+double LogChance(int k, int n, double p) {
+  if (n == 0 || k <= n * p) return 0;
+  const double share = static_cast<double>(k) / n;
+  const double rest = share < 1 ? (1 - share) * std::log((1 - share) / (1 - p)) : 0;
+  return -n * (share * std::log(share / p) + rest);
+}
+
+}  // namespace limn

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/view.h"
+#include "limn/support/view_evidence.h"
+
+namespace limn {
+
+// How the images speak for a straight edge in space.
+struct SegmentEvidence {
+  // Views in which edgels run along the segment.
+  std::vector<ViewId> seen_in;
+  // Views in which both ends are in the image and the segment is not seen end on.
+  int num_views = 0;
+  // Chance that edgels run along a segment like this in one view: the share of copies of it, shifted
+  // sideways, along which they do.
+  double background = 0;
+};
+
+// Edgels run along a projected segment when at least `kMinCoveredShare` of its points, one per pixel and
+// without the last 1.5 px at the ends, where edges are rounded, have one within the gate.
+SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                             const std::vector<View>& views,
+                             const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                             const SupportGate& gate);
+
+// Bound (Hoeffding) on the natural logarithm of the chance that k or more of n independent trials with
+// probability p succeed. 0 when that is what one expects.
+double LogChance(int k, int n, double p);
+
+}  // namespace limn
