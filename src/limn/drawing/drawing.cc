@@ -10,7 +10,6 @@
 #include "limn/drawing/junctions.h"
 #include "limn/drawing/merging.h"
 #include "limn/drawing/retriangulation.h"
-#include "limn/drawing/short_edges.h"
 
 namespace limn {
 namespace {
@@ -82,11 +81,11 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   const MergedCurves merged = MergeCurves(samples, network, keep, input.views, options);
   Draft draft = FitLinks(samples, merged, options);
   const int64_t doubtful = RemoveDoubtfulLinks(agreeing_views, options, &draft);
-  const JunctionCounts junctions = JoinLinks(samples, input.views, evidence, options, &draft);
+  JunctionCounts junctions = JoinLinks(samples, input.views, evidence, options, &draft);
   const int64_t grown =
-      getenv("NOGROW") ? 0 : GrowCornerEdges(input.views, input.curves, evidence, options, &samples, &draft);
-  if (!getenv("NOREJOIN")) JoinLinks(samples, input.views, evidence, options, &draft);
-  const int64_t short_edges = getenv("NOSHORT") ? 0 :
+      GrowCornerEdges(input.views, input.curves, evidence, options, &samples, &draft);
+  junctions += JoinLinks(samples, input.views, evidence, options, &draft);  // ends that grew
+  const int64_t short_edges =
       AddShortEdges(input.views, input.curves, evidence, options, &samples, &draft);
   const CleanupCounts cleanup = CleanUp(options, &draft);
 

@@ -14,6 +14,15 @@ struct JunctionCounts {
   int64_t t_junctions = 0;    // ends joined to the inside of a link
   int64_t joined_nodes = 0;   // ends joined to a node that was there
   int64_t without_image_evidence = 0;  // meetings in space that the images do not show
+
+  JunctionCounts& operator+=(const JunctionCounts& other) {
+    continued += other.continued;
+    corners += other.corners;
+    t_junctions += other.t_junctions;
+    joined_nodes += other.joined_nodes;
+    without_image_evidence += other.without_image_evidence;
+    return *this;
+  }
 };
 
 // Find where links meet although they share no samples (algorithm.md 0.1 item 1): free ends that continue

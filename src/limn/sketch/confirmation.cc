@@ -143,9 +143,4 @@ double ConfirmationViews::MaxAngleDeg(const Eigen::Vector3d& point_in_cam, uint3
   return max_angle;
 }
 
-int RequiredViews(int num_containing, const SketchOptions& options) {
-  return std::clamp(static_cast<int>(std::lround(options.supporting_views_share * num_containing)),
-                    options.min_supporting_views, options.max_supporting_views);
-}
-
 }  // namespace limn

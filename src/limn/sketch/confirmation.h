@@ -68,7 +68,4 @@ class ConfirmationViews {
   std::vector<Entry> views_;
 };
 
-// Number of supporting views needed by a sample that `num_containing` confirmation views contain.
-int RequiredViews(int num_containing, const SketchOptions& options);
-
 }  // namespace limn

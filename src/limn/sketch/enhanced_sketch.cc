@@ -104,7 +104,9 @@ class PrimaryView {
                     const HypothesisSupport& support, size_t j, int rank,
                     std::vector<std::vector<DepthCandidate>>* candidates) const {
     const int num_supporting = std::popcount(support.supporting[j]);
-    const int required = RequiredViews(std::popcount(support.contained[j]), options_);
+    const int required = 
+        NumRequiredViews(std::popcount(support.contained[j]), options_.supporting_views_share,
+                         options_.min_supporting_views, options_.max_supporting_views);
     if (num_supporting < required) return;
     const Eigen::Vector3d point = sample.depth * fragment.rays[sample.vertex];
     if (input_.box && !input_.box->contains(world_from_cam_ * point)) return;

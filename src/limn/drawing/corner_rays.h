@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/drawing/joints.h"
+
+namespace limn {
+
+// A direction in space in which image edges leave a joint, and no link does yet.
+struct CornerDirection {
+  Eigen::Vector3d unit = Eigen::Vector3d::Zero();
+  std::vector<ViewId> views;  // whose rays agree
+};
+
+// In every view that sees the joint, straight edges that begin at its projection and that none of its links
+// explains are collected as rays. Rays of two views give a direction in space; the one is returned that
+// chance explains least, if rays of at least min_views views agree. O(number of pairs of rays times views).
+std::optional<CornerDirection> FindCornerDirection(
+    const Joint& joint, const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+    const std::vector<std::unique_ptr<ViewEvidence>>& evidence, int min_views);
+
+}  // namespace limn

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/drawing/draft.h"
+#include "limn/support/view_evidence.h"
+
+namespace limn {
+
+// A place where links end: a node, or a free end.
+struct Joint {
+  struct End {
+    int link = -1;
+    int end = 0;
+  };
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // mean of the ends
+  double footprint = 0;
+  std::vector<End> ends;
+  std::vector<Eigen::Vector3d> leaving;  // unit directions into the links
+  std::vector<uint8_t> visible;          // per view: edgels support a link near the joint
+};
+
+// All joints of the draft, in the order of their first link.
+std::vector<Joint> CollectJoints(const SampleSet& samples, size_t num_views, const Draft& draft);
+
+// Whether a link leaves the joint within the angle of the direction.
+bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_angle_rad);
+
+// What finds an edge next to a corner, where edges are rounded: wider than the gate of samples.
+SupportGate CornerGate();
+
+// Edgels of the given views at a point of an edge with this direction.
+std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
+                                const std::vector<ViewId>& in_views, const std::vector<View>& views,
+                                const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                                const SupportGate& gate);
+
+// A straight link that joints need and the sketch does not have. Its samples, with the edgels of
+// `in_views` as support, are appended to `samples` without a curve of the sketch; joints are given nodes
+// and know the new link afterwards.
+class StraightLinks {
+ public:
+  StraightLinks(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                const std::vector<std::unique_ptr<ViewEvidence>>& evidence, SampleSet* samples,
+                Draft* draft)
+      : views_(views), curves_(curves), evidence_(evidence), samples_(samples), draft_(draft) {}
+
+  // From the joint to a free end, or to another joint if `target` is not null.
+  void Add(const Eigen::Vector3d& end, const std::vector<ViewId>& in_views, Joint* joint, Joint* target);
+
+ private:
+  int NodeAt(const Joint& joint);
+  int AppendSample(const Eigen::Vector3d& position, const Eigen::Vector3d& direction, double footprint,
+                   const std::vector<ViewId>& in_views);
+
+  const std::vector<View>& views_;
+  const std::vector<ImageCurves>& curves_;
+  const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
+  SampleSet* samples_;
+  Draft* draft_;
+};
+
+}  // namespace limn
