@@ -10,7 +10,10 @@ void DrawingOptions::Check() const {
   LIMN_CHECK_OPTION(max_support_angle_deg, <= 90);
   LIMN_CHECK_OPTION(robust_residual_px, > 0);
   LIMN_CHECK_OPTION(bending_sigma_px, > 0);
+  LIMN_CHECK_OPTION(supporting_views_share, >= 0);
+  LIMN_CHECK_OPTION(supporting_views_share, <= 1);
   LIMN_CHECK_OPTION(min_supporting_views, >= 2);
+  LIMN_CHECK_OPTION(max_supporting_views, >= min_supporting_views);
   LIMN_CHECK_OPTION(dense_link_views, >= 1);
   LIMN_CHECK_OPTION(strong_link_views, >= dense_link_views);
   LIMN_CHECK_OPTION(min_linked_length_px, >= 0);

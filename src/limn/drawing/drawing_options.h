@@ -14,8 +14,11 @@ struct DrawingOptions {
   // Strength of the smoothing along a curve: the standard deviation allowed for the change of direction
   // from one sample to the next, px. Smaller is smoother; data that determine a sample well win.
   double bending_sigma_px = 0.03;
-  // Views, the anchor included, that must still support a sample after re-triangulation.
-  int min_supporting_views = 4;
+  // Views, the anchor included, that must still support a sample after re-triangulation: this share of
+  // those that contain it, but at least min and at most max.
+  double supporting_views_share = 0.3;
+  int min_supporting_views = 3;
+  int max_supporting_views = 5;
 
   // Local consistency network: samples that share edgels in this many views are strongly (tau_eps) or
   // densely linked.

@@ -7,6 +7,7 @@
 
 #include "limn/drawing/curve_smoothing.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/support/required_views.h"
 
 namespace limn {
 namespace {
@@ -25,6 +26,7 @@ struct WorkingCurve {
   std::vector<Eigen::Matrix3d> information;
   std::vector<double> footprint;
   std::vector<std::vector<EdgelRef>> support;
+  std::vector<uint8_t> supported;  // by enough views, in the end
   bool closed = false;
 
   int size() const { return static_cast<int>(position.size()); }
@@ -56,6 +58,7 @@ class CurveRetriangulation {
       UpdateTangents(&working);
       UpdateSupport(curve, &working);
     }
+    for (int s = 0; s < working.size(); ++s) working.supported.push_back(IsSupported(s, working));
     return working;
   }
 
@@ -148,6 +151,15 @@ class CurveRetriangulation {
     }
   }
 
+  bool IsSupported(int s, const WorkingCurve& working) const {
+    const auto num_containing = std::count_if(views_.begin(), views_.end(), [&](const View& view) {
+      return view.Project(working.position[s]).has_value();
+    });
+    return static_cast<int>(working.support[s].size()) >=
+           NumRequiredViews(static_cast<int>(num_containing), options_.supporting_views_share,
+                            options_.min_supporting_views, options_.max_supporting_views);
+  }
+
   EdgelRef OwnEdgel(const Curve3D& curve, int s) const {
     for (const EdgelRef& ref : curve.support.Of(s)) {
       if (ref.view == curve.anchor.view) return ref;
@@ -169,9 +181,7 @@ class SampleCollector {
   void Add(const WorkingCurve& working, int sketch_curve, ViewId anchor_view) {
     const int size = working.size();
     stats_->samples_in += size;
-    const auto supported = [&](int s) {
-      return static_cast<int>(working.support[s].size()) >= options_.min_supporting_views;
-    };
+    const auto supported = [&](int s) { return working.supported[s] != 0; };
     // Single unsupported samples do not cut a curve.
     const auto usable = [&](int s) {
       return supported(s) || (s > 0 && s + 1 < size && supported(s - 1) && supported(s + 1));

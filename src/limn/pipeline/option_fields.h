@@ -106,7 +106,10 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("robust_residual_px", o.robust_residual_px, "larger residuals count linearly, px");
   visit("bending_sigma_px", o.bending_sigma_px,
         "allowed change of direction between samples; smaller is smoother, px");
-  visit("min_supporting_views", o.min_supporting_views, "views that must support a sample");
+  visit("supporting_views_share", o.supporting_views_share,
+        "share of the views that contain a sample which must support it");
+  visit("min_supporting_views", o.min_supporting_views, "at least so many views");
+  visit("max_supporting_views", o.max_supporting_views, "never asked for more than so many");
   visit("strong_link_views", o.strong_link_views, "views with common edgels of a strong link");
   visit("dense_link_views", o.dense_link_views, "the same of a dense link");
   visit("min_linked_length_px", o.min_linked_length_px,

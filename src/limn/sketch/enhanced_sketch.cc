@@ -7,6 +7,7 @@
 #include "limn/sketch/depth_fusion.h"
 #include "limn/sketch/sketch.h"
 #include "limn/sketch/sketch_pieces.h"
+#include "limn/support/required_views.h"
 
 namespace limn {
 namespace {
