@@ -47,8 +47,6 @@ void AddOptions(EvaluatorOptions* options, OptionParser* parser) {
   parser->AddOption("box", &options->box, "only what is inside counts: x0,x1,y0,y1,z0,z1");
   parser->AddOption("dont_care_taus", &evaluation.dont_care_taus,
                     "reach of don't-care curves, taus");
-  parser->AddOption("copy_taus", &evaluation.copy_taus,
-                    "true curves this near alongside others count once, taus");
   parser->AddOption("junction_taus", &evaluation.junction_taus, "reach of a junction, taus");
   parser->AddOption("workspace_path", &options->layout.workspace_path,
                     "COLMAP project whose pixels are the unit footprint");

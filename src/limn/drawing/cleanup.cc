@@ -33,12 +33,6 @@ EndsAtNode CollectEnds(const Draft& draft) {
   return ends;
 }
 
-int64_t NumSamples(const DraftLink& link) {
-  int64_t count = 0;
-  for (const auto& of_point : link.samples) count += static_cast<int64_t>(of_point.size());
-  return count;
-}
-
 void Reverse(DraftLink* link) {
   std::reverse(link->position.begin(), link->position.end());
   std::reverse(link->information.begin(), link->information.end());
@@ -213,7 +207,7 @@ int64_t Remove(const std::vector<uint8_t>& keep, int64_t* num_links, Draft* draf
   for (size_t i = 0; i < keep.size(); ++i) {
     if (keep[i]) continue;
     ++removed;
-    num_samples += NumSamples(draft->links[i]);
+    num_samples += draft->NumSketchSamples(draft->links[i]);
   }
   *num_links += removed;
   KeepLinks(keep, draft);

@@ -38,13 +38,27 @@ constexpr double kMaxFalseAlarms = 1e-2;
 // Views in which edgels must run along an edge.
 constexpr int kMinViews = 4;
 
+// Logarithm of the chance that the images show this by accident; 0 where too few show it.
+double LogChanceOf(const SegmentEvidence& found) {
+  const auto count = static_cast<int>(found.seen_in.size());
+  return count < kMinViews ? 0 : LogChance(count, found.num_views, found.background);
+}
+
+// Whether some view shows the edge with edgels that no link has yet. Without this, links grow along other
+// links at a depth of their own.
+bool IsNew(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+           const std::vector<uint8_t>& visible, const std::vector<View>& views,
+           const EdgelEvidence& evidence) {
+  return !FindEvidence(from, to, visible, views, evidence.unclaimed, CornerGate()).seen_in.empty();
+}
+
 class EdgeGrowth {
  public:
   EdgeGrowth(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-             const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+             const EdgelEvidence& evidence,
              const DrawingOptions& options, SampleSet* samples, Draft* draft)
       : views_(views), curves_(curves), evidence_(evidence), options_(options), grid_(kSnapPx),
-        links_(views, curves, evidence, samples, draft),
+        links_(views, curves, evidence.all, samples, draft),
         joints_(CollectJoints(*samples, views.size(), *draft)) {
     for (size_t i = 0; i < joints_.size(); ++i) {
       grid_.Add(static_cast<int>(i), joints_[i].position, joints_[i].footprint);
@@ -62,7 +76,7 @@ class EdgeGrowth {
  private:
   bool GrowOne(int id) {
     Joint& joint = joints_[id];
-    auto direction = FindCornerDirection(joint, views_, curves_, evidence_, kMinViews);
+    auto direction = FindCornerDirection(joint, views_, curves_, evidence_.all, kMinViews);
     if (!direction) return false;
     const double length_px = Grow(joint, &*direction);
     if (length_px < kMinLengthPx) return false;
@@ -86,7 +100,7 @@ class EdgeGrowth {
     int num_steps = 0;
     for (double at = kBeginPx; at <= kMaxLengthPx; at += kStepPx) {
       const Eigen::Vector3d point = joint.position + at * joint.footprint * direction->unit;
-      auto support = SupportAt(point, direction->unit, active, views_, evidence_, CornerGate());
+      auto support = SupportAt(point, direction->unit, active, views_, evidence_.all, CornerGate());
       for (const EdgelRef& ref : support) seen_at[ref.view] = at;
       std::erase_if(active, [&](ViewId v) { return at - seen_at[v] > kMaxGapPx; });
       if (active.size() < needed) break;
@@ -125,18 +139,11 @@ class EdgeGrowth {
     return (direction + across * sum.inverse() * right).normalized();
   }
 
-  // Only the views that see the joint are asked.
   bool IsBelieved(const Joint& joint, const Eigen::Vector3d& end) const {
     const SegmentEvidence found =
-        FindEvidence(joint.position, end, views_, evidence_, CornerGate());
-    const auto num_visible =
-        static_cast<int>(std::count(joint.visible.begin(), joint.visible.end(), 1));
-    const auto count = static_cast<int>(
-        std::count_if(found.seen_in.begin(), found.seen_in.end(),
-                      [&](ViewId v) { return joint.visible[v] != 0; }));
-    return count >= kMinViews &&
-           LogChance(count, std::min(num_visible, found.num_views), found.background) <=
-               std::log(kMaxFalseAlarms);
+        FindEvidence(joint.position, end, joint.visible, views_, evidence_.all, CornerGate());
+    return LogChanceOf(found) <= std::log(kMaxFalseAlarms) &&
+           IsNew(joint.position, end, joint.visible, views_, evidence_);
   }
 
   int JointNear(int from, const Eigen::Vector3d& end, const Eigen::Vector3d& direction) const {
@@ -161,7 +168,7 @@ class EdgeGrowth {
 
   const std::vector<View>& views_;
   const std::vector<ImageCurves>& curves_;
-  const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
+  const EdgelEvidence& evidence_;
   const DrawingOptions& options_;
   VertexGrid grid_;
   StraightLinks links_;
@@ -179,13 +186,13 @@ bool CanHaveSegment(const Joint& a, const Joint& b, const DrawingOptions& option
 }  // namespace
 
 int64_t GrowCornerEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                        const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                        const EdgelEvidence& evidence,
                         const DrawingOptions& options, SampleSet* samples, Draft* draft) {
   return EdgeGrowth(views, curves, evidence, options, samples, draft).Run();
 }
 
 int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                      const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                      const EdgelEvidence& evidence,
                       const DrawingOptions& options, SampleSet* samples, Draft* draft) {
   std::vector<Joint> joints = CollectJoints(*samples, views.size(), *draft);
   VertexGrid grid(options.max_short_edge_px);
@@ -200,19 +207,18 @@ int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCur
     });
     std::sort(near.begin(), near.end());
     for (const int j : near) {
-      const SegmentEvidence seen =
-          FindEvidence(joints[i].position, joints[j].position, views, evidence, CornerGate());
-      const auto count = static_cast<int>(seen.seen_in.size());
-      const double chance = LogChance(count, seen.num_views, seen.background);
-      if (count < kMinViews ||
-          chance > std::log(kMaxFalseAlarms / static_cast<double>(near.size()))) {
-        continue;
+      std::vector<uint8_t> visible = joints[i].visible;
+      for (size_t v = 0; v < visible.size(); ++v) visible[v] &= joints[j].visible[v];
+      const double chance = LogChanceOf(FindEvidence(joints[i].position, joints[j].position, visible,
+                                                     views, evidence.all, CornerGate()));
+      if (chance <= std::log(kMaxFalseAlarms / static_cast<double>(near.size())) &&
+          IsNew(joints[i].position, joints[j].position, visible, views, evidence)) {
+        found.push_back({chance, i, j});
       }
-      found.push_back({chance, i, j});
     }
   }
   std::sort(found.begin(), found.end());
-  StraightLinks links(views, curves, evidence, samples, draft);
+  StraightLinks links(views, curves, evidence.all, samples, draft);
   std::vector<ViewId> all_views;
   for (size_t v = 0; v < views.size(); ++v) all_views.push_back(static_cast<ViewId>(v));
   int64_t added = 0;

@@ -13,14 +13,14 @@ namespace limn {
 // run along all of it in so many views that chance is no explanation. Ours; not in the paper. Returns the
 // number of links added.
 int64_t GrowCornerEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                        const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                        const EdgelEvidence& evidence,
                         const DrawingOptions& options, SampleSet* samples, Draft* draft);
 
 // Edges of which both ends are joints already, at most max_short_edge_px apart, with no link leaving either
 // in that direction: straight links where edgels run along the segment in enough views, as above. Returns
 // the number of links added.
 int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                      const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                      const EdgelEvidence& evidence,
                       const DrawingOptions& options, SampleSet* samples, Draft* draft);
 
 }  // namespace limn

@@ -62,9 +62,9 @@ std::optional<double> ImageDirection(const View& view, const Joint& joint,
 class RayFinder {
  public:
   RayFinder(const Joint& joint, const View& view, const EdgeMap& edge_map,
-            const ViewEvidence& evidence, const Eigen::Vector2d& centre)
+            const EdgelIndex& edgels, const Eigen::Vector2d& centre)
       : joint_(joint), view_(view), centre_(centre) {
-    evidence.edgels.ForEachWithin(centre, kMaxRayPx, [&](EdgelId id) {
+    edgels.ForEachWithin(centre, kMaxRayPx, [&](EdgelId id) {
       near_.push_back(&edge_map.edgels[id]);
     });
   }
@@ -148,14 +148,14 @@ class DirectionFinder {
  public:
   DirectionFinder(const Joint& joint, const std::vector<View>& views,
                   const std::vector<ImageCurves>& curves,
-                  const std::vector<std::unique_ptr<ViewEvidence>>& evidence, size_t min_views)
+                  const std::vector<EdgelIndex>& edgels, size_t min_views)
       : joint_(joint), views_(views), min_views_(min_views) {
     for (size_t v = 0; v < views.size(); ++v) {
       const auto centre = joint.visible[v] ? views[v].Project(joint.position) : std::nullopt;
       if (!centre) continue;
       const Rigid3d& pose = views[v].cam_from_world;
       const Eigen::Vector3d point = pose * joint.position;
-      const RayFinder finder(joint, views[v], curves[v].edge_map, *evidence[v], *centre);
+      const RayFinder finder(joint, views[v], curves[v].edge_map, edgels[v], *centre);
       std::vector<Ray> of_view;
       for (const double angle : finder.Find()) {
         const Eigen::Vector3d along(std::cos(angle) / views[v].camera.fx,
@@ -263,8 +263,8 @@ class DirectionFinder {
 
 std::optional<CornerDirection> FindCornerDirection(
     const Joint& joint, const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-    const std::vector<std::unique_ptr<ViewEvidence>>& evidence, int min_views) {
-  return DirectionFinder(joint, views, curves, evidence, static_cast<size_t>(min_views)).Find();
+    const std::vector<EdgelIndex>& edgels, int min_views) {
+  return DirectionFinder(joint, views, curves, edgels, static_cast<size_t>(min_views)).Find();
 }
 
 }  // namespace limn

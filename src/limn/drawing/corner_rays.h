@@ -21,6 +21,6 @@ struct CornerDirection {
 // chance explains least, if rays of at least min_views views agree. O(number of pairs of rays times views).
 std::optional<CornerDirection> FindCornerDirection(
     const Joint& joint, const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-    const std::vector<std::unique_ptr<ViewEvidence>>& evidence, int min_views);
+    const std::vector<EdgelIndex>& edgels, int min_views);
 
 }  // namespace limn

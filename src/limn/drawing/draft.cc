@@ -64,6 +64,7 @@ Draft FitLinks(const SampleSet& samples, const MergedCurves& merged,
   }
   Draft draft;
   draft.num_nodes = merged.num_nodes;
+  draft.num_sketch_samples = samples.NumSamples();
   for (const LinkBuilder::Link& from : merged.links) {
     if (!from.alive || from.vertices.size() < 2) continue;
     DraftLink link;
@@ -81,6 +82,15 @@ Draft FitLinks(const SampleSet& samples, const MergedCurves& merged,
     draft.links.push_back(std::move(link));
   }
   return draft;
+}
+
+int64_t Draft::NumSketchSamples(const DraftLink& link) const {
+  int64_t count = 0;
+  for (const auto& of_point : link.samples) {
+    count += std::count_if(of_point.begin(), of_point.end(),
+                           [&](int s) { return s < num_sketch_samples; });
+  }
+  return count;
 }
 
 double ArcPx(const DraftLink& link, int from, int to) {

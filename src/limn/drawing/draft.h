@@ -30,6 +30,10 @@ struct DraftLink {
 struct Draft {
   std::vector<DraftLink> links;
   int num_nodes = 0;
+  int num_sketch_samples = 0;  // samples with larger ids are not of the sketch, but grown
+
+  // Samples of the sketch merged into a link.
+  int64_t NumSketchSamples(const DraftLink& link) const;
 };
 
 // Fit the merged curves (algorithm.md 11.4, zip and re-fit): every vertex moves to the weighted mean of the

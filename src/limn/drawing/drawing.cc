@@ -56,8 +56,7 @@ int64_t RemoveDoubtfulLinks(const std::vector<int>& agreeing_views, const Drawin
   std::vector<uint8_t> keep;
   for (const DraftLink& link : draft->links) {
     keep.push_back(MeanAgreement(link, agreeing_views) >= options.min_link_primary_views);
-    if (keep.back()) continue;
-    for (const auto& of_point : link.samples) num_samples += static_cast<int64_t>(of_point.size());
+    if (!keep.back()) num_samples += draft->NumSketchSamples(link);
   }
   KeepLinks(keep, draft);
   return num_samples;
@@ -82,11 +81,13 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   Draft draft = FitLinks(samples, merged, options);
   const int64_t doubtful = RemoveDoubtfulLinks(agreeing_views, options, &draft);
   JunctionCounts junctions = JoinLinks(samples, input.views, evidence, options, &draft);
-  const int64_t grown =
-      GrowCornerEdges(input.views, input.curves, evidence, options, &samples, &draft);
+  const int64_t grown = GrowCornerEdges(
+      input.views, input.curves, IndexEdgels(input.curves, samples, draft), options,
+      &samples, &draft);
   junctions += JoinLinks(samples, input.views, evidence, options, &draft);  // ends that grew
-  const int64_t short_edges =
-      AddShortEdges(input.views, input.curves, evidence, options, &samples, &draft);
+  const int64_t short_edges = AddShortEdges(
+      input.views, input.curves, IndexEdgels(input.curves, samples, draft), options,
+      &samples, &draft);
   const CleanupCounts cleanup = CleanUp(options, &draft);
 
   DrawingResult result;

@@ -23,7 +23,7 @@ struct DrawingOptions {
   // Local consistency network: samples that share edgels in this many views are strongly (tau_eps) or
   // densely linked.
   int strong_link_views = 3;
-  int dense_link_views = 2;
+  int dense_link_views = 3;
   // Curve consistency network: two curves are linked by strong links over this arc length (tau_sl), px.
   double min_linked_length_px = 5;
   // Gaps in the overlap of two curves up to this length are filled, overlaps below it removed, px.
@@ -40,7 +40,7 @@ struct DrawingOptions {
   // Primary views whose curves must agree with a sample, its own included, and with a link in the mean
   // over its length: single samples may be weak where the link is strong.
   int min_primary_views = 2;
-  double min_link_primary_views = 3;
+  double min_link_primary_views = 2.5;
   // Stubs shorter than this are not branches, px (tau_branch).
   double min_branch_length_px = 10;
   // Links shorter than this that hang by one end or by none are dropped, px.

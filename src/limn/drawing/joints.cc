@@ -11,6 +11,8 @@ namespace {
 
 // Stretch of a link in which support makes the joint visible, px.
 constexpr double kVisibleStretchPx = 10;
+// Edgels to either side on the fragment that belong to a claimed one: samples are about 2 px apart.
+constexpr int kClaimedNeighbors = 1;
 // Between the points of a straight link, px.
 constexpr double kSpacingPx = 2;
 
@@ -64,18 +66,50 @@ bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_an
   });
 }
 
+EdgelEvidence IndexEdgels(const std::vector<ImageCurves>& curves, const SampleSet& samples,
+                          const Draft& draft) {
+  std::vector<std::vector<bool>> claimed;
+  for (const ImageCurves& of_view : curves) claimed.emplace_back(of_view.edge_map.edgels.size());
+  for (const DraftLink& link : draft.links) {
+    for (const auto& of_point : link.samples) {
+      for (const int s : of_point) {
+        for (const EdgelRef& ref : samples.support.Of(s)) claimed[ref.view][ref.edgel] = true;
+      }
+    }
+  }
+  EdgelEvidence evidence;
+  for (size_t v = 0; v < curves.size(); ++v) {
+    std::vector<bool> usable(claimed[v].size(), false);
+    std::vector<bool> unclaimed(claimed[v].size(), false);
+    for (const CurveFragment& fragment : curves[v].fragments) {
+      const auto size = static_cast<int>(fragment.edgel_ids.size());
+      for (const EdgelId id : fragment.edgel_ids) usable[id] = unclaimed[id] = true;
+      for (int i = 0; i < size; ++i) {
+        if (!claimed[v][fragment.edgel_ids[i]]) continue;
+        const int last = std::min(size - 1, i + kClaimedNeighbors);
+        for (int j = std::max(0, i - kClaimedNeighbors); j <= last; ++j) {
+          unclaimed[fragment.edgel_ids[j]] = false;
+        }
+      }
+    }
+    evidence.all.emplace_back(curves[v].edge_map, usable);
+    evidence.unclaimed.emplace_back(curves[v].edge_map, unclaimed);
+  }
+  return evidence;
+}
+
 SupportGate CornerGate() { return {1.5, 1.5, 25 * M_PI / 180}; }
 
 std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
                                 const std::vector<ViewId>& in_views, const std::vector<View>& views,
-                                const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                                const std::vector<EdgelIndex>& edgels,
                                 const SupportGate& gate) {
   std::vector<EdgelRef> support;
   for (const ViewId v : in_views) {
     const auto pixel = views[v].Project(position);
     const auto angle = ProjectedDirection(views[v], position, direction);
     if (!pixel || !angle) continue;
-    const auto match = evidence[v]->edgels.Best(*pixel, *angle, gate);
+    const auto match = edgels[v].Best(*pixel, *angle, gate);
     if (match) support.push_back({v, match->edgel});
   }
   return support;
@@ -93,7 +127,7 @@ int StraightLinks::NodeAt(const Joint& joint) {
 
 int StraightLinks::AppendSample(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
                                 double footprint, const std::vector<ViewId>& in_views) {
-  const auto support = SupportAt(position, direction, in_views, views_, evidence_, CornerGate());
+  const auto support = SupportAt(position, direction, in_views, views_, edgels_, CornerGate());
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const EdgelRef& ref : support) {
     const Edgel& edgel = curves_[ref.view].edge_map.edgels[ref.edgel];

@@ -6,7 +6,8 @@
 #include <Eigen/Core>
 
 #include "limn/drawing/draft.h"
-#include "limn/support/view_evidence.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/support/edgel_index.h"
 
 namespace limn {
 
@@ -29,13 +30,22 @@ std::vector<Joint> CollectJoints(const SampleSet& samples, size_t num_views, con
 // Whether a link leaves the joint within the angle of the direction.
 bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_angle_rad);
 
+// Per view, the edgels of fragments: all, and those that no link of the draft is made from. Neighbours on
+// the fragment of an edgel that supports a link belong to the link too.
+struct EdgelEvidence {
+  std::vector<EdgelIndex> all;
+  std::vector<EdgelIndex> unclaimed;
+};
+EdgelEvidence IndexEdgels(const std::vector<ImageCurves>& curves, const SampleSet& samples,
+                          const Draft& draft);
+
 // What finds an edge next to a corner, where edges are rounded: wider than the gate of samples.
 SupportGate CornerGate();
 
 // Edgels of the given views at a point of an edge with this direction.
 std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
                                 const std::vector<ViewId>& in_views, const std::vector<View>& views,
-                                const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                                const std::vector<EdgelIndex>& edgels,
                                 const SupportGate& gate);
 
 // A straight link that joints need and the sketch does not have. Its samples, with the edgels of
@@ -44,9 +54,9 @@ std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Ve
 class StraightLinks {
  public:
   StraightLinks(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                const std::vector<std::unique_ptr<ViewEvidence>>& evidence, SampleSet* samples,
+                const std::vector<EdgelIndex>& edgels, SampleSet* samples,
                 Draft* draft)
-      : views_(views), curves_(curves), evidence_(evidence), samples_(samples), draft_(draft) {}
+      : views_(views), curves_(curves), edgels_(edgels), samples_(samples), draft_(draft) {}
 
   // From the joint to a free end, or to another joint if `target` is not null.
   void Add(const Eigen::Vector3d& end, const std::vector<ViewId>& in_views, Joint* joint, Joint* target);
@@ -58,7 +68,7 @@ class StraightLinks {
 
   const std::vector<View>& views_;
   const std::vector<ImageCurves>& curves_;
-  const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
+  const std::vector<EdgelIndex>& edgels_;
   SampleSet* samples_;
   Draft* draft_;
 };

@@ -33,23 +33,23 @@ bool EdgelsRunAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
 }  // namespace
 
 SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                             const std::vector<View>& views,
-                             const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                             const std::vector<uint8_t>& visible, const std::vector<View>& views,
+                             const std::vector<EdgelIndex>& edgels,
                              const SupportGate& gate) {
   SegmentEvidence result;
   int num_copies = 0;
   int num_hits = 0;
   for (size_t v = 0; v < views.size(); ++v) {
+    if (!visible[v]) continue;
     const auto a = views[v].Project(from);
     const auto b = views[v].Project(to);
     if (!a || !b || (*b - *a).norm() < kMinProjectedPx) continue;
     ++result.num_views;
-    const EdgelIndex& edgels = evidence[v]->edgels;
-    if (EdgelsRunAlong(*a, *b, edgels, gate)) result.seen_in.push_back(static_cast<ViewId>(v));
+    if (EdgelsRunAlong(*a, *b, edgels[v], gate)) result.seen_in.push_back(static_cast<ViewId>(v));
     const Eigen::Vector2d across = Eigen::Vector2d(a->y() - b->y(), b->x() - a->x()).normalized();
     for (const double shift : kShiftsPx) {
       ++num_copies;
-      num_hits += EdgelsRunAlong(*a + shift * across, *b + shift * across, edgels, gate);
+      num_hits += EdgelsRunAlong(*a + shift * across, *b + shift * across, edgels[v], gate);
     }
   }
   const double share = num_copies > 0 ? static_cast<double>(num_hits) / num_copies : 1;

@@ -16,14 +16,12 @@ struct Approach {
   PolylinePoint place;
 };
 
-// Of the neighbours [begin, end), all of one curve, the nearest point on their cells; sample -1 if
-// none of them is kept.
+// Of the neighbours [begin, end), all of one curve, the nearest point on their cells.
 Approach NearestApproach(const AlongsideSearch& search, const Eigen::Vector3d& query,
                          const SpatialIndex::Neighbor* begin, const SpatialIndex::Neighbor* end) {
   Approach best;
   best.place.squared_distance = std::numeric_limits<double>::infinity();
   for (const SpatialIndex::Neighbor* neighbor = begin; neighbor != end; ++neighbor) {
-    if (search.kept && !(*search.kept)[neighbor->index]) continue;
     const PolylinePoint place = ClosestPoint(search.samples.Cell(neighbor->index), query);
     if (place.squared_distance < best.place.squared_distance) best = {neighbor->index, place};
   }
@@ -69,10 +67,9 @@ bool RunsAlongsideAnother(const AlongsideSearch& search, int sample, double radi
     const int curve = samples.CurveOf(begin->index);
     const SpatialIndex::Neighbor* next = begin;
     while (next != end && samples.CurveOf(next->index) == curve) ++next;
-    const int own = samples.CurveOf(sample);
-    if (search.kept ? curve < own : curve != own) {
-      const Approach approach = NearestApproach(search, query, begin, next);
-      if (approach.sample >= 0 && IsAlongside(search, sample, radius, approach)) return true;
+    if (curve != samples.CurveOf(sample) &&
+        IsAlongside(search, sample, radius, NearestApproach(search, query, begin, next))) {
+      return true;
     }
     begin = next;
   }

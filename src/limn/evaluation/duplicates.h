@@ -14,9 +14,6 @@ struct AlongsideSearch {
   const CurveTopology& topology;
   // Per node: the representative of the nodes that are one at the scale of the question.
   const std::vector<int>& node_groups;
-  // When set, only samples so marked of curves earlier in the list are looked at: of several copies
-  // the first is kept, and what is not kept hides nothing.
-  const std::vector<bool>* kept = nullptr;
 };
 
 // Whether another curve runs alongside the sample: its nearest approach is within `radius`, and its

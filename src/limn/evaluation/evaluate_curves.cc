@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "limn/evaluation/curve_samples.h"
 #include "limn/evaluation/curve_topology.h"
@@ -31,7 +30,6 @@ struct Scene {
   const UnitAt& unit_at;
   const RunContext& context;
   CurveTopology topology;
-  CurveTopology true_topology;
 };
 
 // What is known of a sample once it has been looked at.
@@ -101,30 +99,12 @@ std::vector<Judged> JudgeReconstruction(const Scene& scene, const CurveSamples& 
   return judged;
 }
 
-// The true samples in the region, without copies of the same edge. One after the other: what is
-// dropped as a copy must not drop others, or a row of close lines would shrink to its first.
-std::vector<bool> KeepTruth(const Scene& scene, const CurveSamples& truth, double tau) {
-  std::vector<int> groups(scene.true_topology.nodes.size());
-  std::iota(groups.begin(), groups.end(), 0);
-  std::vector<bool> kept(truth.size(), false);
-  const AlongsideSearch search{truth, scene.true_topology, groups, &kept};
-  std::vector<SpatialIndex::Neighbor> scratch;
-  for (int i = 0; i < truth.size(); ++i) {
-    const Eigen::Vector3d& position = truth.Position(i);
-    if (!InRegion(scene, position)) continue;
-    const double radius = scene.options.copy_taus * tau * scene.unit_at(position);
-    kept[i] = !(radius > 0 && RunsAlongsideAnother(search, i, radius, &scratch));
-  }
-  return kept;
-}
-
 std::vector<Judged> JudgeTruth(const Scene& scene, const CurveSamples& truth,
-                               const CurveSamples& reconstruction, double tau) {
+                               const CurveSamples& reconstruction) {
   std::vector<Judged> judged(truth.size());
-  const std::vector<bool> kept = KeepTruth(scene, truth, tau);
   ForEachSample(scene, truth.size(), [&](int i) {
-    if (!kept[i]) return;
     const Eigen::Vector3d& position = truth.Position(i);
+    if (!InRegion(scene, position)) return;
     judged[i].counts = true;
     judged[i].weight = truth.Weight(i);
     judged[i].distance = reconstruction.Distance(position) / scene.unit_at(position);
@@ -209,7 +189,7 @@ TauResult EvaluateAt(const Scene& scene, double tau) {
   const CurveSamples dont_care = Sample(scene.dont_care, tau, scene.unit_at);
   const Shares precision =
       Summarize(JudgeReconstruction(scene, samples, truth, dont_care, tau), tau);
-  const Shares recall = Summarize(JudgeTruth(scene, truth, samples, tau), tau);
+  const Shares recall = Summarize(JudgeTruth(scene, truth, samples), tau);
   TauResult row;
   row.tau = tau;
   row.precision = precision.within;
@@ -242,8 +222,7 @@ EvaluationReport Evaluate(const CurveSet& reconstruction, const CurveSet& truth,
                     options,
                     unit_at,
                     context,
-                    FindTopology(reconstruction.polylines),
-                    FindTopology(truth.polylines)};
+                    FindTopology(reconstruction.polylines)};
   EvaluationReport report;
   for (const double tau : options.taus) report.rows.push_back(EvaluateAt(scene, tau));
   report.num_links = static_cast<int>(reconstruction.polylines.size());
@@ -265,7 +244,6 @@ void EvaluationOptions::Check() const {
     LIMN_CHECK_OPTION(tau, < std::numeric_limits<double>::infinity());
   }
   LIMN_CHECK_OPTION(dont_care_taus, >= 0);
-  LIMN_CHECK_OPTION(copy_taus, >= 0);
   LIMN_CHECK_OPTION(junction_taus, > 0);
   if (region && region->isEmpty()) throw OptionError("region: its minimum exceeds its maximum");
 }

@@ -21,10 +21,6 @@ struct EvaluationOptions {
   // Reconstructed samples and junctions nearer than this many taus to a don't-care curve are left
   // out of every share. Raising it forgives more.
   double dont_care_taus = 2.0;
-  // True curves that run alongside an earlier one, nearer than this many taus, are copies of the
-  // same edge and count once; 0: each counts. Raising it thins bundles of close parallel true lines
-  // (wires of a mesh), which weigh less in the recall then.
-  double copy_taus = 0.25;
   // A junction is found by one of the other set's nearer than this many taus.
   double junction_taus = 2.0;
 
@@ -71,8 +67,8 @@ struct EvaluationReport {
 
 // Compare curves or points with ground truth. Both sets are cut into cells of tau/4 or less along
 // their length and judged at the cells' middles; distances are to the other set's curves. Copies of
-// a true edge count once (copy_taus); copies in the reconstruction all count, and make its
-// duplicated share (duplicates.h). Points count one each. An empty reconstruction has recall 0 and
+// an edge all count, in the truth too; those in the reconstruction make its duplicated share
+// (duplicates.h). Points count one each. An empty reconstruction has recall 0 and
 // no precision. Throws OptionError, or InputError if the truth is empty or a point is not finite.
 // Time: O(n log n) in the number of cells, that is, total length / tau, times the number of copies.
 EvaluationReport EvaluateCurves(const CurveSet& reconstruction, const CurveSet& truth,

@@ -71,28 +71,6 @@ TEST(EvaluateCurves, SeveralTausGiveARowEach) {
   EXPECT_DOUBLE_EQ(*report.rows[1].precision, 1);
 }
 
-TEST(EvaluateCurves, DoubledTruthCountsOnce) {
-  const CurveSet found_first = Curves({Line(0, 1)});
-  const CurveSet truth = Curves({Line(0, 1), Line(0, 1, 0.1 * kTau), Line(0, 1, 5)});
-  const TauResult row = EvaluateAtTau(found_first, truth);
-  EXPECT_NEAR(*row.recall, 0.5, 1e-9);
-  EXPECT_NEAR(row.true_length, 2, 1e-9);
-}
-
-TEST(EvaluateCurves, EveryTrueCopyCountsIfAskedFor) {
-  EvaluationOptions options;
-  options.copy_taus = 0;
-  const CurveSet truth = Curves({Line(0, 1), Line(0, 1), Line(0, 1, 5)});
-  EXPECT_NEAR(*EvaluateAtTau(Curves({Line(0, 1)}), truth, options).recall, 2.0 / 3, 1e-9);
-}
-
-TEST(EvaluateCurves, RowOfCloseTrueLinesIsThinnedNotEaten) {
-  // Ten lines 0.2 tau apart: each is within tau/4 of the one before, every second one remains.
-  std::vector<Polyline3d> row_of_lines;
-  for (int i = 0; i < 10; ++i) row_of_lines.push_back(Line(0, 1, 0.2 * kTau * i));
-  EXPECT_NEAR(EvaluateAtTau(Curves({Line(0, 1)}), Curves(row_of_lines)).true_length, 5, 1e-9);
-}
-
 TEST(EvaluateCurves, RegionClipsBothSets) {
   EvaluationOptions options;
   options.region = Eigen::AlignedBox3d(Eigen::Vector3d(0, -1, -1), Eigen::Vector3d(1, 1, 1));
