@@ -33,8 +33,10 @@ constexpr double kSnapPx = 4;
 constexpr double kMaxMissPx = 2;
 // Shorter segments between two joints: the joints are one.
 constexpr double kMinSegmentPx = 3;
-// False alarms accepted per edge grown, and per joint when all segments from it are tried.
+// False alarms accepted per edge grown, and per joint when all segments from it to others are tried: a
+// segment between two joints has more in its favour than the images.
 constexpr double kMaxFalseAlarms = 1e-2;
+constexpr double kMaxSegmentFalseAlarms = 1e-1;
 // Views in which edgels must run along an edge.
 constexpr int kMinViews = 4;
 
@@ -211,7 +213,7 @@ int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCur
       for (size_t v = 0; v < visible.size(); ++v) visible[v] &= joints[j].visible[v];
       const double chance = LogChanceOf(FindEvidence(joints[i].position, joints[j].position, visible,
                                                      views, evidence.all, CornerGate()));
-      if (chance <= std::log(kMaxFalseAlarms / static_cast<double>(near.size())) &&
+      if (chance <= std::log(kMaxSegmentFalseAlarms / static_cast<double>(near.size())) &&
           IsNew(joints[i].position, joints[j].position, visible, views, evidence)) {
         found.push_back({chance, i, j});
       }

@@ -48,14 +48,25 @@ double MeanAgreement(const DraftLink& link, const std::vector<int>& agreeing_vie
   return length_px > 0 ? sum / length_px : 0;
 }
 
-// Remove the links that too few primary views agree with on the whole. Returns the number of samples in
-// them.
-int64_t RemoveDoubtfulLinks(const std::vector<int>& agreeing_views, const DrawingOptions& options,
-                            Draft* draft) {
+// Number of primary views that the samples of a link come from.
+int NumPrimaryViews(const SampleSet& samples, const DraftLink& link) {
+  std::set<ViewId> views;
+  for (const auto& of_point : link.samples) {
+    for (const int s : of_point) views.insert(samples.origins[samples.curve_of[s]].anchor_view);
+  }
+  return static_cast<int>(views.size());
+}
+
+// Remove the links that too few primary views agree with on the whole: in the mean along them, and in
+// what was merged into them (curves that only agree may have been merged into another link). Returns the
+// number of samples in them.
+int64_t RemoveDoubtfulLinks(const SampleSet& samples, const std::vector<int>& agreeing_views,
+                            const DrawingOptions& options, Draft* draft) {
   int64_t num_samples = 0;
   std::vector<uint8_t> keep;
   for (const DraftLink& link : draft->links) {
-    keep.push_back(MeanAgreement(link, agreeing_views) >= options.min_link_primary_views);
+    keep.push_back(MeanAgreement(link, agreeing_views) >= options.min_link_primary_views &&
+                   NumPrimaryViews(samples, link) >= options.min_primary_views);
     if (!keep.back()) num_samples += draft->NumSketchSamples(link);
   }
   KeepLinks(keep, draft);
@@ -79,7 +90,7 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   const int rounds = AverageCurves(network, options, context, &samples);
   const MergedCurves merged = MergeCurves(samples, network, keep, input.views, options);
   Draft draft = FitLinks(samples, merged, options);
-  const int64_t doubtful = RemoveDoubtfulLinks(agreeing_views, options, &draft);
+  const int64_t doubtful = RemoveDoubtfulLinks(samples, agreeing_views, options, &draft);
   JunctionCounts junctions = JoinLinks(samples, input.views, evidence, options, &draft);
   const int64_t grown = GrowCornerEdges(
       input.views, input.curves, IndexEdgels(input.curves, samples, draft), options,

@@ -16,7 +16,7 @@ struct DrawingOptions {
   double bending_sigma_px = 0.03;
   // Views, the anchor included, that must still support a sample after re-triangulation: this share of
   // those that contain it, but at least min and at most max.
-  double supporting_views_share = 0.3;
+  double supporting_views_share = 0.25;
   int min_supporting_views = 3;
   int max_supporting_views = 5;
 
@@ -25,7 +25,7 @@ struct DrawingOptions {
   int strong_link_views = 3;
   int dense_link_views = 3;
   // Curve consistency network: two curves are linked by strong links over this arc length (tau_sl), px.
-  double min_linked_length_px = 5;
+  double min_linked_length_px = 4;
   // Gaps in the overlap of two curves up to this length are filled, overlaps below it removed, px.
   double overlap_regularity_px = 9;
   // Directions of linked curves differ by less than this.
