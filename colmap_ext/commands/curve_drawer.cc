@@ -18,8 +18,9 @@ int RunCurveDrawer(int argc, const char* const* argv) {
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
   const StoredCurveSketch stored =
       ReadSketchResult(project, kEnhancedSketchName, image_curves.curves);
-  const DrawingResult result = BuildDrawing({project.views(), image_curves.curves, stored.sketch},
-                                            options.pipeline.drawing, console.context());
+  const DrawingResult result = BuildDrawing(
+      {project.views(), image_curves.curves, stored.sketch, BoxFromNumbers(options.box)},
+      options.pipeline.drawing, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
   WriteDrawingResults(project, result.graph, Provenance(options, stored.metadata.options_json),

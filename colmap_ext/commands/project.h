@@ -36,7 +36,8 @@ class Project {
   ImageSource images_;
 };
 
-// The image curves of all views, from the project's cache where it holds them; reports what was done.
+// The image curves of all views, from the project's cache where it holds them; reports what was
+// done.
 CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
                                   Console* console);
 

@@ -33,8 +33,8 @@ constexpr double kSnapPx = 4;
 constexpr double kMaxMissPx = 2;
 // Shorter segments between two joints: the joints are one.
 constexpr double kMinSegmentPx = 3;
-// False alarms accepted per edge grown, and per joint when all segments from it to others are tried: a
-// segment between two joints has more in its favour than the images.
+// False alarms accepted per edge grown, and per joint when all segments from it to others are
+// tried: a segment between two joints has more in its favour than the images.
 constexpr double kMaxFalseAlarms = 1e-2;
 constexpr double kMaxSegmentFalseAlarms = 1e-1;
 // Views in which edgels must run along an edge.
@@ -46,8 +46,8 @@ double LogChanceOf(const SegmentEvidence& found) {
   return count < kMinViews ? 0 : LogChance(count, found.num_views, found.background);
 }
 
-// Whether some view shows the edge with edgels that no link has yet. Without this, links grow along other
-// links at a depth of their own.
+// Whether some view shows the edge with edgels that no link has yet. Without this, links grow along
+// other links at a depth of their own.
 bool IsNew(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
            const std::vector<uint8_t>& visible, const std::vector<View>& views,
            const EdgelEvidence& evidence) {
@@ -57,9 +57,14 @@ bool IsNew(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
 class EdgeGrowth {
  public:
   EdgeGrowth(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-             const EdgelEvidence& evidence,
+             const EdgelEvidence& evidence, const std::optional<Eigen::AlignedBox3d>& box,
              const DrawingOptions& options, SampleSet* samples, Draft* draft)
-      : views_(views), curves_(curves), evidence_(evidence), options_(options), grid_(kSnapPx),
+      : views_(views),
+        curves_(curves),
+        evidence_(evidence),
+        box_(box),
+        options_(options),
+        grid_(kSnapPx),
         links_(views, curves, evidence.all, samples, draft),
         joints_(CollectJoints(*samples, views.size(), *draft)) {
     for (size_t i = 0; i < joints_.size(); ++i) {
@@ -91,8 +96,8 @@ class EdgeGrowth {
     return true;
   }
 
-  // How far the edge goes, px; its direction is fitted to the edgels on the way. A view that loses the edge
-  // is not asked again.
+  // How far the edge goes, px; its direction is fitted to the edgels on the way. A view that loses
+  // the edge is not asked again.
   double Grow(const Joint& joint, CornerDirection* direction) const {
     std::vector<ViewId> active = direction->views;
     const size_t needed = std::max<size_t>(options_.min_junction_views, (active.size() + 1) / 2);
@@ -102,6 +107,7 @@ class EdgeGrowth {
     int num_steps = 0;
     for (double at = kBeginPx; at <= kMaxLengthPx; at += kStepPx) {
       const Eigen::Vector3d point = joint.position + at * joint.footprint * direction->unit;
+      if (box_ && !box_->contains(point)) break;
       auto support = SupportAt(point, direction->unit, active, views_, evidence_.all, CornerGate());
       for (const EdgelRef& ref : support) seen_at[ref.view] = at;
       std::erase_if(active, [&](ViewId v) { return at - seen_at[v] > kMaxGapPx; });
@@ -171,6 +177,7 @@ class EdgeGrowth {
   const std::vector<View>& views_;
   const std::vector<ImageCurves>& curves_;
   const EdgelEvidence& evidence_;
+  const std::optional<Eigen::AlignedBox3d>& box_;
   const DrawingOptions& options_;
   VertexGrid grid_;
   StraightLinks links_;
@@ -189,13 +196,14 @@ bool CanHaveSegment(const Joint& a, const Joint& b, const DrawingOptions& option
 
 int64_t GrowCornerEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                         const EdgelEvidence& evidence,
+                        const std::optional<Eigen::AlignedBox3d>& box,
                         const DrawingOptions& options, SampleSet* samples, Draft* draft) {
-  return EdgeGrowth(views, curves, evidence, options, samples, draft).Run();
+  return EdgeGrowth(views, curves, evidence, box, options, samples, draft).Run();
 }
 
 int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                      const EdgelEvidence& evidence,
-                      const DrawingOptions& options, SampleSet* samples, Draft* draft) {
+                      const EdgelEvidence& evidence, const DrawingOptions& options,
+                      SampleSet* samples, Draft* draft) {
   std::vector<Joint> joints = CollectJoints(*samples, views.size(), *draft);
   VertexGrid grid(options.max_short_edge_px);
   for (size_t i = 0; i < joints.size(); ++i) {
@@ -211,8 +219,8 @@ int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCur
     for (const int j : near) {
       std::vector<uint8_t> visible = joints[i].visible;
       for (size_t v = 0; v < visible.size(); ++v) visible[v] &= joints[j].visible[v];
-      const double chance = LogChanceOf(FindEvidence(joints[i].position, joints[j].position, visible,
-                                                     views, evidence.all, CornerGate()));
+      const double chance = LogChanceOf(FindEvidence(joints[i].position, joints[j].position,
+                                                     visible, views, evidence.all, CornerGate()));
       if (chance <= std::log(kMaxSegmentFalseAlarms / static_cast<double>(near.size())) &&
           IsNew(joints[i].position, joints[j].position, visible, views, evidence)) {
         found.push_back({chance, i, j});

@@ -1,26 +1,31 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+
+#include <Eigen/Geometry>
 
 #include "limn/drawing/joints.h"
 
 namespace limn {
 
-// Edges that leave a joint and that the sketch does not have, because they are too short or too broken in
-// the images for fragments of their own, or that it lost on the way: the height of a step, a seam. A
-// direction in which image edges leave the joint (FindCornerDirection) grows into a straight link as far
-// as half of the views that show it have edgels there, ends at a joint that it reaches, and is kept if edgels
-// run along all of it in so many views that chance is no explanation. Ours; not in the paper. Returns the
-// number of links added.
+// Edges that leave a joint and that the sketch does not have, because they are too short or too
+// broken in the images for fragments of their own, or that it lost on the way: the height of a
+// step, a seam. A direction in which image edges leave the joint (FindCornerDirection) grows into a
+// straight link as far as half of the views that show it have edgels there, ends at a joint that it
+// reaches, and is kept if edgels run along all of it in so many views that chance is no
+// explanation, some of them edgels that no link has yet. Nothing grows out of the box. Ours; not in
+// the paper. Returns the number of links added.
 int64_t GrowCornerEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                         const EdgelEvidence& evidence,
+                        const std::optional<Eigen::AlignedBox3d>& box,
                         const DrawingOptions& options, SampleSet* samples, Draft* draft);
 
-// Edges of which both ends are joints already, at most max_short_edge_px apart, with no link leaving either
-// in that direction: straight links where edgels run along the segment in enough views, as above. Returns
-// the number of links added.
+// Edges of which both ends are joints already, at most max_short_edge_px apart, with no link
+// leaving either in that direction: straight links where edgels run along the segment in enough
+// views, as above. Returns the number of links added.
 int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                      const EdgelEvidence& evidence,
-                      const DrawingOptions& options, SampleSet* samples, Draft* draft);
+                      const EdgelEvidence& evidence, const DrawingOptions& options,
+                      SampleSet* samples, Draft* draft);
 
 }  // namespace limn

@@ -25,16 +25,16 @@ constexpr double kMaxTurnRad = 25 * kDeg;
 constexpr double kRayWidthRad = 12 * kDeg;
 // Directions this near to that of a link at the joint are explained by it.
 constexpr double kExplainedRad = 20 * kDeg;
-// A step in space of so many px gives the direction in the image; a step that is shorter there than the
-// second figure is seen end on.
+// A step in space of so many px gives the direction in the image; a step that is shorter there than
+// the second figure is seen end on.
 constexpr double kProbePx = 6;
 constexpr double kMinProbePx = 2;
 // Rays whose planes meet at less than this angle give no direction.
 constexpr double kMinPlaneAngleRad = 8 * kDeg;
 // Rays that a view without any is thought to have, on the long run.
 constexpr double kMinNumRays = 0.3;
-// Number of directions that rays of this width tell apart, and the false alarms expected when as many are
-// tried. More than one: this only proposes, and the whole edge is judged later.
+// Number of directions that rays of this width tell apart, and the false alarms expected when as
+// many are tried. More than one: this only proposes, and the whole edge is judged later.
 constexpr double kNumDirections = 130;
 constexpr double kMaxFalseAlarms = 10;
 
@@ -61,12 +61,11 @@ std::optional<double> ImageDirection(const View& view, const Joint& joint,
 // The rays of one view.
 class RayFinder {
  public:
-  RayFinder(const Joint& joint, const View& view, const EdgeMap& edge_map,
-            const EdgelIndex& edgels, const Eigen::Vector2d& centre)
+  RayFinder(const Joint& joint, const View& view, const EdgeMap& edge_map, const EdgelIndex& edgels,
+            const Eigen::Vector2d& centre)
       : joint_(joint), view_(view), centre_(centre) {
-    edgels.ForEachWithin(centre, kMaxRayPx, [&](EdgelId id) {
-      near_.push_back(&edge_map.edgels[id]);
-    });
+    edgels.ForEachWithin(centre, kMaxRayPx,
+                         [&](EdgelId id) { near_.push_back(&edge_map.edgels[id]); });
   }
 
   // The direction in which edgels cover most pixels first; its neighbourhood then no longer counts.
@@ -84,9 +83,8 @@ class RayFinder {
       }
       if (most < kMinCoveredPx) return rays;
       rays.push_back(best + Cover(best).correction);
-      std::erase_if(candidates, [&](double other) {
-        return AngleBetween(other, best) < 1.5 * kRayWidthRad;
-      });
+      std::erase_if(candidates,
+                    [&](double other) { return AngleBetween(other, best) < 1.5 * kRayWidthRad; });
     }
   }
 
@@ -108,9 +106,8 @@ class RayFinder {
       if (angle) explained.push_back(*angle);
     }
     std::erase_if(candidates, [&](double angle) {
-      return std::any_of(explained.begin(), explained.end(), [&](double taken) {
-        return AngleBetween(taken, angle) < kExplainedRad;
-      });
+      return std::any_of(explained.begin(), explained.end(),
+                         [&](double taken) { return AngleBetween(taken, angle) < kExplainedRad; });
     });
     return candidates;
   }
@@ -147,8 +144,8 @@ class RayFinder {
 class DirectionFinder {
  public:
   DirectionFinder(const Joint& joint, const std::vector<View>& views,
-                  const std::vector<ImageCurves>& curves,
-                  const std::vector<EdgelIndex>& edgels, size_t min_views)
+                  const std::vector<ImageCurves>& curves, const std::vector<EdgelIndex>& edgels,
+                  size_t min_views)
       : joint_(joint), views_(views), min_views_(min_views) {
     for (size_t v = 0; v < views.size(); ++v) {
       const auto centre = joint.visible[v] ? views[v].Project(joint.position) : std::nullopt;
@@ -261,9 +258,11 @@ class DirectionFinder {
 
 }  // namespace
 
-std::optional<CornerDirection> FindCornerDirection(
-    const Joint& joint, const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-    const std::vector<EdgelIndex>& edgels, int min_views) {
+std::optional<CornerDirection> FindCornerDirection(const Joint& joint,
+                                                   const std::vector<View>& views,
+                                                   const std::vector<ImageCurves>& curves,
+                                                   const std::vector<EdgelIndex>& edgels,
+                                                   int min_views) {
   return DirectionFinder(joint, views, curves, edgels, static_cast<size_t>(min_views)).Find();
 }
 

@@ -16,11 +16,14 @@ struct CornerDirection {
   std::vector<ViewId> views;  // whose rays agree
 };
 
-// In every view that sees the joint, straight edges that begin at its projection and that none of its links
-// explains are collected as rays. Rays of two views give a direction in space; the one is returned that
-// chance explains least, if rays of at least min_views views agree. O(number of pairs of rays times views).
-std::optional<CornerDirection> FindCornerDirection(
-    const Joint& joint, const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-    const std::vector<EdgelIndex>& edgels, int min_views);
+// In every view that sees the joint, straight edges that begin at its projection and that none of
+// its links explains are collected as rays. Rays of two views give a direction in space; the one is
+// returned that chance explains least, if rays of at least min_views views agree. O(number of pairs
+// of rays times views).
+std::optional<CornerDirection> FindCornerDirection(const Joint& joint,
+                                                   const std::vector<View>& views,
+                                                   const std::vector<ImageCurves>& curves,
+                                                   const std::vector<EdgelIndex>& edgels,
+                                                   int min_views);
 
 }  // namespace limn

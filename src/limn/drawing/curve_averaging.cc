@@ -13,11 +13,12 @@ namespace {
 
 // Samples to either side of the partner in which the closest point is sought.
 constexpr int kSearchSamples = 6;
-// Partners that are averaged at most, spread evenly over the overlapping curves: more hardly change the
-// mean and cost time.
+// Partners that are averaged at most, spread evenly over the overlapping curves: more hardly change
+// the mean and cost time.
 constexpr int kMaxPartners = 12;
 
-// Closest point to x on the other curve near `partner`; nothing where the foot is beyond the curve's end.
+// Closest point to x on the other curve near `partner`; nothing where the foot is beyond the
+// curve's end.
 std::optional<Eigen::Vector3d> ClosestNear(const SampleSet& samples, int partner,
                                            const Eigen::Vector3d& x) {
   const int curve = samples.curve_of[partner];
@@ -52,17 +53,16 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   // Every estimate is at best known to a tenth of a pixel: none may rule alone.
   const double floor = std::pow(0.1 * footprint, 2);
   const auto weight = [&](int sample) {
-    const Eigen::Matrix2d information =
-        across.transpose() * samples.information[sample] * across +
-        Eigen::Matrix2d::Identity() / std::pow(30 * footprint, 2);
+    const Eigen::Matrix2d information = across.transpose() * samples.information[sample] * across +
+                                        Eigen::Matrix2d::Identity() / std::pow(30 * footprint, 2);
     return Eigen::Matrix2d((information.inverse() + floor * Eigen::Matrix2d::Identity()).inverse());
   };
   Eigen::Matrix2d sum = weight(s);
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   const double max_distance = options.merge_distance_px * footprint;
-  const int num_partners = static_cast<int>(std::count_if(
-      overlaps.begin(), overlaps.end(),
-      [&](const CurveOverlap& overlap) { return overlap.partner[k] >= 0; }));
+  const int num_partners = static_cast<int>(
+      std::count_if(overlaps.begin(), overlaps.end(),
+                    [&](const CurveOverlap& overlap) { return overlap.partner[k] >= 0; }));
   const int stride = (num_partners + kMaxPartners - 1) / kMaxPartners;
   int rank = 0;
   for (const CurveOverlap& overlap : overlaps) {
@@ -93,8 +93,8 @@ int AverageCurves(const CurveConsistency& network, const DrawingOptions& options
       for (int k = 0; k < samples->Size(static_cast<int>(c)); ++k) {
         const int s = samples->curve_begin[c] + k;
         next[s] = Average(*samples, network.overlaps[c], s, k, options);
-        moved[c] = std::max(moved[c],
-                            (next[s] - samples->position[s]).norm() / samples->footprint[s]);
+        moved[c] =
+            std::max(moved[c], (next[s] - samples->position[s]).norm() / samples->footprint[s]);
       }
     });
     samples->position = next;

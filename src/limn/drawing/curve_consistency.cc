@@ -50,8 +50,8 @@ void RegularizeOverlap(const std::vector<double>& arc, double max_gap, double mi
     if (last >= 0 && k > last + 1 && arc[k] - arc[last] <= max_gap) {
       for (int i = last + 1; i < k; ++i) {
         const double t = static_cast<double>(i - last) / (k - last);
-        (*partner)[i] = static_cast<int>(
-            std::lround((1 - t) * (*partner)[last] + t * (*partner)[k]));
+        (*partner)[i] =
+            static_cast<int>(std::lround((1 - t) * (*partner)[last] + t * (*partner)[k]));
       }
     }
     last = k;

@@ -13,8 +13,9 @@ struct CurveOverlap {
   std::vector<int> partner;
 };
 
-// The multiview curve-level consistency network (ECCV 2016, section 4; MCCN in the paper): curves with
-// enough strong links between their samples are linked; their overlaps are regularised along the curve.
+// The multiview curve-level consistency network (ECCV 2016, section 4; MCCN in the paper): curves
+// with enough strong links between their samples are linked; their overlaps are regularised along
+// the curve.
 struct CurveConsistency {
   std::vector<std::vector<CurveOverlap>> overlaps;  // per curve, ascending by other
   // Connected component of every curve: the smallest curve in it.
@@ -24,9 +25,9 @@ struct CurveConsistency {
 CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalConsistency& network,
                                        const DrawingOptions& options, const RunContext& context);
 
-// Close gaps (runs of -1 with partners on both sides) up to max_gap of arc length, interpolating the
-// partners, then remove runs of partners shorter than min_run. Runs that touch an end of the curve are
-// judged like any other; min_run is halved for curves shorter than twice it.
+// Close gaps (runs of -1 with partners on both sides) up to max_gap of arc length, interpolating
+// the partners, then remove runs of partners shorter than min_run. Runs that touch an end of the
+// curve are judged like any other; min_run is halved for curves shorter than twice it.
 void RegularizeOverlap(const std::vector<double>& arc, double max_gap, double min_run,
                        std::vector<int>* partner);
 

@@ -20,10 +20,12 @@ constexpr int kClosedOverlap = 20;
 class Smoother {
  public:
   Smoother(const SmoothingInput& input, double bending_sigma_px)
-      : input_(input), bending_sigma_px_(bending_sigma_px),
+      : input_(input),
+        bending_sigma_px_(bending_sigma_px),
         size_(static_cast<int>(input.position.size())),
         extra_(input.closed ? std::min(kClosedOverlap, size_) : 0),
-        count_(size_ + 2 * extra_), system_(3 * count_, 8) {}
+        count_(size_ + 2 * extra_),
+        system_(3 * count_, 8) {}
 
   std::vector<Eigen::Vector3d> Run(bool fixed_ends) {
     for (int k = 0; k < count_; ++k) AddData(k, fixed_ends && (k == 0 || k + 1 == count_));
@@ -32,7 +34,8 @@ class Smoother {
     // Indefinite only for numbers beyond all scale: then the samples stay where they are.
     if (!system_.Solve()) return smooth;
     for (int s = 0; s < size_; ++s) {
-      for (int axis = 0; axis < 3; ++axis) smooth[s][axis] += system_.Right(3 * (s + extra_) + axis);
+      for (int axis = 0; axis < 3; ++axis)
+        smooth[s][axis] += system_.Right(3 * (s + extra_) + axis);
     }
     return smooth;
   }

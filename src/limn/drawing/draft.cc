@@ -12,8 +12,8 @@
 namespace limn {
 namespace {
 
-// Stretch of a link that the line at its end is fitted to, px; the outermost part, which suffers from
-// the neighbouring edges, is left out.
+// Stretch of a link that the line at its end is fitted to, px; the outermost part, which suffers
+// from the neighbouring edges, is left out.
 constexpr double kLineSkipPx = 2;
 constexpr double kLineLengthPx = 12;
 
@@ -49,9 +49,9 @@ Eigen::Vector3d MeanPosition(const SampleSet& samples, int own, const std::vecto
 
 void SmoothLink(const DrawingOptions& options, DraftLink* link) {
   const auto tangents = Tangents(*link);
-  link->position = SmoothCurve(
-      {link->position, tangents, link->information, link->footprint, link->closed},
-      options.bending_sigma_px, false);
+  link->position =
+      SmoothCurve({link->position, tangents, link->information, link->footprint, link->closed},
+                  options.bending_sigma_px, false);
 }
 
 }  // namespace
@@ -121,7 +121,8 @@ EndLine LineAtEnd(const DraftLink& link, int end) {
   for (const auto& point : points) mean += point / static_cast<double>(points.size());
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const auto& point : points) scatter += (point - mean) * (point - mean).transpose();
-  Eigen::Vector3d direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
+  Eigen::Vector3d direction =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
   if (direction.dot(points.front() - points.back()) < 0) direction = -direction;
   line.outward = direction;
   line.point = mean + direction * direction.dot(line.point - mean);

@@ -36,16 +36,17 @@ struct Draft {
   int64_t NumSketchSamples(const DraftLink& link) const;
 };
 
-// Fit the merged curves (algorithm.md 11.4, zip and re-fit): every vertex moves to the weighted mean of the
-// samples merged into it, across the curve; then the link is smoothed by the same rule as the samples.
+// Fit the merged curves (algorithm.md 11.4, zip and re-fit): every vertex moves to the weighted
+// mean of the samples merged into it, across the curve; then the link is smoothed by the same rule
+// as the samples.
 Draft FitLinks(const SampleSet& samples, const MergedCurves& merged, const DrawingOptions& options);
 
 // Arc length in footprints between two points of a link, from <= to.
 double ArcPx(const DraftLink& link, int from, int to);
 double LengthPx(const DraftLink& link);
 
-// Unit direction in which a link leaves at an end, from a line fitted to its last pixels; and that line's
-// point at the end. Zero direction for a link without extent.
+// Unit direction in which a link leaves at an end, from a line fitted to its last pixels; and that
+// line's point at the end. Zero direction for a link without extent.
 struct EndLine {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();

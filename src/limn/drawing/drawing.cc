@@ -15,8 +15,7 @@ namespace limn {
 namespace {
 
 int64_t NumClusters(const CurveConsistency& network) {
-  return static_cast<int64_t>(
-      std::set<int>(network.cluster.begin(), network.cluster.end()).size());
+  return static_cast<int64_t>(std::set<int>(network.cluster.begin(), network.cluster.end()).size());
 }
 
 // Samples that curves of enough other primary views agree with.
@@ -57,9 +56,9 @@ int NumPrimaryViews(const SampleSet& samples, const DraftLink& link) {
   return static_cast<int>(views.size());
 }
 
-// Remove the links that too few primary views agree with on the whole: in the mean along them, and in
-// what was merged into them (curves that only agree may have been merged into another link). Returns the
-// number of samples in them.
+// Remove the links that too few primary views agree with on the whole: in the mean along them, and
+// in what was merged into them (curves that only agree may have been merged into another link).
+// Returns the number of samples in them.
 int64_t RemoveDoubtfulLinks(const SampleSet& samples, const std::vector<int>& agreeing_views,
                             const DrawingOptions& options, Draft* draft) {
   int64_t num_samples = 0;
@@ -92,13 +91,13 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   Draft draft = FitLinks(samples, merged, options);
   const int64_t doubtful = RemoveDoubtfulLinks(samples, agreeing_views, options, &draft);
   JunctionCounts junctions = JoinLinks(samples, input.views, evidence, options, &draft);
-  const int64_t grown = GrowCornerEdges(
-      input.views, input.curves, IndexEdgels(input.curves, samples, draft), options,
-      &samples, &draft);
+  const int64_t grown =
+      GrowCornerEdges(input.views, input.curves, IndexEdgels(input.curves, samples, draft),
+                      input.box, options, &samples, &draft);
   junctions += JoinLinks(samples, input.views, evidence, options, &draft);  // ends that grew
-  const int64_t short_edges = AddShortEdges(
-      input.views, input.curves, IndexEdgels(input.curves, samples, draft), options,
-      &samples, &draft);
+  const int64_t short_edges =
+      AddShortEdges(input.views, input.curves, IndexEdgels(input.curves, samples, draft), options,
+                    &samples, &draft);
   const CleanupCounts cleanup = CleanUp(options, &draft);
 
   DrawingResult result;

@@ -11,20 +11,22 @@ struct DrawingOptions {
 
   // Re-triangulation: residuals beyond this count linearly (Huber), px.
   double robust_residual_px = 0.6;
-  // Strength of the smoothing along a curve: the standard deviation allowed for the change of direction
-  // from one sample to the next, px. Smaller is smoother; data that determine a sample well win.
+  // Strength of the smoothing along a curve: the standard deviation allowed for the change of
+  // direction from one sample to the next, px. Smaller is smoother; data that determine a sample
+  // well win.
   double bending_sigma_px = 0.03;
-  // Views, the anchor included, that must still support a sample after re-triangulation: this share of
-  // those that contain it, but at least min and at most max.
+  // Views, the anchor included, that must still support a sample after re-triangulation: this share
+  // of those that contain it, but at least min and at most max.
   double supporting_views_share = 0.25;
   int min_supporting_views = 3;
   int max_supporting_views = 5;
 
-  // Local consistency network: samples that share edgels in this many views are strongly (tau_eps) or
-  // densely linked.
+  // Local consistency network: samples that share edgels in this many views are strongly (tau_eps)
+  // or densely linked.
   int strong_link_views = 3;
   int dense_link_views = 3;
-  // Curve consistency network: two curves are linked by strong links over this arc length (tau_sl), px.
+  // Curve consistency network: two curves are linked by strong links over this arc length (tau_sl),
+  // px.
   double min_linked_length_px = 4;
   // Gaps in the overlap of two curves up to this length are filled, overlaps below it removed, px.
   double overlap_regularity_px = 9;
@@ -37,8 +39,8 @@ struct DrawingOptions {
 
   // A sample belongs to a link when their reprojections are this near, px (tau_merge).
   double merge_distance_px = 1.0;
-  // Primary views whose curves must agree with a sample, its own included, and with a link in the mean
-  // over its length: single samples may be weak where the link is strong.
+  // Primary views whose curves must agree with a sample, its own included, and with a link in the
+  // mean over its length: single samples may be weak where the link is strong.
   int min_primary_views = 2;
   double min_link_primary_views = 2.5;
   // Stubs shorter than this are not branches, px (tau_branch).
@@ -47,7 +49,8 @@ struct DrawingOptions {
   double min_link_length_px = 14;
   // Link ends (and junctions) this near meet in one node, px (tau_junc).
   double junction_distance_px = 4;
-  // Largest gap bridged between link ends whose tangent lines meet, px, and how near they must pass.
+  // Largest gap bridged between link ends whose tangent lines meet, px, and how near they must
+  // pass.
   double max_junction_gap_px = 12;
   double max_junction_miss_px = 4;
   // Longest edge that is found from its two ends alone, px.

@@ -8,18 +8,20 @@ namespace limn {
 
 struct CleanupCounts {
   int64_t dissolved_nodes = 0;
-  int64_t pruned_links = 0;    // too short, hanging by one end or by none
-  int64_t covered_links = 0;   // ran along another link
+  int64_t pruned_links = 0;   // too short, hanging by one end or by none
+  int64_t covered_links = 0;  // ran along another link
   int64_t samples_pruned = 0;
   int64_t samples_covered = 0;
 };
 
-// Tidy the draft until nothing changes: nodes in which two links meet alone and go on smoothly dissolve,
-// short links that hang by one end or by none and links that run along others are removed.
+// Tidy the draft until nothing changes: nodes in which two links meet alone and go on smoothly
+// dissolve, short links that hang by one end or by none and links that run along others are
+// removed.
 CleanupCounts CleanUp(const DrawingOptions& options, Draft* draft);
 
-// The graph of a draft: free ends and loops get nodes, node positions are the mean of the incident ends,
-// members, supporting views, residuals and smooth continuations are filled in. Passes Validate().
+// The graph of a draft: free ends and loops get nodes, node positions are the mean of the incident
+// ends, members, supporting views, residuals and smooth continuations are filled in. Passes
+// Validate().
 DrawingGraph AssembleGraph(const SampleSet& samples, const std::vector<View>& views,
                            const std::vector<ImageCurves>& curves, const DrawingOptions& options,
                            const Draft& draft);

@@ -61,9 +61,9 @@ std::vector<Joint> CollectJoints(const SampleSet& samples, size_t num_views, con
 
 bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_angle_rad) {
   const double min_cosine = std::cos(max_angle_rad);
-  return std::any_of(joint.leaving.begin(), joint.leaving.end(), [&](const Eigen::Vector3d& leaving) {
-    return leaving.dot(direction) > min_cosine;
-  });
+  return std::any_of(
+      joint.leaving.begin(), joint.leaving.end(),
+      [&](const Eigen::Vector3d& leaving) { return leaving.dot(direction) > min_cosine; });
 }
 
 EdgelEvidence IndexEdgels(const std::vector<ImageCurves>& curves, const SampleSet& samples,
@@ -102,8 +102,7 @@ SupportGate CornerGate() { return {1.5, 1.5, 25 * M_PI / 180}; }
 
 std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
                                 const std::vector<ViewId>& in_views, const std::vector<View>& views,
-                                const std::vector<EdgelIndex>& edgels,
-                                const SupportGate& gate) {
+                                const std::vector<EdgelIndex>& edgels, const SupportGate& gate) {
   std::vector<EdgelRef> support;
   for (const ViewId v : in_views) {
     const auto pixel = views[v].Project(position);

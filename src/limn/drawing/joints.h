@@ -30,8 +30,8 @@ std::vector<Joint> CollectJoints(const SampleSet& samples, size_t num_views, con
 // Whether a link leaves the joint within the angle of the direction.
 bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_angle_rad);
 
-// Per view, the edgels of fragments: all, and those that no link of the draft is made from. Neighbours on
-// the fragment of an edgel that supports a link belong to the link too.
+// Per view, the edgels of fragments: all, and those that no link of the draft is made from.
+// Neighbours on the fragment of an edgel that supports a link belong to the link too.
 struct EdgelEvidence {
   std::vector<EdgelIndex> all;
   std::vector<EdgelIndex> unclaimed;
@@ -45,26 +45,25 @@ SupportGate CornerGate();
 // Edgels of the given views at a point of an edge with this direction.
 std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
                                 const std::vector<ViewId>& in_views, const std::vector<View>& views,
-                                const std::vector<EdgelIndex>& edgels,
-                                const SupportGate& gate);
+                                const std::vector<EdgelIndex>& edgels, const SupportGate& gate);
 
 // A straight link that joints need and the sketch does not have. Its samples, with the edgels of
-// `in_views` as support, are appended to `samples` without a curve of the sketch; joints are given nodes
-// and know the new link afterwards.
+// `in_views` as support, are appended to `samples` without a curve of the sketch; joints are given
+// nodes and know the new link afterwards.
 class StraightLinks {
  public:
   StraightLinks(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                const std::vector<EdgelIndex>& edgels, SampleSet* samples,
-                Draft* draft)
+                const std::vector<EdgelIndex>& edgels, SampleSet* samples, Draft* draft)
       : views_(views), curves_(curves), edgels_(edgels), samples_(samples), draft_(draft) {}
 
   // From the joint to a free end, or to another joint if `target` is not null.
-  void Add(const Eigen::Vector3d& end, const std::vector<ViewId>& in_views, Joint* joint, Joint* target);
+  void Add(const Eigen::Vector3d& end, const std::vector<ViewId>& in_views, Joint* joint,
+           Joint* target);
 
  private:
   int NodeAt(const Joint& joint);
-  int AppendSample(const Eigen::Vector3d& position, const Eigen::Vector3d& direction, double footprint,
-                   const std::vector<ViewId>& in_views);
+  int AppendSample(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
+                   double footprint, const std::vector<ViewId>& in_views);
 
   const std::vector<View>& views_;
   const std::vector<ImageCurves>& curves_;

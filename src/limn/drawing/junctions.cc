@@ -185,9 +185,11 @@ class Joiner {
            along >= -kMaxOvershootPx * footprint;
   }
 
-  // --- ends that continue each other -----------------------------------------------------------------
+  // --- ends that continue each other
+  // -----------------------------------------------------------------
 
-  // Cost of joining two ends into one link: the gap, px; nothing if they do not continue each other.
+  // Cost of joining two ends into one link: the gap, px; nothing if they do not continue each
+  // other.
   std::optional<double> ContinuationGap(const EndLine& a, const EndLine& b) const {
     if (a.outward.dot(b.outward) > -std::cos(options_.max_continuation_angle_deg * kDeg)) {
       return std::nullopt;
@@ -304,7 +306,8 @@ class Joiner {
     draft_->links = std::move(joined);
   }
 
-  // --- corners ---------------------------------------------------------------------------------------
+  // --- corners
+  // ---------------------------------------------------------------------------------------
 
   void JoinCorners() {
     const auto ends = FreeEnds();
@@ -355,7 +358,8 @@ class Joiner {
     }
   }
 
-  // The common corner of a set of ends, if all their lines pass it near enough, each with another link.
+  // The common corner of a set of ends, if all their lines pass it near enough, each with another
+  // link.
   std::optional<Eigen::Vector3d> CornerOf(const std::vector<int>& group,
                                           const std::vector<LinkEndRef>& ends,
                                           const std::vector<EndLine>& lines) const {
@@ -372,8 +376,7 @@ class Joiner {
       const Eigen::Vector3d offset = *point - line.point;
       const double along = offset.dot(line.outward);
       if (!InReach(along, line.footprint)) return std::nullopt;
-      if ((offset - along * line.outward).norm() >
-          options_.max_junction_miss_px * line.footprint) {
+      if ((offset - along * line.outward).norm() > options_.max_junction_miss_px * line.footprint) {
         return std::nullopt;
       }
     }
@@ -410,7 +413,8 @@ class Joiner {
     link.node[ref.end] = node;
   }
 
-  // --- ends at nodes and inside links ----------------------------------------------------------------
+  // --- ends at nodes and inside links
+  // ----------------------------------------------------------------
 
   void JoinToNodes() {
     std::map<int, std::vector<LinkEndRef>> at_node;
@@ -501,8 +505,8 @@ class Joiner {
       targets[*place].push_back({ref, point});
       ++counts_.t_junctions;
     }
-    // First all cuts, from the back of each link so that the indices in front stay valid; only then are
-    // ends moved, which changes indices.
+    // First all cuts, from the back of each link so that the indices in front stay valid; only then
+    // are ends moved, which changes indices.
     std::vector<int> nodes;
     int previous_link = -1;
     int shift = 0;
@@ -564,8 +568,7 @@ class Joiner {
       if (!InReach(along, line.footprint)) return;
       const double miss = (offset - along * line.outward).norm();
       if (miss > options_.max_junction_miss_px * line.footprint) return;
-      const Eigen::Vector3d tangent =
-          (link.position[k + 1] - link.position[k - 1]).normalized();
+      const Eigen::Vector3d tangent = (link.position[k + 1] - link.position[k - 1]).normalized();
       if (std::abs(tangent.dot(line.outward)) > max_cosine) return;
       const double cost = offset.norm() + miss;
       if (cost < best_cost || (cost == best_cost && places[id] < *best)) {

@@ -55,9 +55,9 @@ double LinkBuilder::ArcPx(const Link& link, int from, int to) const {
 Eigen::Vector3d LinkBuilder::OutwardDirection(const Link& link, int end) const {
   const int last = static_cast<int>(link.vertices.size()) - 1;
   const int tip = end == 0 ? 0 : last;
-  const int back = end == 0 ? std::min(kDirectionVertices, last) : std::max(last - kDirectionVertices, 0);
-  const Eigen::Vector3d chord =
-      Position(link.vertices[tip]) - Position(link.vertices[back]);
+  const int back =
+      end == 0 ? std::min(kDirectionVertices, last) : std::max(last - kDirectionVertices, 0);
+  const Eigen::Vector3d chord = Position(link.vertices[tip]) - Position(link.vertices[back]);
   return chord.norm() > 0 ? Eigen::Vector3d(chord.normalized()) : Eigen::Vector3d::Zero();
 }
 
@@ -157,12 +157,13 @@ int LinkBuilder::Attach(int link, int end, int vertex) {
   const int last = static_cast<int>(links_[target].vertices.size()) - 1;
   for (const int target_end : {0, 1}) {
     if (links_[target].closed) break;
-    const double stub = target_end == 0 ? ArcPx(links_[target], 0, index)
-                                        : ArcPx(links_[target], index, last);
+    const double stub =
+        target_end == 0 ? ArcPx(links_[target], 0, index) : ArcPx(links_[target], index, last);
     if (stub > options_.junction_distance_px) continue;
     if (links_[target].node[target_end] < 0) links_[target].node[target_end] = num_nodes_++;
     ++counts_.multi_attached;
-    const int tip = target_end == 0 ? links_[target].vertices.front() : links_[target].vertices.back();
+    const int tip =
+        target_end == 0 ? links_[target].vertices.front() : links_[target].vertices.back();
     EndAt(link, end, links_[target].node[target_end], tip);
     return link;
   }

@@ -11,16 +11,16 @@ namespace limn {
 
 // How many times each merging primitive was applied (ECCV 2016, section 5; algorithm.md 11.3).
 struct MergingCounts {
-  int64_t released = 0;    // a run that touches nothing: a link of its own
-  int64_t elongated = 0;   // a run that continues a link beyond its free end
-  int64_t branched = 0;    // a run that leaves a link from its interior: junction
-  int64_t bridged = 0;     // a run between two links
-  int64_t rejoined = 0;    // a run with both ends on one link (bubble, or loop closed)
+  int64_t released = 0;        // a run that touches nothing: a link of its own
+  int64_t elongated = 0;       // a run that continues a link beyond its free end
+  int64_t branched = 0;        // a run that leaves a link from its interior: junction
+  int64_t bridged = 0;         // a run between two links
+  int64_t rejoined = 0;        // a run with both ends on one link (bubble, or loop closed)
   int64_t multi_attached = 0;  // a run that ends at an existing node
 };
 
-// Vertices of the links under construction. A vertex never changes its id; where a link is trimmed its
-// vertices are replaced by others and forward to them.
+// Vertices of the links under construction. A vertex never changes its id; where a link is trimmed
+// its vertices are replaced by others and forward to them.
 class LinkBuilder {
  public:
   struct Link {
@@ -36,9 +36,9 @@ class LinkBuilder {
   // A new link whose vertices are these samples, in order. Ends are free. Returns its id.
   int AddLink(const std::vector<int>& run, bool closed);
 
-  // Join end `end` of link `link` to the graph at `vertex` of another link: elongates that link if the
-  // vertex is near its free end and the directions agree, ends at its node if one is near, and otherwise
-  // splits it there. Returns the id of the link that now holds the run.
+  // Join end `end` of link `link` to the graph at `vertex` of another link: elongates that link if
+  // the vertex is near its free end and the directions agree, ends at its node if one is near, and
+  // otherwise splits it there. Returns the id of the link that now holds the run.
   int Attach(int link, int end, int vertex);
 
   // The vertex that stands for a vertex now.

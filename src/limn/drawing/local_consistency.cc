@@ -50,8 +50,8 @@ int CountSideBySide(const SampleSet& samples, const std::vector<ImageCurves>& cu
       const auto& edgels = curves[support_a[i].view].edge_map.edgels;
       const Edgel& edgel_a = edgels[support_a[i].edgel];
       const Edgel& edgel_b = edgels[support_b[j].edgel];
-      const Eigen::Vector2d offset = edgel_a.stored_from_virtual.cast<double>() *
-                                     (edgel_b.position_px - edgel_a.position_px);
+      const Eigen::Vector2d offset =
+          edgel_a.stored_from_virtual.cast<double>() * (edgel_b.position_px - edgel_a.position_px);
       count += std::abs(edgel_a.Normal().dot(offset)) > kSideBySidePx;
       ++i;
       ++j;
@@ -64,7 +64,10 @@ class LinkFinder {
  public:
   LinkFinder(const SampleSet& samples, const std::vector<ImageCurves>& curves,
              const std::vector<EdgelClaims>& claims, const DrawingOptions& options)
-      : samples_(samples), curves_(curves), claims_(claims), options_(options),
+      : samples_(samples),
+        curves_(curves),
+        claims_(claims),
+        options_(options),
         min_cosine_(std::cos(options.max_link_angle_deg * M_PI / 180)) {}
 
   std::vector<SampleLink> LinksOf(int s) const {
@@ -89,8 +92,8 @@ class LinkFinder {
       i = j;
       if (link.votes < options_.dense_link_views) continue;
       if (std::abs(samples_.tangent[s].dot(samples_.tangent[link.other])) < min_cosine_) continue;
-      const bool same_curve = !best.empty() && samples_.curve_of[best.back().other] ==
-                                                   samples_.curve_of[link.other];
+      const bool same_curve =
+          !best.empty() && samples_.curve_of[best.back().other] == samples_.curve_of[link.other];
       if (!same_curve) {
         best.push_back(link);
       } else if (Better(s, link, best.back())) {

@@ -20,8 +20,14 @@ class CurveMerger {
   CurveMerger(const SampleSet& samples, const CurveConsistency& network,
               const std::vector<uint8_t>& keep, const std::vector<View>& views,
               const DrawingOptions& options)
-      : samples_(samples), network_(network), keep_(keep), views_(views), options_(options),
-        builder_(samples, options), grid_(kSearchPx), home_(samples.NumSamples(), -1),
+      : samples_(samples),
+        network_(network),
+        keep_(keep),
+        views_(views),
+        options_(options),
+        builder_(samples, options),
+        grid_(kSearchPx),
+        home_(samples.NumSamples(), -1),
         min_cosine_(std::cos(options.max_link_angle_deg * M_PI / 180)) {}
 
   MergedCurves Run() {
@@ -176,13 +182,13 @@ class CurveMerger {
     return link;
   }
 
-  // `before` and `after`: the vertices at which the curve comes from and goes on along existing links.
+  // `before` and `after`: the vertices at which the curve comes from and goes on along existing
+  // links.
   void MergeRun(int curve, int begin, int end, int before, int after) {
     double length_px = 0;
     for (int k = begin + 1; k < end; ++k) {
       const int s = samples_.curve_begin[curve] + k;
-      length_px +=
-          (samples_.position[s] - samples_.position[s - 1]).norm() / samples_.footprint[s];
+      length_px += (samples_.position[s] - samples_.position[s - 1]).norm() / samples_.footprint[s];
     }
     if (before < 0 && after < 0) {
       ++builder_.counts().released;

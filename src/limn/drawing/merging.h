@@ -21,11 +21,11 @@ struct MergedCurves {
   int64_t samples_in_stubs = 0;  // merged into the vertex at which their stub leaves
 };
 
-// Merge the averaged curves into links (ECCV 2016, section 5). Curves are taken longest first. A sample that
-// runs along a link already there, by the consistency network or because both reproject within the
-// merge distance, is absorbed; the runs of samples between are new: they become links, and at either end
-// where the curve goes on along an existing link the fitting primitive joins them (LinkBuilder). Every
-// sample ends up in a link or in a stub. `keep[s]` = 0 excludes a sample.
+// Merge the averaged curves into links (ECCV 2016, section 5). Curves are taken longest first. A
+// sample that runs along a link already there, by the consistency network or because both reproject
+// within the merge distance, is absorbed; the runs of samples between are new: they become links,
+// and at either end where the curve goes on along an existing link the fitting primitive joins them
+// (LinkBuilder). Every sample ends up in a link or in a stub. `keep[s]` = 0 excludes a sample.
 MergedCurves MergeCurves(const SampleSet& samples, const CurveConsistency& network,
                          const std::vector<uint8_t>& keep, const std::vector<View>& views,
                          const DrawingOptions& options);

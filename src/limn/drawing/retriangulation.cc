@@ -16,8 +16,8 @@ constexpr int kRounds = 3;
 constexpr int kGaussNewtonSteps = 3;
 // Errors of an edgel that its own sigma does not know: calibration, sampling, px.
 constexpr double kModelSigmaPx = 0.2;
-// Standard deviation of the pull back to where a step began, px: decides nothing but what the edgels
-// leave open.
+// Standard deviation of the pull back to where a step began, px: decides nothing but what the
+// edgels leave open.
 constexpr double kPriorSigmaPx = 3;
 // One curve on its way.
 struct WorkingCurve {
@@ -70,7 +70,8 @@ class CurveRetriangulation {
   double MedianFootprint(const Eigen::Vector3d& point, const std::vector<EdgelRef>& support) const {
     std::vector<double> footprints;
     for (const EdgelRef& ref : support) {
-      if (const auto footprint = Footprint(views_[ref.view], point)) footprints.push_back(*footprint);
+      if (const auto footprint = Footprint(views_[ref.view], point))
+        footprints.push_back(*footprint);
     }
     if (footprints.empty()) return 0;
     const auto middle = footprints.begin() + footprints.size() / 2;

@@ -16,8 +16,8 @@ struct CurveOrigin {
   bool closed = false;
 };
 
-// The samples of all curves, back to back: sample ids run through curve 0, then curve 1, ... All stages
-// of the drawing speak in these ids.
+// The samples of all curves, back to back: sample ids run through curve 0, then curve 1, ... All
+// stages of the drawing speak in these ids.
 struct SampleSet {
   std::vector<int> curve_begin = {0};  // one more than curves
   std::vector<CurveOrigin> origins;    // per curve
@@ -34,9 +34,6 @@ struct SampleSet {
   int NumSamples() const { return static_cast<int>(position.size()); }
   int Size(int curve) const { return curve_begin[curve + 1] - curve_begin[curve]; }
 };
-
-// Unit tangents by central differences of the positions.
-void RecomputeTangents(const SampleSet& samples, int curve, std::vector<Eigen::Vector3d>* tangents);
 
 // Arc length of each sample from the first of its curve, in footprints (px).
 std::vector<double> ArcPx(const SampleSet& samples, int curve);

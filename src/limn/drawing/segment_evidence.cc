@@ -34,8 +34,7 @@ bool EdgelsRunAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
 
 SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                              const std::vector<uint8_t>& visible, const std::vector<View>& views,
-                             const std::vector<EdgelIndex>& edgels,
-                             const SupportGate& gate) {
+                             const std::vector<EdgelIndex>& edgels, const SupportGate& gate) {
   SegmentEvidence result;
   int num_copies = 0;
   int num_hits = 0;

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "limn/model/view.h"
 #include "limn/model/curve_fragment.h"
+#include "limn/model/view.h"
 #include "limn/support/edgel_index.h"
 
 namespace limn {
@@ -17,21 +17,20 @@ struct SegmentEvidence {
   std::vector<ViewId> seen_in;
   // Views that were asked: both ends are in the image and the segment is not seen end on.
   int num_views = 0;
-  // Chance that edgels run along a segment like this in one view: the share of copies of it, shifted
-  // sideways, along which they do.
+  // Chance that edgels run along a segment like this in one view: the share of copies of it,
+  // shifted sideways, along which they do.
   double background = 0;
 };
 
-// Edgels run along a projected segment when at least `kMinCoveredShare` of its points, one per pixel and
-// without the last 1.5 px at the ends, where edges are rounded, have one within the gate.
+// Edgels run along a projected segment when at least `kMinCoveredShare` of its points, one per
+// pixel and without the last 1.5 px at the ends, where edges are rounded, have one within the gate.
 // Views with visible[v] = 0 are not asked.
 SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                              const std::vector<uint8_t>& visible, const std::vector<View>& views,
-                             const std::vector<EdgelIndex>& edgels,
-                             const SupportGate& gate);
+                             const std::vector<EdgelIndex>& edgels, const SupportGate& gate);
 
-// Bound (Hoeffding) on the natural logarithm of the chance that k or more of n independent trials with
-// probability p succeed. 0 when that is what one expects.
+// Bound (Hoeffding) on the natural logarithm of the chance that k or more of n independent trials
+// with probability p succeed. 0 when that is what one expects.
 double LogChance(int k, int n, double p);
 
 }  // namespace limn

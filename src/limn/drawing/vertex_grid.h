@@ -9,8 +9,8 @@
 
 namespace limn {
 
-// Points in space to be found again within a few footprints, where the footprint varies over the scene:
-// one hash grid per power of two of it. Points can be added at any time.
+// Points in space to be found again within a few footprints, where the footprint varies over the
+// scene: one hash grid per power of two of it. Points can be added at any time.
 class VertexGrid {
  public:
   // Cells are twice `cell_px` footprints wide at the small end of each level.

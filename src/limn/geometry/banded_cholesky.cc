@@ -6,8 +6,10 @@
 namespace limn {
 
 BandedSystem::BandedSystem(int size, int half_width)
-    : size_(size), half_width_(half_width),
-      lower_(static_cast<size_t>(size) * (half_width + 1), 0.0), right_(size, 0.0) {}
+    : size_(size),
+      half_width_(half_width),
+      lower_(static_cast<size_t>(size) * (half_width + 1), 0.0),
+      right_(size, 0.0) {}
 
 void BandedSystem::Add(int row, int col, double value) {
   Entry(std::max(row, col), std::min(row, col)) += value;

@@ -4,8 +4,9 @@
 
 namespace limn {
 
-// A symmetric positive definite system A x = b whose entries vanish further than `half_width` from the
-// diagonal. Add entries (either triangle, each pair once), then solve in place. O(n half_width^2).
+// A symmetric positive definite system A x = b whose entries vanish further than `half_width` from
+// the diagonal. Add entries (either triangle, each pair once), then solve in place. O(n
+// half_width^2).
 class BandedSystem {
  public:
   BandedSystem(int size, int half_width);
@@ -13,7 +14,8 @@ class BandedSystem {
   void Add(int row, int col, double value);
   double& Right(int row) { return right_[row]; }
 
-  // Returns false if the matrix is not positive definite; then `Right` is undefined. May be called once.
+  // Returns false if the matrix is not positive definite; then `Right` is undefined. May be called
+  // once.
   bool Solve();
 
  private:

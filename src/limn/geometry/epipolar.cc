@@ -6,18 +6,8 @@
 
 namespace limn {
 
-Eigen::Matrix3d FundamentalMatrix(const PinholeCamera& camera_a, const Rigid3d& a_from_world,
-                                  const PinholeCamera& camera_b, const Rigid3d& b_from_world) {
-  const Rigid3d b_from_a = b_from_world * Inverse(a_from_world);
-  const Eigen::Vector3d& t = b_from_a.translation;
-  Eigen::Matrix3d cross;
-  cross << 0, -t.z(), t.y(), t.z(), 0, -t.x(), -t.y(), t.x(), 0;
-  const Eigen::Matrix3d essential = cross * b_from_a.rotation.toRotationMatrix();
-  return camera_b.Calibration().inverse().transpose() * essential *
-         camera_a.Calibration().inverse();
-}
-
-RelativeProjection MakeRelativeProjection(const PinholeCamera& camera_a, const Rigid3d& a_from_world,
+RelativeProjection MakeRelativeProjection(const PinholeCamera& camera_a,
+                                          const Rigid3d& a_from_world,
                                           const PinholeCamera& camera_b,
                                           const Rigid3d& b_from_world) {
   const Rigid3d b_from_a = b_from_world * Inverse(a_from_world);

@@ -7,11 +7,6 @@
 
 namespace limn {
 
-// F with l_b = F x_a: the line (a, b, c) in image b of all points that project to the homogeneous
-// pixel x_a in image a; x_b' F x_a = 0. Singular (zero) when the two centres coincide.
-Eigen::Matrix3d FundamentalMatrix(const PinholeCamera& camera_a, const Rigid3d& a_from_world,
-                                  const PinholeCamera& camera_b, const Rigid3d& b_from_world);
-
 // How the point at depth z on the ray of pixel (u, v) of image a projects into image b:
 // x_b ~ z * infinite_homography * (u, v, 1) + epipole, where x_b.z is the depth in camera b.
 struct RelativeProjection {
@@ -19,7 +14,8 @@ struct RelativeProjection {
   Eigen::Vector3d epipole;
 };
 
-RelativeProjection MakeRelativeProjection(const PinholeCamera& camera_a, const Rigid3d& a_from_world,
+RelativeProjection MakeRelativeProjection(const PinholeCamera& camera_a,
+                                          const Rigid3d& a_from_world,
                                           const PinholeCamera& camera_b,
                                           const Rigid3d& b_from_world);
 

@@ -24,10 +24,9 @@ PolylinePoint ClosestPoint(std::span<const Eigen::Vector3d> points, const Eigen:
   for (size_t i = 0; i + 1 < points.size(); ++i) {
     const Eigen::Vector3d along = points[i + 1] - points[i];
     const double squared_length = along.squaredNorm();
-    const double t =
-        squared_length > 0
-            ? std::clamp((query - points[i]).dot(along) / squared_length, 0.0, 1.0)
-            : 0.0;
+    const double t = squared_length > 0
+                         ? std::clamp((query - points[i]).dot(along) / squared_length, 0.0, 1.0)
+                         : 0.0;
     const Eigen::Vector3d foot = points[i] + t * along;
     const double squared_distance = (query - foot).squaredNorm();
     if (squared_distance < best.squared_distance) {

@@ -20,8 +20,8 @@ struct EdgelRef {
   auto operator<=>(const EdgelRef&) const = default;
 };
 
-// Per-sample lists of supporting edgels, stored back to back. Sorted by view within a sample; at most
-// one edgel per view.
+// Per-sample lists of supporting edgels, stored back to back. Sorted by view within a sample; at
+// most one edgel per view.
 struct SupportLists {
   std::vector<uint32_t> offsets = {0};  // one more than samples
   std::vector<EdgelRef> edgels;

@@ -13,16 +13,17 @@ struct EdgeMap {
   int width = 0;
   int height = 0;
   std::vector<Edgel> edgels;
-  // Standard deviation of one component of the smoothed gradient due to noise, grey levels per pixel.
+  // Standard deviation of one component of the smoothed gradient due to noise, grey levels per
+  // pixel.
   double gradient_noise = 0;
   // Edgels not taken over: outside the lens model's valid range or masked out.
   int num_outside_lens = 0;
 };
 
 // Move edgels from stored pixels to the virtual pinhole image: position, tangent and Jacobian.
-// Ids keep their meaning: an edgel the lens cannot map (beyond its valid range) stays in the map with
-// strength 0 and is counted in num_outside_lens; `usable[id]` tells which were mapped.
-// With a null lens this only fills stored_px.
+// Ids keep their meaning: an edgel the lens cannot map (beyond its valid range) stays in the map
+// with strength 0 and is counted in num_outside_lens; `usable[id]` tells which were mapped. With a
+// null lens this only fills stored_px.
 std::vector<bool> ApplyLens(const LensMap* lens, EdgeMap* edge_map);
 
 }  // namespace limn

@@ -11,9 +11,11 @@ namespace limn {
 using EdgelId = int32_t;
 constexpr EdgelId kInvalidEdgel = -1;
 
-// A sub-pixel oriented edge point. Pixels: the centre of the top-left pixel is (0, 0), x right, y down.
+// A sub-pixel oriented edge point. Pixels: the centre of the top-left pixel is (0, 0), x right, y
+// down.
 struct Edgel {
-  // Position in the view's virtual pinhole image (the stored image itself when it has no distortion).
+  // Position in the view's virtual pinhole image (the stored image itself when it has no
+  // distortion).
   Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
   // Direction of the edge in the virtual image, in [-pi, pi], such that luminance rises along
   // (sin t, -cos t): towards the left on screen when walking along (cos t, sin t).
@@ -24,7 +26,8 @@ struct Edgel {
   float position_sigma_px = 0;
   // Position in the image as stored.
   Eigen::Vector2f stored_px = Eigen::Vector2f::Zero();
-  // Jacobian d stored / d virtual at the edgel: gates given in stored pixels are applied through it.
+  // Jacobian d stored / d virtual at the edgel: gates given in stored pixels are applied through
+  // it.
   Eigen::Matrix2f stored_from_virtual = Eigen::Matrix2f::Identity();
 
   Eigen::Vector2d Tangent() const { return {std::cos(tangent_rad), std::sin(tangent_rad)}; }

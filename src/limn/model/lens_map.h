@@ -13,8 +13,10 @@ namespace limn {
 class LensMap {
  public:
   virtual ~LensMap() = default;
-  virtual std::optional<Eigen::Vector2d> VirtualFromStored(const Eigen::Vector2d& stored_px) const = 0;
-  virtual std::optional<Eigen::Vector2d> StoredFromVirtual(const Eigen::Vector2d& virtual_px) const = 0;
+  virtual std::optional<Eigen::Vector2d> VirtualFromStored(
+      const Eigen::Vector2d& stored_px) const = 0;
+  virtual std::optional<Eigen::Vector2d> StoredFromVirtual(
+      const Eigen::Vector2d& virtual_px) const = 0;
 };
 
 }  // namespace limn

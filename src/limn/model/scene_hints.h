@@ -14,7 +14,8 @@ struct ScenePoint {
   std::vector<ViewId> views;  // ascending
 };
 
-// What structure from motion knows of the scene beyond the poses. May be empty: a bonus, never needed.
+// What structure from motion knows of the scene beyond the poses. May be empty: a bonus, never
+// needed.
 struct SceneHints {
   std::vector<ScenePoint> points;
 };

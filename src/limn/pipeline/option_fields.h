@@ -126,9 +126,9 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
   visit("junction_distance_px", o.junction_distance_px, "ends this near meet in a node, px");
   visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
-  visit("max_short_edge_px", o.max_short_edge_px, "longest edge found from its two ends alone, pixels");
   visit("max_junction_miss_px", o.max_junction_miss_px,
         "how near their tangent lines must pass, px");
+  visit("max_short_edge_px", o.max_short_edge_px, "longest edge found from its two ends alone, px");
   visit("min_junction_views", o.min_junction_views, "images that must show the meeting");
   visit("max_continuation_angle_deg", o.max_continuation_angle_deg,
         "two links that turn by less are one, deg");

@@ -16,8 +16,8 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
       {input.views, image_curves.curves, input.hints, input.box}, options.sketch, context);
   on_stage_end(sketch.summary, {});
 
-  DrawingResult drawing =
-      BuildDrawing({input.views, image_curves.curves, sketch.sketch}, options.drawing, context);
+  DrawingResult drawing = BuildDrawing({input.views, image_curves.curves, sketch.sketch, input.box},
+                                       options.drawing, context);
   on_stage_end(drawing.summary, {});
 
   return {std::move(image_curves.curves), std::move(sketch.sketch), std::move(drawing.graph)};

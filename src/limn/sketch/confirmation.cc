@@ -13,9 +13,8 @@ constexpr size_t kFirstViews = 8;
 
 // Mark in `supporting` the samples around which enough of the samples that the view contains are
 // inliers, in a window of arc length.
-void SmoothAlongCurve(uint32_t bit, const FragmentRays& fragment,
-                      const CurveHypothesis& hypothesis, const SketchOptions& options,
-                      HypothesisSupport* support) {
+void SmoothAlongCurve(uint32_t bit, const FragmentRays& fragment, const CurveHypothesis& hypothesis,
+                      const SketchOptions& options, HypothesisSupport* support) {
   const auto arc = [&](size_t j) { return fragment.arc_px[hypothesis.samples[j].vertex]; };
   const size_t count = hypothesis.samples.size();
   size_t begin = 0;
@@ -47,8 +46,7 @@ ConfirmationViews::ConfirmationViews(ViewId primary, const std::vector<ViewId>& 
     const View& to = views[id];
     const Rigid3d to_from = to.cam_from_world * Inverse(from.cam_from_world);
     views_.push_back(
-        {id,
-         MakeRelativeProjection(from.camera, from.cam_from_world, to.camera, to.cam_from_world),
+        {id, MakeRelativeProjection(from.camera, from.cam_from_world, to.camera, to.cam_from_world),
          to.camera.Calibration() * to_from.rotation.toRotationMatrix(),
          Inverse(to_from).translation, &to.region, &evidence[id]->mask});
   }
@@ -83,8 +81,7 @@ void ConfirmationViews::ConfirmInView(const Entry& entry, uint32_t bit,
 }
 
 void ConfirmationViews::AddWeights(uint32_t bit, const std::vector<Inlier>& inliers,
-                                   const SketchOptions& options,
-                                   HypothesisSupport* support) const {
+                                   const SketchOptions& options, HypothesisSupport* support) const {
   const double sin_low = std::sin(options.min_epipolar_angle_deg * kDeg);
   const double sin_high = std::sin(options.max_epipolar_angle_deg * kDeg);
   for (size_t j = 0; j < inliers.size(); ++j) {
@@ -95,7 +92,8 @@ void ConfirmationViews::AddWeights(uint32_t bit, const std::vector<Inlier>& inli
       const double speed = std::sqrt(in.motion_x * in.motion_x + in.motion_y * in.motion_y);
       const double norm = std::sqrt(in.dx * in.dx + in.dy * in.dy) * speed;
       const double sine = norm > 0 ? std::abs(in.dx * in.motion_y - in.dy * in.motion_x) / norm : 0;
-      weight = std::clamp((sine - sin_low) / (sin_high - sin_low), options.min_tangency_weight, 1.0);
+      weight =
+          std::clamp((sine - sin_low) / (sin_high - sin_low), options.min_tangency_weight, 1.0);
       support->px_per_inverse_depth[j] += speed;
     }
     support->weighted[j] += weight;
@@ -137,8 +135,8 @@ double ConfirmationViews::MaxAngleDeg(const Eigen::Vector3d& point_in_cam, uint3
   for (size_t k = 0; k < views_.size(); ++k) {
     if (!(mask >> k & 1)) continue;
     const Eigen::Vector3d ray = point_in_cam - views_[k].centre_in_primary;
-    max_angle = std::max(
-        max_angle, std::atan2(point_in_cam.cross(ray).norm(), point_in_cam.dot(ray)) / kDeg);
+    max_angle = std::max(max_angle,
+                         std::atan2(point_in_cam.cross(ray).norm(), point_in_cam.dot(ray)) / kDeg);
   }
   return max_angle;
 }

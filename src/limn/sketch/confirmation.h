@@ -17,10 +17,11 @@ struct HypothesisSupport {
   std::vector<uint32_t> contained;
   // Views with an edgel at the sample's place and direction.
   std::vector<uint32_t> inliers;
-  // Views in which enough of the curve around the sample is inlier: local support (ECCV 2016, section 3).
+  // Views in which enough of the curve around the sample is inlier: local support (ECCV 2016,
+  // section 3).
   std::vector<uint32_t> supporting;
-  // Sum over supporting views of their tangency weight: 1 where the curve crosses the epipolar lines of
-  // the primary view, little where it runs along them and would be supported at any depth.
+  // Sum over supporting views of their tangency weight: 1 where the curve crosses the epipolar
+  // lines of the primary view, little where it runs along them and would be supported at any depth.
   std::vector<double> weighted;
   // Mean image motion over the supporting views per unit of inverse depth, px.
   std::vector<double> px_per_inverse_depth;
@@ -35,10 +36,12 @@ class ConfirmationViews {
 
   // Support of a hypothesis made with `second`, which does not confirm itself. Nothing if the first
   // views, which are the most diverse ones, do not support it anywhere.
-  std::optional<HypothesisSupport> Confirm(const FragmentRays& fragment, const CurveHypothesis& hypothesis,
-                            ViewId second, const SketchOptions& options) const;
+  std::optional<HypothesisSupport> Confirm(const FragmentRays& fragment,
+                                           const CurveHypothesis& hypothesis, ViewId second,
+                                           const SketchOptions& options) const;
 
-  // Largest angle, degrees, between the primary ray to `point_in_cam` and the rays of the views in `mask`.
+  // Largest angle, degrees, between the primary ray to `point_in_cam` and the rays of the views in
+  // `mask`.
   double MaxAngleDeg(const Eigen::Vector3d& point_in_cam, uint32_t mask) const;
 
   size_t size() const { return views_.size(); }
@@ -52,7 +55,8 @@ class ConfirmationViews {
     const ImageRegion* region;
     const OrientationMask* mask;
   };
-  // An inlier sample in one view: image directions of the tangent and of the motion with inverse depth.
+  // An inlier sample in one view: image directions of the tangent and of the motion with inverse
+  // depth.
   struct Inlier {
     double dx = 0;
     double dy = 0;

@@ -58,8 +58,8 @@ std::vector<Mode> FindModes(const std::vector<DepthCandidate>& candidates, doubl
     mode.inverse_depth /= weight;
     mode.slope_per_px /= weight;
     mode.px_per_inverse_depth = best.px_per_inverse_depth;
-    mode.score = best.weighted_support +
-                 kAgreementBonus * std::min(std::popcount(seconds), kMaxAgreement);
+    mode.score =
+        best.weighted_support + kAgreementBonus * std::min(std::popcount(seconds), kMaxAgreement);
     modes.push_back(std::move(mode));
   }
   return modes;
@@ -72,8 +72,8 @@ double JumpCost(const Mode& from, const Mode& to, double step_px) {
   return std::min(kJumpCost * jump_px * jump_px, kMaxJumpCost);
 }
 
-// Best sequence of modes, -1 = no depth, by dynamic programming. The first vertex of a closed fragment
-// is not tied to the last.
+// Best sequence of modes, -1 = no depth, by dynamic programming. The first vertex of a closed
+// fragment is not tied to the last.
 std::vector<int> ChooseModes(const FragmentRays& fragment,
                              const std::vector<std::vector<Mode>>& modes) {
   const size_t count = modes.size();
@@ -151,7 +151,6 @@ FusedDepth Average(const std::vector<DepthCandidate>& candidates, const Mode& mo
     weight += w;
     fused.information += candidate.information;
     fused.certain |= candidate.certain;
-    ++fused.num_candidates;
   }
   fused.inverse_depth /= weight;
   fused.has_depth = true;

@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// One reconstruction of an edgel of the primary view: it lies on the edgel's ray, so its inverse depth
-// says all.
+// One reconstruction of an edgel of the primary view: it lies on the edgel's ray, so its inverse
+// depth says all.
 struct DepthCandidate {
   double inverse_depth = 0;
   // Change of inverse depth per px along the fragment, from the 3D tangent.
@@ -17,9 +17,8 @@ struct DepthCandidate {
   double px_per_inverse_depth = 0;
   // (sine of the triangulation angle x sine of the epipolar angle)^2: information about the depth.
   double information = 0;
-  // Supporting views, weighted by tangency; the confirmation views behind it as a mask.
+  // Supporting views, weighted by tangency.
   double weighted_support = 0;
-  int num_supporting = 0;
   // Rank of the second view that made it.
   int second_rank = 0;
   // Enough weighted support, not only enough support.
@@ -32,16 +31,16 @@ struct FusedDepth {
   bool certain = false;
   double inverse_depth = 0;
   double information = 0;  // sum over the candidates averaged
-  int num_candidates = 0;
   double px_per_inverse_depth = 0;
 };
 
-// Robust averaging of all reconstructions of the edgels of one fragment (ECCV 2016, section 3). At every
-// vertex the candidates form modes (within options.depth_gate_px of each other in the confirmation
-// views); the modes are chosen jointly along the fragment by dynamic programming, which weighs their
-// support against jumps between neighbours that their tangents do not explain; the candidates of the
-// chosen mode are averaged by information after dropping those beyond two robust standard deviations.
-// `candidates[i]` belongs to vertex i. Time: vertices x (candidates log candidates + modes^2).
+// Robust averaging of all reconstructions of the edgels of one fragment (ECCV 2016, section 3). At
+// every vertex the candidates form modes (within options.depth_gate_px of each other in the
+// confirmation views); the modes are chosen jointly along the fragment by dynamic programming,
+// which weighs their support against jumps between neighbours that their tangents do not explain;
+// the candidates of the chosen mode are averaged by information after dropping those beyond two
+// robust standard deviations. `candidates[i]` belongs to vertex i. Time: vertices x (candidates log
+// candidates + modes^2).
 std::vector<FusedDepth> FuseDepths(const FragmentRays& fragment,
                                    const std::vector<std::vector<DepthCandidate>>& candidates,
                                    const SketchOptions& options);

@@ -13,11 +13,18 @@ namespace limn {
 namespace {
 
 // What became of a vertex of a fragment.
-enum class Fate { kFragmentTooShort, kNoPartner, kTooFewViews, kInconsistent, kPieceTooShort, kKept };
+enum class Fate {
+  kFragmentTooShort,
+  kNoPartner,
+  kTooFewViews,
+  kInconsistent,
+  kPieceTooShort,
+  kKept
+};
 constexpr int kNumFates = 6;
 
-// A support confined to this angle says little where views beyond the other one look on: an occluding
-// contour or an accident (algorithm.md 0.1 item 8).
+// A support confined to this angle says little where views beyond the other one look on: an
+// occluding contour or an accident (algorithm.md 0.1 item 8).
 constexpr double kNarrowSupportDeg = 15;
 constexpr double kWideViewsDeg = 30;
 
@@ -31,7 +38,11 @@ class PrimaryView {
   PrimaryView(const SketchInput& input, ViewId id, const ViewPlan& plan,
               const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
               const SketchOptions& options)
-      : input_(input), id_(id), plan_(plan), evidence_(evidence), options_(options),
+      : input_(input),
+        id_(id),
+        plan_(plan),
+        evidence_(evidence),
+        options_(options),
         confirmation_(id, plan.confirmation_views, input.views, evidence) {
     std::set<ViewId> all(plan.second_views.begin(), plan.second_views.end());
     all.insert(plan.confirmation_views.begin(), plan.confirmation_views.end());
@@ -52,8 +63,7 @@ class PrimaryView {
       const std::vector<FusedDepth> spaced_depths = FuseDepths(spaced, candidates, options_);
       for (size_t i = 0; i < spaced.size(); ++i) {
         if (!candidates[i].empty()) {
-          spaced_fates[i] =
-              spaced_depths[i].has_depth ? Fate::kPieceTooShort : Fate::kInconsistent;
+          spaced_fates[i] = spaced_depths[i].has_depth ? Fate::kPieceTooShort : Fate::kInconsistent;
         }
         const size_t next = i + 1 < vertices.size() ? vertices[i + 1] : fragment.size();
         for (size_t k = vertices[i]; k < next; ++k) fates[k] = spaced_fates[i];
@@ -105,7 +115,7 @@ class PrimaryView {
                     const HypothesisSupport& support, size_t j, int rank,
                     std::vector<std::vector<DepthCandidate>>* candidates) const {
     const int num_supporting = std::popcount(support.supporting[j]);
-    const int required = 
+    const int required =
         NumRequiredViews(std::popcount(support.contained[j]), options_.supporting_views_share,
                          options_.min_supporting_views, options_.max_supporting_views);
     if (num_supporting < required) return;
@@ -122,7 +132,6 @@ class PrimaryView {
     candidate.slope_per_px = Slope(fragment, sample);
     candidate.information = sine * sine;
     candidate.weighted_support = support.weighted[j];
-    candidate.num_supporting = num_supporting;
     candidate.second_rank = rank;
     candidate.certain = support.weighted[j] >= required;
     (*candidates)[sample.vertex].push_back(candidate);
@@ -173,8 +182,7 @@ StageSummary Summarize(const std::array<int64_t, kNumFates>& fates, const CurveS
 SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
                                  const RunContext& context) {
   options.Check();
-  const auto plans =
-      SelectViews(input.views, input.hints, options.view_selection, context);
+  const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
   const auto evidence = BuildEvidence(input.views, input.curves, options.Gate(), context);
   std::vector<std::vector<FragmentSketch>> by_view(input.views.size());
   ParallelFor(context, "enhanced sketch", input.views.size(), [&](size_t v) {

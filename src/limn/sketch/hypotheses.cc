@@ -28,7 +28,8 @@ Eigen::Vector3d RayTangent(const PinholeCamera& camera, const Eigen::Vector2d& t
 class PairGeometry {
  public:
   PairGeometry(const View& primary, const View& second)
-      : primary_(primary), second_(second),
+      : primary_(primary),
+        second_(second),
         relative_(MakeRelativeProjection(primary.camera, primary.cam_from_world, second.camera,
                                          second.cam_from_world)) {
     const Rigid3d primary_from_second = primary.cam_from_world * Inverse(second.cam_from_world);
@@ -37,7 +38,8 @@ class PairGeometry {
     primary_epipole_ = primary.camera.Calibration() * second_centre_;
   }
 
-  // Homogeneous projection of the point at `depth`: its last component is the depth in the second view.
+  // Homogeneous projection of the point at `depth`: its last component is the depth in the second
+  // view.
   Eigen::Vector3d Project(const Eigen::Vector2d& pixel, double depth) const {
     return depth * (relative_.infinite_homography * pixel.homogeneous()) + relative_.epipole;
   }
@@ -58,8 +60,7 @@ class PairGeometry {
   // Depth in the primary camera of the point seen at `pixel` and, on its epipolar line, at `match`.
   double Depth(const Eigen::Vector2d& pixel, const Eigen::Vector2d& match) const {
     const Eigen::Vector3d a = relative_.infinite_homography * pixel.homogeneous();
-    const Eigen::Vector2d numerator =
-        relative_.epipole.head<2>() - match * relative_.epipole.z();
+    const Eigen::Vector2d numerator = relative_.epipole.head<2>() - match * relative_.epipole.z();
     const Eigen::Vector2d denominator = match * a.z() - a.head<2>();
     return numerator.dot(denominator) / denominator.squaredNorm();
   }
@@ -99,18 +100,17 @@ std::optional<HypothesisSample> Triangulate(const FragmentRays& fragment, int ve
   sample.vertex = vertex;
   sample.second_parameter = crossing.parameter;
   sample.depth = pair.Depth(fragment.positions_px[vertex], crossing.position_px);
-  const auto tangent =
-      TangentFromPlanes(fragment.normals[vertex],
-                        pair.SecondPlaneNormal(crossing.position_px, crossing.tangent));
+  const auto tangent = TangentFromPlanes(
+      fragment.normals[vertex], pair.SecondPlaneNormal(crossing.position_px, crossing.tangent));
   if (!tangent || !(sample.depth > 0)) return std::nullopt;
   const Eigen::Vector3d& ray = fragment.rays[vertex];
   // Image motion of the primary pixel when the point moves along the tangent.
   const Eigen::Vector2d motion = tangent->head<2>() - ray.head<2>() * tangent->z();
   const double sign = motion.dot(fragment.tangents_px[vertex]) < 0 ? -1 : 1;
   sample.tangent_in_cam = sign * *tangent;
-  sample.epipolar_sine =
-      std::min(pair.PrimaryEpipolarSine(fragment.positions_px[vertex], fragment.tangents_px[vertex]),
-               CrossNorm(epipolar_direction, crossing.tangent));
+  sample.epipolar_sine = std::min(
+      pair.PrimaryEpipolarSine(fragment.positions_px[vertex], fragment.tangents_px[vertex]),
+      CrossNorm(epipolar_direction, crossing.tangent));
   sample.triangulation_sine = pair.TriangulationSine(sample.depth * ray);
   return sample;
 }
@@ -160,8 +160,7 @@ FragmentRays MakeFragmentRays(const View& view, const ImageCurves& curves, int f
   for (size_t i = 0; i < ids.size(); ++i) {
     const Edgel& edgel = curves.edge_map.edgels[ids[i]];
     // Edgel tangents follow luminance; the fragment's order decides the sign here.
-    const Eigen::Vector2d& before =
-        curves.edge_map.edgels[ids[i > 0 ? i - 1 : i]].position_px;
+    const Eigen::Vector2d& before = curves.edge_map.edgels[ids[i > 0 ? i - 1 : i]].position_px;
     const Eigen::Vector2d& after =
         curves.edge_map.edgels[ids[i + 1 < ids.size() ? i + 1 : i]].position_px;
     const double sign = edgel.Tangent().dot(after - before) < 0 ? -1 : 1;
@@ -181,8 +180,8 @@ std::vector<int> SpacedVertices(const FragmentRays& fragment, double spacing_px)
   std::vector<int> vertices;
   const int count = static_cast<int>(fragment.size());
   for (int i = 0; i < count; ++i) {
-    const bool due = vertices.empty() ||
-                     fragment.arc_px[i] - fragment.arc_px[vertices.back()] >= spacing_px;
+    const bool due =
+        vertices.empty() || fragment.arc_px[i] - fragment.arc_px[vertices.back()] >= spacing_px;
     if (due || i + 1 == count) vertices.push_back(i);
   }
   return vertices;
@@ -202,9 +201,9 @@ FragmentRays Subset(const FragmentRays& fragment, const std::vector<int>& vertic
 }
 
 std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,
-                                            const View& second,
-                                            const ViewEvidence& second_evidence, double min_depth,
-                                            double max_depth, const SketchOptions& options) {
+                                            const View& second, const ViewEvidence& second_evidence,
+                                            double min_depth, double max_depth,
+                                            const SketchOptions& options) {
   const PairGeometry pair(primary, second);
   RunBuilder runs;
   std::vector<LineCrossing> crossings;
@@ -219,8 +218,8 @@ std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const 
     crossings.clear();
     second_evidence.fragments.Crossings(from, to, &crossings);
     for (const LineCrossing& crossing : crossings) {
-      const auto sample = Triangulate(fragment, static_cast<int>(vertex), crossing,
-                                      (to - from) / length, pair);
+      const auto sample =
+          Triangulate(fragment, static_cast<int>(vertex), crossing, (to - from) / length, pair);
       if (sample) runs.Add(crossing.fragment, *sample);
     }
   }

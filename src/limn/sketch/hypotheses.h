@@ -35,8 +35,8 @@ struct CurveHypothesis {
 struct FragmentRays {
   std::vector<Eigen::Vector2d> positions_px;
   std::vector<Eigen::Vector2d> tangents_px;
-  std::vector<Eigen::Vector3d> rays;       // z = 1
-  std::vector<Eigen::Vector3d> normals;    // of the planes through the centre and the tangent, unit
+  std::vector<Eigen::Vector3d> rays;     // z = 1
+  std::vector<Eigen::Vector3d> normals;  // of the planes through the centre and the tangent, unit
   // Arc length from the first vertex, px.
   std::vector<double> arc_px;
   bool closed = false;
@@ -46,20 +46,21 @@ struct FragmentRays {
 
 FragmentRays MakeFragmentRays(const View& view, const ImageCurves& curves, int fragment);
 
-// Every vertex that is at least `spacing_px` of arc length from the one taken before it, and the last.
+// Every vertex that is at least `spacing_px` of arc length from the one taken before it, and the
+// last.
 std::vector<int> SpacedVertices(const FragmentRays& fragment, double spacing_px);
 
 // The fragment reduced to some of its vertices.
 FragmentRays Subset(const FragmentRays& fragment, const std::vector<int>& vertices);
 
-// All curve hypotheses of one primary fragment with one second view (curve sketch, CVPR 2010, section 3;
-// algorithm.md section 5). For every vertex the epipolar line, cut to the depth range, is intersected with
-// the fragments of the second view; position and tangent are interpolated at the intersection; runs of
-// intersections with one fragment become hypotheses. No hypothesis leaves the depth range.
-// Time: vertices x (cells along the epipolar segment).
+// All curve hypotheses of one primary fragment with one second view (curve sketch, CVPR 2010,
+// section 3; algorithm.md section 5). For every vertex the epipolar line, cut to the depth range,
+// is intersected with the fragments of the second view; position and tangent are interpolated at
+// the intersection; runs of intersections with one fragment become hypotheses. No hypothesis leaves
+// the depth range. Time: vertices x (cells along the epipolar segment).
 std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,
-                                            const View& second,
-                                            const ViewEvidence& second_evidence, double min_depth,
-                                            double max_depth, const SketchOptions& options);
+                                            const View& second, const ViewEvidence& second_evidence,
+                                            double min_depth, double max_depth,
+                                            const SketchOptions& options);
 
 }  // namespace limn

@@ -23,8 +23,8 @@ struct ViewSketch {
   Counts counts;
 };
 
-// Total support S (CVPR 2010): the sum over confirmation views of the supported samples, where a view
-// with fewer than min_inliers_view of them does not vote.
+// Total support S (CVPR 2010): the sum over confirmation views of the supported samples, where a
+// view with fewer than min_inliers_view of them does not vote.
 double TotalSupport(const HypothesisSupport& support, size_t num_views,
                     const SketchOptions& options) {
   double total = 0;
@@ -74,7 +74,7 @@ std::vector<FusedDepth> AsDepths(const FragmentRays& fragment, const CurveHypoth
   for (size_t j = 0; j < hypothesis.samples.size(); ++j) {
     const HypothesisSample& sample = hypothesis.samples[j];
     const double sine = sample.triangulation_sine * sample.epipolar_sine;
-    depths[sample.vertex] = {true, true, 1 / sample.depth, sine * sine, 1,
+    depths[sample.vertex] = {true, true, 1 / sample.depth, sine * sine,
                              support.px_per_inverse_depth[j]};
   }
   return depths;
@@ -85,11 +85,15 @@ class PairMatcher {
   PairMatcher(const SketchInput& input, ViewId primary, const ViewPlan& plan,
               const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
               const SketchOptions& options)
-      : input_(input), primary_(primary), plan_(plan), evidence_(evidence), options_(options),
+      : input_(input),
+        primary_(primary),
+        plan_(plan),
+        evidence_(evidence),
+        options_(options),
         confirmation_(primary, plan.confirmation_views, input.views, evidence) {}
 
-  // At most one curve per stretch of fragment and second view: the best supported one, if it beats the
-  // second best by the ratio.
+  // At most one curve per stretch of fragment and second view: the best supported one, if it beats
+  // the second best by the ratio.
   void Match(int fragment_id, ViewSketch* sketch) const {
     const FragmentRays fragment =
         MakeFragmentRays(input_.views[primary_], input_.curves[primary_], fragment_id);
@@ -99,8 +103,8 @@ class PairMatcher {
     for (const ViewId second : plan_.second_views) {
       const auto hypotheses = CutTangentPortions(
           fragment,
-          FindHypotheses(fragment, input_.views[primary_], input_.views[second],
-                         *evidence_[second], plan_.min_depth, plan_.max_depth, options_),
+          FindHypotheses(fragment, input_.views[primary_], input_.views[second], *evidence_[second],
+                         plan_.min_depth, plan_.max_depth, options_),
           options_, &sketch->counts);
       double best = 0;
       double second_best = 0;
@@ -108,8 +112,7 @@ class PairMatcher {
       HypothesisSupport winner_support;
       for (const CurveHypothesis& hypothesis : hypotheses) {
         auto support = confirmation_.Confirm(fragment, hypothesis, second, options_);
-        const double total =
-            support ? TotalSupport(*support, confirmation_.size(), options_) : 0;
+        const double total = support ? TotalSupport(*support, confirmation_.size(), options_) : 0;
         if (total == 0) ++sketch->counts.too_little_support;
         if (total > best) {
           if (winner) ++sketch->counts.ambiguous;
@@ -136,7 +139,8 @@ class PairMatcher {
             const HypothesisSupport& support, ViewSketch* sketch) const {
     const auto depths = AsDepths(fragment, hypothesis, support);
     const int begin = hypothesis.samples.front().vertex;
-    // One curve over the whole overlap, as published: inner vertices without a match are passed over.
+    // One curve over the whole overlap, as published: inner vertices without a match are passed
+    // over.
     std::vector<int> vertices;
     std::vector<FusedDepth> matched_depths;
     for (const HypothesisSample& sample : hypothesis.samples) {
@@ -154,8 +158,7 @@ class PairMatcher {
     curve.anchor = {primary_, fragment_id, begin};
     std::vector<ViewId> support_views = plan_.confirmation_views;
     std::sort(support_views.begin(), support_views.end());
-    CollectSupport(input_.views, input_.curves, evidence_, support_views,
-                   options_.Gate(), &curve);
+    CollectSupport(input_.views, input_.curves, evidence_, support_views, options_.Gate(), &curve);
     sketch->curves.push_back(std::move(curve));
   }
 

@@ -28,16 +28,16 @@ struct SketchResult {
   StageSummary summary;
 };
 
-// The 3D curve sketch (Fabbri and Kimia, CVPR 2010), the paper's baseline (i): for every pair of primary
-// and second view, image curves that overlap epipolarly are matched, triangulated, and kept when the whole
-// curve has enough edge support in the confirmation views. Portions tangent to epipolar lines are cut
-// away. Duplicates are the rule: one curve per pair of views.
+// The 3D curve sketch (Fabbri and Kimia, CVPR 2010), the paper's baseline (i): for every pair of
+// primary and second view, image curves that overlap epipolarly are matched, triangulated, and kept
+// when the whole curve has enough edge support in the confirmation views. Portions tangent to
+// epipolar lines are cut away. Duplicates are the rule: one curve per pair of views.
 SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& options,
                                  const RunContext& context);
 
-// The enhanced curve sketch (ECCV 2016, section 3), the paper's baseline (ii): local support sample by
-// sample, weights near epipolar tangency, and robust averaging in inverse depth of all reconstructions
-// of the same edgel of the primary view.
+// The enhanced curve sketch (ECCV 2016, section 3), the paper's baseline (ii): local support sample
+// by sample, weights near epipolar tangency, and robust averaging in inverse depth of all
+// reconstructions of the same edgel of the primary view.
 SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
                                  const RunContext& context);
 

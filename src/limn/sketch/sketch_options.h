@@ -8,18 +8,19 @@ namespace limn {
 struct SketchOptions {
   ViewSelectionOptions view_selection;
 
-  // Fragments shorter than this are not matched, px of arc length. Lower finds smaller details and more
-  // accidental matches.
+  // Fragments shorter than this are not matched, px of arc length. Lower finds smaller details and
+  // more accidental matches.
   double min_fragment_length_px = 12;
-  // Shortest stretch over which two fragments must correspond, px of arc length in the primary view.
+  // Shortest stretch over which two fragments must correspond, px of arc length in the primary
+  // view.
   double min_overlap_px = 5;
 
   // Spacing of the samples of a fragment for which depths are sought, px; edgels between them are
   // interpolated. Larger is faster and coarser.
   double sample_spacing_px = 2;
 
-  // Edge support (tau_d, tau_theta): a reprojected sample is supported by an edgel within this distance
-  // across the edge and this angle.
+  // Edge support (tau_d, tau_theta): a reprojected sample is supported by an edgel within this
+  // distance across the edge and this angle.
   double max_support_distance_px = 1.5;
   double max_support_angle_deg = 15;
   // Half length of the stretch of curve that decides whether a view supports a sample, px.
@@ -31,8 +32,8 @@ struct SketchOptions {
   double supporting_views_share = 0.3;
   int min_supporting_views = 3;
   int max_supporting_views = 4;
-  // Epipolar tangency: a view whose epipolar line makes an angle below the first with the curve counts
-  // with the least weight, above the second fully.
+  // Epipolar tangency: a view whose epipolar line makes an angle below the first with the curve
+  // counts with the least weight, above the second fully.
   double min_epipolar_angle_deg = 3;
   double max_epipolar_angle_deg = 15;
   double min_tangency_weight = 0.1;

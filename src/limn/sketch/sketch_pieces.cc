@@ -20,8 +20,7 @@ constexpr double kEdgelSigmaPx = 0.2;
 double ArcBetween(const FragmentRays& fragment, int from, int to) {
   const int count = static_cast<int>(fragment.size());
   if (to < count) return fragment.arc_px[to] - fragment.arc_px[from];
-  const double closing =
-      (fragment.positions_px.front() - fragment.positions_px.back()).norm();
+  const double closing = (fragment.positions_px.front() - fragment.positions_px.back()).norm();
   const double full = fragment.arc_px.back() + closing;
   return full + fragment.arc_px[to - count] -
          (from < count ? fragment.arc_px[from] : full + fragment.arc_px[from - count]);
@@ -83,8 +82,7 @@ double FitSlope(const std::vector<double>& arc, const std::vector<double>& inver
 
 }  // namespace
 
-std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment,
-                                     const std::vector<int>& vertices,
+std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::vector<int>& vertices,
                                      const std::vector<FusedDepth>& depths) {
   std::vector<FusedDepth> all(fragment.size());
   for (size_t i = 0; i < vertices.size(); ++i) {
@@ -94,7 +92,8 @@ std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment,
     const FusedDepth& b = depths[i + 1];
     const double length = fragment.arc_px[vertices[i + 1]] - fragment.arc_px[vertices[i]];
     for (int k = vertices[i] + 1; k < vertices[i + 1]; ++k) {
-      const double t = length > 0 ? (fragment.arc_px[k] - fragment.arc_px[vertices[i]]) / length : 0;
+      const double t =
+          length > 0 ? (fragment.arc_px[k] - fragment.arc_px[vertices[i]]) / length : 0;
       FusedDepth& depth = all[k];
       depth = t < 0.5 ? a : b;
       depth.certain = a.certain && b.certain;
@@ -140,8 +139,7 @@ void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
   }
 }
 
-std::vector<VertexRun> FindRuns(const FragmentRays& fragment,
-                                const std::vector<FusedDepth>& depths,
+std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<FusedDepth>& depths,
                                 const SketchOptions& options) {
   const int count = static_cast<int>(depths.size());
   std::vector<VertexRun> runs;
@@ -219,14 +217,13 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
   std::vector<EdgelRef> of_sample;
   for (size_t s = 0; s < curve->size(); ++s) {
     of_sample.clear();
-    const EdgelId own =
-        fragment.edgel_ids[(curve->anchor.begin + s) % fragment.edgel_ids.size()];
+    const EdgelId own = fragment.edgel_ids[(curve->anchor.begin + s) % fragment.edgel_ids.size()];
     of_sample.push_back({curve->anchor.view, own});
     for (const ViewId v : candidate_views) {
       const auto pixel = views[v].Project(curve->points_in_world[s]);
       if (!pixel) continue;
-      const auto direction = ProjectedDirection(views[v], curve->points_in_world[s],
-                                                curve->tangents_in_world[s]);
+      const auto direction =
+          ProjectedDirection(views[v], curve->points_in_world[s], curve->tangents_in_world[s]);
       if (!direction) continue;
       const auto match = evidence[v]->edgels.Best(*pixel, *direction, gate);
       if (match) of_sample.push_back({v, match->edgel});

@@ -9,19 +9,18 @@ namespace limn {
 
 // Depths of all vertices of a fragment from those of some of them: linear in arc length between
 // neighbouring ones that both have a depth.
-std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment,
-                                     const std::vector<int>& vertices,
+std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::vector<int>& vertices,
                                      const std::vector<FusedDepth>& depths);
 
-// Fill gaps no longer than max_unsupported_gap_px, and epipolar-tangent (uncertain) stretches between
-// certain ends no longer than max_interpolated_gap_px, by inverse depth linear in arc length. What was
-// filled is marked uncertain.
+// Fill gaps no longer than max_unsupported_gap_px, and epipolar-tangent (uncertain) stretches
+// between certain ends no longer than max_interpolated_gap_px, by inverse depth linear in arc
+// length. What was filled is marked uncertain.
 void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
                      std::vector<FusedDepth>* depths);
 
-// Consecutive vertices of a fragment that make one 3D curve. A closed fragment without a break gives one
-// run with closed = true; in other closed fragments runs may pass the last vertex: take indices modulo
-// the size.
+// Consecutive vertices of a fragment that make one 3D curve. A closed fragment without a break
+// gives one run with closed = true; in other closed fragments runs may pass the last vertex: take
+// indices modulo the size.
 struct VertexRun {
   int begin = 0;
   int size = 0;
@@ -30,16 +29,15 @@ struct VertexRun {
 
 // Cut at vertices without depth and at jumps in depth that the slope of neither side explains; runs
 // shorter than min_piece_length_px are not returned.
-std::vector<VertexRun> FindRuns(const FragmentRays& fragment,
-                                const std::vector<FusedDepth>& depths,
+std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<FusedDepth>& depths,
                                 const SketchOptions& options);
 
 // The 3D curve of a run, without support.
 Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
                   const std::vector<FusedDepth>& depths, const VertexRun& run);
 
-// For every sample of a curve its own edgel in the anchor view and the best edgel within the gate in each
-// of the given views (ascending, without the anchor's).
+// For every sample of a curve its own edgel in the anchor view and the best edgel within the gate
+// in each of the given views (ascending, without the anchor's).
 void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                     const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
                     const std::vector<ViewId>& candidate_views, const SupportGate& gate,

@@ -33,8 +33,8 @@ std::vector<Eigen::Vector2d> GridPixels(const View& view) {
   for (int row = 0; row < kGridRows; ++row) {
     for (int col = 0; col < kGridCols; ++col) {
       const Eigen::Vector2d pixel =
-          view.region.min_px + extent.cwiseProduct(Eigen::Vector2d((col + 0.5) / kGridCols,
-                                                                   (row + 0.5) / kGridRows));
+          view.region.min_px +
+          extent.cwiseProduct(Eigen::Vector2d((col + 0.5) / kGridCols, (row + 0.5) / kGridRows));
       if (view.region.Contains(pixel)) pixels.push_back(pixel);
     }
   }
@@ -80,7 +80,8 @@ struct CandidateView {
   ViewId view = -1;
   double second_score = 0;
   double confirmation_score = 0;
-  // Mean parallax of the common samples: angle (degrees) times epipolar direction in the primary view.
+  // Mean parallax of the common samples: angle (degrees) times epipolar direction in the primary
+  // view.
   Eigen::Vector2d parallax_deg = Eigen::Vector2d::Zero();
 };
 
@@ -128,9 +129,8 @@ class PlanBuilder {
     const std::vector<CandidateView> candidates = Score(primary, grid, weights);
     plan.second_views = PickSpread(candidates, &CandidateView::second_score, kSecondSpreadDeg,
                                    options_.max_second_views);
-    plan.confirmation_views =
-        PickSpread(candidates, &CandidateView::confirmation_score, kConfirmationSpreadDeg,
-                   options_.max_confirmation_views);
+    plan.confirmation_views = PickSpread(candidates, &CandidateView::confirmation_score,
+                                         kConfirmationSpreadDeg, options_.max_confirmation_views);
     return plan;
   }
 
@@ -155,8 +155,8 @@ class PlanBuilder {
     if (static_cast<int>(depths.size()) < options_.min_points_for_depth) return;
     std::sort(depths.begin(), depths.end());
     const double near = depths[depths.size() / 100] / options_.points_depth_widening;
-    const double far = depths[depths.size() - 1 - depths.size() / 100] *
-                       options_.points_depth_widening;
+    const double far =
+        depths[depths.size() - 1 - depths.size() / 100] * options_.points_depth_widening;
     const bool geometry_is_empty = plan->min_depth > plan->max_depth;
     plan->min_depth = geometry_is_empty ? near : std::min(plan->min_depth, near);
     plan->max_depth = geometry_is_empty ? far : std::max(plan->max_depth, far);
@@ -180,8 +180,8 @@ class PlanBuilder {
         const Eigen::Vector3d ray = grid[i].point_in_world - centres_[primary];
         const double angle = AngleDeg(ray, grid[i].point_in_world - centres_[v]);
         const double w = weights[i] / total_weight;
-        candidate.second_score += w * Trapezoid(angle, options_.min_pair_angle_deg, 8, 25,
-                                                options_.max_pair_angle_deg);
+        candidate.second_score +=
+            w * Trapezoid(angle, options_.min_pair_angle_deg, 8, 25, options_.max_pair_angle_deg);
         candidate.confirmation_score += w * Trapezoid(angle, options_.min_confirmation_angle_deg, 6,
                                                       40, options_.max_confirmation_angle_deg);
         // Epipolar direction at the ray: the baseline without its component along the ray.
@@ -248,9 +248,8 @@ std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHin
   const auto point_depths = PointDepths(views, hints);
   const PlanBuilder builder(views, centres, scene_scale, options);
   std::vector<ViewPlan> plans(views.size());
-  ParallelFor(context, "view selection", views.size(), [&](size_t v) {
-    plans[v] = builder.Build(static_cast<ViewId>(v), point_depths[v]);
-  });
+  ParallelFor(context, "view selection", views.size(),
+              [&](size_t v) { plans[v] = builder.Build(static_cast<ViewId>(v), point_depths[v]); });
   return plans;
 }
 

@@ -38,12 +38,13 @@ struct ViewPlan {
   std::vector<ViewId> confirmation_views;  // most useful and diverse first
 };
 
-// Choose for every view its depth range, second views and confirmation views from the frusta: sample
-// points on a grid of pixels and depths, keep the depths that enough other views see under usable
-// angles, score the views by how much of that they see, and pick greedily with spread in angle and in
-// epipolar direction. Points of the sparse model widen the depth range where there are enough.
-// At most max_second_views + max_confirmation_views per view, so the stages after it are linear in the
-// number of views; the choice itself looks at all pairs with some 500 projections each.
+// Choose for every view its depth range, second views and confirmation views from the frusta:
+// sample points on a grid of pixels and depths, keep the depths that enough other views see under
+// usable angles, score the views by how much of that they see, and pick greedily with spread in
+// angle and in epipolar direction. Points of the sparse model widen the depth range where there are
+// enough. At most max_second_views + max_confirmation_views per view, so the stages after it are
+// linear in the number of views; the choice itself looks at all pairs with some 500 projections
+// each.
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
                                   const ViewSelectionOptions& options, const RunContext& context);
 

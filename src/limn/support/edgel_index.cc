@@ -85,8 +85,9 @@ std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px, d
     const double normal = tangent.y() * offset.x() - tangent.x() * offset.y();
     const double along = tangent.dot(offset);
     if (std::abs(normal) > gate.normal_px || std::abs(along) > gate.along_px) return;
-    const double cost = (normal * normal + 0.25 * along * along) / (gate.normal_px * gate.normal_px) +
-                        (angle * angle) / (gate.angle_rad * gate.angle_rad);
+    const double cost =
+        (normal * normal + 0.25 * along * along) / (gate.normal_px * gate.normal_px) +
+        (angle * angle) / (gate.angle_rad * gate.angle_rad);
     if (cost < best_cost || (cost == best_cost && id < best.edgel)) {
       best_cost = cost;
       best = {id, normal, angle};

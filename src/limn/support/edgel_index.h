@@ -20,7 +20,8 @@ struct SupportGate {
 
 struct EdgelMatch {
   EdgelId edgel = kInvalidEdgel;
-  // Signed distance of the query from the edgel's tangent line along the edgel's normal, stored pixels.
+  // Signed distance of the query from the edgel's tangent line along the edgel's normal, stored
+  // pixels.
   double normal_residual_px = 0;
   double angle_rad = 0;
 };
@@ -34,7 +35,8 @@ class EdgelIndex {
 
   // The edgel within the gate with the smallest
   //   (across^2 + along^2 / 4) / normal_px^2 + (angle / angle_rad)^2,
-  // where across and along are the parts of the offset in stored pixels; the smallest id on ties. Constant expected time.
+  // where across and along are the parts of the offset in stored pixels; the smallest id on ties.
+  // Constant expected time.
   std::optional<EdgelMatch> Best(const Eigen::Vector2d& position_px, double direction_rad,
                                  const SupportGate& gate) const;
 

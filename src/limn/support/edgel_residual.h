@@ -9,8 +9,8 @@
 
 namespace limn {
 
-// Signed distance, stored pixels, of a projected point from the tangent line of an edgel, and its gradient
-// with respect to the point in the world.
+// Signed distance, stored pixels, of a projected point from the tangent line of an edgel, and its
+// gradient with respect to the point in the world.
 struct EdgelResidual {
   double residual_px = 0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
@@ -20,12 +20,13 @@ struct EdgelResidual {
 std::optional<EdgelResidual> ResidualToEdgel(const View& view, const Edgel& edgel,
                                              const Eigen::Vector3d& point_in_world);
 
-// Direction, radians, in the virtual image in which the point moves when it moves along the tangent.
-// Nothing if the point is behind the camera or the tangent is seen end on.
+// Direction, radians, in the virtual image in which the point moves when it moves along the
+// tangent. Nothing if the point is behind the camera or the tangent is seen end on.
 std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d& point_in_world,
                                          const Eigen::Vector3d& tangent_in_world);
 
-// Pixel footprint of a point: depth / focal length, world units per pixel. Nothing behind the camera.
+// Pixel footprint of a point: depth / focal length, world units per pixel. Nothing behind the
+// camera.
 std::optional<double> Footprint(const View& view, const Eigen::Vector3d& point_in_world);
 
 }  // namespace limn

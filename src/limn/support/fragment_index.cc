@@ -71,7 +71,8 @@ FragmentIndex::FragmentIndex(const ImageCurves& curves) : curves_(curves) {
   for (size_t i = 1; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
   chords_.resize(cell_begin_.back());
   std::vector<int> next(cell_begin_.begin(), cell_begin_.end() - 1);
-  for (const Chord& chord : all) for_each_cell(chord, [&](int cell) { chords_[next[cell]++] = chord; });
+  for (const Chord& chord : all)
+    for_each_cell(chord, [&](int cell) { chords_[next[cell]++] = chord; });
 }
 
 void FragmentIndex::VisitCell(int col, int row, const Eigen::Vector2d& from,
@@ -83,8 +84,8 @@ void FragmentIndex::VisitCell(int col, int row, const Eigen::Vector2d& from,
   const int cell = row * cols_ + col;
   for (int i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
     const Chord& chord = chords_[i];
-    // Distances from the line, in single precision: good to 1e-4 px, and the same for both chords at a
-    // shared vertex, so that a line through it crosses exactly one (half-open) of them.
+    // Distances from the line, in single precision: good to 1e-4 px, and the same for both chords
+    // at a shared vertex, so that a line through it crosses exactly one (half-open) of them.
     const Eigen::Vector2f to_begin = chord.begin - origin;
     const Eigen::Vector2f to_end = chord.end - origin;
     const float side_begin = direction.x() * to_begin.y() - direction.y() * to_begin.x();

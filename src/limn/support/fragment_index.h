@@ -16,14 +16,14 @@ struct LineCrossing {
   Eigen::Vector2d tangent = Eigen::Vector2d::Zero();
 };
 
-// Chords (edgel to next edgel) of the fragments of one view on a grid over the virtual image. Holds a
-// reference to the curves, which must outlive it.
+// Chords (edgel to next edgel) of the fragments of one view on a grid over the virtual image. Holds
+// a reference to the curves, which must outlive it.
 class FragmentIndex {
  public:
   explicit FragmentIndex(const ImageCurves& curves);
 
-  // Append every crossing of the segment from `from` to `to` with a fragment, in the order of the grid
-  // walk from `from`. Time: cells along the segment plus chords in them.
+  // Append every crossing of the segment from `from` to `to` with a fragment, in the order of the
+  // grid walk from `from`. Time: cells along the segment plus chords in them.
   void Crossings(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                  std::vector<LineCrossing>* crossings) const;
 

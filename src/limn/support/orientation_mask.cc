@@ -66,8 +66,7 @@ void OrientationMask::Draw(const Edgel& edgel, const SupportGate& gate) {
   const int row_end = std::min(rows_ - 1, static_cast<int>(centre.y() + half_size.y()));
   for (int row = row_begin; row <= row_end; ++row) {
     for (int col = col_begin; col <= col_end; ++col) {
-      const Eigen::Vector2d offset =
-          stored_from_virtual * (Eigen::Vector2d(col, row) - centre);
+      const Eigen::Vector2d offset = stored_from_virtual * (Eigen::Vector2d(col, row) - centre);
       const double normal = tangent.y() * offset.x() - tangent.x() * offset.y();
       if (std::abs(normal) > gate.normal_px || std::abs(tangent.dot(offset)) > gate.along_px) {
         continue;

@@ -9,9 +9,9 @@
 
 namespace limn {
 
-// A raster over the virtual image that answers "is there an edgel near here with this direction?" with
-// one memory access: 16 orientation bins of 11.25 degrees per pixel. Rounds to a pixel and a bin, so it
-// is for counting many hypotheses; EdgelIndex gives the exact edgel.
+// A raster over the virtual image that answers "is there an edgel near here with this direction?"
+// with one memory access: 16 orientation bins of 11.25 degrees per pixel. Rounds to a pixel and a
+// bin, so it is for counting many hypotheses; EdgelIndex gives the exact edgel.
 class OrientationMask {
  public:
   static constexpr int kNumBins = 16;

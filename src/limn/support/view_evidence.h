@@ -12,12 +12,12 @@
 
 namespace limn {
 
-// Everything the multi-view stages ask of the edges of one view. Only edgels that belong to a fragment
-// are evidence: a lone edgel is as likely noise.
+// Everything the multi-view stages ask of the edges of one view. Only edgels that belong to a
+// fragment are evidence: a lone edgel is as likely noise.
 struct ViewEvidence {
   ViewEvidence(const View& view, const ImageCurves& curves, const SupportGate& gate);
 
-  std::vector<int> fragment_of;       // per edgel: its fragment, or -1
+  std::vector<int> fragment_of;  // per edgel: its fragment, or -1
   EdgelIndex edgels;
   OrientationMask mask;
   FragmentIndex fragments;

@@ -23,11 +23,12 @@ void ParallelFor(const RunContext& context, const char* stage, size_t count,
   tbb::task_arena arena(context.num_threads > 0 ? context.num_threads
                                                 : static_cast<int>(tbb::task_arena::automatic));
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 1),
-                      [&](const tbb::blocked_range<size_t>& range) {
-                        for (size_t i = range.begin(); i != range.end(); ++i) run_one(i);
-                      },
-                      tbb::simple_partitioner());
+    tbb::parallel_for(
+        tbb::blocked_range<size_t>(0, count, 1),
+        [&](const tbb::blocked_range<size_t>& range) {
+          for (size_t i = range.begin(); i != range.end(); ++i) run_one(i);
+        },
+        tbb::simple_partitioner());
   });
 }
 

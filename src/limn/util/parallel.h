@@ -6,7 +6,8 @@
 
 namespace limn {
 
-// How a stage runs: its threads, who hears of its progress, who may stop it. Never changes a result.
+// How a stage runs: its threads, who hears of its progress, who may stop it. Never changes a
+// result.
 struct RunContext {
   // Number of threads; -1 means all cores.
   int num_threads = -1;
@@ -17,8 +18,8 @@ struct RunContext {
 };
 
 // Run body(i) for i in [0, count), each index once, in no particular order. Results are independent
-// of the number of threads if body(i) writes only what belongs to i. The first exception thrown by a
-// body is rethrown here after the others have stopped. `stage` labels the progress reports.
+// of the number of threads if body(i) writes only what belongs to i. The first exception thrown by
+// a body is rethrown here after the others have stopped. `stage` labels the progress reports.
 void ParallelFor(const RunContext& context, const char* stage, size_t count,
                  const std::function<void(size_t)>& body);
 

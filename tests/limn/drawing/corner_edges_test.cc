@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "limn/drawing/drawing.h"
+#include "limn/drawing/joints.h"
 #include "limn/drawing/segment_evidence.h"
 #include "limn/sketch/sketch.h"
 #include "support/synthetic_scene.h"
@@ -36,9 +38,9 @@ CurveSketch SketchWithoutFirstEdge(const std::vector<ImageCurves>& curves) {
 }
 
 int NumNodesOfDegree(const DrawingGraph& graph, int degree) {
-  return static_cast<int>(std::count_if(
-      graph.nodes.begin(), graph.nodes.end(),
-      [&](const DrawingNode& node) { return node.Degree() == degree; }));
+  return static_cast<int>(
+      std::count_if(graph.nodes.begin(), graph.nodes.end(),
+                    [&](const DrawingNode& node) { return node.Degree() == degree; }));
 }
 
 TEST(CornerEdgesTest, EdgeThatTheSketchLostGrowsFromItsCorner) {
@@ -74,16 +76,16 @@ TEST(SegmentEvidenceTest, SeesTrueEdgesAndNoOthers) {
   const auto edges = testing::CubeEdges(kHalfSide);
   const auto curves = testing::ProjectCurves(Views(), edges);
   const SupportGate gate{1.5, 1.5, 0.4};
-  const auto evidence = BuildEvidence(Views(), curves, gate, {});
+  const EdgelEvidence evidence = IndexEdgels(curves, SampleSet(), Draft());
   const Eigen::Vector3d from = edges.front().points.front();
   const Eigen::Vector3d to = edges.front().points.back();
   const std::vector<uint8_t> all(Views().size(), 1);
-  const SegmentEvidence seen = FindEvidence(from, to, all, Views(), evidence, gate);
+  const SegmentEvidence seen = FindEvidence(from, to, all, Views(), evidence.all, gate);
   EXPECT_EQ(seen.num_views, 16);
   EXPECT_EQ(seen.seen_in.size(), 16u);
   EXPECT_LT(seen.background, 0.2);
   // A diagonal through the empty cube.
-  const SegmentEvidence unseen = FindEvidence(from, -from, all, Views(), evidence, gate);
+  const SegmentEvidence unseen = FindEvidence(from, -from, all, Views(), evidence.all, gate);
   EXPECT_LE(unseen.seen_in.size(), 1u);
 }
 

@@ -32,7 +32,7 @@ std::vector<Vector3d> Smooth(const std::vector<Vector3d>& points, bool closed, b
   SampleSet samples = testing::MakeSamples({points});
   if (closed) {
     samples.origins[0].closed = true;
-    RecomputeTangents(samples, 0, &samples.tangent);
+    testing::RecomputeTangents(samples, 0, &samples.tangent);
   }
   std::vector<Eigen::Matrix3d> information;
   for (const Vector3d& t : samples.tangent) {

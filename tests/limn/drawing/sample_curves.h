@@ -1,10 +1,26 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "limn/drawing/samples.h"
 
 namespace limn::testing {
+
+// Unit tangents by central differences of the positions.
+inline void RecomputeTangents(const SampleSet& samples, int curve,
+                              std::vector<Eigen::Vector3d>* tangents) {
+  const int begin = samples.curve_begin[curve];
+  const int size = samples.Size(curve);
+  const bool closed = samples.origins[curve].closed;
+  for (int k = 0; k < size; ++k) {
+    const int before = closed ? (k + size - 1) % size : std::max(k - 1, 0);
+    const int after = closed ? (k + 1) % size : std::min(k + 1, size - 1);
+    const Eigen::Vector3d chord =
+        samples.position[begin + after] - samples.position[begin + before];
+    if (chord.norm() > 0) (*tangents)[begin + k] = chord.normalized();
+  }
+}
 
 // A sample set of these curves with footprint 1, information 100 across the curve and no support.
 inline SampleSet MakeSamples(const std::vector<std::vector<Eigen::Vector3d>>& curves) {

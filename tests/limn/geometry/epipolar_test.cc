@@ -31,26 +31,6 @@ class TwoViews : public ::testing::Test {
   }
 };
 
-TEST_F(TwoViews, FundamentalMatrixHoldsForProjections) {
-  const Eigen::Matrix3d f = FundamentalMatrix(kCameraA, a_from_world_, kCameraB, b_from_world_);
-  for (int i = 0; i < 50; ++i) {
-    const Eigen::Vector3d point = RandomPoint();
-    const Eigen::Vector2d pixel_a = kCameraA.Project(a_from_world_ * point);
-    const Eigen::Vector2d pixel_b = kCameraB.Project(b_from_world_ * point);
-    const Eigen::Vector3d line = f * pixel_a.homogeneous();
-    EXPECT_LT(std::abs(line.dot(pixel_b.homogeneous())) / line.head<2>().norm(), 1e-8);
-  }
-  const auto values = f.jacobiSvd().singularValues();
-  EXPECT_LT(values[2] / values[0], 1e-12);
-}
-
-TEST_F(TwoViews, FundamentalMatrixOfOneCentreIsZero) {
-  Rigid3d turned = Pose(0.3, {});
-  turned.translation = -(turned.rotation * Inverse(a_from_world_).translation);
-  const Eigen::Matrix3d f = FundamentalMatrix(kCameraA, a_from_world_, kCameraB, turned);
-  EXPECT_LT(f.norm(), 1e-15);
-}
-
 TEST_F(TwoViews, RelativeProjectionFollowsTheRay) {
   const RelativeProjection relative =
       MakeRelativeProjection(kCameraA, a_from_world_, kCameraB, b_from_world_);

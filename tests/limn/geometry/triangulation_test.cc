@@ -8,28 +8,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-TEST(DepthOnRay, RaysThatMeetGiveTheirPoint) {
-  const Vector3d point(0.3, -0.2, 5);
-  const Vector3d ray_a = point / point.z();
-  const Vector3d origin_b(1, 0.1, 0.2);
-  const auto depth = DepthOnRay(ray_a, origin_b, point - origin_b);
-  ASSERT_TRUE(depth);
-  EXPECT_NEAR(*depth, 5, 1e-12);
-}
-
-TEST(DepthOnRay, SkewRaysGiveTheNearestPointOnTheFirst) {
-  // Ray b crosses above ray a at depth 3.
-  const auto depth = DepthOnRay({0, 0, 1}, {1, 0.25, 2}, {-1, 0, 1});
-  ASSERT_TRUE(depth);
-  EXPECT_NEAR(*depth, 3, 1e-12);
-}
-
-TEST(DepthOnRay, ParallelRaysAndPointsBehindGiveNothing) {
-  EXPECT_FALSE(DepthOnRay({0, 0, 1}, {1, 0, 0}, {0, 0, 2}));
-  EXPECT_FALSE(DepthOnRay({0, 0, 1}, {1, 0, 0}, {-1, 0, -1}));  // behind camera a
-  EXPECT_FALSE(DepthOnRay({0, 0, 1}, {1, 0, 0}, {1, 0, -1}));   // behind camera b
-}
-
 TEST(TangentFromPlanes, RecoversTheLineOfBothPlanes) {
   const Vector3d tangent = Vector3d(1, 2, -0.5).normalized();
   const Vector3d point(0.1, 0.2, 4);
