@@ -15,12 +15,7 @@ constexpr double kCoveredShare = 0.8;
 // Links between two nodes may be short, px.
 constexpr double kMinBridgePx = 2;
 
-struct End {
-  int link = -1;
-  int end = 0;
-};
-
-using EndsAtNode = std::map<int, std::vector<End>>;
+using EndsAtNode = std::map<int, std::vector<LinkEnd>>;
 
 EndsAtNode CollectEnds(const Draft& draft) {
   EndsAtNode ends;
@@ -78,7 +73,7 @@ class NodeCleaner {
   }
 
  private:
-  bool Continue(const End& a, const End& b) const {
+  bool Continue(const LinkEnd& a, const LinkEnd& b) const {
     const EndLine line_a = LineAtEnd(draft_->links[a.link], a.end);
     const EndLine line_b = LineAtEnd(draft_->links[b.link], b.end);
     return line_a.outward.dot(line_b.outward) <
@@ -99,7 +94,7 @@ class NodeCleaner {
     link.closed = true;
   }
 
-  void Fuse(const End& a, const End& b) {
+  void Fuse(const LinkEnd& a, const LinkEnd& b) {
     DraftLink& first = draft_->links[a.link];
     DraftLink& second = draft_->links[b.link];
     if (a.end == 0) Reverse(&first);

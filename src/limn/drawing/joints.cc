@@ -116,11 +116,11 @@ std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Ve
 
 int StraightLinks::NodeAt(const Joint& joint) {
   int node = -1;
-  for (const Joint::End& end : joint.ends) {
+  for (const LinkEnd& end : joint.ends) {
     node = std::max(node, draft_->links[end.link].node[end.end]);
   }
   if (node < 0) node = draft_->num_nodes++;
-  for (const Joint::End& end : joint.ends) draft_->links[end.link].node[end.end] = node;
+  for (const LinkEnd& end : joint.ends) draft_->links[end.link].node[end.end] = node;
   return node;
 }
 

@@ -13,13 +13,9 @@ namespace limn {
 
 // A place where links end: a node, or a free end.
 struct Joint {
-  struct End {
-    int link = -1;
-    int end = 0;
-  };
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // mean of the ends
   double footprint = 0;
-  std::vector<End> ends;
+  std::vector<LinkEnd> ends;
   std::vector<Eigen::Vector3d> leaving;  // unit directions into the links
   std::vector<uint8_t> visible;          // per view: edgels support a link near the joint
 };

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "limn/drawing/draft.h"
+#include "limn/drawing/link_ends.h"
 #include "limn/support/view_evidence.h"
 
 namespace limn {
@@ -34,5 +34,19 @@ struct JunctionCounts {
 JunctionCounts JoinLinks(const SampleSet& samples, const std::vector<View>& views,
                          const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
                          const DrawingOptions& options, Draft* draft);
+
+// The steps of JoinLinks, in their order. Free ends that continue each other across a gap become
+// one link.
+void JoinContinuations(const DrawingOptions& options, LinkEnds& ends, Draft* draft,
+                       JunctionCounts* counts);
+// Free ends whose lines meet become a node, fitted to the lines of all its links.
+void JoinCorners(const DrawingOptions& options, LinkEnds& ends, Draft* draft,
+                 JunctionCounts* counts);
+// A free end whose line passes a node ends there.
+void JoinToNodes(const DrawingOptions& options, LinkEnds& ends, Draft* draft,
+                 JunctionCounts* counts);
+// A free end whose line meets the inside of another link cuts it: a T junction.
+void JoinToInteriors(const DrawingOptions& options, LinkEnds& ends, Draft* draft,
+                     JunctionCounts* counts);
 
 }  // namespace limn
