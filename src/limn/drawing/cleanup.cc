@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
+#include <set>
 
 #include "limn/drawing/graph_assembly.h"
 #include "limn/drawing/vertex_grid.h"
@@ -44,31 +44,37 @@ void AppendTail(const std::vector<T>& from, std::vector<T>* to) {
 // Nodes left with one end are free ends; nodes where two links continue each other dissolve.
 class NodeCleaner {
  public:
-  NodeCleaner(const DrawingOptions& options, Draft* draft) : options_(options), draft_(draft) {}
+  NodeCleaner(const DrawingOptions& options, Draft* draft)
+      : options_(options),
+        draft_(draft),
+        ends_(CollectEnds(*draft)),
+        alive_(draft->links.size(), 1) {}
 
   int64_t Run() {
     int64_t dissolved = 0;
-    // Only degrees 1 and 2 act, and both only lower the degree of other nodes' links' ids.
-    bool changed = true;
-    while (changed) {
-      changed = false;
-      for (const auto& [node, ends] : CollectEnds(*draft_)) {
-        if (ends.size() == 1) {
-          draft_->links[ends[0].link].node[ends[0].end] = -1;
-          continue;
+    std::set<int> waiting;
+    for (const auto& [node, ends] : ends_) waiting.insert(node);
+    while (!waiting.empty()) {
+      const int node = *waiting.begin();
+      waiting.erase(waiting.begin());
+      const std::vector<LinkEnd> ends = ends_.at(node);
+      if (ends.size() == 1) {
+        draft_->links[ends[0].link].node[ends[0].end] = -1;
+        ends_.erase(node);
+      } else if (ends.size() == 2 && ends[0].link == ends[1].link) {
+        CloseLoop(ends[0].link);
+        ends_.erase(node);
+      } else if (ends.size() == 2 && Continue(ends[0], ends[1])) {
+        Fuse(ends[0], ends[1]);
+        ends_.erase(node);
+        ++dissolved;
+        // The fused link may now close a loop or continue another one.
+        for (const int far : draft_->links[ends[0].link].node) {
+          if (far >= 0) waiting.insert(far);
         }
-        if (ends.size() != 2) continue;
-        if (ends[0].link == ends[1].link) {
-          CloseLoop(ends[0].link);
-          changed = true;
-        } else if (Continue(ends[0], ends[1])) {
-          Fuse(ends[0], ends[1]);
-          ++dissolved;
-          changed = true;
-        }
-        if (changed) break;
       }
     }
+    KeepLinks(alive_, draft_);
     return dissolved;
   }
 
@@ -94,10 +100,23 @@ class NodeCleaner {
     link.closed = true;
   }
 
+  // An end at a node is now that of another link.
+  void Relabel(int node, const LinkEnd& from, const LinkEnd& to) {
+    if (node < 0) return;
+    std::vector<LinkEnd>& ends = ends_.at(node);
+    std::replace(ends.begin(), ends.end(), from, to);
+    std::sort(ends.begin(), ends.end());
+  }
+
+  // The second link becomes the tail of the first.
   void Fuse(const LinkEnd& a, const LinkEnd& b) {
     DraftLink& first = draft_->links[a.link];
     DraftLink& second = draft_->links[b.link];
-    if (a.end == 0) Reverse(&first);
+    if (a.end == 0) {
+      Relabel(first.node[1], {a.link, 1}, {a.link, 0});
+      Reverse(&first);
+    }
+    Relabel(second.node[1 - b.end], {b.link, 1 - b.end}, {a.link, 1});
     if (b.end == 1) Reverse(&second);
     first.samples.back().insert(first.samples.back().end(), second.samples.front().begin(),
                                 second.samples.front().end());
@@ -106,11 +125,14 @@ class NodeCleaner {
     AppendTail(second.footprint, &first.footprint);
     AppendTail(second.samples, &first.samples);
     first.node[1] = second.node[1];
-    draft_->links.erase(draft_->links.begin() + b.link);
+    first.grown &= second.grown;
+    alive_[b.link] = 0;
   }
 
   const DrawingOptions& options_;
   Draft* draft_;
+  EndsAtNode ends_;
+  std::vector<uint8_t> alive_;
 };
 
 // All but the links that hang by one end or by none and are shorter than the limit.

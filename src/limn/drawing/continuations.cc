@@ -107,6 +107,7 @@ class ContinuationJoiner {
         const bool reversed = entered_by == 1;
         if (link.size() > 0) TrimJoint(&link, part, reversed);
         if (link.size() == 0) link.node[0] = part.node[entered_by];
+        link.grown = part.grown && (link.size() == 0 || link.grown);
         Append(part, reversed, &link);
         link.node[1] = part.node[1 - entered_by];
         const auto step = next.find({current, 1 - entered_by});

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <limits>
-#include <tuple>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -33,10 +34,10 @@ constexpr double kSnapPx = 4;
 constexpr double kMaxMissPx = 2;
 // Shorter segments between two joints: the joints are one.
 constexpr double kMinSegmentPx = 3;
-// False alarms accepted per edge grown, and per joint when all segments from it to others are
-// tried: a segment between two joints has more in its favour than the images.
-constexpr double kMaxFalseAlarms = 1e-2;
-constexpr double kMaxSegmentFalseAlarms = 1e-1;
+// Chance with which the images may show a grown edge by accident, and any of the segments from one
+// joint to others: a segment between two joints has more in its favour than the images.
+constexpr double kMaxChance = 1e-2;
+constexpr double kMaxSegmentChance = 1e-1;
 // Views in which edgels must run along an edge.
 constexpr int kMinViews = 4;
 
@@ -91,7 +92,9 @@ class EdgeGrowth {
     if (!IsBelieved(joint, end)) return false;
     const int target = JointNear(id, end, direction->unit);
     if (target >= 0) end = joints_[target].position;
-    if (IsTaken(joint, (end - joint.position).normalized(), kTakenRad)) return false;
+    const Eigen::Vector3d course = (end - joint.position).normalized();
+    if (IsTaken(joint, course, kTakenRad)) return false;
+    if (target >= 0 && IsTaken(joints_[target], -course, kTakenRad)) return false;
     links_.Add(end, direction->views, &joint, target >= 0 ? &joints_[target] : nullptr);
     return true;
   }
@@ -150,7 +153,7 @@ class EdgeGrowth {
   bool IsBelieved(const Joint& joint, const Eigen::Vector3d& end) const {
     const SegmentEvidence found =
         FindEvidence(joint.position, end, joint.visible, views_, evidence_.all, CornerGate());
-    return LogChanceOf(found) <= std::log(kMaxFalseAlarms) &&
+    return LogChanceOf(found) <= std::log(kMaxChance) &&
            IsNew(joint.position, end, joint.visible, views_, evidence_);
   }
 
@@ -184,6 +187,16 @@ class EdgeGrowth {
   std::vector<Joint> joints_;
 };
 
+// A straight edge between two joints, in the order of trust.
+struct Segment {
+  double log_chance = 0;
+  int from = -1;
+  int to = -1;
+  std::vector<ViewId> seen_in;
+
+  auto operator<=>(const Segment&) const = default;
+};
+
 bool CanHaveSegment(const Joint& a, const Joint& b, const DrawingOptions& options) {
   const Eigen::Vector3d offset = b.position - a.position;
   const double length_px = offset.norm() / a.footprint;
@@ -204,12 +217,13 @@ int64_t GrowCornerEdges(const std::vector<View>& views, const std::vector<ImageC
 int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                       const EdgelEvidence& evidence, const DrawingOptions& options,
                       SampleSet* samples, Draft* draft) {
+  if (options.max_short_edge_px < kMinSegmentPx) return 0;
   std::vector<Joint> joints = CollectJoints(*samples, views.size(), *draft);
   VertexGrid grid(options.max_short_edge_px);
   for (size_t i = 0; i < joints.size(); ++i) {
     grid.Add(static_cast<int>(i), joints[i].position, joints[i].footprint);
   }
-  std::vector<std::tuple<double, int, int>> found;  // by chance
+  std::vector<Segment> found;
   for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
     std::vector<int> near;
     grid.ForEachNear(joints[i].position, joints[i].footprint, [&](int j) {
@@ -219,22 +233,23 @@ int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCur
     for (const int j : near) {
       std::vector<uint8_t> visible = joints[i].visible;
       for (size_t v = 0; v < visible.size(); ++v) visible[v] &= joints[j].visible[v];
-      const double chance = LogChanceOf(FindEvidence(joints[i].position, joints[j].position,
-                                                     visible, views, evidence.all, CornerGate()));
-      if (chance <= std::log(kMaxSegmentFalseAlarms / static_cast<double>(near.size())) &&
+      SegmentEvidence seen = FindEvidence(joints[i].position, joints[j].position, visible, views,
+                                          evidence.all, CornerGate());
+      const double chance = LogChanceOf(seen);
+      if (chance <= std::log(kMaxSegmentChance / static_cast<double>(near.size())) &&
           IsNew(joints[i].position, joints[j].position, visible, views, evidence)) {
-        found.push_back({chance, i, j});
+        found.push_back({chance, i, j, std::move(seen.seen_in)});
       }
     }
   }
   std::sort(found.begin(), found.end());
   StraightLinks links(views, curves, evidence.all, samples, draft);
-  std::vector<ViewId> all_views;
-  for (size_t v = 0; v < views.size(); ++v) all_views.push_back(static_cast<ViewId>(v));
   int64_t added = 0;
-  for (const auto& [chance, i, j] : found) {
-    if (!CanHaveSegment(joints[i], joints[j], options)) continue;  // one before has taken it
-    links.Add(joints[j].position, all_views, &joints[i], &joints[j]);
+  for (const Segment& segment : found) {
+    Joint& from = joints[segment.from];
+    Joint& to = joints[segment.to];
+    if (!CanHaveSegment(from, to, options)) continue;  // one before has taken it
+    links.Add(to.position, segment.seen_in, &from, &to);
     ++added;
   }
   return added;

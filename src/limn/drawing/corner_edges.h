@@ -11,11 +11,12 @@ namespace limn {
 
 // Edges that leave a joint and that the sketch does not have, because they are too short or too
 // broken in the images for fragments of their own, or that it lost on the way: the height of a
-// step, a seam. A direction in which image edges leave the joint (FindCornerDirection) grows into a
-// straight link as far as half of the views that show it have edgels there, ends at a joint that it
-// reaches, and is kept if edgels run along all of it in so many views that chance is no
-// explanation, some of them edgels that no link has yet. Nothing grows out of the box. Ours; not in
-// the paper. Returns the number of links added.
+// step, a seam. The best direction in which image edges leave the joint (FindCornerDirection) grows
+// into a straight link as far as half of the views that show it have edgels there, and ends at a
+// joint that it reaches. It is kept if edgels run along it (FindEvidence) in so many views that
+// chance is no explanation, in one of them edgels that no link has yet; then the next direction is
+// tried. Nothing grows out of the box, unless to a joint there. Ours; not in the paper. Returns the
+// number of links added. Time per joint: pairs of rays times views.
 int64_t GrowCornerEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                         const EdgelEvidence& evidence,
                         const std::optional<Eigen::AlignedBox3d>& box,

@@ -142,11 +142,26 @@ void SplitLink(Draft* draft, int link, int index, int node) {
     tail(first.footprint, &second.footprint);
     tail(first.samples, &second.samples);
     second.samples.front().clear();
+    second.grown = first.grown;
     second.node[0] = node;
     second.node[1] = first.node[1];
     first.node[1] = node;
   }
   draft->links.push_back(std::move(second));
+}
+
+void FreeLonelyEnds(Draft* draft) {
+  std::vector<int> num_ends(draft->num_nodes, 0);
+  for (const DraftLink& link : draft->links) {
+    for (const int node : link.node) {
+      if (node >= 0) ++num_ends[node];
+    }
+  }
+  for (DraftLink& link : draft->links) {
+    for (int& node : link.node) {
+      if (node >= 0 && num_ends[node] == 1) node = -1;
+    }
+  }
 }
 
 void KeepLinks(const std::vector<uint8_t>& keep, Draft* draft) {

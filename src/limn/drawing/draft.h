@@ -21,7 +21,7 @@ struct DraftLink {
   // Per point the samples merged into it; empty where a point was added.
   std::vector<std::vector<int>> samples;
   int node[2] = {-1, -1};  // -1 = free end
-  bool grown = false;      // from a corner, by GrowCornerEdges
+  bool grown = false;      // whole, from the images at its joints: see corner_edges.h
   bool closed = false;     // the last point is followed by the first, which is not repeated
 
   int size() const { return static_cast<int>(position.size()); }
@@ -30,7 +30,7 @@ struct DraftLink {
 struct Draft {
   std::vector<DraftLink> links;
   int num_nodes = 0;
-  int num_sketch_samples = 0;  // samples with larger ids are not of the sketch, but grown
+  int num_sketch_samples = 0;  // samples from this id on are not of the sketch, but of grown links
 
   // Samples of the sketch merged into a link.
   int64_t NumSketchSamples(const DraftLink& link) const;
@@ -57,6 +57,9 @@ EndLine LineAtEnd(const DraftLink& link, int end);
 // Cut a link at an inner point, which both parts keep; both end at `node` there. The second part is
 // appended to the draft.
 void SplitLink(Draft* draft, int link, int index, int node);
+
+// Ends that are alone at their node are free.
+void FreeLonelyEnds(Draft* draft);
 
 // Remove links marked 0.
 void KeepLinks(const std::vector<uint8_t>& keep, Draft* draft);

@@ -29,20 +29,18 @@ std::vector<uint8_t> AgreedSamples(const std::vector<int>& agreeing_views,
   return keep;
 }
 
-// Mean along a link of the number of primary views that agree.
+// Mean along a link of the number of primary views that agree; points that were added have none to
+// ask.
 double MeanAgreement(const DraftLink& link, const std::vector<int>& agreeing_views) {
   double sum = 0;
   double length_px = 0;
-  int before = 0;
   for (int k = 0; k < link.size(); ++k) {
     int here = 0;
     for (const int s : link.samples[k]) here = std::max(here, agreeing_views[s]);
-    if (k > 0) {
-      const double step_px = ArcPx(link, k - 1, k);
-      sum += 0.5 * (before + here) * step_px;
-      length_px += step_px;
-    }
-    before = here;
+    if (here == 0) continue;
+    const double own_px = ArcPx(link, std::max(k - 1, 0), std::min(k + 1, link.size() - 1));
+    sum += here * own_px;
+    length_px += own_px;
   }
   return length_px > 0 ? sum / length_px : 0;
 }
@@ -69,6 +67,7 @@ int64_t RemoveDoubtfulLinks(const SampleSet& samples, const std::vector<int>& ag
     if (!keep.back()) num_samples += draft->NumSketchSamples(link);
   }
   KeepLinks(keep, draft);
+  FreeLonelyEnds(draft);
   return num_samples;
 }
 

@@ -25,17 +25,20 @@ class EndJoiner {
         if (node >= 0) at_node[node].push_back({static_cast<int>(i), end});
       }
     }
+    VertexGrid grid(ends_.ReachPx());
+    for (const auto& [node, incident] : at_node) {
+      grid.Add(node, NodePosition(incident), draft_->links[incident[0].link].footprint[0]);
+    }
     for (const LinkEnd& ref : ends_.Free()) {
       const EndLine line = LineAtEnd(draft_->links[ref.link], ref.end);
       int best = -1;
       double best_distance = std::numeric_limits<double>::infinity();
-      for (const auto& [node, incident] : at_node) {
-        const auto distance = DistanceToNode(ref, line, NodePosition(incident));
-        if (distance && *distance < best_distance) {
-          best = node;
-          best_distance = *distance;
-        }
-      }
+      grid.ForEachNear(line.point, line.footprint, [&](int node) {
+        const auto distance = DistanceToNode(ref, line, NodePosition(at_node[node]));
+        if (!distance || std::pair(*distance, node) >= std::pair(best_distance, best)) return;
+        best = node;
+        best_distance = *distance;
+      });
       if (best < 0) continue;
       const Eigen::Vector3d point = NodePosition(at_node[best]);
       bool agree = false;

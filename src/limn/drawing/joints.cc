@@ -131,7 +131,8 @@ int StraightLinks::AppendSample(const Eigen::Vector3d& position, const Eigen::Ve
   for (const EdgelRef& ref : support) {
     const Edgel& edgel = curves_[ref.view].edge_map.edgels[ref.edgel];
     const auto residual = ResidualToEdgel(views_[ref.view], edgel, position);
-    if (residual) information += residual->gradient * residual->gradient.transpose();
+    if (!residual) continue;
+    information += residual->gradient * residual->gradient.transpose() / ResidualVariance(edgel);
   }
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - direction * direction.transpose();
   samples_->curve_of.push_back(samples_->NumCurves() - 1);

@@ -20,7 +20,7 @@ struct JunctionCounts {
     corners += other.corners;
     t_junctions += other.t_junctions;
     joined_nodes += other.joined_nodes;
-    without_image_evidence += other.without_image_evidence;
+    without_image_evidence = other.without_image_evidence;  // of the last attempt
     return *this;
   }
 };

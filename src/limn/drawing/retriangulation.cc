@@ -14,11 +14,10 @@ namespace {
 
 constexpr int kRounds = 3;
 constexpr int kGaussNewtonSteps = 3;
-// Errors of an edgel that its own sigma does not know: calibration, sampling, px.
-constexpr double kModelSigmaPx = 0.2;
 // Standard deviation of the pull back to where a step began, px: decides nothing but what the
 // edgels leave open.
 constexpr double kPriorSigmaPx = 3;
+
 // One curve on its way.
 struct WorkingCurve {
   std::vector<Eigen::Vector3d> position;
@@ -99,11 +98,10 @@ class CurveRetriangulation {
         const Edgel& edgel = EdgelOf(ref);
         const auto residual = ResidualToEdgel(views_[ref.view], edgel, position);
         if (!residual) continue;
-        const double sigma = std::hypot<double>(edgel.position_sigma_px, kModelSigmaPx);
         const double size = std::abs(residual->residual_px);
         const double robust =
             size > options_.robust_residual_px ? options_.robust_residual_px / size : 1;
-        const double weight = robust / (sigma * sigma);
+        const double weight = robust / ResidualVariance(edgel);
         const Eigen::Vector2d gradient = across.transpose() * residual->gradient;
         information += weight * gradient * gradient.transpose();
         right -= weight * gradient * residual->residual_px;

@@ -19,7 +19,7 @@ struct RetriangulationStats {
 // (algorithm.md 0.1 item 2): robust least squares of their distances in all views, free across the
 // curve, fixed along it, alternated with smoothing along the curve in which every sample weighs by
 // its covariance, and with a new choice of supporting edgels. Curves are cut where support is lost.
-// Linear in the number of samples.
+// Time: samples times views.
 SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& views,
                         const std::vector<ImageCurves>& curves,
                         const std::vector<std::unique_ptr<ViewEvidence>>& evidence,

@@ -22,6 +22,11 @@ std::optional<EdgelResidual> ResidualToEdgel(const View& view, const Edgel& edge
                        view.cam_from_world.rotation.conjugate() * gradient_in_cam};
 }
 
+double ResidualVariance(const Edgel& edgel) {
+  constexpr double kModelSigmaPx = 0.2;
+  return edgel.position_sigma_px * edgel.position_sigma_px + kModelSigmaPx * kModelSigmaPx;
+}
+
 std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d& point_in_world,
                                          const Eigen::Vector3d& tangent_in_world) {
   const Eigen::Vector3d point = view.cam_from_world * point_in_world;

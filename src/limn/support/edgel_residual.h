@@ -20,6 +20,10 @@ struct EdgelResidual {
 std::optional<EdgelResidual> ResidualToEdgel(const View& view, const Edgel& edgel,
                                              const Eigen::Vector3d& point_in_world);
 
+// Variance of such a residual, px^2: what the edgel knows of its own position, and errors of calibration
+// and sampling that it does not know of.
+double ResidualVariance(const Edgel& edgel);
+
 // Direction, radians, in the virtual image in which the point moves when it moves along the
 // tangent. Nothing if the point is behind the camera or the tangent is seen end on.
 std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d& point_in_world,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -43,11 +44,28 @@ int NumNodesOfDegree(const DrawingGraph& graph, int degree) {
                     [&](const DrawingNode& node) { return node.Degree() == degree; }));
 }
 
+int64_t CountOf(const StageSummary::Counts& counts, const std::string& name) {
+  for (const auto& [unit, count] : counts) {
+    if (unit == name) return count;
+  }
+  return -1;
+}
+
+int64_t NumSamplesAccountedFor(const StageSummary& summary) {
+  int64_t sum = CountOf(summary.kept, "samples");
+  for (const auto& [reason, count] : summary.dropped) {
+    if (reason.rfind("samples:", 0) == 0) sum += count;
+  }
+  return sum;
+}
+
 TEST(CornerEdgesTest, EdgeThatTheSketchLostGrowsFromItsCorner) {
   const auto curves = testing::ProjectCurves(Views(), testing::CubeEdges(kHalfSide), 0.2);
-  const DrawingGraph graph =
-      BuildDrawing({Views(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {}).graph;
+  const DrawingResult result =
+      BuildDrawing({Views(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {});
+  const DrawingGraph& graph = result.graph;
   EXPECT_TRUE(Validate(graph).empty());
+  EXPECT_EQ(NumSamplesAccountedFor(result.summary), CountOf(result.summary.in, "samples"));
   EXPECT_EQ(graph.links.size(), 12u);
   EXPECT_EQ(NumNodesOfDegree(graph, 3), 8);
   const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSide).front());
@@ -59,6 +77,24 @@ TEST(CornerEdgesTest, EdgeThatTheSketchLostGrowsFromItsCorner) {
                link.supporting_views.size() >= 4;
       });
   EXPECT_TRUE(found);
+}
+
+TEST(CornerEdgesTest, NothingGrowsOutOfTheBox) {
+  const auto curves = testing::ProjectCurves(Views(), testing::CubeEdges(kHalfSide), 0.2);
+  const CurveSketch sketch = SketchWithoutFirstEdge(curves);
+  // All corners but those of the missing edge are inside, which it leaves at once.
+  Eigen::AlignedBox3d box;
+  for (const testing::SceneCurve& edge : testing::CubeEdges(0.9 * kHalfSide)) {
+    box.extend(edge.points.front());
+  }
+  const DrawingGraph graph =
+      BuildDrawing({Views(), curves, sketch, box}, DrawingOptions(), {}).graph;
+  EXPECT_TRUE(Validate(graph).empty());
+  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSide).front());
+  EXPECT_TRUE(std::none_of(graph.links.begin(), graph.links.end(), [&](const DrawingLink& link) {
+    return std::sqrt(ClosestPoint(link.points_in_world, missing).squared_distance) <
+           0.1 * kHalfSide;
+  }));
 }
 
 TEST(CornerEdgesTest, NothingGrowsWhereImagesShowNothing) {

@@ -71,6 +71,11 @@ TEST(EvaluateCurves, SeveralTausGiveARowEach) {
   EXPECT_DOUBLE_EQ(*report.rows[1].precision, 1);
 }
 
+TEST(EvaluateCurves, EveryTrueCopyCounts) {
+  const CurveSet truth = Curves({Line(0, 1), Line(0, 1), Line(0, 1, 5)});
+  EXPECT_NEAR(*EvaluateAtTau(Curves({Line(0, 1)}), truth).recall, 2.0 / 3, 1e-9);
+}
+
 TEST(EvaluateCurves, RegionClipsBothSets) {
   EvaluationOptions options;
   options.region = Eigen::AlignedBox3d(Eigen::Vector3d(0, -1, -1), Eigen::Vector3d(1, 1, 1));
