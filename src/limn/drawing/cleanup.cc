@@ -218,15 +218,12 @@ class CoverageCheck {
   std::vector<std::pair<int, int>> places_;
 };
 
-int64_t Remove(const std::vector<uint8_t>& keep, int64_t* num_links, Draft* draft) {
+// Returns the number of the sketch's samples in the links removed.
+int64_t Remove(const std::vector<uint8_t>& keep, Draft* draft) {
   int64_t num_samples = 0;
-  int64_t removed = 0;
   for (size_t i = 0; i < keep.size(); ++i) {
-    if (keep[i]) continue;
-    ++removed;
-    num_samples += draft->NumSketchSamples(draft->links[i]);
+    if (!keep[i]) num_samples += draft->NumSketchSamples(draft->links[i]);
   }
-  *num_links += removed;
   KeepLinks(keep, draft);
   return num_samples;
 }
@@ -236,13 +233,12 @@ int64_t Remove(const std::vector<uint8_t>& keep, int64_t* num_links, Draft* draf
 CleanupCounts CleanUp(const DrawingOptions& options, Draft* draft) {
   CleanupCounts counts;
   counts.dissolved_nodes += NodeCleaner(options, draft).Run();
-  counts.samples_covered +=
-      Remove(CoverageCheck(options, *draft).NotCovered(), &counts.covered_links, draft);
+  counts.samples_covered += Remove(CoverageCheck(options, *draft).NotCovered(), draft);
   for (bool changed = true; changed;) {
     counts.dissolved_nodes += NodeCleaner(options, draft).Run();
-    const int64_t before = counts.pruned_links;
-    counts.samples_pruned += Remove(LongOrTied(options, *draft), &counts.pruned_links, draft);
-    changed = counts.pruned_links > before;
+    const size_t before = draft->links.size();
+    counts.samples_pruned += Remove(LongOrTied(options, *draft), draft);
+    changed = draft->links.size() < before;
   }
   return counts;
 }

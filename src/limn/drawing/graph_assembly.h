@@ -8,10 +8,8 @@ namespace limn {
 
 struct CleanupCounts {
   int64_t dissolved_nodes = 0;
-  int64_t pruned_links = 0;   // too short, hanging by one end or by none
-  int64_t covered_links = 0;  // ran along another link
-  int64_t samples_pruned = 0;
-  int64_t samples_covered = 0;
+  int64_t samples_pruned = 0;   // in links that were too short, hanging by one end or by none
+  int64_t samples_covered = 0;  // in links that ran along another
 };
 
 // Tidy the draft until nothing changes: nodes in which two links meet alone and go on smoothly

@@ -43,7 +43,6 @@ class CurveMerger {
     merged.home = std::move(home_);
     merged.num_nodes = builder_.num_nodes();
     merged.counts = builder_.counts();
-    merged.samples_in_stubs = samples_in_stubs_;
     return merged;
   }
 
@@ -200,7 +199,6 @@ class CurveMerger {
       for (int k = begin; k < end; ++k) {
         home_[samples_.curve_begin[curve] + k] = before >= 0 ? before : after;
       }
-      samples_in_stubs_ += end - begin;
       return;
     }
     if (before >= 0 && after >= 0) {
@@ -242,7 +240,6 @@ class CurveMerger {
   VertexGrid grid_;
   std::vector<int> home_;
   double min_cosine_;
-  int64_t samples_in_stubs_ = 0;
 };
 
 }  // namespace

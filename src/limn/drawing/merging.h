@@ -18,7 +18,6 @@ struct MergedCurves {
   std::vector<int> home;
   int num_nodes = 0;
   MergingCounts counts;
-  int64_t samples_in_stubs = 0;  // merged into the vertex at which their stub leaves
 };
 
 // Merge the averaged curves into links (ECCV 2016, section 5). Curves are taken longest first. A

@@ -207,7 +207,6 @@ class SampleCollector {
       stats_->piece_too_short += end - begin;
       return;
     }
-    stats_->samples_kept += end - begin;
     const int curve = samples_.NumCurves();
     const bool whole = end - begin == working.size();
     samples_.origins.push_back({sketch_curve, begin, anchor_view, working.closed && whole});

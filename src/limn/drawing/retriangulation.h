@@ -10,7 +10,6 @@ namespace limn {
 
 struct RetriangulationStats {
   int64_t samples_in = 0;
-  int64_t samples_kept = 0;
   int64_t too_few_views = 0;    // lost support when the sample moved to where its edgels agree
   int64_t piece_too_short = 0;  // what was left of the curve between such samples
 };
