@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "limn/drawing/graph_assembly.h"
@@ -15,19 +14,6 @@ constexpr double kCoveredShare = 0.8;
 // Links between two nodes may be short, px.
 constexpr double kMinBridgePx = 2;
 
-using EndsAtNode = std::map<int, std::vector<LinkEnd>>;
-
-EndsAtNode CollectEnds(const Draft& draft) {
-  EndsAtNode ends;
-  for (size_t i = 0; i < draft.links.size(); ++i) {
-    for (const int end : {0, 1}) {
-      const int node = draft.links[i].node[end];
-      if (node >= 0) ends[node].push_back({static_cast<int>(i), end});
-    }
-  }
-  return ends;
-}
-
 void Reverse(DraftLink* link) {
   std::reverse(link->position.begin(), link->position.end());
   std::reverse(link->information.begin(), link->information.end());
@@ -41,7 +27,7 @@ void AppendTail(const std::vector<T>& from, std::vector<T>* to) {
   to->insert(to->end(), from.begin() + 1, from.end());
 }
 
-// Nodes left with one end are free ends; nodes where two links continue each other dissolve.
+// Nodes where two links continue each other, or a link itself, dissolve.
 class NodeCleaner {
  public:
   NodeCleaner(const DrawingOptions& options, Draft* draft)
@@ -58,10 +44,7 @@ class NodeCleaner {
       const int node = *waiting.begin();
       waiting.erase(waiting.begin());
       const std::vector<LinkEnd> ends = ends_.at(node);
-      if (ends.size() == 1) {
-        draft_->links[ends[0].link].node[ends[0].end] = -1;
-        ends_.erase(node);
-      } else if (ends.size() == 2 && ends[0].link == ends[1].link) {
+      if (ends.size() == 2 && ends[0].link == ends[1].link) {
         CloseLoop(ends[0].link);
         ends_.erase(node);
       } else if (ends.size() == 2 && Continue(ends[0], ends[1])) {

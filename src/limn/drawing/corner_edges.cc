@@ -52,7 +52,7 @@ double LogChanceOf(const SegmentEvidence& found) {
 bool IsNew(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
            const std::vector<uint8_t>& visible, const std::vector<View>& views,
            const EdgelEvidence& evidence) {
-  return !FindEvidence(from, to, visible, views, evidence.unclaimed, CornerGate()).seen_in.empty();
+  return IsSeen(from, to, visible, views, evidence.unclaimed, CornerGate());
 }
 
 class EdgeGrowth {

@@ -144,7 +144,7 @@ class RayFinder {
 class DirectionFinder {
  public:
   DirectionFinder(const Joint& joint, const std::vector<View>& views,
-                  const std::vector<ImageCurves>& curves, const std::vector<EdgelIndex>& edgels,
+                  const std::vector<ImageCurves>& curves, const EdgelIndexes& edgels,
                   size_t min_views)
       : joint_(joint), views_(views), min_views_(min_views) {
     for (size_t v = 0; v < views.size(); ++v) {
@@ -152,7 +152,7 @@ class DirectionFinder {
       if (!centre) continue;
       const Rigid3d& pose = views[v].cam_from_world;
       const Eigen::Vector3d point = pose * joint.position;
-      const RayFinder finder(joint, views[v], curves[v].edge_map, edgels[v], *centre);
+      const RayFinder finder(joint, views[v], curves[v].edge_map, *edgels[v], *centre);
       std::vector<Ray> of_view;
       for (const double angle : finder.Find()) {
         const Eigen::Vector3d along(std::cos(angle) / views[v].camera.fx,
@@ -261,8 +261,7 @@ class DirectionFinder {
 std::optional<CornerDirection> FindCornerDirection(const Joint& joint,
                                                    const std::vector<View>& views,
                                                    const std::vector<ImageCurves>& curves,
-                                                   const std::vector<EdgelIndex>& edgels,
-                                                   int min_views) {
+                                                   const EdgelIndexes& edgels, int min_views) {
   return DirectionFinder(joint, views, curves, edgels, static_cast<size_t>(min_views)).Find();
 }
 

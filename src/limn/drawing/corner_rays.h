@@ -22,7 +22,6 @@ struct CornerDirection {
 std::optional<CornerDirection> FindCornerDirection(const Joint& joint,
                                                    const std::vector<View>& views,
                                                    const std::vector<ImageCurves>& curves,
-                                                   const std::vector<EdgelIndex>& edgels,
-                                                   int min_views);
+                                                   const EdgelIndexes& edgels, int min_views);
 
 }  // namespace limn

@@ -150,18 +150,15 @@ void SplitLink(Draft* draft, int link, int index, int node) {
   draft->links.push_back(std::move(second));
 }
 
-void FreeLonelyEnds(Draft* draft) {
-  std::vector<int> num_ends(draft->num_nodes, 0);
-  for (const DraftLink& link : draft->links) {
-    for (const int node : link.node) {
-      if (node >= 0) ++num_ends[node];
+EndsAtNode CollectEnds(const Draft& draft) {
+  EndsAtNode ends;
+  for (size_t i = 0; i < draft.links.size(); ++i) {
+    for (const int end : {0, 1}) {
+      const int node = draft.links[i].node[end];
+      if (node >= 0) ends[node].push_back({static_cast<int>(i), end});
     }
   }
-  for (DraftLink& link : draft->links) {
-    for (int& node : link.node) {
-      if (node >= 0 && num_ends[node] == 1) node = -1;
-    }
-  }
+  return ends;
 }
 
 void KeepLinks(const std::vector<uint8_t>& keep, Draft* draft) {
@@ -170,6 +167,9 @@ void KeepLinks(const std::vector<uint8_t>& keep, Draft* draft) {
     if (keep[i]) kept.push_back(std::move(draft->links[i]));
   }
   draft->links = std::move(kept);
+  for (const auto& [node, ends] : CollectEnds(*draft)) {
+    if (ends.size() == 1) draft->links[ends[0].link].node[ends[0].end] = -1;
+  }
 }
 
 }  // namespace limn

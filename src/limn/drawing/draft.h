@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -58,10 +59,11 @@ EndLine LineAtEnd(const DraftLink& link, int end);
 // appended to the draft.
 void SplitLink(Draft* draft, int link, int index, int node);
 
-// Ends that are alone at their node are free.
-void FreeLonelyEnds(Draft* draft);
+// The ends at every node, ascending.
+using EndsAtNode = std::map<int, std::vector<LinkEnd>>;
+EndsAtNode CollectEnds(const Draft& draft);
 
-// Remove links marked 0.
+// Remove links marked 0. Ends that are then alone at their node are free.
 void KeepLinks(const std::vector<uint8_t>& keep, Draft* draft);
 
 }  // namespace limn

@@ -67,7 +67,6 @@ int64_t RemoveDoubtfulLinks(const SampleSet& samples, const std::vector<int>& ag
     if (!keep.back()) num_samples += draft->NumSketchSamples(link);
   }
   KeepLinks(keep, draft);
-  FreeLonelyEnds(draft);
   return num_samples;
 }
 
@@ -89,14 +88,15 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   const MergedCurves merged = MergeCurves(samples, network, keep, input.views, options);
   Draft draft = FitLinks(samples, merged, options);
   const int64_t doubtful = RemoveDoubtfulLinks(samples, agreeing_views, options, &draft);
-  JunctionCounts junctions = JoinLinks(samples, input.views, evidence, options, &draft);
-  const int64_t grown =
-      GrowCornerEdges(input.views, input.curves, IndexEdgels(input.curves, samples, draft),
-                      input.box, options, &samples, &draft);
-  junctions += JoinLinks(samples, input.views, evidence, options, &draft);  // ends that grew
+  JunctionCounts junctions;
+  JoinLinks(samples, input.views, evidence, options, &draft, &junctions);
+  const int64_t grown = GrowCornerEdges(input.views, input.curves,
+                                        IndexEdgels(input.curves, evidence, samples, draft),
+                                        input.box, options, &samples, &draft);
+  JoinLinks(samples, input.views, evidence, options, &draft, &junctions);  // ends that grew
   const int64_t short_edges =
-      AddShortEdges(input.views, input.curves, IndexEdgels(input.curves, samples, draft), options,
-                    &samples, &draft);
+      AddShortEdges(input.views, input.curves, IndexEdgels(input.curves, evidence, samples, draft),
+                    options, &samples, &draft);
   const CleanupCounts cleanup = CleanUp(options, &draft);
 
   DrawingResult result;

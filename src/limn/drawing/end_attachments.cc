@@ -18,16 +18,13 @@ class EndJoiner {
       : options_(options), ends_(ends), draft_(draft), counts_(counts) {}
 
   void ToNodes() {
-    std::map<int, std::vector<LinkEnd>> at_node;
-    for (size_t i = 0; i < draft_->links.size(); ++i) {
-      for (const int end : {0, 1}) {
-        const int node = draft_->links[i].node[end];
-        if (node >= 0) at_node[node].push_back({static_cast<int>(i), end});
-      }
-    }
+    EndsAtNode at_node = CollectEnds(*draft_);
     VertexGrid grid(ends_.ReachPx());
     for (const auto& [node, incident] : at_node) {
-      grid.Add(node, NodePosition(incident), draft_->links[incident[0].link].footprint[0]);
+      const DraftLink& link = draft_->links[incident[0].link];
+      const double footprint =
+          incident[0].end == 0 ? link.footprint.front() : link.footprint.back();
+      grid.Add(node, NodePosition(incident), footprint);
     }
     for (const LinkEnd& ref : ends_.Free()) {
       const EndLine line = LineAtEnd(draft_->links[ref.link], ref.end);

@@ -66,8 +66,9 @@ bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_an
       [&](const Eigen::Vector3d& leaving) { return leaving.dot(direction) > min_cosine; });
 }
 
-EdgelEvidence IndexEdgels(const std::vector<ImageCurves>& curves, const SampleSet& samples,
-                          const Draft& draft) {
+EdgelEvidence IndexEdgels(const std::vector<ImageCurves>& curves,
+                          const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                          const SampleSet& samples, const Draft& draft) {
   std::vector<std::vector<bool>> claimed;
   for (const ImageCurves& of_view : curves) claimed.emplace_back(of_view.edge_map.edgels.size());
   for (const DraftLink& link : draft.links) {
@@ -77,13 +78,12 @@ EdgelEvidence IndexEdgels(const std::vector<ImageCurves>& curves, const SampleSe
       }
     }
   }
-  EdgelEvidence evidence;
+  EdgelEvidence result;
   for (size_t v = 0; v < curves.size(); ++v) {
-    std::vector<bool> usable(claimed[v].size(), false);
     std::vector<bool> unclaimed(claimed[v].size(), false);
     for (const CurveFragment& fragment : curves[v].fragments) {
       const auto size = static_cast<int>(fragment.edgel_ids.size());
-      for (const EdgelId id : fragment.edgel_ids) usable[id] = unclaimed[id] = true;
+      for (const EdgelId id : fragment.edgel_ids) unclaimed[id] = true;
       for (int i = 0; i < size; ++i) {
         if (!claimed[v][fragment.edgel_ids[i]]) continue;
         const int last = std::min(size - 1, i + kClaimedNeighbors);
@@ -92,23 +92,24 @@ EdgelEvidence IndexEdgels(const std::vector<ImageCurves>& curves, const SampleSe
         }
       }
     }
-    evidence.all.emplace_back(curves[v].edge_map, usable);
-    evidence.unclaimed.emplace_back(curves[v].edge_map, unclaimed);
+    result.all.push_back(&evidence[v]->edgels);
+    result.owned.emplace_back(curves[v].edge_map, unclaimed);
   }
-  return evidence;
+  for (const EdgelIndex& index : result.owned) result.unclaimed.push_back(&index);
+  return result;
 }
 
 SupportGate CornerGate() { return {1.5, 1.5, 25 * M_PI / 180}; }
 
 std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
                                 const std::vector<ViewId>& in_views, const std::vector<View>& views,
-                                const std::vector<EdgelIndex>& edgels, const SupportGate& gate) {
+                                const EdgelIndexes& edgels, const SupportGate& gate) {
   std::vector<EdgelRef> support;
   for (const ViewId v : in_views) {
     const auto pixel = views[v].Project(position);
     const auto angle = ProjectedDirection(views[v], position, direction);
     if (!pixel || !angle) continue;
-    const auto match = edgels[v].Best(*pixel, *angle, gate);
+    const auto match = edgels[v]->Best(*pixel, *angle, gate);
     if (match) support.push_back({v, match->edgel});
   }
   return support;

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "limn/drawing/draft.h"
+#include "limn/drawing/segment_evidence.h"
 #include "limn/model/curve_fragment.h"
-#include "limn/support/edgel_index.h"
+#include "limn/support/view_evidence.h"
 
 namespace limn {
 
@@ -29,11 +31,13 @@ bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_an
 // Per view, the edgels of fragments: all, and those that no link of the draft is made from.
 // Neighbours on the fragment of an edgel that supports a link belong to the link too.
 struct EdgelEvidence {
-  std::vector<EdgelIndex> all;
-  std::vector<EdgelIndex> unclaimed;
+  EdgelIndexes all;        // those of the views' evidence, which must outlive this
+  EdgelIndexes unclaimed;  // point into `owned`
+  std::vector<EdgelIndex> owned;
 };
-EdgelEvidence IndexEdgels(const std::vector<ImageCurves>& curves, const SampleSet& samples,
-                          const Draft& draft);
+EdgelEvidence IndexEdgels(const std::vector<ImageCurves>& curves,
+                          const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                          const SampleSet& samples, const Draft& draft);
 
 // What finds an edge next to a corner, where edges are rounded: wider than the gate of samples.
 SupportGate CornerGate();
@@ -41,7 +45,7 @@ SupportGate CornerGate();
 // Edgels of the given views at a point of an edge with this direction.
 std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
                                 const std::vector<ViewId>& in_views, const std::vector<View>& views,
-                                const std::vector<EdgelIndex>& edgels, const SupportGate& gate);
+                                const EdgelIndexes& edgels, const SupportGate& gate);
 
 // A straight link that joints need and the sketch does not have. Its samples, with the edgels of
 // `in_views` as support, are appended to `samples` without a curve of the sketch; joints are given
@@ -49,7 +53,7 @@ std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Ve
 class StraightLinks {
  public:
   StraightLinks(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                const std::vector<EdgelIndex>& edgels, SampleSet* samples, Draft* draft)
+                const EdgelIndexes& edgels, SampleSet* samples, Draft* draft)
       : views_(views), curves_(curves), edgels_(edgels), samples_(samples), draft_(draft) {}
 
   // From the joint to a free end, or to another joint if `target` is not null.
@@ -63,7 +67,7 @@ class StraightLinks {
 
   const std::vector<View>& views_;
   const std::vector<ImageCurves>& curves_;
-  const std::vector<EdgelIndex>& edgels_;
+  const EdgelIndexes& edgels_;
   SampleSet* samples_;
   Draft* draft_;
 };

@@ -14,15 +14,6 @@ struct JunctionCounts {
   int64_t t_junctions = 0;             // ends joined to the inside of a link
   int64_t joined_nodes = 0;            // ends joined to a node that was there
   int64_t without_image_evidence = 0;  // meetings in space that the images do not show
-
-  JunctionCounts& operator+=(const JunctionCounts& other) {
-    continued += other.continued;
-    corners += other.corners;
-    t_junctions += other.t_junctions;
-    joined_nodes += other.joined_nodes;
-    without_image_evidence = other.without_image_evidence;  // of the last attempt
-    return *this;
-  }
 };
 
 // Find where links meet although they share no samples (algorithm.md 0.1 item 1): free ends that
@@ -31,9 +22,10 @@ struct JunctionCounts {
 // and max_junction_miss_px, and only where in min_junction_views views image curves that support
 // both links come near the projected meeting point. Node positions are fitted to the lines of all
 // their links.
-JunctionCounts JoinLinks(const SampleSet& samples, const std::vector<View>& views,
-                         const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
-                         const DrawingOptions& options, Draft* draft);
+// The counts are added to what was joined before; meetings without evidence are those of this call.
+void JoinLinks(const SampleSet& samples, const std::vector<View>& views,
+               const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+               const DrawingOptions& options, Draft* draft, JunctionCounts* counts);
 
 // The steps of JoinLinks, in their order. Free ends that continue each other across a gap become
 // one link.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -30,30 +32,48 @@ bool EdgelsRunAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
   return covered >= kMinCoveredShare * count;
 }
 
+// Both ends in a view; nothing if one is outside the image or the segment is seen end on.
+std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> ProjectSegment(
+    const View& view, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const auto a = view.Project(from);
+  const auto b = view.Project(to);
+  if (!a || !b || (*b - *a).norm() < kMinProjectedPx) return std::nullopt;
+  return std::pair(*a, *b);
+}
+
 }  // namespace
 
 SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                              const std::vector<uint8_t>& visible, const std::vector<View>& views,
-                             const std::vector<EdgelIndex>& edgels, const SupportGate& gate) {
+                             const EdgelIndexes& edgels, const SupportGate& gate) {
   SegmentEvidence result;
   int num_copies = 0;
   int num_hits = 0;
   for (size_t v = 0; v < views.size(); ++v) {
-    if (!visible[v]) continue;
-    const auto a = views[v].Project(from);
-    const auto b = views[v].Project(to);
-    if (!a || !b || (*b - *a).norm() < kMinProjectedPx) continue;
+    const auto ends = visible[v] ? ProjectSegment(views[v], from, to) : std::nullopt;
+    if (!ends) continue;
+    const auto& [a, b] = *ends;
     ++result.num_views;
-    if (EdgelsRunAlong(*a, *b, edgels[v], gate)) result.seen_in.push_back(static_cast<ViewId>(v));
-    const Eigen::Vector2d across = Eigen::Vector2d(a->y() - b->y(), b->x() - a->x()).normalized();
+    if (EdgelsRunAlong(a, b, *edgels[v], gate)) result.seen_in.push_back(static_cast<ViewId>(v));
+    const Eigen::Vector2d across = Eigen::Vector2d(a.y() - b.y(), b.x() - a.x()).normalized();
     for (const double shift : kShiftsPx) {
       ++num_copies;
-      num_hits += EdgelsRunAlong(*a + shift * across, *b + shift * across, edgels[v], gate);
+      num_hits += EdgelsRunAlong(a + shift * across, b + shift * across, *edgels[v], gate);
     }
   }
   const double share = num_copies > 0 ? static_cast<double>(num_hits) / num_copies : 1;
   result.background = std::max(share, kMinBackground);
   return result;
+}
+
+bool IsSeen(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+            const std::vector<uint8_t>& visible, const std::vector<View>& views,
+            const EdgelIndexes& edgels, const SupportGate& gate) {
+  for (size_t v = 0; v < views.size(); ++v) {
+    const auto ends = visible[v] ? ProjectSegment(views[v], from, to) : std::nullopt;
+    if (ends && EdgelsRunAlong(ends->first, ends->second, *edgels[v], gate)) return true;
+  }
+  return false;
 }
 
 double LogChance(int k, int n, double p) {

@@ -11,6 +11,9 @@
 
 namespace limn {
 
+// The edgels of every view that are asked.
+using EdgelIndexes = std::vector<const EdgelIndex*>;
+
 // How the images speak for a straight edge in space.
 struct SegmentEvidence {
   // Views in which edgels run along the segment.
@@ -27,7 +30,12 @@ struct SegmentEvidence {
 // Views with visible[v] = 0 are not asked.
 SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                              const std::vector<uint8_t>& visible, const std::vector<View>& views,
-                             const std::vector<EdgelIndex>& edgels, const SupportGate& gate);
+                             const EdgelIndexes& edgels, const SupportGate& gate);
+
+// Whether edgels run along the segment in any of the views asked, as above.
+bool IsSeen(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+            const std::vector<uint8_t>& visible, const std::vector<View>& views,
+            const EdgelIndexes& edgels, const SupportGate& gate);
 
 // Bound (Hoeffding) on the natural logarithm of the chance that k or more of n independent trials
 // with probability p succeed. 0 when that is what one expects.

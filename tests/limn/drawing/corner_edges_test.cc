@@ -103,6 +103,7 @@ TEST(CornerEdgesTest, NothingGrowsWhereImagesShowNothing) {
   const auto curves = testing::ProjectCurves(Views(), edges, 0.2);
   const DrawingGraph graph =
       BuildDrawing({Views(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {}).graph;
+  EXPECT_TRUE(Validate(graph).empty());
   EXPECT_EQ(graph.links.size(), 11u);
   EXPECT_EQ(NumNodesOfDegree(graph, 3), 6);
   EXPECT_EQ(NumNodesOfDegree(graph, 2), 2);
@@ -112,7 +113,8 @@ TEST(SegmentEvidenceTest, SeesTrueEdgesAndNoOthers) {
   const auto edges = testing::CubeEdges(kHalfSide);
   const auto curves = testing::ProjectCurves(Views(), edges);
   const SupportGate gate{1.5, 1.5, 0.4};
-  const EdgelEvidence evidence = IndexEdgels(curves, SampleSet(), Draft());
+  const auto views = BuildEvidence(Views(), curves, gate, {});
+  const EdgelEvidence evidence = IndexEdgels(curves, views, SampleSet(), Draft());
   const Eigen::Vector3d from = edges.front().points.front();
   const Eigen::Vector3d to = edges.front().points.back();
   const std::vector<uint8_t> all(Views().size(), 1);
