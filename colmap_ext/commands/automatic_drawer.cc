@@ -4,15 +4,23 @@
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "limn/pipeline/pipeline.h"
+#include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
 
 int RunAutomaticDrawer(int argc, const char* const* argv) {
   RunOptions options;
+  bool account = false;
   const auto parser =
       ParseRunOptions("automatic_drawer", "make the 3D drawing of a COLMAP project",
-                      {.linking = true, .sketch = true, .drawing = true}, argc, argv, &options);
+                      {.linking = true, .sketch = true, .drawing = true}, argc, argv, &options,
+                      [&](OptionParser* more) {
+                        more->AddOption("account", &account, "tell what became of every edgel");
+                      });
   if (!parser) return 0;
+  if (account && options.pipeline.mode == SketchMode::kOriginal) {
+    throw OptionError("account = 1: the original sketch judges whole curves, not edgels");
+  }
   Console console(options.num_threads);
   const Project project(options, &console);
   const PipelineResult result = DrawScene(
@@ -23,9 +31,10 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
         console.Report(summary);
       });
   CheckGraph(result.graph);
-  WriteSketchResults(project, kEnhancedSketchName, result.curves, result.sketch,
+  WriteSketchResults(project, SketchFileName(options.pipeline.mode), result.curves, result.sketch,
                      Provenance(options));
   WriteDrawingResults(project, result.graph, Provenance(options), &console);
+  if (account) WriteAccount(project, result, &console);
   parser->WriteIni(project.CurvesPath("project.ini"));
   return 0;
 }

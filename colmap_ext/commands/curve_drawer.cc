@@ -10,14 +10,14 @@ namespace limn::colmap_ext {
 int RunCurveDrawer(int argc, const char* const* argv) {
   RunOptions options;
   const auto parser = ParseRunOptions(
-      "curve_drawer", "make the 3D drawing from the enhanced sketch that curve_sketcher has stored",
+      "curve_drawer", "make the 3D drawing from the sketch that curve_sketcher has stored",
       {.linking = true, .drawing = true}, argc, argv, &options);
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
   const StoredCurveSketch stored =
-      ReadSketchResult(project, kEnhancedSketchName, image_curves.curves);
+      ReadSketchResult(project, SketchFileName(options.pipeline.mode), image_curves.curves);
   const DrawingResult result = BuildDrawing(
       {project.views(), image_curves.curves, stored.sketch, BoxFromNumbers(options.box)},
       options.pipeline.drawing, console.context());

@@ -9,12 +9,8 @@ namespace limn::colmap_ext {
 
 int RunCurveSketcher(int argc, const char* const* argv) {
   RunOptions options;
-  std::string mode = "enhanced";
-  const auto parser = ParseRunOptions(
-      "curve_sketcher", "reconstruct 3D curves: the original or the enhanced curve sketch",
-      {.linking = true, .sketch = true}, argc, argv, &options, [&](OptionParser* more) {
-        more->AddOption("mode", &mode, {"original", "enhanced"}, "kind of sketch");
-      });
+  const auto parser = ParseRunOptions("curve_sketcher", "reconstruct 3D curves: the curve sketch",
+                                      {.linking = true, .sketch = true}, argc, argv, &options);
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
@@ -22,11 +18,11 @@ int RunCurveSketcher(int argc, const char* const* argv) {
 
   const SketchInput input{project.views(), image_curves.curves, project.view_set().hints,
                           BoxFromNumbers(options.box)};
-  const auto build = mode == "original" ? BuildOriginalSketch : BuildEnhancedSketch;
-  const SketchResult result = build(input, options.pipeline.sketch, console.context());
+  const SketchMode mode = options.pipeline.mode;
+  const SketchResult result = BuildSketch(mode, input, options.pipeline.sketch, console.context());
   console.Report(result.summary);
 
-  const std::string name = mode == "original" ? kOriginalSketchName : kEnhancedSketchName;
+  const std::string name = SketchFileName(mode);
   WriteSketchResults(project, name, image_curves.curves, result.sketch, Provenance(options));
   console.Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");
   return 0;

@@ -1,8 +1,12 @@
 #include "colmap_ext/commands/results.h"
 
+#include <functional>
+
 #include <nlohmann/json.hpp>
 
+#include "limn/evaluation/edgel_account.h"
 #include "limn/export/write_drawing.h"
+#include "limn/io/atomic_file.h"
 #include "limn/pictures/overlays.h"
 #include "limn/pipeline/extract_curves.h"
 #include "limn/util/errors.h"
@@ -19,18 +23,28 @@ DrawingMetadata Metadata(const Project& project, const std::string& provenance) 
   return metadata;
 }
 
-// The drawing over every photograph; one photograph per thread is in memory.
-void WriteOverlays(const Project& project, const DrawingGraph& graph, const RunContext& context) {
-  const std::string folder = project.CurvesPath("overlays");
-  ParallelFor(context, "overlays", project.views().size(), [&](size_t v) {
-    const auto id = static_cast<ViewId>(v);
-    const View& view = project.views()[v];
-    const Picture picture = DrawOverlay(project.images().read(id), view, id, graph);
-    WritePng(PicturePath(folder, view.name), picture);
+// A picture per photograph; one photograph per thread is in memory.
+void WritePictures(const Project& project, const std::string& folder, const RunContext& context,
+                   const std::function<Picture(ViewId)>& draw) {
+  ParallelFor(context, folder.c_str(), project.views().size(), [&](size_t v) {
+    WritePng(PicturePath(project.CurvesPath(folder), project.views()[v].name),
+             draw(static_cast<ViewId>(v)));
   });
 }
 
 }  // namespace
+
+std::string SketchFileName(SketchMode mode) {
+  switch (mode) {
+    case SketchMode::kOriginal:
+      return "sketch";
+    case SketchMode::kEnhanced:
+      return "enhanced-sketch";
+    case SketchMode::kSweep:
+      return "swept-sketch";
+  }
+  return "";
+}
 
 void CheckGraph(const DrawingGraph& graph) {
   const std::vector<std::string> broken = Validate(graph);
@@ -79,9 +93,24 @@ void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
     WriteDrawing(project.DrawingPath(name), graph, metadata);
   }
   WriteTracks(project.CurvesPath("tracks.txt"), graph, project.views());
-  WriteOverlays(project, graph, console->context());
+  WritePictures(project, "overlays", console->context(), [&](ViewId v) {
+    return DrawOverlay(project.images().read(v), project.views()[v], v, graph);
+  });
   console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +
                project.CurvesPath("tracks.txt") + ", " + project.CurvesPath("overlays"));
+}
+
+void WriteAccount(const Project& project, const PipelineResult& result, Console* console) {
+  const EdgelFates fates = AccountEdgels({project.views(), result.curves, result.sketch_fates,
+                                          result.sketch, result.sample_fates, result.graph},
+                                         console->context());
+  WriteFileAtomically(project.CurvesPath("account.csv"),
+                      [&](std::ostream& out) { WriteAccountCsv(project.views(), fates, out); });
+  WritePictures(project, "account", console->context(), [&](ViewId v) {
+    return DrawAccount(project.images().read(v), result.curves[v], fates[v]);
+  });
+  console->Say("Written: " + project.CurvesPath("account.csv") + ", " +
+               project.CurvesPath("account"));
 }
 
 }  // namespace limn::colmap_ext

@@ -8,6 +8,7 @@
 #include "limn/model/curve3d.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/pipeline/pipeline.h"
 
 namespace limn::colmap_ext {
 
@@ -18,9 +19,8 @@ std::string Provenance(const RunOptions& options);
 // Of a drawing made with `options` from a sketch that says in `sketch_provenance` how it was made.
 std::string Provenance(const RunOptions& options, const std::string& sketch_provenance);
 
-// File names, without extension, in the folder of curves.
-constexpr char kOriginalSketchName[] = "sketch";
-constexpr char kEnhancedSketchName[] = "enhanced-sketch";
+// Name of a sketch's files, without extension, in the folder of curves.
+std::string SketchFileName(SketchMode mode);
 
 // Throws InputError if the graph breaks an invariant. To be called before anything is written.
 void CheckGraph(const DrawingGraph& graph);
@@ -37,5 +37,9 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
 // Write drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.
 void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
                          const std::string& provenance, Console* console);
+
+// Write <curves>/account.csv and <curves>/account/<image name>.png: what became of every edgel (see
+// edgel_account.h and DrawAccount).
+void WriteAccount(const Project& project, const PipelineResult& result, Console* console);
 
 }  // namespace limn::colmap_ext

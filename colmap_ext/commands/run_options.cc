@@ -41,6 +41,14 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
   if (groups.sketch) {
     parser->AddOption("box", &options->box, "reconstruct only inside x0,x1,y0,y1,z0,z1");
   }
+  if (groups.sketch || groups.drawing) {
+    std::vector<std::pair<std::string, SketchMode>> modes;
+    for (const SketchMode mode :
+         {SketchMode::kOriginal, SketchMode::kEnhanced, SketchMode::kSweep}) {
+      modes.push_back({SketchModeName(mode), mode});
+    }
+    parser->AddOption("mode", &pipeline.mode, modes, "how the sketch is made");
+  }
   AddGroup("EdgeDetection", &pipeline.edges, parser);
   if (groups.linking) AddGroup("Linking", &pipeline.linking, parser);
   if (groups.sketch) {

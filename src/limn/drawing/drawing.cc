@@ -10,6 +10,7 @@
 #include "limn/drawing/junctions.h"
 #include "limn/drawing/merging.h"
 #include "limn/drawing/retriangulation.h"
+#include "limn/drawing/sample_fates.h"
 
 namespace limn {
 namespace {
@@ -87,7 +88,10 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   const int rounds = AverageCurves(network, options, context, &samples);
   const MergedCurves merged = MergeCurves(samples, network, keep, input.views, options);
   Draft draft = FitLinks(samples, merged, options);
+  SampleLedger ledger(samples, keep);
+  ledger.Update(draft, EdgelFate::kPrunedLink);
   const int64_t doubtful = RemoveDoubtfulLinks(samples, agreeing_views, options, &draft);
+  ledger.Update(draft, EdgelFate::kDoubtfulLink);
   JunctionCounts junctions;
   JoinLinks(samples, input.views, evidence, options, &draft, &junctions);
   const int64_t grown = GrowCornerEdges(input.views, input.curves,
@@ -98,8 +102,10 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
       AddShortEdges(input.views, input.curves, IndexEdgels(input.curves, evidence, samples, draft),
                     options, &samples, &draft);
   const CleanupCounts cleanup = CleanUp(options, &draft);
+  ledger.Update(draft, EdgelFate::kPrunedLink);
 
   DrawingResult result;
+  result.fates = ledger.ForSketch(samples, input.sketch);
   result.graph = AssembleGraph(samples, input.views, input.curves, options, draft);
   int64_t in_links = 0;
   for (const DrawingLink& link : result.graph.links) {

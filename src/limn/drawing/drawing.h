@@ -8,6 +8,7 @@
 #include "limn/drawing/drawing_options.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/edgel_fate.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
 
@@ -24,6 +25,7 @@ struct DrawingInput {
 
 struct DrawingResult {
   DrawingGraph graph;
+  SampleFates fates;
   StageSummary summary;
 };
 

@@ -42,6 +42,32 @@ bool Supports(ViewId view, const DrawingLink& link) {
   return std::binary_search(link.supporting_views.begin(), link.supporting_views.end(), view);
 }
 
+Color ColorOf(EdgelFate fate) {
+  switch (fate) {
+    case EdgelFate::kNotLinked:
+      return {128, 128, 128};
+    case EdgelFate::kFragmentTooShort:
+      return {70, 110, 255};
+    case EdgelFate::kNoPartner:
+    case EdgelFate::kTooFewViews:
+      return {255, 40, 40};
+    case EdgelFate::kInconsistent:
+    case EdgelFate::kPieceTooShort:
+    case EdgelFate::kSketched:
+    case EdgelFate::kLostSupport:
+      return {255, 150, 0};
+    case EdgelFate::kNotAgreed:
+    case EdgelFate::kDoubtfulLink:
+      return {255, 255, 0};
+    case EdgelFate::kPrunedLink:
+      return {0, 220, 255};
+    case EdgelFate::kDrawn:
+    case EdgelFate::kExplained:
+      return {0, 255, 0};
+  }
+  return {};
+}
+
 }  // namespace
 
 void PictureOptions::Check() const {
@@ -105,6 +131,22 @@ Picture DrawFragments(const Image& photo, const ImageCurves& curves,
     }
     if (fragment.closed && !points.empty()) points.push_back(points.front());
     canvas.DrawLine(points, ColorOfCurve(static_cast<int>(id)), options.line_width_px);
+  }
+  return canvas.picture();
+}
+
+Picture DrawAccount(const Image& photo, const ImageCurves& curves,
+                    const std::vector<EdgelFate>& fates, const PictureOptions& options) {
+  options.Check();
+  CheckSize(photo, curves.edge_map.width, curves.edge_map.height, "account");
+  Canvas canvas = MakeCanvas(photo, options);
+  constexpr double kHalfLengthPx = 0.5;
+  for (size_t id = 0; id < fates.size(); ++id) {
+    const Edgel& edgel = curves.edge_map.edgels[id];
+    const Eigen::Vector2d center = edgel.stored_px.cast<double>();
+    const Eigen::Vector2d half =
+        kHalfLengthPx * (edgel.stored_from_virtual.cast<double>() * edgel.Tangent()).normalized();
+    canvas.DrawLine({center - half, center + half}, ColorOf(fates[id]), 1);
   }
   return canvas.picture();
 }

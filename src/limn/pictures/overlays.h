@@ -3,6 +3,7 @@
 #include "limn/model/curve3d.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/edgel_fate.h"
 #include "limn/model/image.h"
 #include "limn/model/view.h"
 #include "limn/pictures/picture.h"
@@ -35,5 +36,12 @@ Picture DrawOverlay(const Image& photo, const View& view, const CurveSketch& ske
 // The fragments of one image over it: one colour per fragment.
 Picture DrawFragments(const Image& photo, const ImageCurves& curves,
                       const PictureOptions& options = {});
+
+// The edgels of one image over it, coloured by what became of them: green = drawn or explained by
+// the drawing; red = too few views or none support it; orange = depth inconsistent, piece too short
+// or support lost; yellow = no other primary view agrees or the link was doubtful; cyan = link too
+// short or covered; blue = fragment too short; grey = not linked.
+Picture DrawAccount(const Image& photo, const ImageCurves& curves,
+                    const std::vector<EdgelFate>& fates, const PictureOptions& options = {});
 
 }  // namespace limn

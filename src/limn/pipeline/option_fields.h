@@ -86,6 +86,7 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
   visit("max_interpolated_gap_px", o.max_interpolated_gap_px,
         "longest epipolar-tangent stretch to interpolate, px");
   visit("min_piece_length_px", o.min_piece_length_px, "shorter curves are dropped, px");
+  visit("max_sweep_views", o.max_sweep_views, "sweep mode: views asked for depths");
   visit("original_min_fragment_length_px", o.original_min_fragment_length_px,
         "original mode: shorter fragments are not matched, px");
   visit("original_min_epipolar_angle_deg", o.original_min_epipolar_angle_deg,

@@ -12,15 +12,17 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
                                             options.edges, options.linking, context);
   on_stage_end(image_curves.summary, image_curves.cache);
 
-  SketchResult sketch = BuildEnhancedSketch(
-      {input.views, image_curves.curves, input.hints, input.box}, options.sketch, context);
+  SketchResult sketch =
+      BuildSketch(options.mode, {input.views, image_curves.curves, input.hints, input.box},
+                  options.sketch, context);
   on_stage_end(sketch.summary, {});
 
   DrawingResult drawing = BuildDrawing({input.views, image_curves.curves, sketch.sketch, input.box},
                                        options.drawing, context);
   on_stage_end(drawing.summary, {});
 
-  return {std::move(image_curves.curves), std::move(sketch.sketch), std::move(drawing.graph)};
+  return {std::move(image_curves.curves), std::move(sketch.sketch), std::move(sketch.fates),
+          std::move(drawing.graph), std::move(drawing.fates)};
 }
 
 }  // namespace limn

@@ -27,15 +27,17 @@ struct PipelineInput {
 
 struct PipelineResult {
   std::vector<ImageCurves> curves;
-  CurveSketch sketch;  // enhanced
+  CurveSketch sketch;
+  EdgelFates sketch_fates;
   DrawingGraph graph;
+  SampleFates sample_fates;
 };
 
 // Hears of every stage when it has ended. The cache is only used by the first one.
 using StageObserver = std::function<void(const StageSummary& summary, const CacheUse& cache)>;
 
 // The whole way from photographs to the drawing (ECCV 2016): edges and fragments of every image,
-// the enhanced sketch, the drawing graph. Throws OptionError, InputError, what `images` throws, and
+// the sketch, the drawing graph. Throws OptionError, InputError, what `images` throws, and
 // Cancelled.
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end);

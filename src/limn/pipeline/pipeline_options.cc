@@ -61,9 +61,21 @@ QualityPreset PresetOf(Quality quality) {
   return preset;
 }
 
+const char* SketchModeName(SketchMode mode) {
+  switch (mode) {
+    case SketchMode::kOriginal:
+      return "original";
+    case SketchMode::kEnhanced:
+      return "enhanced";
+    case SketchMode::kSweep:
+      return "sweep";
+  }
+  return "";
+}
+
 std::string OptionsAsJson(const PipelineOptions& options) {
   PipelineOptions copy = options;
-  Json json = Json::object();
+  Json json = {{"mode", SketchModeName(options.mode)}};
   VisitGroups(copy,
               [&](const char* group, const auto& fields) { json[group] = FieldsAsJson(fields); });
   return json.dump();

@@ -5,7 +5,7 @@
 #include "limn/drawing/drawing_options.h"
 #include "limn/edges/edge_detection.h"
 #include "limn/linking/linking.h"
-#include "limn/sketch/sketch_options.h"
+#include "limn/sketch/sketch.h"
 
 namespace limn {
 
@@ -13,6 +13,7 @@ namespace limn {
 struct PipelineOptions {
   EdgeDetectionOptions edges;
   LinkingOptions linking;
+  SketchMode mode = SketchMode::kEnhanced;
   SketchOptions sketch;
   DrawingOptions drawing;
 
@@ -34,7 +35,9 @@ struct QualityPreset {
 // of medium.
 QualityPreset PresetOf(Quality quality);
 
-// All options as the text of a JSON object {group: {name: value}}, for provenance.
+const char* SketchModeName(SketchMode mode);
+
+// All options as the text of a JSON object {"mode": name, group: {name: value}}, for provenance.
 std::string OptionsAsJson(const PipelineOptions& options);
 
 // One group as "name=value" lines: two structs have the same text if and only if they are the same.

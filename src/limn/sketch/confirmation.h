@@ -27,6 +27,9 @@ struct HypothesisSupport {
   std::vector<double> px_per_inverse_depth;
 };
 
+// Second view of a hypothesis that no single view has made.
+constexpr ViewId kNoView = -1;
+
 // The confirmation views of one primary view, ready to be asked.
 class ConfirmationViews {
  public:

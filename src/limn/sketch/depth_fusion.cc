@@ -17,12 +17,10 @@ constexpr double kJumpCost = 2.0;
 constexpr double kMaxJumpCost = 10.0;
 constexpr double kBoundaryCost = 2.0;
 
-struct Mode {
-  double score = 0;
-  double inverse_depth = 0;
-  double slope_per_px = 0;
-  double px_per_inverse_depth = 0;
-  std::vector<int> members;
+// The modes of one vertex, and the candidates that each was made from.
+struct VertexModes {
+  std::vector<DepthMode> modes;
+  std::vector<std::vector<int>> members;
 };
 
 double Distance(const DepthCandidate& a, double inverse_depth) {
@@ -30,52 +28,94 @@ double Distance(const DepthCandidate& a, double inverse_depth) {
 }
 
 // Greedy modes: the best supported candidate gathers those within the gate, and so on.
-std::vector<Mode> FindModes(const std::vector<DepthCandidate>& candidates, double gate_px) {
+VertexModes FindModes(const std::vector<DepthCandidate>& candidates, double gate_px) {
   std::vector<int> order(candidates.size());
   for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
     return candidates[a].weighted_support > candidates[b].weighted_support;
   });
   std::vector<bool> taken(candidates.size(), false);
-  std::vector<Mode> modes;
+  VertexModes found;
   for (const int seed : order) {
     if (taken[seed]) continue;
-    if (modes.size() == kMaxModes) break;
+    if (found.modes.size() == kMaxModes) break;
     const DepthCandidate& best = candidates[seed];
-    Mode mode;
+    DepthMode mode;
+    std::vector<int> members;
     uint32_t seconds = 0;
     double weight = 0;
     for (size_t i = 0; i < candidates.size(); ++i) {
       if (taken[i] || Distance(best, candidates[i].inverse_depth) > gate_px) continue;
       taken[i] = true;
-      mode.members.push_back(static_cast<int>(i));
+      members.push_back(static_cast<int>(i));
       seconds |= 1u << std::min(candidates[i].second_rank, 31);
       const double w = candidates[i].information + 1e-12;
-      mode.inverse_depth += w * candidates[i].inverse_depth;
-      mode.slope_per_px += w * candidates[i].slope_per_px;
+      mode.depth.inverse_depth += w * candidates[i].inverse_depth;
+      mode.depth.slope_per_px += w * candidates[i].slope_per_px;
       weight += w;
     }
-    mode.inverse_depth /= weight;
-    mode.slope_per_px /= weight;
-    mode.px_per_inverse_depth = best.px_per_inverse_depth;
+    mode.depth.inverse_depth /= weight;
+    mode.depth.slope_per_px /= weight;
+    mode.depth.px_per_inverse_depth = best.px_per_inverse_depth;
     mode.score =
         best.weighted_support + kAgreementBonus * std::min(std::popcount(seconds), kMaxAgreement);
-    modes.push_back(std::move(mode));
+    found.modes.push_back(mode);
+    found.members.push_back(std::move(members));
   }
-  return modes;
+  return found;
 }
 
-double JumpCost(const Mode& from, const Mode& to, double step_px) {
+double JumpCost(const FusedDepth& from, const FusedDepth& to, double step_px) {
   const double predicted =
       from.inverse_depth + 0.5 * step_px * (from.slope_per_px + to.slope_per_px);
   const double jump_px = std::abs(to.inverse_depth - predicted) * to.px_per_inverse_depth;
   return std::min(kJumpCost * jump_px * jump_px, kMaxJumpCost);
 }
 
-// Best sequence of modes, -1 = no depth, by dynamic programming. The first vertex of a closed
-// fragment is not tied to the last.
+double WeightedMedian(std::vector<std::pair<double, double>> values_and_weights) {
+  std::sort(values_and_weights.begin(), values_and_weights.end());
+  double total = 0;
+  for (const auto& [value, weight] : values_and_weights) total += weight;
+  double below = 0;
+  for (const auto& [value, weight] : values_and_weights) {
+    below += weight;
+    if (below >= 0.5 * total) return value;
+  }
+  return values_and_weights.back().first;
+}
+
+FusedDepth Average(const std::vector<DepthCandidate>& candidates, const std::vector<int>& members,
+                   double px_per_inverse_depth) {
+  std::vector<std::pair<double, double>> values;
+  for (const int i : members) {
+    values.push_back({candidates[i].inverse_depth, candidates[i].information + 1e-12});
+  }
+  const double median = WeightedMedian(values);
+  for (auto& [value, weight] : values) value = std::abs(value - median);
+  // Two standard deviations by the median absolute deviation, but never below a quarter pixel.
+  const double gate =
+      std::max(2 * 1.4826 * WeightedMedian(values), 0.25 / std::max(px_per_inverse_depth, 1e-300));
+  FusedDepth fused;
+  fused.px_per_inverse_depth = px_per_inverse_depth;
+  double weight = 0;
+  for (const int i : members) {
+    const DepthCandidate& candidate = candidates[i];
+    if (std::abs(candidate.inverse_depth - median) > gate) continue;
+    const double w = candidate.information + 1e-12;
+    fused.inverse_depth += w * candidate.inverse_depth;
+    weight += w;
+    fused.information += candidate.information;
+    fused.certain |= candidate.certain;
+  }
+  fused.inverse_depth /= weight;
+  fused.has_depth = true;
+  return fused;
+}
+
+}  // namespace
+
 std::vector<int> ChooseModes(const FragmentRays& fragment,
-                             const std::vector<std::vector<Mode>>& modes) {
+                             const std::vector<std::vector<DepthMode>>& modes) {
   const size_t count = modes.size();
   // State 0 is "no depth", state m + 1 is mode m.
   std::vector<std::vector<double>> score(count);
@@ -95,7 +135,7 @@ std::vector<int> ChooseModes(const FragmentRays& fragment,
         double cost = 0;
         if ((p == 0) != (s == 0)) cost = kBoundaryCost;
         if (p > 0 && s > 0) {
-          cost = JumpCost(modes[i - 1][p - 1], modes[i][s - 1],
+          cost = JumpCost(modes[i - 1][p - 1].depth, modes[i][s - 1].depth,
                           fragment.arc_px[i] - fragment.arc_px[i - 1]);
         }
         const double total = score[i - 1][p] - cost;
@@ -118,58 +158,22 @@ std::vector<int> ChooseModes(const FragmentRays& fragment,
   return chosen;
 }
 
-double WeightedMedian(std::vector<std::pair<double, double>> values_and_weights) {
-  std::sort(values_and_weights.begin(), values_and_weights.end());
-  double total = 0;
-  for (const auto& [value, weight] : values_and_weights) total += weight;
-  double below = 0;
-  for (const auto& [value, weight] : values_and_weights) {
-    below += weight;
-    if (below >= 0.5 * total) return value;
-  }
-  return values_and_weights.back().first;
-}
-
-FusedDepth Average(const std::vector<DepthCandidate>& candidates, const Mode& mode) {
-  std::vector<std::pair<double, double>> values;
-  for (const int i : mode.members) {
-    values.push_back({candidates[i].inverse_depth, candidates[i].information + 1e-12});
-  }
-  const double median = WeightedMedian(values);
-  for (auto& [value, weight] : values) value = std::abs(value - median);
-  // Two standard deviations by the median absolute deviation, but never below a quarter pixel.
-  const double gate = std::max(2 * 1.4826 * WeightedMedian(values),
-                               0.25 / std::max(mode.px_per_inverse_depth, 1e-300));
-  FusedDepth fused;
-  fused.px_per_inverse_depth = mode.px_per_inverse_depth;
-  double weight = 0;
-  for (const int i : mode.members) {
-    const DepthCandidate& candidate = candidates[i];
-    if (std::abs(candidate.inverse_depth - median) > gate) continue;
-    const double w = candidate.information + 1e-12;
-    fused.inverse_depth += w * candidate.inverse_depth;
-    weight += w;
-    fused.information += candidate.information;
-    fused.certain |= candidate.certain;
-  }
-  fused.inverse_depth /= weight;
-  fused.has_depth = true;
-  return fused;
-}
-
-}  // namespace
-
 std::vector<FusedDepth> FuseDepths(const FragmentRays& fragment,
                                    const std::vector<std::vector<DepthCandidate>>& candidates,
                                    const SketchOptions& options) {
-  std::vector<std::vector<Mode>> modes(candidates.size());
+  std::vector<std::vector<DepthMode>> modes(candidates.size());
+  std::vector<std::vector<std::vector<int>>> members(candidates.size());
   for (size_t i = 0; i < candidates.size(); ++i) {
-    modes[i] = FindModes(candidates[i], options.depth_gate_px);
+    VertexModes found = FindModes(candidates[i], options.depth_gate_px);
+    modes[i] = std::move(found.modes);
+    members[i] = std::move(found.members);
   }
   const std::vector<int> chosen = ChooseModes(fragment, modes);
   std::vector<FusedDepth> fused(candidates.size());
   for (size_t i = 0; i < candidates.size(); ++i) {
-    if (chosen[i] >= 0) fused[i] = Average(candidates[i], modes[i][chosen[i]]);
+    if (chosen[i] < 0) continue;
+    fused[i] = Average(candidates[i], members[i][chosen[i]],
+                       modes[i][chosen[i]].depth.px_per_inverse_depth);
   }
   return fused;
 }

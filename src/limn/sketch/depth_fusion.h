@@ -30,9 +30,23 @@ struct FusedDepth {
   bool has_depth = false;
   bool certain = false;
   double inverse_depth = 0;
-  double information = 0;  // sum over the candidates averaged
+  double slope_per_px = 0;
+  double information = 0;  // sum over all that was averaged
   double px_per_inverse_depth = 0;
 };
+
+// One of the depths that an edgel may have.
+struct DepthMode {
+  double score = 0;  // in supporting views
+  FusedDepth depth;
+};
+
+// Choose one mode per vertex, or none (-1), jointly along a fragment by dynamic programming, which
+// weighs their scores against jumps between neighbours that their slopes do not explain.
+// `modes[i]` belongs to vertex i. The first vertex of a closed fragment is not tied to the last.
+// Time: vertices x modes^2.
+std::vector<int> ChooseModes(const FragmentRays& fragment,
+                             const std::vector<std::vector<DepthMode>>& modes);
 
 // Robust averaging of all reconstructions of the edgels of one fragment (ECCV 2016, section 3). At
 // every vertex the candidates form modes (within options.depth_gate_px of each other in the

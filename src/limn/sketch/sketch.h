@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/model/curve3d.h"
+#include "limn/model/edgel_fate.h"
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
 #include "limn/sketch/sketch_options.h"
@@ -25,8 +26,13 @@ struct SketchInput {
 
 struct SketchResult {
   CurveSketch sketch;
+  // Empty for the original sketch, which judges whole curves.
+  EdgelFates fates;
   StageSummary summary;
 };
+
+// How a sketch is made.
+enum class SketchMode { kOriginal, kEnhanced, kSweep };
 
 // The 3D curve sketch (Fabbri and Kimia, CVPR 2010), the paper's baseline (i): for every pair of
 // primary and second view, image curves that overlap epipolarly are matched, triangulated, and kept
@@ -40,5 +46,16 @@ SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& 
 // reconstructions of the same edgel of the primary view.
 SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
                                  const RunContext& context);
+
+// The swept sketch (algorithm.md 0.2): as the enhanced one, but every edgel of the primary view
+// gets its depth from the image curves that its epipolar lines cross in all confirmation views at
+// once: depths and slopes on which several views agree are chosen jointly along the fragment. No
+// pair of curves must correspond over a stretch.
+SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& options,
+                              const RunContext& context);
+
+// One of these.
+SketchResult BuildSketch(SketchMode mode, const SketchInput& input, const SketchOptions& options,
+                         const RunContext& context);
 
 }  // namespace limn

@@ -47,6 +47,9 @@ struct SketchOptions {
   // Shorter pieces are dropped, px of arc length.
   double min_piece_length_px = 8;
 
+  // Confirmation views in which a sweep looks for depths, the most useful first.
+  int max_sweep_views = 16;
+
   // Original sketch only (whole-curve support as published; lengths as for 640 x 360 images).
   double original_min_fragment_length_px = 20;
   double original_min_epipolar_angle_deg = 10;

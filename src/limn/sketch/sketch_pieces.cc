@@ -61,23 +61,34 @@ bool Connected(const std::vector<FusedDepth>& depths, int from, int to) {
   return unexplained * std::max(a.px_per_inverse_depth, b.px_per_inverse_depth) <= kMaxJumpPx;
 }
 
+// Weighted least squares line through points (s, q).
+class LineFit {
+ public:
+  void Add(double s, double q, double weight) {
+    sum_ += weight;
+    sum_s_ += weight * s;
+    sum_ss_ += weight * s * s;
+    sum_q_ += weight * q;
+    sum_sq_ += weight * s * q;
+  }
+  bool IsDetermined() const { return Determinant() > 1e-12 * sum_ * sum_ss_; }
+  double Slope() const { return (sum_ * sum_sq_ - sum_s_ * sum_q_) / Determinant(); }
+  double AtZero() const { return (sum_ss_ * sum_q_ - sum_s_ * sum_sq_) / Determinant(); }
+
+ private:
+  double Determinant() const { return sum_ * sum_ss_ - sum_s_ * sum_s_; }
+
+  double sum_ = 0, sum_s_ = 0, sum_ss_ = 0, sum_q_ = 0, sum_sq_ = 0;
+};
+
 // Slope of inverse depth per px at position j of a run, fitted to its neighbourhood.
 double FitSlope(const std::vector<double>& arc, const std::vector<double>& inverse_depth,
                 const std::vector<double>& weight, size_t j) {
-  double sum = 0, sum_s = 0, sum_ss = 0, sum_q = 0, sum_sq = 0;
-  const auto add = [&](size_t k) {
-    const double s = arc[k] - arc[j];
-    sum += weight[k];
-    sum_s += weight[k] * s;
-    sum_ss += weight[k] * s * s;
-    sum_q += weight[k] * inverse_depth[k];
-    sum_sq += weight[k] * s * inverse_depth[k];
-  };
+  LineFit fit;
+  const auto add = [&](size_t k) { fit.Add(arc[k] - arc[j], inverse_depth[k], weight[k]); };
   for (size_t k = j; k < arc.size() && arc[k] - arc[j] <= kSlopeWindowPx; ++k) add(k);
   for (size_t k = j; k-- > 0 && arc[j] - arc[k] <= kSlopeWindowPx;) add(k);
-  const double determinant = sum * sum_ss - sum_s * sum_s;
-  if (!(determinant > 1e-12 * sum * sum_ss)) return 0;
-  return (sum * sum_sq - sum_s * sum_q) / determinant;
+  return fit.IsDetermined() ? fit.Slope() : 0;
 }
 
 }  // namespace
@@ -139,6 +150,34 @@ void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
   }
 }
 
+void SmoothDepths(const FragmentRays& fragment, double half_window_px,
+                  std::vector<FusedDepth>* depths) {
+  const std::vector<FusedDepth> raw = *depths;
+  const int count = static_cast<int>(raw.size());
+  for (int j = 0; j < count; ++j) {
+    if (!raw[j].has_depth) continue;
+    LineFit fit;
+    const auto add = [&](int k) {
+      fit.Add(fragment.arc_px[k] - fragment.arc_px[j], raw[k].inverse_depth,
+              raw[k].information + 1e-9);
+    };
+    add(j);
+    for (int k = j + 1; k < count && Connected(raw, k - 1, k) &&
+                        fragment.arc_px[k] - fragment.arc_px[j] <= half_window_px;
+         ++k) {
+      add(k);
+    }
+    for (int k = j - 1; k >= 0 && Connected(raw, k, k + 1) &&
+                        fragment.arc_px[j] - fragment.arc_px[k] <= half_window_px;
+         --k) {
+      add(k);
+    }
+    if (!fit.IsDetermined()) continue;
+    (*depths)[j].slope_per_px = fit.Slope();
+    (*depths)[j].inverse_depth = fit.AtZero();
+  }
+}
+
 std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<FusedDepth>& depths,
                                 const SketchOptions& options) {
   const int count = static_cast<int>(depths.size());
@@ -175,6 +214,14 @@ std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<
   return runs;
 }
 
+Eigen::Vector3d TangentInCam(const PinholeCamera& camera, const FragmentRays& fragment, int vertex,
+                             double inverse_depth, double slope_per_px) {
+  const Eigen::Vector3d ray_tangent(fragment.tangents_px[vertex].x() / camera.fx,
+                                    fragment.tangents_px[vertex].y() / camera.fy, 0);
+  const double q = inverse_depth;
+  return (ray_tangent / q - fragment.rays[vertex] * (slope_per_px / (q * q))).normalized();
+}
+
 Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
                   const std::vector<FusedDepth>& depths, const VertexRun& run) {
   Curve3D curve;
@@ -194,12 +241,10 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
     const int i = (run.begin + k) % count;
     const double q = inverse_depth[k];
     const Eigen::Vector3d point = fragment.rays[i] / q;
-    const Eigen::Vector3d ray_tangent(fragment.tangents_px[i].x() / view.camera.fx,
-                                      fragment.tangents_px[i].y() / view.camera.fy, 0);
-    const double slope = FitSlope(arc, inverse_depth, weight, k);
-    const Eigen::Vector3d tangent = ray_tangent / q - fragment.rays[i] * (slope / (q * q));
+    const Eigen::Vector3d tangent =
+        TangentInCam(view.camera, fragment, i, q, FitSlope(arc, inverse_depth, weight, k));
     curve.points_in_world.push_back(world_from_cam * point);
-    curve.tangents_in_world.push_back(world_from_cam.rotation * tangent.normalized());
+    curve.tangents_in_world.push_back(world_from_cam.rotation * tangent);
     const double information = depths[i].information;
     curve.depth_sigma.push_back(information > 0
                                     ? kEdgelSigmaPx / (q * focal * std::sqrt(information))

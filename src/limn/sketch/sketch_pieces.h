@@ -18,6 +18,11 @@ std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::ve
 void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
                      std::vector<FusedDepth>* depths);
 
+// Replace every depth by the value at its place of a line fitted, weighted by information, to the
+// depths within `half_window_px` that no jump parts from it; set its slope.
+void SmoothDepths(const FragmentRays& fragment, double half_window_px,
+                  std::vector<FusedDepth>* depths);
+
 // Consecutive vertices of a fragment that make one 3D curve. A closed fragment without a break
 // gives one run with closed = true; in other closed fragments runs may pass the last vertex: take
 // indices modulo the size.
@@ -31,6 +36,10 @@ struct VertexRun {
 // shorter than min_piece_length_px are not returned.
 std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<FusedDepth>& depths,
                                 const SketchOptions& options);
+
+// Unit tangent, in the camera, of a curve through a vertex of a fragment at this inverse depth.
+Eigen::Vector3d TangentInCam(const PinholeCamera& camera, const FragmentRays& fragment, int vertex,
+                             double inverse_depth, double slope_per_px);
 
 // The 3D curve of a run, without support.
 Curve3D MakeCurve(const View& view, const FragmentRays& fragment,

@@ -31,7 +31,7 @@ std::pair<double, double> ClipToBox(const Eigen::Vector2d& from, const Eigen::Ve
 
 }  // namespace
 
-FragmentIndex::FragmentIndex(const ImageCurves& curves) : curves_(curves) {
+FragmentIndex::FragmentIndex(const ImageCurves& curves) {
   const auto& edgels = curves.edge_map.edgels;
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
@@ -45,7 +45,11 @@ FragmentIndex::FragmentIndex(const ImageCurves& curves) : curves_(curves) {
       const Eigen::Vector2d& end = edgels[fragment.edgel_ids[(k + 1) % count]].position_px;
       low = low.cwiseMin(begin).cwiseMin(end);
       high = high.cwiseMax(begin).cwiseMax(end);
-      all.push_back({static_cast<int>(f), k, begin.cast<float>(), end.cast<float>()});
+      const Eigen::Vector2d tangent = edgels[fragment.edgel_ids[k]].Tangent();
+      const Eigen::Vector2d next = edgels[fragment.edgel_ids[(k + 1) % count]].Tangent();
+      const double sign = tangent.dot(next) < 0 ? -1 : 1;
+      all.push_back({static_cast<int>(f), k, begin.cast<float>(), end.cast<float>(),
+                     tangent.cast<float>(), (sign * next).cast<float>()});
     }
   }
   if (all.empty()) {
@@ -75,38 +79,31 @@ FragmentIndex::FragmentIndex(const ImageCurves& curves) : curves_(curves) {
     for_each_cell(chord, [&](int cell) { chords_[next[cell]++] = chord; });
 }
 
-void FragmentIndex::VisitCell(int col, int row, const Eigen::Vector2d& from,
-                              const Eigen::Vector2d& to,
+void FragmentIndex::VisitCell(int col, int row, const Segment& segment,
                               std::vector<LineCrossing>* crossings) const {
-  const Eigen::Vector2d along = to - from;
-  const Eigen::Vector2f origin = from.cast<float>();
-  const Eigen::Vector2f direction = along.normalized().cast<float>();
   const int cell = row * cols_ + col;
   for (int i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
     const Chord& chord = chords_[i];
     // Distances from the line, in single precision: good to 1e-4 px, and the same for both chords
     // at a shared vertex, so that a line through it crosses exactly one (half-open) of them.
-    const Eigen::Vector2f to_begin = chord.begin - origin;
-    const Eigen::Vector2f to_end = chord.end - origin;
+    const Eigen::Vector2f to_begin = chord.begin - segment.origin;
+    const Eigen::Vector2f to_end = chord.end - segment.origin;
+    const Eigen::Vector2f& direction = segment.direction;
     const float side_begin = direction.x() * to_begin.y() - direction.y() * to_begin.x();
     const float side_end = direction.x() * to_end.y() - direction.y() * to_end.x();
     if ((side_begin >= 0) == (side_end >= 0)) continue;
-    const Eigen::Vector2d begin = chord.begin.cast<double>();
-    const Eigen::Vector2d end = chord.end.cast<double>();
     const double t = static_cast<double>(side_begin) / (side_begin - side_end);
-    const Eigen::Vector2d position = begin + t * (end - begin);
+    const Eigen::Vector2d begin = chord.begin.cast<double>();
+    const Eigen::Vector2d position = begin + t * (chord.end.cast<double>() - begin);
     // A chord is listed in every cell it touches: only the cell of the crossing counts it.
     const Eigen::Vector2d at = (position - origin_) / kCellPx;
     if (static_cast<int>(at.x()) != col || static_cast<int>(at.y()) != row) continue;
-    const double s = (position - from).dot(along);
-    if (s < 0 || s > along.squaredNorm()) continue;
-    const auto& ids = curves_.fragments[chord.fragment].edgel_ids;
-    const auto& edgels = curves_.edge_map.edgels;
-    const Eigen::Vector2d tangent_begin = edgels[ids[chord.vertex]].Tangent();
-    Eigen::Vector2d tangent_end = edgels[ids[(chord.vertex + 1) % ids.size()]].Tangent();
-    if (tangent_begin.dot(tangent_end) < 0) tangent_end = -tangent_end;
-    crossings->push_back({chord.fragment, chord.vertex + t, position,
-                          ((1 - t) * tangent_begin + t * tangent_end).normalized()});
+    const float along = direction.dot(position.cast<float>() - segment.origin);
+    if (along < 0 || along > segment.length) continue;
+    crossings->push_back(
+        {chord.fragment, chord.vertex + t, position,
+         ((1 - t) * chord.tangent_begin.cast<double>() + t * chord.tangent_end.cast<double>())
+             .normalized()});
   }
 }
 
@@ -116,6 +113,8 @@ void FragmentIndex::Crossings(const Eigen::Vector2d& from, const Eigen::Vector2d
   const Eigen::Vector2d high = origin_ + kCellPx * Eigen::Vector2d(cols_, rows_);
   const auto [begin, end] = ClipToBox(from, to, origin_, high);
   if (!(begin <= end)) return;
+  const Segment segment{from.cast<float>(), (to - from).normalized().cast<float>(),
+                        static_cast<float>((to - from).norm())};
   // Walk column by column (or row by row) of the steeper axis; in each, the cells the line touches.
   const Eigen::Vector2d start = (from + begin * (to - from) - origin_) / kCellPx;
   const Eigen::Vector2d stop = (from + end * (to - from) - origin_) / kCellPx;
@@ -140,7 +139,7 @@ void FragmentIndex::Crossings(const Eigen::Vector2d& from, const Eigen::Vector2d
     const int c = clamp_cell(start[minor] + slope * (low_edge - start[major]) + 1e-9, minor);
     const int d = clamp_cell(start[minor] + slope * (high_edge - start[major]) + 1e-9, minor);
     for (int j = std::min({a, b, c, d}); j <= std::max({a, b, c, d}); ++j) {
-      VisitCell(major == 0 ? i : j, major == 0 ? j : i, from, to, crossings);
+      VisitCell(major == 0 ? i : j, major == 0 ? j : i, segment, crossings);
     }
     if (i == last) break;
   }

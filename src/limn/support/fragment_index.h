@@ -16,8 +16,7 @@ struct LineCrossing {
   Eigen::Vector2d tangent = Eigen::Vector2d::Zero();
 };
 
-// Chords (edgel to next edgel) of the fragments of one view on a grid over the virtual image. Holds
-// a reference to the curves, which must outlive it.
+// Chords (edgel to next edgel) of the fragments of one view on a grid over the virtual image.
 class FragmentIndex {
  public:
   explicit FragmentIndex(const ImageCurves& curves);
@@ -33,11 +32,17 @@ class FragmentIndex {
     int vertex;
     Eigen::Vector2f begin;
     Eigen::Vector2f end;
+    Eigen::Vector2f tangent_begin;
+    Eigen::Vector2f tangent_end;  // less than 90 degrees from the other
   };
-  void VisitCell(int col, int row, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+  struct Segment {
+    Eigen::Vector2f origin;
+    Eigen::Vector2f direction;  // unit
+    float length;
+  };
+  void VisitCell(int col, int row, const Segment& segment,
                  std::vector<LineCrossing>* crossings) const;
 
-  const ImageCurves& curves_;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   int cols_ = 0;
   int rows_ = 0;

@@ -1,0 +1,25 @@
+#include "limn/model/edgel_fate.h"
+
+#include <array>
+
+namespace limn {
+
+const char* EdgelFateName(EdgelFate fate) {
+  static constexpr std::array<const char*, kNumEdgelFates> kNames = {
+      "not linked",
+      "fragment too short",
+      "no partner in another view",
+      "too few supporting views",
+      "depth inconsistent along the curve",
+      "piece too short",
+      "sketched",
+      "support lost after re-triangulation",
+      "no other primary view agrees",
+      "in a doubtful link",
+      "in a link too short or covered",
+      "drawn",
+      "explained by the drawing"};
+  return kNames[static_cast<int>(fate)];
+}
+
+}  // namespace limn

@@ -1,0 +1,156 @@
+#include "limn/sketch/local_sketch.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <set>
+
+#include "limn/sketch/sketch_pieces.h"
+#include "limn/support/required_views.h"
+
+namespace limn {
+namespace {
+
+constexpr double kNarrowSupportDeg = 15;
+constexpr double kWideViewsDeg = 30;
+
+std::vector<ViewId> AllViewsOf(const ViewPlan& plan) {
+  std::set<ViewId> all(plan.second_views.begin(), plan.second_views.end());
+  all.insert(plan.confirmation_views.begin(), plan.confirmation_views.end());
+  return {all.begin(), all.end()};
+}
+
+class ViewSketcher {
+ public:
+  ViewSketcher(const PrimaryView& primary, DepthFinder find_depths)
+      : primary_(primary),
+        find_depths_(std::move(find_depths)),
+        support_views_(AllViewsOf(primary.plan)),
+        fates_(Curves().edge_map.edgels.size(), EdgelFate::kNotLinked) {}
+
+  void Reconstruct(int fragment_id) {
+    const SketchOptions& options = primary_.options;
+    const FragmentRays fragment = MakeFragmentRays(View(), Curves(), fragment_id);
+    if (fragment.size() < 2 || fragment.arc_px.back() < options.min_fragment_length_px) {
+      for (size_t i = 0; i < fragment.size(); ++i)
+        Fate(fragment_id, i) = EdgelFate::kFragmentTooShort;
+      return;
+    }
+    const std::vector<int> vertices = SpacedVertices(fragment, options.sample_spacing_px);
+    const DepthProfile profile = find_depths_(Subset(fragment, vertices));
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      const EdgelFate fate =
+          profile.depths[i].has_depth ? EdgelFate::kPieceTooShort : profile.fates[i];
+      const size_t next = i + 1 < vertices.size() ? vertices[i + 1] : fragment.size();
+      for (size_t k = vertices[i]; k < next; ++k) Fate(fragment_id, k) = fate;
+    }
+    std::vector<FusedDepth> depths = ExpandDepths(fragment, vertices, profile.depths);
+    InterpolateGaps(fragment, options, &depths);
+    for (const VertexRun& run : FindRuns(fragment, depths, options)) {
+      for (int k = 0; k < run.size; ++k) {
+        Fate(fragment_id, (run.begin + k) % fragment.size()) = EdgelFate::kSketched;
+      }
+      Curve3D curve = MakeCurve(View(), fragment, depths, run);
+      curve.anchor.view = primary_.id;
+      curve.anchor.fragment = fragment_id;
+      CollectSupport(primary_.input.views, primary_.input.curves, primary_.evidence, support_views_,
+                     options.Gate(), &curve);
+      curves_.push_back(std::move(curve));
+    }
+  }
+
+  std::vector<Curve3D> TakeCurves() { return std::move(curves_); }
+  std::vector<EdgelFate> TakeFates() { return std::move(fates_); }
+
+ private:
+  const limn::View& View() const { return primary_.input.views[primary_.id]; }
+  const ImageCurves& Curves() const { return primary_.input.curves[primary_.id]; }
+  EdgelFate& Fate(int fragment, size_t vertex) {
+    return fates_[Curves().fragments[fragment].edgel_ids[vertex]];
+  }
+
+  const PrimaryView& primary_;
+  DepthFinder find_depths_;
+  std::vector<ViewId> support_views_;
+  std::vector<Curve3D> curves_;
+  std::vector<EdgelFate> fates_;
+};
+
+StageSummary Summarize(const char* stage, const SketchResult& result,
+                       const std::vector<ImageCurves>& curves) {
+  std::array<int64_t, kNumEdgelFates> counts{};
+  int64_t total = 0;
+  for (const auto& of_view : result.fates) {
+    for (const EdgelFate fate : of_view) ++counts[static_cast<int>(fate)];
+  }
+  const auto count = [&](EdgelFate fate) { return counts[static_cast<int>(fate)]; };
+  for (const int64_t n : counts) total += n;
+  int64_t num_fragments = 0;
+  for (const ImageCurves& of_view : curves) {
+    num_fragments += static_cast<int64_t>(of_view.fragments.size());
+  }
+  StageSummary summary;
+  summary.stage = stage;
+  summary.in = {{"fragments", num_fragments}, {"edgels", total - count(EdgelFate::kNotLinked)}};
+  summary.kept = {{"edgels", count(EdgelFate::kSketched)},
+                  {"curves", static_cast<int64_t>(result.sketch.curves.size())}};
+  summary.dropped = {
+      {"edgels: fragment too short", count(EdgelFate::kFragmentTooShort)},
+      {"edgels: no partner in another view", count(EdgelFate::kNoPartner)},
+      {"edgels: too few supporting views", count(EdgelFate::kTooFewViews)},
+      {"edgels: depth inconsistent along the curve", count(EdgelFate::kInconsistent)},
+      {"edgels: piece too short", count(EdgelFate::kPieceTooShort)}};
+  return summary;
+}
+
+}  // namespace
+
+PrimaryView::PrimaryView(const SketchInput& sketch_input, ViewId view, const ViewPlan& view_plan,
+                         const std::vector<std::unique_ptr<ViewEvidence>>& view_evidence,
+                         const SketchOptions& sketch_options)
+    : input(sketch_input),
+      id(view),
+      plan(view_plan),
+      evidence(view_evidence),
+      options(sketch_options),
+      confirmation(view, plan.confirmation_views, input.views, evidence),
+      world_from_cam(Inverse(input.views[view].cam_from_world)) {}
+
+int PrimaryView::NumRequired(uint32_t contained) const {
+  return NumRequiredViews(std::popcount(contained), options.supporting_views_share,
+                          options.min_supporting_views, options.max_supporting_views);
+}
+
+bool PrimaryView::IsCredible(const Eigen::Vector3d& point_in_cam, uint32_t supporting,
+                             uint32_t contained) const {
+  if (input.box && !input.box->contains(world_from_cam * point_in_cam)) return false;
+  return confirmation.MaxAngleDeg(point_in_cam, supporting) >= kNarrowSupportDeg ||
+         confirmation.MaxAngleDeg(point_in_cam, contained) <= kWideViewsDeg;
+}
+
+SketchResult SketchFragments(const char* stage, const SketchInput& input,
+                             const SketchOptions& options, const RunContext& context,
+                             const std::function<DepthFinder(const PrimaryView&)>& make_finder) {
+  options.Check();
+  const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
+  const auto evidence = BuildEvidence(input.views, input.curves, options.Gate(), context);
+  std::vector<std::vector<Curve3D>> by_view(input.views.size());
+  SketchResult result;
+  result.fates.resize(input.views.size());
+  ParallelFor(context, stage, input.views.size(), [&](size_t v) {
+    const PrimaryView primary(input, static_cast<ViewId>(v), plans[v], evidence, options);
+    ViewSketcher sketcher(primary, make_finder(primary));
+    for (size_t f = 0; f < input.curves[v].fragments.size(); ++f) {
+      sketcher.Reconstruct(static_cast<int>(f));
+    }
+    by_view[v] = sketcher.TakeCurves();
+    result.fates[v] = sketcher.TakeFates();
+  });
+  for (auto& of_view : by_view) {
+    for (Curve3D& curve : of_view) result.sketch.curves.push_back(std::move(curve));
+  }
+  result.summary = Summarize(stage, result, input.curves);
+  return result;
+}
+
+}  // namespace limn

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "limn/model/edgel_fate.h"
+#include "limn/sketch/confirmation.h"
+#include "limn/sketch/depth_fusion.h"
+#include "limn/sketch/sketch.h"
+
+namespace limn {
+
+// What a generator of depths knows of its primary view. Holds references.
+struct PrimaryView {
+  PrimaryView(const SketchInput& input, ViewId id, const ViewPlan& plan,
+              const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+              const SketchOptions& options);
+
+  // Views that must support a sample seen by the views in mask `contained`.
+  int NumRequired(uint32_t contained) const;
+  // Whether a sample with this support, which is enough in number, may be kept: it is in the box,
+  // and its support is not confined to a narrow angle where views from wider ones look on (an
+  // occluding contour or an accident, algorithm.md 0.1 item 8).
+  bool IsCredible(const Eigen::Vector3d& point_in_cam, uint32_t supporting,
+                  uint32_t contained) const;
+
+  const SketchInput& input;
+  ViewId id;
+  const ViewPlan& plan;
+  const std::vector<std::unique_ptr<ViewEvidence>>& evidence;
+  const SketchOptions& options;
+  ConfirmationViews confirmation;
+  Rigid3d world_from_cam;
+};
+
+// Depths of the samples of a fragment, and why there is none.
+struct DepthProfile {
+  std::vector<FusedDepth> depths;
+  std::vector<EdgelFate> fates;  // kNoPartner, kTooFewViews or kInconsistent where there is none
+};
+
+// Finds the depths of one fragment, given by samples of the spacing asked for.
+using DepthFinder = std::function<DepthProfile(const FragmentRays&)>;
+
+// The sketch whose depths come from local support: for every view a finder is made, asked for every
+// fragment that is long enough, and what it finds becomes curves with their support. `stage` names
+// the result. Calls for different views run in parallel.
+SketchResult SketchFragments(const char* stage, const SketchInput& input,
+                             const SketchOptions& options, const RunContext& context,
+                             const std::function<DepthFinder(const PrimaryView&)>& make_finder);
+
+}  // namespace limn

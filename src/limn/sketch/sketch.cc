@@ -1,0 +1,18 @@
+#include "limn/sketch/sketch.h"
+
+namespace limn {
+
+SketchResult BuildSketch(SketchMode mode, const SketchInput& input, const SketchOptions& options,
+                         const RunContext& context) {
+  switch (mode) {
+    case SketchMode::kOriginal:
+      return BuildOriginalSketch(input, options, context);
+    case SketchMode::kEnhanced:
+      return BuildEnhancedSketch(input, options, context);
+    case SketchMode::kSweep:
+      return BuildSweptSketch(input, options, context);
+  }
+  return {};
+}
+
+}  // namespace limn

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <bit>
+#include <memory>
+
+#include "limn/sketch/epipolar_crossings.h"
+#include "limn/sketch/local_sketch.h"
+#include "limn/sketch/sketch_pieces.h"
+#include "limn/sketch/sweep_candidates.h"
+
+namespace limn {
+namespace {
+
+// Half width of the stretch over which depths are smoothed, px.
+constexpr double kSmoothingPx = 5;
+
+class SweptDepths {
+ public:
+  explicit SweptDepths(const PrimaryView& primary)
+      : primary_(primary), view_(primary.input.views[primary.id]) {
+    for (const ViewId v : primary.plan.confirmation_views) {
+      if (static_cast<int>(finders_.size()) == primary.options.max_sweep_views) break;
+      finders_.emplace_back(view_, primary.input.views[v], primary.evidence[v]->fragments);
+    }
+  }
+
+  DepthProfile Find(const FragmentRays& fragment) {
+    const auto modes = Modes(fragment);
+    const std::vector<int> chosen = ChooseModes(fragment, modes);
+    DepthProfile profile;
+    profile.depths.resize(fragment.size());
+    for (size_t i = 0; i < fragment.size(); ++i) {
+      profile.fates.push_back(modes[i].empty() ? EdgelFate::kNoPartner
+                              : chosen[i] < 0  ? EdgelFate::kInconsistent
+                                               : EdgelFate::kTooFewViews);
+      if (chosen[i] >= 0) profile.depths[i] = modes[i][chosen[i]].depth;
+    }
+    InterpolateGaps(fragment, primary_.options, &profile.depths);
+    SmoothDepths(fragment, kSmoothingPx, &profile.depths);
+    KeepSupported(fragment, &profile.depths);
+    return profile;
+  }
+
+ private:
+  std::vector<std::vector<DepthMode>> Modes(const FragmentRays& fragment) {
+    const double near = 1 / primary_.plan.min_depth;
+    const double far = 1 / primary_.plan.max_depth;
+    std::vector<std::vector<DepthMode>> modes(fragment.size());
+    if (!(far < near)) return modes;
+    std::vector<EpipolarCrossing> crossings;
+    for (size_t i = 0; i < fragment.size(); ++i) {
+      crossings.clear();
+      for (size_t k = 0; k < finders_.size(); ++k) {
+        finders_[k].Find(fragment, i, far, near, static_cast<int>(k), &crossings);
+      }
+      modes[i] = FindAgreeingDepths(crossings, view_.camera.MeanFocal(), primary_.options);
+    }
+    return modes;
+  }
+
+  // Take away the depths that too few views support, stretch by stretch.
+  void KeepSupported(const FragmentRays& fragment, std::vector<FusedDepth>* depths) const {
+    CurveHypothesis stretch;
+    for (size_t i = 0; i <= fragment.size(); ++i) {
+      if (i < fragment.size() && (*depths)[i].has_depth) {
+        stretch.samples.push_back(MakeSample(fragment, static_cast<int>(i), (*depths)[i]));
+        continue;
+      }
+      if (!stretch.samples.empty()) KeepSupported(fragment, stretch, depths);
+      stretch.samples.clear();
+    }
+  }
+
+  HypothesisSample MakeSample(const FragmentRays& fragment, int vertex,
+                              const FusedDepth& depth) const {
+    HypothesisSample sample;
+    sample.vertex = vertex;
+    sample.depth = 1 / depth.inverse_depth;
+    sample.tangent_in_cam =
+        TangentInCam(view_.camera, fragment, vertex, depth.inverse_depth, depth.slope_per_px);
+    return sample;
+  }
+
+  void KeepSupported(const FragmentRays& fragment, const CurveHypothesis& stretch,
+                     std::vector<FusedDepth>* depths) const {
+    const auto support =
+        primary_.confirmation.Confirm(fragment, stretch, kNoView, primary_.options);
+    for (size_t j = 0; j < stretch.samples.size(); ++j) {
+      const HypothesisSample& sample = stretch.samples[j];
+      FusedDepth& depth = (*depths)[sample.vertex];
+      depth.has_depth = false;
+      if (!support) continue;
+      const int required = primary_.NumRequired(support->contained[j]);
+      if (std::popcount(support->supporting[j]) < required) continue;
+      const Eigen::Vector3d point = sample.depth * fragment.rays[sample.vertex];
+      if (!primary_.IsCredible(point, support->supporting[j], support->contained[j])) continue;
+      depth.has_depth = true;
+      depth.certain = support->weighted[j] >= required;
+    }
+  }
+
+  const PrimaryView& primary_;
+  const View& view_;
+  std::vector<CrossingFinder> finders_;
+};
+
+}  // namespace
+
+SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& options,
+                              const RunContext& context) {
+  return SketchFragments(
+      "swept sketch", input, options, context, [](const PrimaryView& primary) -> DepthFinder {
+        // std::function copies; the finders' buffers are shared.
+        auto finder = std::make_shared<SweptDepths>(primary);
+        return [finder](const FragmentRays& fragment) { return finder->Find(fragment); };
+      });
+}
+
+}  // namespace limn
