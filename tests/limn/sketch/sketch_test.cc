@@ -24,22 +24,16 @@ const std::vector<ImageCurves>& Curves() {
   return curves;
 }
 
-using Generator = SketchResult (*)(const SketchInput&, const SketchOptions&, const RunContext&);
-
-SketchResult RunSketch(Generator generator, std::optional<Eigen::AlignedBox3d> box = std::nullopt) {
+SketchResult RunSketch(SketchMode mode, int num_threads = 2,
+                       std::optional<Eigen::AlignedBox3d> box = std::nullopt) {
   static const SceneHints no_hints;
   RunContext context;
-  context.num_threads = 2;
-  return generator({Views(), Curves(), no_hints, box}, SketchOptions(), context);
+  context.num_threads = num_threads;
+  return BuildSketch(mode, {Views(), Curves(), no_hints, box}, SketchOptions(), context);
 }
 
 const SketchResult& Original() {
-  static const SketchResult result = RunSketch(BuildOriginalSketch);
-  return result;
-}
-
-const SketchResult& Enhanced() {
-  static const SketchResult result = RunSketch(BuildEnhancedSketch);
+  static const SketchResult result = RunSketch(SketchMode::kOriginal);
   return result;
 }
 
@@ -82,17 +76,51 @@ TEST(OriginalSketchTest, FindsMostOfTheCube) {
   EXPECT_GE(Evaluate(Original().sketch, 2).recall.value(), 0.8);
 }
 
-TEST(EnhancedSketchTest, CurvesAreSound) { ExpectSound(Enhanced().sketch); }
+// The two sketches that judge sample by sample.
+class LocalSketchTest : public ::testing::TestWithParam<SketchMode> {
+ protected:
+  static SketchResult Build(int num_threads = 2,
+                            std::optional<Eigen::AlignedBox3d> box = std::nullopt) {
+    return RunSketch(GetParam(), num_threads, box);
+  }
+};
 
-TEST(EnhancedSketchTest, FindsTheCubePrecisely) {
-  const TauResult row = Evaluate(Enhanced().sketch, 1);
+INSTANTIATE_TEST_SUITE_P(Modes, LocalSketchTest,
+                         ::testing::Values(SketchMode::kEnhanced, SketchMode::kSweep));
+
+TEST_P(LocalSketchTest, FindsTheCubePreciselyInSoundCurves) {
+  const SketchResult result = Build();
+  ExpectSound(result.sketch);
+  const TauResult row = Evaluate(result.sketch, 1);
   EXPECT_GE(row.recall.value(), 0.97);
   EXPECT_GE(row.precision.value(), 0.95);
 }
 
-TEST(EnhancedSketchTest, ReconstructsOnlyInsideTheBox) {
+TEST_P(LocalSketchTest, FatesTellWhichEdgelsAreInCurves) {
+  const SketchResult result = Build();
+  EdgelFates expected;
+  for (size_t v = 0; v < Curves().size(); ++v) {
+    ASSERT_EQ(result.fates.at(v).size(), Curves()[v].edge_map.edgels.size());
+    expected.emplace_back(result.fates[v].size(), EdgelFate::kNotLinked);
+  }
+  for (const Curve3D& curve : result.sketch.curves) {
+    const auto& ids = Curves().at(curve.anchor.view).fragments.at(curve.anchor.fragment).edgel_ids;
+    for (size_t s = 0; s < curve.size(); ++s) {
+      expected[curve.anchor.view][ids[(curve.anchor.begin + s) % ids.size()]] =
+          EdgelFate::kSketched;
+    }
+  }
+  for (size_t v = 0; v < expected.size(); ++v) {
+    for (size_t id = 0; id < expected[v].size(); ++id) {
+      EXPECT_EQ(result.fates[v][id] == EdgelFate::kSketched,
+                expected[v][id] == EdgelFate::kSketched);
+    }
+  }
+}
+
+TEST_P(LocalSketchTest, ReconstructsOnlyInsideTheBox) {
   const Eigen::AlignedBox3d box(Eigen::Vector3d(-2, -2, 0.1), Eigen::Vector3d(2, 2, 2));
-  const CurveSketch sketch = RunSketch(BuildEnhancedSketch, box).sketch;
+  const CurveSketch sketch = Build(2, box).sketch;
   ASSERT_FALSE(sketch.curves.empty());
   // Samples between two inside are inside too; fitting may move them by a fraction of a pixel.
   for (const Curve3D& curve : sketch.curves) {
@@ -100,16 +128,13 @@ TEST(EnhancedSketchTest, ReconstructsOnlyInsideTheBox) {
   }
 }
 
-TEST(EnhancedSketchTest, ThreadsDoNotMatter) {
-  const SceneHints no_hints;
-  RunContext one;
-  one.num_threads = 1;
-  const SketchResult result =
-      BuildEnhancedSketch({Views(), Curves(), no_hints, std::nullopt}, SketchOptions(), one);
-  ASSERT_EQ(result.sketch.curves.size(), Enhanced().sketch.curves.size());
-  for (size_t c = 0; c < result.sketch.curves.size(); ++c) {
-    EXPECT_EQ(result.sketch.curves[c].points_in_world, Enhanced().sketch.curves[c].points_in_world);
-    EXPECT_EQ(result.sketch.curves[c].support.edgels, Enhanced().sketch.curves[c].support.edgels);
+TEST_P(LocalSketchTest, ThreadsDoNotMatter) {
+  const CurveSketch one = Build(1).sketch;
+  const CurveSketch two = Build(2).sketch;
+  ASSERT_EQ(one.curves.size(), two.curves.size());
+  for (size_t c = 0; c < one.curves.size(); ++c) {
+    EXPECT_EQ(one.curves[c].points_in_world, two.curves[c].points_in_world);
+    EXPECT_EQ(one.curves[c].support.edgels, two.curves[c].support.edgels);
   }
 }
 
