@@ -8,6 +8,7 @@
 #include "limn/evaluation/curve_topology.h"
 #include "limn/evaluation/duplicates.h"
 #include "limn/evaluation/footprint.h"
+#include "limn/evaluation/quantiles.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -117,22 +118,12 @@ struct Shares {
   std::optional<double> within, mean, median, duplicated;
 };
 
-double WeightedMedian(std::vector<std::pair<double, double>> distance_and_weight, double total) {
-  std::sort(distance_and_weight.begin(), distance_and_weight.end());
-  double below = 0;
-  for (const auto& [distance, weight] : distance_and_weight) {
-    below += weight;
-    if (below >= 0.5 * total) return distance;
-  }
-  return distance_and_weight.back().first;
-}
-
 Shares Summarize(const std::vector<Judged>& judged, double tau) {
   Shares shares;
   double within = 0;
   double duplicated = 0;
   double moment = 0;
-  std::vector<std::pair<double, double>> distances;
+  std::vector<WeightedValue> distances;
   for (const Judged& sample : judged) {
     if (!sample.counts || !(sample.weight > 0)) continue;
     shares.total += sample.weight;
@@ -146,7 +137,7 @@ Shares Summarize(const std::vector<Judged>& judged, double tau) {
   shares.duplicated = duplicated / shares.total;
   if (!std::isfinite(moment)) return shares;  // nothing to be distant from
   shares.mean = moment / shares.total;
-  shares.median = WeightedMedian(std::move(distances), shares.total);
+  shares.median = WeightedQuantile(std::move(distances), 0.5);
   return shares;
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/evaluation/saw_teeth.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/view.h"
 #include "limn/util/parallel.h"
@@ -63,6 +64,8 @@ struct EvaluationReport {
   std::map<int, int> nodes_by_degree;
   // Points left out because the set has polylines too.
   int num_ignored_points = 0;
+  // Of all links. Needs views: whoever has them fills it in.
+  std::optional<SawTeeth> saw_teeth;
 };
 
 // Compare curves or points with ground truth. Both sets are cut into cells of tau/4 or less along

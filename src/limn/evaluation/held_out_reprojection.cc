@@ -1,0 +1,208 @@
+#include "limn/evaluation/held_out_reprojection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "limn/evaluation/curve_samples.h"
+#include "limn/evaluation/footprint.h"
+#include "limn/evaluation/quantiles.h"
+#include "limn/geometry/epipolar.h"
+#include "limn/support/edgel_residual.h"
+#include "limn/support/view_evidence.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+using Evidence = std::vector<std::unique_ptr<ViewEvidence>>;
+
+constexpr double kRadiansPerDegree = M_PI / 180;
+// Spacing of samples along a curve, px; half of it is the reach of an edgel along its edge.
+constexpr double kSpacingPx = 1;
+constexpr size_t kChunk = 1024;
+
+SupportGate ShownGate(const HeldOutOptions& options) {
+  return {options.shown_distance_px, kSpacingPx, options.shown_angle_deg * kRadiansPerDegree};
+}
+
+CurveSamples SampleByPixels(const std::vector<SupportedCurve>& curves,
+                            const std::vector<View>& views) {
+  CurveSet set;
+  for (const SupportedCurve& curve : curves) set.polylines.push_back(curve.points_in_world);
+  return CurveSamples(set, [&](const Polyline3d& polyline) {
+    return kSpacingPx * FootprintOfCurve(views, polyline);
+  });
+}
+
+// The sample as an edgel of the view; nothing where the view does not contain it or sees it end on.
+std::optional<Edgel> ProjectSample(const View& view, const CurveSamples& samples, int sample) {
+  const auto pixel = view.Project(samples.Position(sample));
+  if (!pixel) return std::nullopt;
+  const auto direction =
+      ProjectedDirection(view, samples.Position(sample), samples.Direction(sample));
+  if (!direction) return std::nullopt;
+  Edgel edgel;
+  edgel.position_px = *pixel;
+  edgel.tangent_rad = *direction;
+  return edgel;
+}
+
+// What the training views tell of the visibility of samples.
+struct Visibility {
+  const std::vector<SupportedCurve>& curves;
+  const CurveSamples& samples;
+  const HeldOutInput& input;
+  const Evidence& training_evidence;
+  const HeldOutOptions& options;
+
+  bool IsVisible(int sample, const View& from) const {
+    const Eigen::Vector3d& position = samples.Position(sample);
+    const Eigen::Vector3d ray = (position - from.CenterInWorld()).normalized();
+    const double min_cosine = std::cos(options.max_viewing_angle_deg * kRadiansPerDegree);
+    const auto& views = curves[samples.CurveOf(sample)].supporting_views;
+    return std::any_of(views.begin(), views.end(), [&](ViewId v) {
+      const View& view = input.training_views[v];
+      const Eigen::Vector3d training_ray = (position - view.CenterInWorld()).normalized();
+      if (ray.dot(training_ray) < min_cosine) return false;
+      const auto seen = ProjectSample(view, samples, sample);
+      return seen && training_evidence[v]->edgels.Best(seen->position_px, seen->tangent_rad,
+                                                       ShownGate(options));
+    });
+  }
+};
+
+// The visible samples as the edgels that the view should have.
+EdgeMap DrawVisible(const Visibility& visibility, const View& view, const RunContext& context) {
+  const auto count = static_cast<size_t>(visibility.samples.size());
+  std::vector<std::optional<Edgel>> drawn(count);
+  ParallelFor(context, "held-out views", (count + kChunk - 1) / kChunk, [&](size_t chunk) {
+    for (size_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
+      const int sample = static_cast<int>(i);
+      auto edgel = ProjectSample(view, visibility.samples, sample);
+      if (edgel && visibility.IsVisible(sample, view)) drawn[i] = edgel;
+    }
+  });
+  EdgeMap map;
+  for (const auto& edgel : drawn) {
+    if (edgel) map.edgels.push_back(*edgel);
+  }
+  return map;
+}
+
+double DistanceToNearest(const Edgel& from, const EdgeMap& to, const EdgelIndex& index,
+                         const HeldOutOptions& options) {
+  const double max_angle = options.max_angle_deg * kRadiansPerDegree;
+  double nearest = options.cap_px;
+  index.ForEachWithin(from.position_px, options.cap_px, [&](EdgelId id) {
+    const Edgel& edgel = to.edgels[id];
+    if (UndirectedAngle(from.tangent_rad, edgel.tangent_rad) > max_angle) return;
+    const Eigen::Vector2d offset = from.position_px - edgel.position_px;
+    const double across = offset.dot(edgel.Normal());
+    const double along = std::max(0.0, std::abs(offset.dot(edgel.Tangent())) - 0.5 * kSpacingPx);
+    nearest = std::min(nearest, std::hypot(across, along));
+  });
+  return nearest;
+}
+
+void AppendDistances(const std::vector<Edgel>& from, const EdgeMap& to, const EdgelIndex& index,
+                     const HeldOutOptions& options, const RunContext& context,
+                     std::vector<double>* distances) {
+  const size_t begin = distances->size();
+  distances->resize(begin + from.size());
+  ParallelFor(context, "held-out distances", (from.size() + kChunk - 1) / kChunk, [&](size_t c) {
+    for (size_t i = c * kChunk; i < std::min(from.size(), (c + 1) * kChunk); ++i) {
+      (*distances)[begin + i] = DistanceToNearest(from[i], to, index, options);
+    }
+  });
+}
+
+double FragmentLength(const ImageCurves& curves, const CurveFragment& fragment) {
+  double length = 0;
+  for (size_t i = 1; i < fragment.edgel_ids.size(); ++i) {
+    length += (curves.edge_map.edgels[fragment.edgel_ids[i]].position_px -
+               curves.edge_map.edgels[fragment.edgel_ids[i - 1]].position_px)
+                  .norm();
+  }
+  return length;
+}
+
+std::vector<Edgel> EdgelsOfLongFragments(const ImageCurves& curves, double min_length_px) {
+  std::vector<Edgel> edgels;
+  for (const CurveFragment& fragment : curves.fragments) {
+    if (FragmentLength(curves, fragment) < min_length_px) continue;
+    for (const EdgelId id : fragment.edgel_ids) edgels.push_back(curves.edge_map.edgels[id]);
+  }
+  return edgels;
+}
+
+ReprojectionDistances Summarize(const std::vector<double>& distances, double cap_px) {
+  ReprojectionDistances summary;
+  summary.count = static_cast<int>(distances.size());
+  if (distances.empty()) return summary;
+  summary.median_px = Quantile(distances, 0.5);
+  summary.p90_px = Quantile(distances, 0.9);
+  const auto lonely = std::count(distances.begin(), distances.end(), cap_px);
+  summary.lonely = static_cast<double>(lonely) / static_cast<double>(distances.size());
+  return summary;
+}
+
+}  // namespace
+
+void HeldOutOptions::Check() const {
+  LIMN_CHECK_OPTION(max_viewing_angle_deg, > 0);
+  LIMN_CHECK_OPTION(max_viewing_angle_deg, <= 180);
+  LIMN_CHECK_OPTION(shown_distance_px, > 0);
+  LIMN_CHECK_OPTION(shown_angle_deg, > 0);
+  LIMN_CHECK_OPTION(max_angle_deg, > 0);
+  LIMN_CHECK_OPTION(cap_px, > 0);
+  LIMN_CHECK_OPTION(min_fragment_length_px, >= 0);
+}
+
+std::vector<SupportedCurve> ToSupportedCurves(const DrawingGraph& graph) {
+  std::vector<SupportedCurve> curves;
+  for (const DrawingLink& link : graph.links) {
+    curves.push_back({link.points_in_world, link.supporting_views});
+  }
+  return curves;
+}
+
+std::vector<SupportedCurve> ToSupportedCurves(const CurveSketch& sketch) {
+  std::vector<SupportedCurve> curves;
+  for (const Curve3D& curve : sketch.curves) {
+    SupportedCurve supported{curve.points_in_world, {}};
+    if (curve.closed && curve.size() > 1) {
+      supported.points_in_world.push_back(curve.points_in_world.front());
+    }
+    std::set<ViewId> views;
+    for (const EdgelRef& edgel : curve.support.edgels) views.insert(edgel.view);
+    supported.supporting_views.assign(views.begin(), views.end());
+    curves.push_back(std::move(supported));
+  }
+  return curves;
+}
+
+HeldOutReport MeasureHeldOut(const std::vector<SupportedCurve>& curves, const HeldOutInput& input,
+                             const HeldOutOptions& options, const RunContext& context) {
+  options.Check();
+  const SupportGate gate = ShownGate(options);
+  const Evidence training =
+      BuildEvidence(input.training_views, input.training_curves, gate, context);
+  const Evidence held_out =
+      BuildEvidence(input.held_out_views, input.held_out_curves, gate, context);
+  const CurveSamples samples = SampleByPixels(curves, input.training_views);
+  const Visibility visibility{curves, samples, input, training, options};
+  std::vector<double> there, back;
+  for (size_t v = 0; v < input.held_out_views.size(); ++v) {
+    const EdgeMap drawn = DrawVisible(visibility, input.held_out_views[v], context);
+    const EdgelIndex drawn_index(drawn, std::vector<bool>(drawn.edgels.size(), true));
+    const ImageCurves& image = input.held_out_curves[v];
+    AppendDistances(drawn.edgels, image.edge_map, held_out[v]->edgels, options, context, &there);
+    AppendDistances(EdgelsOfLongFragments(image, options.min_fragment_length_px), drawn,
+                    drawn_index, options, context, &back);
+  }
+  return {Summarize(there, options.cap_px), Summarize(back, options.cap_px)};
+}
+
+}  // namespace limn

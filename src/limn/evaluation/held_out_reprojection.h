@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limn/geometry/polyline.h"
+#include "limn/model/curve3d.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+// A curve and the views whose images it was made from.
+struct SupportedCurve {
+  Polyline3d points_in_world;
+  std::vector<ViewId> supporting_views;  // ascending
+};
+
+std::vector<SupportedCurve> ToSupportedCurves(const DrawingGraph& graph);
+// A closed curve returns to its first point.
+std::vector<SupportedCurve> ToSupportedCurves(const CurveSketch& sketch);
+
+// Pixels are those of the virtual pinhole images.
+struct HeldOutOptions {
+  // A sample is taken to be visible in a held-out view if one of its curve's supporting views shows
+  // it under a viewing angle that differs by less than this. Raising it judges more of the curves,
+  // also where a surface may hide them.
+  double max_viewing_angle_deg = 30;
+  // That view shows it if a linked edgel there is this near across the edge, px, and so near in
+  // direction.
+  double shown_distance_px = 2;
+  double shown_angle_deg = 20;
+  // Curve and edgel are compared if their directions in the image differ by less than this.
+  double max_angle_deg = 30;
+  // Larger distances, and those of what has no partner, count as this, px.
+  double cap_px = 10;
+  // The edgels that are asked back are those of fragments at least this long, px of arc length.
+  double min_fragment_length_px = 20;
+
+  void Check() const;
+};
+
+struct ReprojectionDistances {
+  // px, at most the cap; absent without any sample.
+  std::optional<double> median_px, p90_px;
+  // Share of the samples that have no partner nearer than the cap.
+  std::optional<double> lonely;
+  int count = 0;
+};
+
+struct HeldOutReport {
+  // From the visible curves, every pixel of their length, to the nearest linked edgel.
+  ReprojectionDistances to_edgels;
+  // From the edgels of long fragments to the nearest visible curve.
+  ReprojectionDistances from_edgels;
+};
+
+// `training_curves[v]` belongs to `training_views[v]`, to which the curves' supporting views refer;
+// the other two lists likewise, for views the curves have not seen.
+struct HeldOutInput {
+  const std::vector<View>& training_views;
+  const std::vector<ImageCurves>& training_curves;
+  const std::vector<View>& held_out_views;
+  const std::vector<ImageCurves>& held_out_curves;
+};
+
+// How well curves foretell images they were not made from. No surface is known: what is visible in
+// a held-out view is told by the views beside it (max_viewing_angle_deg), so that curves behind
+// something are not asked for edges, nor used to explain edges of what hides them. A distance is
+// across the nearest edgel or piece of curve, plus along it what is more than half a pixel.
+// Distances of all held-out views are pooled. Throws OptionError. Time: samples times held-out
+// views times supporting views.
+HeldOutReport MeasureHeldOut(const std::vector<SupportedCurve>& curves, const HeldOutInput& input,
+                             const HeldOutOptions& options, const RunContext& context);
+
+}  // namespace limn
