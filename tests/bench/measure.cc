@@ -19,8 +19,9 @@ Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : 
 
 EvaluationReport Evaluate(const DataSet& set, const Truth& truth, const NamedBox& box,
                           const std::vector<View>& views, const CurveSet& reconstruction,
-                          const RunContext& context) {
+                          bool find_duplicates, const RunContext& context) {
   EvaluationOptions options;
+  options.find_duplicates = find_duplicates;
   options.taus = set.taus;
   options.region = box.region;
   if (!set.in_footprints) {
@@ -79,12 +80,14 @@ Truth ReadTruth(const DataSet& set) {
 }
 
 Json MeasureAgainstTruth(const DataSet& set, const Truth& truth, const std::vector<View>& views,
-                         const CurveSet& reconstruction, const RunContext& context) {
+                         const CurveSet& reconstruction, bool find_duplicates,
+                         const RunContext& context) {
   if (!truth.IsKnown()) return nullptr;
   Json boxes = Json::object();
   for (const NamedBox& box : truth.boxes) {
     std::ostringstream text;
-    WriteReportJson(Evaluate(set, truth, box, views, reconstruction, context), text);
+    WriteReportJson(Evaluate(set, truth, box, views, reconstruction, find_duplicates, context),
+                    text);
     boxes[box.name] = Json::parse(text.str());
   }
   return boxes;
@@ -131,7 +134,8 @@ Json MeasureCeiling(const DataSet& set, const Truth& truth, const Scene& scene,
     options.region = box.region;
     const CurveSet shown = ShownTruth(truth.curves, scene.views, scene.curves, options, context);
     boxes[box.name] = Json::array();
-    for (const TauResult& row : Evaluate(set, truth, box, scene.views, shown, context).rows) {
+    const EvaluationReport report = Evaluate(set, truth, box, scene.views, shown, false, context);
+    for (const TauResult& row : report.rows) {
       boxes[box.name].push_back(OrNull(row.recall));
     }
   }

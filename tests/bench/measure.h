@@ -29,9 +29,10 @@ struct Truth {
 Truth ReadTruth(const DataSet& set);
 
 // What truth tells of a reconstruction: for every box the report of EvaluateCurves by the name of
-// the box; nothing without truth.
+// the box; nothing without truth. Duplicates take long to find in sketches.
 Json MeasureAgainstTruth(const DataSet& set, const Truth& truth, const std::vector<View>& views,
-                         const CurveSet& reconstruction, const RunContext& context);
+                         const CurveSet& reconstruction, bool find_duplicates,
+                         const RunContext& context);
 
 // Links, components, total length and saw-teeth: what needs no truth.
 Json MeasureShape(const CurveSet& reconstruction, const std::vector<View>& views);

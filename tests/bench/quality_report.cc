@@ -87,7 +87,7 @@ Json MeasureRun(const Measured& measured, const Method& method, const Json& thre
   run["cpu_seconds"] = result.times.cpu_seconds;
   run["shape"] = MeasureShape(result.set, measured.scene.views);
   run["truth"] = MeasureAgainstTruth(measured.set, measured.truth, measured.scene.views, result.set,
-                                     console->context());
+                                     threshold.is_null(), console->context());
   console->Say(measured.set.name + ", " + method.name + ", threshold " +
                (threshold.is_null() ? "default" : threshold.dump()) + ": " +
                std::to_string(result.set.polylines.size()) + " curves");

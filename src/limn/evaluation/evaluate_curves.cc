@@ -95,7 +95,8 @@ std::vector<Judged> JudgeReconstruction(const Scene& scene, const CurveSamples& 
     judged[i].counts = true;
     judged[i].weight = samples.Weight(i);
     judged[i].distance = truth.Distance(position) / unit;
-    judged[i].duplicated = RunsAlongsideAnother(search, i, tau * unit, &scratch);
+    judged[i].duplicated =
+        scene.options.find_duplicates && RunsAlongsideAnother(search, i, tau * unit, &scratch);
   });
   return judged;
 }
@@ -193,7 +194,9 @@ TauResult EvaluateAt(const Scene& scene, double tau) {
   row.median_accuracy = precision.median;
   row.completeness = recall.mean;
   row.median_completeness = recall.median;
-  if (!scene.reconstruction.polylines.empty()) row.duplicated = precision.duplicated;
+  if (scene.options.find_duplicates && !scene.reconstruction.polylines.empty()) {
+    row.duplicated = precision.duplicated;
+  }
   row.reconstructed_length = precision.total;
   row.true_length = recall.total;
   EvaluateJunctions(scene, dont_care, &row);

@@ -24,6 +24,8 @@ struct EvaluationOptions {
   double dont_care_taus = 2.0;
   // A junction is found by one of the other set's nearer than this many taus.
   double junction_taus = 2.0;
+  // Whether to tell the duplicated share. In sets of many copies most of the time goes there.
+  bool find_duplicates = true;
 
   void Check() const;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "limn/evaluation/curve_samples.h"
 #include "limn/evaluation/footprint.h"
@@ -49,46 +50,80 @@ std::optional<Edgel> ProjectSample(const View& view, const CurveSamples& samples
   return edgel;
 }
 
+enum class Visibility { kNot, kMaybe, kSurely };
+
 // What the training views tell of the visibility of samples.
-struct Visibility {
+struct Witnesses {
   const std::vector<SupportedCurve>& curves;
   const CurveSamples& samples;
   const HeldOutInput& input;
-  const Evidence& training_evidence;
+  const Evidence& evidence;
   const HeldOutOptions& options;
 
-  bool IsVisible(int sample, const View& from) const {
+  bool Shows(ViewId view, int sample) const {
+    const auto& supporting = curves[samples.CurveOf(sample)].supporting_views;
+    if (!std::binary_search(supporting.begin(), supporting.end(), view)) return false;
+    const auto seen = ProjectSample(input.training_views[view], samples, sample);
+    return seen &&
+           evidence[view]->edgels.Best(seen->position_px, seen->tangent_rad, ShownGate(options));
+  }
+
+  // The views that contain the sample within the viewing angle, nearest first.
+  std::vector<ViewId> Beside(const View& view, int sample) const {
     const Eigen::Vector3d& position = samples.Position(sample);
-    const Eigen::Vector3d ray = (position - from.CenterInWorld()).normalized();
+    const Eigen::Vector3d ray = (position - view.CenterInWorld()).normalized();
     const double min_cosine = std::cos(options.max_viewing_angle_deg * kRadiansPerDegree);
-    const auto& views = curves[samples.CurveOf(sample)].supporting_views;
-    return std::any_of(views.begin(), views.end(), [&](ViewId v) {
-      const View& view = input.training_views[v];
-      const Eigen::Vector3d training_ray = (position - view.CenterInWorld()).normalized();
-      if (ray.dot(training_ray) < min_cosine) return false;
-      const auto seen = ProjectSample(view, samples, sample);
-      return seen && training_evidence[v]->edgels.Best(seen->position_px, seen->tangent_rad,
-                                                       ShownGate(options));
-    });
+    std::vector<std::pair<double, ViewId>> found;
+    for (size_t v = 0; v < input.training_views.size(); ++v) {
+      const View& training = input.training_views[v];
+      const double cosine = ray.dot((position - training.CenterInWorld()).normalized());
+      if (cosine < min_cosine || !training.Project(position)) continue;
+      found.emplace_back(-cosine, static_cast<ViewId>(v));
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<ViewId> beside;
+    for (const auto& [order, v] : found) beside.push_back(v);
+    return beside;
+  }
+
+  Visibility VisibilityIn(const View& view, int sample) const {
+    constexpr int kSure = 2;
+    int shown = 0;
+    int asked = 0;
+    for (const ViewId v : Beside(view, sample)) {
+      shown += Shows(v, sample);
+      ++asked;
+      if (shown == kSure && asked == kSure) return Visibility::kSurely;
+      if (shown > 0 && asked >= kSure) return Visibility::kMaybe;
+    }
+    return shown > 0 ? Visibility::kMaybe : Visibility::kNot;
   }
 };
 
-// The visible samples as the edgels that the view should have.
-EdgeMap DrawVisible(const Visibility& visibility, const View& view, const RunContext& context) {
-  const auto count = static_cast<size_t>(visibility.samples.size());
-  std::vector<std::optional<Edgel>> drawn(count);
+// The samples as the edgels that a view should have.
+struct DrawnView {
+  std::vector<Edgel> sure;
+  EdgeMap possible;  // and sure
+};
+
+DrawnView DrawVisible(const Witnesses& witnesses, const View& view, const RunContext& context) {
+  const auto count = static_cast<size_t>(witnesses.samples.size());
+  std::vector<std::optional<Edgel>> projected(count);
+  std::vector<Visibility> visibility(count, Visibility::kNot);
   ParallelFor(context, "held-out views", (count + kChunk - 1) / kChunk, [&](size_t chunk) {
     for (size_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
       const int sample = static_cast<int>(i);
-      auto edgel = ProjectSample(view, visibility.samples, sample);
-      if (edgel && visibility.IsVisible(sample, view)) drawn[i] = edgel;
+      projected[i] = ProjectSample(view, witnesses.samples, sample);
+      if (projected[i]) visibility[i] = witnesses.VisibilityIn(view, sample);
     }
   });
-  EdgeMap map;
-  for (const auto& edgel : drawn) {
-    if (edgel) map.edgels.push_back(*edgel);
+  DrawnView drawn;
+  for (size_t i = 0; i < count; ++i) {
+    if (visibility[i] == Visibility::kNot) continue;
+    drawn.possible.edgels.push_back(*projected[i]);
+    if (visibility[i] == Visibility::kSurely) drawn.sure.push_back(*projected[i]);
   }
-  return map;
+  return drawn;
 }
 
 double DistanceToNearest(const Edgel& from, const EdgeMap& to, const EdgelIndex& index,
@@ -192,15 +227,16 @@ HeldOutReport MeasureHeldOut(const std::vector<SupportedCurve>& curves, const He
   const Evidence held_out =
       BuildEvidence(input.held_out_views, input.held_out_curves, gate, context);
   const CurveSamples samples = SampleByPixels(curves, input.training_views);
-  const Visibility visibility{curves, samples, input, training, options};
+  const Witnesses witnesses{curves, samples, input, training, options};
   std::vector<double> there, back;
   for (size_t v = 0; v < input.held_out_views.size(); ++v) {
-    const EdgeMap drawn = DrawVisible(visibility, input.held_out_views[v], context);
-    const EdgelIndex drawn_index(drawn, std::vector<bool>(drawn.edgels.size(), true));
+    const DrawnView drawn = DrawVisible(witnesses, input.held_out_views[v], context);
+    const EdgeMap& possible = drawn.possible;
+    const EdgelIndex possible_index(possible, std::vector<bool>(possible.edgels.size(), true));
     const ImageCurves& image = input.held_out_curves[v];
-    AppendDistances(drawn.edgels, image.edge_map, held_out[v]->edgels, options, context, &there);
-    AppendDistances(EdgelsOfLongFragments(image, options.min_fragment_length_px), drawn,
-                    drawn_index, options, context, &back);
+    AppendDistances(drawn.sure, image.edge_map, held_out[v]->edgels, options, context, &there);
+    AppendDistances(EdgelsOfLongFragments(image, options.min_fragment_length_px), possible,
+                    possible_index, options, context, &back);
   }
   return {Summarize(there, options.cap_px), Summarize(back, options.cap_px)};
 }

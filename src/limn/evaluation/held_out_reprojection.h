@@ -24,12 +24,12 @@ std::vector<SupportedCurve> ToSupportedCurves(const CurveSketch& sketch);
 
 // Pixels are those of the virtual pinhole images.
 struct HeldOutOptions {
-  // A sample is taken to be visible in a held-out view if one of its curve's supporting views shows
-  // it under a viewing angle that differs by less than this. Raising it judges more of the curves,
-  // also where a surface may hide them.
+  // What a view sees of a sample under a viewing angle that differs by less than this tells whether
+  // a held-out view sees it. Raising it judges more of the curves, also where a surface may hide
+  // them.
   double max_viewing_angle_deg = 30;
-  // That view shows it if a linked edgel there is this near across the edge, px, and so near in
-  // direction.
+  // One of a curve's supporting views shows a sample if a linked edgel there is this near across
+  // the edge, px, and so near in direction.
   double shown_distance_px = 2;
   double shown_angle_deg = 20;
   // Curve and edgel are compared if their directions in the image differ by less than this.
@@ -51,9 +51,10 @@ struct ReprojectionDistances {
 };
 
 struct HeldOutReport {
-  // From the visible curves, every pixel of their length, to the nearest linked edgel.
+  // From what is surely visible of the curves, every pixel of their length, to the nearest linked
+  // edgel.
   ReprojectionDistances to_edgels;
-  // From the edgels of long fragments to the nearest visible curve.
+  // From the edgels of long fragments to the nearest of what may be visible of the curves.
   ReprojectionDistances from_edgels;
 };
 
@@ -66,12 +67,13 @@ struct HeldOutInput {
   const std::vector<ImageCurves>& held_out_curves;
 };
 
-// How well curves foretell images they were not made from. No surface is known: what is visible in
-// a held-out view is told by the views beside it (max_viewing_angle_deg), so that curves behind
-// something are not asked for edges, nor used to explain edges of what hides them. A distance is
-// across the nearest edgel or piece of curve, plus along it what is more than half a pixel.
-// Distances of all held-out views are pooled. Throws OptionError. Time: samples times held-out
-// views times supporting views.
+// How well curves foretell images they were not made from. No surface is known, so the views beside
+// a held-out view tell what is visible there. Surely visible: the two training views that look at
+// the sample most nearly as the held-out view does, of all that have it in their image, both show
+// it. May be visible: any view within max_viewing_angle_deg shows it. A distance is across the
+// nearest edgel or piece of curve, plus along it what is more than half a pixel. Distances of all
+// held-out views are pooled. Throws OptionError. Time: samples times held-out views times training
+// views.
 HeldOutReport MeasureHeldOut(const std::vector<SupportedCurve>& curves, const HeldOutInput& input,
                              const HeldOutOptions& options, const RunContext& context);
 
