@@ -24,7 +24,7 @@ TEST(QualityReport, MeasuresEveryMethod) {
   const TempDir dir;
   const LimnRun run =
       RunProgram(QUALITY_REPORT_PROGRAM, {"--sets", "sample-day", "--quick", "1", "--output_path",
-                                          dir.path().string(), "--max_image_size", "240"});
+                                          dir.path().string(), "--max_image_size", "160"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json sets = ReadJson(dir / "report.json").at("sets");
   ASSERT_EQ(sets.size(), 1u);
