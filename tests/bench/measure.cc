@@ -2,7 +2,6 @@
 
 #include <sstream>
 
-#include "limn/evaluation/curve_topology.h"
 #include "limn/evaluation/emap_protocol.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/held_out_reprojection.h"
@@ -29,6 +28,12 @@ EvaluationReport Evaluate(const DataSet& set, const Truth& truth, const NamedBox
   }
   return EvaluateCurvesInFootprints(reconstruction, truth.curves, views, options, truth.dont_care,
                                     context);
+}
+
+Json AsJson(const EvaluationReport& report) {
+  std::ostringstream text;
+  WriteReportJson(report, text);
+  return Json::parse(text.str());
 }
 
 Json DistancesAsJson(const ReprojectionDistances& distances) {
@@ -85,27 +90,16 @@ Json MeasureAgainstTruth(const DataSet& set, const Truth& truth, const std::vect
   if (!truth.IsKnown()) return nullptr;
   Json boxes = Json::object();
   for (const NamedBox& box : truth.boxes) {
-    std::ostringstream text;
-    WriteReportJson(Evaluate(set, truth, box, views, reconstruction, find_duplicates, context),
-                    text);
-    boxes[box.name] = Json::parse(text.str());
+    boxes[box.name] =
+        AsJson(Evaluate(set, truth, box, views, reconstruction, find_duplicates, context));
   }
   return boxes;
 }
 
 Json MeasureShape(const CurveSet& reconstruction, const std::vector<View>& views) {
-  const SawTeeth teeth = MeasureSawTeeth(reconstruction.polylines, views);
-  double length = 0;
-  for (const Polyline3d& polyline : reconstruction.polylines) length += Length(polyline);
-  return {{"num_links", reconstruction.polylines.size()},
-          {"num_components", CountComponents(FindTopology(reconstruction.polylines))},
-          {"total_length", length},
-          {"saw_teeth",
-           {{"median", OrNull(teeth.median)},
-            {"p90", OrNull(teeth.p90)},
-            {"median_by_length", OrNull(teeth.median_by_length)},
-            {"p90_by_length", OrNull(teeth.p90_by_length)},
-            {"num_links", teeth.num_curves}}}};
+  EvaluationReport report = CountCurves(reconstruction);
+  report.saw_teeth = MeasureSawTeeth(reconstruction.polylines, views);
+  return AsJson(report);
 }
 
 Json MeasureByEmap(const Truth& truth, const CurveSet& reconstruction) {

@@ -34,7 +34,7 @@ Json MeasureAgainstTruth(const DataSet& set, const Truth& truth, const std::vect
                          const CurveSet& reconstruction, bool find_duplicates,
                          const RunContext& context);
 
-// Links, components, total length and saw-teeth: what needs no truth.
+// The report of CountCurves with saw-teeth: what needs no truth.
 Json MeasureShape(const CurveSet& reconstruction, const std::vector<View>& views);
 
 // EMAP's protocol with and without averaging in voxels; nothing without its truth.

@@ -6,7 +6,7 @@
 
 #include "bench/scene.h"
 #include "bench/stopwatch.h"
-#include "limn/evaluation/held_out_reprojection.h"
+#include "limn/evaluation/supported_curve.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/pipeline/pipeline_options.h"

@@ -2,175 +2,45 @@
 // its default options and with its support threshold swept, against the truth and in held-out
 // views. Writes report.json, report.md, and per data set the drawings and, where there is a cloud
 // of PMVS, a picture of both. scripts/plot_quality.py draws the curves of precision and recall.
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <iostream>
+#include <string>
 
 #include "bench/data_sets.h"
-#include "bench/measure.h"
-#include "bench/methods.h"
+#include "bench/measure_set.h"
 #include "bench/report_tables.h"
-#include "bench/scene.h"
-#include "bench/side_by_side.h"
-#include "bench/stopwatch.h"
 #include "colmap_ext/commands/console.h"
-#include "colmap_ext/commands/project.h"
 #include "colmap_ext/options/option_parser.h"
-#include "limn/export/write_drawing.h"
 #include "limn/io/atomic_file.h"
-#include "limn/io/read_curves.h"
-#include "limn/pictures/picture.h"
 #include "limn/util/errors.h"
 
 namespace limn::bench {
 namespace {
 
-using colmap_ext::Console;
-
 struct Options {
   std::string data_path = LIMN_DATA_DIR;
   std::string sample_path = LIMN_SAMPLE_DIR;
-  std::string output_path;
   std::string sets;
-  bool quick = false;
-  int max_image_size = -1;
+  ReportOptions report;
   int num_threads = -1;
 };
 
 void AddOptions(Options* options, OptionParser* parser) {
   parser->AddOption("data_path", &options->data_path, "folder of the data sets");
   parser->AddOption("sample_path", &options->sample_path, "folder of the sample scene");
-  parser->AddOption("output_path", &options->output_path, "where everything is written");
+  parser->AddOption("output_path", &options->report.output_path, "where everything is written");
   parser->AddOption("sets", &options->sets, "data sets with commas between; empty = all present");
-  parser->AddOption("quick", &options->quick, "default options only, no sweep");
-  parser->AddOption("max_image_size", &options->max_image_size,
+  parser->AddOption("quick", &options->report.quick, "default options only, no sweep");
+  parser->AddOption("max_image_size", &options->report.max_image_size,
                     "shrink images to this longer side, px, -1 = do not");
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }
 
-// A data set while it is measured.
-struct Measured {
-  const DataSet& set;
-  Truth truth;
-  Scene scene;
-  Scene training;
-  Scene held_out;
-  double seconds = 0;  // of the image curves
-};
-
-Measured Load(const DataSet& set, const Options& options, Console* console) {
-  colmap_ext::RunOptions run;
-  run.layout.workspace_path = set.workspace_path;
-  run.layout.output_path = options.output_path + "/" + set.name;
-  run.view.max_image_size = options.max_image_size;
-  const colmap_ext::Project project(run, console);
-  Measured measured{set, ReadTruth(set), {}, {}, {}, 0};
-  const Stopwatch stopwatch;
-  CurvesResult curves = ExtractProjectCurves(project, run, console);
-  measured.seconds = stopwatch.Elapsed().seconds;
-  measured.scene = {project.views(), std::move(curves.curves), project.view_set().hints};
-  measured.training = PartOf(measured.scene, false);
-  measured.held_out = PartOf(measured.scene, true);
-  return measured;
-}
-
-// `threshold` is null for the default options.
-Json MeasureRun(const Measured& measured, const Method& method, const Json& threshold,
-                const Reconstruction& result, Console* console) {
-  Json run;
-  run["method"] = method.name;
-  run["threshold_name"] = method.threshold_name;
-  run["threshold"] = threshold;
-  run["seconds"] = result.times.seconds;
-  run["cpu_seconds"] = result.times.cpu_seconds;
-  run["shape"] = MeasureShape(result.set, measured.scene.views);
-  run["truth"] = MeasureAgainstTruth(measured.set, measured.truth, measured.scene.views, result.set,
-                                     threshold.is_null(), console->context());
-  console->Say(measured.set.name + ", " + method.name + ", threshold " +
-               (threshold.is_null() ? "default" : threshold.dump()) + ": " +
-               std::to_string(result.set.polylines.size()) + " curves");
-  return run;
-}
-
-// File names hold no spaces.
-std::string ResultPath(const Options& options, const DataSet& set, std::string name) {
-  std::replace(name.begin(), name.end(), ' ', '-');
-  return options.output_path + "/" + set.name + "/" + name;
-}
-
-void WriteResults(const Options& options, const Measured& measured, const Method& method,
-                  const DrawingGraph& graph) {
-  DrawingMetadata metadata;
-  for (const View& view : measured.scene.views) metadata.view_names.push_back(view.name);
-  WriteDrawing(ResultPath(options, measured.set, method.name + ".json"), graph, metadata);
-  const std::string& cloud_path = measured.set.cloud_path;
-  if (cloud_path.empty() || !std::filesystem::exists(cloud_path)) return;
-  const View& view = measured.scene.views[measured.scene.views.size() / 2];
-  WritePng(ResultPath(options, measured.set, method.name + "-beside-pmvs.png"),
-           DrawSideBySide(graph, ReadCurves(cloud_path).points, view));
-}
-
-Json MeasureDefaults(const Options& options, const Measured& measured, Workbench* workbench,
-                     Console* console) {
-  Workbench training_bench(measured.training, console->context());
-  Json runs = Json::array();
-  for (const Method& method : Methods()) {
-    const Reconstruction result = workbench->Run(method, {});
-    Json run = MeasureRun(measured, method, nullptr, result, console);
-    run["emap"] = MeasureByEmap(measured.truth, result.set);
-    run["held_out"] =
-        MeasureHeldOutViews(measured.training, measured.held_out,
-                            training_bench.Run(method, {}).curves, console->context());
-    if (result.graph) WriteResults(options, measured, method, *result.graph);
-    runs.push_back(std::move(run));
-  }
-  return runs;
-}
-
-// All methods at their first threshold, then at their second, ...: those that share a sketch follow
-// each other.
-void AppendSweep(const Measured& measured, Workbench* workbench, Console* console, Json* runs) {
-  size_t most = 0;
-  for (const Method& method : Methods()) most = std::max(most, method.thresholds.size());
-  for (size_t i = 0; i < most; ++i) {
-    for (const Method& method : Methods()) {
-      if (i >= method.thresholds.size()) continue;
-      PipelineOptions options;
-      method.set_threshold(method.thresholds[i], &options);
-      runs->push_back(MeasureRun(measured, method, method.thresholds[i],
-                                 workbench->Run(method, options), console));
-    }
-  }
-}
-
-Json MeasureSet(const DataSet& set, const Options& options, Console* console) {
-  const Measured measured = Load(set, options, console);
-  Json json;
-  json["name"] = set.name;
-  json["plot"] = set.plot;
-  json["unit"] = set.in_footprints ? "footprint" : "world";
-  json["taus"] = set.taus;
-  json["boxes"] = Json::array();
-  for (const NamedBox& box : measured.truth.boxes) json["boxes"].push_back(box.name);
-  json["num_views"] = measured.scene.views.size();
-  json["num_held_out"] = measured.held_out.views.size();
-  json["seconds"] = measured.seconds;
-  json["ceiling"] = MeasureCeiling(set, measured.truth, measured.scene, console->context());
-  Workbench workbench(measured.scene, console->context());
-  json["runs"] = MeasureDefaults(options, measured, &workbench, console);
-  // Without truth there is nothing to plot.
-  if (!options.quick && measured.truth.IsKnown()) {
-    AppendSweep(measured, &workbench, console, &json["runs"]);
-  }
-  return json;
-}
-
 void WriteReport(const Options& options, const Json& report) {
-  WriteFileAtomically(options.output_path + "/report.json",
+  WriteFileAtomically(options.report.output_path + "/report.json",
                       [&](std::ostream& out) { out << report.dump(1) << '\n'; });
-  WriteFileAtomically(options.output_path + "/report.md",
+  WriteFileAtomically(options.report.output_path + "/report.md",
                       [&](std::ostream& out) { WriteTables(report, out); });
 }
 
@@ -179,13 +49,13 @@ void Run(int argc, const char* const* argv) {
   OptionParser parser("quality_report", "measure the methods on all known data sets");
   AddOptions(&options, &parser);
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return;
-  if (options.output_path.empty()) throw OptionError("--output_path must be given");
+  if (options.report.output_path.empty()) throw OptionError("--output_path must be given");
   const auto sets =
       SelectDataSets(KnownDataSets(options.data_path, options.sample_path), options.sets);
-  Console console(options.num_threads);
+  colmap_ext::Console console(options.num_threads);
   Json report = {{"sets", Json::array()}};
   for (const DataSet& set : sets) {
-    report["sets"].push_back(MeasureSet(set, options, &console));
+    report["sets"].push_back(MeasureSet(set, options.report, &console));
     WriteReport(options, report);  // after every set: the next one may take long
   }
 }

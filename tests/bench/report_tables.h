@@ -8,7 +8,7 @@ namespace limn::bench {
 
 // The report as Markdown: for every data set a table of the methods with their default options in
 // every box, what the sweep gave in the first box, EMAP's figures. Absent figures are "-".
-// `report` is as quality_report.cc writes it.
+// `report` is {"sets": [...]} with what MeasureSet gives.
 void WriteTables(const nlohmann::ordered_json& report, std::ostream& out);
 
 }  // namespace limn::bench

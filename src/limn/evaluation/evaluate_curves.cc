@@ -217,15 +217,8 @@ EvaluationReport Evaluate(const CurveSet& reconstruction, const CurveSet& truth,
                     unit_at,
                     context,
                     FindTopology(reconstruction.polylines)};
-  EvaluationReport report;
+  EvaluationReport report = CountCurves(reconstruction);
   for (const double tau : options.taus) report.rows.push_back(EvaluateAt(scene, tau));
-  report.num_links = static_cast<int>(reconstruction.polylines.size());
-  report.num_points = static_cast<int>(reconstruction.points.size());
-  for (const Polyline3d& link : reconstruction.polylines) report.total_length += Length(link);
-  if (report.num_links > 0) report.mean_link_length = report.total_length / report.num_links;
-  report.num_components = CountComponents(scene.topology);
-  report.nodes_by_degree = CountNodesByDegree(reconstruction);
-  if (report.num_links > 0) report.num_ignored_points = report.num_points;
   return report;
 }
 
@@ -259,6 +252,18 @@ EvaluationReport EvaluateCurvesInFootprints(const CurveSet& reconstruction, cons
   };
   EvaluationReport report = Evaluate(reconstruction, truth, dont_care, footprint, options, context);
   report.in_footprints = true;
+  return report;
+}
+
+EvaluationReport CountCurves(const CurveSet& reconstruction) {
+  EvaluationReport report;
+  report.num_links = static_cast<int>(reconstruction.polylines.size());
+  report.num_points = static_cast<int>(reconstruction.points.size());
+  for (const Polyline3d& link : reconstruction.polylines) report.total_length += Length(link);
+  if (report.num_links > 0) report.mean_link_length = report.total_length / report.num_links;
+  report.num_components = CountComponents(FindTopology(reconstruction.polylines));
+  report.nodes_by_degree = CountNodesByDegree(reconstruction);
+  if (report.num_links > 0) report.num_ignored_points = report.num_points;
   return report;
 }
 

@@ -88,4 +88,7 @@ EvaluationReport EvaluateCurvesInFootprints(const CurveSet& reconstruction, cons
                                             const CurveSet& dont_care = {},
                                             const RunContext& context = {});
 
+// What needs no truth: the report without rows. Linear in the number of points.
+EvaluationReport CountCurves(const CurveSet& reconstruction);
+
 }  // namespace limn

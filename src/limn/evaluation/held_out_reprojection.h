@@ -3,35 +3,17 @@
 #include <optional>
 #include <vector>
 
-#include "limn/geometry/polyline.h"
-#include "limn/model/curve3d.h"
+#include "limn/evaluation/curve_visibility.h"
+#include "limn/evaluation/supported_curve.h"
 #include "limn/model/curve_fragment.h"
-#include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 #include "limn/util/parallel.h"
 
 namespace limn {
 
-// A curve and the views whose images it was made from.
-struct SupportedCurve {
-  Polyline3d points_in_world;
-  std::vector<ViewId> supporting_views;  // ascending
-};
-
-std::vector<SupportedCurve> ToSupportedCurves(const DrawingGraph& graph);
-// A closed curve returns to its first point.
-std::vector<SupportedCurve> ToSupportedCurves(const CurveSketch& sketch);
-
 // Pixels are those of the virtual pinhole images.
 struct HeldOutOptions {
-  // What a view sees of a sample under a viewing angle that differs by less than this tells whether
-  // a held-out view sees it. Raising it judges more of the curves, also where a surface may hide
-  // them.
-  double max_viewing_angle_deg = 30;
-  // One of a curve's supporting views shows a sample if a linked edgel there is this near across
-  // the edge, px, and so near in direction.
-  double shown_distance_px = 2;
-  double shown_angle_deg = 20;
+  VisibilityOptions visibility;
   // Curve and edgel are compared if their directions in the image differ by less than this.
   double max_angle_deg = 30;
   // Larger distances, and those of what has no partner, count as this, px.
@@ -67,13 +49,10 @@ struct HeldOutInput {
   const std::vector<ImageCurves>& held_out_curves;
 };
 
-// How well curves foretell images they were not made from. No surface is known, so the views beside
-// a held-out view tell what is visible there. Surely visible: the two training views that look at
-// the sample most nearly as the held-out view does, of all that have it in their image, both show
-// it. May be visible: any view within max_viewing_angle_deg shows it. A distance is across the
-// nearest edgel or piece of curve, plus along it what is more than half a pixel. Distances of all
-// held-out views are pooled. Throws OptionError. Time: samples times held-out views times training
-// views.
+// How well curves foretell images they were not made from (CurveVisibility). A distance is across
+// the nearest edgel or piece of curve, plus along it what is more than half a pixel. Distances of
+// all held-out views are pooled. Throws OptionError. Time: samples times held-out views times
+// training views.
 HeldOutReport MeasureHeldOut(const std::vector<SupportedCurve>& curves, const HeldOutInput& input,
                              const HeldOutOptions& options, const RunContext& context);
 
