@@ -3,17 +3,14 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "bench/data_sets.h"
+#include "bench/json.h"
 #include "bench/methods.h"
 #include "bench/scene.h"
 #include "limn/model/curve_set.h"
 #include "limn/util/parallel.h"
 
 namespace limn::bench {
-
-using Json = nlohmann::ordered_json;
 
 // The truth of a data set, read. Empty sets of curves: there is none.
 struct Truth {

@@ -2,9 +2,8 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "bench/data_sets.h"
+#include "bench/json.h"
 #include "colmap_ext/commands/console.h"
 
 namespace limn::bench {
@@ -26,7 +25,6 @@ struct ReportOptions {
 //                        cpu_seconds, shape, truth: {box: report}}]; those with default options
 //                        have also emap and held_out
 // Writes drawings and pictures. Throws IoError, InputError, OptionError and Cancelled.
-nlohmann::ordered_json MeasureSet(const DataSet& set, const ReportOptions& options,
-                                  colmap_ext::Console* console);
+Json MeasureSet(const DataSet& set, const ReportOptions& options, colmap_ext::Console* console);
 
 }  // namespace limn::bench

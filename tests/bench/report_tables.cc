@@ -8,7 +8,6 @@
 namespace limn::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Cells = std::vector<std::string>;
 
 std::string Fixed(const Json& number, int digits, double factor = 1) {

@@ -2,13 +2,13 @@
 
 #include <iosfwd>
 
-#include <nlohmann/json.hpp>
+#include "bench/json.h"
 
 namespace limn::bench {
 
 // The report as Markdown: for every data set a table of the methods with their default options in
 // every box, what the sweep gave in the first box, EMAP's figures. Absent figures are "-".
 // `report` is {"sets": [...]} with what MeasureSet gives.
-void WriteTables(const nlohmann::ordered_json& report, std::ostream& out);
+void WriteTables(const Json& report, std::ostream& out);
 
 }  // namespace limn::bench
