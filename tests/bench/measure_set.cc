@@ -54,8 +54,10 @@ Json MeasureRun(const Measured& measured, const Method& method, const Json& thre
   run["seconds"] = result.times.seconds;
   run["cpu_seconds"] = result.times.cpu_seconds;
   run["shape"] = MeasureShape(result.set, measured.scene.views);
+  // A sketch has every curve once per pair of views: they would take long to count.
+  const bool find_duplicates = threshold.is_null() && result.graph.has_value();
   run["truth"] = MeasureAgainstTruth(measured.set, measured.truth, measured.scene.views, result.set,
-                                     threshold.is_null(), console->context());
+                                     find_duplicates, console->context());
   console->Say(measured.set.name + ", " + method.name + ", threshold " +
                (threshold.is_null() ? "default" : threshold.dump()) + ": " +
                std::to_string(result.set.polylines.size()) + " curves");
