@@ -64,6 +64,7 @@ Picture Beside(const Picture& left, const Picture& right) {
 Picture DrawSideBySide(const DrawingGraph& graph, const std::vector<Eigen::Vector3d>& cloud,
                        const View& view) {
   PictureOptions options;
+  options.node_radius_px = 2;  // many small nodes would hide the curves
   options.scale = std::max(view.camera.width, view.camera.height) < kSmallImagePx ? 2 : 1;
   return Beside(RenderDrawing(graph, view, options), RenderCloud(cloud, view, options.scale));
 }
