@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "bench/measure.h"
 #include "bench/methods.h"
@@ -82,10 +83,9 @@ void WriteResults(const ReportOptions& options, const Measured& measured, const 
            DrawSideBySide(graph, ReadCurves(cloud_path).points, view));
 }
 
-Json MeasureDefaults(const ReportOptions& options, const Measured& measured, Workbench* workbench,
-                     Console* console) {
+void MeasureDefaults(const ReportOptions& options, const Measured& measured, Workbench* workbench,
+                     Console* console, const std::function<void(Json)>& add_run) {
   Workbench training_bench(measured.training, console->context());
-  Json runs = Json::array();
   for (const Method& method : Methods()) {
     const Reconstruction result = workbench->Run(method, {});
     Json run = MeasureRun(measured, method, nullptr, result, console);
@@ -94,14 +94,14 @@ Json MeasureDefaults(const ReportOptions& options, const Measured& measured, Wor
         MeasureHeldOutViews(measured.training, measured.held_out,
                             training_bench.Run(method, {}).curves, console->context());
     if (result.graph) WriteResults(options, measured, method, *result.graph);
-    runs.push_back(std::move(run));
+    add_run(std::move(run));
   }
-  return runs;
 }
 
 // All methods at their first threshold, then at their second, ...: those that share a sketch follow
 // each other.
-void AppendSweep(const Measured& measured, Workbench* workbench, Console* console, Json* runs) {
+void MeasureSweep(const Measured& measured, Workbench* workbench, Console* console,
+                  const std::function<void(Json)>& add_run) {
   size_t most = 0;
   for (const Method& method : Methods()) most = std::max(most, method.thresholds.size());
   for (size_t i = 0; i < most; ++i) {
@@ -109,15 +109,16 @@ void AppendSweep(const Measured& measured, Workbench* workbench, Console* consol
       if (i >= method.thresholds.size()) continue;
       PipelineOptions options;
       method.set_threshold(method.thresholds[i], &options);
-      runs->push_back(MeasureRun(measured, method, method.thresholds[i],
-                                 workbench->Run(method, options), console));
+      add_run(MeasureRun(measured, method, method.thresholds[i], workbench->Run(method, options),
+                         console));
     }
   }
 }
 
 }  // namespace
 
-Json MeasureSet(const DataSet& set, const ReportOptions& options, Console* console) {
+void MeasureSet(const DataSet& set, const ReportOptions& options, Console* console,
+                const std::function<void(const Json&)>& on_run) {
   const Measured measured = Load(set, options, console);
   Json json;
   json["name"] = set.name;
@@ -130,13 +131,17 @@ Json MeasureSet(const DataSet& set, const ReportOptions& options, Console* conso
   json["num_held_out"] = measured.held_out.views.size();
   json["seconds"] = measured.seconds;
   json["ceiling"] = MeasureCeiling(set, measured.truth, measured.scene, console->context());
+  json["runs"] = Json::array();
+  const auto add_run = [&](Json run) {
+    json["runs"].push_back(std::move(run));
+    on_run(json);
+  };
   Workbench workbench(measured.scene, console->context());
-  json["runs"] = MeasureDefaults(options, measured, &workbench, console);
+  MeasureDefaults(options, measured, &workbench, console, add_run);
   // Without truth there is nothing to plot.
   if (!options.quick && measured.truth.IsKnown()) {
-    AppendSweep(measured, &workbench, console, &json["runs"]);
+    MeasureSweep(measured, &workbench, console, add_run);
   }
-  return json;
 }
 
 }  // namespace limn::bench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "bench/data_sets.h"
@@ -24,7 +25,9 @@ struct ReportOptions {
 //   runs               [{method, threshold_name, threshold (null: default options), seconds,
 //                        cpu_seconds, shape, truth: {box: report}}]; those with default options
 //                        have also emap and held_out
-// Writes drawings and pictures. Throws IoError, InputError, OptionError and Cancelled.
-Json MeasureSet(const DataSet& set, const ReportOptions& options, colmap_ext::Console* console);
+// Writes drawings and pictures. `on_run` hears of all this so far after every run. Throws IoError,
+// InputError, OptionError and Cancelled.
+void MeasureSet(const DataSet& set, const ReportOptions& options, colmap_ext::Console* console,
+                const std::function<void(const Json& so_far)>& on_run);
 
 }  // namespace limn::bench

@@ -55,8 +55,11 @@ void Run(int argc, const char* const* argv) {
   colmap_ext::Console console(options.num_threads);
   Json report = {{"sets", Json::array()}};
   for (const DataSet& set : sets) {
-    report["sets"].push_back(MeasureSet(set, options.report, &console));
-    WriteReport(options, report);  // after every set: the next one may take long
+    report["sets"].push_back(nullptr);
+    MeasureSet(set, options.report, &console, [&](const Json& so_far) {
+      report["sets"].back() = so_far;
+      WriteReport(options, report);  // a sweep takes long: what is known can be read
+    });
   }
 }
 
