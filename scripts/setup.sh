@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Install what Limn is built from and tested with (Debian 12). Does nothing when all is there.
+# Install what Limn is built from and tested with (Debian 12), and the packages named as arguments. Does nothing
+# when all is there.
 set -euo pipefail
 
 packages=(
@@ -8,6 +9,7 @@ packages=(
   libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   colmap
+  "$@"
 )
 
 missing=()

@@ -48,8 +48,9 @@ void AddOptions(EvaluatorOptions* options, OptionParser* parser) {
   parser->AddOption("dont_care_taus", &evaluation.dont_care_taus,
                     "reach of don't-care curves, taus");
   parser->AddOption("junction_taus", &evaluation.junction_taus, "reach of a junction, taus");
-  parser->AddOption("workspace_path", &options->layout.workspace_path,
-                    "COLMAP project whose pixels are the unit footprint");
+  parser->AddOption(
+      "workspace_path", &options->layout.workspace_path,
+      "COLMAP project whose pixels are the unit footprint; with it saw-teeth are told too");
   parser->AddOption("image_path", &options->layout.image_path, "its images");
   parser->AddOption("model_index", &options->layout.model_index, "which of its models");
   parser->AddOption("output_csv", &options->output_csv, "also write the table to this file");
@@ -70,19 +71,28 @@ void Check(const EvaluatorOptions& options) {
   options.evaluation.Check();
 }
 
+std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& context) {
+  const WorkspaceLayout layout = ResolveLayout(options.layout);
+  return ToViews(ReadModel(layout.model_dir), layout.image_dir, {}, context).views;
+}
+
 EvaluationReport Evaluate(const EvaluatorOptions& options, const RunContext& context) {
   const CurveSet reconstruction = ReadCurves(options.input_path);
   CurveSet truth = ReadCurves(options.truth_path, options.truth_edges_path);
   if (!options.junctions_path.empty()) truth.nodes = ReadJunctions(options.junctions_path);
   const CurveSet dont_care =
       options.dont_care_path.empty() ? CurveSet() : ReadCurves(options.dont_care_path);
-  if (options.unit == Unit::kWorld) {
+  if (options.layout.workspace_path.empty()) {
     return EvaluateCurves(reconstruction, truth, options.evaluation, dont_care, context);
   }
-  const WorkspaceLayout layout = ResolveLayout(options.layout);
-  const ViewSet set = ToViews(ReadModel(layout.model_dir), layout.image_dir, {}, context);
-  return EvaluateCurvesInFootprints(reconstruction, truth, set.views, options.evaluation, dont_care,
-                                    context);
+  const std::vector<View> views = ReadViews(options, context);
+  EvaluationReport report =
+      options.unit == Unit::kWorld
+          ? EvaluateCurves(reconstruction, truth, options.evaluation, dont_care, context)
+          : EvaluateCurvesInFootprints(reconstruction, truth, views, options.evaluation, dont_care,
+                                       context);
+  report.saw_teeth = MeasureSawTeeth(reconstruction.polylines, views);
+  return report;
 }
 
 }  // namespace

@@ -33,19 +33,24 @@ std::string ReadFile(const std::filesystem::path& path) {
 
 }  // namespace
 
-LimnRun RunLimn(const std::vector<std::string>& arguments, double interrupt_after_seconds) {
+LimnRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
+                   double interrupt_after_seconds) {
   const TempDir dir;
   std::string command;
   if (interrupt_after_seconds > 0) {
     command =
         "timeout --preserve-status --signal=INT " + std::to_string(interrupt_after_seconds) + " ";
   }
-  command += Quoted(LIMN_PROGRAM);
+  command += Quoted(program);
   for (const std::string& argument : arguments) command += " " + Quoted(argument);
   command += " > " + Quoted(dir / "out") + " 2> " + Quoted(dir / "err");
   const int status = std::system(command.c_str());
   if (status == -1 || !WIFEXITED(status)) throw std::runtime_error("did not exit: " + command);
   return {WEXITSTATUS(status), ReadFile(dir / "out"), ReadFile(dir / "err")};
+}
+
+LimnRun RunLimn(const std::vector<std::string>& arguments, double interrupt_after_seconds) {
+  return RunProgram(LIMN_PROGRAM, arguments, interrupt_after_seconds);
 }
 
 std::map<std::string, std::string> ReadTree(const std::filesystem::path& folder) {

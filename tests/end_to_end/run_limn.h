@@ -13,7 +13,11 @@ struct LimnRun {
   std::string err;  // standard error
 };
 
-// Run the built program and wait for it; send it SIGINT after some time if that is not 0.
+// Run a program and wait for it; send it SIGINT after some time if that is not 0.
+LimnRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
+                   double interrupt_after_seconds = 0);
+
+// The same with the built `limn`.
 LimnRun RunLimn(const std::vector<std::string>& arguments, double interrupt_after_seconds = 0);
 
 // The contents of all files below a folder by their relative paths; empty if there is no such

@@ -8,6 +8,7 @@
 #include "limn/evaluation/curve_topology.h"
 #include "limn/evaluation/duplicates.h"
 #include "limn/evaluation/footprint.h"
+#include "limn/evaluation/quantiles.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -94,7 +95,8 @@ std::vector<Judged> JudgeReconstruction(const Scene& scene, const CurveSamples& 
     judged[i].counts = true;
     judged[i].weight = samples.Weight(i);
     judged[i].distance = truth.Distance(position) / unit;
-    judged[i].duplicated = RunsAlongsideAnother(search, i, tau * unit, &scratch);
+    judged[i].duplicated =
+        scene.options.find_duplicates && RunsAlongsideAnother(search, i, tau * unit, &scratch);
   });
   return judged;
 }
@@ -117,22 +119,12 @@ struct Shares {
   std::optional<double> within, mean, median, duplicated;
 };
 
-double WeightedMedian(std::vector<std::pair<double, double>> distance_and_weight, double total) {
-  std::sort(distance_and_weight.begin(), distance_and_weight.end());
-  double below = 0;
-  for (const auto& [distance, weight] : distance_and_weight) {
-    below += weight;
-    if (below >= 0.5 * total) return distance;
-  }
-  return distance_and_weight.back().first;
-}
-
 Shares Summarize(const std::vector<Judged>& judged, double tau) {
   Shares shares;
   double within = 0;
   double duplicated = 0;
   double moment = 0;
-  std::vector<std::pair<double, double>> distances;
+  std::vector<WeightedValue> distances;
   for (const Judged& sample : judged) {
     if (!sample.counts || !(sample.weight > 0)) continue;
     shares.total += sample.weight;
@@ -146,7 +138,7 @@ Shares Summarize(const std::vector<Judged>& judged, double tau) {
   shares.duplicated = duplicated / shares.total;
   if (!std::isfinite(moment)) return shares;  // nothing to be distant from
   shares.mean = moment / shares.total;
-  shares.median = WeightedMedian(std::move(distances), shares.total);
+  shares.median = WeightedQuantile(std::move(distances), 0.5);
   return shares;
 }
 
@@ -202,7 +194,9 @@ TauResult EvaluateAt(const Scene& scene, double tau) {
   row.median_accuracy = precision.median;
   row.completeness = recall.mean;
   row.median_completeness = recall.median;
-  if (!scene.reconstruction.polylines.empty()) row.duplicated = precision.duplicated;
+  if (scene.options.find_duplicates && !scene.reconstruction.polylines.empty()) {
+    row.duplicated = precision.duplicated;
+  }
   row.reconstructed_length = precision.total;
   row.true_length = recall.total;
   EvaluateJunctions(scene, dont_care, &row);
@@ -223,15 +217,8 @@ EvaluationReport Evaluate(const CurveSet& reconstruction, const CurveSet& truth,
                     unit_at,
                     context,
                     FindTopology(reconstruction.polylines)};
-  EvaluationReport report;
+  EvaluationReport report = CountCurves(reconstruction);
   for (const double tau : options.taus) report.rows.push_back(EvaluateAt(scene, tau));
-  report.num_links = static_cast<int>(reconstruction.polylines.size());
-  report.num_points = static_cast<int>(reconstruction.points.size());
-  for (const Polyline3d& link : reconstruction.polylines) report.total_length += Length(link);
-  if (report.num_links > 0) report.mean_link_length = report.total_length / report.num_links;
-  report.num_components = CountComponents(scene.topology);
-  report.nodes_by_degree = CountNodesByDegree(reconstruction);
-  if (report.num_links > 0) report.num_ignored_points = report.num_points;
   return report;
 }
 
@@ -265,6 +252,18 @@ EvaluationReport EvaluateCurvesInFootprints(const CurveSet& reconstruction, cons
   };
   EvaluationReport report = Evaluate(reconstruction, truth, dont_care, footprint, options, context);
   report.in_footprints = true;
+  return report;
+}
+
+EvaluationReport CountCurves(const CurveSet& reconstruction) {
+  EvaluationReport report;
+  report.num_links = static_cast<int>(reconstruction.polylines.size());
+  report.num_points = static_cast<int>(reconstruction.points.size());
+  for (const Polyline3d& link : reconstruction.polylines) report.total_length += Length(link);
+  if (report.num_links > 0) report.mean_link_length = report.total_length / report.num_links;
+  report.num_components = CountComponents(FindTopology(reconstruction.polylines));
+  report.nodes_by_degree = CountNodesByDegree(reconstruction);
+  if (report.num_links > 0) report.num_ignored_points = report.num_points;
   return report;
 }
 

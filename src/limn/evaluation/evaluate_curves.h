@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/evaluation/saw_teeth.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/view.h"
 #include "limn/util/parallel.h"
@@ -23,6 +24,8 @@ struct EvaluationOptions {
   double dont_care_taus = 2.0;
   // A junction is found by one of the other set's nearer than this many taus.
   double junction_taus = 2.0;
+  // Whether to tell the duplicated share. In sets of many copies most of the time goes there.
+  bool find_duplicates = true;
 
   void Check() const;
 };
@@ -63,6 +66,8 @@ struct EvaluationReport {
   std::map<int, int> nodes_by_degree;
   // Points left out because the set has polylines too.
   int num_ignored_points = 0;
+  // Of all links. Needs views: whoever has them fills it in.
+  std::optional<SawTeeth> saw_teeth;
 };
 
 // Compare curves or points with ground truth. Both sets are cut into cells of tau/4 or less along
@@ -82,5 +87,8 @@ EvaluationReport EvaluateCurvesInFootprints(const CurveSet& reconstruction, cons
                                             const EvaluationOptions& options,
                                             const CurveSet& dont_care = {},
                                             const RunContext& context = {});
+
+// What needs no truth: the report without rows. Linear in the number of points.
+EvaluationReport CountCurves(const CurveSet& reconstruction);
 
 }  // namespace limn

@@ -26,4 +26,11 @@ double PixelFootprint(const std::vector<View>& views, const Eigen::Vector3d& poi
   return *middle;
 }
 
+double FootprintOfCurve(const std::vector<View>& views, const Polyline3d& curve) {
+  if (curve.empty()) return 1;
+  const double length = Length(curve);
+  return PixelFootprint(views,
+                        length > 0 ? ResampleUniform(curve, 0.5 * length)[1] : curve.front());
+}
+
 }  // namespace limn

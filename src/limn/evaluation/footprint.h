@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "limn/geometry/polyline.h"
 #include "limn/model/view.h"
 
 namespace limn {
@@ -14,5 +15,8 @@ namespace limn {
 // positive; occlusion is not looked at. Linear in the number of views. Precondition: there is a
 // view.
 double PixelFootprint(const std::vector<View>& views, const Eigen::Vector3d& point_in_world);
+
+// The footprint at the middle of the curve's length; 1 for a curve without points.
+double FootprintOfCurve(const std::vector<View>& views, const Polyline3d& curve);
 
 }  // namespace limn

@@ -46,6 +46,22 @@ Json RowAsJson(const TauResult& row) {
           {"num_true_junctions", row.num_true_junctions}};
 }
 
+void PrintSawTeeth(const SawTeeth& teeth, std::ostream& out) {
+  constexpr int kDigits = 4;
+  out << "saw-teeth (length over smoothed length): median " << Cell(teeth.median, kDigits)
+      << ", 90th percentile " << Cell(teeth.p90, kDigits) << " of " << teeth.num_curves
+      << " links; by length " << Cell(teeth.median_by_length, kDigits) << ", "
+      << Cell(teeth.p90_by_length, kDigits) << '\n';
+}
+
+Json SawTeethAsJson(const SawTeeth& teeth) {
+  return {{"median", OrNull(teeth.median)},
+          {"p90", OrNull(teeth.p90)},
+          {"median_by_length", OrNull(teeth.median_by_length)},
+          {"p90_by_length", OrNull(teeth.p90_by_length)},
+          {"num_links", teeth.num_curves}};
+}
+
 }  // namespace
 
 void PrintReport(const EvaluationReport& report, std::ostream& out) {
@@ -68,6 +84,7 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
   out << "nodes by degree:";
   for (const auto& [degree, count] : report.nodes_by_degree) out << ' ' << degree << ": " << count;
   out << '\n';
+  if (report.saw_teeth) PrintSawTeeth(*report.saw_teeth, out);
   if (report.num_links == 0) out << "points " << report.num_points << '\n';
   if (report.num_ignored_points > 0) {
     out << "left out: " << report.num_ignored_points << " points that belong to no polyline\n";
@@ -77,12 +94,14 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
 void WriteReportCsv(const EvaluationReport& report, std::ostream& out) {
   std::ostringstream text;
   text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  const SawTeeth teeth = report.saw_teeth.value_or(SawTeeth());
   bool first = true;
   for (const TauResult& row : report.rows) {
     const Json json = RowAsJson(row);
     if (first) {
       for (const auto& [name, value] : json.items()) text << name << ',';
-      text << "unit,links,mean_link_length,total_length,components\n";
+      text << "unit,links,mean_link_length,total_length,components,"
+              "saw_teeth_median,saw_teeth_p90\n";
       first = false;
     }
     for (const auto& [name, value] : json.items()) {
@@ -91,7 +110,11 @@ void WriteReportCsv(const EvaluationReport& report, std::ostream& out) {
     }
     text << (report.in_footprints ? "footprint" : "world") << ',' << report.num_links << ','
          << report.mean_link_length << ',' << report.total_length << ',' << report.num_components
-         << '\n';
+         << ',';
+    if (teeth.median) text << *teeth.median;
+    text << ',';
+    if (teeth.p90) text << *teeth.p90;
+    text << '\n';
   }
   out << text.str();
 }
@@ -111,6 +134,7 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   for (const auto& [degree, count] : report.nodes_by_degree) {
     json["nodes_by_degree"][std::to_string(degree)] = count;
   }
+  json["saw_teeth"] = report.saw_teeth ? SawTeethAsJson(*report.saw_teeth) : Json(nullptr);
   out << json.dump(2) << '\n';
 }
 

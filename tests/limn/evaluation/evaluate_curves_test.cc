@@ -76,6 +76,14 @@ TEST(EvaluateCurves, EveryTrueCopyCounts) {
   EXPECT_NEAR(*EvaluateAtTau(Curves({Line(0, 1)}), truth).recall, 2.0 / 3, 1e-9);
 }
 
+TEST(EvaluateCurves, DuplicatesAreAbsentWhenNotAskedFor) {
+  EvaluationOptions options;
+  options.find_duplicates = false;
+  const CurveSet copies = Curves({Line(0, 1), Line(0, 1)});
+  EXPECT_FALSE(EvaluateAtTau(copies, copies, options).duplicated);
+  EXPECT_DOUBLE_EQ(*EvaluateAtTau(copies, copies).duplicated, 1);
+}
+
 TEST(EvaluateCurves, RegionClipsBothSets) {
   EvaluationOptions options;
   options.region = Eigen::AlignedBox3d(Eigen::Vector3d(0, -1, -1), Eigen::Vector3d(1, 1, 1));

@@ -31,5 +31,12 @@ TEST(PixelFootprint, IsPositiveBehindAllCamerasToo) {
   EXPECT_GT(PixelFootprint({ViewAt(0, 100)}, {0, 0, 0}), 0);
 }
 
+TEST(FootprintOfCurve, IsThatOfItsMiddle) {
+  const std::vector<View> views = {ViewAt(0, 100)};
+  EXPECT_DOUBLE_EQ(FootprintOfCurve(views, {{0, 0, 10}, {0, 0, 11}, {0, 0, 30}}), 0.2);
+  EXPECT_DOUBLE_EQ(FootprintOfCurve(views, {{0, 0, 10}, {0, 0, 10}}), 0.1);
+  EXPECT_DOUBLE_EQ(FootprintOfCurve(views, {}), 1);
+}
+
 }  // namespace
 }  // namespace limn

@@ -64,6 +64,23 @@ TEST(ReportWriters, JsonHasNullForAbsentShares) {
   EXPECT_EQ(json.at("rows").at(0).at("precision"), 0.875);
   EXPECT_TRUE(json.at("rows").at(1).at("precision").is_null());
   EXPECT_EQ(json.at("nodes_by_degree").at("3"), 2);
+  EXPECT_TRUE(json.at("saw_teeth").is_null());
+}
+
+TEST(ReportWriters, SawTeethAreToldWhereKnown) {
+  EvaluationReport report = SmallReport();
+  std::ostringstream without, table, csv, json;
+  PrintReport(report, without);
+  EXPECT_THAT(without.str(), ::testing::Not(HasSubstr("saw-teeth")));
+  report.saw_teeth = SawTeeth{1.25, 1.5, 1.125, {}, 11};
+  PrintReport(report, table);
+  EXPECT_THAT(table.str(), HasSubstr("median 1.25, 90th percentile 1.5 of 11 links"));
+  WriteReportCsv(report, csv);
+  EXPECT_THAT(csv.str(), HasSubstr(",1.25,1.5\n"));
+  WriteReportJson(report, json);
+  const nlohmann::json teeth = nlohmann::json::parse(json.str()).at("saw_teeth");
+  EXPECT_EQ(teeth.at("median"), 1.25);
+  EXPECT_TRUE(teeth.at("p90_by_length").is_null());
 }
 
 }  // namespace

@@ -1,0 +1,111 @@
+#!/usr/bin/python3
+"""Draw the curves of precision and recall of a quality report.
+
+    scripts/plot_quality.py build/quality/report.json [output folder]
+
+One PNG per plot name of the report's data sets (fixed and mixed light of the pavilion share one):
+a column per tau, a row per box. Each method is a line through its swept thresholds; the big mark
+is what it gives with default options. Needs Debian's python3-matplotlib.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt  # noqa: E402  (the backend must be chosen first)
+
+LINE_STYLES = ["-", "--", ":", "-."]
+PANEL_INCHES = 4.2
+
+
+def groups_of(report):
+    """Data sets with truth by plot name, in the order of the report."""
+    groups = {}
+    for data_set in report["sets"]:
+        if data_set["ceiling"] is not None:
+            groups.setdefault(data_set["plot"], []).append(data_set)
+    return groups
+
+
+def methods_of(data_sets):
+    """Names of methods in the order of their first run."""
+    return list(dict.fromkeys(run["method"] for data_set in data_sets for run in data_set["runs"]))
+
+
+def precision_and_recall(run, box, tau_index):
+    """(recall, precision) of a run, or None where there is nothing to take a share of."""
+    row = run["truth"][box]["rows"][tau_index]
+    if row["precision"] is None or row["recall"] is None:
+        return None
+    return row["recall"], row["precision"]
+
+
+def draw_method(axes, runs, box, tau_index, color, style, label):
+    swept = [run for run in runs if run["threshold"] is not None]
+    points = [precision_and_recall(run, box, tau_index)
+              for run in sorted(swept, key=lambda run: run["threshold"])]
+    points = [point for point in points if point is not None]
+    axes.plot([p[0] for p in points], [p[1] for p in points], style, marker=".", color=color,
+              label=label)
+    for run in runs:
+        point = precision_and_recall(run, box, tau_index)
+        if run["threshold"] is None and point is not None:
+            axes.plot(*point, marker="o" if style == "-" else "s", markersize=9, color=color,
+                      markerfacecolor="none" if style != "-" else color, linestyle="none")
+
+
+def draw_panel(axes, data_sets, methods, box, tau_index):
+    for number, data_set in enumerate(data_sets):
+        style = LINE_STYLES[number % len(LINE_STYLES)]
+        for method in methods:
+            runs = [run for run in data_set["runs"] if run["method"] == method]
+            draw_method(axes, runs, box, tau_index, f"C{methods.index(method)}", style,
+                        f"{method}, {data_set['name']}")
+        ceiling = data_set["ceiling"][box][tau_index]
+        if ceiling is not None:
+            axes.axvline(ceiling, color="0.6", linestyle=style, linewidth=1)
+    unit = " px" if data_sets[0]["unit"] == "footprint" else ""
+    axes.set(title=f"box {box}, tau {data_sets[0]['taus'][tau_index]:g}{unit}", xlabel="recall",
+             ylabel="precision", xlim=(0, 1.02), ylim=(0, 1.02))
+    axes.grid(alpha=0.3)
+
+
+def draw_group(data_sets, path):
+    boxes, taus, methods = data_sets[0]["boxes"], data_sets[0]["taus"], methods_of(data_sets)
+    legend_columns = min(3, len(methods))
+    legend_inches = 0.3 + 0.22 * -(-len(methods) * len(data_sets) // legend_columns)
+    height = PANEL_INCHES * len(boxes) + legend_inches
+    figure, panels = plt.subplots(len(boxes), len(taus), squeeze=False,
+                                  figsize=(PANEL_INCHES * len(taus), height))
+    for row, box in zip(panels, boxes):
+        for tau_index, axes in enumerate(row):
+            draw_panel(axes, data_sets, methods, box, tau_index)
+    handles, labels = panels[0][0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", ncol=legend_columns, frameon=False)
+    figure.suptitle("Support threshold swept; big marks: default options; grey: what the image "
+                    "curves can give")
+    figure.tight_layout(rect=(0, legend_inches / height, 1, 1))
+    figure.savefig(path, dpi=100)
+    plt.close(figure)
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit("usage: plot_quality.py report.json [output folder]")
+    source = Path(sys.argv[1])
+    folder = Path(sys.argv[2]) if len(sys.argv) == 3 else source.parent
+    try:
+        groups = groups_of(json.loads(source.read_text(encoding="utf-8")))
+    except (OSError, ValueError, KeyError) as error:
+        sys.exit(f"ERROR: {source}: {error}")
+    for name, data_sets in groups.items():
+        path = folder / f"precision-recall-{name}.png"
+        draw_group(data_sets, path)
+        print(path)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "limn/evaluation/curve_samples.h"
+#include "limn/evaluation/supported_curve.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/edge_map.h"
+#include "limn/model/view.h"
+#include "limn/support/view_evidence.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+struct VisibilityOptions {
+  // What a view sees of a sample under a viewing angle that differs by less than this tells whether
+  // another view sees it. Raising it judges more of the curves, also where a surface may hide them.
+  double max_viewing_angle_deg = 30;
+  // One of a curve's supporting views shows a sample if a linked edgel there is this near across
+  // the edge, px, and so near in direction.
+  double shown_distance_px = 2;
+  double shown_angle_deg = 20;
+
+  // Throws OptionError.
+  void Check() const;
+};
+
+// What a view should show of curves, one edgel per sample.
+struct ForetoldView {
+  std::vector<Edgel> sure;  // surely visible
+  EdgeMap possible;         // may be visible, or is surely so
+};
+
+// Foretells what a new view sees of curves that were made from others. No surface is known, so the
+// known views beside the new one tell. Surely visible: the two that look at the sample most nearly
+// as the new view does, of all that have it in their image, both show it. May be visible: any view
+// within max_viewing_angle_deg shows it.
+class CurveVisibility {
+ public:
+  // Samples are a pixel footprint apart: their spacing in a view is about this, px.
+  static constexpr double kSpacingPx = 1;
+
+  // The curves' supporting views are those of `views`, and `image_curves` belong to them. All must
+  // outlive the object.
+  CurveVisibility(const std::vector<SupportedCurve>& curves, const std::vector<View>& views,
+                  const std::vector<ImageCurves>& image_curves, const VisibilityOptions& options,
+                  const RunContext& context);
+
+  // Time: samples times known views.
+  ForetoldView Foretell(const View& view, const RunContext& context) const;
+
+ private:
+  enum class Visibility { kNot, kPossible, kSure };
+
+  bool Shows(ViewId view, int sample) const;
+  std::vector<ViewId> Beside(const View& view, int sample) const;
+  Visibility VisibilityIn(const View& view, int sample) const;
+
+  const std::vector<SupportedCurve>& curves_;
+  const std::vector<View>& views_;
+  SupportGate gate_;
+  double min_cosine_;
+  CurveSamples samples_;
+  std::vector<std::unique_ptr<ViewEvidence>> evidence_;
+};
+
+}  // namespace limn

@@ -1,0 +1,124 @@
+#include "bench/data_sets.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "limn/util/errors.h"
+
+namespace limn::bench {
+namespace {
+
+NamedBox Box(const std::string& name, double x0, double x1, double y0, double y1, double z0,
+             double z1) {
+  return {name, Eigen::AlignedBox3d(Eigen::Vector3d(x0, y0, z0), Eigen::Vector3d(x1, y1, z1))};
+}
+
+// Mesh edges marked by hand, metres. Box A: the chairs and the floor around; box B: without it.
+DataSet Pavilion(const std::string& data_path, const std::string& light) {
+  const std::string root = data_path + "/pavilion";
+  DataSet set;
+  set.name = "pavilion-" + light;
+  set.plot = "pavilion";
+  set.workspace_path = root + "/" + light;
+  set.truth_path = root + "/ground_truth/gt-points.txt";
+  set.truth_edges_path = root + "/ground_truth/gt-edges.txt";
+  set.taus = {0.01, 0.02, 0.05};
+  set.boxes = {Box("A", -0.2, 3.2, -2.2, 1.9, 1.45, 2.6),
+               Box("B", -0.2, 3.2, -2.2, 1.9, 1.53, 2.6)};
+  set.cloud_path = set.workspace_path + "/pmvs/models/option-all.ply";
+  return set;
+}
+
+// Scan points near edges, in metres.
+DataSet Vase(const std::string& data_path) {
+  DataSet set;
+  set.name = set.plot = "vase";
+  set.workspace_path = data_path + "/vase";
+  set.truth_path = set.workspace_path + "/ground_truth/vase-edge-gt3-017.txt.gz";
+  set.taus = {0.0005, 0.001, 0.002};
+  set.judge_around_truth = true;
+  set.cloud_path = set.workspace_path + "/pmvs/models/option-all.ply";
+  return set;
+}
+
+DataSet Abc(const std::string& data_path, const std::string& object) {
+  DataSet set;
+  set.name = set.plot = "abc-" + object;
+  set.workspace_path = data_path + "/abc-" + object;
+  set.truth_path = set.workspace_path + "/ground_truth/curves-visible.ply";
+  set.emap_truth_path = set.workspace_path + "/ground_truth/curves.ply";
+  set.taus = {0.005, 0.01, 0.02};
+  return set;
+}
+
+// `truth` is the folder of the light below truth/, or empty.
+DataSet Sample(const std::string& sample_path, const std::string& variant,
+               const std::string& truth) {
+  const std::string root = sample_path + "/truth/" + truth;
+  DataSet set;
+  set.name = set.plot = "sample-" + variant;
+  set.workspace_path = sample_path + "/" + variant;
+  set.truth_path = root + "/curves-visible.ply";
+  set.junctions_path = root + "/junctions.json";
+  set.dont_care_path = root + "/dont-care.ply";
+  set.taus = {1, 2, 4};
+  set.in_footprints = true;
+  set.boxes = {Box("all", -1.25, 1.25, -0.95, 0.95, 0.04, 1.05)};
+  return set;
+}
+
+DataSet WithoutTruth(const std::string& data_path, const std::string& name) {
+  DataSet set;
+  set.name = set.plot = name;
+  set.workspace_path = data_path + "/" + name;
+  return set;
+}
+
+std::vector<std::string> Split(const std::string& names) {
+  std::vector<std::string> parts;
+  std::istringstream stream(names);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+}  // namespace
+
+std::vector<DataSet> KnownDataSets(const std::string& data_path, const std::string& sample_path) {
+  return {Pavilion(data_path, "midday"),
+          Pavilion(data_path, "mixed"),
+          Vase(data_path),
+          Abc(data_path, "00000952"),
+          Abc(data_path, "00004926"),
+          Sample(sample_path, "day", ""),
+          Sample(sample_path, "distorted", ""),
+          Sample(sample_path, "evening", "evening"),
+          Sample(sample_path, "lamp", "lamp"),
+          Sample(sample_path, "mixed", "mixed"),
+          WithoutTruth(data_path, "herz-jesu-p8"),
+          WithoutTruth(data_path, "desk")};
+}
+
+bool IsPresent(const DataSet& set) { return std::filesystem::is_directory(set.workspace_path); }
+
+std::vector<DataSet> SelectDataSets(const std::vector<DataSet>& known, const std::string& names) {
+  std::vector<DataSet> selected;
+  if (names.empty()) {
+    std::copy_if(known.begin(), known.end(), std::back_inserter(selected), IsPresent);
+    return selected;
+  }
+  for (const std::string& name : Split(names)) {
+    const auto set = std::find_if(known.begin(), known.end(),
+                                  [&](const DataSet& candidate) { return candidate.name == name; });
+    if (set == known.end()) {
+      std::string message = "sets = " + name + ": must be among";
+      for (const DataSet& candidate : known) message += " " + candidate.name;
+      throw OptionError(message);
+    }
+    if (!IsPresent(*set)) throw IoError(set->workspace_path, "there is no such folder");
+    selected.push_back(*set);
+  }
+  return selected;
+}
+
+}  // namespace limn::bench

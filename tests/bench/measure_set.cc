@@ -1,0 +1,147 @@
+#include "bench/measure_set.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "bench/measure.h"
+#include "bench/methods.h"
+#include "bench/scene.h"
+#include "bench/side_by_side.h"
+#include "bench/stopwatch.h"
+#include "colmap_ext/commands/project.h"
+#include "limn/export/write_drawing.h"
+#include "limn/io/read_curves.h"
+#include "limn/pictures/picture.h"
+
+namespace limn::bench {
+namespace {
+
+using colmap_ext::Console;
+
+// A data set while it is measured.
+struct Measured {
+  const DataSet& set;
+  Truth truth;
+  Scene scene;
+  Scene training;
+  Scene held_out;
+  double seconds = 0;  // of the image curves
+};
+
+Measured Load(const DataSet& set, const ReportOptions& options, Console* console) {
+  colmap_ext::RunOptions run;
+  run.layout.workspace_path = set.workspace_path;
+  run.layout.output_path = options.output_path + "/" + set.name;
+  run.view.max_image_size = options.max_image_size;
+  const colmap_ext::Project project(run, console);
+  Measured measured{set, ReadTruth(set), {}, {}, {}, 0};
+  const Stopwatch stopwatch;
+  CurvesResult curves = ExtractProjectCurves(project, run, console);
+  measured.seconds = stopwatch.Elapsed().seconds;
+  measured.scene = {project.views(), std::move(curves.curves), project.view_set().hints};
+  measured.training = PartOf(measured.scene, false);
+  measured.held_out = PartOf(measured.scene, true);
+  return measured;
+}
+
+// `threshold` is null for the default options.
+Json MeasureRun(const Measured& measured, const Method& method, const Json& threshold,
+                const Reconstruction& result, Console* console) {
+  Json run;
+  run["method"] = method.name;
+  run["threshold_name"] = method.threshold_name;
+  run["threshold"] = threshold;
+  run["seconds"] = result.times.seconds;
+  run["cpu_seconds"] = result.times.cpu_seconds;
+  run["shape"] = MeasureShape(result.set, measured.scene.views);
+  // A sketch has every curve once per pair of views: they would take long to count.
+  const bool find_duplicates = threshold.is_null() && result.graph.has_value();
+  run["truth"] = MeasureAgainstTruth(measured.set, measured.truth, measured.scene.views, result.set,
+                                     find_duplicates, console->context());
+  console->Say(measured.set.name + ", " + method.name + ", threshold " +
+               (threshold.is_null() ? "default" : threshold.dump()) + ": " +
+               std::to_string(result.set.polylines.size()) + " curves");
+  return run;
+}
+
+// File names hold no spaces.
+std::string ResultPath(const ReportOptions& options, const DataSet& set, std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return options.output_path + "/" + set.name + "/" + name;
+}
+
+void WriteResults(const ReportOptions& options, const Measured& measured, const Method& method,
+                  const DrawingGraph& graph) {
+  DrawingMetadata metadata;
+  for (const View& view : measured.scene.views) metadata.view_names.push_back(view.name);
+  WriteDrawing(ResultPath(options, measured.set, method.name + ".json"), graph, metadata);
+  const std::string& cloud_path = measured.set.cloud_path;
+  if (cloud_path.empty() || !std::filesystem::exists(cloud_path)) return;
+  const View& view = measured.scene.views[measured.scene.views.size() / 2];
+  WritePng(ResultPath(options, measured.set, method.name + "-beside-pmvs.png"),
+           DrawSideBySide(graph, ReadCurves(cloud_path).points, view));
+}
+
+void MeasureDefaults(const ReportOptions& options, const Measured& measured, Workbench* workbench,
+                     Console* console, const std::function<void(Json)>& add_run) {
+  Workbench training_bench(measured.training, console->context());
+  for (const Method& method : Methods()) {
+    const Reconstruction result = workbench->Run(method, {});
+    Json run = MeasureRun(measured, method, nullptr, result, console);
+    run["emap"] = MeasureByEmap(measured.truth, result.set);
+    run["held_out"] =
+        MeasureHeldOutViews(measured.training, measured.held_out,
+                            training_bench.Run(method, {}).curves, console->context());
+    if (result.graph) WriteResults(options, measured, method, *result.graph);
+    add_run(std::move(run));
+  }
+}
+
+// All methods at their first threshold, then at their second, ...: those that share a sketch follow
+// each other.
+void MeasureSweep(const Measured& measured, Workbench* workbench, Console* console,
+                  const std::function<void(Json)>& add_run) {
+  size_t most = 0;
+  for (const Method& method : Methods()) most = std::max(most, method.thresholds.size());
+  for (size_t i = 0; i < most; ++i) {
+    for (const Method& method : Methods()) {
+      if (i >= method.thresholds.size()) continue;
+      PipelineOptions options;
+      method.set_threshold(method.thresholds[i], &options);
+      add_run(MeasureRun(measured, method, method.thresholds[i], workbench->Run(method, options),
+                         console));
+    }
+  }
+}
+
+}  // namespace
+
+void MeasureSet(const DataSet& set, const ReportOptions& options, Console* console,
+                const std::function<void(const Json&)>& on_run) {
+  const Measured measured = Load(set, options, console);
+  Json json;
+  json["name"] = set.name;
+  json["plot"] = set.plot;
+  json["unit"] = set.in_footprints ? "footprint" : "world";
+  json["taus"] = set.taus;
+  json["boxes"] = Json::array();
+  for (const NamedBox& box : measured.truth.boxes) json["boxes"].push_back(box.name);
+  json["num_views"] = measured.scene.views.size();
+  json["num_held_out"] = measured.held_out.views.size();
+  json["seconds"] = measured.seconds;
+  json["ceiling"] = MeasureCeiling(set, measured.truth, measured.scene, console->context());
+  json["runs"] = Json::array();
+  const auto add_run = [&](Json run) {
+    json["runs"].push_back(std::move(run));
+    on_run(json);
+  };
+  Workbench workbench(measured.scene, console->context());
+  MeasureDefaults(options, measured, &workbench, console, add_run);
+  // Without truth there is nothing to plot.
+  if (!options.quick && measured.truth.IsKnown()) {
+    MeasureSweep(measured, &workbench, console, add_run);
+  }
+}
+
+}  // namespace limn::bench

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/scene.h"
+#include "bench/stopwatch.h"
+#include "limn/evaluation/supported_curve.h"
+#include "limn/model/curve_set.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/pipeline/pipeline_options.h"
+#include "limn/sketch/sketch.h"
+#include "limn/util/parallel.h"
+
+namespace limn::bench {
+
+// What a method made of a scene.
+struct Reconstruction {
+  CurveSet set;
+  std::vector<SupportedCurve> curves;
+  std::optional<DrawingGraph> graph;  // of a drawing
+  Times times;                        // from image curves on
+};
+
+// From the sketch to what is judged; leaves the times alone.
+using Finish = Reconstruction (*)(const Scene&, const CurveSketch&, const PipelineOptions&,
+                                  const RunContext&);
+
+// A way from image curves to 3D curves, and the threshold that is swept for its curve of precision
+// and recall.
+struct Method {
+  std::string name;
+  SketchMode mode;
+  Finish finish;
+  std::string threshold_name;
+  std::vector<int> thresholds;
+  void (*set_threshold)(int threshold, PipelineOptions* options);
+};
+
+// One line per method.
+const std::vector<Method>& Methods();
+
+// Runs methods on one scene; keeps the last sketch, since several methods begin with the same one.
+class Workbench {
+ public:
+  // Both must outlive it.
+  Workbench(const Scene& scene, const RunContext& context) : scene_(scene), context_(context) {}
+
+  // The times include those of the sketch, whether it was made now or before.
+  Reconstruction Run(const Method& method, const PipelineOptions& options);
+
+ private:
+  void MakeSketch(SketchMode mode, const PipelineOptions& options);
+
+  const Scene& scene_;
+  const RunContext& context_;
+  std::string options_text_;  // of the last sketch
+  CurveSketch sketch_;
+  Times sketch_times_;
+};
+
+}  // namespace limn::bench

@@ -1,0 +1,208 @@
+#include "bench/report_tables.h"
+
+#include <cstdio>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace limn::bench {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string Fixed(const Json& number, int digits, double factor = 1) {
+  if (number.is_null()) return "-";
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.*f", digits, factor * number.get<double>());
+  return text;
+}
+
+std::string Percent(const Json& share) { return Fixed(share, 1, 100); }
+
+std::string Short(const Json& number) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%g", number.get<double>());
+  return text;
+}
+
+std::string Shares(const Json& row) {
+  return Percent(row["precision"]) + " / " + Percent(row["recall"]) + " / " + Percent(row["f"]);
+}
+
+void PrintRow(const Cells& cells, std::ostream& out) {
+  out << '|';
+  for (const std::string& cell : cells) out << ' ' << cell << " |";
+  out << '\n';
+}
+
+void PrintHead(const Cells& cells, std::ostream& out) {
+  PrintRow(cells, out);
+  PrintRow(Cells(cells.size(), "---"), out);
+}
+
+bool IsDefault(const Json& run) { return run["threshold"].is_null(); }
+
+void Append(const Cells& more, Cells* cells) {
+  cells->insert(cells->end(), more.begin(), more.end());
+}
+
+Cells TauHeads(const Json& set) {
+  Cells heads;
+  for (const Json& tau : set["taus"]) heads.push_back("P/R/F at " + Short(tau));
+  return heads;
+}
+
+// Of one box; junctions and duplicates at the tau of the header.
+Cells TruthHeads(const Json& set, size_t junction_tau) {
+  Cells heads = TauHeads(set);
+  heads.push_back("dupl. at " + Short(set["taus"][0]));
+  heads.push_back("junctions P/R at " + Short(set["taus"][junction_tau]));
+  return heads;
+}
+
+Cells TruthCells(const Json& report, size_t junction_tau) {
+  Cells cells;
+  for (const Json& row : report["rows"]) cells.push_back(Shares(row));
+  const Json& row = report["rows"][junction_tau];
+  cells.push_back(Percent(report["rows"][0]["duplicated"]));
+  cells.push_back(Percent(row["junction_precision"]) + " / " + Percent(row["junction_recall"]));
+  return cells;
+}
+
+void PrintTruth(const Json& set, std::ostream& out) {
+  const size_t junction_tau = set["taus"].size() / 2;
+  Cells heads = {"method", "box"};
+  Append(TruthHeads(set, junction_tau), &heads);
+  PrintHead(heads, out);
+  for (const Json& run : set["runs"]) {
+    if (!IsDefault(run)) continue;
+    for (const auto& [box, report] : run["truth"].items()) {
+      Cells cells = {run["method"], box};
+      Append(TruthCells(report, junction_tau), &cells);
+      PrintRow(cells, out);
+    }
+  }
+  for (const auto& [box, recalls] : set["ceiling"].items()) {
+    Cells cells = {"*ceiling of recall*", box};
+    for (const Json& recall : recalls) cells.push_back("- / " + Percent(recall) + " / -");
+    Append({"-", "-"}, &cells);
+    PrintRow(cells, out);
+  }
+  out << '\n';
+}
+
+// Recall over what the image curves can give at all, default options.
+void PrintShareOfCeiling(const Json& set, std::ostream& out) {
+  for (const Json& run : set["runs"]) {
+    if (!IsDefault(run)) continue;
+    out << "Recall of the " << std::string(run["method"]) << " over its ceiling:";
+    for (const auto& [box, recalls] : set["ceiling"].items()) {
+      out << " box " << box << ' ';
+      for (size_t i = 0; i < recalls.size(); ++i) {
+        const Json& recall = run["truth"][box]["rows"][i]["recall"];
+        const bool known = !recall.is_null() && !recalls[i].is_null() && recalls[i] > 0.0;
+        const Json share =
+            known ? Json(recall.get<double>() / recalls[i].get<double>()) : Json(nullptr);
+        out << (i > 0 ? " / " : "") << Percent(share);
+      }
+      out << " %.";
+    }
+    out << "\n\n";
+  }
+}
+
+std::string Distances(const Json& distances) {
+  return Fixed(distances["median_px"], 2) + " / " + Fixed(distances["p90_px"], 2) + " (" +
+         Percent(distances["lonely"]) + ")";
+}
+
+void PrintShape(const Json& set, std::ostream& out) {
+  PrintHead(
+      {"method", "links", "components", "length", "saw-teeth median / 90 %", "the same by length",
+       "held out: to edgels, px median / 90 % (lonely %)", "from edgels", "s", "CPU s"},
+      out);
+  for (const Json& run : set["runs"]) {
+    if (!IsDefault(run)) continue;
+    const Json& shape = run["shape"];
+    const Json& teeth = shape["saw_teeth"];
+    PrintRow({run["method"], std::to_string(shape["num_links"].get<int>()),
+              std::to_string(shape["num_components"].get<int>()), Fixed(shape["total_length"], 2),
+              Fixed(teeth["median"], 3) + " / " + Fixed(teeth["p90"], 3),
+              Fixed(teeth["median_by_length"], 3) + " / " + Fixed(teeth["p90_by_length"], 3),
+              Distances(run["held_out"]["to_edgels"]), Distances(run["held_out"]["from_edgels"]),
+              Fixed(run["seconds"], 1), Fixed(run["cpu_seconds"], 1)},
+             out);
+  }
+  out << '\n';
+}
+
+void PrintEmap(const Json& set, std::ostream& out) {
+  out << "EMAP's protocol, all true curves, mm (0.001 of the object's cube):\n\n";
+  PrintHead({"method", "voxels", "Acc", "Comp", "P5 / R5 / F5", "P10 / R10 / F10",
+             "P20 / R20 / F20", "links"},
+            out);
+  for (const Json& run : set["runs"]) {
+    if (!IsDefault(run)) continue;
+    for (const char* kind : {"points", "voxels"}) {
+      const Json& scores = run["emap"][kind];
+      if (scores.is_null()) continue;
+      Cells cells = {run["method"], std::string(kind) == "voxels" ? "7.8 mm" : "none",
+                     Fixed(scores["accuracy"], 2, 1000), Fixed(scores["completeness"], 2, 1000)};
+      for (const Json& row : scores["rows"]) cells.push_back(Shares(row));
+      cells.push_back(std::to_string(run["shape"]["num_links"].get<int>()));
+      PrintRow(cells, out);
+    }
+  }
+  out << '\n';
+}
+
+void PrintSweep(const Json& set, std::ostream& out) {
+  const std::string box = set["boxes"][0];
+  out << "Sweep of the support threshold, box " << box << ":\n\n";
+  Cells heads = {"method", "threshold"};
+  Append(TauHeads(set), &heads);
+  Append({"links", "CPU s"}, &heads);
+  PrintHead(heads, out);
+  for (const Json& run : set["runs"]) {
+    if (IsDefault(run)) continue;
+    Cells cells = {run["method"], std::to_string(run["threshold"].get<int>()) + " " +
+                                      run["threshold_name"].get<std::string>()};
+    for (const Json& row : run["truth"][box]["rows"]) cells.push_back(Shares(row));
+    cells.push_back(std::to_string(run["shape"]["num_links"].get<int>()));
+    cells.push_back(Fixed(run["cpu_seconds"], 1));
+    PrintRow(cells, out);
+  }
+  out << '\n';
+}
+
+bool HasSweep(const Json& set) {
+  for (const Json& run : set["runs"]) {
+    if (!IsDefault(run)) return true;
+  }
+  return false;
+}
+
+void PrintSet(const Json& set, std::ostream& out) {
+  out << "## " << set["name"].get<std::string>() << "\n\n"
+      << set["num_views"] << " views, " << set["num_held_out"]
+      << " of them held out for reprojection; image curves took " << Fixed(set["seconds"], 1)
+      << " s. Shares in percent";
+  if (!set["ceiling"].is_null()) out << ", tau in the unit " << set["unit"].get<std::string>();
+  out << ".\n\n";
+  if (!set["ceiling"].is_null()) {
+    PrintTruth(set, out);
+    PrintShareOfCeiling(set, out);
+  }
+  PrintShape(set, out);
+  if (!set["runs"].empty() && !set["runs"][0]["emap"].is_null()) PrintEmap(set, out);
+  if (!set["ceiling"].is_null() && HasSweep(set)) PrintSweep(set, out);
+}
+
+}  // namespace
+
+void WriteTables(const Json& report, std::ostream& out) {
+  out << "# Quality report\n\n";
+  for (const Json& set : report["sets"]) PrintSet(set, out);
+}
+
+}  // namespace limn::bench
