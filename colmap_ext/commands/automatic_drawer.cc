@@ -9,9 +9,9 @@ namespace limn::colmap_ext {
 
 int RunAutomaticDrawer(int argc, const char* const* argv) {
   RunOptions options;
-  const auto parser =
-      ParseRunOptions("automatic_drawer", "make the 3D drawing of a COLMAP project",
-                      {.linking = true, .sketch = true, .drawing = true, .refinement = true}, argc, argv, &options);
+  const auto parser = ParseRunOptions(
+      "automatic_drawer", "make the 3D drawing of a COLMAP project",
+      {.linking = true, .sketch = true, .drawing = true, .refinement = true}, argc, argv, &options);
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);

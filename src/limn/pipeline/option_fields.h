@@ -138,9 +138,8 @@ template <typename Visit>
 void VisitFields(RefinementOptions& o, Visit&& visit) {
   visit("num_rounds", o.num_rounds, "rounds of matching and fitting, 0 = do not refine");
   visit("control_spacing_px", o.control_spacing_px, "spacing of control points, px");
-  visit("first_distance_px", o.first_distance_px,
-        "an edgel this near pulls at a link in the first round, px");
-  visit("last_distance_px", o.last_distance_px, "and in the last one, px");
+  visit("max_distance_px", o.max_distance_px,
+        "an edgel this near across the edge pulls at a link, px");
   visit("max_angle_deg", o.max_angle_deg, "and within this angle, deg");
   visit("support_window_px", o.support_window_px,
         "half length of the stretch that decides whether a view shows it, px");

@@ -22,8 +22,8 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
                                        options.drawing, context);
   on_stage_end(drawing.summary, {});
 
-  RefinementResult refined = RefineDrawing({input.views, image_curves.curves, drawing.graph},
-                                           options.refinement, context);
+  RefinementResult refined =
+      RefineDrawing({input.views, image_curves.curves, drawing.graph}, options.refinement, context);
   on_stage_end(refined.summary, {});
 
   return {std::move(image_curves.curves), std::move(sketch.sketch), std::move(refined.graph)};

@@ -35,8 +35,8 @@ struct PipelineResult {
 using StageObserver = std::function<void(const StageSummary& summary, const CacheUse& cache)>;
 
 // The whole way from photographs to the drawing (ECCV 2016): edges and fragments of every image,
-// the enhanced sketch, the drawing graph, its refinement. Throws OptionError, InputError, what `images` throws, and
-// Cancelled.
+// the enhanced sketch, the drawing graph, its refinement. Throws OptionError, InputError, what
+// `images` throws, and Cancelled.
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end);
 

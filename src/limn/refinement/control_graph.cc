@@ -31,6 +31,12 @@ bool IsSmooth(const DrawingNode& node) {
   return node.Degree() == 2 && node.continuations.size() == 1;
 }
 
+// Whether the link end goes on smoothly in another one.
+bool GoesOn(const DrawingNode& node, const LinkEnd& end) {
+  return std::any_of(node.continuations.begin(), node.continuations.end(),
+                     [&](const auto& pair) { return pair.first == end || pair.second == end; });
+}
+
 class ControlGraphBuilder {
  public:
   ControlGraphBuilder(const DrawingGraph& graph, const std::vector<View>& views, double spacing_px)
@@ -42,8 +48,9 @@ class ControlGraphBuilder {
       control_.footprint.push_back(0);
       control_.corner.push_back(node.Degree() >= 2 && !IsSmooth(node));
     }
-    for (const DrawingLink& link : graph_.links) AddLink(link);
+    for (size_t l = 0; l < graph_.links.size(); ++l) AddLink(static_cast<LinkId>(l));
     for (const DrawingNode& node : graph_.nodes) AddBendsThrough(node);
+    control_.start = control_.position;
     UpdateTangents(&control_);
     return std::move(control_);
   }
@@ -59,7 +66,8 @@ class ControlGraphBuilder {
     return MedianFootprint(point, all, views_);
   }
 
-  void AddLink(const DrawingLink& link) {
+  void AddLink(LinkId id) {
+    const DrawingLink& link = graph_.links[id];
     const Eigen::Vector3d& middle = link.points_in_world[link.points_in_world.size() / 2];
     const double unit = LinkFootprint(link, middle);
     const double length = Length(link.points_in_world);
@@ -80,7 +88,7 @@ class ControlGraphBuilder {
       const NodeId node = end == 0 ? link.node0 : link.node1;
       double& footprint = control_.footprint[node];
       footprint = std::max(footprint, LinkFootprint(link, control_.position[node]));
-      if (control_.corner[node] && unit > 0) {
+      if (control_.corner[node] && unit > 0 && !GoesOn(graph_.nodes[node], {id, end})) {
         out.skip_px[end] = std::min(kCornerSkipPx, kMaxSkippedShare * length / unit);
       }
     }
@@ -128,21 +136,6 @@ void UpdateTangents(ControlGraph* control) {
                                     control->position[link.points[std::max(k - 1, 0)]];
       if (chord.norm() > 0) tangent[link.points[k]] = chord.normalized();
     }
-  }
-}
-
-void SetGeometry(const ControlGraph& control, const std::vector<std::vector<double>>& sigma,
-                 DrawingGraph* graph) {
-  for (size_t n = 0; n < graph->nodes.size(); ++n) {
-    graph->nodes[n].position_in_world = control.position[n];
-  }
-  for (size_t l = 0; l < graph->links.size(); ++l) {
-    DrawingLink& link = graph->links[l];
-    link.points_in_world.clear();
-    for (const int id : control.links[l].points) {
-      link.points_in_world.push_back(control.position[id]);
-    }
-    link.sigma = sigma[l];
   }
 }
 

@@ -24,6 +24,7 @@ struct ControlLink {
 // links that meet there. Control point n < number of nodes is node n.
 struct ControlGraph {
   std::vector<Eigen::Vector3d> position;
+  std::vector<Eigen::Vector3d> start;    // where it was in the drawing
   std::vector<Eigen::Vector3d> tangent;  // unit, of any link through the point
   std::vector<double> footprint;         // world units per px, median over the supporting views
   // Links meet here in different directions: nothing holds such a point along one of them.
@@ -36,10 +37,6 @@ struct ControlGraph {
 // Control points about `spacing_px` apart along every link. Linear time.
 ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>& views,
                               double spacing_px);
-
-// The graph with the control points as its points. `sigma[l]` are those of the points of link l.
-void SetGeometry(const ControlGraph& control, const std::vector<std::vector<double>>& sigma,
-                 DrawingGraph* graph);
 
 // Unit tangents from the neighbours along the links.
 void UpdateTangents(ControlGraph* control);

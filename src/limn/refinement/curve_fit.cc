@@ -17,11 +17,15 @@ using RowMajor3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 using Triple = std::array<int, 3>;
 
 constexpr int kMaxIterations = 8;
-// Standard deviations of how far a point moves in a round along its curve, in any direction, and at
-// a corner: they decide nothing but what edgels and bending leave open. Px.
+// Standard deviations of how far a point moves from where it was in the drawing: along its curve,
+// in any direction, and at a corner. They decide nothing but what edgels and bending leave open.
+// Px.
 constexpr double kAlongSigmaPx = 1;
 constexpr double kWeakSigmaPx = 30;
 constexpr double kCornerSigmaPx = 3;
+// Next to a corner, changes of direction beyond this many of their standard deviations hardly count
+// (Cauchy): links that do not quite meet shall not drag each other away.
+constexpr double kCornerBendSigmas = 3;
 
 // The pulls at one sample: all its residuals, which depend on the two ends of its segment.
 class PullCost : public ceres::CostFunction {
@@ -122,6 +126,7 @@ class ComponentFit {
       AddHold(point);
     }
     for (const int link : component.links) AddPulls(link);
+    FindData();
     for (const Triple& bend : component.bends) AddBend(bend);
   }
 
@@ -145,7 +150,8 @@ class ComponentFit {
   // holds prevent but for numbers beyond all scale.
   void FindCovariances(Covariances* covariances) {
     ceres::Problem::EvaluateOptions evaluation;
-    for (const int point : component_.points) evaluation.parameter_blocks.push_back(Position(point));
+    for (const int point : component_.points)
+      evaluation.parameter_blocks.push_back(Position(point));
     ceres::CRSMatrix rows;
     problem_.Evaluate(evaluation, nullptr, nullptr, nullptr, &rows);
     const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> jacobian(
@@ -171,8 +177,8 @@ class ComponentFit {
         (Eigen::Matrix3d::Identity() / across_px +
          (1 / along_px - 1 / across_px) * tangent * tangent.transpose()) /
         control_->footprint[point];
-    problem_.AddResidualBlock(
-        new LinearCost<1>({factor}, factor * control_->position[point]), nullptr, Position(point));
+    problem_.AddResidualBlock(new LinearCost<1>({factor}, factor * control_->start[point]), nullptr,
+                              Position(point));
   }
 
   void AddPulls(int link) {
@@ -182,6 +188,19 @@ class ComponentFit {
       problem_.AddResidualBlock(new PullCost(input_, sample, options_.robust_residual_px), nullptr,
                                 Position(points[sample.segment]),
                                 Position(points[sample.segment + 1]));
+    }
+  }
+
+  // Points with samples that edgels pull at, in a segment of theirs.
+  void FindData() {
+    has_data_.assign(control_->position.size(), 0);
+    for (const int link : component_.links) {
+      const std::vector<int>& points = control_->links[link].points;
+      for (const LinkSample& sample : input_.matches[link]) {
+        if (sample.pulls.empty()) continue;
+        has_data_[points[sample.segment]] = 1;
+        has_data_[points[sample.segment + 1]] = 1;
+      }
     }
   }
 
@@ -197,16 +216,25 @@ class ComponentFit {
     const double length_px = 0.5 * (first + second) / footprint;
     const Eigen::Matrix3d factor =
         Eigen::Matrix3d::Identity() / (options_.bending_sigma * std::sqrt(length_px));
+    // Where there are no edgels the drawing keeps its shape.
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();
+    if (!has_data_[bend[1]]) {
+      const auto at = [&](int k) -> const Eigen::Vector3d& { return control_->position[bend[k]]; };
+      target = factor * ((at(2) - at(1)) / second - (at(1) - at(0)) / first);
+    }
+    const bool at_corner = control_->corner[bend[0]] || control_->corner[bend[2]];
     problem_.AddResidualBlock(
         new LinearCost<3>({factor / first, factor * (-1 / first - 1 / second), factor / second},
-                          Eigen::Vector3d::Zero()),
-        nullptr, Position(bend[0]), Position(bend[1]), Position(bend[2]));
+                          target),
+        at_corner ? new ceres::CauchyLoss(kCornerBendSigmas) : nullptr, Position(bend[0]),
+        Position(bend[1]), Position(bend[2]));
   }
 
   const CurveFitInput& input_;
   const RefinementOptions& options_;
   const Component& component_;
   ControlGraph* control_;
+  std::vector<uint8_t> has_data_;
   ceres::Problem problem_;
 };
 

@@ -12,7 +12,11 @@ namespace {
 
 constexpr double kSampleSpacingPx = 1.5;
 // An edgel belongs to the link that passes this much nearer to it, px.
-constexpr double kClearlyBetterPx = 0.5;
+constexpr double kClearlyBetterPx = 0.1;
+// Half length of the stretch that decides which side of a link is the brighter one, px, and the
+// share of its edgels that must agree.
+constexpr double kSideWindowPx = 15;
+constexpr double kSameSideShare = 0.85;
 
 class LinkMatcher {
  public:
@@ -25,6 +29,7 @@ class LinkMatcher {
     LinkMatches matches;
     for (const Place& place : places) matches.push_back({place.segment, place.t, {}});
     for (const ViewId view : input_.asked[link]) AddView(view, places, &matches);
+    KeepOneSide(places, &matches);
     for (LinkSample& sample : matches) {
       if (static_cast<int>(sample.pulls.size()) < options_.min_views) sample.pulls.clear();
     }
@@ -45,11 +50,15 @@ class LinkMatcher {
     bool asked = false;
     std::optional<EdgelMatch> match;
     Eigen::Vector2d pixel;
+    // The edgel runs along the link's direction, not against it: the same side is the brighter one
+    // in all views that show the same edge in the same light.
+    bool bright_left = false;
   };
 
   std::vector<Place> MakePlaces(const ControlLink& link) const {
     std::vector<double> arc_px = {0};
-    for (int s = 0; s < link.NumSegments(); ++s) arc_px.push_back(arc_px.back() + SegmentPx(link, s));
+    for (int s = 0; s < link.NumSegments(); ++s)
+      arc_px.push_back(arc_px.back() + SegmentPx(link, s));
     std::vector<Place> places;
     for (int s = 0; s < link.NumSegments(); ++s) {
       const double length_px = arc_px[s + 1] - arc_px[s];
@@ -89,7 +98,12 @@ class LinkMatcher {
     if (!pixel) return {};
     const auto direction = ProjectedDirection(view, place.position, place.tangent);
     if (!direction) return {};
-    return {true, input_.edgels[id]->Best(*pixel, *direction, gate_), *pixel};
+    Answer answer = {true, input_.edgels[id]->Best(*pixel, *direction, gate_), *pixel, false};
+    if (answer.match) {
+      const Edgel& edgel = input_.curves[id].edge_map.edgels[answer.match->edgel];
+      answer.bright_left = std::cos(edgel.tangent_rad - *direction) > 0;
+    }
+    return answer;
   }
 
   void AddView(ViewId view, const std::vector<Place>& places, LinkMatches* matches) const {
@@ -105,7 +119,8 @@ class LinkMatcher {
       num_found += sign * answers[k].match.has_value();
     };
     for (int k = 0; k < size; ++k) {
-      for (; end < size && places[end].arc_px <= places[k].arc_px + options_.support_window_px; ++end) {
+      for (; end < size && places[end].arc_px <= places[k].arc_px + options_.support_window_px;
+           ++end) {
         count(end, 1);
       }
       for (; places[begin].arc_px < places[k].arc_px - options_.support_window_px; ++begin) {
@@ -113,8 +128,35 @@ class LinkMatcher {
       }
       if (!answers[k].match || num_found < options_.min_window_support * num_asked) continue;
       const EdgelMatch& match = *answers[k].match;
-      (*matches)[k].pulls.push_back(
-          {{view, match.edgel}, Weight(view, answers, k), match.normal_residual_px});
+      (*matches)[k].pulls.push_back({{view, match.edgel},
+                                     Weight(view, answers, k),
+                                     match.normal_residual_px,
+                                     answers[k].bright_left});
+    }
+  }
+
+  // Where nearly all edgels around a sample agree on the brighter side, the others are of another
+  // edge nearby, such as the other side of a thin bar.
+  void KeepOneSide(const std::vector<Place>& places, LinkMatches* matches) const {
+    const LinkMatches all = *matches;
+    const int size = static_cast<int>(places.size());
+    int begin = 0;
+    int end = 0;
+    int num[2] = {0, 0};
+    const auto count = [&](int k, int sign) {
+      for (const EdgelPull& pull : all[k].pulls) num[pull.bright_left] += sign;
+    };
+    for (int k = 0; k < size; ++k) {
+      for (; end < size && places[end].arc_px <= places[k].arc_px + kSideWindowPx; ++end) {
+        count(end, 1);
+      }
+      for (; places[begin].arc_px < places[k].arc_px - kSideWindowPx; ++begin) {
+        count(begin, -1);
+      }
+      const bool major = num[1] > num[0];
+      if (num[major] < kSameSideShare * (num[0] + num[1])) continue;
+      std::erase_if((*matches)[k].pulls,
+                    [&](const EdgelPull& pull) { return pull.bright_left != major; });
     }
   }
 
@@ -125,9 +167,9 @@ class LinkMatcher {
     const int other = k + 1 < size && answers[k + 1].asked ? k + 1 : k - 1;
     if (other < 0 || !answers[other].asked) return 0.1;
     const Edgel& edgel = input_.curves[view].edge_map.edgels[answers[k].match->edgel];
-    const double step_px = (edgel.stored_from_virtual.cast<double>() *
-                            (answers[other].pixel - answers[k].pixel))
-                               .norm();
+    const double step_px =
+        (edgel.stored_from_virtual.cast<double>() * (answers[other].pixel - answers[k].pixel))
+            .norm();
     return std::clamp(step_px / options_.correlation_px, 0.01, 1.0);
   }
 
@@ -168,8 +210,7 @@ std::vector<LinkMatches> MatchEdgels(const MatchInput& input, const ControlGraph
   for (LinkMatches& of_link : matches) {
     for (LinkSample& sample : of_link) {
       std::erase_if(sample.pulls, [&](const EdgelPull& pull) {
-        return std::abs(pull.residual_px) >
-               best[pull.ref.view][pull.ref.edgel] + kClearlyBetterPx;
+        return std::abs(pull.residual_px) > best[pull.ref.view][pull.ref.edgel] + kClearlyBetterPx;
       });
     }
   }

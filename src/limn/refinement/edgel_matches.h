@@ -19,6 +19,7 @@ struct EdgelPull {
   // How much of an independent observation it is, in (0, 1].
   double weight = 1;
   double residual_px = 0;
+  bool bright_left = false;  // which side is brighter, walking along the link
 };
 
 // A place on a link, t of the way along a segment, and the edgels that pull at it: one per view at

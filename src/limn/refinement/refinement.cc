@@ -30,9 +30,8 @@ std::vector<std::unique_ptr<EdgelIndex>> IndexEdgels(const std::vector<ImageCurv
 
 // Samples that enough views show.
 int NumShown(const LinkMatches& matches) {
-  return static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const LinkSample& s) {
-    return !s.pulls.empty();
-  }));
+  return static_cast<int>(std::count_if(matches.begin(), matches.end(),
+                                        [](const LinkSample& s) { return !s.pulls.empty(); }));
 }
 
 std::vector<uint8_t> FindFrozen(const std::vector<LinkMatches>& matches) {
@@ -77,6 +76,19 @@ double SigmaAcross(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& tan
   return std::sqrt(std::max(0.0, 0.5 * (covariance.trace() - tangent.dot(covariance * tangent))));
 }
 
+// Move a polyline to new ends, every point by what the ends move, the nearer end counting more.
+void FollowEnds(const Eigen::Vector3d& first, const Eigen::Vector3d& last,
+                std::vector<Eigen::Vector3d>* points) {
+  const Eigen::Vector3d moved[2] = {first - points->front(), last - points->back()};
+  for (size_t k = 0; k < points->size(); ++k) {
+    const double t = static_cast<double>(k) / static_cast<double>(points->size() - 1);
+    (*points)[k] += (1 - t) * moved[0] + t * moved[1];
+  }
+  // Rounding must not part them from their nodes.
+  points->front() = first;
+  points->back() = last;
+}
+
 class Refiner {
  public:
   Refiner(const RefinementInput& input, const RefinementOptions& options, const RunContext& context)
@@ -85,63 +97,67 @@ class Refiner {
         context_(context),
         edgels_(IndexEdgels(input.curves, context)),
         control_(MakeControlGraph(input.graph, input.views, options.control_spacing_px)) {
-    std::vector<ViewId> all;
-    for (size_t v = 0; v < input.views.size(); ++v) all.push_back(static_cast<ViewId>(v));
-    asked_.assign(input.graph.links.size(), all);
+    for (const DrawingLink& link : input.graph.links) asked_.push_back(link.supporting_views);
   }
 
   RefinementResult Run() {
     for (int round = 0; round < options_.num_rounds; ++round) Fit(round);
-    Match(options_.num_rounds - 1);
+    Match();
     RefinementResult result;
     result.graph = input_.graph;
-    SetGeometry(control_, Sigmas(), &result.graph);
+    SetGeometry(&result.graph);
     UpdateEvidence(&result.graph);
     result.summary = Summary();
     return result;
   }
 
  private:
-  void Match(int round) {
-    const double t = options_.num_rounds > 1
-                         ? static_cast<double>(round) / (options_.num_rounds - 1)
-                         : 1.0;
-    const double distance_px =
-        (1 - t) * options_.first_distance_px + t * options_.last_distance_px;
-    const SupportGate gate = {distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
+  void Match() {
+    const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
     matches_ = MatchEdgels({input_.views, input_.curves, edgels_, asked_}, control_, gate, options_,
                            context_);
   }
 
   void Fit(int round) {
-    Match(round);
-    // Views that show nothing of a link are not asked again.
-    for (size_t l = 0; l < asked_.size(); ++l) {
-      asked_[l].clear();
-      for (const auto& [view, count] : SamplesPerView(matches_[l])) asked_[l].push_back(view);
-    }
+    Match();
     frozen_ = FindFrozen(matches_);
     const bool last = round + 1 == options_.num_rounds;
     FitCurves({input_.views, input_.curves, matches_, frozen_}, options_, context_, &control_,
               last ? &covariances_ : nullptr);
   }
 
-  // Unknown where nothing was fitted.
-  std::vector<std::vector<double>> Sigmas() const {
-    std::vector<std::vector<double>> sigmas;
-    for (const ControlLink& link : control_.links) {
-      std::vector<double> of_link;
-      const int last = link.NumSegments();
-      for (int k = 0; k <= last; ++k) {
-        const auto& covariance = covariances_[link.points[k]];
-        const Eigen::Vector3d chord = control_.position[link.points[std::min(k + 1, last)]] -
-                                      control_.position[link.points[std::max(k - 1, 0)]];
-        of_link.push_back(covariance ? SigmaAcross(*covariance, chord.normalized())
-                                     : std::numeric_limits<double>::infinity());
-      }
-      sigmas.push_back(std::move(of_link));
+  std::vector<double> Sigmas(const ControlLink& link) const {
+    std::vector<double> sigmas;
+    const int last = link.NumSegments();
+    for (int k = 0; k <= last; ++k) {
+      const auto& covariance = covariances_[link.points[k]];
+      const Eigen::Vector3d chord = control_.position[link.points[std::min(k + 1, last)]] -
+                                    control_.position[link.points[std::max(k - 1, 0)]];
+      sigmas.push_back(covariance ? SigmaAcross(*covariance, chord.normalized())
+                                  : std::numeric_limits<double>::infinity());
     }
     return sigmas;
+  }
+
+  // Fitted links get their control points; the others keep their points and only follow their
+  // nodes.
+  void SetGeometry(DrawingGraph* graph) const {
+    for (size_t n = 0; n < graph->nodes.size(); ++n) {
+      graph->nodes[n].position_in_world = control_.position[n];
+    }
+    for (size_t l = 0; l < graph->links.size(); ++l) {
+      DrawingLink& link = graph->links[l];
+      if (frozen_[l]) {
+        FollowEnds(control_.position[link.node0], control_.position[link.node1],
+                   &link.points_in_world);
+        continue;
+      }
+      link.points_in_world.clear();
+      for (const int id : control_.links[l].points) {
+        link.points_in_world.push_back(control_.position[id]);
+      }
+      link.sigma = Sigmas(control_.links[l]);
+    }
   }
 
   void UpdateEvidence(DrawingGraph* graph) const {
@@ -157,8 +173,7 @@ class Refiner {
     StageSummary summary;
     summary.stage = "refinement";
     const auto num_links = static_cast<int64_t>(input_.graph.links.size());
-    summary.in = {{"links", num_links},
-                  {"nodes", static_cast<int64_t>(input_.graph.nodes.size())}};
+    summary.in = {{"links", num_links}, {"nodes", static_cast<int64_t>(input_.graph.nodes.size())}};
     summary.kept = {{"links", num_links},
                     {"links that too few views show, which keep their shape", num_frozen},
                     {"control points", static_cast<int64_t>(control_.position.size())}};

@@ -7,8 +7,7 @@ namespace limn {
 void RefinementOptions::Check() const {
   LIMN_CHECK_OPTION(num_rounds, >= 0);
   LIMN_CHECK_OPTION(control_spacing_px, >= 1);
-  LIMN_CHECK_OPTION(last_distance_px, > 0);
-  LIMN_CHECK_OPTION(first_distance_px, >= last_distance_px);
+  LIMN_CHECK_OPTION(max_distance_px, > 0);
   LIMN_CHECK_OPTION(max_angle_deg, > 0);
   LIMN_CHECK_OPTION(max_angle_deg, <= 90);
   LIMN_CHECK_OPTION(support_window_px, >= 0);

@@ -7,15 +7,13 @@ struct RefinementOptions {
   int num_rounds = 4;
   // Spacing of the control points of a link, px.
   double control_spacing_px = 3;
-  // Edgels within this distance across the edge pull at a link: in the first round, and in the last
-  // one; and within this angle.
-  double first_distance_px = 2;
-  double last_distance_px = 1;
+  // Edgels within this distance across the edge and this angle pull at a link.
+  double max_distance_px = 1;
   double max_angle_deg = 15;
   // Half length of the stretch of a link that decides whether a view shows it there, px, and the
   // share of the stretch that edgels must cover.
   double support_window_px = 6;
-  double min_window_support = 0.7;
+  double min_window_support = 0.5;
   // Views that must show a place of a link for its edgels to count.
   int min_views = 3;
   // Residuals much beyond this hardly count (Cauchy), px.
@@ -25,7 +23,7 @@ struct RefinementOptions {
   // Strength of the smoothing: the standard deviation allowed for the change of direction over a
   // stretch of one px, growing with the root of its length. Smaller is smoother; data that
   // determine a place well win.
-  double bending_sigma = 0.03;
+  double bending_sigma = 0.08;
 
   void Check() const;
 };
