@@ -126,7 +126,6 @@ class ComponentFit {
       AddHold(point);
     }
     for (const int link : component.links) AddPulls(link);
-    FindData();
     for (const Triple& bend : component.bends) AddBend(bend);
   }
 
@@ -191,19 +190,6 @@ class ComponentFit {
     }
   }
 
-  // Points with samples that edgels pull at, in a segment of theirs.
-  void FindData() {
-    has_data_.assign(control_->position.size(), 0);
-    for (const int link : component_.links) {
-      const std::vector<int>& points = control_->links[link].points;
-      for (const LinkSample& sample : input_.matches[link]) {
-        if (sample.pulls.empty()) continue;
-        has_data_[points[sample.segment]] = 1;
-        has_data_[points[sample.segment + 1]] = 1;
-      }
-    }
-  }
-
   void AddBend(const Triple& bend) {
     const double footprint = control_->footprint[bend[1]];
     const auto length = [&](int a, int b) {
@@ -216,16 +202,10 @@ class ComponentFit {
     const double length_px = 0.5 * (first + second) / footprint;
     const Eigen::Matrix3d factor =
         Eigen::Matrix3d::Identity() / (options_.bending_sigma * std::sqrt(length_px));
-    // Where there are no edgels the drawing keeps its shape.
-    Eigen::Vector3d target = Eigen::Vector3d::Zero();
-    if (!has_data_[bend[1]]) {
-      const auto at = [&](int k) -> const Eigen::Vector3d& { return control_->position[bend[k]]; };
-      target = factor * ((at(2) - at(1)) / second - (at(1) - at(0)) / first);
-    }
     const bool at_corner = control_->corner[bend[0]] || control_->corner[bend[2]];
     problem_.AddResidualBlock(
         new LinearCost<3>({factor / first, factor * (-1 / first - 1 / second), factor / second},
-                          target),
+                          Eigen::Vector3d::Zero()),
         at_corner ? new ceres::CauchyLoss(kCornerBendSigmas) : nullptr, Position(bend[0]),
         Position(bend[1]), Position(bend[2]));
   }
@@ -234,7 +214,6 @@ class ComponentFit {
   const RefinementOptions& options_;
   const Component& component_;
   ControlGraph* control_;
-  std::vector<uint8_t> has_data_;
   ceres::Problem problem_;
 };
 

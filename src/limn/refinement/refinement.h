@@ -28,10 +28,12 @@ struct RefinementResult {
 // matched with the edgels near its reprojections, and then control points along all links move so
 // that the reprojections pass through the tangent lines of their edgels: robust least squares over
 // all views, with links that meet sharing the control point at their node, a penalty on bending
-// that decides only where the edgels leave a place open, and none across corners. The sigmas come
-// from the inverse of the normal matrix. Links that too few views show keep their shape. The result
-// passes Validate(). Throws OptionError and Cancelled. Time: rounds times length of all links in
-// px times views.
+// that decides only where the edgels leave a place open, and none across corners. Only a link's
+// supporting views are asked, and edgels whose brighter side is not that of nearly all others are
+// left out: it is the other side of a thin bar that they belong to. The sigmas come from the
+// inverse of the normal matrix. Links that too few views show keep their shape. The result passes
+// Validate(). Throws OptionError and Cancelled. Time: rounds times length of all links in px times
+// views.
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const RunContext& context);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kHalfSide = 0.8;
 constexpr int kNumViews = 16;
-constexpr double kNoisePx = 0.3;
+constexpr double kNoisePx = 0.2;
 
 const std::vector<View>& Views() {
   static const std::vector<View> views = testing::DomeViews(kNumViews, 5);
@@ -144,7 +144,10 @@ TEST(Refinement, CornersAreFoundAndShared) {
   for (size_t n = 0; n < corners.size(); ++n) {
     const DrawingNode& node = NoisyResult().nodes[n];
     EXPECT_EQ(node.Degree(), 3);
-    EXPECT_LT((node.position_in_world - corners[n]).norm(), 0.3 * FootprintAt(corners[n]));
+    const DrawingLink& arm = NoisyResult().links[node.incident[0].link];
+    const double sigma = node.incident[0].end == 0 ? arm.sigma.front() : arm.sigma.back();
+    EXPECT_LT((node.position_in_world - corners[n]).norm(), 4 * sigma);
+    EXPECT_LT((node.position_in_world - corners[n]).norm(), FootprintAt(corners[n]));
   }
 }
 
