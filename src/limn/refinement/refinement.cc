@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "limn/refinement/covered_links.h"
 #include "limn/refinement/curve_fit.h"
 
 namespace limn {
@@ -107,7 +108,8 @@ class Refiner {
     result.graph = input_.graph;
     SetGeometry(&result.graph);
     UpdateEvidence(&result.graph);
-    result.summary = Summary();
+    RemoveLinks(FindUncoveredLinks(control_), &result.graph);
+    result.summary = Summary(result.graph);
     return result;
   }
 
@@ -168,15 +170,19 @@ class Refiner {
     }
   }
 
-  StageSummary Summary() const {
+  StageSummary Summary(const DrawingGraph& graph) const {
     const auto num_frozen = std::count(frozen_.begin(), frozen_.end(), uint8_t{1});
     StageSummary summary;
     summary.stage = "refinement";
-    const auto num_links = static_cast<int64_t>(input_.graph.links.size());
-    summary.in = {{"links", num_links}, {"nodes", static_cast<int64_t>(input_.graph.nodes.size())}};
-    summary.kept = {{"links", num_links},
-                    {"links that too few views show, which keep their shape", num_frozen},
+    const auto num_links = [](const DrawingGraph& of) {
+      return static_cast<int64_t>(of.links.size());
+    };
+    summary.in = {{"links", num_links(input_.graph)}};
+    summary.kept = {{"links", num_links(graph)},
+                    {"links not fitted: too few views", num_frozen},
                     {"control points", static_cast<int64_t>(control_.position.size())}};
+    summary.dropped = {
+        {"links: others run along them", num_links(input_.graph) - num_links(graph)}};
     return summary;
   }
 

@@ -30,10 +30,10 @@ struct RefinementResult {
 // all views, with links that meet sharing the control point at their node, a penalty on bending
 // that decides only where the edgels leave a place open, and none across corners. Only a link's
 // supporting views are asked, and edgels whose brighter side is not that of nearly all others are
-// left out: it is the other side of a thin bar that they belong to. The sigmas come from the
-// inverse of the normal matrix. Links that too few views show keep their shape. The result passes
-// Validate(). Throws OptionError and Cancelled. Time: rounds times length of all links in px times
-// views.
+// left out: they belong to the other side of a thin bar. The sigmas come from the inverse of the
+// normal matrix. Links that too few views show keep their shape; links that then lie on others are
+// removed. The result passes Validate(). Throws OptionError and Cancelled. Time: rounds times
+// length of all links in px times views.
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const RunContext& context);
 
