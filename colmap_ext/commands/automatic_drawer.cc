@@ -13,8 +13,8 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   bool account = false;
   const auto parser =
       ParseRunOptions("automatic_drawer", "make the 3D drawing of a COLMAP project",
-                      {.linking = true, .sketch = true, .drawing = true}, argc, argv, &options,
-                      [&](OptionParser* more) {
+                      {.linking = true, .sketch = true, .drawing = true, .refinement = true}, argc,
+                      argv, &options, [&](OptionParser* more) {
                         more->AddOption("account", &account, "tell what became of every edgel");
                       });
   if (!parser) return 0;

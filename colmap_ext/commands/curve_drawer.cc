@@ -23,8 +23,8 @@ int RunCurveDrawer(int argc, const char* const* argv) {
       options.pipeline.drawing, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
-  WriteDrawingResults(project, result.graph, Provenance(options, stored.metadata.options_json),
-                      &console);
+  WriteDrawingResults(project, result.graph,
+                      DrawingProvenance(options, stored.metadata.options_json), &console);
   return 0;
 }
 

@@ -60,9 +60,16 @@ std::string Provenance(const RunOptions& options) {
   return json.dump();
 }
 
-std::string Provenance(const RunOptions& options, const std::string& sketch_provenance) {
+std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance) {
   Json json = Json::parse(sketch_provenance);
   json["Drawing"] = Json::parse(OptionsAsJson(options.pipeline))["Drawing"];
+  json["DrawingRefinement"] = nullptr;
+  return json.dump();
+}
+
+std::string RefinementProvenance(const RunOptions& options, const std::string& drawing_provenance) {
+  Json json = Json::parse(drawing_provenance);
+  json["DrawingRefinement"] = Json::parse(OptionsAsJson(options.pipeline))["DrawingRefinement"];
   return json.dump();
 }
 
@@ -84,6 +91,14 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
                   "by another version of limn: run curve_sketcher again");
   }
   return std::move(*stored);
+}
+
+DrawingFile ReadDrawingResult(const Project& project, const std::string& path) {
+  DrawingFile drawing = ReadDrawingJson(path);
+  if (drawing.metadata.view_names != Metadata(project, "{}").view_names) {
+    throw IoError(path, "is a drawing of other images than those of the model");
+  }
+  return drawing;
 }
 
 void WriteDrawingResults(const Project& project, const DrawingGraph& graph,

@@ -16,8 +16,12 @@ namespace limn::colmap_ext {
 // threads.
 std::string Provenance(const RunOptions& options);
 
-// Of a drawing made with `options` from a sketch that says in `sketch_provenance` how it was made.
-std::string Provenance(const RunOptions& options, const std::string& sketch_provenance);
+// Of a drawing made with `options` from a sketch that says in `sketch_provenance` how it was made;
+// it is not refined yet.
+std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance);
+
+// Of a drawing refined with `options` that says in `drawing_provenance` how it was made.
+std::string RefinementProvenance(const RunOptions& options, const std::string& drawing_provenance);
 
 // Name of a sketch's files, without extension, in the folder of curves.
 std::string SketchFileName(SketchMode mode);
@@ -33,6 +37,9 @@ void WriteSketchResults(const Project& project, const std::string& name,
 // Read <curves>/<name>.bin. Throws IoError if it is missing, damaged or not made from these curves.
 StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
                                    const std::vector<ImageCurves>& curves);
+
+// Read a drawing.json. Throws IoError if it is missing, damaged or of other views.
+DrawingFile ReadDrawingResult(const Project& project, const std::string& path);
 
 // Write drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.
 void WriteDrawingResults(const Project& project, const DrawingGraph& graph,

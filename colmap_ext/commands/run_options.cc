@@ -56,6 +56,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
     AddGroup("Sketch", &pipeline.sketch, parser);
   }
   if (groups.drawing) AddGroup("Drawing", &pipeline.drawing, parser);
+  if (groups.refinement) AddGroup("DrawingRefinement", &pipeline.refinement, parser);
 }
 
 }  // namespace

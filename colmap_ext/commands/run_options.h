@@ -33,6 +33,7 @@ struct OptionGroups {
   bool linking = false;
   bool sketch = false;
   bool drawing = false;
+  bool refinement = false;
 };
 
 // "x0,x1,y0,y1,z0,z1" as a box; nothing if there are no numbers. Throws OptionError.

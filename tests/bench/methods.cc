@@ -1,6 +1,7 @@
 #include "bench/methods.h"
 
 #include "limn/drawing/drawing.h"
+#include "limn/refinement/refinement.h"
 
 namespace limn::bench {
 namespace {
@@ -14,6 +15,15 @@ Reconstruction Draw(const Scene& scene, const CurveSketch& sketch, const Pipelin
                     const RunContext& context) {
   DrawingGraph graph =
       BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph;
+  return {ToCurveSet(graph), ToSupportedCurves(graph), std::move(graph), {}};
+}
+
+Reconstruction DrawAndRefine(const Scene& scene, const CurveSketch& sketch,
+                             const PipelineOptions& options, const RunContext& context) {
+  const DrawingGraph drawing =
+      BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph;
+  DrawingGraph graph =
+      RefineDrawing({scene.views, scene.curves, drawing}, options.refinement, context).graph;
   return {ToCurveSet(graph), ToSupportedCurves(graph), std::move(graph), {}};
 }
 
@@ -38,6 +48,7 @@ const std::vector<Method>& Methods() {
       {"enhanced drawing", SketchMode::kEnhanced, Draw, "views", views, SetSupportingViews},
       {"swept sketch", SketchMode::kSweep, AsItIs, "views", views, SetSupportingViews},
       {"swept drawing", SketchMode::kSweep, Draw, "views", views, SetSupportingViews},
+      {"refined drawing", SketchMode::kSweep, DrawAndRefine, "views", views, SetSupportingViews},
   };
   return methods;
 }

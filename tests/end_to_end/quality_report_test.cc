@@ -31,7 +31,7 @@ TEST(QualityReport, MeasuresEveryMethod) {
   EXPECT_EQ(sets[0].at("name"), "sample-day");
   EXPECT_EQ(sets[0].at("num_held_out"), 2);
   EXPECT_EQ(sets[0].at("ceiling").at("all").size(), 3u);
-  EXPECT_EQ(sets[0].at("runs").size(), 3u);
+  EXPECT_EQ(sets[0].at("runs").size(), 6u);
   for (const nlohmann::json& method : sets[0].at("runs")) {
     const nlohmann::json& rows = method.at("truth").at("all").at("rows");
     ASSERT_EQ(rows.size(), 3u);
@@ -41,7 +41,7 @@ TEST(QualityReport, MeasuresEveryMethod) {
     EXPECT_GT(method.at("held_out").at("to_edgels").at("count"), 100) << method.at("method");
     EXPECT_LT(method.at("held_out").at("to_edgels").at("median_px"), 2.0) << method.at("method");
   }
-  EXPECT_TRUE(std::filesystem::exists(dir / "sample-day" / "drawing.json"));
+  EXPECT_TRUE(std::filesystem::exists(dir / "sample-day" / "refined-drawing.json"));
   EXPECT_TRUE(std::filesystem::exists(dir / "report.md"));
 }
 

@@ -99,6 +99,7 @@ TEST_F(SmallRun, StepByStepGivesTheSameDrawing) {
   Run("curve_linker", "steps");
   Run("curve_sketcher", "steps");
   Run("curve_drawer", "steps");
+  Run("drawing_refiner", "steps");
   EXPECT_GT(fs::remove_all(Output("steps", "curves/cache/edges")), 8u);
   EXPECT_EQ(ReadTree(dir_ / "steps"), Results(dir_ / "automatic"));
 }

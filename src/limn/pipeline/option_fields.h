@@ -135,6 +135,22 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
         "two links that turn by less are one, deg");
 }
 
+template <typename Visit>
+void VisitFields(RefinementOptions& o, Visit&& visit) {
+  visit("num_rounds", o.num_rounds, "rounds of matching and fitting, 0 = do not refine");
+  visit("control_spacing_px", o.control_spacing_px, "spacing of control points, px");
+  visit("max_distance_px", o.max_distance_px,
+        "an edgel this near across the edge pulls at a link, px");
+  visit("max_angle_deg", o.max_angle_deg, "and within this angle, deg");
+  visit("support_window_px", o.support_window_px,
+        "half length of the stretch that decides whether a view shows it, px");
+  visit("min_window_support", o.min_window_support, "share of it that edgels must cover");
+  visit("min_views", o.min_views, "views that must show a place for its edgels to count");
+  visit("robust_residual_px", o.robust_residual_px, "much larger residuals hardly count, px");
+  visit("correlation_px", o.correlation_px, "edgels of an image this near err together, px");
+  visit("bending_sigma", o.bending_sigma, "allowed change of direction over one px, rad");
+}
+
 // visit(group name, options struct) for every group.
 template <typename Visit>
 void VisitGroups(PipelineOptions& options, Visit&& visit) {
@@ -143,6 +159,7 @@ void VisitGroups(PipelineOptions& options, Visit&& visit) {
   visit("ViewSelection", options.sketch.view_selection);
   visit("Sketch", options.sketch);
   visit("Drawing", options.drawing);
+  visit("DrawingRefinement", options.refinement);
 }
 
 }  // namespace limn

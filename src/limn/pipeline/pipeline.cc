@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "limn/refinement/refinement.h"
+
 namespace limn {
 
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
@@ -21,8 +23,12 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
                                        options.drawing, context);
   on_stage_end(drawing.summary, {});
 
+  RefinementResult refined =
+      RefineDrawing({input.views, image_curves.curves, drawing.graph}, options.refinement, context);
+  on_stage_end(refined.summary, {});
+
   return {std::move(image_curves.curves), std::move(sketch.sketch), std::move(sketch.fates),
-          std::move(drawing.graph), std::move(drawing.fates)};
+          std::move(refined.graph), std::move(drawing.fates)};
 }
 
 }  // namespace limn

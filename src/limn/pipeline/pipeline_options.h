@@ -5,6 +5,7 @@
 #include "limn/drawing/drawing_options.h"
 #include "limn/edges/edge_detection.h"
 #include "limn/linking/linking.h"
+#include "limn/refinement/refinement_options.h"
 #include "limn/sketch/sketch.h"
 
 namespace limn {
@@ -16,6 +17,7 @@ struct PipelineOptions {
   SketchMode mode = SketchMode::kEnhanced;
   SketchOptions sketch;
   DrawingOptions drawing;
+  RefinementOptions refinement;
 
   // Throws OptionError naming group and option.
   void Check() const;

@@ -20,8 +20,8 @@ struct EdgelResidual {
 std::optional<EdgelResidual> ResidualToEdgel(const View& view, const Edgel& edgel,
                                              const Eigen::Vector3d& point_in_world);
 
-// Variance of such a residual, px^2: what the edgel knows of its own position, and errors of calibration
-// and sampling that it does not know of.
+// Variance of such a residual, px^2: what the edgel knows of its own position, and errors of
+// calibration and sampling that it does not know of.
 double ResidualVariance(const Edgel& edgel);
 
 // Direction, radians, in the virtual image in which the point moves when it moves along the

@@ -44,6 +44,7 @@ TEST(OptionFields, ListsEveryField) {
   ExpectAllFieldsAreVisited<ViewSelectionOptions>(0);
   ExpectAllFieldsAreVisited<SketchOptions>(sizeof(ViewSelectionOptions));
   ExpectAllFieldsAreVisited<DrawingOptions>(0);
+  ExpectAllFieldsAreVisited<RefinementOptions>(0);
 }
 
 TEST(PipelineOptions, PresetsAreValid) {

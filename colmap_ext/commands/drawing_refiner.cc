@@ -1,0 +1,35 @@
+#include "colmap_ext/commands/commands.h"
+#include "colmap_ext/commands/console.h"
+#include "colmap_ext/commands/project.h"
+#include "colmap_ext/commands/results.h"
+#include "colmap_ext/commands/run_options.h"
+#include "limn/refinement/refinement.h"
+
+namespace limn::colmap_ext {
+
+int RunDrawingRefiner(int argc, const char* const* argv) {
+  RunOptions options;
+  std::string drawing_path;
+  const auto parser = ParseRunOptions(
+      "drawing_refiner", "fit the drawing that curve_drawer has stored to all images",
+      {.linking = true, .refinement = true}, argc, argv, &options, [&](OptionParser* more) {
+        more->AddOption("drawing_path", &drawing_path,
+                        "drawing.json to start from, instead of the one in the output folder");
+      });
+  if (!parser) return 0;
+  Console console(options.num_threads);
+  const Project project(options, &console);
+  if (drawing_path.empty()) drawing_path = project.DrawingPath("drawing.json");
+  const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
+  const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
+  const RefinementResult result =
+      RefineDrawing({project.views(), image_curves.curves, drawing.graph},
+                    options.pipeline.refinement, console.context());
+  console.Report(result.summary);
+  CheckGraph(result.graph);
+  WriteDrawingResults(project, result.graph,
+                      RefinementProvenance(options, drawing.metadata.options_json), &console);
+  return 0;
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,142 @@
+#include "limn/refinement/control_graph.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limn/geometry/polyline.h"
+#include "limn/support/edgel_residual.h"
+
+namespace limn {
+namespace {
+
+// Near a corner the edges of an image are rounded: this much of a link is not matched there, px,
+// but never more than this share of it.
+constexpr double kCornerSkipPx = 3;
+constexpr double kMaxSkippedShare = 0.25;
+
+double MedianFootprint(const Eigen::Vector3d& point, const std::vector<ViewId>& ids,
+                       const std::vector<View>& views) {
+  std::vector<double> footprints;
+  for (const ViewId id : ids) {
+    if (const auto footprint = Footprint(views[id], point)) footprints.push_back(*footprint);
+  }
+  if (footprints.empty()) return 0;
+  const auto middle = footprints.begin() + static_cast<std::ptrdiff_t>(footprints.size() / 2);
+  std::nth_element(footprints.begin(), middle, footprints.end());
+  return *middle;
+}
+
+// Two ends go on smoothly and nothing else is here.
+bool IsSmooth(const DrawingNode& node) {
+  return node.Degree() == 2 && node.continuations.size() == 1;
+}
+
+// Whether the link end goes on smoothly in another one.
+bool GoesOn(const DrawingNode& node, const LinkEnd& end) {
+  return std::any_of(node.continuations.begin(), node.continuations.end(),
+                     [&](const auto& pair) { return pair.first == end || pair.second == end; });
+}
+
+class ControlGraphBuilder {
+ public:
+  ControlGraphBuilder(const DrawingGraph& graph, const std::vector<View>& views, double spacing_px)
+      : graph_(graph), views_(views), spacing_px_(spacing_px) {}
+
+  ControlGraph Run() {
+    for (const DrawingNode& node : graph_.nodes) {
+      control_.position.push_back(node.position_in_world);
+      control_.footprint.push_back(0);
+      control_.corner.push_back(node.Degree() >= 2 && !IsSmooth(node));
+    }
+    for (size_t l = 0; l < graph_.links.size(); ++l) AddLink(static_cast<LinkId>(l));
+    for (const DrawingNode& node : graph_.nodes) AddBendsThrough(node);
+    control_.start = control_.position;
+    UpdateTangents(&control_);
+    return std::move(control_);
+  }
+
+ private:
+  double LinkFootprint(const DrawingLink& link, const Eigen::Vector3d& point) const {
+    if (!link.supporting_views.empty()) {
+      const double footprint = MedianFootprint(point, link.supporting_views, views_);
+      if (footprint > 0) return footprint;
+    }
+    std::vector<ViewId> all;
+    for (size_t v = 0; v < views_.size(); ++v) all.push_back(static_cast<ViewId>(v));
+    return MedianFootprint(point, all, views_);
+  }
+
+  void AddLink(LinkId id) {
+    const DrawingLink& link = graph_.links[id];
+    const Eigen::Vector3d& middle = link.points_in_world[link.points_in_world.size() / 2];
+    const double unit = LinkFootprint(link, middle);
+    const double length = Length(link.points_in_world);
+    // A link that no camera looks at has no pixels: it keeps its two ends.
+    const double step = unit > 0 ? spacing_px_ * unit : length;
+    const Polyline3d points =
+        ResampleUniform(link.points_in_world, link.closed ? std::min(step, length / 6) : step);
+    ControlLink out;
+    out.points.push_back(link.node0);
+    for (size_t k = 1; k + 1 < points.size(); ++k) {
+      out.points.push_back(static_cast<int>(control_.position.size()));
+      control_.position.push_back(points[k]);
+      control_.footprint.push_back(LinkFootprint(link, points[k]));
+      control_.corner.push_back(0);
+    }
+    out.points.push_back(link.node1);
+    for (const int end : {0, 1}) {
+      const NodeId node = end == 0 ? link.node0 : link.node1;
+      double& footprint = control_.footprint[node];
+      footprint = std::max(footprint, LinkFootprint(link, control_.position[node]));
+      if (control_.corner[node] && unit > 0 && !GoesOn(graph_.nodes[node], {id, end})) {
+        out.skip_px[end] = std::min(kCornerSkipPx, kMaxSkippedShare * length / unit);
+      }
+    }
+    for (int k = 1; k < out.NumSegments(); ++k) {
+      control_.bends.push_back({out.points[k - 1], out.points[k], out.points[k + 1]});
+    }
+    control_.links.push_back(std::move(out));
+  }
+
+  int NextTo(const LinkEnd& end) const {
+    const std::vector<int>& points = control_.links[end.link].points;
+    return end.end == 0 ? points[1] : points[points.size() - 2];
+  }
+
+  void AddBendsThrough(const DrawingNode& node) {
+    for (const auto& [a, b] : node.continuations) {
+      const int here = a.end == 0 ? graph_.links[a.link].node0 : graph_.links[a.link].node1;
+      const std::array<int, 3> bend = {NextTo(a), here, NextTo(b)};
+      if (bend[0] != bend[1] && bend[1] != bend[2] && bend[0] != bend[2]) {
+        control_.bends.push_back(bend);
+      }
+    }
+  }
+
+  const DrawingGraph& graph_;
+  const std::vector<View>& views_;
+  double spacing_px_;
+  ControlGraph control_;
+};
+
+}  // namespace
+
+ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>& views,
+                              double spacing_px) {
+  return ControlGraphBuilder(graph, views, spacing_px).Run();
+}
+
+void UpdateTangents(ControlGraph* control) {
+  std::vector<Eigen::Vector3d>& tangent = control->tangent;
+  tangent.assign(control->position.size(), Eigen::Vector3d::UnitX());
+  for (const ControlLink& link : control->links) {
+    const int last = link.NumSegments();
+    for (int k = 0; k <= last; ++k) {
+      const Eigen::Vector3d chord = control->position[link.points[std::min(k + 1, last)]] -
+                                    control->position[link.points[std::max(k - 1, 0)]];
+      if (chord.norm() > 0) tangent[link.points[k]] = chord.normalized();
+    }
+  }
+}
+
+}  // namespace limn

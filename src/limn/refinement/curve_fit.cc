@@ -1,0 +1,281 @@
+#include "limn/refinement/curve_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <ceres/ceres.h>
+
+#include "limn/refinement/selected_inverse.h"
+#include "limn/support/edgel_residual.h"
+#include "limn/util/union_find.h"
+
+namespace limn {
+namespace {
+
+using RowMajor3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using Triple = std::array<int, 3>;
+
+constexpr int kMaxIterations = 8;
+// Standard deviations of how far a point moves from where it was in the drawing: along its curve,
+// in any direction, and at a corner. They decide nothing but what edgels and bending leave open.
+// Px.
+constexpr double kAlongSigmaPx = 1;
+constexpr double kWeakSigmaPx = 30;
+constexpr double kCornerSigmaPx = 3;
+// Next to a corner, changes of direction beyond this many of their standard deviations hardly count
+// (Cauchy): links that do not quite meet shall not drag each other away.
+constexpr double kCornerBendSigmas = 3;
+
+// The pulls at one sample: all its residuals, which depend on the two ends of its segment.
+class PullCost : public ceres::CostFunction {
+ public:
+  PullCost(const CurveFitInput& input, const LinkSample& sample, double robust_px)
+      : input_(input), sample_(sample), robust_px_(robust_px) {
+    set_num_residuals(static_cast<int>(sample.pulls.size()));
+    *mutable_parameter_block_sizes() = {3, 3};
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const Eigen::Map<const Eigen::Vector3d> from(parameters[0]);
+    const Eigen::Map<const Eigen::Vector3d> to(parameters[1]);
+    const Eigen::Vector3d point = (1 - sample_.t) * from + sample_.t * to;
+    for (size_t i = 0; i < sample_.pulls.size(); ++i) {
+      const Pull pull = At(sample_.pulls[i], point);
+      residuals[i] = pull.residual;
+      if (!jacobians) continue;
+      for (const int end : {0, 1}) {
+        if (!jacobians[end]) continue;
+        Eigen::Map<Eigen::Vector3d> row(jacobians[end] + 3 * i);
+        row = (end == 0 ? 1 - sample_.t : sample_.t) * pull.gradient;
+      }
+    }
+    return true;
+  }
+
+ private:
+  struct Pull {
+    double residual = 0;
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  };
+
+  // The square of this residual is the Cauchy loss of the distance.
+  Pull At(const EdgelPull& pull, const Eigen::Vector3d& point) const {
+    const Edgel& edgel = input_.curves[pull.ref.view].edge_map.edgels[pull.ref.edgel];
+    const auto distance = ResidualToEdgel(input_.views[pull.ref.view], edgel, point);
+    if (!distance) return {};
+    const double scale = std::sqrt(pull.weight / ResidualVariance(edgel));
+    const double relative = distance->residual_px / robust_px_;
+    if (std::abs(relative) < 1e-4) {
+      return {scale * distance->residual_px, scale * distance->gradient};
+    }
+    const double root = std::sqrt(std::log1p(relative * relative));
+    const double slope = std::abs(relative) / ((1 + relative * relative) * root);
+    return {scale * std::copysign(robust_px_ * root, relative), scale * slope * distance->gradient};
+  }
+
+  const CurveFitInput& input_;
+  const LinkSample& sample_;
+  double robust_px_;
+};
+
+// A sum of points, each with a coefficient matrix, less a constant.
+template <int kNumPoints>
+class LinearCost : public ceres::CostFunction {
+ public:
+  LinearCost(const std::array<Eigen::Matrix3d, kNumPoints>& factors, const Eigen::Vector3d& target)
+      : factors_(factors), target_(target) {
+    set_num_residuals(3);
+    mutable_parameter_block_sizes()->assign(kNumPoints, 3);
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    Eigen::Vector3d sum = -target_;
+    for (int i = 0; i < kNumPoints; ++i) {
+      sum += factors_[i] * Eigen::Map<const Eigen::Vector3d>(parameters[i]);
+      if (!jacobians || !jacobians[i]) continue;
+      Eigen::Map<RowMajor3d> jacobian(jacobians[i]);
+      jacobian = factors_[i];
+    }
+    Eigen::Map<Eigen::Vector3d> out(residuals);
+    out = sum;
+    return true;
+  }
+
+ private:
+  std::array<Eigen::Matrix3d, kNumPoints> factors_;
+  Eigen::Vector3d target_;
+};
+
+// Links that hang together by their nodes, with the unknowns and bends among them.
+struct Component {
+  std::vector<int> links;
+  std::vector<int> points;  // ascending
+  std::vector<Triple> bends;
+};
+
+class ComponentFit {
+ public:
+  ComponentFit(const CurveFitInput& input, const RefinementOptions& options,
+               const Component& component, ControlGraph* control)
+      : input_(input), options_(options), component_(component), control_(control) {
+    for (const int point : component.points) {
+      problem_.AddParameterBlock(Position(point), 3);
+      AddHold(point);
+    }
+    for (const int link : component.links) AddPulls(link);
+    for (const Triple& bend : component.bends) AddBend(bend);
+  }
+
+  void Solve() {
+    ceres::Solver::Options solver;
+    solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    // Without BLAS: the same bits whatever runs beside it.
+    solver.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
+    solver.max_num_iterations = kMaxIterations;
+    solver.function_tolerance = 1e-5;
+    // These two know units of length.
+    solver.parameter_tolerance = 0;
+    solver.gradient_tolerance = 0;
+    solver.num_threads = 1;
+    solver.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver, &problem_, &summary);
+  }
+
+  // Into the places of the component's points. None if the normal matrix is singular, which the
+  // holds prevent but for numbers beyond all scale.
+  void FindCovariances(Covariances* covariances) {
+    ceres::Problem::EvaluateOptions evaluation;
+    for (const int point : component_.points)
+      evaluation.parameter_blocks.push_back(Position(point));
+    ceres::CRSMatrix rows;
+    problem_.Evaluate(evaluation, nullptr, nullptr, nullptr, &rows);
+    const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> jacobian(
+        rows.num_rows, rows.num_cols, static_cast<Eigen::Index>(rows.values.size()),
+        rows.rows.data(), rows.cols.data(), rows.values.data());
+    const Eigen::SparseMatrix<double> by_column = jacobian;
+    const Eigen::SparseMatrix<double> normal = by_column.transpose() * by_column;
+    const auto blocks = DiagonalBlocksOfInverse(normal);
+    if (!blocks) return;
+    for (size_t i = 0; i < component_.points.size(); ++i) {
+      (*covariances)[component_.points[i]] = (*blocks)[i];
+    }
+  }
+
+ private:
+  double* Position(int point) { return control_->position[point].data(); }
+
+  void AddHold(int point) {
+    const double across_px = control_->corner[point] ? kCornerSigmaPx : kWeakSigmaPx;
+    const double along_px = control_->corner[point] ? kCornerSigmaPx : kAlongSigmaPx;
+    const Eigen::Vector3d& tangent = control_->tangent[point];
+    const Eigen::Matrix3d factor =
+        (Eigen::Matrix3d::Identity() / across_px +
+         (1 / along_px - 1 / across_px) * tangent * tangent.transpose()) /
+        control_->footprint[point];
+    problem_.AddResidualBlock(new LinearCost<1>({factor}, factor * control_->start[point]), nullptr,
+                              Position(point));
+  }
+
+  void AddPulls(int link) {
+    const std::vector<int>& points = control_->links[link].points;
+    for (const LinkSample& sample : input_.matches[link]) {
+      if (sample.pulls.empty()) continue;
+      problem_.AddResidualBlock(new PullCost(input_, sample, options_.robust_residual_px), nullptr,
+                                Position(points[sample.segment]),
+                                Position(points[sample.segment + 1]));
+    }
+  }
+
+  void AddBend(const Triple& bend) {
+    const double footprint = control_->footprint[bend[1]];
+    const auto length = [&](int a, int b) {
+      // Points that nearly coincide would make the change of direction explode.
+      return std::max((control_->position[b] - control_->position[a]).norm(),
+                      0.25 * options_.control_spacing_px * footprint);
+    };
+    const double first = length(bend[0], bend[1]);
+    const double second = length(bend[1], bend[2]);
+    const double length_px = 0.5 * (first + second) / footprint;
+    const Eigen::Matrix3d factor =
+        Eigen::Matrix3d::Identity() / (options_.bending_sigma * std::sqrt(length_px));
+    const bool at_corner = control_->corner[bend[0]] || control_->corner[bend[2]];
+    problem_.AddResidualBlock(
+        new LinearCost<3>({factor / first, factor * (-1 / first - 1 / second), factor / second},
+                          Eigen::Vector3d::Zero()),
+        at_corner ? new ceres::CauchyLoss(kCornerBendSigmas) : nullptr, Position(bend[0]),
+        Position(bend[1]), Position(bend[2]));
+  }
+
+  const CurveFitInput& input_;
+  const RefinementOptions& options_;
+  const Component& component_;
+  ControlGraph* control_;
+  ceres::Problem problem_;
+};
+
+std::vector<Component> FindComponents(const CurveFitInput& input, const ControlGraph& control) {
+  UnionFind sets(static_cast<int>(control.position.size()));
+  std::vector<uint8_t> unknown(control.position.size(), 0);
+  for (size_t l = 0; l < control.links.size(); ++l) {
+    if (input.frozen[l]) continue;
+    for (const int point : control.links[l].points) {
+      sets.Union(control.links[l].points.front(), point);
+      unknown[point] = 1;
+    }
+  }
+  std::map<int, Component> by_root;
+  for (size_t l = 0; l < control.links.size(); ++l) {
+    if (input.frozen[l]) continue;
+    by_root[sets.Find(control.links[l].points.front())].links.push_back(static_cast<int>(l));
+  }
+  for (size_t p = 0; p < unknown.size(); ++p) {
+    const int point = static_cast<int>(p);
+    if (unknown[p]) by_root[sets.Find(point)].points.push_back(point);
+  }
+  for (const Triple& bend : control.bends) {
+    const bool fitted = unknown[bend[0]] && unknown[bend[1]] && unknown[bend[2]];
+    if (fitted) by_root[sets.Find(bend[1])].bends.push_back(bend);
+  }
+  std::vector<Component> components;
+  for (auto& [root, component] : by_root) components.push_back(std::move(component));
+  return components;
+}
+
+// Move the inner points of frozen links by what their nodes moved, the nearer one more.
+void FollowNodes(const std::vector<uint8_t>& frozen, const std::vector<Eigen::Vector3d>& before,
+                 ControlGraph* control) {
+  for (size_t l = 0; l < control->links.size(); ++l) {
+    if (!frozen[l]) continue;
+    const std::vector<int>& points = control->links[l].points;
+    const auto moved = [&](int point) -> Eigen::Vector3d {
+      return control->position[point] - before[point];
+    };
+    for (size_t k = 1; k + 1 < points.size(); ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(points.size() - 1);
+      control->position[points[k]] =
+          before[points[k]] + (1 - t) * moved(points.front()) + t * moved(points.back());
+    }
+  }
+}
+
+}  // namespace
+
+void FitCurves(const CurveFitInput& input, const RefinementOptions& options,
+               const RunContext& context, ControlGraph* control, Covariances* covariances) {
+  const std::vector<Eigen::Vector3d> before = control->position;
+  const std::vector<Component> components = FindComponents(input, *control);
+  if (covariances) covariances->assign(before.size(), std::nullopt);
+  ParallelFor(context, "fitting curves", components.size(), [&](size_t c) {
+    ComponentFit fit(input, options, components[c], control);
+    fit.Solve();
+    if (covariances) fit.FindCovariances(covariances);
+  });
+  FollowNodes(input.frozen, before, control);
+  UpdateTangents(control);
+}
+
+}  // namespace limn

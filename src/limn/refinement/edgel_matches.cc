@@ -1,0 +1,220 @@
+#include "limn/refinement/edgel_matches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "limn/support/edgel_residual.h"
+
+namespace limn {
+namespace {
+
+constexpr double kSampleSpacingPx = 1.5;
+// An edgel belongs to the link that passes this much nearer to it, px.
+constexpr double kClearlyBetterPx = 0.1;
+// Half length of the stretch that decides which side of a link is the brighter one, px, and the
+// share of its edgels that must agree.
+constexpr double kSideWindowPx = 15;
+constexpr double kSameSideShare = 0.85;
+
+class LinkMatcher {
+ public:
+  LinkMatcher(const MatchInput& input, const ControlGraph& control, const SupportGate& gate,
+              const RefinementOptions& options)
+      : input_(input), control_(control), gate_(gate), options_(options) {}
+
+  LinkMatches Run(int link) const {
+    const std::vector<Place> places = MakePlaces(control_.links[link]);
+    LinkMatches matches;
+    for (const Place& place : places) matches.push_back({place.segment, place.t, {}});
+    for (const ViewId view : input_.asked[link]) AddView(view, places, &matches);
+    KeepOneSide(places, &matches);
+    for (LinkSample& sample : matches) {
+      if (static_cast<int>(sample.pulls.size()) < options_.min_views) sample.pulls.clear();
+    }
+    return matches;
+  }
+
+ private:
+  struct Place {
+    int segment;
+    double t;
+    Eigen::Vector3d position;
+    Eigen::Vector3d tangent;
+    double arc_px;
+  };
+
+  // What a view has to say of a place.
+  struct Answer {
+    bool asked = false;
+    std::optional<EdgelMatch> match;
+    Eigen::Vector2d pixel;
+    // The edgel runs along the link's direction, not against it: the same side is the brighter one
+    // in all views that show the same edge in the same light.
+    bool bright_left = false;
+  };
+
+  std::vector<Place> MakePlaces(const ControlLink& link) const {
+    std::vector<double> arc_px = {0};
+    for (int s = 0; s < link.NumSegments(); ++s)
+      arc_px.push_back(arc_px.back() + SegmentPx(link, s));
+    std::vector<Place> places;
+    for (int s = 0; s < link.NumSegments(); ++s) {
+      const double length_px = arc_px[s + 1] - arc_px[s];
+      const int count = std::max(1, static_cast<int>(std::lround(length_px / kSampleSpacingPx)));
+      for (int k = 0; k < count; ++k) {
+        const double t = (k + 0.5) / count;
+        const double at_px = arc_px[s] + t * length_px;
+        if (at_px < link.skip_px[0] || arc_px.back() - at_px < link.skip_px[1]) continue;
+        const Eigen::Vector3d& from = control_.position[link.points[s]];
+        const Eigen::Vector3d& to = control_.position[link.points[s + 1]];
+        places.push_back({s, t, from + t * (to - from), Direction(link, s), at_px});
+      }
+    }
+    return places;
+  }
+
+  double SegmentPx(const ControlLink& link, int s) const {
+    const int from = link.points[s];
+    const int to = link.points[s + 1];
+    const double footprint = 0.5 * (control_.footprint[from] + control_.footprint[to]);
+    if (!(footprint > 0)) return 0;
+    return (control_.position[to] - control_.position[from]).norm() / footprint;
+  }
+
+  // Of the segment and its neighbours: a short segment alone is not sure of its direction.
+  Eigen::Vector3d Direction(const ControlLink& link, int s) const {
+    const int before = std::max(s - 1, 0);
+    const int after = std::min(s + 2, link.NumSegments());
+    const Eigen::Vector3d chord =
+        control_.position[link.points[after]] - control_.position[link.points[before]];
+    return chord.norm() > 0 ? Eigen::Vector3d(chord.normalized()) : Eigen::Vector3d::UnitX();
+  }
+
+  Answer Ask(ViewId id, const Place& place) const {
+    const View& view = input_.views[id];
+    const auto pixel = view.Project(place.position);
+    if (!pixel) return {};
+    const auto direction = ProjectedDirection(view, place.position, place.tangent);
+    if (!direction) return {};
+    Answer answer = {true, input_.edgels[id]->Best(*pixel, *direction, gate_), *pixel, false};
+    if (answer.match) {
+      const Edgel& edgel = input_.curves[id].edge_map.edgels[answer.match->edgel];
+      answer.bright_left = std::cos(edgel.tangent_rad - *direction) > 0;
+    }
+    return answer;
+  }
+
+  void AddView(ViewId view, const std::vector<Place>& places, LinkMatches* matches) const {
+    std::vector<Answer> answers;
+    for (const Place& place : places) answers.push_back(Ask(view, place));
+    const int size = static_cast<int>(places.size());
+    int begin = 0;
+    int end = 0;
+    int num_asked = 0;
+    int num_found = 0;
+    const auto count = [&](int k, int sign) {
+      num_asked += sign * answers[k].asked;
+      num_found += sign * answers[k].match.has_value();
+    };
+    for (int k = 0; k < size; ++k) {
+      for (; end < size && places[end].arc_px <= places[k].arc_px + options_.support_window_px;
+           ++end) {
+        count(end, 1);
+      }
+      for (; places[begin].arc_px < places[k].arc_px - options_.support_window_px; ++begin) {
+        count(begin, -1);
+      }
+      if (!answers[k].match || num_found < options_.min_window_support * num_asked) continue;
+      const EdgelMatch& match = *answers[k].match;
+      (*matches)[k].pulls.push_back({{view, match.edgel},
+                                     Weight(view, answers, k),
+                                     match.normal_residual_px,
+                                     answers[k].bright_left});
+    }
+  }
+
+  // Where nearly all edgels around a sample agree on the brighter side, the others are of another
+  // edge nearby, such as the other side of a thin bar.
+  void KeepOneSide(const std::vector<Place>& places, LinkMatches* matches) const {
+    const LinkMatches all = *matches;
+    const int size = static_cast<int>(places.size());
+    int begin = 0;
+    int end = 0;
+    int num[2] = {0, 0};
+    const auto count = [&](int k, int sign) {
+      for (const EdgelPull& pull : all[k].pulls) num[pull.bright_left] += sign;
+    };
+    for (int k = 0; k < size; ++k) {
+      for (; end < size && places[end].arc_px <= places[k].arc_px + kSideWindowPx; ++end) {
+        count(end, 1);
+      }
+      for (; places[begin].arc_px < places[k].arc_px - kSideWindowPx; ++begin) {
+        count(begin, -1);
+      }
+      const bool major = num[1] > num[0];
+      if (num[major] < kSameSideShare * (num[0] + num[1])) continue;
+      std::erase_if((*matches)[k].pulls,
+                    [&](const EdgelPull& pull) { return pull.bright_left != major; });
+    }
+  }
+
+  // Share of an independent observation: the step to the next sample in the image over the length
+  // over which errors are the same.
+  double Weight(ViewId view, const std::vector<Answer>& answers, int k) const {
+    const int size = static_cast<int>(answers.size());
+    const int other = k + 1 < size && answers[k + 1].asked ? k + 1 : k - 1;
+    if (other < 0 || !answers[other].asked) return 0.1;
+    const Edgel& edgel = input_.curves[view].edge_map.edgels[answers[k].match->edgel];
+    const double step_px =
+        (edgel.stored_from_virtual.cast<double>() * (answers[other].pixel - answers[k].pixel))
+            .norm();
+    return std::clamp(step_px / options_.correlation_px, 0.01, 1.0);
+  }
+
+  const MatchInput& input_;
+  const ControlGraph& control_;
+  const SupportGate& gate_;
+  const RefinementOptions& options_;
+};
+
+// Per view and edgel the smallest residual of a link.
+std::vector<std::vector<float>> BestResiduals(const std::vector<ImageCurves>& curves,
+                                              const std::vector<LinkMatches>& matches) {
+  std::vector<std::vector<float>> best;
+  for (const ImageCurves& of_view : curves) {
+    best.emplace_back(of_view.edge_map.edgels.size(), std::numeric_limits<float>::infinity());
+  }
+  for (const LinkMatches& of_link : matches) {
+    for (const LinkSample& sample : of_link) {
+      for (const EdgelPull& pull : sample.pulls) {
+        float& own = best[pull.ref.view][pull.ref.edgel];
+        own = std::min(own, static_cast<float>(std::abs(pull.residual_px)));
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<LinkMatches> MatchEdgels(const MatchInput& input, const ControlGraph& control,
+                                     const SupportGate& gate, const RefinementOptions& options,
+                                     const RunContext& context) {
+  const LinkMatcher matcher(input, control, gate, options);
+  std::vector<LinkMatches> matches(control.links.size());
+  ParallelFor(context, "matching edgels", matches.size(),
+              [&](size_t l) { matches[l] = matcher.Run(static_cast<int>(l)); });
+  const auto best = BestResiduals(input.curves, matches);
+  for (LinkMatches& of_link : matches) {
+    for (LinkSample& sample : of_link) {
+      std::erase_if(sample.pulls, [&](const EdgelPull& pull) {
+        return std::abs(pull.residual_px) > best[pull.ref.view][pull.ref.edgel] + kClearlyBetterPx;
+      });
+    }
+  }
+  return matches;
+}
+
+}  // namespace limn

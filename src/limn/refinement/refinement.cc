@@ -1,0 +1,214 @@
+#include "limn/refinement/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "limn/refinement/covered_links.h"
+#include "limn/refinement/curve_fit.h"
+
+namespace limn {
+namespace {
+
+// A link is fitted if so much of it is shown by enough views.
+constexpr double kMinShownShare = 0.3;
+// A view supports a link if it shows so many of its samples, or half of them.
+constexpr int kMinSupportedSamples = 3;
+
+std::vector<std::unique_ptr<EdgelIndex>> IndexEdgels(const std::vector<ImageCurves>& curves,
+                                                     const RunContext& context) {
+  std::vector<std::unique_ptr<EdgelIndex>> indexes(curves.size());
+  ParallelFor(context, "indexing edgels", curves.size(), [&](size_t v) {
+    std::vector<bool> linked(curves[v].edge_map.edgels.size(), false);
+    for (const CurveFragment& fragment : curves[v].fragments) {
+      for (const EdgelId id : fragment.edgel_ids) linked[id] = true;
+    }
+    indexes[v] = std::make_unique<EdgelIndex>(curves[v].edge_map, linked);
+  });
+  return indexes;
+}
+
+// Samples that enough views show.
+int NumShown(const LinkMatches& matches) {
+  return static_cast<int>(std::count_if(matches.begin(), matches.end(),
+                                        [](const LinkSample& s) { return !s.pulls.empty(); }));
+}
+
+std::vector<uint8_t> FindFrozen(const std::vector<LinkMatches>& matches) {
+  std::vector<uint8_t> frozen;
+  for (const LinkMatches& of_link : matches) {
+    const int shown = NumShown(of_link);
+    frozen.push_back(shown == 0 || shown < kMinShownShare * static_cast<double>(of_link.size()));
+  }
+  return frozen;
+}
+
+std::map<ViewId, int> SamplesPerView(const LinkMatches& matches) {
+  std::map<ViewId, int> count;
+  for (const LinkSample& sample : matches) {
+    for (const EdgelPull& pull : sample.pulls) ++count[pull.ref.view];
+  }
+  return count;
+}
+
+std::vector<ViewId> SupportingViews(const LinkMatches& matches) {
+  const int needed = std::min(kMinSupportedSamples, (NumShown(matches) + 1) / 2);
+  std::vector<ViewId> views;
+  for (const auto& [view, count] : SamplesPerView(matches)) {
+    if (count >= needed) views.push_back(view);
+  }
+  return views;
+}
+
+double MedianResidualPx(const LinkMatches& matches) {
+  std::vector<double> residuals;
+  for (const LinkSample& sample : matches) {
+    for (const EdgelPull& pull : sample.pulls) residuals.push_back(std::abs(pull.residual_px));
+  }
+  if (residuals.empty()) return 0;
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  return *middle;
+}
+
+// Root of the mean of the two variances across the curve.
+double SigmaAcross(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& tangent) {
+  return std::sqrt(std::max(0.0, 0.5 * (covariance.trace() - tangent.dot(covariance * tangent))));
+}
+
+// Move a polyline to new ends, every point by what the ends move, the nearer end counting more.
+void FollowEnds(const Eigen::Vector3d& first, const Eigen::Vector3d& last,
+                std::vector<Eigen::Vector3d>* points) {
+  const Eigen::Vector3d moved[2] = {first - points->front(), last - points->back()};
+  for (size_t k = 0; k < points->size(); ++k) {
+    const double t = static_cast<double>(k) / static_cast<double>(points->size() - 1);
+    (*points)[k] += (1 - t) * moved[0] + t * moved[1];
+  }
+  // Rounding must not part them from their nodes.
+  points->front() = first;
+  points->back() = last;
+}
+
+class Refiner {
+ public:
+  Refiner(const RefinementInput& input, const RefinementOptions& options, const RunContext& context)
+      : input_(input),
+        options_(options),
+        context_(context),
+        edgels_(IndexEdgels(input.curves, context)),
+        control_(MakeControlGraph(input.graph, input.views, options.control_spacing_px)) {
+    for (const DrawingLink& link : input.graph.links) asked_.push_back(link.supporting_views);
+  }
+
+  RefinementResult Run() {
+    for (int round = 0; round < options_.num_rounds; ++round) Fit(round);
+    Match();
+    RefinementResult result;
+    result.graph = input_.graph;
+    SetGeometry(&result.graph);
+    UpdateEvidence(&result.graph);
+    RemoveLinks(FindUncoveredLinks(control_), &result.graph);
+    result.summary = Summary(result.graph);
+    return result;
+  }
+
+ private:
+  void Match() {
+    const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
+    matches_ = MatchEdgels({input_.views, input_.curves, edgels_, asked_}, control_, gate, options_,
+                           context_);
+  }
+
+  void Fit(int round) {
+    Match();
+    frozen_ = FindFrozen(matches_);
+    const bool last = round + 1 == options_.num_rounds;
+    FitCurves({input_.views, input_.curves, matches_, frozen_}, options_, context_, &control_,
+              last ? &covariances_ : nullptr);
+  }
+
+  std::vector<double> Sigmas(const ControlLink& link) const {
+    std::vector<double> sigmas;
+    const int last = link.NumSegments();
+    for (int k = 0; k <= last; ++k) {
+      const auto& covariance = covariances_[link.points[k]];
+      const Eigen::Vector3d chord = control_.position[link.points[std::min(k + 1, last)]] -
+                                    control_.position[link.points[std::max(k - 1, 0)]];
+      sigmas.push_back(covariance ? SigmaAcross(*covariance, chord.normalized())
+                                  : std::numeric_limits<double>::infinity());
+    }
+    return sigmas;
+  }
+
+  // Fitted links get their control points; the others keep their points and only follow their
+  // nodes.
+  void SetGeometry(DrawingGraph* graph) const {
+    for (size_t n = 0; n < graph->nodes.size(); ++n) {
+      graph->nodes[n].position_in_world = control_.position[n];
+    }
+    for (size_t l = 0; l < graph->links.size(); ++l) {
+      DrawingLink& link = graph->links[l];
+      if (frozen_[l]) {
+        FollowEnds(control_.position[link.node0], control_.position[link.node1],
+                   &link.points_in_world);
+        continue;
+      }
+      link.points_in_world.clear();
+      for (const int id : control_.links[l].points) {
+        link.points_in_world.push_back(control_.position[id]);
+      }
+      link.sigma = Sigmas(control_.links[l]);
+    }
+  }
+
+  void UpdateEvidence(DrawingGraph* graph) const {
+    for (size_t l = 0; l < graph->links.size(); ++l) {
+      if (frozen_[l]) continue;
+      graph->links[l].supporting_views = SupportingViews(matches_[l]);
+      graph->links[l].residual_px = MedianResidualPx(matches_[l]);
+    }
+  }
+
+  StageSummary Summary(const DrawingGraph& graph) const {
+    const auto num_frozen = std::count(frozen_.begin(), frozen_.end(), uint8_t{1});
+    StageSummary summary;
+    summary.stage = "refinement";
+    const auto num_links = [](const DrawingGraph& of) {
+      return static_cast<int64_t>(of.links.size());
+    };
+    summary.in = {{"links", num_links(input_.graph)}};
+    summary.kept = {{"links", num_links(graph)},
+                    {"links not fitted: too few views", num_frozen},
+                    {"control points", static_cast<int64_t>(control_.position.size())}};
+    summary.dropped = {
+        {"links: others run along them", num_links(input_.graph) - num_links(graph)}};
+    return summary;
+  }
+
+  const RefinementInput& input_;
+  const RefinementOptions& options_;
+  const RunContext& context_;
+  std::vector<std::unique_ptr<EdgelIndex>> edgels_;
+  ControlGraph control_;
+  std::vector<std::vector<ViewId>> asked_;
+  std::vector<LinkMatches> matches_;
+  std::vector<uint8_t> frozen_;
+  Covariances covariances_;
+};
+
+}  // namespace
+
+RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
+                               const RunContext& context) {
+  options.Check();
+  if (options.num_rounds == 0) {
+    RefinementResult unchanged;
+    unchanged.graph = input.graph;
+    unchanged.summary.stage = "refinement";
+    return unchanged;
+  }
+  return Refiner(input, options, context).Run();
+}
+
+}  // namespace limn

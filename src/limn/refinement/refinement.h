@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/model/curve_fragment.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+#include "limn/refinement/refinement_options.h"
+#include "limn/util/parallel.h"
+#include "limn/util/stage_summary.h"
+
+namespace limn {
+
+// `curves[v]` belongs to `views[v]`, which the supporting views of the links are ids of. The graph
+// passes Validate().
+struct RefinementInput {
+  const std::vector<View>& views;
+  const std::vector<ImageCurves>& curves;
+  const DrawingGraph& graph;
+};
+
+struct RefinementResult {
+  DrawingGraph graph;
+  StageSummary summary;
+};
+
+// The drawing fitted to all images at once (ours; not in the paper). In every round each link is
+// matched with the edgels near its reprojections, and then control points along all links move so
+// that the reprojections pass through the tangent lines of their edgels: robust least squares over
+// all views, with links that meet sharing the control point at their node, a penalty on bending
+// that decides only where the edgels leave a place open, and none across corners. Only a link's
+// supporting views are asked, and edgels whose brighter side is not that of nearly all others are
+// left out: they belong to the other side of a thin bar. The sigmas come from the inverse of the
+// normal matrix. Links that too few views show keep their shape; links that then lie on others are
+// removed. The result passes Validate(). Throws OptionError and Cancelled. Time: rounds times
+// length of all links in px times views.
+RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
+                               const RunContext& context);
+
+}  // namespace limn
