@@ -125,7 +125,7 @@ TEST_F(BadInput, CurveDrawerWithoutSketch) {
       RunLimn({"curve_drawer", "--workspace_path", workspace_.string(), "--output_path",
                output_.string(), "--image_list_path", list, "--max_image_size", "160"});
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: "), HasSubstr("enhanced-sketch.bin")));
+  EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: "), HasSubstr("swept-sketch.bin")));
   EXPECT_FALSE(fs::exists(output_ / "drawing.ply"));
 }
 

@@ -64,8 +64,8 @@ TEST_F(SmallRun, AutomaticDrawerWritesEverythingWhateverTheThreads) {
   const auto one = Results(dir_ / "one");
   const auto two = Results(dir_ / "two");
   for (const char* name :
-       {"drawing.ply", "drawing.json", "drawing.obj", "curves/enhanced-sketch.bin",
-        "curves/enhanced-sketch.ply", "curves/tracks.txt", "curves/overlays/view_03.jpg.png",
+       {"drawing.ply", "drawing.json", "drawing.obj", "curves/swept-sketch.bin",
+        "curves/swept-sketch.ply", "curves/tracks.txt", "curves/overlays/view_03.jpg.png",
         "curves/cache/fragments/view_03.jpg.bin"}) {
     EXPECT_TRUE(one.contains(name)) << name;
   }
@@ -118,7 +118,7 @@ TEST_F(SmallRun, OriginalSketch) {
   Run("curve_sketcher", "out", {"--mode", "original"});
   EXPECT_GT(ReadCurves(Output("out", "curves/sketch.ply").string()).polylines.size(), 20u);
   EXPECT_TRUE(fs::exists(Output("out", "curves/sketch.bin")));
-  EXPECT_FALSE(fs::exists(Output("out", "curves/enhanced-sketch.bin")));
+  EXPECT_FALSE(fs::exists(Output("out", "curves/swept-sketch.bin")));
 }
 
 TEST_F(SmallRun, BoxLimitsTheDrawing) {

@@ -15,19 +15,11 @@
 namespace limn {
 namespace {
 
+// Primary views whose samples must have been merged into a link.
+constexpr int kMinMergedViews = 2;
+
 int64_t NumClusters(const CurveConsistency& network) {
   return static_cast<int64_t>(std::set<int>(network.cluster.begin(), network.cluster.end()).size());
-}
-
-// Samples that curves of enough other primary views agree with.
-std::vector<uint8_t> AgreedSamples(const std::vector<int>& agreeing_views,
-                                   const DrawingOptions& options, int64_t* num_dropped) {
-  std::vector<uint8_t> keep;
-  for (const int count : agreeing_views) {
-    keep.push_back(count >= options.min_primary_views);
-    *num_dropped += !keep.back();
-  }
-  return keep;
 }
 
 // Mean along a link of the number of primary views that agree; points that were added have none to
@@ -46,6 +38,16 @@ double MeanAgreement(const DraftLink& link, const std::vector<int>& agreeing_vie
   return length_px > 0 ? sum / length_px : 0;
 }
 
+// Mean number of views that contain a point of a link.
+double MeanContaining(const DraftLink& link, const std::vector<View>& views) {
+  int64_t sum = 0;
+  for (const Eigen::Vector3d& point : link.position) {
+    sum += std::count_if(views.begin(), views.end(),
+                         [&](const View& view) { return view.Project(point).has_value(); });
+  }
+  return static_cast<double>(sum) / link.size();
+}
+
 // Number of primary views that the samples of a link come from.
 int NumPrimaryViews(const SampleSet& samples, const DraftLink& link) {
   std::set<ViewId> views;
@@ -58,13 +60,16 @@ int NumPrimaryViews(const SampleSet& samples, const DraftLink& link) {
 // Remove the links that too few primary views agree with on the whole: in the mean along them, and
 // in what was merged into them (curves that only agree may have been merged into another link).
 // Returns the number of samples in them.
-int64_t RemoveDoubtfulLinks(const SampleSet& samples, const std::vector<int>& agreeing_views,
-                            const DrawingOptions& options, Draft* draft) {
+int64_t RemoveDoubtfulLinks(const SampleSet& samples, const std::vector<View>& views,
+                            const std::vector<int>& agreeing_views, const DrawingOptions& options,
+                            Draft* draft) {
   int64_t num_samples = 0;
   std::vector<uint8_t> keep;
   for (const DraftLink& link : draft->links) {
-    keep.push_back(MeanAgreement(link, agreeing_views) >= options.min_link_primary_views &&
-                   NumPrimaryViews(samples, link) >= options.min_primary_views);
+    const double required = std::clamp(options.primary_views_share * MeanContaining(link, views),
+                                       options.min_primary_views, options.max_primary_views);
+    keep.push_back(MeanAgreement(link, agreeing_views) >= required &&
+                   NumPrimaryViews(samples, link) >= kMinMergedViews);
     if (!keep.back()) num_samples += draft->NumSketchSamples(link);
   }
   KeepLinks(keep, draft);
@@ -82,15 +87,14 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
                                     context, &retriangulation);
   const LocalConsistency local = BuildLocalConsistency(samples, input.curves, options, context);
   const CurveConsistency network = BuildCurveConsistency(samples, local, options, context);
-  int64_t not_agreed = 0;
   const std::vector<int> agreeing_views = CountAgreeingViews(samples, network);
-  const std::vector<uint8_t> keep = AgreedSamples(agreeing_views, options, &not_agreed);
   const int rounds = AverageCurves(network, options, context, &samples);
-  const MergedCurves merged = MergeCurves(samples, network, keep, input.views, options);
+  const MergedCurves merged = MergeCurves(samples, network, input.views, options);
   Draft draft = FitLinks(samples, merged, options);
-  SampleLedger ledger(samples, keep);
+  SampleLedger ledger(samples);
   ledger.Update(draft, EdgelFate::kPrunedLink);
-  const int64_t doubtful = RemoveDoubtfulLinks(samples, agreeing_views, options, &draft);
+  const int64_t doubtful =
+      RemoveDoubtfulLinks(samples, input.views, agreeing_views, options, &draft);
   ledger.Update(draft, EdgelFate::kDoubtfulLink);
   JunctionCounts junctions;
   JoinLinks(samples, input.views, evidence, options, &draft, &junctions);
@@ -141,7 +145,6 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   summary.dropped = {
       {"samples: too few views after re-triangulation", retriangulation.too_few_views},
       {"samples: piece too short after re-triangulation", retriangulation.piece_too_short},
-      {"samples: no other primary view agrees", not_agreed},
       {"samples: in links that few primary views agree with", doubtful},
       {"samples: in short links", cleanup.samples_pruned},
       {"samples: in links that run along others", cleanup.samples_covered},

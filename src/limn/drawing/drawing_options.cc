@@ -22,8 +22,10 @@ void DrawingOptions::Check() const {
   LIMN_CHECK_OPTION(averaging_tolerance_px, > 0);
   LIMN_CHECK_OPTION(max_averaging_rounds, >= 0);
   LIMN_CHECK_OPTION(merge_distance_px, > 0);
+  LIMN_CHECK_OPTION(primary_views_share, >= 0);
+  LIMN_CHECK_OPTION(primary_views_share, <= 1);
   LIMN_CHECK_OPTION(min_primary_views, >= 1);
-  LIMN_CHECK_OPTION(min_link_primary_views, >= 0);
+  LIMN_CHECK_OPTION(max_primary_views, >= min_primary_views);
   LIMN_CHECK_OPTION(min_branch_length_px, >= 0);
   LIMN_CHECK_OPTION(min_link_length_px, >= 0);
   LIMN_CHECK_OPTION(junction_distance_px, >= 0);

@@ -38,11 +38,13 @@ struct DrawingOptions {
   int max_averaging_rounds = 10;
 
   // A sample belongs to a link when their reprojections are this near, px (tau_merge).
-  double merge_distance_px = 1.0;
-  // Primary views whose curves must agree with a sample, its own included, and with a link in the
-  // mean over its length: single samples may be weak where the link is strong.
-  int min_primary_views = 2;
-  double min_link_primary_views = 2.5;
+  double merge_distance_px = 0.7;
+  // Primary views whose curves must agree with a link, in the mean over its length, since single
+  // samples may be weak where the link is strong: this share of the views that contain it, but at
+  // least min and at most max.
+  double primary_views_share = 0.1;
+  double min_primary_views = 2;
+  double max_primary_views = 4;
   // Stubs shorter than this are not branches, px (tau_branch).
   double min_branch_length_px = 10;
   // Links shorter than this that hang by one end or by none are dropped, px.

@@ -18,11 +18,9 @@ constexpr double kMinRunPx = 4;
 class CurveMerger {
  public:
   CurveMerger(const SampleSet& samples, const CurveConsistency& network,
-              const std::vector<uint8_t>& keep, const std::vector<View>& views,
-              const DrawingOptions& options)
+              const std::vector<View>& views, const DrawingOptions& options)
       : samples_(samples),
         network_(network),
-        keep_(keep),
         views_(views),
         options_(options),
         builder_(samples, options),
@@ -120,46 +118,36 @@ class CurveMerger {
 
   void MergeCurve(int curve) {
     const int size = samples_.Size(curve);
-    std::vector<int> home(size, -1);
-    std::vector<uint8_t> usable(size, 0);
-    for (int k = 0; k < size; ++k) {
-      usable[k] = keep_[samples_.curve_begin[curve] + k];
-      if (usable[k]) home[k] = FindHome(curve, k);
-    }
-    AbsorbShortRuns(ArcPx(samples_, curve), usable, &home);
+    std::vector<int> home(size);
+    for (int k = 0; k < size; ++k) home[k] = FindHome(curve, k);
+    AbsorbShortRuns(ArcPx(samples_, curve), &home);
     for (int k = 0; k < size; ++k) {
       if (home[k] >= 0) home_[samples_.curve_begin[curve] + k] = home[k];
     }
     const bool whole = samples_.origins[curve].closed &&
-                       std::all_of(home.begin(), home.end(), [](int h) { return h < 0; }) &&
-                       std::all_of(usable.begin(), usable.end(), [](uint8_t u) { return u != 0; });
+                       std::all_of(home.begin(), home.end(), [](int h) { return h < 0; });
     if (whole) {
       AddRun(curve, 0, size, true);
       return;
     }
     for (int begin = 0; begin < size;) {
-      if (!usable[begin] || home[begin] >= 0) {
+      if (home[begin] >= 0) {
         ++begin;
         continue;
       }
       int end = begin;
-      while (end < size && usable[end] && home[end] < 0) ++end;
-      const int before = begin > 0 && usable[begin - 1] ? home[begin - 1] : -1;
-      const int after = end < size && usable[end] ? home[end] : -1;
+      while (end < size && home[end] < 0) ++end;
+      const int before = begin > 0 ? home[begin - 1] : -1;
+      const int after = end < size ? home[end] : -1;
       MergeRun(curve, begin, end, before, after);
       begin = end;
     }
   }
 
   // A short stretch without a home between two that have one is noise in the overlap.
-  void AbsorbShortRuns(const std::vector<double>& arc, const std::vector<uint8_t>& usable,
-                       std::vector<int>* home) const {
+  void AbsorbShortRuns(const std::vector<double>& arc, std::vector<int>* home) const {
     int last = -1;
     for (int k = 0; k < static_cast<int>(home->size()); ++k) {
-      if (!usable[k]) {
-        last = -1;
-        continue;
-      }
       if ((*home)[k] < 0) continue;
       if (last >= 0 && k > last + 1 && arc[k] - arc[last] <= kMinRunPx) {
         for (int i = last + 1; i < k; ++i) (*home)[i] = (*home)[i - last <= k - i ? last : k];
@@ -233,7 +221,6 @@ class CurveMerger {
 
   const SampleSet& samples_;
   const CurveConsistency& network_;
-  const std::vector<uint8_t>& keep_;
   const std::vector<View>& views_;
   const DrawingOptions& options_;
   LinkBuilder builder_;
@@ -245,9 +232,8 @@ class CurveMerger {
 }  // namespace
 
 MergedCurves MergeCurves(const SampleSet& samples, const CurveConsistency& network,
-                         const std::vector<uint8_t>& keep, const std::vector<View>& views,
-                         const DrawingOptions& options) {
-  return CurveMerger(samples, network, keep, views, options).Run();
+                         const std::vector<View>& views, const DrawingOptions& options) {
+  return CurveMerger(samples, network, views, options).Run();
 }
 
 }  // namespace limn

@@ -24,9 +24,8 @@ struct MergedCurves {
 // sample that runs along a link already there, by the consistency network or because both reproject
 // within the merge distance, is absorbed; the runs of samples between are new: they become links,
 // and at either end where the curve goes on along an existing link the fitting primitive joins them
-// (LinkBuilder). Every sample ends up in a link or in a stub. `keep[s]` = 0 excludes a sample.
+// (LinkBuilder). Every sample ends up in a link or in a stub.
 MergedCurves MergeCurves(const SampleSet& samples, const CurveConsistency& network,
-                         const std::vector<uint8_t>& keep, const std::vector<View>& views,
-                         const DrawingOptions& options);
+                         const std::vector<View>& views, const DrawingOptions& options);
 
 }  // namespace limn

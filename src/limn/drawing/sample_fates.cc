@@ -2,11 +2,8 @@
 
 namespace limn {
 
-SampleLedger::SampleLedger(const SampleSet& samples, const std::vector<uint8_t>& keep) {
-  for (int s = 0; s < samples.NumSamples(); ++s) {
-    fates_.push_back(keep[s] ? EdgelFate::kDrawn : EdgelFate::kNotAgreed);
-  }
-}
+SampleLedger::SampleLedger(const SampleSet& samples)
+    : fates_(samples.NumSamples(), EdgelFate::kDrawn) {}
 
 void SampleLedger::Update(const Draft& draft, EdgelFate fate_of_lost) {
   std::vector<uint8_t> in_link(fates_.size(), 0);

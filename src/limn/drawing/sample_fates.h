@@ -9,8 +9,7 @@ namespace limn {
 // Follows the samples of the sketch through the stages of the drawing.
 class SampleLedger {
  public:
-  // `keep[s]` = 0: no other primary view agrees with sample s.
-  SampleLedger(const SampleSet& samples, const std::vector<uint8_t>& keep);
+  explicit SampleLedger(const SampleSet& samples);
 
   // Samples that were in links before and are in none of the draft's now met this fate.
   void Update(const Draft& draft, EdgelFate fate_of_lost);

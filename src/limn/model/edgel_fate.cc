@@ -14,7 +14,6 @@ const char* EdgelFateName(EdgelFate fate) {
       "piece too short",
       "sketched",
       "support lost after re-triangulation",
-      "no other primary view agrees",
       "in a doubtful link",
       "in a link too short or covered",
       "drawn",

@@ -15,7 +15,6 @@ enum class EdgelFate : uint8_t {
   kPieceTooShort,     // what was reconstructed around it is too short
   kSketched,          // in a curve of the sketch
   kLostSupport,       // of the sketch, but too few views support it where all its edgels agree
-  kNotAgreed,         // no curve of another primary view agrees
   kDoubtfulLink,      // in a link that too few primary views agree with on the whole
   kPrunedLink,        // in a link that was too short, or ran along another
   kDrawn,             // merged into a link of the drawing

@@ -56,7 +56,6 @@ Color ColorOf(EdgelFate fate) {
     case EdgelFate::kSketched:
     case EdgelFate::kLostSupport:
       return {255, 150, 0};
-    case EdgelFate::kNotAgreed:
     case EdgelFate::kDoubtfulLink:
       return {255, 255, 0};
     case EdgelFate::kPrunedLink:

@@ -87,6 +87,7 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
         "longest epipolar-tangent stretch to interpolate, px");
   visit("min_piece_length_px", o.min_piece_length_px, "shorter curves are dropped, px");
   visit("max_sweep_views", o.max_sweep_views, "sweep mode: views asked for depths");
+  visit("sweep_spacing_px", o.sweep_spacing_px, "sweep mode: spacing of the samples, px");
   visit("original_min_fragment_length_px", o.original_min_fragment_length_px,
         "original mode: shorter fragments are not matched, px");
   visit("original_min_epipolar_angle_deg", o.original_min_epipolar_angle_deg,
@@ -121,8 +122,10 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("averaging_tolerance_px", o.averaging_tolerance_px, "averaging stops below it, px");
   visit("max_averaging_rounds", o.max_averaging_rounds, "or after so many rounds");
   visit("merge_distance_px", o.merge_distance_px, "samples this near to a link belong to it, px");
-  visit("min_primary_views", o.min_primary_views, "primary views that must show a sample");
-  visit("min_link_primary_views", o.min_link_primary_views, "the same in the mean over a link");
+  visit("primary_views_share", o.primary_views_share,
+        "share of the views containing a link that must have made it in the mean");
+  visit("min_primary_views", o.min_primary_views, "but at least these");
+  visit("max_primary_views", o.max_primary_views, "and at most these");
   visit("min_branch_length_px", o.min_branch_length_px, "shorter stubs are no branches, px");
   visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
   visit("junction_distance_px", o.junction_distance_px, "ends this near meet in a node, px");

@@ -14,7 +14,7 @@ namespace limn {
 struct PipelineOptions {
   EdgeDetectionOptions edges;
   LinkingOptions linking;
-  SketchMode mode = SketchMode::kEnhanced;
+  SketchMode mode = SketchMode::kSweep;
   SketchOptions sketch;
   DrawingOptions drawing;
   RefinementOptions refinement;

@@ -85,12 +85,13 @@ class PairedDepths {
 
 SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
                                  const RunContext& context) {
-  return SketchFragments("enhanced sketch", input, options, context,
-                         [](const PrimaryView& primary) -> DepthFinder {
-                           return [finder = PairedDepths(primary)](const FragmentRays& fragment) {
-                             return finder.Find(fragment);
-                           };
-                         });
+  return SketchFragments(
+      "enhanced sketch", input, options, context, [&](const PrimaryView& primary) {
+        const PairedDepths depths(primary);
+        return DepthFinder{options.sample_spacing_px, [depths](const FragmentRays& fragment) {
+                             return depths.Find(fragment);
+                           }};
+      });
 }
 
 }  // namespace limn

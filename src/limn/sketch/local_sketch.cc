@@ -22,9 +22,9 @@ std::vector<ViewId> AllViewsOf(const ViewPlan& plan) {
 
 class ViewSketcher {
  public:
-  ViewSketcher(const PrimaryView& primary, DepthFinder find_depths)
+  ViewSketcher(const PrimaryView& primary, DepthFinder depths)
       : primary_(primary),
-        find_depths_(std::move(find_depths)),
+        depths_(std::move(depths)),
         support_views_(AllViewsOf(primary.plan)),
         fates_(Curves().edge_map.edgels.size(), EdgelFate::kNotLinked) {}
 
@@ -36,8 +36,8 @@ class ViewSketcher {
         Fate(fragment_id, i) = EdgelFate::kFragmentTooShort;
       return;
     }
-    const std::vector<int> vertices = SpacedVertices(fragment, options.sample_spacing_px);
-    const DepthProfile profile = find_depths_(Subset(fragment, vertices));
+    const std::vector<int> vertices = SpacedVertices(fragment, depths_.spacing_px);
+    const DepthProfile profile = depths_.find(Subset(fragment, vertices));
     for (size_t i = 0; i < vertices.size(); ++i) {
       const EdgelFate fate =
           profile.depths[i].has_depth ? EdgelFate::kPieceTooShort : profile.fates[i];
@@ -70,7 +70,7 @@ class ViewSketcher {
   }
 
   const PrimaryView& primary_;
-  DepthFinder find_depths_;
+  DepthFinder depths_;
   std::vector<ViewId> support_views_;
   std::vector<Curve3D> curves_;
   std::vector<EdgelFate> fates_;

@@ -40,8 +40,11 @@ struct DepthProfile {
   std::vector<EdgelFate> fates;  // kNoPartner, kTooFewViews or kInconsistent where there is none
 };
 
-// Finds the depths of one fragment, given by samples of the spacing asked for.
-using DepthFinder = std::function<DepthProfile(const FragmentRays&)>;
+// Finds the depths of one fragment, given by samples `spacing_px` apart.
+struct DepthFinder {
+  double spacing_px = 0;
+  std::function<DepthProfile(const FragmentRays&)> find;
+};
 
 // The sketch whose depths come from local support: for every view a finder is made, asked for every
 // fragment that is long enough, and what it finds becomes curves with their support. `stage` names

@@ -9,6 +9,8 @@ void SketchOptions::Check() const {
   LIMN_CHECK_OPTION(min_fragment_length_px, >= 3);
   LIMN_CHECK_OPTION(min_overlap_px, >= 2);
   LIMN_CHECK_OPTION(sample_spacing_px, > 0);
+  LIMN_CHECK_OPTION(max_sweep_views, >= 2);
+  LIMN_CHECK_OPTION(sweep_spacing_px, > 0);
   LIMN_CHECK_OPTION(max_support_distance_px, > 0);
   LIMN_CHECK_OPTION(max_support_angle_deg, > 0);
   LIMN_CHECK_OPTION(max_support_angle_deg, <= 90);

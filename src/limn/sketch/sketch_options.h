@@ -47,8 +47,10 @@ struct SketchOptions {
   // Shorter pieces are dropped, px of arc length.
   double min_piece_length_px = 8;
 
-  // Confirmation views in which a sweep looks for depths, the most useful first.
+  // Sweep only: confirmation views in which depths are looked for, the most useful first, and the
+  // spacing of the samples, px.
   int max_sweep_views = 16;
+  double sweep_spacing_px = 3;
 
   // Original sketch only (whole-curve support as published; lengths as for 640 x 360 images).
   double original_min_fragment_length_px = 20;

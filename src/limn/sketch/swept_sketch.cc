@@ -107,12 +107,12 @@ class SweptDepths {
 
 SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& options,
                               const RunContext& context) {
-  return SketchFragments(
-      "swept sketch", input, options, context, [](const PrimaryView& primary) -> DepthFinder {
-        // std::function copies; the finders' buffers are shared.
-        auto finder = std::make_shared<SweptDepths>(primary);
-        return [finder](const FragmentRays& fragment) { return finder->Find(fragment); };
-      });
+  return SketchFragments("swept sketch", input, options, context, [&](const PrimaryView& primary) {
+    // std::function copies what it calls.
+    const auto depths = std::make_shared<SweptDepths>(primary);
+    return DepthFinder{options.sweep_spacing_px,
+                       [depths](const FragmentRays& fragment) { return depths->Find(fragment); }};
+  });
 }
 
 }  // namespace limn

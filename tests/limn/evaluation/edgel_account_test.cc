@@ -50,21 +50,21 @@ TEST(EdgelAccountTest, WithoutADrawingSamplesKeepTheirFates) {
   const WireCube& run = Cube();
   SampleFates fates = run.drawing.fates;
   for (auto& of_curve : fates) {
-    std::fill(of_curve.begin(), of_curve.end(), EdgelFate::kNotAgreed);
+    std::fill(of_curve.begin(), of_curve.end(), EdgelFate::kDoubtfulLink);
   }
   const EdgelFates account = run.Account({}, fates);
-  double sketched = 0, not_agreed = 0;
+  double sketched = 0, doubtful = 0;
   for (size_t v = 0; v < account.size(); ++v) {
     for (size_t id = 0; id < account[v].size(); ++id) {
       sketched += run.sketch.fates[v][id] == EdgelFate::kSketched;
-      not_agreed += account[v][id] == EdgelFate::kNotAgreed;
+      doubtful += account[v][id] == EdgelFate::kDoubtfulLink;
       if (run.sketch.fates[v][id] != EdgelFate::kSketched) {
         EXPECT_EQ(account[v][id], run.sketch.fates[v][id]);
       }
     }
   }
   EXPECT_GT(sketched, 0);
-  EXPECT_EQ(sketched, not_agreed);
+  EXPECT_EQ(sketched, doubtful);
 }
 
 TEST(EdgelAccountTest, CsvCountsEveryEdgel) {
