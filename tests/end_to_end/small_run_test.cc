@@ -1,6 +1,7 @@
 // All commands on eight small images of the sample scene.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 class SmallRun : public ::testing::Test {
  protected:
@@ -119,6 +121,29 @@ TEST_F(SmallRun, OriginalSketch) {
   EXPECT_GT(ReadCurves(Output("out", "curves/sketch.ply").string()).polylines.size(), 20u);
   EXPECT_TRUE(fs::exists(Output("out", "curves/sketch.bin")));
   EXPECT_FALSE(fs::exists(Output("out", "curves/swept-sketch.bin")));
+}
+
+TEST_F(SmallRun, AccountTellsWhatBecameOfEveryEdgel) {
+  Run("automatic_drawer", "out", {"--account", "1"});
+  EXPECT_TRUE(fs::exists(Output("out", "curves/account/view_03.jpg.png")));
+  std::ifstream csv(Output("out", "curves/account.csv"));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(csv, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 1u + 8u + 1u);  // header, views, all
+  EXPECT_THAT(lines.back(), StartsWith("all,"));
+
+  const LimnRun refused = RunLimn({"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day",
+                                   "--mode", "original", "--account", "1"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, StartsWith("ERROR: account = 1: "));
+}
+
+TEST_F(SmallRun, EveryModeDraws) {
+  for (const char* mode : {"original", "enhanced", "sweep"}) {
+    Run("automatic_drawer", mode, {"--mode", mode});
+    EXPECT_GT(ReadDrawingJson(Output(mode, "drawing.json").string()).graph.links.size(), 20u)
+        << mode;
+  }
 }
 
 TEST_F(SmallRun, BoxLimitsTheDrawing) {

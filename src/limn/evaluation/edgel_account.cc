@@ -35,14 +35,6 @@ void ExplainAlong(const View& view, const Eigen::Vector3d& from, const Eigen::Ve
   }
 }
 
-std::vector<bool> Linked(const ImageCurves& curves) {
-  std::vector<bool> linked(curves.edge_map.edgels.size(), false);
-  for (const CurveFragment& fragment : curves.fragments) {
-    for (const EdgelId id : fragment.edgel_ids) linked[id] = true;
-  }
-  return linked;
-}
-
 using FateCounts = std::array<int64_t, kNumEdgelFates>;
 
 void WriteRow(const std::string& name, const FateCounts& counts, std::ostream& out) {
@@ -64,7 +56,7 @@ EdgelFates AccountEdgels(const AccountInput& input, const RunContext& context) {
   }
   ParallelFor(context, "account", input.views.size(), [&](size_t v) {
     const EdgeMap& edge_map = input.curves[v].edge_map;
-    const EdgelIndex index(edge_map, Linked(input.curves[v]));
+    const EdgelIndex index(edge_map, LinkedEdgels(input.curves[v]));
     for (const DrawingLink& link : input.graph.links) {
       if (!std::binary_search(link.supporting_views.begin(), link.supporting_views.end(),
                               static_cast<ViewId>(v))) {

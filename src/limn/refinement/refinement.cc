@@ -20,11 +20,7 @@ std::vector<std::unique_ptr<EdgelIndex>> IndexEdgels(const std::vector<ImageCurv
                                                      const RunContext& context) {
   std::vector<std::unique_ptr<EdgelIndex>> indexes(curves.size());
   ParallelFor(context, "indexing edgels", curves.size(), [&](size_t v) {
-    std::vector<bool> linked(curves[v].edge_map.edgels.size(), false);
-    for (const CurveFragment& fragment : curves[v].fragments) {
-      for (const EdgelId id : fragment.edgel_ids) linked[id] = true;
-    }
-    indexes[v] = std::make_unique<EdgelIndex>(curves[v].edge_map, linked);
+    indexes[v] = std::make_unique<EdgelIndex>(curves[v].edge_map, LinkedEdgels(curves[v]));
   });
   return indexes;
 }

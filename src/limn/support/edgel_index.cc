@@ -106,4 +106,12 @@ void EdgelIndex::ForEachWithin(const Eigen::Vector2d& position_px, double radius
   });
 }
 
+std::vector<bool> LinkedEdgels(const ImageCurves& curves) {
+  std::vector<bool> linked(curves.edge_map.edgels.size(), false);
+  for (const CurveFragment& fragment : curves.fragments) {
+    for (const EdgelId id : fragment.edgel_ids) linked[id] = true;
+  }
+  return linked;
+}
+
 }  // namespace limn

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "limn/model/edge_map.h"
+#include "limn/model/curve_fragment.h"
 
 namespace limn {
 
@@ -56,5 +56,8 @@ class EdgelIndex {
   std::vector<EdgelId> edgels_;  // by cell, ascending within a cell
   double max_scale_ = 1;
 };
+
+// Per edgel, whether it belongs to a fragment. A lone edgel is as likely noise.
+std::vector<bool> LinkedEdgels(const ImageCurves& curves);
 
 }  // namespace limn

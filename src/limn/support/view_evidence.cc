@@ -11,18 +11,12 @@ std::vector<int> FragmentOfEdgels(const ImageCurves& curves) {
   return fragment_of;
 }
 
-std::vector<bool> Linked(const std::vector<int>& fragment_of) {
-  std::vector<bool> linked(fragment_of.size());
-  for (size_t id = 0; id < fragment_of.size(); ++id) linked[id] = fragment_of[id] >= 0;
-  return linked;
-}
-
 }  // namespace
 
 ViewEvidence::ViewEvidence(const View& view, const ImageCurves& curves, const SupportGate& gate)
     : fragment_of(FragmentOfEdgels(curves)),
-      edgels(curves.edge_map, Linked(fragment_of)),
-      mask(curves.edge_map, Linked(fragment_of), view.region, gate),
+      edgels(curves.edge_map, LinkedEdgels(curves)),
+      mask(curves.edge_map, LinkedEdgels(curves), view.region, gate),
       fragments(curves) {}
 
 std::vector<std::unique_ptr<ViewEvidence>> BuildEvidence(const std::vector<View>& views,
