@@ -11,20 +11,22 @@ Reconstruction AsItIs(const Scene&, const CurveSketch& sketch, const PipelineOpt
   return {ToCurveSet(sketch), ToSupportedCurves(sketch), std::nullopt, {}};
 }
 
+Reconstruction OfDrawing(DrawingGraph graph) {
+  return {ToCurveSet(graph), ToSupportedCurves(graph), std::move(graph), {}};
+}
+
 Reconstruction Draw(const Scene& scene, const CurveSketch& sketch, const PipelineOptions& options,
                     const RunContext& context) {
-  DrawingGraph graph =
-      BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph;
-  return {ToCurveSet(graph), ToSupportedCurves(graph), std::move(graph), {}};
+  return OfDrawing(
+      BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph);
 }
 
 Reconstruction DrawAndRefine(const Scene& scene, const CurveSketch& sketch,
                              const PipelineOptions& options, const RunContext& context) {
   const DrawingGraph drawing =
       BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph;
-  DrawingGraph graph =
-      RefineDrawing({scene.views, scene.curves, drawing}, options.refinement, context).graph;
-  return {ToCurveSet(graph), ToSupportedCurves(graph), std::move(graph), {}};
+  return OfDrawing(
+      RefineDrawing({scene.views, scene.curves, drawing}, options.refinement, context).graph);
 }
 
 void SetTotalInliers(int inliers, PipelineOptions* options) {

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <bit>
-
 #include "limn/sketch/local_sketch.h"
 
 namespace limn {
@@ -50,10 +47,8 @@ class PairedDepths {
   void AddCandidate(const FragmentRays& fragment, const HypothesisSample& sample,
                     const HypothesisSupport& support, size_t j, int rank,
                     std::vector<std::vector<DepthCandidate>>* candidates) const {
-    const int required = primary_.NumRequired(support.contained[j]);
-    if (std::popcount(support.supporting[j]) < required) return;
-    const Eigen::Vector3d point = sample.depth * fragment.rays[sample.vertex];
-    if (!primary_.IsCredible(point, support.supporting[j], support.contained[j])) return;
+    const auto verdict = primary_.Judge(support, j, sample.depth * fragment.rays[sample.vertex]);
+    if (!verdict.supported) return;
     const double sine = sample.triangulation_sine * sample.epipolar_sine;
     DepthCandidate candidate;
     candidate.inverse_depth = 1 / sample.depth;
@@ -62,7 +57,7 @@ class PairedDepths {
     candidate.information = sine * sine;
     candidate.weighted_support = support.weighted[j];
     candidate.second_rank = rank;
-    candidate.certain = support.weighted[j] >= required;
+    candidate.certain = verdict.certain;
     (*candidates)[sample.vertex].push_back(candidate);
   }
 

@@ -116,16 +116,18 @@ PrimaryView::PrimaryView(const SketchInput& sketch_input, ViewId view, const Vie
       confirmation(view, plan.confirmation_views, input.views, evidence),
       world_from_cam(Inverse(input.views[view].cam_from_world)) {}
 
-int PrimaryView::NumRequired(uint32_t contained) const {
-  return NumRequiredViews(std::popcount(contained), options.supporting_views_share,
-                          options.min_supporting_views, options.max_supporting_views);
-}
-
-bool PrimaryView::IsCredible(const Eigen::Vector3d& point_in_cam, uint32_t supporting,
-                             uint32_t contained) const {
-  if (input.box && !input.box->contains(world_from_cam * point_in_cam)) return false;
-  return confirmation.MaxAngleDeg(point_in_cam, supporting) >= kNarrowSupportDeg ||
-         confirmation.MaxAngleDeg(point_in_cam, contained) <= kWideViewsDeg;
+PrimaryView::Verdict PrimaryView::Judge(const HypothesisSupport& support, size_t j,
+                                        const Eigen::Vector3d& point_in_cam) const {
+  const int required =
+      NumRequiredViews(std::popcount(support.contained[j]), options.supporting_views_share,
+                       options.min_supporting_views, options.max_supporting_views);
+  if (std::popcount(support.supporting[j]) < required) return {};
+  if (input.box && !input.box->contains(world_from_cam * point_in_cam)) return {};
+  if (confirmation.MaxAngleDeg(point_in_cam, support.supporting[j]) < kNarrowSupportDeg &&
+      confirmation.MaxAngleDeg(point_in_cam, support.contained[j]) > kWideViewsDeg) {
+    return {};
+  }
+  return {true, support.weighted[j] >= required};
 }
 
 SketchResult SketchFragments(const char* stage, const SketchInput& input,

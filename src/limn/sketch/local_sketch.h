@@ -17,13 +17,16 @@ struct PrimaryView {
               const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
               const SketchOptions& options);
 
-  // Views that must support a sample seen by the views in mask `contained`.
-  int NumRequired(uint32_t contained) const;
-  // Whether a sample with this support, which is enough in number, may be kept: it is in the box,
-  // and its support is not confined to a narrow angle where views from wider ones look on (an
-  // occluding contour or an accident, algorithm.md 0.1 item 8).
-  bool IsCredible(const Eigen::Vector3d& point_in_cam, uint32_t supporting,
-                  uint32_t contained) const;
+  // Whether sample j of a hypothesis, at this point, is supported: by enough of the views that
+  // contain it, in the box, and not only within a narrow angle where views from wider ones look on
+  // (an occluding contour or an accident, algorithm.md 0.1 item 8). If so, whether it is certain:
+  // enough views, weighted by tangency.
+  struct Verdict {
+    bool supported = false;
+    bool certain = false;
+  };
+  Verdict Judge(const HypothesisSupport& support, size_t j,
+                const Eigen::Vector3d& point_in_cam) const;
 
   const SketchInput& input;
   ViewId id;

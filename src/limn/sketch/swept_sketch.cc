@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <bit>
 #include <memory>
 
 #include "limn/sketch/epipolar_crossings.h"
@@ -87,14 +85,12 @@ class SweptDepths {
     for (size_t j = 0; j < stretch.samples.size(); ++j) {
       const HypothesisSample& sample = stretch.samples[j];
       FusedDepth& depth = (*depths)[sample.vertex];
-      depth.has_depth = false;
-      if (!support) continue;
-      const int required = primary_.NumRequired(support->contained[j]);
-      if (std::popcount(support->supporting[j]) < required) continue;
-      const Eigen::Vector3d point = sample.depth * fragment.rays[sample.vertex];
-      if (!primary_.IsCredible(point, support->supporting[j], support->contained[j])) continue;
-      depth.has_depth = true;
-      depth.certain = support->weighted[j] >= required;
+      PrimaryView::Verdict verdict;
+      if (support) {
+        verdict = primary_.Judge(*support, j, sample.depth * fragment.rays[sample.vertex]);
+      }
+      depth.has_depth = verdict.supported;
+      depth.certain = verdict.certain;
     }
   }
 
