@@ -35,7 +35,7 @@ void SetTotalInliers(int inliers, PipelineOptions* options) {
 
 // As in the paper: the same number of views whatever the number that contains a sample.
 void SetSupportingViews(int views, PipelineOptions* options) {
-  options->sketch.min_supporting_views = options->sketch.max_supporting_views = views;
+  options->sketch.min_supporting_views = views;
   options->drawing.min_supporting_views = options->drawing.max_supporting_views = views;
 }
 

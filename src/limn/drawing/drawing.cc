@@ -1,6 +1,5 @@
 #include "limn/drawing/drawing.h"
 
-#include <algorithm>
 #include <set>
 
 #include "limn/drawing/corner_edges.h"
@@ -8,6 +7,7 @@
 #include "limn/drawing/curve_consistency.h"
 #include "limn/drawing/graph_assembly.h"
 #include "limn/drawing/junctions.h"
+#include "limn/drawing/link_evidence.h"
 #include "limn/drawing/merging.h"
 #include "limn/drawing/retriangulation.h"
 #include "limn/drawing/sample_fates.h"
@@ -15,64 +15,17 @@
 namespace limn {
 namespace {
 
-// Primary views whose samples must have been merged into a link.
-constexpr int kMinMergedViews = 2;
-
 int64_t NumClusters(const CurveConsistency& network) {
   return static_cast<int64_t>(std::set<int>(network.cluster.begin(), network.cluster.end()).size());
 }
 
-// Mean along a link of the number of primary views that agree; points that were added have none to
-// ask.
-double MeanAgreement(const DraftLink& link, const std::vector<int>& agreeing_views) {
-  double sum = 0;
-  double length_px = 0;
-  for (int k = 0; k < link.size(); ++k) {
-    int here = 0;
-    for (const int s : link.samples[k]) here = std::max(here, agreeing_views[s]);
-    if (here == 0) continue;
-    const double own_px = ArcPx(link, std::max(k - 1, 0), std::min(k + 1, link.size() - 1));
-    sum += here * own_px;
-    length_px += own_px;
-  }
-  return length_px > 0 ? sum / length_px : 0;
-}
-
-// Mean number of views that contain a point of a link.
-double MeanContaining(const DraftLink& link, const std::vector<View>& views) {
-  int64_t sum = 0;
-  for (const Eigen::Vector3d& point : link.position) {
-    sum += std::count_if(views.begin(), views.end(),
-                         [&](const View& view) { return view.Project(point).has_value(); });
-  }
-  return static_cast<double>(sum) / link.size();
-}
-
-// Number of primary views that the samples of a link come from.
-int NumPrimaryViews(const SampleSet& samples, const DraftLink& link) {
-  std::set<ViewId> views;
-  for (const auto& of_point : link.samples) {
-    for (const int s : of_point) views.insert(samples.origins[samples.curve_of[s]].anchor_view);
-  }
-  return static_cast<int>(views.size());
-}
-
-// Remove the links that too few primary views agree with on the whole: in the mean along them, and
-// in what was merged into them (curves that only agree may have been merged into another link).
-// Returns the number of samples in them.
-int64_t RemoveDoubtfulLinks(const SampleSet& samples, const std::vector<View>& views,
-                            const std::vector<int>& agreeing_views, const DrawingOptions& options,
-                            Draft* draft) {
+// Returns the number of samples in the links removed.
+int64_t RemoveDoubtfulLinks(const std::vector<uint8_t>& believed, Draft* draft) {
   int64_t num_samples = 0;
-  std::vector<uint8_t> keep;
-  for (const DraftLink& link : draft->links) {
-    const double required = std::clamp(options.primary_views_share * MeanContaining(link, views),
-                                       options.min_primary_views, options.max_primary_views);
-    keep.push_back(MeanAgreement(link, agreeing_views) >= required &&
-                   NumPrimaryViews(samples, link) >= kMinMergedViews);
-    if (!keep.back()) num_samples += draft->NumSketchSamples(link);
+  for (size_t l = 0; l < believed.size(); ++l) {
+    if (!believed[l]) num_samples += draft->NumSketchSamples(draft->links[l]);
   }
-  KeepLinks(keep, draft);
+  KeepLinks(believed, draft);
   return num_samples;
 }
 
@@ -93,8 +46,10 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   Draft draft = FitLinks(samples, merged, options);
   SampleLedger ledger(samples);
   ledger.Update(draft, EdgelFate::kPrunedLink);
-  const int64_t doubtful =
-      RemoveDoubtfulLinks(samples, input.views, agreeing_views, options, &draft);
+  const int64_t doubtful = RemoveDoubtfulLinks(
+      BelievedLinks({samples, agreeing_views, input.views, input.curves, evidence}, options, draft,
+                    context),
+      &draft);
   ledger.Update(draft, EdgelFate::kDoubtfulLink);
   JunctionCounts junctions;
   JoinLinks(samples, input.views, evidence, options, &draft, &junctions);
@@ -145,7 +100,7 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   summary.dropped = {
       {"samples: too few views after re-triangulation", retriangulation.too_few_views},
       {"samples: piece too short after re-triangulation", retriangulation.piece_too_short},
-      {"samples: in links that few primary views agree with", doubtful},
+      {"samples: in links with too little evidence", doubtful},
       {"samples: in short links", cleanup.samples_pruned},
       {"samples: in links that run along others", cleanup.samples_covered},
       {"meetings without image evidence", junctions.without_image_evidence}};

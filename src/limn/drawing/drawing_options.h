@@ -45,6 +45,11 @@ struct DrawingOptions {
   double primary_views_share = 0.1;
   double min_primary_views = 2;
   double max_primary_views = 4;
+  // Other links are believed when edgels that none of those explains run along them in so many more
+  // views than by chance: again a share, at least min and at most max.
+  double own_views_share = 0.12;
+  double min_own_views = 3;
+  double max_own_views = 6;
   // Stubs shorter than this are not branches, px (tau_branch).
   double min_branch_length_px = 10;
   // Links shorter than this that hang by one end or by none are dropped, px.

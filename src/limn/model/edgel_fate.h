@@ -15,7 +15,7 @@ enum class EdgelFate : uint8_t {
   kPieceTooShort,     // what was reconstructed around it is too short
   kSketched,          // in a curve of the sketch
   kLostSupport,       // of the sketch, but too few views support it where all its edgels agree
-  kDoubtfulLink,      // in a link that too few primary views agree with on the whole
+  kDoubtfulLink,      // in a link with too little evidence: see drawing/link_evidence.h
   kPrunedLink,        // in a link that was too short, or ran along another
   kDrawn,             // merged into a link of the drawing
   kExplained,         // not drawn itself, but a link of the drawing projects onto it

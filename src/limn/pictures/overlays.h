@@ -39,7 +39,7 @@ Picture DrawFragments(const Image& photo, const ImageCurves& curves,
 
 // The edgels of one image over it, coloured by what became of them: green = drawn or explained by
 // the drawing; red = too few views or none support it; orange = depth inconsistent, piece too short
-// or support lost; yellow = few primary views agree with the link; cyan = link too
+// or support lost; yellow = too little evidence for the link; cyan = link too
 // short or covered; blue = fragment too short; grey = not linked.
 Picture DrawAccount(const Image& photo, const ImageCurves& curves,
                     const std::vector<EdgelFate>& fates, const PictureOptions& options = {});

@@ -73,10 +73,8 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
   visit("support_window_px", o.support_window_px,
         "half length of the stretch that decides on local support, px");
   visit("min_window_support", o.min_window_support, "share of it that must be supported");
-  visit("supporting_views_share", o.supporting_views_share,
-        "share of the confirmation views that must support a sample");
-  visit("min_supporting_views", o.min_supporting_views, "at least so many views");
-  visit("max_supporting_views", o.max_supporting_views, "never asked for more than so many");
+  visit("min_supporting_views", o.min_supporting_views,
+        "confirmation views that must support a sample");
   visit("min_epipolar_angle_deg", o.min_epipolar_angle_deg,
         "nearer to the epipolar line a view counts least, deg");
   visit("max_epipolar_angle_deg", o.max_epipolar_angle_deg, "farther from it fully, deg");
@@ -126,6 +124,10 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
         "share of the views containing a link that must have made it in the mean");
   visit("min_primary_views", o.min_primary_views, "but at least these");
   visit("max_primary_views", o.max_primary_views, "and at most these");
+  visit("own_views_share", o.own_views_share,
+        "share of them with edgels of its own, beyond chance, that makes up for this");
+  visit("min_own_views", o.min_own_views, "at least so many views");
+  visit("max_own_views", o.max_own_views, "never asked for more than so many");
   visit("min_branch_length_px", o.min_branch_length_px, "shorter stubs are no branches, px");
   visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
   visit("junction_distance_px", o.junction_distance_px, "ends this near meet in a node, px");

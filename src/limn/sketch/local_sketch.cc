@@ -6,7 +6,6 @@
 #include <set>
 
 #include "limn/sketch/sketch_pieces.h"
-#include "limn/support/required_views.h"
 
 namespace limn {
 namespace {
@@ -118,9 +117,7 @@ PrimaryView::PrimaryView(const SketchInput& sketch_input, ViewId view, const Vie
 
 PrimaryView::Verdict PrimaryView::Judge(const HypothesisSupport& support, size_t j,
                                         const Eigen::Vector3d& point_in_cam) const {
-  const int required =
-      NumRequiredViews(std::popcount(support.contained[j]), options.supporting_views_share,
-                       options.min_supporting_views, options.max_supporting_views);
+  const int required = options.min_supporting_views;
   if (std::popcount(support.supporting[j]) < required) return {};
   if (input.box && !input.box->contains(world_from_cam * point_in_cam)) return {};
   if (confirmation.MaxAngleDeg(point_in_cam, support.supporting[j]) < kNarrowSupportDeg &&

@@ -17,10 +17,7 @@ void SketchOptions::Check() const {
   LIMN_CHECK_OPTION(support_window_px, >= 0);
   LIMN_CHECK_OPTION(min_window_support, > 0);
   LIMN_CHECK_OPTION(min_window_support, <= 1);
-  LIMN_CHECK_OPTION(supporting_views_share, >= 0);
-  LIMN_CHECK_OPTION(supporting_views_share, <= 1);
   LIMN_CHECK_OPTION(min_supporting_views, >= 1);
-  LIMN_CHECK_OPTION(max_supporting_views, >= min_supporting_views);
   LIMN_CHECK_OPTION(min_epipolar_angle_deg, >= 0);
   LIMN_CHECK_OPTION(max_epipolar_angle_deg, > min_epipolar_angle_deg);
   LIMN_CHECK_OPTION(min_tangency_weight, >= 0);
