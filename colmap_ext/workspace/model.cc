@@ -86,6 +86,7 @@ void ReadRigsAndFrames(const fs::path& folder, const Flavour& flavour, SparseMod
                               " is missing: going on with the poses of the images file");
   }
   if (!IsFile(rigs_path) || !IsFile(frames_path)) return;
+  model->has_rigs = true;
   std::ifstream rigs = Open(rigs_path);
   std::ifstream frames = Open(frames_path);
   ApplyRigs(flavour.rigs(rigs, rigs_path.string()), flavour.frames(frames, frames_path.string()),

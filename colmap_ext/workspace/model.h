@@ -54,6 +54,8 @@ struct SparseModel {
   // In file order, which .vis files, consistency graphs and PMVS numbering refer to.
   std::vector<ModelImage> images;
   std::vector<ModelPoint> points;
+  // Poses were composed from rigs and frames.
+  bool has_rigs = false;
   // Oddities that did not stop the reading, in words.
   std::vector<std::string> warnings;
 

@@ -2,8 +2,6 @@
 
 #include <random>
 
-#include <Eigen/Geometry>
-
 namespace limn::testing {
 namespace {
 
@@ -80,9 +78,13 @@ std::vector<View> PerturbCameras(const std::vector<View>& views,
   return Moved(views, points, motions, scale);
 }
 
+Eigen::Affine3d WorldFromTruth(const std::vector<View>& views, const std::vector<View>& truth) {
+  return Similarity(Eigen::umeyama(Centers(truth), Centers(views), true));
+}
+
 CameraErrors MeasureCameras(const std::vector<View>& views, const std::vector<View>& truth,
                             const std::vector<Eigen::Vector3d>& points) {
-  const Similarity world(Eigen::umeyama(Centers(truth), Centers(views), true));
+  const Similarity world = WorldFromTruth(views, truth);
   const double factor = std::cbrt(world.linear().determinant());
   const Eigen::Quaterniond turn(Eigen::Matrix3d(world.linear() / factor));
   CameraErrors errors;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "limn/model/view.h"
 
@@ -14,6 +15,10 @@ std::vector<View> PerturbCameras(const std::vector<View>& views,
                                  const std::vector<Eigen::Vector3d>& points, double mean_px,
                                  unsigned seed);
 
+// The similarity that maps the true world to that of the views such that the camera centres fit
+// best (least squares). Precondition: at least three centres, not on a line.
+Eigen::Affine3d WorldFromTruth(const std::vector<View>& views, const std::vector<View>& truth);
+
 // How far views are from the true ones, in the mean. Other than for `raw_px`, the world is first
 // moved, turned and scaled such that the camera centres fit best.
 struct CameraErrors {
@@ -23,8 +28,7 @@ struct CameraErrors {
   double center = 0;  // world units
 };
 
-// Points count in every view that truly sees them. Precondition: at least three centres, not on a
-// line.
+// Points count in every view that truly sees them. Precondition as for WorldFromTruth.
 CameraErrors MeasureCameras(const std::vector<View>& views, const std::vector<View>& truth,
                             const std::vector<Eigen::Vector3d>& points);
 
