@@ -49,6 +49,22 @@ class LinearCost : public ceres::CostFunction {
   Eigen::Vector3d target_;
 };
 
+// Coefficients of three neighbours whose sum is the change of direction in standard deviations.
+std::array<double, 3> BendFactors(const std::array<int, 3>& bend, const RefinementOptions& options,
+                                  const ControlGraph& control) {
+  const double footprint = control.footprint[bend[1]];
+  const auto length = [&](int a, int b) {
+    // Points that nearly coincide would make the change of direction explode.
+    return std::max((control.position[b] - control.position[a]).norm(),
+                    0.25 * options.control_spacing_px * footprint);
+  };
+  const double first = length(bend[0], bend[1]);
+  const double second = length(bend[1], bend[2]);
+  const double length_px = 0.5 * (first + second) / footprint;
+  const double factor = 1 / (options.bending_sigma * std::sqrt(length_px));
+  return {factor / first, factor * (-1 / first - 1 / second), factor / second};
+}
+
 }  // namespace
 
 void AddHold(int point, ControlGraph* control, ceres::Problem* problem) {
@@ -65,23 +81,23 @@ void AddHold(int point, ControlGraph* control, ceres::Problem* problem) {
 void AddBend(const std::array<int, 3>& bend, const RefinementOptions& options,
              ControlGraph* control, ceres::Problem* problem) {
   std::vector<Eigen::Vector3d>& position = control->position;
-  const double footprint = control->footprint[bend[1]];
-  const auto length = [&](int a, int b) {
-    // Points that nearly coincide would make the change of direction explode.
-    return std::max((position[b] - position[a]).norm(),
-                    0.25 * options.control_spacing_px * footprint);
+  const std::array<double, 3> factor = BendFactors(bend, options, *control);
+  const auto matrix = [&](int i) -> Eigen::Matrix3d {
+    return factor[i] * Eigen::Matrix3d::Identity();
   };
-  const double first = length(bend[0], bend[1]);
-  const double second = length(bend[1], bend[2]);
-  const double length_px = 0.5 * (first + second) / footprint;
-  const Eigen::Matrix3d factor =
-      Eigen::Matrix3d::Identity() / (options.bending_sigma * std::sqrt(length_px));
   const bool at_corner = control->corner[bend[0]] || control->corner[bend[2]];
   problem->AddResidualBlock(
-      new LinearCost<3>({factor / first, factor * (-1 / first - 1 / second), factor / second},
-                        Eigen::Vector3d::Zero()),
+      new LinearCost<3>({matrix(0), matrix(1), matrix(2)}, Eigen::Vector3d::Zero()),
       at_corner ? new ceres::CauchyLoss(kCornerBendSigmas) : nullptr, position[bend[0]].data(),
       position[bend[1]].data(), position[bend[2]].data());
+}
+
+double SquaredBend(const std::array<int, 3>& bend, const RefinementOptions& options,
+                   const ControlGraph& control) {
+  const std::array<double, 3> factor = BendFactors(bend, options, control);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i) sum += factor[i] * control.position[bend[i]];
+  return sum.squaredNorm();
 }
 
 }  // namespace limn

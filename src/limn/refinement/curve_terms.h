@@ -19,4 +19,8 @@ void AddHold(int point, ControlGraph* control, ceres::Problem* problem);
 void AddBend(const std::array<int, 3>& bend, const RefinementOptions& options,
              ControlGraph* control, ceres::Problem* problem);
 
+// The square of that change over its variance.
+double SquaredBend(const std::array<int, 3>& bend, const RefinementOptions& options,
+                   const ControlGraph& control);
+
 }  // namespace limn

@@ -8,6 +8,7 @@
 #include "limn/refinement/covered_links.h"
 #include "limn/refinement/curve_fit.h"
 #include "limn/refinement/pose_fit.h"
+#include "limn/refinement/variance_factors.h"
 
 namespace limn {
 namespace {
@@ -108,6 +109,7 @@ class Refiner {
     if (options_.refine_poses) result.cameras = RefineCameras();
     for (int round = 0; round < options_.num_rounds; ++round) Fit(round);
     Match(1);
+    ScaleCovariances();
     result.graph = input_.graph;
     SetGeometry(&result.graph);
     UpdateEvidence(&result.graph);
@@ -150,6 +152,14 @@ class Refiner {
               last ? &covariances_ : nullptr);
   }
 
+  void ScaleCovariances() {
+    const std::vector<double> factors =
+        VarianceFactors({input_.curves, control_, matches_, frozen_}, options_);
+    for (size_t p = 0; p < factors.size(); ++p) {
+      if (covariances_[p]) *covariances_[p] *= factors[p];
+    }
+  }
+
   std::vector<double> Sigmas(const ControlLink& link) const {
     std::vector<double> sigmas;
     const int last = link.NumSegments();
@@ -163,6 +173,13 @@ class Refiner {
     return sigmas;
   }
 
+  // Views do not show a link as near as edgels are asked for: it is not known any better.
+  double LeastSigmaUnfitted(const ControlLink& link) const {
+    double largest = 0;
+    for (const int id : link.points) largest = std::max(largest, control_.footprint[id]);
+    return options_.max_distance_px * largest;
+  }
+
   // Fitted links get their control points; the others keep their points and only follow their
   // nodes.
   void SetGeometry(DrawingGraph* graph) const {
@@ -174,6 +191,8 @@ class Refiner {
       if (frozen_[l]) {
         FollowEnds(control_.position[link.node0], control_.position[link.node1],
                    &link.points_in_world);
+        const double least = LeastSigmaUnfitted(control_.links[l]);
+        for (double& sigma : link.sigma) sigma = std::max(sigma, least);
         continue;
       }
       link.points_in_world.clear();

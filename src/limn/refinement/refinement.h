@@ -45,7 +45,8 @@ struct RefinementResult {
 // that decides only where the edgels leave a place open, and none across corners. Only a link's
 // supporting views are asked, and edgels whose brighter side is not that of nearly all others are
 // left out: they belong to the other side of a thin bar. The sigmas come from the inverse of the
-// normal matrix. Links that too few views show keep their shape; links that then lie on others are
+// normal matrix, scaled by how well the views agree (variance_factors.h). Links that too few views
+// show keep their shape, with sigmas of at least max_distance_px; links that then lie on others are
 // removed. With `refine_poses` rounds go before in which the cameras move too, together with curves
 // and points (pose_fit.h). The result passes Validate(). Throws OptionError and Cancelled. Time:
 // rounds times length of all links in px times views.
