@@ -7,6 +7,7 @@
 
 #include "limn/refinement/covered_links.h"
 #include "limn/refinement/curve_fit.h"
+#include "limn/refinement/gauge.h"
 #include "limn/refinement/pose_fit.h"
 #include "limn/refinement/variance_factors.h"
 
@@ -140,8 +141,26 @@ class Refiner {
                options_, &corrections, &control_, &refined.points);
       views_ = Corrected(input_.views, corrections);
     }
+    BringBack(&refined.points);
     refined.views = views_;
     return refined;
+  }
+
+  // What images do not tell goes back to where the given cameras had it.
+  void BringBack(std::vector<Eigen::Vector3d>* points) {
+    std::vector<Eigen::Vector3d>& positions = control_.position;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::vector<Eigen::Vector3d>* of : {&positions, points}) {
+      for (const Eigen::Vector3d& point : *of) middle += point;
+    }
+    if (positions.empty() && points->empty()) return;
+    middle /= static_cast<double>(positions.size() + points->size());
+    const Eigen::Affine3d back = GivenFromRefined(input_.views, views_, middle);
+    views_ = Moved(views_, back);
+    for (std::vector<Eigen::Vector3d>* of : {&positions, points}) {
+      for (Eigen::Vector3d& point : *of) point = back * point;
+    }
+    UpdateTangents(&control_);
   }
 
   void Fit(int round) {

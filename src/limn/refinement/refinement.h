@@ -48,8 +48,9 @@ struct RefinementResult {
 // normal matrix, scaled by how well the views agree (variance_factors.h). Links that too few views
 // show keep their shape, with sigmas of at least max_distance_px; links that then lie on others are
 // removed. With `refine_poses` rounds go before in which the cameras move too, together with curves
-// and points (pose_fit.h). The result passes Validate(). Throws OptionError and Cancelled. Time:
-// rounds times length of all links in px times views.
+// and points (pose_fit.h), after which place, orientation and scale of the whole are those of the
+// given cameras again (gauge.h). The result passes Validate(). Throws OptionError and Cancelled.
+// Time: rounds times length of all links in px times views.
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const RunContext& context);
 
