@@ -1,6 +1,7 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/project.h"
+#include "colmap_ext/commands/refined_cameras.h"
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "limn/pipeline/pipeline.h"
@@ -23,6 +24,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   }
   Console console(options.num_threads);
   const Project project(options, &console);
+  CheckRefinedFolder(project, options);
   const PipelineResult result = DrawScene(
       {project.views(), project.view_set().hints, project.images(), BoxFromNumbers(options.box),
        project.CacheDir()},
@@ -33,7 +35,9 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   CheckGraph(result.graph);
   WriteSketchResults(project, SketchFileName(options.pipeline.mode), result.curves, result.sketch,
                      Provenance(options));
-  WriteDrawingResults(project, result.graph, Provenance(options), &console);
+  WriteDrawingResults(project, ViewsOfDrawing(project, result.cameras), result.graph,
+                      Provenance(options), &console);
+  WriteRefinedModel(project, result.cameras, &console);
   if (account) WriteAccount(project, result, &console);
   parser->WriteIni(project.CurvesPath("project.ini"));
   return 0;

@@ -23,7 +23,7 @@ int RunCurveDrawer(int argc, const char* const* argv) {
       options.pipeline.drawing, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
-  WriteDrawingResults(project, result.graph,
+  WriteDrawingResults(project, project.views(), result.graph,
                       DrawingProvenance(options, stored.metadata.options_json), &console);
   return 0;
 }

@@ -9,6 +9,7 @@
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/io/atomic_file.h"
+#include "limn/io/drawing_json_reader.h"
 #include "limn/io/junctions_reader.h"
 #include "limn/io/read_curves.h"
 #include "limn/util/errors.h"
@@ -50,7 +51,8 @@ void AddOptions(EvaluatorOptions* options, OptionParser* parser) {
   parser->AddOption("junction_taus", &evaluation.junction_taus, "reach of a junction, taus");
   parser->AddOption(
       "workspace_path", &options->layout.workspace_path,
-      "COLMAP project whose pixels are the unit footprint; with it saw-teeth are told too");
+      "COLMAP project whose pixels are the unit footprint; with it saw-teeth and the normalised "
+      "errors of a drawing.json are told too");
   parser->AddOption("image_path", &options->layout.image_path, "its images");
   parser->AddOption("model_index", &options->layout.model_index, "which of its models");
   parser->AddOption("output_csv", &options->output_csv, "also write the table to this file");
@@ -92,6 +94,12 @@ EvaluationReport Evaluate(const EvaluatorOptions& options, const RunContext& con
           : EvaluateCurvesInFootprints(reconstruction, truth, views, options.evaluation, dont_care,
                                        context);
   report.saw_teeth = MeasureSawTeeth(reconstruction.polylines, views);
+  if (options.input_path.ends_with(".json")) {
+    NormalisedErrorOptions of_sigmas;
+    of_sigmas.region = options.evaluation.region;
+    report.normalised_errors = MeasureNormalisedErrors(ReadDrawingJson(options.input_path).graph,
+                                                       truth, dont_care, views, of_sigmas);
+  }
   return report;
 }
 

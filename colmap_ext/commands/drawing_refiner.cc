@@ -1,6 +1,7 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/project.h"
+#include "colmap_ext/commands/refined_cameras.h"
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "limn/refinement/refinement.h"
@@ -19,16 +20,18 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
+  CheckRefinedFolder(project, options);
   if (drawing_path.empty()) drawing_path = project.DrawingPath("drawing.json");
   const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
-  const RefinementResult result =
-      RefineDrawing({project.views(), image_curves.curves, drawing.graph},
-                    options.pipeline.refinement, console.context());
+  const RefinementResult result = RefineDrawing(
+      {project.views(), image_curves.curves, drawing.graph, &project.view_set().hints.points},
+      options.pipeline.refinement, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
-  WriteDrawingResults(project, result.graph,
+  WriteDrawingResults(project, ViewsOfDrawing(project, result.cameras), result.graph,
                       RefinementProvenance(options, drawing.metadata.options_json), &console);
+  WriteRefinedModel(project, result.cameras, &console);
   return 0;
 }
 

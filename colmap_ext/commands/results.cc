@@ -101,15 +101,16 @@ DrawingFile ReadDrawingResult(const Project& project, const std::string& path) {
   return drawing;
 }
 
-void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
-                         const std::string& provenance, Console* console) {
+void WriteDrawingResults(const Project& project, const std::vector<View>& views,
+                         const DrawingGraph& graph, const std::string& provenance,
+                         Console* console) {
   const DrawingMetadata metadata = Metadata(project, provenance);
   for (const char* name : {"drawing.ply", "drawing.json", "drawing.obj"}) {
     WriteDrawing(project.DrawingPath(name), graph, metadata);
   }
-  WriteTracks(project.CurvesPath("tracks.txt"), graph, project.views());
+  WriteTracks(project.CurvesPath("tracks.txt"), graph, views);
   WritePictures(project, "overlays", console->context(), [&](ViewId v) {
-    return DrawOverlay(project.images().read(v), project.views()[v], v, graph);
+    return DrawOverlay(project.images().read(v), views[v], v, graph);
   });
   console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +
                project.CurvesPath("tracks.txt") + ", " + project.CurvesPath("overlays"));

@@ -42,8 +42,10 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
 DrawingFile ReadDrawingResult(const Project& project, const std::string& path);
 
 // Write drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.
-void WriteDrawingResults(const Project& project, const DrawingGraph& graph,
-                         const std::string& provenance, Console* console);
+// `views` are the project's, with the cameras that the drawing fits.
+void WriteDrawingResults(const Project& project, const std::vector<View>& views,
+                         const DrawingGraph& graph, const std::string& provenance,
+                         Console* console);
 
 // Write <curves>/account.csv and <curves>/account/<image name>.png: what became of every edgel (see
 // edgel_account.h and DrawAccount).

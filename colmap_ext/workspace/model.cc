@@ -88,8 +88,10 @@ void ReadRigsAndFrames(const fs::path& folder, const Flavour& flavour, SparseMod
   if (!IsFile(rigs_path) || !IsFile(frames_path)) return;
   std::ifstream rigs = Open(rigs_path);
   std::ifstream frames = Open(frames_path);
-  ApplyRigs(flavour.rigs(rigs, rigs_path.string()), flavour.frames(frames, frames_path.string()),
-            model);
+  const std::vector<Rig> all_rigs = flavour.rigs(rigs, rigs_path.string());
+  model->has_rigs = std::any_of(all_rigs.begin(), all_rigs.end(),
+                                [](const Rig& rig) { return rig.cameras.size() > 1; });
+  ApplyRigs(all_rigs, flavour.frames(frames, frames_path.string()), model);
 }
 
 void WarnAboutSecondFlavour(const fs::path& folder, ModelBuilder* builder) {

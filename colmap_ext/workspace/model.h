@@ -54,6 +54,9 @@ struct SparseModel {
   // In file order, which .vis files, consistency graphs and PMVS numbering refer to.
   std::vector<ModelImage> images;
   std::vector<ModelPoint> points;
+  // Some rig has several cameras: their poses were composed. (COLMAP 3.12 and later write a rig for
+  // every single camera, too.)
+  bool has_rigs = false;
   // Oddities that did not stop the reading, in words.
   std::vector<std::string> warnings;
 

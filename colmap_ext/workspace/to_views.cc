@@ -123,19 +123,44 @@ std::string MaskPath(const std::string& mask_dir, const std::string& image_name)
   return fs::is_regular_file(path, ignored) ? path.string() : "";
 }
 
-SceneHints MakeHints(const SparseModel& model, const std::vector<int>& selected) {
+// Nothing if the observation is missing or beyond what the lens maps.
+std::optional<Eigen::Vector2d> VirtualPixel(const SparseModel& model, const View& view,
+                                            uint32_t observation) {
+  const ModelImage& image = model.images[view.model_index];
+  if (observation >= image.observations.size()) return std::nullopt;
+  const Camera& camera = model.CameraOf(image);
+  const Eigen::Vector2d scale(view.camera.width / static_cast<double>(camera.width),
+                              view.camera.height / static_cast<double>(camera.height));
+  const Eigen::Vector2d stored_px =
+      scale.cwiseProduct(image.observations[observation].position) - Eigen::Vector2d(0.5, 0.5);
+  return view.lens ? view.lens->VirtualFromStored(stored_px) : stored_px;
+}
+
+void SortByView(std::vector<PointPixel>* pixels) {
+  std::stable_sort(pixels->begin(), pixels->end(),
+                   [](const PointPixel& a, const PointPixel& b) { return a.view < b.view; });
+  const auto same = [](const PointPixel& a, const PointPixel& b) { return a.view == b.view; };
+  pixels->erase(std::unique(pixels->begin(), pixels->end(), same), pixels->end());
+}
+
+SceneHints MakeHints(const SparseModel& model, const std::vector<View>& views) {
   std::unordered_map<uint32_t, ViewId> view_of_image;
-  for (size_t view = 0; view < selected.size(); ++view) {
-    view_of_image[model.images[selected[view]].id] = static_cast<ViewId>(view);
+  for (size_t view = 0; view < views.size(); ++view) {
+    view_of_image[model.images[views[view].model_index].id] = static_cast<ViewId>(view);
   }
   SceneHints hints;
-  for (const ModelPoint& point : model.points) {
+  for (size_t p = 0; p < model.points.size(); ++p) {
     ScenePoint hint;
-    hint.position_in_world = point.position;
-    for (const TrackElement& element : point.track) {
+    hint.position_in_world = model.points[p].position;
+    hint.model_index = static_cast<int>(p);
+    for (const TrackElement& element : model.points[p].track) {
       const auto view = view_of_image.find(element.image_id);
-      if (view != view_of_image.end()) hint.views.push_back(view->second);
+      if (view == view_of_image.end()) continue;
+      hint.views.push_back(view->second);
+      const auto pixel = VirtualPixel(model, views[view->second], element.observation);
+      if (pixel) hint.pixels.push_back({view->second, *pixel});
     }
+    SortByView(&hint.pixels);
     std::sort(hint.views.begin(), hint.views.end());
     hint.views.erase(std::unique(hint.views.begin(), hint.views.end()), hint.views.end());
     if (!hint.views.empty()) hints.points.push_back(std::move(hint));
@@ -207,6 +232,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
     View& view = set.views[i];
     view.model_index = selected[i];
     view.name = image.name;
+    view.camera_index = static_cast<int>(&model.CameraOf(image) - model.cameras.data());
     view.camera = of_view.camera;
     view.cam_from_world = image.cam_from_world;
     view.lens = of_view.lens;
@@ -215,7 +241,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
     const auto mask = ReadMask(set.mask_paths[i], set.stored_sizes[i], options.max_image_size);
     view.region = MakeImageRegion(view.camera, view.lens.get(), mask, options.border_margin_px);
   });
-  set.hints = MakeHints(model, selected);
+  set.hints = MakeHints(model, set.views);
   AddWarnings(model, selected, &set);
   return set;
 }

@@ -96,6 +96,20 @@ Json MeasureAgainstTruth(const DataSet& set, const Truth& truth, const std::vect
   return boxes;
 }
 
+Json MeasureSigmas(const Truth& truth, const std::vector<View>& views, const DrawingGraph& graph) {
+  if (truth.curves.polylines.empty()) return nullptr;
+  Json boxes = Json::object();
+  for (const NamedBox& box : truth.boxes) {
+    NormalisedErrorOptions options;
+    options.region = box.region;
+    EvaluationReport report;
+    report.normalised_errors =
+        MeasureNormalisedErrors(graph, truth.curves, truth.dont_care, views, options);
+    boxes[box.name] = AsJson(report)["normalised_errors"];
+  }
+  return boxes;
+}
+
 Json MeasureShape(const CurveSet& reconstruction, const std::vector<View>& views) {
   EvaluationReport report = CountCurves(reconstruction);
   report.saw_teeth = MeasureSawTeeth(reconstruction.polylines, views);

@@ -8,6 +8,7 @@
 #include "bench/methods.h"
 #include "bench/scene.h"
 #include "limn/model/curve_set.h"
+#include "limn/model/drawing_graph.h"
 #include "limn/util/parallel.h"
 
 namespace limn::bench {
@@ -30,6 +31,10 @@ Truth ReadTruth(const DataSet& set);
 Json MeasureAgainstTruth(const DataSet& set, const Truth& truth, const std::vector<View>& views,
                          const CurveSet& reconstruction, bool find_duplicates,
                          const RunContext& context);
+
+// How well the sigmas of a drawing tell its errors, per box (see normalised_errors.h); nothing
+// without true curves.
+Json MeasureSigmas(const Truth& truth, const std::vector<View>& views, const DrawingGraph& graph);
 
 // The report of CountCurves with saw-teeth: what needs no truth.
 Json MeasureShape(const CurveSet& reconstruction, const std::vector<View>& views);

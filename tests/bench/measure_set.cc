@@ -93,7 +93,11 @@ void MeasureDefaults(const ReportOptions& options, const Measured& measured, Wor
     run["held_out"] =
         MeasureHeldOutViews(measured.training, measured.held_out,
                             training_bench.Run(method, {}).curves, console->context());
-    if (result.graph) WriteResults(options, measured, method, *result.graph);
+    run["sigmas"] = nullptr;
+    if (result.graph) {
+      run["sigmas"] = MeasureSigmas(measured.truth, measured.scene.views, *result.graph);
+      WriteResults(options, measured, method, *result.graph);
+    }
     add_run(std::move(run));
   }
 }

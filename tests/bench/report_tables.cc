@@ -111,6 +111,27 @@ void PrintShareOfCeiling(const Json& set, std::ostream& out) {
   }
 }
 
+// Drawings only: how well their sigmas tell their errors.
+void PrintSigmas(const Json& set, std::ostream& out) {
+  out << "Squared errors over those of sigma, 1 if sigmas are right, of vertices within 2 "
+         "footprints "
+         "of the truth:\n\n";
+  PrintHead(
+      {"method", "box", "mean", "by the median", "vertices", "mean with false ones", "false ones"},
+      out);
+  for (const Json& run : set["runs"]) {
+    if (!IsDefault(run) || run["sigmas"].is_null()) continue;
+    for (const auto& [box, errors] : run["sigmas"].items()) {
+      PrintRow(
+          {run["method"], box, Fixed(errors["variance"], 2), Fixed(errors["median_variance"], 2),
+           std::to_string(errors["num_inliers"].get<int>()),
+           Fixed(errors["variance_with_false"], 2), std::to_string(errors["num_false"].get<int>())},
+          out);
+    }
+  }
+  out << '\n';
+}
+
 std::string Distances(const Json& distances) {
   return Fixed(distances["median_px"], 2) + " / " + Fixed(distances["p90_px"], 2) + " (" +
          Percent(distances["lonely"]) + ")";
@@ -194,6 +215,7 @@ void PrintSet(const Json& set, std::ostream& out) {
     PrintShareOfCeiling(set, out);
   }
   PrintShape(set, out);
+  if (!set["ceiling"].is_null()) PrintSigmas(set, out);
   if (!set["runs"].empty() && !set["runs"][0]["emap"].is_null()) PrintEmap(set, out);
   if (!set["ceiling"].is_null() && HasSweep(set)) PrintSweep(set, out);
 }

@@ -20,9 +20,12 @@ Scene PartOf(const Scene& scene, bool held_out) {
     part.curves.push_back(scene.curves[v]);
   }
   for (const ScenePoint& point : scene.hints.points) {
-    ScenePoint kept{point.position_in_world, {}};
+    ScenePoint kept{point.position_in_world, {}, {}, point.model_index};
     for (const ViewId view : point.views) {
       if (new_id[view] >= 0) kept.views.push_back(new_id[view]);
+    }
+    for (const PointPixel& pixel : point.pixels) {
+      if (new_id[pixel.view] >= 0) kept.pixels.push_back({new_id[pixel.view], pixel.position_px});
     }
     if (!kept.views.empty()) part.hints.points.push_back(std::move(kept));
   }

@@ -37,6 +37,11 @@ TEST(QualityReport, MeasuresEveryMethod) {
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_GT(rows[1].at("precision"), 0.3) << method.at("method");
     EXPECT_GT(rows[1].at("recall"), 0.05) << method.at("method");
+    const bool is_drawing = method.at("method").get<std::string>().ends_with("drawing");
+    EXPECT_EQ(method.at("sigmas").is_null(), !is_drawing) << method.at("method");
+    if (is_drawing) {
+      EXPECT_GT(method.at("sigmas").at("all").at("num_inliers"), 50) << method.at("method");
+    }
     EXPECT_GE(method.at("shape").at("saw_teeth").at("median"), 1.0) << method.at("method");
     EXPECT_GT(method.at("held_out").at("to_edgels").at("count"), 100) << method.at("method");
     EXPECT_LT(method.at("held_out").at("to_edgels").at("median_px"), 2.0) << method.at("method");

@@ -23,9 +23,11 @@ constexpr double kTauFootprints = 2;
 constexpr double kMinPrecision = 0.91;
 constexpr double kMinRecall = 0.85;
 constexpr double kMinJunctionRecall = 0.56;
+// Squared errors over those that the sigmas tell are 1 in the mean, within this factor.
+constexpr double kMaxVarianceFactor = 1.5;
 
 // Distances are multiples of the pixel footprint; junctions are found within two taus.
-TauResult Judge(const DrawingGraph& graph) {
+EvaluationReport Judge(const DrawingGraph& graph) {
   const std::string truth_dir = LIMN_SAMPLE_DIR "/truth/";
   CurveSet truth = ReadCurves(truth_dir + "curves-visible.ply");
   truth.nodes = ReadJunctions(truth_dir + "junctions.json");
@@ -38,9 +40,13 @@ TauResult Judge(const DrawingGraph& graph) {
   options.taus = {kTauFootprints};
   options.region =
       Eigen::AlignedBox3d(Eigen::Vector3d(-1.25, -0.95, 0.04), Eigen::Vector3d(1.25, 0.95, 1.05));
-  return EvaluateCurvesInFootprints(ToCurveSet(graph), truth, set.views, options,
-                                    ReadCurves(truth_dir + "dont-care.ply"))
-      .rows.front();
+  const CurveSet dont_care = ReadCurves(truth_dir + "dont-care.ply");
+  EvaluationReport report =
+      EvaluateCurvesInFootprints(ToCurveSet(graph), truth, set.views, options, dont_care);
+  NormalisedErrorOptions of_sigmas;
+  of_sigmas.region = options.region;
+  report.normalised_errors = MeasureNormalisedErrors(graph, truth, dont_care, set.views, of_sigmas);
+  return report;
 }
 
 TEST(Sample, DrawingAgreesWithTheTruth) {
@@ -48,10 +54,13 @@ TEST(Sample, DrawingAgreesWithTheTruth) {
   const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day",
                                "--output_path", dir.path().string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const TauResult result = Judge(ReadDrawingJson((dir / "drawing.json").string()).graph);
+  const EvaluationReport report = Judge(ReadDrawingJson((dir / "drawing.json").string()).graph);
+  const TauResult& result = report.rows.front();
   EXPECT_GE(result.precision.value(), kMinPrecision);
   EXPECT_GE(result.recall.value(), kMinRecall);
   EXPECT_GE(result.junction_recall.value(), kMinJunctionRecall);
+  EXPECT_LE(report.normalised_errors->variance.value(), kMaxVarianceFactor);
+  EXPECT_GE(report.normalised_errors->variance.value(), 1 / kMaxVarianceFactor);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/evaluation/normalised_errors.h"
 #include "limn/evaluation/saw_teeth.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/view.h"
@@ -68,6 +69,8 @@ struct EvaluationReport {
   int num_ignored_points = 0;
   // Of all links. Needs views: whoever has them fills it in.
   std::optional<SawTeeth> saw_teeth;
+  // Of a drawing with sigmas. Needs views and graph: whoever has them fills it in.
+  std::optional<NormalisedErrors> normalised_errors;
 };
 
 // Compare curves or points with ground truth. Both sets are cut into cells of tau/4 or less along

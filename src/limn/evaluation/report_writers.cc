@@ -62,6 +62,23 @@ Json SawTeethAsJson(const SawTeeth& teeth) {
           {"num_links", teeth.num_curves}};
 }
 
+void PrintNormalisedErrors(const NormalisedErrors& errors, std::ostream& out) {
+  constexpr int kDigits = 3;
+  out << "normalised errors (squares, 1 if sigmas are right): mean "
+      << Cell(errors.variance, kDigits) << ", by the median "
+      << Cell(errors.median_variance, kDigits) << " of " << errors.num_inliers
+      << " vertices near the truth; mean with " << errors.num_false << " false ones "
+      << Cell(errors.variance_with_false, kDigits) << '\n';
+}
+
+Json NormalisedErrorsAsJson(const NormalisedErrors& errors) {
+  return {{"variance", OrNull(errors.variance)},
+          {"median_variance", OrNull(errors.median_variance)},
+          {"variance_with_false", OrNull(errors.variance_with_false)},
+          {"num_inliers", errors.num_inliers},
+          {"num_false", errors.num_false}};
+}
+
 }  // namespace
 
 void PrintReport(const EvaluationReport& report, std::ostream& out) {
@@ -85,6 +102,7 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
   for (const auto& [degree, count] : report.nodes_by_degree) out << ' ' << degree << ": " << count;
   out << '\n';
   if (report.saw_teeth) PrintSawTeeth(*report.saw_teeth, out);
+  if (report.normalised_errors) PrintNormalisedErrors(*report.normalised_errors, out);
   if (report.num_links == 0) out << "points " << report.num_points << '\n';
   if (report.num_ignored_points > 0) {
     out << "left out: " << report.num_ignored_points << " points that belong to no polyline\n";
@@ -135,6 +153,8 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
     json["nodes_by_degree"][std::to_string(degree)] = count;
   }
   json["saw_teeth"] = report.saw_teeth ? SawTeethAsJson(*report.saw_teeth) : Json(nullptr);
+  json["normalised_errors"] =
+      report.normalised_errors ? NormalisedErrorsAsJson(*report.normalised_errors) : Json(nullptr);
   out << json.dump(2) << '\n';
 }
 

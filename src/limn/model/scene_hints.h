@@ -8,10 +8,20 @@
 
 namespace limn {
 
+// Where a view sees a point, virtual px.
+struct PointPixel {
+  ViewId view = -1;
+  Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
+};
+
 // A triangulated point of the sparse model and the views that see it.
 struct ScenePoint {
   Eigen::Vector3d position_in_world;
   std::vector<ViewId> views;  // ascending
+  // Where views see it, as far as that is known; ascending by view.
+  std::vector<PointPixel> pixels = {};
+  // Order of the point in the COLMAP model file.
+  int model_index = -1;
 };
 
 // What structure from motion knows of the scene beyond the poses. May be empty: a bonus, never

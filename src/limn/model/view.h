@@ -40,6 +40,8 @@ struct View {
   int model_index = 0;
   // As in the model: relative to the image folder, with its sub-folders.
   std::string name;
+  // Views with the same number were taken by one camera and share its focal length.
+  int camera_index = 0;
   PinholeCamera camera;
   Rigid3d cam_from_world;
   ImageRegion region;

@@ -154,6 +154,7 @@ void VisitFields(RefinementOptions& o, Visit&& visit) {
   visit("robust_residual_px", o.robust_residual_px, "much larger residuals hardly count, px");
   visit("correlation_px", o.correlation_px, "edgels of an image this near err together, px");
   visit("bending_sigma", o.bending_sigma, "allowed change of direction over one px, rad");
+  visit("refine_poses", o.refine_poses, "refine camera poses and focal lengths too");
 }
 
 // visit(group name, options struct) for every group.

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "limn/refinement/refinement.h"
-
 namespace limn {
 
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
@@ -24,11 +22,12 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
   on_stage_end(drawing.summary, {});
 
   RefinementResult refined =
-      RefineDrawing({input.views, image_curves.curves, drawing.graph}, options.refinement, context);
+      RefineDrawing({input.views, image_curves.curves, drawing.graph, &input.hints.points},
+                    options.refinement, context);
   on_stage_end(refined.summary, {});
 
-  return {std::move(image_curves.curves), std::move(sketch.sketch), std::move(sketch.fates),
-          std::move(refined.graph), std::move(drawing.fates)};
+  return {std::move(image_curves.curves), std::move(sketch.sketch),   std::move(sketch.fates),
+          std::move(refined.graph),       std::move(refined.cameras), std::move(drawing.fates)};
 }
 
 }  // namespace limn

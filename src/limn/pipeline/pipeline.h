@@ -10,6 +10,7 @@
 #include "limn/drawing/drawing.h"
 #include "limn/pipeline/extract_curves.h"
 #include "limn/pipeline/pipeline_options.h"
+#include "limn/refinement/refinement.h"
 #include "limn/sketch/sketch.h"
 
 namespace limn {
@@ -30,6 +31,8 @@ struct PipelineResult {
   CurveSketch sketch;
   EdgelFates sketch_fates;
   DrawingGraph graph;
+  // Only with RefinementOptions::refine_poses: what the drawing fits.
+  std::optional<RefinedCameras> cameras;
   SampleFates sample_fates;
 };
 

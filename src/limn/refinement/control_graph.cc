@@ -139,4 +139,20 @@ void UpdateTangents(ControlGraph* control) {
   }
 }
 
+void FollowNodes(const std::vector<uint8_t>& frozen, const std::vector<Eigen::Vector3d>& before,
+                 ControlGraph* control) {
+  for (size_t l = 0; l < control->links.size(); ++l) {
+    if (!frozen[l]) continue;
+    const std::vector<int>& points = control->links[l].points;
+    const auto moved = [&](int point) -> Eigen::Vector3d {
+      return control->position[point] - before[point];
+    };
+    for (size_t k = 1; k + 1 < points.size(); ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(points.size() - 1);
+      control->position[points[k]] =
+          before[points[k]] + (1 - t) * moved(points.front()) + t * moved(points.back());
+    }
+  }
+}
+
 }  // namespace limn

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -40,5 +41,10 @@ ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>
 
 // Unit tangents from the neighbours along the links.
 void UpdateTangents(ControlGraph* control);
+
+// Move the inner points of links marked nonzero by what their nodes moved since `before`, the
+// nearer node counting more.
+void FollowNodes(const std::vector<uint8_t>& frozen, const std::vector<Eigen::Vector3d>& before,
+                 ControlGraph* control);
 
 }  // namespace limn

@@ -6,6 +6,7 @@
 
 #include <ceres/ceres.h>
 
+#include "limn/refinement/curve_terms.h"
 #include "limn/refinement/selected_inverse.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/util/union_find.h"
@@ -13,19 +14,9 @@
 namespace limn {
 namespace {
 
-using RowMajor3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 using Triple = std::array<int, 3>;
 
 constexpr int kMaxIterations = 8;
-// Standard deviations of how far a point moves from where it was in the drawing: along its curve,
-// in any direction, and at a corner. They decide nothing but what edgels and bending leave open.
-// Px.
-constexpr double kAlongSigmaPx = 1;
-constexpr double kWeakSigmaPx = 30;
-constexpr double kCornerSigmaPx = 3;
-// Next to a corner, changes of direction beyond this many of their standard deviations hardly count
-// (Cauchy): links that do not quite meet shall not drag each other away.
-constexpr double kCornerBendSigmas = 3;
 
 // The pulls at one sample: all its residuals, which depend on the two ends of its segment.
 class PullCost : public ceres::CostFunction {
@@ -80,35 +71,6 @@ class PullCost : public ceres::CostFunction {
   double robust_px_;
 };
 
-// A sum of points, each with a coefficient matrix, less a constant.
-template <int kNumPoints>
-class LinearCost : public ceres::CostFunction {
- public:
-  LinearCost(const std::array<Eigen::Matrix3d, kNumPoints>& factors, const Eigen::Vector3d& target)
-      : factors_(factors), target_(target) {
-    set_num_residuals(3);
-    mutable_parameter_block_sizes()->assign(kNumPoints, 3);
-  }
-
-  bool Evaluate(double const* const* parameters, double* residuals,
-                double** jacobians) const override {
-    Eigen::Vector3d sum = -target_;
-    for (int i = 0; i < kNumPoints; ++i) {
-      sum += factors_[i] * Eigen::Map<const Eigen::Vector3d>(parameters[i]);
-      if (!jacobians || !jacobians[i]) continue;
-      Eigen::Map<RowMajor3d> jacobian(jacobians[i]);
-      jacobian = factors_[i];
-    }
-    Eigen::Map<Eigen::Vector3d> out(residuals);
-    out = sum;
-    return true;
-  }
-
- private:
-  std::array<Eigen::Matrix3d, kNumPoints> factors_;
-  Eigen::Vector3d target_;
-};
-
 // Links that hang together by their nodes, with the unknowns and bends among them.
 struct Component {
   std::vector<int> links;
@@ -123,10 +85,10 @@ class ComponentFit {
       : input_(input), options_(options), component_(component), control_(control) {
     for (const int point : component.points) {
       problem_.AddParameterBlock(Position(point), 3);
-      AddHold(point);
+      AddHold(point, control, &problem_);
     }
     for (const int link : component.links) AddPulls(link);
-    for (const Triple& bend : component.bends) AddBend(bend);
+    for (const Triple& bend : component.bends) AddBend(bend, options, control, &problem_);
   }
 
   void Solve() {
@@ -168,18 +130,6 @@ class ComponentFit {
  private:
   double* Position(int point) { return control_->position[point].data(); }
 
-  void AddHold(int point) {
-    const double across_px = control_->corner[point] ? kCornerSigmaPx : kWeakSigmaPx;
-    const double along_px = control_->corner[point] ? kCornerSigmaPx : kAlongSigmaPx;
-    const Eigen::Vector3d& tangent = control_->tangent[point];
-    const Eigen::Matrix3d factor =
-        (Eigen::Matrix3d::Identity() / across_px +
-         (1 / along_px - 1 / across_px) * tangent * tangent.transpose()) /
-        control_->footprint[point];
-    problem_.AddResidualBlock(new LinearCost<1>({factor}, factor * control_->start[point]), nullptr,
-                              Position(point));
-  }
-
   void AddPulls(int link) {
     const std::vector<int>& points = control_->links[link].points;
     for (const LinkSample& sample : input_.matches[link]) {
@@ -188,26 +138,6 @@ class ComponentFit {
                                 Position(points[sample.segment]),
                                 Position(points[sample.segment + 1]));
     }
-  }
-
-  void AddBend(const Triple& bend) {
-    const double footprint = control_->footprint[bend[1]];
-    const auto length = [&](int a, int b) {
-      // Points that nearly coincide would make the change of direction explode.
-      return std::max((control_->position[b] - control_->position[a]).norm(),
-                      0.25 * options_.control_spacing_px * footprint);
-    };
-    const double first = length(bend[0], bend[1]);
-    const double second = length(bend[1], bend[2]);
-    const double length_px = 0.5 * (first + second) / footprint;
-    const Eigen::Matrix3d factor =
-        Eigen::Matrix3d::Identity() / (options_.bending_sigma * std::sqrt(length_px));
-    const bool at_corner = control_->corner[bend[0]] || control_->corner[bend[2]];
-    problem_.AddResidualBlock(
-        new LinearCost<3>({factor / first, factor * (-1 / first - 1 / second), factor / second},
-                          Eigen::Vector3d::Zero()),
-        at_corner ? new ceres::CauchyLoss(kCornerBendSigmas) : nullptr, Position(bend[0]),
-        Position(bend[1]), Position(bend[2]));
   }
 
   const CurveFitInput& input_;
@@ -243,23 +173,6 @@ std::vector<Component> FindComponents(const CurveFitInput& input, const ControlG
   std::vector<Component> components;
   for (auto& [root, component] : by_root) components.push_back(std::move(component));
   return components;
-}
-
-// Move the inner points of frozen links by what their nodes moved, the nearer one more.
-void FollowNodes(const std::vector<uint8_t>& frozen, const std::vector<Eigen::Vector3d>& before,
-                 ControlGraph* control) {
-  for (size_t l = 0; l < control->links.size(); ++l) {
-    if (!frozen[l]) continue;
-    const std::vector<int>& points = control->links[l].points;
-    const auto moved = [&](int point) -> Eigen::Vector3d {
-      return control->position[point] - before[point];
-    };
-    for (size_t k = 1; k + 1 < points.size(); ++k) {
-      const double t = static_cast<double>(k) / static_cast<double>(points.size() - 1);
-      control->position[points[k]] =
-          before[points[k]] + (1 - t) * moved(points.front()) + t * moved(points.back());
-    }
-  }
 }
 
 }  // namespace

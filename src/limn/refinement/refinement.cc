@@ -7,6 +7,9 @@
 
 #include "limn/refinement/covered_links.h"
 #include "limn/refinement/curve_fit.h"
+#include "limn/refinement/gauge.h"
+#include "limn/refinement/pose_fit.h"
+#include "limn/refinement/variance_factors.h"
 
 namespace limn {
 namespace {
@@ -15,6 +18,10 @@ namespace {
 constexpr double kMinShownShare = 0.3;
 // A view supports a link if it shows so many of its samples, or half of them.
 constexpr int kMinSupportedSamples = 3;
+
+// Rounds in which the cameras move: reach of the edgels, multiples of max_distance_px. The first
+// ones must reach over the errors of the cameras.
+constexpr double kPoseRoundReach[] = {3, 3, 2, 1.5, 1, 1};
 
 std::vector<std::unique_ptr<EdgelIndex>> IndexEdgels(const std::vector<ImageCurves>& curves,
                                                      const RunContext& context) {
@@ -92,15 +99,18 @@ class Refiner {
       : input_(input),
         options_(options),
         context_(context),
+        views_(input.views),
         edgels_(IndexEdgels(input.curves, context)),
         control_(MakeControlGraph(input.graph, input.views, options.control_spacing_px)) {
     for (const DrawingLink& link : input.graph.links) asked_.push_back(link.supporting_views);
   }
 
   RefinementResult Run() {
-    for (int round = 0; round < options_.num_rounds; ++round) Fit(round);
-    Match();
     RefinementResult result;
+    if (options_.refine_poses) result.cameras = RefineCameras();
+    for (int round = 0; round < options_.num_rounds; ++round) Fit(round);
+    Match(1);
+    ScaleCovariances();
     result.graph = input_.graph;
     SetGeometry(&result.graph);
     UpdateEvidence(&result.graph);
@@ -110,18 +120,63 @@ class Refiner {
   }
 
  private:
-  void Match() {
-    const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
-    matches_ = MatchEdgels({input_.views, input_.curves, edgels_, asked_}, control_, gate, options_,
-                           context_);
+  // `reach`: multiple of max_distance_px.
+  void Match(double reach) {
+    const SupportGate gate = {reach * options_.max_distance_px, 1.0,
+                              options_.max_angle_deg * M_PI / 180};
+    matches_ =
+        MatchEdgels({views_, input_.curves, edgels_, asked_}, control_, gate, options_, context_);
+  }
+
+  RefinedCameras RefineCameras() {
+    static const std::vector<ScenePoint> none;
+    const std::vector<ScenePoint>& points = input_.points ? *input_.points : none;
+    RefinedCameras refined;
+    for (const ScenePoint& point : points) refined.points.push_back(point.position_in_world);
+    CameraCorrections corrections = NoCorrections(input_.views);
+    for (const double reach : kPoseRoundReach) {
+      Match(reach);
+      FitPoses({input_.views, input_.curves, matches_, FindFrozen(matches_), points,
+                reach * options_.robust_residual_px},
+               options_, &corrections, &control_, &refined.points);
+      views_ = Corrected(input_.views, corrections);
+    }
+    BringBack(&refined.points);
+    refined.views = views_;
+    return refined;
+  }
+
+  // What images do not tell goes back to where the given cameras had it.
+  void BringBack(std::vector<Eigen::Vector3d>* points) {
+    std::vector<Eigen::Vector3d>& positions = control_.position;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::vector<Eigen::Vector3d>* of : {&positions, points}) {
+      for (const Eigen::Vector3d& point : *of) middle += point;
+    }
+    if (positions.empty() && points->empty()) return;
+    middle /= static_cast<double>(positions.size() + points->size());
+    const Eigen::Affine3d back = GivenFromRefined(input_.views, views_, middle);
+    views_ = Moved(views_, back);
+    for (std::vector<Eigen::Vector3d>* of : {&positions, points}) {
+      for (Eigen::Vector3d& point : *of) point = back * point;
+    }
+    UpdateTangents(&control_);
   }
 
   void Fit(int round) {
-    Match();
+    Match(1);
     frozen_ = FindFrozen(matches_);
     const bool last = round + 1 == options_.num_rounds;
-    FitCurves({input_.views, input_.curves, matches_, frozen_}, options_, context_, &control_,
+    FitCurves({views_, input_.curves, matches_, frozen_}, options_, context_, &control_,
               last ? &covariances_ : nullptr);
+  }
+
+  void ScaleCovariances() {
+    const std::vector<double> factors =
+        VarianceFactors({input_.curves, control_, matches_, frozen_}, options_);
+    for (size_t p = 0; p < factors.size(); ++p) {
+      if (covariances_[p]) *covariances_[p] *= factors[p];
+    }
   }
 
   std::vector<double> Sigmas(const ControlLink& link) const {
@@ -137,6 +192,13 @@ class Refiner {
     return sigmas;
   }
 
+  // Views do not show a link as near as edgels are asked for: it is not known any better.
+  double LeastSigmaUnfitted(const ControlLink& link) const {
+    double largest = 0;
+    for (const int id : link.points) largest = std::max(largest, control_.footprint[id]);
+    return options_.max_distance_px * largest;
+  }
+
   // Fitted links get their control points; the others keep their points and only follow their
   // nodes.
   void SetGeometry(DrawingGraph* graph) const {
@@ -148,6 +210,8 @@ class Refiner {
       if (frozen_[l]) {
         FollowEnds(control_.position[link.node0], control_.position[link.node1],
                    &link.points_in_world);
+        const double least = LeastSigmaUnfitted(control_.links[l]);
+        for (double& sigma : link.sigma) sigma = std::max(sigma, least);
         continue;
       }
       link.points_in_world.clear();
@@ -185,6 +249,7 @@ class Refiner {
   const RefinementInput& input_;
   const RefinementOptions& options_;
   const RunContext& context_;
+  std::vector<View> views_;  // with refined cameras
   std::vector<std::unique_ptr<EdgelIndex>> edgels_;
   ControlGraph control_;
   std::vector<std::vector<ViewId>> asked_;

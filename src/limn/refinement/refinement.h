@@ -1,9 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
 #include "limn/refinement/refinement_options.h"
 #include "limn/util/parallel.h"
@@ -17,10 +21,20 @@ struct RefinementInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;
   const DrawingGraph& graph;
+  // Of the sparse model; only used to refine poses. Null: there are none.
+  const std::vector<ScenePoint>* points = nullptr;
+};
+
+// The cameras that a drawing was fitted with, when they were refined.
+struct RefinedCameras {
+  std::vector<View> views;              // as in the input; poses and focal lengths are new
+  std::vector<Eigen::Vector3d> points;  // positions of the input's points
 };
 
 struct RefinementResult {
   DrawingGraph graph;
+  // Only with refine_poses.
+  std::optional<RefinedCameras> cameras;
   StageSummary summary;
 };
 
@@ -31,9 +45,12 @@ struct RefinementResult {
 // that decides only where the edgels leave a place open, and none across corners. Only a link's
 // supporting views are asked, and edgels whose brighter side is not that of nearly all others are
 // left out: they belong to the other side of a thin bar. The sigmas come from the inverse of the
-// normal matrix. Links that too few views show keep their shape; links that then lie on others are
-// removed. The result passes Validate(). Throws OptionError and Cancelled. Time: rounds times
-// length of all links in px times views.
+// normal matrix, scaled by how well the views agree (variance_factors.h). Links that too few views
+// show keep their shape, with sigmas of at least max_distance_px; links that then lie on others are
+// removed. With `refine_poses` rounds go before in which the cameras move too, together with curves
+// and points (pose_fit.h), after which place, orientation and scale of the whole are those of the
+// given cameras again (gauge.h). The result passes Validate(). Throws OptionError and Cancelled.
+// Time: rounds times length of all links in px times views.
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const RunContext& context);
 

@@ -17,6 +17,7 @@ void RefinementOptions::Check() const {
   LIMN_CHECK_OPTION(robust_residual_px, > 0);
   LIMN_CHECK_OPTION(correlation_px, > 0);
   LIMN_CHECK_OPTION(bending_sigma, > 0);
+  CheckOption(!refine_poses || num_rounds > 0, "refine_poses", 1, "0 when num_rounds is 0");
 }
 
 }  // namespace limn

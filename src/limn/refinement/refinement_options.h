@@ -25,6 +25,9 @@ struct RefinementOptions {
   // determine a place well win.
   double bending_sigma = 0.08;
 
+  // Refine the poses of the views and one focal length per camera too, from curves and points.
+  bool refine_poses = false;
+
   void Check() const;
 };
 

@@ -4,15 +4,18 @@
 
 namespace limn {
 
+Eigen::Vector2d AcrossInVirtual(const Edgel& edgel) {
+  const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
+  const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
+  return stored_from_virtual.transpose() * Eigen::Vector2d(tangent.y(), -tangent.x());
+}
+
 std::optional<EdgelResidual> ResidualToEdgel(const View& view, const Edgel& edgel,
                                              const Eigen::Vector3d& point_in_world) {
   const Eigen::Vector3d point = view.cam_from_world * point_in_world;
   if (!(point.z() > 0)) return std::nullopt;
   const Eigen::Vector2d pixel = view.camera.Project(point);
-  const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
-  const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
-  const Eigen::Vector2d normal(tangent.y(), -tangent.x());
-  const Eigen::Vector2d row = stored_from_virtual.transpose() * normal;
+  const Eigen::Vector2d row = AcrossInVirtual(edgel);
   const double fx = view.camera.fx / point.z();
   const double fy = view.camera.fy / point.z();
   const Eigen::Vector3d gradient_in_cam(

@@ -9,6 +9,9 @@
 
 namespace limn {
 
+// The row that turns an offset in the virtual image into its part across the edgel, stored pixels.
+Eigen::Vector2d AcrossInVirtual(const Edgel& edgel);
+
 // Signed distance, stored pixels, of a projected point from the tangent line of an edgel, and its
 // gradient with respect to the point in the world.
 struct EdgelResidual {

@@ -162,9 +162,21 @@ TEST(Rig, IsAppliedWhenAModelIsRead) {
   SparseModel model = ReadModel(dir.path());
   EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("frames.bin is missing")));
   EXPECT_EQ(model.images[0].cam_from_world.translation.x(), 0.9);
+  EXPECT_FALSE(model.has_rigs);
   dir.WriteFile("frames.bin", FramesBinary());
   model = ReadModel(dir.path());
   EXPECT_EQ(model.images[0].cam_from_world.translation.x(), 1);
+  EXPECT_TRUE(model.has_rigs);
+}
+
+TEST(Rig, OfSingleCamerasIsNone) {
+  const TempDir dir;
+  WriteModelText(MakeModel(), dir.path());
+  dir.WriteFile("rigs.txt", "1 1 CAMERA 3\n2 1 CAMERA 7\n");
+  dir.WriteFile("frames.txt", "1 1 1 0 0 0 1 2 3 1 CAMERA 3 9\n");
+  const SparseModel model = ReadModel(dir.path());
+  EXPECT_EQ(model.images[0].cam_from_world.translation, Eigen::Vector3d(1, 2, 3));
+  EXPECT_FALSE(model.has_rigs);
 }
 
 }  // namespace

@@ -125,6 +125,44 @@ TEST_F(ToViewsTest, PointsBecomeHintsInSelectedViews) {
   EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("1 3D points are seen by no image")));
 }
 
+TEST_F(ToViewsTest, HintsTellWhereViewsSeeThem) {
+  WriteImage("c.png", 400, 300);
+  const ViewSet set = Views();
+  const std::vector<PointPixel>& pixels = set.hints.points[0].pixels;
+  ASSERT_EQ(pixels.size(), 2u);
+  EXPECT_EQ(pixels[0].view, 0);
+  EXPECT_EQ(pixels[1].view, 1);
+  EXPECT_LT((pixels[0].position_px - Eigen::Vector2d(32.5, 43.5)).norm(), 1e-12);
+  // (10.25, 20.5) in an image of half the size.
+  EXPECT_LT((pixels[1].position_px - Eigen::Vector2d(4.625, 9.75)).norm(), 1e-12);
+  EXPECT_EQ(set.hints.points[1].model_index, 1);
+}
+
+TEST_F(ToViewsTest, HintsArePixelsOfTheVirtualImage) {
+  SetCamera3(CameraModelId::kRadial);
+  const ViewSet set = Views();
+  const Eigen::Vector2d& pixel = set.hints.points[0].pixels[0].position_px;
+  const auto stored = set.views[0].StoredFromVirtual(pixel);
+  ASSERT_TRUE(stored);
+  EXPECT_LT((*stored - Eigen::Vector2d(32.5, 43.5)).norm(), 1e-6);
+  EXPECT_GT((pixel - *stored).norm(), 1);
+}
+
+TEST_F(ToViewsTest, ObservationsThatAreNotThereGiveNoPixel) {
+  model_.points[0].track = {{9, 17}, {5, 0}};
+  const ViewSet set = Views();
+  EXPECT_THAT(set.hints.points[0].views, ElementsAre(0, 1));
+  ASSERT_EQ(set.hints.points[0].pixels.size(), 1u);
+  EXPECT_EQ(set.hints.points[0].pixels[0].view, 0);
+}
+
+TEST_F(ToViewsTest, ViewsKnowTheirCamera) {
+  const ViewSet set = Views();
+  EXPECT_EQ(set.views[0].camera_index, 1);
+  EXPECT_EQ(set.views[1].camera_index, 1);
+  EXPECT_EQ(set.views[2].camera_index, 0);
+}
+
 TEST_F(ToViewsTest, ResizedImagesRescaleTheIntrinsics) {
   WriteImage("c.png", 400, 300);
   const ViewSet set = Views();

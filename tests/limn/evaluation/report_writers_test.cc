@@ -67,6 +67,23 @@ TEST(ReportWriters, JsonHasNullForAbsentShares) {
   EXPECT_TRUE(json.at("saw_teeth").is_null());
 }
 
+TEST(ReportWriters, NormalisedErrorsAreToldWhereKnown) {
+  EvaluationReport report;
+  std::ostringstream without;
+  PrintReport(report, without);
+  EXPECT_EQ(without.str().find("normalised errors"), std::string::npos);
+  report.normalised_errors = NormalisedErrors{40, 2, 1.25, 1.5, 0.75};
+  std::ostringstream text;
+  PrintReport(report, text);
+  EXPECT_NE(text.str().find("mean 1.25, by the median 0.75 of 40 vertices"), std::string::npos);
+  std::ostringstream json;
+  WriteReportJson(report, json);
+  const nlohmann::json errors = nlohmann::json::parse(json.str()).at("normalised_errors");
+  EXPECT_EQ(errors.at("variance"), 1.25);
+  EXPECT_EQ(errors.at("variance_with_false"), 1.5);
+  EXPECT_EQ(errors.at("num_false"), 2);
+}
+
 TEST(ReportWriters, SawTeethAreToldWhereKnown) {
   EvaluationReport report = SmallReport();
   std::ostringstream without, table, csv, json;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "colmap_ext/commands/project.h"
+#include "limn/refinement/refinement.h"
+
+namespace limn::colmap_ext {
+
+// The refined cameras go to refined/ beside the drawing. To be called before any work: throws
+// OptionError if the model that is read is there itself, or a binary one that would hide the text
+// files. Does nothing unless poses are refined.
+void CheckRefinedFolder(const Project& project, const RunOptions& options);
+
+// The views that the drawing fits: refined ones if there are any.
+const std::vector<View>& ViewsOfDrawing(const Project& project,
+                                        const std::optional<RefinedCameras>& cameras);
+
+// Write refined/cameras.txt, images.txt and points3D.txt: the model that was read, with refined
+// poses, focal lengths and points (see ApplyRefinement). Rigs and frames are not written: the poses
+// were refined each for itself, which is said. Nothing without refined cameras.
+void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
+                       Console* console);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,103 @@
+#include "limn/refinement/variance_factors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "limn/refinement/curve_terms.h"
+#include "limn/support/edgel_residual.h"
+
+namespace limn {
+namespace {
+
+constexpr double kHalfWindowPx = 6;
+// Views that say beforehand that the weights are right.
+constexpr double kPriorViews = 4;
+// A curve has two directions across it.
+constexpr double kFreedoms = 2;
+
+// Residuals of the edgels of one view, each over its variance.
+struct ViewSums {
+  double weight = 0;    // 1 / px^2
+  double residual = 0;  // 1 / px
+};
+
+using SumsOfViews = std::map<ViewId, ViewSums>;
+
+void Add(const LinkSample& sample, const std::vector<ImageCurves>& curves, SumsOfViews* sums) {
+  for (const EdgelPull& pull : sample.pulls) {
+    const Edgel& edgel = curves[pull.ref.view].edge_map.edgels[pull.ref.edgel];
+    const double weight = pull.weight / ResidualVariance(edgel);
+    ViewSums& of_view = (*sums)[pull.ref.view];
+    of_view.weight += weight;
+    of_view.residual += weight * pull.residual_px;
+  }
+}
+
+// Of the mean residuals of the views, never below 1.
+double ReducedChiSquare(const SumsOfViews& sums) {
+  double chi_square = 0;
+  for (const auto& [view, of_view] : sums) {
+    chi_square += of_view.residual * of_view.residual / of_view.weight;
+  }
+  const double freedoms = std::max(0.0, static_cast<double>(sums.size()) - kFreedoms);
+  return std::max(1.0, (kPriorViews + chi_square) / (kPriorViews + freedoms));
+}
+
+// Around every control point of a link, over the samples within `half_window` segments.
+std::vector<double> ReducedChiSquares(const std::vector<ImageCurves>& curves,
+                                      const ControlLink& link, const LinkMatches& matches,
+                                      int half_window) {
+  std::vector<double> result;
+  const auto first_at = [&](int segment) {
+    return std::partition_point(matches.begin(), matches.end(),
+                                [&](const LinkSample& s) { return s.segment < segment; });
+  };
+  for (int k = 0; k <= link.NumSegments(); ++k) {
+    SumsOfViews sums;
+    const auto end = first_at(k + half_window);
+    for (auto sample = first_at(k - half_window); sample != end; ++sample) {
+      Add(*sample, curves, &sums);
+    }
+    result.push_back(ReducedChiSquare(sums));
+  }
+  return result;
+}
+
+// Per control point the squared bend there, over its variance; 0 where nothing bends.
+std::vector<double> SquaredBends(const ControlGraph& control, const RefinementOptions& options) {
+  std::vector<double> squares(control.position.size(), 0);
+  for (const auto& bend : control.bends) {
+    double& square = squares[bend[1]];
+    square = std::max(square, SquaredBend(bend, options, control));
+  }
+  return squares;
+}
+
+}  // namespace
+
+std::vector<double> VarianceFactors(const VarianceInput& input, const RefinementOptions& options) {
+  const ControlGraph& control = input.control;
+  const int half_window =
+      std::max(1, static_cast<int>(std::lround(kHalfWindowPx / options.control_spacing_px)));
+  const std::vector<double> bends = SquaredBends(control, options);
+  std::vector<double> factors(control.position.size(), 1);
+  for (size_t l = 0; l < control.links.size(); ++l) {
+    if (input.frozen[l]) continue;
+    const ControlLink& link = control.links[l];
+    const std::vector<double> chi_squares =
+        ReducedChiSquares(input.curves, link, input.matches[l], half_window);
+    for (int k = 0; k <= link.NumSegments(); ++k) {
+      double bend = 0;
+      const int end = std::min(k + half_window, link.NumSegments());
+      for (int i = std::max(k - half_window, 0); i <= end; ++i) {
+        bend = std::max(bend, bends[link.points[i]]);
+      }
+      double& factor = factors[link.points[k]];
+      factor = std::max(factor, chi_squares[k] * (1 + bend));
+    }
+  }
+  return factors;
+}
+
+}  // namespace limn

@@ -1,0 +1,36 @@
+#include "limn/refinement/gauge.h"
+
+#include <gtest/gtest.h>
+
+#include "support/synthetic_scene.h"
+
+namespace limn {
+namespace {
+
+Eigen::Affine3d SomeSimilarity() {
+  return Eigen::Translation3d(0.1, -0.3, 0.2) *
+         Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()) * Eigen::Scaling(1.2);
+}
+
+TEST(Gauge, MovedViewsSeeTheMovedSceneAsBefore) {
+  const std::vector<View> views = testing::DomeViews(5, 4);
+  const std::vector<View> moved = Moved(views, SomeSimilarity());
+  const Eigen::Vector3d point(0.3, 0.2, -0.1);
+  for (size_t v = 0; v < views.size(); ++v) {
+    const auto before = views[v].Project(point);
+    const auto after = moved[v].Project(SomeSimilarity() * point);
+    ASSERT_TRUE(before && after);
+    EXPECT_LT((*before - *after).norm(), 1e-9);
+  }
+}
+
+// Two views: their centres alone would leave a turn about the line between them open.
+TEST(Gauge, TwoViewsFixEverything) {
+  const std::vector<View> views = testing::DomeViews(2, 4);
+  const std::vector<View> moved = Moved(views, SomeSimilarity());
+  const Eigen::Affine3d back = GivenFromRefined(views, moved, Eigen::Vector3d::Zero());
+  EXPECT_LT((back.matrix() - SomeSimilarity().inverse().matrix()).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace limn
