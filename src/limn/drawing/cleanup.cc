@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "limn/drawing/forks.h"
 #include "limn/drawing/graph_assembly.h"
 #include "limn/drawing/vertex_grid.h"
 
@@ -161,13 +162,6 @@ class CoverageCheck {
   }
 
  private:
-  static Eigen::Vector3d Direction(const DraftLink& link, int k) {
-    const int last = link.size() - 1;
-    const Eigen::Vector3d chord =
-        link.position[std::min(k + 1, last)] - link.position[std::max(k - 1, 0)];
-    return chord.norm() > 0 ? Eigen::Vector3d(chord.normalized()) : chord;
-  }
-
   bool Covered(int id, const std::vector<uint8_t>& keep) const {
     const DraftLink& link = draft_.links[id];
     const double min_cosine = std::cos(options_.max_link_angle_deg * kDeg);
@@ -175,7 +169,7 @@ class CoverageCheck {
     for (int k = 0; k < link.size(); ++k) {
       const double footprint = link.footprint[k];
       const double radius = 2 * options_.merge_distance_px * footprint;
-      const Eigen::Vector3d direction = Direction(link, k);
+      const Eigen::Vector3d direction = TangentAt(link, k);
       bool found = false;
       grid_.ForEachNear(link.position[k], footprint, [&](int place) {
         const auto& [other, index] = places_[place];
@@ -188,7 +182,7 @@ class CoverageCheck {
         const double chi_squared = across.dot(link.information[k] * across);
         const bool near = across.norm() <= options_.merge_distance_px * footprint ||
                           (across.norm() <= radius && chi_squared < 9);
-        found = near && std::abs(Direction(draft_.links[other], index).dot(direction)) > min_cosine;
+        found = near && std::abs(TangentAt(draft_.links[other], index).dot(direction)) > min_cosine;
       });
       covered += found;
     }
@@ -215,6 +209,7 @@ int64_t Remove(const std::vector<uint8_t>& keep, Draft* draft) {
 
 CleanupCounts CleanUp(const DrawingOptions& options, Draft* draft) {
   CleanupCounts counts;
+  counts.forks_cut = CutForks(options, draft);
   counts.dissolved_nodes += NodeCleaner(options, draft).Run();
   counts.samples_covered += Remove(CoverageCheck(options, *draft).NotCovered(), draft);
   for (bool changed = true; changed;) {

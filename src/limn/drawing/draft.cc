@@ -103,6 +103,12 @@ double ArcPx(const DraftLink& link, int from, int to) {
 
 double LengthPx(const DraftLink& link) { return ArcPx(link, 0, link.size() - 1); }
 
+Eigen::Vector3d TangentAt(const DraftLink& link, int point) {
+  const int last = link.size() - 1;
+  return (link.position[std::min(point + 1, last)] - link.position[std::max(point - 1, 0)])
+      .stableNormalized();
+}
+
 EndLine LineAtEnd(const DraftLink& link, int end) {
   const int size = link.size();
   const auto at = [&](int k) { return end == 0 ? k : size - 1 - k; };

@@ -46,6 +46,9 @@ Draft FitLinks(const SampleSet& samples, const MergedCurves& merged, const Drawi
 double ArcPx(const DraftLink& link, int from, int to);
 double LengthPx(const DraftLink& link);
 
+// Unit direction of the link at a point; zero where it has no extent.
+Eigen::Vector3d TangentAt(const DraftLink& link, int point);
+
 // Unit direction in which a link leaves at an end, from a line fitted to its last pixels; and that
 // line's point at the end. Zero direction for a link without extent.
 struct EndLine {

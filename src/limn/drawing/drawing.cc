@@ -96,6 +96,7 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
                   {"ends joined to nodes", junctions.joined_nodes},
                   {"edges grown from corners", grown},
                   {"short edges between nodes", short_edges},
+                  {"forks cut", cleanup.forks_cut},
                   {"dissolved nodes", cleanup.dissolved_nodes}};
   summary.dropped = {
       {"samples: too few views after re-triangulation", retriangulation.too_few_views},

@@ -37,6 +37,7 @@ void DrawingOptions::Check() const {
   LIMN_CHECK_OPTION(max_junction_miss_px, >= 0);
   LIMN_CHECK_OPTION(max_short_edge_px, >= 0);
   LIMN_CHECK_OPTION(min_junction_views, >= 1);
+  LIMN_CHECK_OPTION(min_junction_angle_deg, >= 0);
   LIMN_CHECK_OPTION(max_continuation_angle_deg, >= 0);
 }
 

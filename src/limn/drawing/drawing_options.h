@@ -64,6 +64,8 @@ struct DrawingOptions {
   double max_short_edge_px = 30;
   // Views in which the images must show that the curves meet.
   int min_junction_views = 3;
+  // Links that leave a node nearer to each other than this are strands of one edge, no junction.
+  double min_junction_angle_deg = 25;
   // Two links that meet alone in a node and turn by less than this are one link.
   double max_continuation_angle_deg = 30;
 

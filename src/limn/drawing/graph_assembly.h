@@ -7,14 +7,15 @@
 namespace limn {
 
 struct CleanupCounts {
+  int64_t forks_cut = 0;  // ends freed that left a node alongside another link
   int64_t dissolved_nodes = 0;
   int64_t samples_pruned = 0;   // in links that were too short, hanging by one end or by none
   int64_t samples_covered = 0;  // in links that ran along another
 };
 
-// Tidy the draft until nothing changes: nodes in which two links meet alone and go on smoothly
-// dissolve, short links that hang by one end or by none and links that run along others are
-// removed.
+// Tidy the draft until nothing changes: forks are cut (forks.h), nodes in which two links meet
+// alone and go on smoothly dissolve, short links that hang by one end or by none and links that run
+// along others are removed.
 CleanupCounts CleanUp(const DrawingOptions& options, Draft* draft);
 
 // The graph of a draft: free ends and loops get nodes, node positions are the mean of the incident

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "limn/drawing/occluding_contours.h"
 #include "limn/support/edgel_residual.h"
 
 namespace limn {
@@ -51,12 +52,6 @@ int NumPrimaryViews(const SampleSet& samples, const DraftLink& link) {
     for (const int s : of_point) views.insert(samples.origins[samples.curve_of[s]].anchor_view);
   }
   return static_cast<int>(views.size());
-}
-
-Eigen::Vector3d TangentAt(const DraftLink& link, int k) {
-  const int last = link.size() - 1;
-  return (link.position[std::min(k + 1, last)] - link.position[std::max(k - 1, 0)])
-      .stableNormalized();
 }
 
 // Edgels of certain links, and what is left for the others.
@@ -141,12 +136,19 @@ class Claims {
 
 std::vector<uint8_t> BelievedLinks(const LinkJudgementInput& input, const DrawingOptions& options,
                                    const Draft& draft, const RunContext& context) {
+  std::vector<uint8_t> possible(draft.links.size(), 0);
+  ParallelFor(context, "occluding contours", draft.links.size(), [&](size_t l) {
+    const DraftLink& link = draft.links[l];
+    possible[l] =
+        NumPrimaryViews(input.samples, link) >= kMinMergedViews &&
+        !IsOccludingContour(link, input.views, input.curves, input.evidence, options.Gate());
+  });
   std::vector<uint8_t> believed(draft.links.size(), 0);
   std::vector<int> uncertain;
   Claims claims(input, options);
   for (size_t l = 0; l < draft.links.size(); ++l) {
+    if (!possible[l]) continue;
     const DraftLink& link = draft.links[l];
-    if (NumPrimaryViews(input.samples, link) < kMinMergedViews) continue;
     const double required =
         std::clamp(options.primary_views_share * MeanContaining(link, input.views),
                    options.min_primary_views, options.max_primary_views);

@@ -21,7 +21,8 @@ struct LinkJudgementInput {
 };
 
 // Which links to believe, 1 or 0 each. Samples of two primary views must have been merged into a
-// link: curves that only agree may have been merged into another one. It is certain when enough
+// link: curves that only agree may have been merged into another one. It must not be an occluding
+// contour (occluding_contours.h). It is certain when enough
 // primary views agree with it in the mean over its length (primary_views_share). Any other link
 // must explain edgels that no certain link explains: it is believed when such edgels run along it
 // in enough more views than along copies of it shifted sideways, which tell what chance does

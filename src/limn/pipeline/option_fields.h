@@ -136,6 +136,8 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
         "how near their tangent lines must pass, px");
   visit("max_short_edge_px", o.max_short_edge_px, "longest edge found from its two ends alone, px");
   visit("min_junction_views", o.min_junction_views, "images that must show the meeting");
+  visit("min_junction_angle_deg", o.min_junction_angle_deg,
+        "links that leave a node nearer to each other do not meet there, deg");
   visit("max_continuation_angle_deg", o.max_continuation_angle_deg,
         "two links that turn by less are one, deg");
 }

@@ -1,0 +1,142 @@
+#include "limn/drawing/occluding_contours.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limn/support/edgel_residual.h"
+
+namespace limn {
+namespace {
+
+constexpr double kDeg = M_PI / 180;
+// Points at which a link is asked, at most.
+constexpr int kMaxProbes = 60;
+// Support over less than this share of the directions in which a link is in the image is narrow.
+constexpr double kNarrowShare = 0.5;
+// Views this near to a supporting one show where the outline went, and how far it may have gone.
+constexpr double kBesideRad = 20 * kDeg;
+constexpr double kMaxShiftPx = 10;
+// A moved edgel keeps its direction, and lies beside the point.
+constexpr double kSameDirectionRad = 12 * kDeg;
+constexpr double kMaxAlongPx = 1.5;
+// Share of those views that must show it moved to the same side, more than to the other.
+constexpr double kOneSidedShare = 0.5;
+
+// A view that contains a point of a link.
+struct Sight {
+  ViewId view = -1;
+  Eigen::Vector2d pixel;
+  double direction = 0;  // of the link, in the image
+  Eigen::Vector3d ray;   // unit, from the camera, without its part along the link
+};
+
+double Angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
+}
+
+double Spread(const std::vector<Sight>& sights) {
+  double spread = 0;
+  for (size_t i = 0; i < sights.size(); ++i) {
+    for (size_t j = i + 1; j < sights.size(); ++j) {
+      spread = std::max(spread, Angle(sights[i].ray, sights[j].ray));
+    }
+  }
+  return spread;
+}
+
+// Sums over the points of a link.
+class ContourTest {
+ public:
+  ContourTest(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+              const std::vector<std::unique_ptr<ViewEvidence>>& evidence, const SupportGate& gate)
+      : views_(views), curves_(curves), evidence_(evidence), gate_(gate) {}
+
+  void Add(const Eigen::Vector3d& point, const Eigen::Vector3d& tangent) {
+    std::vector<Sight> all;
+    std::vector<Sight> supporting;
+    std::vector<Sight> others;
+    int polarity = 0;  // in how many more supporting views it is brighter to the left than right
+    for (size_t v = 0; v < views_.size(); ++v) {
+      const auto pixel = views_[v].Project(point);
+      const auto direction = ProjectedDirection(views_[v], point, tangent);
+      if (!pixel || !direction) continue;
+      const Eigen::Vector3d sight = point - views_[v].CenterInWorld();
+      all.push_back({static_cast<ViewId>(v), *pixel, *direction,
+                     (sight - sight.dot(tangent) * tangent).stableNormalized()});
+      const auto match = evidence_[v]->edgels.Best(*pixel, *direction, gate_);
+      (match ? supporting : others).push_back(all.back());
+      if (match) polarity += AlongDirection(all.back(), match->edgel) > 0 ? 1 : -1;
+    }
+    supported_spread_ += Spread(supporting);
+    whole_spread_ += Spread(all);
+    for (const Sight& sight : others) {
+      if (!IsBeside(sight, supporting)) continue;
+      ++num_beside_;
+      side_ += SideOfNearest(sight, polarity);
+    }
+  }
+
+  bool IsOccludingContour() const {
+    return supported_spread_ < kNarrowShare * whole_spread_ &&
+           std::abs(side_) > kOneSidedShare * num_beside_;
+  }
+
+ private:
+  // Cosine between the direction of the link and of an edgel, which has the brighter side on its
+  // left.
+  double AlongDirection(const Sight& sight, EdgelId id) const {
+    const Eigen::Vector2d along(std::cos(sight.direction), std::sin(sight.direction));
+    return along.dot(curves_[sight.view].edge_map.edgels[id].Tangent());
+  }
+
+  static bool IsBeside(const Sight& sight, const std::vector<Sight>& supporting) {
+    return std::any_of(supporting.begin(), supporting.end(), [&](const Sight& other) {
+      return Angle(sight.ray, other.ray) < kBesideRad;
+    });
+  }
+
+  // On which side of the point the nearest edgel like the supporting ones is: 1, -1, 0 = none.
+  int SideOfNearest(const Sight& sight, int polarity) const {
+    const Eigen::Vector2d along(std::cos(sight.direction), std::sin(sight.direction));
+    const Eigen::Vector2d across(-along.y(), along.x());
+    double nearest = kMaxShiftPx;
+    int side = 0;
+    evidence_[sight.view]->edgels.ForEachWithin(sight.pixel, kMaxShiftPx, [&](EdgelId id) {
+      const Eigen::Vector2d offset =
+          curves_[sight.view].edge_map.edgels[id].position_px - sight.pixel;
+      const double cosine = AlongDirection(sight, id);
+      if (std::abs(offset.dot(along)) > kMaxAlongPx || cosine * polarity <= 0 ||
+          std::abs(cosine) < std::cos(kSameDirectionRad)) {
+        return;
+      }
+      const double shift = offset.dot(across);
+      if (std::abs(shift) >= nearest) return;
+      nearest = std::abs(shift);
+      side = shift > 0 ? 1 : -1;
+    });
+    return side;
+  }
+
+  const std::vector<View>& views_;
+  const std::vector<ImageCurves>& curves_;
+  const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
+  const SupportGate gate_;
+  double supported_spread_ = 0;
+  double whole_spread_ = 0;
+  int num_beside_ = 0;
+  int side_ = 0;
+};
+
+}  // namespace
+
+bool IsOccludingContour(const DraftLink& link, const std::vector<View>& views,
+                        const std::vector<ImageCurves>& curves,
+                        const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                        const SupportGate& gate) {
+  ContourTest test(views, curves, evidence, gate);
+  const int step = std::max(1, link.size() / kMaxProbes);
+  for (int k = 0; k < link.size(); k += step) test.Add(link.position[k], TangentAt(link, k));
+  return test.IsOccludingContour();
+}
+
+}  // namespace limn
