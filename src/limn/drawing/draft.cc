@@ -109,6 +109,13 @@ Eigen::Vector3d TangentAt(const DraftLink& link, int point) {
       .stableNormalized();
 }
 
+std::vector<int> ProbePoints(const DraftLink& link, int count) {
+  const int step = std::max(1, (link.size() + count - 1) / count);
+  std::vector<int> points;
+  for (int k = 0; k < link.size(); k += step) points.push_back(k);
+  return points;
+}
+
 EndLine LineAtEnd(const DraftLink& link, int end) {
   const int size = link.size();
   const auto at = [&](int k) { return end == 0 ? k : size - 1 - k; };

@@ -49,6 +49,9 @@ double LengthPx(const DraftLink& link);
 // Unit direction of the link at a point; zero where it has no extent.
 Eigen::Vector3d TangentAt(const DraftLink& link, int point);
 
+// At most `count` points of a link, evenly spread, by which it is judged.
+std::vector<int> ProbePoints(const DraftLink& link, int count);
+
 // Unit direction in which a link leaves at an end, from a line fitted to its last pixels; and that
 // line's point at the end. Zero direction for a link without extent.
 struct EndLine {

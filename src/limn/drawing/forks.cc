@@ -14,7 +14,7 @@ struct Leaving {
   double length_px = 0;
 };
 
-// The pair of a node's links that leave it at the smallest angle; a.first < 0 if there are none.
+// The pair of a node's links that leave it at the smallest angle; -1, -1 if there are none.
 std::pair<int, int> SharpestPair(const std::vector<Leaving>& leaving, double min_cosine) {
   std::pair<int, int> best = {-1, -1};
   double largest = min_cosine;

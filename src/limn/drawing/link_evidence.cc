@@ -12,7 +12,7 @@ namespace {
 
 // Primary views whose samples a link has.
 constexpr int kMinMergedViews = 2;
-// An edgel this near to a claimed one belongs to the same edge, px.
+// An edgel this near to a claimed one belongs to the same edge, virtual px.
 constexpr double kSameEdgePx = 1.5;
 // Shifts of the copies that measure what chance does, px, each in four directions.
 constexpr double kShiftsPx[] = {6, 10};
@@ -64,66 +64,74 @@ class Claims {
     }
   }
 
-  void Add(const DraftLink& link) {
+  // Claim the edgels of one view that run along a link. Views are independent.
+  void Add(size_t view, const DraftLink& link) {
     for (int k = 0; k < link.size(); ++k) {
-      const Eigen::Vector3d tangent = TangentAt(link, k);
-      for (size_t v = 0; v < input_.views.size(); ++v) {
-        const EdgelId id = EdgelAt(v, link.position[k], tangent);
-        if (id != kInvalidEdgel) claimed_[v][id] = true;
-      }
+      const EdgelId id = EdgelAt(view, link.position[k], TangentAt(link, k));
+      if (id != kInvalidEdgel) claimed_[view][id] = true;
     }
   }
 
-  // Mean number of views in which edgels that nobody has claimed run along a link, less what the
-  // link's copies have by chance.
+  // Mean number of views in which edgels that nobody has claimed run along a link, less the number
+  // in which edgels run along its copies. Those count claimed ones too: beside edges that are
+  // known, little is worth believing.
   double OwnViews(const DraftLink& link) const {
+    const std::vector<int> probes = ProbePoints(link, kMaxProbes);
     int64_t own = 0;
     int64_t contained = 0;
-    int64_t copies = 0;
-    int64_t copies_with_edgel = 0;
-    int64_t probes = 0;
-    const int step = std::max(1, link.size() / kMaxProbes);
-    for (int k = 0; k < link.size(); k += step) {
-      ++probes;
+    Copies copies;
+    for (const int k : probes) {
       const Eigen::Vector3d& point = link.position[k];
       const Eigen::Vector3d tangent = TangentAt(link, k);
-      const Eigen::Vector3d u = link.footprint[k] * tangent.unitOrthogonal();
-      const Eigen::Vector3d w = tangent.cross(u);
       for (size_t v = 0; v < input_.views.size(); ++v) {
         if (!input_.views[v].Project(point)) continue;
         ++contained;
         const EdgelId id = EdgelAt(v, point, tangent);
         own += id != kInvalidEdgel && !IsClaimed(v, id);
-        for (const double shift : kShiftsPx) {
-          for (const Eigen::Vector3d& offset : {u, w}) {
-            for (const double sign : {-1.0, 1.0}) {
-              ++copies;
-              copies_with_edgel +=
-                  EdgelAt(v, point + sign * shift * offset, tangent) != kInvalidEdgel;
-            }
-          }
-        }
+        AddCopies(v, point, tangent, link.footprint[k], &copies);
       }
     }
-    if (copies == 0) return 0;
-    const double chance = static_cast<double>(copies_with_edgel) / copies;
-    return (own - chance * contained) / probes;
+    if (copies.num == 0) return 0;
+    const double chance = static_cast<double>(copies.num_with_edgel) / copies.num;
+    return (own - chance * contained) / static_cast<double>(probes.size());
   }
 
  private:
-  EdgelId EdgelAt(size_t v, const Eigen::Vector3d& point, const Eigen::Vector3d& tangent) const {
-    const auto pixel = input_.views[v].Project(point);
-    const auto direction = ProjectedDirection(input_.views[v], point, tangent);
+  struct Copies {
+    int64_t num = 0;
+    int64_t num_with_edgel = 0;
+  };
+
+  // A point's copies beside the link, as one view has them.
+  void AddCopies(size_t view, const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
+                 double footprint, Copies* copies) const {
+    const Eigen::Vector3d u = footprint * tangent.unitOrthogonal();
+    const Eigen::Vector3d w = tangent.cross(u);
+    for (const double shift : kShiftsPx) {
+      for (const Eigen::Vector3d& offset : {u, w}) {
+        for (const double sign : {-1.0, 1.0}) {
+          const Eigen::Vector3d copy = point + sign * shift * offset;
+          if (!input_.views[view].Project(copy)) continue;
+          ++copies->num;
+          copies->num_with_edgel += EdgelAt(view, copy, tangent) != kInvalidEdgel;
+        }
+      }
+    }
+  }
+
+  EdgelId EdgelAt(size_t view, const Eigen::Vector3d& point, const Eigen::Vector3d& tangent) const {
+    const auto pixel = input_.views[view].Project(point);
+    const auto direction = ProjectedDirection(input_.views[view], point, tangent);
     if (!pixel || !direction) return kInvalidEdgel;
-    const auto match = input_.evidence[v]->edgels.Best(*pixel, *direction, gate_);
+    const auto match = input_.evidence[view]->edgels.Best(*pixel, *direction, gate_);
     return match ? match->edgel : kInvalidEdgel;
   }
 
-  bool IsClaimed(size_t v, EdgelId id) const {
+  bool IsClaimed(size_t view, EdgelId id) const {
     bool claimed = false;
-    input_.evidence[v]->edgels.ForEachWithin(
-        input_.curves[v].edge_map.edgels[id].position_px, kSameEdgePx,
-        [&](EdgelId near) { claimed = claimed || claimed_[v][near]; });
+    input_.evidence[view]->edgels.ForEachWithin(
+        input_.curves[view].edge_map.edgels[id].position_px, kSameEdgePx,
+        [&](EdgelId near) { claimed = claimed || claimed_[view][near]; });
     return claimed;
   }
 
@@ -132,38 +140,41 @@ class Claims {
   std::vector<std::vector<bool>> claimed_;  // per view, per edgel
 };
 
+enum Belief : uint8_t { kNotBelieved, kUncertain, kCertain };
+
+Belief FirstBelief(const LinkJudgementInput& input, const DrawingOptions& options,
+                   const DraftLink& link) {
+  if (NumPrimaryViews(input.samples, link) < kMinMergedViews ||
+      IsOccludingContour(link, input.views, input.curves, input.evidence, options.Gate())) {
+    return kNotBelieved;
+  }
+  const double required =
+      std::clamp(options.primary_views_share * MeanContaining(link, input.views),
+                 options.min_primary_views, options.max_primary_views);
+  return MeanAgreement(link, input.agreeing_views) >= required ? kCertain : kUncertain;
+}
+
 }  // namespace
 
 std::vector<uint8_t> BelievedLinks(const LinkJudgementInput& input, const DrawingOptions& options,
                                    const Draft& draft, const RunContext& context) {
-  std::vector<uint8_t> possible(draft.links.size(), 0);
-  ParallelFor(context, "occluding contours", draft.links.size(), [&](size_t l) {
-    const DraftLink& link = draft.links[l];
-    possible[l] =
-        NumPrimaryViews(input.samples, link) >= kMinMergedViews &&
-        !IsOccludingContour(link, input.views, input.curves, input.evidence, options.Gate());
-  });
-  std::vector<uint8_t> believed(draft.links.size(), 0);
-  std::vector<int> uncertain;
+  std::vector<Belief> belief(draft.links.size());
+  ParallelFor(context, "link agreement", belief.size(),
+              [&](size_t l) { belief[l] = FirstBelief(input, options, draft.links[l]); });
   Claims claims(input, options);
-  for (size_t l = 0; l < draft.links.size(); ++l) {
-    if (!possible[l]) continue;
-    const DraftLink& link = draft.links[l];
-    const double required =
-        std::clamp(options.primary_views_share * MeanContaining(link, input.views),
-                   options.min_primary_views, options.max_primary_views);
-    believed[l] = MeanAgreement(link, input.agreeing_views) >= required;
-    if (believed[l]) {
-      claims.Add(link);
-    } else {
-      uncertain.push_back(static_cast<int>(l));
+  ParallelFor(context, "claimed edgels", input.views.size(), [&](size_t v) {
+    for (size_t l = 0; l < belief.size(); ++l) {
+      if (belief[l] == kCertain) claims.Add(v, draft.links[l]);
     }
-  }
-  ParallelFor(context, "link evidence", uncertain.size(), [&](size_t i) {
-    const DraftLink& link = draft.links[uncertain[i]];
-    const double required = std::clamp(options.own_views_share * MeanContaining(link, input.views),
-                                       options.min_own_views, options.max_own_views);
-    believed[uncertain[i]] = claims.OwnViews(link) >= required;
+  });
+  std::vector<uint8_t> believed(belief.size(), 0);
+  ParallelFor(context, "link evidence", belief.size(), [&](size_t l) {
+    believed[l] = belief[l] == kCertain;
+    if (belief[l] != kUncertain) return;
+    const double required =
+        std::clamp(options.own_views_share * MeanContaining(draft.links[l], input.views),
+                   options.min_own_views, options.max_own_views);
+    believed[l] = claims.OwnViews(draft.links[l]) >= required;
   });
   return believed;
 }

@@ -25,7 +25,7 @@ struct LinkJudgementInput {
 // contour (occluding_contours.h). It is certain when enough
 // primary views agree with it in the mean over its length (primary_views_share). Any other link
 // must explain edgels that no certain link explains: it is believed when such edgels run along it
-// in enough more views than along copies of it shifted sideways, which tell what chance does
+// in enough more views than any do along copies of it shifted sideways, which tell what chance does
 // (own_views_share). Ours; not in the paper.
 // Time: points of all links times views, ten times that for uncertain links.
 std::vector<uint8_t> BelievedLinks(const LinkJudgementInput& input, const DrawingOptions& options,

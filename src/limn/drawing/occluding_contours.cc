@@ -13,7 +13,8 @@ constexpr double kDeg = M_PI / 180;
 constexpr int kMaxProbes = 60;
 // Support over less than this share of the directions in which a link is in the image is narrow.
 constexpr double kNarrowShare = 0.5;
-// Views this near to a supporting one show where the outline went, and how far it may have gone.
+// Views this near to a supporting one show where the outline went, and how far it may have gone,
+// virtual px.
 constexpr double kBesideRad = 20 * kDeg;
 constexpr double kMaxShiftPx = 10;
 // A moved edgel keeps its direction, and lies beside the point.
@@ -30,18 +31,15 @@ struct Sight {
   Eigen::Vector3d ray;   // unit, from the camera, without its part along the link
 };
 
-double Angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
-}
-
+// Largest angle between two of the rays.
 double Spread(const std::vector<Sight>& sights) {
-  double spread = 0;
+  double smallest_cosine = 1;
   for (size_t i = 0; i < sights.size(); ++i) {
     for (size_t j = i + 1; j < sights.size(); ++j) {
-      spread = std::max(spread, Angle(sights[i].ray, sights[j].ray));
+      smallest_cosine = std::min(smallest_cosine, sights[i].ray.dot(sights[j].ray));
     }
   }
-  return spread;
+  return std::acos(std::max(smallest_cosine, -1.0));
 }
 
 // Sums over the points of a link.
@@ -91,7 +89,7 @@ class ContourTest {
 
   static bool IsBeside(const Sight& sight, const std::vector<Sight>& supporting) {
     return std::any_of(supporting.begin(), supporting.end(), [&](const Sight& other) {
-      return Angle(sight.ray, other.ray) < kBesideRad;
+      return sight.ray.dot(other.ray) > std::cos(kBesideRad);
     });
   }
 
@@ -134,8 +132,9 @@ bool IsOccludingContour(const DraftLink& link, const std::vector<View>& views,
                         const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
                         const SupportGate& gate) {
   ContourTest test(views, curves, evidence, gate);
-  const int step = std::max(1, link.size() / kMaxProbes);
-  for (int k = 0; k < link.size(); k += step) test.Add(link.position[k], TangentAt(link, k));
+  for (const int k : ProbePoints(link, kMaxProbes)) {
+    test.Add(link.position[k], TangentAt(link, k));
+  }
   return test.IsOccludingContour();
 }
 

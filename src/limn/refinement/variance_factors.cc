@@ -30,7 +30,8 @@ void Add(const LinkSample& sample, const std::vector<ImageCurves>& curves, SumsO
     const double weight = pull.weight / ResidualVariance(edgel);
     ViewSums& of_view = (*sums)[pull.ref.view];
     of_view.weight += weight;
-    of_view.residual += weight * pull.residual_px;
+    // Signed by the sides of the link, not by those of the edgel.
+    of_view.residual += weight * (pull.bright_left ? 1 : -1) * pull.residual_px;
   }
 }
 

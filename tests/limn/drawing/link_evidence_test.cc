@@ -65,6 +65,19 @@ TEST(BelievedLinksTest, EdgelsOfACertainLinkDoNotCount) {
   EXPECT_EQ(scene.Believed(), (Believed{0, 1}));
 }
 
+TEST(BelievedLinksTest, EdgelsThatAreEverywhereDoNotCount) {
+  Scene scene;
+  std::vector<testing::SceneCurve> edges = {scene.edge};
+  for (const double px : {-10, -6, 6, 10}) {
+    const double shift = px * 5 / 600;
+    edges.push_back(testing::Segment({-0.2, shift, 0}, {0.2, shift, 0}));
+    edges.push_back(testing::Segment({-0.2, 0, shift}, {0.2, 0, shift}));
+  }
+  scene.curves = testing::ProjectCurves(scene.views, edges);
+  scene.AddLink({0, 0, 0}, {0, 1}, 1);
+  EXPECT_EQ(scene.Believed(), (Believed{0}));
+}
+
 TEST(BelievedLinksTest, OnePrimaryViewIsNeverEnough) {
   Scene scene;
   scene.AddLink({0, 0, 0}, {0}, 4);

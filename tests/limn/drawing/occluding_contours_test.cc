@@ -56,7 +56,7 @@ DraftLink LinkThrough(const Polyline3d& points) {
 }
 
 bool IsContour(const DraftLink& link, const std::vector<View>& views,
-          const std::vector<ImageCurves>& curves) {
+               const std::vector<ImageCurves>& curves) {
   const SupportGate gate = DrawingOptions().Gate();
   return IsOccludingContour(link, views, curves, BuildEvidence(views, curves, gate, {}), gate);
 }
