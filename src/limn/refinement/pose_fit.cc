@@ -224,15 +224,17 @@ class PoseProblem {
     }
   }
 
-  // Points that were moved behind a view that sees them.
+  // Points that went behind a view that sees them.
   void PutBackPointsBehind(const std::vector<Eigen::Vector3d>& before) {
     const std::vector<View> views = Corrected(input_.views, *corrections_);
     for (size_t p = 0; p < before.size(); ++p) {
       const std::vector<PointPixel>& pixels = input_.points[p].pixels;
-      const bool fits = std::all_of(pixels.begin(), pixels.end(), [&](const PointPixel& pixel) {
-        return IsInFront(views[pixel.view], (*positions_)[p]);
-      });
-      if (!fits) (*positions_)[p] = before[p];
+      const bool went_behind =
+          std::any_of(pixels.begin(), pixels.end(), [&](const PointPixel& pixel) {
+            return IsInFront(views_[pixel.view], before[p]) &&
+                   !IsInFront(views[pixel.view], (*positions_)[p]);
+          });
+      if (went_behind) (*positions_)[p] = before[p];
     }
   }
 
