@@ -35,9 +35,9 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   CheckGraph(result.graph);
   WriteSketchResults(project, SketchFileName(options.pipeline.mode), result.curves, result.sketch,
                      Provenance(options));
+  WriteRefinedModel(project, result.cameras, &console);
   WriteDrawingResults(project, ViewsOfDrawing(project, result.cameras), result.graph,
                       Provenance(options), &console);
-  WriteRefinedModel(project, result.cameras, &console);
   if (account) WriteAccount(project, result, &console);
   parser->WriteIni(project.CurvesPath("project.ini"));
   return 0;

@@ -1,6 +1,7 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/project.h"
+#include "colmap_ext/commands/refined_cameras.h"
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "limn/drawing/drawing.h"
@@ -23,6 +24,7 @@ int RunCurveDrawer(int argc, const char* const* argv) {
       options.pipeline.drawing, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
+  WriteRefinedModel(project, std::nullopt, &console);
   WriteDrawingResults(project, project.views(), result.graph,
                       DrawingProvenance(options, stored.metadata.options_json), &console);
   return 0;

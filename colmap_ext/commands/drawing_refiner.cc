@@ -29,9 +29,9 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
       options.pipeline.refinement, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
+  WriteRefinedModel(project, result.cameras, &console);
   WriteDrawingResults(project, ViewsOfDrawing(project, result.cameras), result.graph,
                       RefinementProvenance(options, drawing.metadata.options_json), &console);
-  WriteRefinedModel(project, result.cameras, &console);
   return 0;
 }
 

@@ -1,5 +1,6 @@
 #include "colmap_ext/commands/refined_cameras.h"
 
+#include <cstdio>
 #include <filesystem>
 
 #include "colmap_ext/workspace/model_writer.h"
@@ -14,20 +15,29 @@ std::string RefinedPath(const Project& project, const std::string& name) {
   return project.DrawingPath("refined/" + name);
 }
 
+bool ReadsRefinedFolder(const Project& project) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(project.DrawingPath("refined"), project.layout().model_dir,
+                                     ignored);
+}
+
 }  // namespace
 
 void CheckRefinedFolder(const Project& project, const RunOptions& options) {
   if (!options.pipeline.refinement.refine_poses) return;
   const std::string folder = project.DrawingPath("refined");
-  std::error_code ignored;
-  if (std::filesystem::equivalent(folder, project.layout().model_dir, ignored)) {
+  if (ReadsRefinedFolder(project)) {
     throw OptionError("DrawingRefinement.refine_poses = 1: " + folder +
                       " would be overwritten, but is the model that is read: choose another "
                       "output_path");
   }
-  if (std::filesystem::exists(RefinedPath(project, "images.bin"), ignored)) {
-    throw OptionError("DrawingRefinement.refine_poses = 1: the binary model in " + folder +
-                      " would hide the refined one: remove it or choose another output_path");
+  for (const char* name : {"cameras.bin", "images.bin", "points3D.bin", "rigs.bin", "frames.bin",
+                           "rigs.txt", "frames.txt"}) {
+    const std::string path = RefinedPath(project, name);
+    if (std::error_code ignored; !std::filesystem::exists(path, ignored)) continue;
+    throw OptionError("DrawingRefinement.refine_poses = 1: " + path +
+                      " would be read instead of what is refined, or change it: remove it or "
+                      "choose another output_path");
   }
 }
 
@@ -38,7 +48,15 @@ const std::vector<View>& ViewsOfDrawing(const Project& project,
 
 void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
                        Console* console) {
-  if (!cameras) return;
+  if (!cameras) {
+    const std::string stale = RefinedPath(project, "images.txt");
+    std::error_code ignored;
+    if (std::filesystem::exists(stale, ignored) && !ReadsRefinedFolder(project)) {
+      console->Say("WARNING: " + stale +
+                   " is of an earlier run and does not belong to this drawing");
+    }
+    return;
+  }
   SparseModel model = ReadModel(project.layout().model_dir);
   ApplyRefinement({cameras->views, project.views(), project.view_set().hints, cameras->points},
                   &model);
@@ -49,6 +67,10 @@ void WriteRefinedModel(const Project& project, const std::optional<RefinedCamera
   write("images.txt", WriteImagesText);
   write("points3D.txt", WritePointsText);
   console->Say("Written: " + RefinedPath(project, "{cameras,images,points3D}.txt"));
+  char moved[100];
+  std::snprintf(moved, sizeof moved, "by %.2f px (median), focal lengths by up to %.3f %%",
+                cameras->median_shift_px, 100 * cameras->largest_focal_change);
+  console->Say(std::string("Refined cameras move their images ") + moved);
   if (model.has_rigs) {
     console->Say(
         "WARNING: the model has rigs and frames; its images were refined each for itself, and the "

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "colmap_ext/commands/refined_cameras.h"
 #include "limn/evaluation/edgel_account.h"
 #include "limn/export/write_drawing.h"
 #include "limn/io/atomic_file.h"
@@ -117,9 +118,10 @@ void WriteDrawingResults(const Project& project, const std::vector<View>& views,
 }
 
 void WriteAccount(const Project& project, const PipelineResult& result, Console* console) {
-  const EdgelFates fates = AccountEdgels({project.views(), result.curves, result.sketch_fates,
-                                          result.sketch, result.sample_fates, result.graph},
-                                         console->context());
+  const EdgelFates fates =
+      AccountEdgels({ViewsOfDrawing(project, result.cameras), result.curves, result.sketch_fates,
+                     result.sketch, result.sample_fates, result.graph},
+                    console->context());
   WriteFileAtomically(project.CurvesPath("account.csv"),
                       [&](std::ostream& out) { WriteAccountCsv(project.views(), fates, out); });
   WritePictures(project, "account", console->context(), [&](ViewId v) {

@@ -19,7 +19,7 @@ struct RefinedScene {
 // Put refined cameras into the model that the given views and hints were made from. Focal lengths
 // are multiplied by the factor that those of the views have changed by; distortion and principal
 // points stay, images without a view keep their poses. The errors of the points are no longer
-// known.
+// known. Throws IoError, and changes nothing, if this is another model.
 void ApplyRefinement(const RefinedScene& refined, SparseModel* model);
 
 }  // namespace limn::colmap_ext

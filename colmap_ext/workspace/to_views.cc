@@ -11,7 +11,10 @@
 #include <unordered_map>
 #include <utility>
 
+#include <Eigen/LU>
+
 #include "colmap_ext/workspace/camera_lens_map.h"
+#include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -123,17 +126,23 @@ std::string MaskPath(const std::string& mask_dir, const std::string& image_name)
   return fs::is_regular_file(path, ignored) ? path.string() : "";
 }
 
-// Nothing if the observation is missing or beyond what the lens maps.
-std::optional<Eigen::Vector2d> VirtualPixel(const SparseModel& model, const View& view,
-                                            uint32_t observation) {
+// Nothing if the observation is missing, no number, or beyond what the lens maps.
+std::optional<PointPixel> PixelOf(const SparseModel& model, const std::vector<View>& views,
+                                  ViewId id, uint32_t observation) {
+  const View& view = views[id];
   const ModelImage& image = model.images[view.model_index];
   if (observation >= image.observations.size()) return std::nullopt;
-  const Camera& camera = model.CameraOf(image);
+  const Camera& camera = model.cameras[view.camera_index];
   const Eigen::Vector2d scale(view.camera.width / static_cast<double>(camera.width),
                               view.camera.height / static_cast<double>(camera.height));
   const Eigen::Vector2d stored_px =
       scale.cwiseProduct(image.observations[observation].position) - Eigen::Vector2d(0.5, 0.5);
-  return view.lens ? view.lens->VirtualFromStored(stored_px) : stored_px;
+  if (!stored_px.allFinite()) return std::nullopt;
+  if (!view.lens) return PointPixel{id, stored_px};
+  const auto virtual_px = view.lens->VirtualFromStored(stored_px);
+  const auto jacobian = VirtualFromStoredJacobian(*view.lens, stored_px);
+  if (!virtual_px || !jacobian) return std::nullopt;
+  return PointPixel{id, *virtual_px, jacobian->inverse()};
 }
 
 void SortByView(std::vector<PointPixel>* pixels) {
@@ -157,8 +166,8 @@ SceneHints MakeHints(const SparseModel& model, const std::vector<View>& views) {
       const auto view = view_of_image.find(element.image_id);
       if (view == view_of_image.end()) continue;
       hint.views.push_back(view->second);
-      const auto pixel = VirtualPixel(model, views[view->second], element.observation);
-      if (pixel) hint.pixels.push_back({view->second, *pixel});
+      const auto pixel = PixelOf(model, views, view->second, element.observation);
+      if (pixel) hint.pixels.push_back(*pixel);
     }
     SortByView(&hint.pixels);
     std::sort(hint.views.begin(), hint.views.end());

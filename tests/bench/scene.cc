@@ -25,7 +25,9 @@ Scene PartOf(const Scene& scene, bool held_out) {
       if (new_id[view] >= 0) kept.views.push_back(new_id[view]);
     }
     for (const PointPixel& pixel : point.pixels) {
-      if (new_id[pixel.view] >= 0) kept.pixels.push_back({new_id[pixel.view], pixel.position_px});
+      if (new_id[pixel.view] < 0) continue;
+      kept.pixels.push_back(pixel);
+      kept.pixels.back().view = new_id[pixel.view];
     }
     if (!kept.views.empty()) part.hints.points.push_back(std::move(kept));
   }

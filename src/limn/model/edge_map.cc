@@ -4,26 +4,10 @@
 
 #include <Eigen/LU>
 
+#include "limn/model/lens_jacobian.h"
+
 namespace limn {
 namespace {
-
-constexpr double kDerivativeStepPx = 0.5;
-
-// d virtual / d stored by central differences; nothing where a neighbour cannot be mapped.
-std::optional<Eigen::Matrix2d> VirtualFromStoredJacobian(const LensMap& lens,
-                                                         const Eigen::Vector2d& stored) {
-  Eigen::Matrix2d jacobian;
-  for (int axis = 0; axis < 2; ++axis) {
-    const Eigen::Vector2d step = kDerivativeStepPx * Eigen::Vector2d::Unit(axis);
-    const auto ahead = lens.VirtualFromStored(stored + step);
-    const auto behind = lens.VirtualFromStored(stored - step);
-    if (!ahead || !behind) return std::nullopt;
-    jacobian.col(axis) = (*ahead - *behind) / (2 * kDerivativeStepPx);
-  }
-  // A lens model that folds has no orientation to give.
-  if (!(jacobian.determinant() > 0)) return std::nullopt;
-  return jacobian;
-}
 
 bool ApplyLensToEdgel(const LensMap& lens, Edgel* edgel) {
   const Eigen::Vector2d stored = edgel->position_px;

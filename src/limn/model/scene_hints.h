@@ -12,6 +12,8 @@ namespace limn {
 struct PointPixel {
   ViewId view = -1;
   Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
+  // Jacobian d stored / d virtual there.
+  Eigen::Matrix2d stored_from_virtual = Eigen::Matrix2d::Identity();
 };
 
 // A triangulated point of the sparse model and the views that see it.

@@ -20,8 +20,13 @@ double Spread(const std::vector<View>& views) {
 Eigen::Affine3d GivenFromRefined(const std::vector<View>& given, const std::vector<View>& refined,
                                  const Eigen::Vector3d& middle) {
   const auto num_points = static_cast<Eigen::Index>(4 * given.size());
+  double mean_arm = 0;
+  for (const View& view : given) {
+    mean_arm += (view.CenterInWorld() - middle).norm() / static_cast<double>(given.size());
+  }
+  // Centres that coincide tell no scale.
   const double spread = Spread(given);
-  const double scale = spread > 0 ? Spread(refined) / spread : 1;
+  const double scale = spread > 1e-6 * mean_arm ? Spread(refined) / spread : 1;
   Eigen::Matrix3Xd from(3, num_points);
   Eigen::Matrix3Xd to(3, num_points);
   for (size_t v = 0; v < given.size(); ++v) {
@@ -37,7 +42,8 @@ Eigen::Affine3d GivenFromRefined(const std::vector<View>& given, const std::vect
     set(given[v], arm, &to);
     set(refined[v], scale * arm, &from);
   }
-  return Eigen::Affine3d(Eigen::umeyama(from, to, true));
+  const Eigen::Matrix4d similarity = Eigen::umeyama(from, to, true);
+  return similarity.allFinite() ? Eigen::Affine3d(similarity) : Eigen::Affine3d::Identity();
 }
 
 std::vector<View> Moved(const std::vector<View>& views, const Eigen::Affine3d& similarity) {

@@ -10,6 +10,7 @@
 
 #include "limn/refinement/curve_terms.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/util/errors.h"
 
 namespace limn {
 namespace {
@@ -19,6 +20,10 @@ constexpr double kPointSigmaPx = 0.5;
 constexpr double kPointRobustSigmas = 2;
 // Standard deviation of a camera's change, px in the image of the scene.
 constexpr double kCameraSigmaPx = 10;
+// Residual of what is behind a camera, stored px: no way to get rid of a residual.
+constexpr double kBehindPx = 1e3;
+// The rays to a scene point must differ so much from their mean.
+constexpr double kMinHalfParallaxDeg = 0.5;
 
 template <typename T>
 using Vector2 = Eigen::Matrix<T, 2, 1>;
@@ -55,7 +60,7 @@ struct PullResidual {
         T(1 - t) * Eigen::Map<const Vector3<T>>(from) + T(t) * Eigen::Map<const Vector3<T>>(to);
     Vector2<T> pixel;
     if (!ProjectCorrected(*view, point, motion, log_focal, &pixel)) {
-      *residual = T(0);
+      *residual = T(kBehindPx);
       return true;
     }
     const Eigen::Vector2d row = AcrossInVirtual(*edgel);
@@ -67,20 +72,52 @@ struct PullResidual {
 
 struct PointResidual {
   const View* view;
-  Eigen::Vector2d observed_px;
+  const PointPixel* observed;
 
   template <typename T>
   bool operator()(const T* point, const T* motion, const T* log_focal, T* residual) const {
     Vector2<T> pixel;
     if (!ProjectCorrected(*view, Vector3<T>(Eigen::Map<const Vector3<T>>(point)), motion, log_focal,
                           &pixel)) {
-      residual[0] = residual[1] = T(0);
+      residual[0] = residual[1] = T(kBehindPx / kPointSigmaPx);
       return true;
     }
-    residual[0] = (pixel.x() - observed_px.x()) / kPointSigmaPx;
-    residual[1] = (pixel.y() - observed_px.y()) / kPointSigmaPx;
+    const Eigen::Matrix2d factor = observed->stored_from_virtual / kPointSigmaPx;
+    const Vector2<T> offset = pixel - observed->position_px.cast<T>();
+    Eigen::Map<Vector2<T>> weighted(residual);
+    weighted = factor.cast<T>() * offset;
     return true;
   }
+};
+
+bool IsInFront(const View& view, const Eigen::Vector3d& point) {
+  return (view.cam_from_world * point).z() > 0;
+}
+
+bool HasParallax(const std::vector<View>& views, const std::vector<const PointPixel*>& pixels,
+                 const Eigen::Vector3d& point) {
+  const auto ray = [&](const PointPixel* pixel) -> Eigen::Vector3d {
+    return (point - views[pixel->view].CenterInWorld()).normalized();
+  };
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const PointPixel* pixel : pixels) mean += ray(pixel);
+  mean.normalize();
+  return std::any_of(pixels.begin(), pixels.end(), [&](const PointPixel* pixel) {
+    return ray(pixel).dot(mean) < std::cos(kMinHalfParallaxDeg * M_PI / 180);
+  });
+}
+
+class StopIfCancelled : public ceres::IterationCallback {
+ public:
+  explicit StopIfCancelled(const RunContext& context) : context_(context) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    const bool stop = context_.cancelled && context_.cancelled->load(std::memory_order_relaxed);
+    return stop ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const RunContext& context_;
 };
 
 class PoseProblem {
@@ -93,13 +130,16 @@ class PoseProblem {
         corrections_(corrections),
         control_(control),
         positions_(positions),
+        views_(Corrected(input.views, *corrections)),
         footprints_(input.views.size()) {
     AddCurves();
     AddPoints();
     AddCameraHolds();
   }
 
-  void Solve() {
+  // False, and nothing changed, if there is no usable solution.
+  bool Solve(const RunContext& context) {
+    const std::vector<Eigen::Vector3d> before = *positions_;
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
     // Without BLAS and threads: the same bits whatever runs beside it.
@@ -111,8 +151,14 @@ class PoseProblem {
     solver.parameter_tolerance = 0;
     solver.gradient_tolerance = 0;
     solver.logging_type = ceres::SILENT;
+    StopIfCancelled stop(context);
+    solver.callbacks = {&stop};
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem_, &summary);
+    if (summary.termination_type == ceres::USER_FAILURE) throw Cancelled();
+    if (!summary.IsSolutionUsable()) return false;
+    PutBackPointsBehind(before);
+    return true;
   }
 
  private:
@@ -142,9 +188,12 @@ class PoseProblem {
     for (const LinkSample& sample : matches) {
       const int from = link.points[sample.segment];
       const int to = link.points[sample.segment + 1];
+      const Eigen::Vector3d sample_point =
+          (1 - sample.t) * control_->position[from] + sample.t * control_->position[to];
       for (const EdgelPull& pull : sample.pulls) {
         const Edgel& edgel = input_.curves[pull.ref.view].edge_map.edgels[pull.ref.edgel];
         const View& view = input_.views[pull.ref.view];
+        if (!IsInFront(views_[pull.ref.view], sample_point)) continue;
         problem_.AddResidualBlock(
             new ceres::AutoDiffCostFunction<PullResidual, 1, 3, 3, 6, 1>(
                 new PullResidual{&view, &edgel, sample.t}),
@@ -158,16 +207,34 @@ class PoseProblem {
 
   void AddPoints() {
     for (size_t p = 0; p < input_.points.size(); ++p) {
-      const ScenePoint& point = input_.points[p];
-      if (point.pixels.size() < 2) continue;
-      for (const PointPixel& pixel : point.pixels) {
-        problem_.AddResidualBlock(
-            new ceres::AutoDiffCostFunction<PointResidual, 2, 3, 6, 1>(
-                new PointResidual{&input_.views[pixel.view], pixel.position_px}),
-            new ceres::CauchyLoss(kPointRobustSigmas), (*positions_)[p].data(), Motion(pixel.view),
-            LogFocal(pixel.view));
-        AddFootprint(pixel.view, (*positions_)[p]);
+      std::vector<const PointPixel*> pixels;
+      for (const PointPixel& pixel : input_.points[p].pixels) {
+        if (IsInFront(views_[pixel.view], (*positions_)[p])) pixels.push_back(&pixel);
       }
+      if (pixels.size() < 2) continue;
+      if (!HasParallax(input_.views, pixels, input_.points[p].position_in_world)) continue;
+      for (const PointPixel* pixel : pixels) {
+        problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<PointResidual, 2, 3, 6, 1>(
+                                      new PointResidual{&input_.views[pixel->view], pixel}),
+                                  new ceres::CauchyLoss(kPointRobustSigmas),
+                                  (*positions_)[p].data(), Motion(pixel->view),
+                                  LogFocal(pixel->view));
+        AddFootprint(pixel->view, (*positions_)[p]);
+      }
+    }
+  }
+
+  // Points that went behind a view that sees them.
+  void PutBackPointsBehind(const std::vector<Eigen::Vector3d>& before) {
+    const std::vector<View> views = Corrected(input_.views, *corrections_);
+    for (size_t p = 0; p < before.size(); ++p) {
+      const std::vector<PointPixel>& pixels = input_.points[p].pixels;
+      const bool went_behind =
+          std::any_of(pixels.begin(), pixels.end(), [&](const PointPixel& pixel) {
+            return IsInFront(views_[pixel.view], before[p]) &&
+                   !IsInFront(views[pixel.view], (*positions_)[p]);
+          });
+      if (went_behind) (*positions_)[p] = before[p];
     }
   }
 
@@ -210,6 +277,7 @@ class PoseProblem {
   CameraCorrections* corrections_;
   ControlGraph* control_;
   std::vector<Eigen::Vector3d>* positions_;
+  std::vector<View> views_;                      // as corrected at the start
   std::vector<std::vector<double>> footprints_;  // per view, of what it shows
   ceres::Problem problem_;
 };
@@ -248,13 +316,15 @@ std::vector<View> Corrected(const std::vector<View>& views, const CameraCorrecti
   return corrected;
 }
 
-void FitPoses(const PoseFitInput& input, const RefinementOptions& options,
-              CameraCorrections* corrections, ControlGraph* control,
+bool FitPoses(const PoseFitInput& input, const RefinementOptions& options,
+              const RunContext& context, CameraCorrections* corrections, ControlGraph* control,
               std::vector<Eigen::Vector3d>* positions) {
   const std::vector<Eigen::Vector3d> before = control->position;
-  PoseProblem(input, options, corrections, control, positions).Solve();
+  PoseProblem problem(input, options, corrections, control, positions);
+  if (!problem.Solve(context)) return false;
   FollowNodes(input.frozen, before, control);
   UpdateTangents(control);
+  return true;
 }
 
 }  // namespace limn

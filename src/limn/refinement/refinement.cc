@@ -64,15 +64,20 @@ std::vector<ViewId> SupportingViews(const LinkMatches& matches) {
   return views;
 }
 
+// 0 if there are none.
+double Median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 double MedianResidualPx(const LinkMatches& matches) {
   std::vector<double> residuals;
   for (const LinkSample& sample : matches) {
     for (const EdgelPull& pull : sample.pulls) residuals.push_back(std::abs(pull.residual_px));
   }
-  if (residuals.empty()) return 0;
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return *middle;
+  return Median(std::move(residuals));
 }
 
 // Root of the mean of the two variances across the curve.
@@ -136,31 +141,64 @@ class Refiner {
     CameraCorrections corrections = NoCorrections(input_.views);
     for (const double reach : kPoseRoundReach) {
       Match(reach);
-      FitPoses({input_.views, input_.curves, matches_, FindFrozen(matches_), points,
-                reach * options_.robust_residual_px},
-               options_, &corrections, &control_, &refined.points);
+      const bool found = FitPoses({input_.views, input_.curves, matches_, FindFrozen(matches_),
+                                   points, reach * options_.robust_residual_px},
+                                  options_, context_, &corrections, &control_, &refined.points);
+      num_failed_pose_rounds_ += !found;
       views_ = Corrected(input_.views, corrections);
     }
-    BringBack(&refined.points);
+    BringBack(points, &refined.points);
     refined.views = views_;
+    refined.median_shift_px = MedianShiftPx();
+    for (const double log_focal : corrections.log_focal) {
+      refined.largest_focal_change =
+          std::max(refined.largest_focal_change, std::abs(std::expm1(log_focal)));
+    }
     return refined;
   }
 
   // What images do not tell goes back to where the given cameras had it.
-  void BringBack(std::vector<Eigen::Vector3d>* points) {
+  void BringBack(const std::vector<ScenePoint>& given, std::vector<Eigen::Vector3d>* points) {
     std::vector<Eigen::Vector3d>& positions = control_.position;
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const std::vector<Eigen::Vector3d>* of : {&positions, points}) {
-      for (const Eigen::Vector3d& point : *of) middle += point;
-    }
-    if (positions.empty() && points->empty()) return;
-    middle /= static_cast<double>(positions.size() + points->size());
-    const Eigen::Affine3d back = GivenFromRefined(input_.views, views_, middle);
+    const Eigen::Affine3d back =
+        GivenFromRefined(input_.views, views_, MiddleOfScene(given, *points));
     views_ = Moved(views_, back);
     for (std::vector<Eigen::Vector3d>* of : {&positions, points}) {
       for (Eigen::Vector3d& point : *of) point = back * point;
     }
     UpdateTangents(&control_);
+  }
+
+  // By medians: some points of a sparse model are far away.
+  Eigen::Vector3d MiddleOfScene(const std::vector<ScenePoint>& given,
+                                const std::vector<Eigen::Vector3d>& points) const {
+    std::vector<Eigen::Vector3d> known = control_.position;
+    for (size_t p = 0; p < points.size(); ++p) {
+      if (given[p].pixels.size() >= 2) known.push_back(points[p]);
+    }
+    Eigen::Vector3d middle;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<double> values;
+      for (const Eigen::Vector3d& point : known) values.push_back(point[axis]);
+      middle[axis] = Median(std::move(values));
+    }
+    return middle;
+  }
+
+  // How far the cameras' refinement moves the images of control points. Median over views of the
+  // median over points.
+  double MedianShiftPx() const {
+    std::vector<double> shifts;
+    for (size_t v = 0; v < views_.size(); ++v) {
+      std::vector<double> of_view;
+      for (const Eigen::Vector3d& point : control_.position) {
+        const auto before = input_.views[v].Project(point);
+        const auto after = views_[v].Project(point);
+        if (before && after) of_view.push_back((*after - *before).norm());
+      }
+      if (!of_view.empty()) shifts.push_back(Median(std::move(of_view)));
+    }
+    return Median(std::move(shifts));
   }
 
   void Fit(int round) {
@@ -243,6 +281,11 @@ class Refiner {
                     {"control points", static_cast<int64_t>(control_.position.size())}};
     summary.dropped = {
         {"links: others run along them", num_links(input_.graph) - num_links(graph)}};
+    if (num_failed_pose_rounds_ > 0) {
+      summary.warnings.push_back(std::to_string(num_failed_pose_rounds_) + " of " +
+                                 std::to_string(std::size(kPoseRoundReach)) +
+                                 " rounds of the cameras found no solution and changed nothing");
+    }
     return summary;
   }
 
@@ -256,6 +299,7 @@ class Refiner {
   std::vector<LinkMatches> matches_;
   std::vector<uint8_t> frozen_;
   Covariances covariances_;
+  int num_failed_pose_rounds_ = 0;
 };
 
 }  // namespace

@@ -29,6 +29,10 @@ struct RefinementInput {
 struct RefinedCameras {
   std::vector<View> views;              // as in the input; poses and focal lengths are new
   std::vector<Eigen::Vector3d> points;  // positions of the input's points
+  // What refinement moved: the drawing's control points in the images, and the largest relative
+  // change of a focal length.
+  double median_shift_px = 0;
+  double largest_focal_change = 0;
 };
 
 struct RefinementResult {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "colmap_ext/workspace/test_model.h"
+#include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -13,6 +14,7 @@ std::vector<View> ViewsOf(const SparseModel& model) {
   for (const int index : {2, 0, 1}) {
     View view;
     view.model_index = index;
+    view.name = model.images[index].name;
     view.camera_index = index == 1 ? 0 : 1;
     view.camera.fx = 250;  // the images are shrunk
     view.camera.fy = 255;
@@ -63,6 +65,24 @@ TEST(RefinedModel, OneFocalLengthIsScaledOnceAndDistortionStays) {
   ApplyRefinement({refined, views, {}, {}}, &model);
   EXPECT_NEAR(model.cameras[1].params[0], 0.99 * given.params[0], 1e-9);
   for (const int i : {1, 2, 3}) EXPECT_EQ(model.cameras[1].params[i], given.params[i]);
+}
+
+TEST(RefinedModel, AModelThatChangedMeanwhileIsRefused) {
+  const SparseModel given = MakeModel();
+  const std::vector<View> views = ViewsOf(given);
+  SceneHints hints;
+  hints.points.resize(1);
+  const std::vector<Eigen::Vector3d> points(1);
+  SparseModel model = given;
+  ApplyRefinement({views, views, hints, points}, &model);  // a point of no model
+  ExpectSameModel(model, given);
+  hints.points[0].model_index = static_cast<int>(given.points.size());
+  EXPECT_THROW(ApplyRefinement({views, views, hints, points}, &model), IoError);
+  model.images.pop_back();
+  EXPECT_THROW(ApplyRefinement({views, views, {}, {}}, &model), IoError);
+  model = given;
+  std::swap(model.images[0].name, model.images[1].name);
+  EXPECT_THROW(ApplyRefinement({views, views, {}, {}}, &model), IoError);
 }
 
 }  // namespace

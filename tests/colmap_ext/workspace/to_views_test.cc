@@ -1,5 +1,6 @@
 #include "colmap_ext/workspace/to_views.h"
 
+#include <cmath>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -146,6 +147,12 @@ TEST_F(ToViewsTest, HintsArePixelsOfTheVirtualImage) {
   ASSERT_TRUE(stored);
   EXPECT_LT((*stored - Eigen::Vector2d(32.5, 43.5)).norm(), 1e-6);
   EXPECT_GT((pixel - *stored).norm(), 1);
+  const Eigen::Vector2d step(0.1, -0.2);
+  const auto ahead = set.views[0].StoredFromVirtual(pixel + step);
+  ASSERT_TRUE(ahead);
+  const Eigen::Matrix2d& jacobian = set.hints.points[0].pixels[0].stored_from_virtual;
+  EXPECT_LT((*ahead - *stored - jacobian * step).norm(), 1e-3);
+  EXPECT_GT((*ahead - *stored - step).norm(), 1e-3);
 }
 
 TEST_F(ToViewsTest, ObservationsThatAreNotThereGiveNoPixel) {
@@ -154,6 +161,12 @@ TEST_F(ToViewsTest, ObservationsThatAreNotThereGiveNoPixel) {
   EXPECT_THAT(set.hints.points[0].views, ElementsAre(0, 1));
   ASSERT_EQ(set.hints.points[0].pixels.size(), 1u);
   EXPECT_EQ(set.hints.points[0].pixels[0].view, 0);
+}
+
+TEST_F(ToViewsTest, ObservationsThatAreNoNumbersGiveNoPixel) {
+  model_.images[2].observations[0].position.x() = std::nan("");
+  const ViewSet set = Views();
+  EXPECT_EQ(set.hints.points[0].pixels.size(), 1u);
 }
 
 TEST_F(ToViewsTest, ViewsKnowTheirCamera) {

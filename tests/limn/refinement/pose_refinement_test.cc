@@ -161,6 +161,18 @@ TEST(PoseRefinement, PointsMoveToWhereTheViewsSeeThem) {
   }
 }
 
+// The world is held where the scene is, not where a few points are.
+TEST(PoseRefinement, PointsFarAwayDoNotMoveTheWorld) {
+  std::vector<ScenePoint> points = WrongPoints();
+  const double without = ErrorsOf(Refine(WrongViews(), &points).cameras->views).raw_px;
+  for (int i = 0; i < 5; ++i) {
+    points.push_back(points[i]);
+    points.back().position_in_world = {1e5, 2e5, 0};
+  }
+  const double with = ErrorsOf(Refine(WrongViews(), &points).cameras->views).raw_px;
+  EXPECT_LT(with, 1.2 * without);
+}
+
 // Without any curve the points alone tell of the cameras.
 TEST(PoseRefinement, PointsAloneBringCamerasBack) {
   const std::vector<ScenePoint> points = WrongPoints();
