@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "limn/drawing/segment_evidence.h"
+#include "limn/support/segment_evidence.h"
 
 namespace limn {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "limn/drawing/draft.h"
-#include "limn/drawing/segment_evidence.h"
+#include "limn/support/segment_evidence.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/support/view_evidence.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "limn/geometry/polyline.h"
 #include "limn/support/edgel_residual.h"
@@ -56,20 +57,10 @@ class ControlGraphBuilder {
   }
 
  private:
-  double LinkFootprint(const DrawingLink& link, const Eigen::Vector3d& point) const {
-    if (!link.supporting_views.empty()) {
-      const double footprint = MedianFootprint(point, link.supporting_views, views_);
-      if (footprint > 0) return footprint;
-    }
-    std::vector<ViewId> all;
-    for (size_t v = 0; v < views_.size(); ++v) all.push_back(static_cast<ViewId>(v));
-    return MedianFootprint(point, all, views_);
-  }
-
   void AddLink(LinkId id) {
     const DrawingLink& link = graph_.links[id];
     const Eigen::Vector3d& middle = link.points_in_world[link.points_in_world.size() / 2];
-    const double unit = LinkFootprint(link, middle);
+    const double unit = LinkFootprint(link, middle, views_);
     const double length = Length(link.points_in_world);
     // A link that no camera looks at has no pixels: it keeps its two ends.
     const double step = unit > 0 ? spacing_px_ * unit : length;
@@ -80,14 +71,14 @@ class ControlGraphBuilder {
     for (size_t k = 1; k + 1 < points.size(); ++k) {
       out.points.push_back(static_cast<int>(control_.position.size()));
       control_.position.push_back(points[k]);
-      control_.footprint.push_back(LinkFootprint(link, points[k]));
+      control_.footprint.push_back(LinkFootprint(link, points[k], views_));
       control_.corner.push_back(0);
     }
     out.points.push_back(link.node1);
     for (const int end : {0, 1}) {
       const NodeId node = end == 0 ? link.node0 : link.node1;
       double& footprint = control_.footprint[node];
-      footprint = std::max(footprint, LinkFootprint(link, control_.position[node]));
+      footprint = std::max(footprint, LinkFootprint(link, control_.position[node], views_));
       if (control_.corner[node] && unit > 0 && !GoesOn(graph_.nodes[node], {id, end})) {
         out.skip_px[end] = std::min(kCornerSkipPx, kMaxSkippedShare * length / unit);
       }
@@ -120,6 +111,15 @@ class ControlGraphBuilder {
 };
 
 }  // namespace
+
+double LinkFootprint(const DrawingLink& link, const Eigen::Vector3d& point,
+                     const std::vector<View>& views) {
+  const double footprint = MedianFootprint(point, link.supporting_views, views);
+  if (footprint > 0) return footprint;
+  std::vector<ViewId> all(views.size());
+  std::iota(all.begin(), all.end(), 0);
+  return MedianFootprint(point, all, views);
+}
 
 ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>& views,
                               double spacing_px) {

@@ -5,12 +5,15 @@
 #include <limits>
 #include <optional>
 
+#include "limn/refinement/crowding.h"
 #include "limn/support/edgel_residual.h"
 
 namespace limn {
 namespace {
 
 constexpr double kSampleSpacingPx = 1.5;
+// Edges of an image this near to each other, px, are displaced or one.
+constexpr double kResolvedPx = 3;
 // An edgel belongs to the link that passes this much nearer to it, px.
 constexpr double kClearlyBetterPx = 0.1;
 // Half length of the stretch that decides which side of a link is the brighter one, px, and the
@@ -24,12 +27,28 @@ class LinkMatcher {
               const RefinementOptions& options)
       : input_(input), control_(control), gate_(gate), options_(options) {}
 
-  LinkMatches Run(int link) const {
+  // Where the links run in the images of the views that show them.
+  std::vector<ImagePlace> PlacesIn(ViewId view) const {
+    std::vector<ImagePlace> found;
+    for (size_t l = 0; l < control_.links.size(); ++l) {
+      const std::vector<ViewId>& asked = input_.asked[l];
+      if (!std::binary_search(asked.begin(), asked.end(), view)) continue;
+      for (const Place& place : MakePlaces(control_.links[l])) {
+        if (const auto seen = See(view, place)) {
+          found.push_back({static_cast<int>(l), seen->pixel, seen->direction_rad});
+        }
+      }
+    }
+    return found;
+  }
+
+  LinkMatches Run(int link, const std::vector<Crowding>& crowding) const {
     const std::vector<Place> places = MakePlaces(control_.links[link]);
     LinkMatches matches;
     for (const Place& place : places) matches.push_back({place.segment, place.t, {}});
     for (const ViewId view : input_.asked[link]) AddView(view, places, &matches);
     KeepOneSide(places, &matches);
+    KeepResolved(link, places, crowding, &matches);
     for (LinkSample& sample : matches) {
       if (static_cast<int>(sample.pulls.size()) < options_.min_views) sample.pulls.clear();
     }
@@ -92,16 +111,28 @@ class LinkMatcher {
     return chord.norm() > 0 ? Eigen::Vector3d(chord.normalized()) : Eigen::Vector3d::UnitX();
   }
 
-  Answer Ask(ViewId id, const Place& place) const {
+  struct Sight {
+    Eigen::Vector2d pixel;
+    double direction_rad;
+  };
+
+  std::optional<Sight> See(ViewId id, const Place& place) const {
     const View& view = input_.views[id];
     const auto pixel = view.Project(place.position);
-    if (!pixel) return {};
+    if (!pixel) return std::nullopt;
     const auto direction = ProjectedDirection(view, place.position, place.tangent);
-    if (!direction) return {};
-    Answer answer = {true, input_.edgels[id]->Best(*pixel, *direction, gate_), *pixel, false};
+    if (!direction) return std::nullopt;
+    return Sight{*pixel, *direction};
+  }
+
+  Answer Ask(ViewId id, const Place& place) const {
+    const auto seen = See(id, place);
+    if (!seen) return {};
+    const auto& [pixel, direction] = *seen;
+    Answer answer = {true, input_.edgels[id]->Best(pixel, direction, gate_), pixel, false};
     if (answer.match) {
       const Edgel& edgel = input_.curves[id].edge_map.edgels[answer.match->edgel];
-      answer.bright_left = std::cos(edgel.tangent_rad - *direction) > 0;
+      answer.bright_left = std::cos(edgel.tangent_rad - direction) > 0;
     }
     return answer;
   }
@@ -160,6 +191,23 @@ class LinkMatcher {
     }
   }
 
+  // Views in which another link runs beside this one, too near to tell their edges apart, would
+  // pull both onto one edge: they are not heard where enough others are.
+  void KeepResolved(int link, const std::vector<Place>& places,
+                    const std::vector<Crowding>& crowding, LinkMatches* matches) const {
+    for (size_t k = 0; k < places.size(); ++k) {
+      std::vector<EdgelPull> resolved;
+      for (const EdgelPull& pull : (*matches)[k].pulls) {
+        const auto seen = See(pull.ref.view, places[k]);
+        const ImagePlace place = {link, seen->pixel, seen->direction_rad};
+        if (!crowding[pull.ref.view].At(place, kResolvedPx)) resolved.push_back(pull);
+      }
+      if (static_cast<int>(resolved.size()) >= options_.min_views) {
+        (*matches)[k].pulls = std::move(resolved);
+      }
+    }
+  }
+
   // Share of an independent observation: the step to the next sample in the image over the length
   // over which errors are the same.
   double Weight(ViewId view, const std::vector<Answer>& answers, int k) const {
@@ -203,9 +251,13 @@ std::vector<LinkMatches> MatchEdgels(const MatchInput& input, const ControlGraph
                                      const SupportGate& gate, const RefinementOptions& options,
                                      const RunContext& context) {
   const LinkMatcher matcher(input, control, gate, options);
+  std::vector<std::vector<ImagePlace>> places(input.views.size());
+  ParallelFor(context, "projecting links", places.size(),
+              [&](size_t v) { places[v] = matcher.PlacesIn(static_cast<ViewId>(v)); });
+  std::vector<Crowding> crowding(places.begin(), places.end());
   std::vector<LinkMatches> matches(control.links.size());
   ParallelFor(context, "matching edgels", matches.size(),
-              [&](size_t l) { matches[l] = matcher.Run(static_cast<int>(l)); });
+              [&](size_t l) { matches[l] = matcher.Run(static_cast<int>(l), crowding); });
   const auto best = BestResiduals(input.curves, matches);
   for (LinkMatches& of_link : matches) {
     for (LinkSample& sample : of_link) {

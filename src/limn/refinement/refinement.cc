@@ -8,7 +8,9 @@
 #include "limn/refinement/covered_links.h"
 #include "limn/refinement/curve_fit.h"
 #include "limn/refinement/gauge.h"
+#include "limn/refinement/graph_edits.h"
 #include "limn/refinement/pose_fit.h"
+#include "limn/refinement/topology_edits.h"
 #include "limn/refinement/variance_factors.h"
 
 namespace limn {
@@ -105,26 +107,52 @@ class Refiner {
         options_(options),
         context_(context),
         views_(input.views),
-        edgels_(IndexEdgels(input.curves, context)),
-        control_(MakeControlGraph(input.graph, input.views, options.control_spacing_px)) {
-    for (const DrawingLink& link : input.graph.links) asked_.push_back(link.supporting_views);
+        graph_(input.graph),
+        edgels_(IndexEdgels(input.curves, context)) {
+    TakeGraph();
   }
 
   RefinementResult Run() {
     RefinementResult result;
     if (options_.refine_poses) result.cameras = RefineCameras();
-    for (int round = 0; round < options_.num_rounds; ++round) Fit(round);
+    const int rounds_before = options_.num_rounds / 2;
+    for (int round = 0; round < rounds_before; ++round) Fit(nullptr);
+    if (rounds_before > 0) ChangeTopology();
+    for (int round = rounds_before; round + 1 < options_.num_rounds; ++round) Fit(nullptr);
+    Fit(&covariances_);
     Match(1);
     ScaleCovariances();
-    result.graph = input_.graph;
-    SetGeometry(&result.graph);
-    UpdateEvidence(&result.graph);
-    RemoveLinks(FindUncoveredLinks(control_), &result.graph);
-    result.summary = Summary(result.graph);
+    SetGeometry();
+    UpdateEvidence();
+    RemoveCoveredLinks();
+    result.summary = Summary();
+    result.graph = std::move(graph_);
     return result;
   }
 
  private:
+  // Unknowns and questions for the graph as it is.
+  void TakeGraph() {
+    control_ = MakeControlGraph(graph_, views_, options_.control_spacing_px);
+    asked_.clear();
+    for (const DrawingLink& link : graph_.links) asked_.push_back(link.supporting_views);
+  }
+
+  void ChangeTopology() {
+    SetGeometry();
+    RemoveCoveredLinks();
+    GraphEditor editor(views_, edgels_, options_, frozen_, &graph_);
+    edits_ = EditTopology(&editor);
+    TakeGraph();
+  }
+
+  void RemoveCoveredLinks() {
+    const std::vector<uint8_t> keep = FindUncoveredLinks(control_);
+    RemoveLinks(keep, &graph_);
+    num_covered_ += std::count(keep.begin(), keep.end(), uint8_t{0});
+    std::erase_if(frozen_, [&](const uint8_t& flag) { return !keep[&flag - frozen_.data()]; });
+  }
+
   // `reach`: multiple of max_distance_px.
   void Match(double reach) {
     const SupportGate gate = {reach * options_.max_distance_px, 1.0,
@@ -201,12 +229,11 @@ class Refiner {
     return Median(std::move(shifts));
   }
 
-  void Fit(int round) {
+  void Fit(Covariances* covariances) {
     Match(1);
     frozen_ = FindFrozen(matches_);
-    const bool last = round + 1 == options_.num_rounds;
     FitCurves({views_, input_.curves, matches_, frozen_}, options_, context_, &control_,
-              last ? &covariances_ : nullptr);
+              covariances);
   }
 
   void ScaleCovariances() {
@@ -217,15 +244,17 @@ class Refiner {
     }
   }
 
+  // Infinite before there are covariances.
   std::vector<double> Sigmas(const ControlLink& link) const {
-    std::vector<double> sigmas;
+    std::vector<double> sigmas(link.points.size(), std::numeric_limits<double>::infinity());
+    if (covariances_.empty()) return sigmas;
     const int last = link.NumSegments();
     for (int k = 0; k <= last; ++k) {
       const auto& covariance = covariances_[link.points[k]];
+      if (!covariance) continue;
       const Eigen::Vector3d chord = control_.position[link.points[std::min(k + 1, last)]] -
                                     control_.position[link.points[std::max(k - 1, 0)]];
-      sigmas.push_back(covariance ? SigmaAcross(*covariance, chord.normalized())
-                                  : std::numeric_limits<double>::infinity());
+      sigmas[k] = SigmaAcross(*covariance, chord.normalized());
     }
     return sigmas;
   }
@@ -239,12 +268,12 @@ class Refiner {
 
   // Fitted links get their control points; the others keep their points and only follow their
   // nodes.
-  void SetGeometry(DrawingGraph* graph) const {
-    for (size_t n = 0; n < graph->nodes.size(); ++n) {
-      graph->nodes[n].position_in_world = control_.position[n];
+  void SetGeometry() {
+    for (size_t n = 0; n < graph_.nodes.size(); ++n) {
+      graph_.nodes[n].position_in_world = control_.position[n];
     }
-    for (size_t l = 0; l < graph->links.size(); ++l) {
-      DrawingLink& link = graph->links[l];
+    for (size_t l = 0; l < graph_.links.size(); ++l) {
+      DrawingLink& link = graph_.links[l];
       if (frozen_[l]) {
         FollowEnds(control_.position[link.node0], control_.position[link.node1],
                    &link.points_in_world);
@@ -260,15 +289,15 @@ class Refiner {
     }
   }
 
-  void UpdateEvidence(DrawingGraph* graph) const {
-    for (size_t l = 0; l < graph->links.size(); ++l) {
+  void UpdateEvidence() {
+    for (size_t l = 0; l < graph_.links.size(); ++l) {
       if (frozen_[l]) continue;
-      graph->links[l].supporting_views = SupportingViews(matches_[l]);
-      graph->links[l].residual_px = MedianResidualPx(matches_[l]);
+      graph_.links[l].supporting_views = SupportingViews(matches_[l]);
+      graph_.links[l].residual_px = MedianResidualPx(matches_[l]);
     }
   }
 
-  StageSummary Summary(const DrawingGraph& graph) const {
+  StageSummary Summary() const {
     const auto num_frozen = std::count(frozen_.begin(), frozen_.end(), uint8_t{1});
     StageSummary summary;
     summary.stage = "refinement";
@@ -276,11 +305,15 @@ class Refiner {
       return static_cast<int64_t>(of.links.size());
     };
     summary.in = {{"links", num_links(input_.graph)}};
-    summary.kept = {{"links", num_links(graph)},
+    summary.kept = {{"links", num_links(graph_)},
                     {"links not fitted: too few views", num_frozen},
-                    {"control points", static_cast<int64_t>(control_.position.size())}};
-    summary.dropped = {
-        {"links: others run along them", num_links(input_.graph) - num_links(graph)}};
+                    {"control points", static_cast<int64_t>(control_.position.size())},
+                    {"ends cut back from other links", edits_.trimmed},
+                    {"ends joined", edits_.joined},
+                    {"ends taken to nodes", edits_.to_nodes},
+                    {"ends taken to links", edits_.to_links},
+                    {"links cut at corners", edits_.corners}};
+    summary.dropped = {{"links: others run along them", num_covered_}};
     if (num_failed_pose_rounds_ > 0) {
       summary.warnings.push_back(std::to_string(num_failed_pose_rounds_) + " of " +
                                  std::to_string(std::size(kPoseRoundReach)) +
@@ -293,12 +326,15 @@ class Refiner {
   const RefinementOptions& options_;
   const RunContext& context_;
   std::vector<View> views_;  // with refined cameras
+  DrawingGraph graph_;
   std::vector<std::unique_ptr<EdgelIndex>> edgels_;
   ControlGraph control_;
   std::vector<std::vector<ViewId>> asked_;
   std::vector<LinkMatches> matches_;
   std::vector<uint8_t> frozen_;
   Covariances covariances_;
+  TopologyEditCounts edits_;
+  int64_t num_covered_ = 0;
   int num_failed_pose_rounds_ = 0;
 };
 

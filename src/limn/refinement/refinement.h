@@ -48,13 +48,16 @@ struct RefinementResult {
 // all views, with links that meet sharing the control point at their node, a penalty on bending
 // that decides only where the edgels leave a place open, and none across corners. Only a link's
 // supporting views are asked, and edgels whose brighter side is not that of nearly all others are
-// left out: they belong to the other side of a thin bar. The sigmas come from the inverse of the
-// normal matrix, scaled by how well the views agree (variance_factors.h). Links that too few views
-// show keep their shape, with sigmas of at least max_distance_px; links that then lie on others are
-// removed. With `refine_poses` rounds go before in which the cameras move too, together with curves
-// and points (pose_fit.h), after which place, orientation and scale of the whole are those of the
-// given cameras again (gauge.h). The result passes Validate(). Throws OptionError and Cancelled.
-// Time: rounds times length of all links in px times views.
+// left out: they belong to the other side of a thin bar. Views in which two links run so near to
+// each other that their edges blur are not heard where enough others are (crowding.h). Half of the
+// way the topology is edited (topology_edits.h): ends cut back, joined and taken to what they meet,
+// links cut at corners, and links removed that others cover. The sigmas come from the inverse of
+// the normal matrix, scaled by how well the views agree (variance_factors.h). Links that too few
+// views show keep their shape, with sigmas of at least max_distance_px. The parts of a link that
+// was cut share its members. With `refine_poses` rounds go before in which the cameras move too,
+// together with curves and points (pose_fit.h), after which place, orientation and scale of the
+// whole are those of the given cameras again (gauge.h). The result passes Validate(). Throws
+// OptionError and Cancelled. Time: rounds times length of all links in px times views.
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const RunContext& context);
 

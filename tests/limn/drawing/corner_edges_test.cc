@@ -6,7 +6,7 @@
 
 #include "limn/drawing/drawing.h"
 #include "limn/drawing/joints.h"
-#include "limn/drawing/segment_evidence.h"
+#include "limn/support/segment_evidence.h"
 #include "limn/sketch/sketch.h"
 #include "support/synthetic_scene.h"
 

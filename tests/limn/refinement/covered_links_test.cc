@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/geometry/polyline.h"
+#include "limn/refinement/graph_edits.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {

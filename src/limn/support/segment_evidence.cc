@@ -1,4 +1,4 @@
-#include "limn/drawing/segment_evidence.h"
+#include "limn/support/segment_evidence.h"
 
 #include <algorithm>
 #include <cmath>

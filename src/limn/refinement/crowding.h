@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/view.h"
+
+namespace limn {
+
+// A place of a link in the image of a view.
+struct ImagePlace {
+  int link = -1;
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  double direction_rad = 0;  // undirected
+};
+
+// Where reprojected links run side by side in one view, so near that the image shows one blurred
+// edge instead of two. Immutable; places of one link are in the order of the link.
+class Crowding {
+ public:
+  explicit Crowding(std::vector<ImagePlace> places);
+
+  // Whether another link passes nearer than the distance, in nearly the same direction.
+  bool At(const ImagePlace& place, double distance_px) const;
+
+ private:
+  std::vector<ImagePlace> places_;  // by row of the grid, then by x
+  std::vector<int> row_begin_;
+  int first_row_ = 0;
+};
+
+}  // namespace limn

@@ -1,0 +1,182 @@
+#include "limn/refinement/graph_edits.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+
+namespace limn {
+namespace {
+
+constexpr double kTipSkipPx = 2;
+constexpr double kTipLengthPx = 10;
+
+void ForEachContinuation(DrawingGraph* graph, const auto& visit) {
+  for (DrawingNode& node : graph->nodes) {
+    for (auto& [first, second] : node.continuations) {
+      visit(&first);
+      visit(&second);
+    }
+  }
+}
+
+void Reverse(DrawingLink* link) {
+  std::reverse(link->points_in_world.begin(), link->points_in_world.end());
+  std::reverse(link->sigma.begin(), link->sigma.end());
+  std::swap(link->node0, link->node1);
+}
+
+template <typename T>
+void Append(const std::vector<T>& more, std::vector<T>* to) {
+  to->insert(to->end(), more.begin(), more.end());
+}
+
+// A closed link begins and ends at another of its points.
+void Rotate(int index, DrawingLink* link) {
+  const auto rotate = [&](auto* values) {
+    values->pop_back();
+    std::rotate(values->begin(), values->begin() + index, values->end());
+    values->push_back(values->front());
+  };
+  rotate(&link->points_in_world);
+  rotate(&link->sigma);
+}
+
+}  // namespace
+
+NodeId NodeAt(const DrawingLink& link, int end) { return end == 0 ? link.node0 : link.node1; }
+
+LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
+  const std::vector<Eigen::Vector3d>& points = link.points_in_world;
+  const int size = static_cast<int>(points.size());
+  const auto at = [&](int k) { return points[end == 0 ? k : size - 1 - k]; };
+  LinkTip tip;
+  tip.point = at(0);
+  std::vector<Eigen::Vector3d> used;
+  double arc_px = 0;
+  for (int k = 0; k < size && arc_px <= kTipLengthPx; ++k) {
+    if (k > 0) arc_px += (at(k) - at(k - 1)).norm() / footprint;
+    if (arc_px >= kTipSkipPx) used.push_back(at(k));
+  }
+  if (used.size() < 2) used = {at(0), at(size - 1)};
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : used) mean += point / static_cast<double>(used.size());
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& point : used) {
+    scatter += (point - mean) * (point - mean).transpose();
+  }
+  Eigen::Vector3d direction =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
+  const Eigen::Vector3d outwards = used.front() - used.back();
+  if (!(outwards.norm() > 0)) return tip;
+  if (direction.dot(outwards) < 0) direction = -direction;
+  tip.outward = direction;
+  tip.point = mean + direction * direction.dot(tip.point - mean);
+  return tip;
+}
+
+NodeId SplitLink(LinkId id, int index, DrawingGraph* graph) {
+  const NodeId node = static_cast<NodeId>(graph->nodes.size());
+  graph->nodes.emplace_back();
+  graph->nodes.back().position_in_world = graph->links[id].points_in_world[index];
+  if (graph->links[id].closed) {
+    DrawingLink& loop = graph->links[id];
+    Rotate(index, &loop);
+    loop.closed = false;
+    loop.node0 = loop.node1 = node;
+    return node;
+  }
+  const LinkId second_id = static_cast<LinkId>(graph->links.size());
+  DrawingLink second = graph->links[id];
+  DrawingLink& first = graph->links[id];
+  first.points_in_world.resize(index + 1);
+  first.sigma.resize(index + 1);
+  first.node1 = node;
+  second.points_in_world.erase(second.points_in_world.begin(),
+                               second.points_in_world.begin() + index);
+  second.sigma.erase(second.sigma.begin(), second.sigma.begin() + index);
+  second.node0 = node;
+  graph->links.push_back(std::move(second));
+  ForEachContinuation(graph, [&](LinkEnd* end) {
+    if (*end == LinkEnd{id, 1}) end->link = second_id;
+  });
+  return node;
+}
+
+void EndLinkAt(const LinkEnd& end, NodeId node, DrawingGraph* graph) {
+  DrawingLink& link = graph->links[end.link];
+  const Eigen::Vector3d& target = graph->nodes[node].position_in_world;
+  if (end.end == 0) Reverse(&link);
+  std::vector<Eigen::Vector3d>& points = link.points_in_world;
+  while (points.size() > 2) {
+    const Eigen::Vector3d ahead = points.back() - points[points.size() - 2];
+    if ((target - points.back()).dot(ahead) > 0) break;
+    points.pop_back();
+    link.sigma.pop_back();
+  }
+  points.push_back(target);
+  link.sigma.push_back(link.sigma.back());
+  link.node1 = node;
+  if (end.end == 0) Reverse(&link);
+}
+
+void JoinEnds(const LinkEnd& a, const LinkEnd& b, DrawingGraph* graph) {
+  DrawingLink& first = graph->links[a.link];
+  if (a.link == b.link) {
+    first.points_in_world.push_back(first.points_in_world.front());
+    first.sigma.push_back(first.sigma.front());
+    first.node1 = first.node0;
+    first.closed = true;
+    return;
+  }
+  DrawingLink& second = graph->links[b.link];
+  const NodeId far = NodeAt(second, 1 - b.end);
+  if (b.end == 1) Reverse(&second);
+  if (a.end == 0) Reverse(&first);
+  Append(second.points_in_world, &first.points_in_world);
+  Append(second.sigma, &first.sigma);
+  Append(second.members, &first.members);
+  Append(second.supporting_views, &first.supporting_views);
+  std::vector<ViewId>& views = first.supporting_views;
+  std::sort(views.begin(), views.end());
+  views.erase(std::unique(views.begin(), views.end()), views.end());
+  first.residual_px = std::max(first.residual_px, second.residual_px);
+  first.node1 = far;
+  if (a.end == 0) Reverse(&first);
+  ForEachContinuation(graph, [&](LinkEnd* end) {
+    if (*end == LinkEnd{b.link, 1 - b.end}) *end = a;
+  });
+}
+
+void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph) {
+  std::vector<LinkId> new_link(keep.size(), -1);
+  std::vector<NodeId> new_node(graph->nodes.size(), -1);
+  DrawingGraph kept;
+  for (size_t l = 0; l < keep.size(); ++l) {
+    if (!keep[l]) continue;
+    new_link[l] = static_cast<LinkId>(kept.links.size());
+    kept.links.push_back(std::move(graph->links[l]));
+    new_node[kept.links.back().node0] = new_node[kept.links.back().node1] = 0;
+  }
+  for (size_t n = 0; n < new_node.size(); ++n) {
+    if (new_node[n] < 0) continue;
+    new_node[n] = static_cast<NodeId>(kept.nodes.size());
+    kept.nodes.push_back(std::move(graph->nodes[n]));
+    auto& pairs = kept.nodes.back().continuations;
+    std::erase_if(pairs, [&](const auto& pair) {
+      return new_link[pair.first.link] < 0 || new_link[pair.second.link] < 0;
+    });
+    for (auto& [first, second] : pairs) {
+      first.link = new_link[first.link];
+      second.link = new_link[second.link];
+    }
+  }
+  for (DrawingLink& link : kept.links) {
+    link.node0 = new_node[link.node0];
+    link.node1 = new_node[link.node1];
+  }
+  RebuildIncidence(&kept);
+  *graph = std::move(kept);
+}
+
+}  // namespace limn

@@ -1,0 +1,43 @@
+#include "limn/refinement/crowding.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+TEST(Crowding, OnlyOtherParallelLinksCount) {
+  const Crowding crowding({{0, {10, 10}, 0}, {1, {10, 12}, 0.1}, {2, {10, 7.5}, 1.5}});
+  EXPECT_TRUE(crowding.At({0, {10, 10}, 0}, 3));
+  EXPECT_FALSE(crowding.At({0, {10, 10}, 0}, 1.9));
+  // Undirected.
+  EXPECT_TRUE(crowding.At({0, {10, 10}, M_PI}, 3));
+  // Link 2 is near, but crosses.
+  EXPECT_FALSE(crowding.At({1, {10, 6}, 0}, 3));
+  EXPECT_TRUE(crowding.At({1, {10, 6}, 1.5}, 3));
+}
+
+TEST(Crowding, FindsWhatComparingAllPairsFinds) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-40, 40);
+  std::vector<ImagePlace> places;
+  for (int i = 0; i < 400; ++i) places.push_back({i % 7, {uniform(random), uniform(random)}, 0});
+  const Crowding crowding(places);
+  int num_crowded = 0;
+  for (const ImagePlace& place : places) {
+    bool expected = false;
+    for (const ImagePlace& other : places) {
+      expected |= other.link != place.link && (other.pixel - place.pixel).norm() <= 2.5;
+    }
+    EXPECT_EQ(crowding.At(place, 2.5), expected);
+    num_crowded += expected;
+  }
+  EXPECT_GT(num_crowded, 50);
+  EXPECT_LT(num_crowded, 350);
+}
+
+TEST(Crowding, NoPlacesCrowdNothing) { EXPECT_FALSE(Crowding({}).At({0, {1, 1}, 0}, 3)); }
+
+}  // namespace
+}  // namespace limn
