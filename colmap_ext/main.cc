@@ -21,6 +21,7 @@ constexpr Command kCommands[] = {
     {"curve_sketcher", RunCurveSketcher, "reconstruct a sketch of 3D curves, original or enhanced"},
     {"curve_drawer", RunCurveDrawer, "make the drawing from a stored enhanced sketch"},
     {"drawing_refiner", RunDrawingRefiner, "fit a stored drawing to all images"},
+    {"drawing_fuser", RunDrawingFuser, "compare a drawing with dense results and combine the two"},
     {"drawing_evaluator", RunDrawingEvaluator, "compare curves with ground truth"},
 };
 

@@ -11,6 +11,7 @@ int RunCurveLinker(int argc, const char* const* argv);
 int RunCurveSketcher(int argc, const char* const* argv);
 int RunDrawingEvaluator(int argc, const char* const* argv);
 int RunDrawingRefiner(int argc, const char* const* argv);
+int RunDrawingFuser(int argc, const char* const* argv);
 int RunEdgeExtractor(int argc, const char* const* argv);
 
 }  // namespace limn::colmap_ext

@@ -31,6 +31,15 @@ Json ToJson(const DrawingNode& node, size_t id) {
   return json;
 }
 
+Json ToJson(const LinkDense& dense) {
+  Json json = {{"class", DenseClassName(dense.dense_class)},
+               {"free_share", dense.free_share},
+               {"occluded_share", dense.occluded_share},
+               {"behind_surface", dense.behind_surface}};
+  if (dense.fold_deg >= 0) json["fold_deg"] = dense.fold_deg;
+  return json;
+}
+
 Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& view_names) {
   Json json = {{"id", id},
                {"node0", link.node0},
@@ -38,6 +47,7 @@ Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& 
                {"closed", link.closed},
                {"length", Length(link.points_in_world)},
                {"residual_px", link.residual_px}};
+  if (link.dense) json["dense"] = ToJson(*link.dense);
   json["supporting_views"] = Json::array();
   for (const ViewId view : link.supporting_views) {
     if (view < 0 || view >= static_cast<ViewId>(view_names.size())) {

@@ -1,5 +1,7 @@
 #include "limn/export/drawing_ply.h"
 
+#include <algorithm>
+
 #include "limn/export/colors.h"
 #include "limn/export/ply_output.h"
 
@@ -41,7 +43,14 @@ void PutVertices(const DrawingGraph& graph, std::ostream& out) {
   }
 }
 
+// Whether the edges say the class of their link.
+bool HasClasses(const DrawingGraph& graph) {
+  return std::any_of(graph.links.begin(), graph.links.end(),
+                     [](const DrawingLink& link) { return link.dense.has_value(); });
+}
+
 void PutEdges(const DrawingGraph& graph, std::ostream& out) {
+  const bool has_classes = HasClasses(graph);
   int32_t first_inner = static_cast<int32_t>(graph.nodes.size());
   for (size_t id = 0; id < graph.links.size(); ++id) {
     const DrawingLink& link = graph.links[id];
@@ -54,6 +63,10 @@ void PutEdges(const DrawingGraph& graph, std::ostream& out) {
       PutLittleEndian(out, next);
       PutColor(out, color);
       PutLittleEndian(out, static_cast<int32_t>(id));
+      if (has_classes) {
+        const DenseClass of_link = link.dense ? link.dense->dense_class : DenseClass::kUnknown;
+        PutLittleEndian(out, static_cast<uint8_t>(of_link));
+      }
       previous = next;
     }
     first_inner += num_inner;
@@ -77,7 +90,10 @@ void WriteDrawingPly(const DrawingGraph& graph, std::ostream& out) {
       << "element edge " << num_edges << '\n'
       << "property int vertex1\nproperty int vertex2\n"
          "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int link\n"
-         "end_header\n";
+      << (HasClasses(graph) ? "comment class: 0 unknown, 1 surface, 2 boundary, 3 free\n"
+                              "property uchar class\n"
+                            : "")
+      << "end_header\n";
   PutVertices(graph, out);
   PutEdges(graph, out);
 }

@@ -38,12 +38,30 @@ DrawingNode ToNode(const Json& json) {
   return node;
 }
 
+LinkDense ToDense(const Json& json) {
+  LinkDense dense;
+  const auto name = json.at("class").get<std::string>();
+  for (const DenseClass candidate :
+       {DenseClass::kUnknown, DenseClass::kSurface, DenseClass::kBoundary, DenseClass::kFree}) {
+    if (name == DenseClassName(candidate)) dense.dense_class = candidate;
+  }
+  if (name != DenseClassName(dense.dense_class)) {
+    throw InputError("unknown class of link \"" + name.substr(0, 40) + "\"");
+  }
+  dense.free_share = json.at("free_share").get<double>();
+  dense.occluded_share = json.at("occluded_share").get<double>();
+  dense.behind_surface = json.at("behind_surface").get<bool>();
+  dense.fold_deg = json.value("fold_deg", -1.0);
+  return dense;
+}
+
 DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_ids) {
   DrawingLink link;
   link.node0 = json.at("node0").get<int>();
   link.node1 = json.at("node1").get<int>();
   link.closed = json.at("closed").get<bool>();
   link.residual_px = json.at("residual_px").get<double>();
+  if (json.contains("dense")) link.dense = ToDense(json.at("dense"));
   for (const Json& point : json.at("points")) link.points_in_world.push_back(ToPoint(point));
   for (const Json& sigma : json.at("sigma")) {
     // JSON has no infinity: unknown is null.

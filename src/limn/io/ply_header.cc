@@ -1,7 +1,10 @@
 #include "limn/io/ply_header.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
+#include <cstring>
 #include <sstream>
 #include <utility>
 
@@ -9,6 +12,37 @@
 
 namespace limn {
 namespace {
+
+static_assert(std::endian::native == std::endian::little, "byte swapping is not written yet");
+
+template <typename T>
+double As(const char* bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof(T));
+  return static_cast<double>(value);
+}
+
+double DecodeNative(PlyType type, const char* bytes) {
+  switch (type) {
+    case PlyType::kInt8:
+      return As<int8_t>(bytes);
+    case PlyType::kUint8:
+      return As<uint8_t>(bytes);
+    case PlyType::kInt16:
+      return As<int16_t>(bytes);
+    case PlyType::kUint16:
+      return As<uint16_t>(bytes);
+    case PlyType::kInt32:
+      return As<int32_t>(bytes);
+    case PlyType::kUint32:
+      return As<uint32_t>(bytes);
+    case PlyType::kFloat32:
+      return As<float>(bytes);
+    case PlyType::kFloat64:
+      return As<double>(bytes);
+  }
+  return 0;
+}
 
 struct TypeName {
   std::string_view name;
@@ -149,6 +183,13 @@ size_t PlyTypeSize(PlyType type) {
       return 8;
   }
   return 0;
+}
+
+double PlyValue(PlyType type, const char* bytes, bool swap) {
+  if (!swap) return DecodeNative(type, bytes);
+  char swapped[8];
+  std::reverse_copy(bytes, bytes + PlyTypeSize(type), swapped);
+  return DecodeNative(type, swapped);
 }
 
 int PlyElement::Find(std::string_view property_name) const {

@@ -1,9 +1,7 @@
 #include "limn/io/ply_reader.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 #include "limn/io/curve_chains.h"
@@ -17,35 +15,6 @@ namespace {
 
 constexpr double kMaxLabel = 2147483647;
 
-template <typename T>
-double As(const char* bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof(T));
-  return static_cast<double>(value);
-}
-
-double Decode(PlyType type, const char* bytes) {
-  switch (type) {
-    case PlyType::kInt8:
-      return As<int8_t>(bytes);
-    case PlyType::kUint8:
-      return As<uint8_t>(bytes);
-    case PlyType::kInt16:
-      return As<int16_t>(bytes);
-    case PlyType::kUint16:
-      return As<uint16_t>(bytes);
-    case PlyType::kInt32:
-      return As<int32_t>(bytes);
-    case PlyType::kUint32:
-      return As<uint32_t>(bytes);
-    case PlyType::kFloat32:
-      return As<float>(bytes);
-    case PlyType::kFloat64:
-      return As<double>(bytes);
-  }
-  return 0;
-}
-
 // The values of the data part, one after the other.
 class PlyValues {
  public:
@@ -54,19 +23,15 @@ class PlyValues {
     if (header.format == PlyHeader::Format::kAscii) {
       text_ = std::make_unique<TextScanner>(path, data_, header.num_lines + 1);
     }
-    const bool file_is_little = header.format == PlyHeader::Format::kLittleEndian;
-    swap_ = file_is_little != (std::endian::native == std::endian::little);
+    swap_ = header.format == PlyHeader::Format::kBigEndian;
   }
 
   double Next(PlyType type) {
     if (text_) return text_->Number("number");
     const size_t size = PlyTypeSize(type);
     if (data_.size() - at_ < size) Fail("the file ends too early");
-    char bytes[8];
-    std::copy_n(data_.data() + at_, size, bytes);
-    if (swap_) std::reverse(bytes, bytes + size);
     at_ += size;
-    return Decode(type, bytes);
+    return PlyValue(type, data_.data() + at_ - size, swap_);
   }
 
   void SkipList(const PlyProperty& property) {

@@ -1,6 +1,7 @@
 #include "limn/model/drawing_graph.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -113,6 +114,20 @@ const char* NodeKindName(NodeKind kind) {
   return "unknown";
 }
 
+const char* DenseClassName(DenseClass dense_class) {
+  switch (dense_class) {
+    case DenseClass::kUnknown:
+      return "unknown";
+    case DenseClass::kSurface:
+      return "surface";
+    case DenseClass::kBoundary:
+      return "boundary";
+    case DenseClass::kFree:
+      return "free";
+  }
+  return "unknown";
+}
+
 std::vector<std::string> Validate(const DrawingGraph& graph) {
   Violations violations;
   for (size_t id = 0; id < graph.links.size(); ++id) {
@@ -144,6 +159,37 @@ void RebuildIncidence(DrawingGraph* graph) {
       node.kind = IsLoopAnchor(*graph, node) ? NodeKind::kLoopAnchor : NodeKind::kEnd;
     }
   }
+}
+
+void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph) {
+  std::vector<LinkId> new_link(keep.size(), -1);
+  std::vector<NodeId> new_node(graph->nodes.size(), -1);
+  DrawingGraph kept;
+  for (size_t l = 0; l < keep.size(); ++l) {
+    if (!keep[l]) continue;
+    new_link[l] = static_cast<LinkId>(kept.links.size());
+    kept.links.push_back(std::move(graph->links[l]));
+    new_node[kept.links.back().node0] = new_node[kept.links.back().node1] = 0;
+  }
+  for (size_t n = 0; n < new_node.size(); ++n) {
+    if (new_node[n] < 0) continue;
+    new_node[n] = static_cast<NodeId>(kept.nodes.size());
+    kept.nodes.push_back(std::move(graph->nodes[n]));
+    auto& pairs = kept.nodes.back().continuations;
+    std::erase_if(pairs, [&](const auto& pair) {
+      return new_link[pair.first.link] < 0 || new_link[pair.second.link] < 0;
+    });
+    for (auto& [first, second] : pairs) {
+      first.link = new_link[first.link];
+      second.link = new_link[second.link];
+    }
+  }
+  for (DrawingLink& link : kept.links) {
+    link.node0 = new_node[link.node0];
+    link.node1 = new_node[link.node1];
+  }
+  RebuildIncidence(&kept);
+  *graph = std::move(kept);
 }
 
 }  // namespace limn

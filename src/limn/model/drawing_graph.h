@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +49,27 @@ struct LinkMember {
   int end = 0;
 };
 
+// Where a curve is on a dense surface (depth maps, cloud or mesh).
+enum class DenseClass {
+  kUnknown,
+  kSurface,   // the surface goes on at both sides: paint or a fold
+  kBoundary,  // on one side only: an occluding contour or a rim
+  kFree,      // no dense point is near
+};
+
+const char* DenseClassName(DenseClass dense_class);
+
+// What a dense surface says of a link (limn/dense/).
+struct LinkDense {
+  DenseClass dense_class = DenseClass::kUnknown;  // of most of its length
+  double free_share = 0;                          // of its length
+  // Share of its supporting views, over its samples, in which it is behind the surface.
+  double occluded_share = 0;
+  bool behind_surface = false;
+  // Mean angle between the surface's normals on its two sides, where both are known; -1: nowhere.
+  double fold_deg = -1;
+};
+
 struct DrawingLink {
   // First and last point are the positions of node0 and node1.
   std::vector<Eigen::Vector3d> points_in_world;
@@ -61,6 +84,8 @@ struct DrawingLink {
   std::vector<LinkMember> members;
   // Median distance of the reprojected link to its supporting edgels, pixels.
   double residual_px = 0;
+  // Only after drawing_fuser.
+  std::optional<LinkDense> dense = std::nullopt;
 };
 
 // The 3D drawing: curves (links) that meet at nodes.
@@ -77,5 +102,9 @@ std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // Recompute `incident` and `kind` of every node from the links' node0, node1 and closed.
 void RebuildIncidence(DrawingGraph* graph);
+
+// Remove links marked 0, and nodes without links; the others keep their order. Rebuilds the
+// incidence.
+void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph);
 
 }  // namespace limn

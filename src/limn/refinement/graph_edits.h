@@ -1,15 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include <Eigen/Core>
 
 #include "limn/model/drawing_graph.h"
 
 namespace limn {
 
-// Changes of a drawing's topology. All but RemoveLinks leave `incident` and `kind` of the nodes to
+// Changes of a drawing's topology. They leave `incident` and `kind` of the nodes to
 // RebuildIncidence, and may leave nodes without links to RemoveLinks.
 
 // The straight line on which a link leaves at an end, through its last pixels without the outermost
@@ -32,8 +29,5 @@ void EndLinkAt(const LinkEnd& end, NodeId node, DrawingGraph* graph);
 // Two free ends become one: the link of `b` is appended to that of `a` and keeps nothing; it must
 // be removed. If both are of one link it is closed then.
 void JoinEnds(const LinkEnd& a, const LinkEnd& b, DrawingGraph* graph);
-
-// Remove links marked 0, and nodes without links.
-void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph);
 
 }  // namespace limn

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "limn/geometry/polyline.h"
-#include "limn/refinement/graph_edits.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {

@@ -1,0 +1,163 @@
+#include "colmap_ext/commands/fusion_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "colmap_ext/dense/depth_sources.h"
+#include "colmap_ext/dense/merged_cloud.h"
+#include "colmap_ext/dense/pmvs_with_curves.h"
+#include "colmap_ext/dense/sparse_with_curves.h"
+#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/model_writer.h"
+#include "limn/export/write_drawing.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string Number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
+// The colour at a pixel, grey or RGB.
+std::array<uint8_t, 3> ColorAt(const Image& image, const Eigen::Vector2d& pixel) {
+  const int column = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, image.width - 1);
+  const int row = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, image.height - 1);
+  const size_t at = (static_cast<size_t>(row) * image.width + column) * image.channels;
+  std::array<uint8_t, 3> color;
+  for (int c = 0; c < 3; ++c) {
+    const float value = image.data[at + (image.channels == 3 ? c : 0)];
+    color[c] = static_cast<uint8_t>(std::clamp(value, 0.f, 255.f));
+  }
+  return color;
+}
+
+void WriteSparseWithCurves(const Project& project, const FuserOptions& options,
+                           const std::vector<CurvePoint>& points, Console* console) {
+  const fs::path folder = project.DrawingPath("sparse-with-curves");
+  const int every = std::max(1, static_cast<int>(std::lround(options.sparse_spacing_px /
+                                                             options.dense.sample_spacing_px)));
+  SparseModel model = ReadModel(project.layout().model_dir);
+  const size_t before = model.points.size();
+  model = AddCurvePoints(std::move(model), points, project.views(), every);
+  fs::create_directories(folder);
+  WriteModelBinary(model, folder);
+  console->Say("wrote " + folder.string() + ": " + std::to_string(model.points.size() - before) +
+               " points of curves beside " + std::to_string(before) + " of the model");
+}
+
+void WriteMeshing(const Project& project, const FuserOptions& options, const DenseInput& dense,
+                  const std::vector<CurvePoint>& points, Console* console) {
+  const fs::path folder = project.DrawingPath("with-curves");
+  const std::vector<CloudPoint> extra = PointsForMeshing(points, options.ribbon_px);
+  fs::create_directories(folder);
+  WriteMeshingFolder(folder, dense.products.fused_cloud, project.layout().model_dir, extra,
+                     project.views());
+  console->Say("wrote " + folder.string() + ": " + std::to_string(dense.cloud->num_points) +
+               " dense points and " + std::to_string(extra.size()) + " of curves; to mesh them:");
+  console->Say("  colmap poisson_mesher --input_path " + (folder / "fused.ply").string() +
+               " --output_path " + (folder / "meshed-poisson.ply").string());
+  if (dense.cloud->has_visibility) {
+    console->Say("  colmap delaunay_mesher --input_path " + folder.string() + " --output_path " +
+                 (folder / "meshed-delaunay.ply").string());
+  }
+}
+
+}  // namespace
+
+void FuserOptions::Check() const {
+  paths.Check();
+  dense.Check();
+  LIMN_CHECK_OPTION(ribbon_px, >= 0);
+  LIMN_CHECK_OPTION(sparse_spacing_px, >= 1);
+}
+
+DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
+                          const std::string& workspace_path, Console* console) {
+  DenseInput dense;
+  dense.products = FindDenseProducts(options.paths, workspace_path, project.layout().dense_dir);
+  console->Say(dense.products.description);
+  const size_t num_images = CountRegisteredImages(project.layout().model_dir);
+  const auto open = [&](const fs::path& path) {
+    dense.cloud = OpenCloud(path, project.views(), num_images);
+    console->Say(std::to_string(dense.cloud->num_points) + " dense points" +
+                 (dense.cloud->has_visibility ? " with the images that see them" : ""));
+  };
+  switch (dense.products.kind) {
+    case DenseKind::kDepthMaps: {
+      const size_t count = CountDepthMaps(dense.products.path, project.views());
+      if (count == 0) throw IoError(dense.products.path.string(), "no depth map of any image");
+      console->Say(std::to_string(count) + " depth maps for " +
+                   std::to_string(project.views().size()) + " images");
+      dense.depths = DepthMapSource(dense.products.path, project.views());
+      if (!dense.products.fused_cloud.empty()) open(dense.products.fused_cloud);
+      break;
+    }
+    case DenseKind::kFusedCloud:
+    case DenseKind::kPmvs:
+      open(dense.products.path);
+      dense.depths = CloudDepthSource(dense.cloud->points, project.views());
+      break;
+    case DenseKind::kMesh:
+      throw IoError(dense.products.path.string(), "meshes are not read yet");
+  }
+  return dense;
+}
+
+void SayLengths(const FusionResult& result, const FuserOptions& options, Console* console) {
+  double whole = 0;
+  for (const double length : result.samples.length) whole += length;
+  const auto length_of = [&](DenseClass wanted) {
+    return LengthOf(wanted, result.samples, result.classes);
+  };
+  console->Say("length: " + Number(whole) + " in the model's unit; on a surface " +
+               Number(length_of(DenseClass::kSurface)) + ", at a boundary " +
+               Number(length_of(DenseClass::kBoundary)) + ", not judged " +
+               Number(length_of(DenseClass::kUnknown)));
+  console->Say("the drawing adds " + Number(length_of(DenseClass::kFree)) +
+               " that have no dense point within " + Number(options.dense.near_px) + " footprints");
+}
+
+void ColorCurvePoints(const Project& project, const RunContext& context,
+                      std::vector<CurvePoint>* points) {
+  std::vector<std::vector<size_t>> of_view(project.views().size());
+  for (size_t p = 0; p < points->size(); ++p) of_view[(*points)[p].views.front()].push_back(p);
+  ParallelFor(context, "reading colours", of_view.size(), [&](size_t v) {
+    if (of_view[v].empty()) return;
+    const View& view = project.views()[v];
+    const Image image = ReadViewImage(project.view_set(), static_cast<ViewId>(v));
+    for (const size_t p : of_view[v]) {
+      CurvePoint& point = (*points)[p];
+      const auto pixel = view.Project(point.position);
+      const auto stored = pixel ? view.StoredFromVirtual(*pixel) : std::nullopt;
+      if (stored) point.color = ColorAt(image, *stored);
+    }
+  });
+}
+
+void WriteFusionResults(const Project& project, const FuserOptions& options,
+                        const DenseInput& dense, const DrawingMetadata& metadata,
+                        const FusionResult& result, Console* console) {
+  const DrawingGraph graph = options.remove_occluded ? WithoutOccluded(result.graph) : result.graph;
+  for (const char* name : {"drawing-fused.ply", "drawing-fused.json", "drawing-fused.obj"}) {
+    WriteDrawing(project.DrawingPath(name), graph, metadata);
+  }
+  console->Say("wrote " + project.DrawingPath("drawing-fused.{ply,json,obj}"));
+  WriteSparseWithCurves(project, options, result.points, console);
+  if (dense.products.kind == DenseKind::kPmvs) {
+    const fs::path base = project.DrawingPath("pmvs-with-curves");
+    WritePmvsWithCurves(base, dense.products.path, *dense.cloud, result.points, project.views());
+    console->Say("wrote " + base.string() + ".{patch,ply}");
+  }
+  if (!dense.products.fused_cloud.empty()) {
+    WriteMeshing(project, options, dense, result.points, console);
+  }
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "colmap_ext/commands/console.h"
+#include "colmap_ext/commands/project.h"
+#include "colmap_ext/dense/dense_cloud.h"
+#include "colmap_ext/dense/products.h"
+#include "limn/dense/fuse_drawing.h"
+#include "limn/io/drawing_json_reader.h"
+
+namespace limn::colmap_ext {
+
+// The options of drawing_fuser beside paths and selection.
+struct FuserOptions {
+  std::string drawing_path;
+  DenseOptionsPaths paths;
+  DenseOptions dense;
+  bool remove_occluded = false;
+  int ribbon_px = 2;
+  int sparse_spacing_px = 4;
+
+  // Throws OptionError.
+  void Check() const;
+};
+
+// The dense results, open.
+struct DenseInput {
+  DenseProducts products;
+  DepthSource depths;
+  // Of PMVS or fused.ply; with depth maps the fused cloud beside them, if there is one.
+  std::optional<DenseCloud> cloud;
+};
+
+// Finds and opens them and says what was chosen. Throws IoError, also when no view has a depth map.
+DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
+                          const std::string& workspace_path, Console* console);
+
+// Length of the drawing by class, and what it adds to the dense results.
+void SayLengths(const FusionResult& result, const FuserOptions& options, Console* console);
+
+// Every point gets its colour from the photograph of the first of its views.
+void ColorCurvePoints(const Project& project, const RunContext& context,
+                      std::vector<CurvePoint>* points);
+
+// Writes drawing-fused.{ply,json,obj} and, as far as the dense results allow, with-curves/,
+// pmvs-with-curves.{patch,ply} and sparse-with-curves/; says what meshers to call.
+void WriteFusionResults(const Project& project, const FuserOptions& options,
+                        const DenseInput& dense, const DrawingMetadata& metadata,
+                        const FusionResult& result, Console* console);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,129 @@
+#include "colmap_ext/dense/dense_cloud.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "colmap_ext/dense/patch_file.h"
+#include "colmap_ext/workspace/byte_reader.h"
+#include "limn/io/ply_points.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// Per image of the model its view, or -1.
+std::vector<ViewId> ViewsByModelIndex(const std::vector<View>& views, size_t num_images) {
+  std::vector<ViewId> by_index(num_images, -1);
+  for (size_t v = 0; v < views.size(); ++v) {
+    const auto index = static_cast<size_t>(views[v].model_index);
+    if (index < num_images) by_index[index] = static_cast<ViewId>(v);
+  }
+  return by_index;
+}
+
+// The lists of a .vis file, one after the other.
+class VisibilityReader {
+ public:
+  VisibilityReader(const std::string& path, uint64_t num_points, std::vector<ViewId> views)
+      : in_(path, std::ios::binary), reader_(in_, path), views_(std::move(views)) {
+    const uint64_t count = reader_.ReadCount("number of points", sizeof(uint32_t));
+    if (count != num_points) {
+      reader_.At(0).Fail(std::to_string(count) + " points, but the cloud has " +
+                         std::to_string(num_points));
+    }
+  }
+
+  std::vector<ViewId> Next() {
+    const auto count = reader_.Read<uint32_t>("number of images");
+    std::vector<ViewId> seen_by;
+    for (uint32_t k = 0; k < count; ++k) {
+      const Place place = reader_.Here();
+      const auto image = reader_.Read<uint32_t>("image number");
+      if (image >= views_.size()) {
+        place.Fail("image " + std::to_string(image) + ", but the model has " +
+                   std::to_string(views_.size()));
+      }
+      if (views_[image] >= 0) seen_by.push_back(views_[image]);
+    }
+    std::sort(seen_by.begin(), seen_by.end());
+    return seen_by;
+  }
+
+ private:
+  std::ifstream in_;
+  ByteReader reader_;
+  std::vector<ViewId> views_;
+};
+
+Eigen::Vector3d UnitOrZero(const Eigen::Vector3d& vector) {
+  const double norm = vector.norm();
+  return norm > 0 ? Eigen::Vector3d(vector / norm) : Eigen::Vector3d::Zero();
+}
+
+}  // namespace
+
+DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<View>& views,
+                        size_t num_model_images) {
+  const PlyPointsInfo info = ReadPlyPointsInfo(path.string());
+  const std::string visibility = path.string() + ".vis";
+  std::error_code ignored;
+  const bool has_visibility = std::filesystem::exists(visibility, ignored);
+  const std::vector<ViewId> by_index = ViewsByModelIndex(views, num_model_images);
+  if (has_visibility) VisibilityReader(visibility, info.count, by_index);  // throws
+  DenseCloud cloud = {info.count, info.has_normals, has_visibility, {}};
+  cloud.points = [=](const DensePointVisitor& visit) {
+    std::unique_ptr<VisibilityReader> seen_by;
+    if (has_visibility) {
+      seen_by = std::make_unique<VisibilityReader>(visibility, info.count, by_index);
+    }
+    DensePoint point;
+    ReadPlyPoints(path.string(), [&](const PlyPoint& from) {
+      point.position = from.position;
+      point.normal = UnitOrZero(from.normal);
+      point.color = from.color;
+      if (seen_by) point.views = seen_by->Next();
+      visit(point);
+    });
+  };
+  return cloud;
+}
+
+DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views) {
+  const std::vector<std::string> names = ReadPmvsImageNames(path.string());
+  std::map<int, ViewId> view_of;
+  for (size_t v = 0; v < views.size(); ++v) {
+    const auto named = std::find(names.begin(), names.end(), views[v].name);
+    const int number =
+        names.empty() ? views[v].model_index : static_cast<int>(named - names.begin());
+    if (names.empty() || named != names.end()) view_of[number] = static_cast<ViewId>(v);
+  }
+  DenseCloud cloud;
+  cloud.has_normals = cloud.has_visibility = true;
+  ReadPatchFile(path.string(), [&](const Patch&) { ++cloud.num_points; });
+  cloud.points = [=](const DensePointVisitor& visit) {
+    DensePoint point;
+    ReadPatchFile(path.string(), [&](const Patch& patch) {
+      point.position = patch.position;
+      point.normal = UnitOrZero(patch.normal);
+      point.views.clear();
+      for (const int image : patch.images) {
+        const auto view = view_of.find(image);
+        if (view != view_of.end()) point.views.push_back(view->second);
+      }
+      std::sort(point.views.begin(), point.views.end());
+      visit(point);
+    });
+  };
+  return cloud;
+}
+
+DenseCloud OpenCloud(const std::filesystem::path& path, const std::vector<View>& views,
+                     size_t num_model_images) {
+  if (path.extension() == ".patch") return OpenPatchCloud(path, views);
+  return OpenPlyCloud(path, views, num_model_images);
+}
+
+}  // namespace limn::colmap_ext

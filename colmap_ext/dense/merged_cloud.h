@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "limn/dense/curve_points.h"
+#include "limn/model/view.h"
+
+namespace limn::colmap_ext {
+
+// A point of a cloud as COLMAP's fused.ply has it.
+struct CloudPoint {
+  Eigen::Vector3d position;
+  Eigen::Vector3d normal;
+  std::array<uint8_t, 3> color;
+  std::vector<ViewId> views;
+};
+
+// What meshers are given of the curves: points with the normals of the faces beside them, as many
+// as faces are known, on the curve and `ribbon_px` to the side on each face, one footprint apart.
+// Samples without a known face are left out: they would tell a mesher of a surface that is not
+// there.
+std::vector<CloudPoint> PointsForMeshing(const std::vector<CurvePoint>& points, int ribbon_px);
+
+// A folder for COLMAP's meshers: fused-with-curves.ply, the points of `fused` followed by those of
+// the curves, in COLMAP's own format, and fused-with-curves.ply.vis, if `fused` has one, in the
+// order of the model's images. So that it is a workspace of delaunay_mesher too, fused.ply and
+// fused.ply.vis are links to these two, and sparse/ to that of the model (copies where the file
+// system has no links). Existing files of these names are replaced; nothing else is touched. Throws
+// IoError.
+void WriteMeshingFolder(const std::filesystem::path& folder, const std::filesystem::path& fused,
+                        const std::filesystem::path& model_dir,
+                        const std::vector<CloudPoint>& curve_points,
+                        const std::vector<View>& views);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,85 @@
+#include "colmap_ext/dense/pmvs_with_curves.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "colmap_ext/dense/patch_file.h"
+#include "limn/io/atomic_file.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// PMVS number of every view; -1 if it has none.
+std::vector<int> PmvsNumbers(const std::vector<std::string>& names,
+                             const std::vector<View>& views) {
+  std::vector<int> numbers;
+  for (const View& view : views) {
+    const auto named = std::find(names.begin(), names.end(), view.name);
+    if (names.empty()) {
+      numbers.push_back(view.model_index);
+    } else {
+      numbers.push_back(named == names.end() ? -1 : static_cast<int>(named - names.begin()));
+    }
+  }
+  return numbers;
+}
+
+std::vector<Patch> CurvePatches(const std::vector<CurvePoint>& points,
+                                const std::vector<View>& views, const std::vector<int>& numbers) {
+  std::vector<Patch> patches;
+  for (const CurvePoint& point : points) {
+    Patch patch;
+    patch.position = point.position;
+    patch.normal = point.Outward(views);
+    patch.photometric_score = 1;
+    for (const ViewId view : point.views) {
+      if (numbers[view] >= 0) patch.images.push_back(numbers[view]);
+    }
+    if (!patch.images.empty()) patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
+void PutLine(const Eigen::Vector3d& position, const Eigen::Vector3d& normal,
+             const std::array<uint8_t, 3>& color, std::ostream& out) {
+  char text[32];
+  for (const Eigen::Vector3d& vector : {position, normal}) {
+    for (const double value : vector) {
+      out.write(text, std::to_chars(text, text + sizeof(text), value).ptr - text);
+      out << ' ';
+    }
+  }
+  out << static_cast<int>(color[0]) << ' ' << static_cast<int>(color[1]) << ' '
+      << static_cast<int>(color[2]) << '\n';
+}
+
+}  // namespace
+
+void WritePmvsWithCurves(const std::filesystem::path& base, const std::filesystem::path& pmvs_cloud,
+                         const DenseCloud& cloud, const std::vector<CurvePoint>& points,
+                         const std::vector<View>& views) {
+  const std::vector<int> numbers = PmvsNumbers(ReadPmvsImageNames(pmvs_cloud.string()), views);
+  std::vector<Patch> patches;
+  if (pmvs_cloud.extension() == ".patch") {
+    ReadPatchFile(pmvs_cloud.string(), [&](const Patch& patch) { patches.push_back(patch); });
+  }
+  const std::vector<Patch> of_curves = CurvePatches(points, views, numbers);
+  patches.insert(patches.end(), of_curves.begin(), of_curves.end());
+  WriteFileAtomically(base.string() + ".patch",
+                      [&](std::ostream& out) { WritePatchFile(patches, out); });
+  WriteFileAtomically(base.string() + ".ply", [&](std::ostream& out) {
+    out << "ply\nformat ascii 1.0\nelement vertex " << cloud.num_points + points.size()
+        << "\nproperty float x\nproperty float y\nproperty float z\n"
+           "property float nx\nproperty float ny\nproperty float nz\n"
+           "property uchar diffuse_red\nproperty uchar diffuse_green\n"
+           "property uchar diffuse_blue\nend_header\n";
+    cloud.points(
+        [&](const DensePoint& point) { PutLine(point.position, point.normal, point.color, out); });
+    for (const CurvePoint& point : points) {
+      PutLine(point.position, point.Outward(views), point.color, out);
+    }
+  });
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/dense/link_classes.h"
+
+namespace limn {
+
+// A sample of the drawing as a point of a cloud.
+struct CurvePoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d tangent = Eigen::Vector3d::UnitX();
+  double footprint = 0;
+  // Unit normals of the faces that meet here, left and right; zero = not known.
+  std::array<Eigen::Vector3d, 2> normals = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  // Of the views that support its link, those that see it, ascending; all of them where no dense
+  // result says which.
+  std::vector<ViewId> views;
+  DenseClass sample_class = DenseClass::kUnknown;
+  LinkId link = -1;
+  std::array<uint8_t, 3> color = {};  // filled in by who has the photographs
+
+  bool HasNormal() const { return normals[0].norm() > 0 || normals[1].norm() > 0; }
+  // Towards the outside: the mean of the known normals, else the direction in which the mean camera
+  // is seen, across the curve. `views` are all views.
+  Eigen::Vector3d Outward(const std::vector<View>& all_views) const;
+};
+
+// The samples of all links that are not behind the surface. Two normals that differ by less than
+// a few degrees become one: the face goes on.
+std::vector<CurvePoint> MakeCurvePoints(const DrawingGraph& graph, const DrawingSamples& samples,
+                                        const std::vector<SampleEvidence>& evidence,
+                                        const DenseClasses& classes);
+
+}  // namespace limn

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+
+namespace limn {
+
+// Points evenly spread over all links of a drawing, link by link.
+struct DrawingSamples {
+  std::vector<Eigen::Vector3d> position;
+  std::vector<Eigen::Vector3d> tangent;  // unit
+  std::vector<double> footprint;  // world units per px, median over the link's supporting views
+  std::vector<double> length;     // of the piece of the link that the sample stands for
+  std::vector<LinkId> link;
+
+  size_t size() const { return position.size(); }
+};
+
+// Samples no farther apart than `spacing_px` footprints, without the links' ends, at which others
+// begin. Links that no view sees have none.
+DrawingSamples SampleDrawing(const DrawingGraph& graph, const std::vector<View>& views,
+                             double spacing_px);
+
+}  // namespace limn

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limn/dense/curve_points.h"
+#include "limn/dense/dense_options.h"
+#include "limn/dense/dense_point.h"
+#include "limn/dense/link_classes.h"
+#include "limn/dense/sample_sights.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/util/parallel.h"
+#include "limn/util/stage_summary.h"
+
+namespace limn {
+
+struct FusionInput {
+  const std::vector<View>& views;
+  const DrawingGraph& graph;
+  DepthSource depths;
+  // Which samples have a dense point near: from the cloud, else from the depths.
+  std::optional<DensePointStream> cloud;
+};
+
+struct FusionResult {
+  DrawingGraph graph;  // with what the dense surface says of every link
+  DrawingSamples samples;
+  DenseClasses classes;
+  std::vector<CurvePoint> points;  // of the links that are not behind the surface
+  StageSummary summary;
+};
+
+// Compare a drawing with dense results: visibility of its samples, class of its links, and the
+// points it adds. Throws OptionError and Cancelled, and what the sources throw. Time: samples times
+// views, and one pass over the cloud.
+FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,
+                         const RunContext& context);
+
+// The links that are not behind the surface.
+DrawingGraph WithoutOccluded(const DrawingGraph& graph);
+
+}  // namespace limn

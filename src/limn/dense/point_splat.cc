@@ -1,0 +1,86 @@
+#include "limn/dense/point_splat.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace limn {
+namespace {
+
+constexpr double kMinCellPx = 1;
+constexpr double kMaxCellPx = 16;
+
+// A point in a view.
+struct Seen {
+  Eigen::Vector2d pixel;
+  double depth;
+};
+
+std::optional<Seen> See(const View& view, const DensePoint& point) {
+  const Eigen::Vector3d in_camera = view.cam_from_world * point.position;
+  if (!(in_camera.z() > 0)) return std::nullopt;
+  if (point.normal.dot(view.CenterInWorld() - point.position) < 0) return std::nullopt;
+  const auto pixel = view.Project(point.position);
+  if (!pixel) return std::nullopt;
+  return Seen{*pixel, in_camera.z()};
+}
+
+template <typename Visit>
+void ForEachSight(const DensePointStream& points, const std::vector<View>& views, size_t begin,
+                  size_t end, const Visit& visit) {
+  points([&](const DensePoint& point) {
+    const auto look = [&](size_t v) {
+      if (const auto seen = See(views[v], point)) visit(v - begin, point, *seen);
+    };
+    if (point.views.empty()) {
+      for (size_t v = begin; v < end; ++v) look(v);
+      return;
+    }
+    for (const ViewId view : point.views) {
+      const auto v = static_cast<size_t>(view);
+      if (v >= begin && v < end) look(v);
+    }
+  });
+}
+
+DepthImage EmptyImage(const View& view, size_t num_points) {
+  DepthImage image;
+  if (num_points == 0) return image;
+  const double area = static_cast<double>(view.camera.width) * view.camera.height;
+  const double cell =
+      std::clamp(std::sqrt(area / static_cast<double>(num_points)), kMinCellPx, kMaxCellPx);
+  image.width = static_cast<int>(std::ceil(view.camera.width / cell));
+  image.height = static_cast<int>(std::ceil(view.camera.height / cell));
+  image.cell_px = {cell, cell};
+  image.origin_px = {0.5 * (cell - 1), 0.5 * (cell - 1)};
+  const size_t num_cells = static_cast<size_t>(image.width) * image.height;
+  image.depth.assign(num_cells, 0);
+  image.normal_in_world.assign(num_cells, Eigen::Vector3f::Zero());
+  return image;
+}
+
+}  // namespace
+
+std::vector<DepthImage> SplatPoints(const DensePointStream& points, const std::vector<View>& views,
+                                    size_t begin, size_t end) {
+  std::vector<size_t> num_points(end - begin, 0);
+  ForEachSight(points, views, begin, end,
+               [&](size_t v, const DensePoint&, const Seen&) { ++num_points[v]; });
+  std::vector<DepthImage> images;
+  for (size_t v = begin; v < end; ++v) {
+    images.push_back(EmptyImage(views[v], num_points[v - begin]));
+  }
+  ForEachSight(points, views, begin, end, [&](size_t v, const DensePoint& point, const Seen& seen) {
+    DepthImage& image = images[v];
+    const Eigen::Vector2i cell = image.CellAt(seen.pixel);
+    if (!image.Contains(cell.x(), cell.y())) return;
+    const size_t at = static_cast<size_t>(cell.y()) * image.width + cell.x();
+    const auto depth = static_cast<float>(seen.depth);
+    if (image.depth[at] > 0 && image.depth[at] <= depth) return;
+    image.depth[at] = depth;
+    image.normal_in_world[at] = point.normal.cast<float>();
+  });
+  return images;
+}
+
+}  // namespace limn
