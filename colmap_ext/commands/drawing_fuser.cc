@@ -20,8 +20,6 @@ void AddFusionOptions(FuserOptions* options, OptionParser* more) {
                   "their file or folder, instead of those found beside the model");
   more->AddOption("remove_occluded", &options->remove_occluded,
                   "leave out links behind the surface, instead of marking them");
-  more->AddOption("ribbon_px", &options->ribbon_px,
-                  "points for meshing go this far from the curves onto known faces, px");
   more->AddOption("sparse_spacing_px", &options->sparse_spacing_px,
                   "distance of the curves' points in sparse-with-curves, px");
   more->AddOption("DenseFusion.depth_tolerance_px", &dense.depth_tolerance_px,

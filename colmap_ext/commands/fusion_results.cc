@@ -52,10 +52,10 @@ void WriteSparseWithCurves(const Project& project, const FuserOptions& options,
                " points of curves beside " + std::to_string(before) + " of the model");
 }
 
-void WriteMeshing(const Project& project, const FuserOptions& options, const DenseInput& dense,
+void WriteMeshing(const Project& project, const DenseInput& dense,
                   const std::vector<CurvePoint>& points, Console* console) {
   const fs::path folder = project.DrawingPath("with-curves");
-  const std::vector<CloudPoint> extra = PointsForMeshing(points, options.ribbon_px);
+  const std::vector<CloudPoint> extra = PointsForMeshing(points);
   fs::create_directories(folder);
   WriteMeshingFolder(folder, dense.products.fused_cloud, project.layout().model_dir, extra,
                      project.views());
@@ -74,7 +74,6 @@ void WriteMeshing(const Project& project, const FuserOptions& options, const Den
 void FuserOptions::Check() const {
   paths.Check();
   dense.Check();
-  LIMN_CHECK_OPTION(ribbon_px, >= 0);
   LIMN_CHECK_OPTION(sparse_spacing_px, >= 1);
 }
 
@@ -156,7 +155,7 @@ void WriteFusionResults(const Project& project, const FuserOptions& options,
     console->Say("wrote " + base.string() + ".{patch,ply}");
   }
   if (!dense.products.fused_cloud.empty()) {
-    WriteMeshing(project, options, dense, result.points, console);
+    WriteMeshing(project, dense, result.points, console);
   }
 }
 

@@ -19,7 +19,6 @@ struct FuserOptions {
   DenseOptionsPaths paths;
   DenseOptions dense;
   bool remove_occluded = false;
-  int ribbon_px = 2;
   int sparse_spacing_px = 4;
 
   // Throws OptionError.

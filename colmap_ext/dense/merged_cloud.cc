@@ -3,8 +3,6 @@
 #include <fstream>
 #include <system_error>
 
-#include <Eigen/Geometry>
-
 #include "limn/export/ply_output.h"
 #include "limn/io/atomic_file.h"
 #include "limn/io/ply_points.h"
@@ -73,18 +71,11 @@ void LinkOrCopy(const fs::path& target, const fs::path& link) {
 
 }  // namespace
 
-std::vector<CloudPoint> PointsForMeshing(const std::vector<CurvePoint>& points, int ribbon_px) {
+std::vector<CloudPoint> PointsForMeshing(const std::vector<CurvePoint>& points) {
   std::vector<CloudPoint> result;
   for (const CurvePoint& point : points) {
-    for (const int side : {0, 1}) {
-      const Eigen::Vector3d& normal = point.normals[side];
-      if (!(normal.norm() > 0)) continue;
-      // On the face, away from the curve: left of the tangent seen from outside, or right.
-      const Eigen::Vector3d away = (side == 0 ? 1 : -1) * normal.cross(point.tangent).normalized();
-      for (int k = 0; k <= ribbon_px; ++k) {
-        result.push_back(
-            {point.position + k * point.footprint * away, normal, point.color, point.views});
-      }
+    for (const Eigen::Vector3d& normal : point.normals) {
+      if (normal.norm() > 0) result.push_back({point.position, normal, point.color, point.views});
     }
   }
   return result;

@@ -16,11 +16,11 @@ struct CloudPoint {
   std::vector<ViewId> views;
 };
 
-// What meshers are given of the curves: points with the normals of the faces beside them, as many
-// as faces are known, on the curve and `ribbon_px` to the side on each face, one footprint apart.
-// Samples without a known face are left out: they would tell a mesher of a surface that is not
-// there.
-std::vector<CloudPoint> PointsForMeshing(const std::vector<CurvePoint>& points, int ribbon_px);
+// What meshers are given of the curves: every sample once for each of the faces beside it that are
+// known, with that face's normal. Samples without a known face are left out: they would tell a
+// mesher of a surface that is not there. (More points to the sides, on the faces, made the sample
+// scene's mesh worse.)
+std::vector<CloudPoint> PointsForMeshing(const std::vector<CurvePoint>& points);
 
 // A folder for COLMAP's meshers: fused-with-curves.ply, the points of `fused` followed by those of
 // the curves, in COLMAP's own format, and fused-with-curves.ply.vis, if `fused` has one, in the

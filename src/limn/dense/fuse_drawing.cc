@@ -21,7 +21,8 @@ StageSummary Summary(const DenseClasses& classes, size_t num_samples) {
     return static_cast<int64_t>(std::count_if(classes.links.begin(), classes.links.end(), is));
   };
   const auto of_class = [&](DenseClass wanted) {
-    return count([=](const LinkDense& link) { return link.dense_class == wanted; });
+    return count(
+        [=](const LinkDense& link) { return !link.behind_surface && link.dense_class == wanted; });
   };
   StageSummary summary;
   summary.stage = "fusion";

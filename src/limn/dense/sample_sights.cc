@@ -11,6 +11,8 @@ namespace {
 // Steepest surface whose depths still count as one with the curve: tangent of the angle to the
 // image plane.
 constexpr double kMaxSlope = 1.7;
+// A single depth in front may be a stray one: so many of the nine cells around must be nearer.
+constexpr int kMinFrontCells = 3;
 // Steps to either side at which the surface is looked at, beyond the first.
 constexpr int kNumProbes = 3;
 
@@ -49,7 +51,9 @@ class Look {
       }
     }
     if (num_near > 0) return Sight::kVisible;
-    if (num_front > num_behind) return Sight::kOccluded;
+    if (num_front > num_behind) {
+      return num_front >= kMinFrontCells ? Sight::kOccluded : Sight::kUnknown;
+    }
     return num_behind > 0 ? Sight::kVisible : Sight::kUnknown;
   }
 
