@@ -21,6 +21,7 @@ constexpr Command kCommands[] = {
     {"curve_sketcher", RunCurveSketcher, "reconstruct a sketch of 3D curves, original or enhanced"},
     {"curve_drawer", RunCurveDrawer, "make the drawing from a stored enhanced sketch"},
     {"drawing_refiner", RunDrawingRefiner, "fit a stored drawing to all images"},
+    {"model_importer", RunModelImporter, "make a COLMAP model from cameras in another format"},
     {"drawing_evaluator", RunDrawingEvaluator, "compare curves with ground truth"},
 };
 
