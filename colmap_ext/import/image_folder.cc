@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kImageExtensions = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp",
-                                         ".ppm", ".pgm", ".webp", ".jp2", ".exr"};
+constexpr std::array kImageExtensions = {".png", ".jpg", ".jpeg", ".tif",  ".tiff",
+                                         ".bmp", ".ppm", ".pgm",  ".webp", ".jp2"};
 
 bool IsImage(const fs::path& path) {
   std::string extension = path.extension().string();

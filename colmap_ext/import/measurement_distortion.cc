@@ -1,40 +1,43 @@
 #include "colmap_ext/import/measurement_distortion.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
+#include <Eigen/QR>
 
 namespace limn::colmap_ext {
 namespace {
 
-// T(z) = (a0 + a1 z + a2 z^2 + a3 z^3) / (1 + b1 z + b2 z^2 + b3 z^3), equal in the terms up to
-// z^6.
-struct Pade {
-  std::array<double, 4> a;
-  std::array<double, 4> b;
-};
+using Coefficients = Eigen::Matrix<double, 6, 1>;  // k1 ... k6
 
-Pade TernaryTreePade() {
-  // binomial(3 n, n) / (2 n + 1)
-  constexpr std::array<double, 7> kSeries = {1, 1, 3, 12, 55, 273, 1428};
-  Eigen::Matrix3d matrix;
-  Eigen::Vector3d right;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) matrix(row, column) = kSeries[3 + row - column];
-    right(row) = -kSeries[4 + row];
-  }
-  const Eigen::Vector3d b = matrix.partialPivLu().solve(right);
-  Pade pade = {{}, {1, b(0), b(1), b(2)}};
-  for (int i = 0; i < 4; ++i) {
-    for (int k = 0; k <= i; ++k) pade.a[i] += pade.b[k] * kSeries[i - k];
-  }
-  return pade;
+Eigen::ArrayXd Denominator(const Coefficients& k, const Eigen::ArrayXd& u) {
+  return 1 + u * (k(3) + u * (k(4) + u * k(5)));
 }
 
-double Polynomial(const std::array<double, 4>& c, double x) {
-  return c[0] + x * (c[1] + x * (c[2] + x * c[3]));
+Eigen::ArrayXd Factor(const Coefficients& k, const Eigen::ArrayXd& u) {
+  return (1 + u * (k(0) + u * (k(1) + u * k(2)))) / Denominator(k, u);
+}
+
+// `factor` as a function of u. The equations are multiplied by the denominator, which makes them
+// linear, and their weights take it out again, as it was in the round before.
+Coefficients Fit(const Eigen::ArrayXd& u, const Eigen::ArrayXd& factor,
+                 const Eigen::ArrayXd& weight) {
+  constexpr int kRounds = 5;
+  Coefficients k = Coefficients::Zero();
+  Eigen::Matrix<double, Eigen::Dynamic, 6> matrix(u.size(), 6);
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::ArrayXd w = weight / Denominator(k, u);
+    for (int power = 1; power <= 3; ++power) {
+      matrix.col(power - 1) = w * u.pow(power);
+      matrix.col(power + 2) = -w * factor * u.pow(power);
+    }
+    const Coefficients scale = matrix.colwise().norm().transpose();
+    matrix = matrix * scale.cwiseInverse().asDiagonal();
+    // The least solution: without distortion the two halves of the columns are the same.
+    const Eigen::VectorXd right = w * (factor - 1);
+    k = matrix.completeOrthogonalDecomposition().solve(right).cwiseQuotient(scale);
+  }
+  return k;
 }
 
 }  // namespace
@@ -42,19 +45,14 @@ double Polynomial(const std::array<double, 4>& c, double x) {
 std::optional<InvertedDistortion> InvertMeasurementDistortion(double r, double max_radius) {
   // dp/dm > 0 up to the border.
   if (!(1 + 3 * r * max_radius * max_radius > 0)) return std::nullopt;
-  static const Pade kPade = TernaryTreePade();
-  const double z = -r;  // per |p|^2
-  const auto k = [z](const std::array<double, 4>& c, int n) { return c[n] * std::pow(z, n); };
+  constexpr int kSamples = 1000;
+  const Eigen::ArrayXd m = Eigen::ArrayXd::LinSpaced(kSamples, max_radius / kSamples, max_radius);
+  const Eigen::ArrayXd p = m * (1 + r * m.square());
+  const Eigen::ArrayXd u = p.square();
+  const Coefficients k = Fit(u, m / p, p);
   InvertedDistortion inverted;
-  inverted.extra = {k(kPade.a, 1), k(kPade.a, 2), 0, 0, k(kPade.a, 3), k(kPade.b, 1),
-                    k(kPade.b, 2), k(kPade.b, 3)};
-  constexpr int kSteps = 1000;
-  for (int i = 1; i <= kSteps; ++i) {
-    const double m = max_radius * i / kSteps;
-    const double p = m * (1 + r * m * m);
-    const double again = p * Polynomial(kPade.a, z * p * p) / Polynomial(kPade.b, z * p * p);
-    inverted.max_error = std::max(inverted.max_error, std::abs(again - m));
-  }
+  inverted.extra = {k(0), k(1), 0, 0, k(2), k(3), k(4), k(5)};
+  inverted.max_error = (p * Factor(k, u) - m).abs().maxCoeff();
   return inverted;
 }
 

@@ -20,7 +20,9 @@ TEST(Formats, AreRecognisedByWhatIsThere) {
                           bool file_alone) {
     const std::string path = dir.WriteFile(std::string(name) + "/" + file, text);
     EXPECT_THAT(RecogniseFormat(dir / name).name, StrEq(name));
-    if (file_alone) EXPECT_THAT(RecogniseFormat(path).name, StrEq(name));
+    if (file_alone) {
+      EXPECT_THAT(RecogniseFormat(path).name, StrEq(name));
+    }
   };
   expect("001.projmatrix", kMatrix, "projection_matrices", false);
   expect("frame_1.extrinsic", "", "intrinsic_extrinsic", false);
@@ -60,16 +62,6 @@ TEST(Formats, SeveralFilesOfOneFormatAreRefused) {
                 FindImportFormat("nvm")->read({dir.path(), &images, "", -1});
               }),
               HasSubstr("several files *.nvm in this folder (a.nvm, b.nvm)"));
-}
-
-TEST(NaturallyLess, OrdersNumbersByValue) {
-  EXPECT_TRUE(NaturallyLess("a2", "a10"));
-  EXPECT_FALSE(NaturallyLess("a10", "a2"));
-  EXPECT_TRUE(NaturallyLess("a02b", "a2c"));
-  EXPECT_TRUE(NaturallyLess("a", "a1"));
-  EXPECT_TRUE(NaturallyLess("9", "a"));
-  EXPECT_FALSE(NaturallyLess("a1", "a1"));
-  EXPECT_NE(NaturallyLess("a01", "a1"), NaturallyLess("a1", "a01"));
 }
 
 }  // namespace

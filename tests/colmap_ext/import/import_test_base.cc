@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include <opencv2/imgcodecs.hpp>
@@ -134,7 +135,7 @@ void ExpectSamePoints(const SparseModel& actual, const SparseModel& expected) {
 }
 
 void ExpectSameAfterExport(const SparseModel& actual, const SparseModel& original,
-                           const Eigen::Vector2d& shift_px) {
+                           const Eigen::Vector2d& shift_px, Repeats repeats) {
   ASSERT_EQ(actual.images.size(), original.images.size());
   ASSERT_EQ(actual.points.size(), original.points.size());
   std::map<std::array<double, 3>, const ModelPoint*> points;
@@ -150,19 +151,24 @@ void ExpectSameAfterExport(const SparseModel& actual, const SparseModel& origina
     const auto same = points.find(key(point));
     ASSERT_NE(same, points.end()) << point.id;
     EXPECT_EQ(same->second->color, point.color);
-    ASSERT_EQ(same->second->track.size(), point.track.size());
+    std::set<uint32_t> seen;
+    size_t num_measurements = 0;
     for (const TrackElement& element : point.track) {
+      if (!seen.insert(element.image_id).second && repeats == Repeats::kFirst) continue;
+      ++num_measurements;
       const auto of_id = [&](const ModelImage& image) { return image.id == element.image_id; };
       const ModelImage& image =
           *std::find_if(original.images.begin(), original.images.end(), of_id);
       const ModelImage* imported = FindImage(actual, image.name);
       ASSERT_NE(imported, nullptr) << image.name;
-      EXPECT_LT(
-          (Project(actual, *imported, point.position) -
-           principal_point(actual.CameraOf(*imported)) - Project(original, image, point.position) +
-           principal_point(original.CameraOf(image)))
-              .norm(),
-          1e-6);
+      if (point.id % 10 == 0) {  // it takes long
+        EXPECT_LT(
+            (Project(actual, *imported, point.position) -
+             principal_point(actual.CameraOf(*imported)) -
+             Project(original, image, point.position) + principal_point(original.CameraOf(image)))
+                .norm(),
+            1e-6);
+      }
       const Eigen::Vector2d measured = image.observations[element.observation].position + shift_px;
       const auto is_measured = [&](const Observation& observation) {
         return observation.point3D_id == same->second->id &&
@@ -172,6 +178,7 @@ void ExpectSameAfterExport(const SparseModel& actual, const SparseModel& origina
           std::any_of(imported->observations.begin(), imported->observations.end(), is_measured))
           << image.name << ", point " << point.id;
     }
+    EXPECT_EQ(same->second->track.size(), num_measurements);
   }
 }
 
@@ -219,7 +226,7 @@ SparseModel ImportTest::Import(const std::string& format, const fs::path& path,
   WriteNewModel(model, output / "txt", ModelFlavour::kText);
   SparseModel read = ReadModel(output / "bin");
   ExpectSameModel(ReadModel(output / "txt"), read);
-  EXPECT_THAT(read.warnings, ::testing::IsEmpty());
+  warnings_ = read.warnings;
   return read;
 }
 

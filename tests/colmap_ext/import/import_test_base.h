@@ -36,10 +36,13 @@ void ExpectSameProjections(const SparseModel& actual, const SparseModel& expecte
 // The same points (in this order), each with the same measurements.
 void ExpectSamePoints(const SparseModel& actual, const SparseModel& expected);
 
+// Whether an export keeps all measurements of a point by one image, or the first.
+enum class Repeats { kAll, kFirst };
+
 // A model that went through an export of COLMAP's which drops the principal point: the same poses,
 // points and focal lengths, and measurements that are moved by `shift_px` and have six digits.
 void ExpectSameAfterExport(const SparseModel& actual, const SparseModel& original,
-                           const Eigen::Vector2d& shift_px);
+                           const Eigen::Vector2d& shift_px, Repeats repeats);
 
 // The number in so many digits that it reads back the same.
 std::string Text(double value);
@@ -61,6 +64,7 @@ class ImportTest : public ::testing::Test {
   // Read with the format's own pixel centres.
   SparseModel Import(const std::string& format, const std::filesystem::path& path);
   // Read, make a model, write it as binary and as text, and read both again; they are the same.
+  // The warnings of reading go to warnings_.
   SparseModel Import(const std::string& format, const std::filesystem::path& path,
                      const Arguments& arguments);
   // The text of the IoError that reading throws.
@@ -70,7 +74,8 @@ class ImportTest : public ::testing::Test {
 
   TempDir dir_;
   std::filesystem::path images_;
-  std::vector<std::string> notes_;  // of the last scene
+  std::vector<std::string> notes_;     // of the last scene
+  std::vector<std::string> warnings_;  // of the last model
 };
 
 }  // namespace limn::colmap_ext
