@@ -172,6 +172,7 @@ ImportedScene ReadNerfTransforms(const ImportInput& input) {
   const Json file = Parse(path);
   ImportedScene scene;
   scene.notes = {"Read " + path};
+  if (file.contains("ply_file_path")) scene.notes.push_back("The points of its .ply are not read");
   uint64_t number = 0;
   for (const Json& frame : file.at("frames")) {
     const Place place{path, "frame", number++};

@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
@@ -109,6 +110,13 @@ TEST_F(NerfTransforms, LensesBecomeColmaps) {
     lens.update(flag);
     expect(CameraModelId::kOpencvFisheye, {-0.02, 0.005, -0.003, 0.0005}, lens);
   }
+}
+
+TEST_F(NerfTransforms, ThatPointsAreNotReadIsSaid) {
+  Json file = File(known_);
+  file["ply_file_path"] = "points.ply";
+  EXPECT_TRUE(Import(kFormat, Write(file)).points.empty());
+  EXPECT_THAT(notes_, Contains("The points of its .ply are not read"));
 }
 
 TEST_F(NerfTransforms, NamesWithoutExtensionArePng) {

@@ -1,7 +1,5 @@
 #include "colmap_ext/import/projection_matrices.h"
 
-#include <fstream>
-
 #include "colmap_ext/import/import_test_base.h"
 
 namespace limn::colmap_ext {
