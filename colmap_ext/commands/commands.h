@@ -13,5 +13,6 @@ int RunDrawingEvaluator(int argc, const char* const* argv);
 int RunDrawingRefiner(int argc, const char* const* argv);
 int RunDrawingFuser(int argc, const char* const* argv);
 int RunEdgeExtractor(int argc, const char* const* argv);
+int RunModelImporter(int argc, const char* const* argv);
 
 }  // namespace limn::colmap_ext

@@ -10,8 +10,6 @@
 namespace limn {
 namespace {
 
-constexpr double kMaxCount = 1e9;
-
 // Brackets and '=' are decoration: blanks instead make every line plain words.
 std::string WithoutDecoration(std::string text) {
   for (char& c : text) {
@@ -22,14 +20,6 @@ std::string WithoutDecoration(std::string text) {
 
 void Expect(TextScanner* scanner, const char* word) {
   if (scanner->Word(word) != word) scanner->Fail(std::string("expected ") + word);
-}
-
-int Count(TextScanner* scanner, const char* what) {
-  const double value = scanner->Number(what);
-  if (!(value >= 0 && value <= kMaxCount && value == std::floor(value))) {
-    scanner->Fail(std::string(what) + " is no count");
-  }
-  return static_cast<int>(value);
 }
 
 Edgel ReadEdgel(TextScanner* scanner) {
@@ -51,7 +41,7 @@ CurveFragment ReadFragment(TextScanner* scanner, int num_edgels) {
   CurveFragment fragment;
   if (scanner->AtEnd()) scanner->Fail("the file ends before its last contour");
   while (!scanner->AtEndOfLine()) {
-    const int id = Count(scanner, "edgel id");
+    const int id = scanner->Count("edgel id");
     if (id >= num_edgels) scanner->Fail("edgel id out of range");
     fragment.edgel_ids.push_back(id);
   }
@@ -84,15 +74,15 @@ ImageCurves ReadCem(const std::string& path) {
   Expect(&scanner, "v2.0");
   ImageCurves curves;
   Expect(&scanner, "size");
-  curves.edge_map.width = Count(&scanner, "width");
-  curves.edge_map.height = Count(&scanner, "height");
+  curves.edge_map.width = scanner.Count("width");
+  curves.edge_map.height = scanner.Count("height");
   Expect(&scanner, "Edgemap");
   Expect(&scanner, "count");
-  const int num_edgels = Count(&scanner, "number of edgels");
+  const int num_edgels = scanner.Count("number of edgels");
   for (int i = 0; i < num_edgels; ++i) curves.edge_map.edgels.push_back(ReadEdgel(&scanner));
   Expect(&scanner, "Contours");
   Expect(&scanner, "count");
-  const int num_fragments = Count(&scanner, "number of contours");
+  const int num_fragments = scanner.Count("number of contours");
   for (int i = 0; i < num_fragments; ++i) {
     curves.fragments.push_back(ReadFragment(&scanner, num_edgels));
   }

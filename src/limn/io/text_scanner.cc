@@ -1,6 +1,7 @@
 #include "limn/io/text_scanner.h"
 
 #include <charconv>
+#include <cmath>
 
 #include "limn/util/errors.h"
 
@@ -42,6 +43,21 @@ double TextScanner::Number(const char* what) {
     Fail(std::string(what) + " expected, not \"" + shown + "\"");
   }
   return value;
+}
+
+double TextScanner::FiniteNumber(const char* what) {
+  const double value = Number(what);
+  if (!std::isfinite(value)) Fail(std::string(what) + " is not finite");
+  return value;
+}
+
+int TextScanner::Count(const char* what) {
+  constexpr double kMaxCount = 1e9;
+  const double value = Number(what);
+  if (!(value >= 0 && value <= kMaxCount && value == std::floor(value))) {
+    Fail(std::string(what) + " is no count");
+  }
+  return static_cast<int>(value);
 }
 
 Eigen::Vector3d TextScanner::Point() {

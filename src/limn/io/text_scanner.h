@@ -25,9 +25,15 @@ class TextScanner {
   std::string_view Word(const char* what);
   // The next number; `what` names it in errors.
   double Number(const char* what);
+  // The next number, which must be finite.
+  double FiniteNumber(const char* what);
+  // The next number, which must be a whole one from 0 to 10^9.
+  int Count(const char* what);
   Eigen::Vector3d Point();
   // The rest of the line, without its end.
   std::string_view RestOfLine();
+  // Number of the line it stands in, from 1.
+  int line() const { return line_; }
 
   [[noreturn]] void Fail(const std::string& reason) const;
 

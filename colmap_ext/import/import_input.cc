@@ -1,0 +1,126 @@
+#include "colmap_ext/import/import_input.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <regex>
+
+#include "colmap_ext/workspace/line_reader.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+// The run of digits at `at` without leading zeros; moves `at` behind it.
+std::string TakeNumber(const std::string& text, size_t* at) {
+  const size_t begin = *at;
+  while (*at < text.size() && IsDigit(text[*at])) ++*at;
+  const std::string digits = text.substr(begin, *at - begin);
+  return digits.substr(std::min(digits.find_first_not_of('0'), digits.size()));
+}
+
+std::vector<fs::path> FilesEndingWithAny(const fs::path& folder,
+                                         const std::vector<std::string>& ends) {
+  std::vector<fs::path> files;
+  for (const std::string& end : ends) {
+    const std::vector<fs::path> more = FilesEndingWith(folder, end);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  return files;
+}
+
+std::string AnyOf(const std::vector<std::string>& ends) {
+  std::string text;
+  for (const std::string& end : ends) text += (text.empty() ? "*" : " or *") + end;
+  return text;
+}
+
+}  // namespace
+
+bool NaturallyLess(const std::string& a, const std::string& b) {
+  size_t i = 0;
+  size_t k = 0;
+  while (i < a.size() && k < b.size()) {
+    if (IsDigit(a[i]) && IsDigit(b[k])) {
+      const std::string number_a = TakeNumber(a, &i);
+      const std::string number_b = TakeNumber(b, &k);
+      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size();
+      if (number_a != number_b) return number_a < number_b;
+    } else if (a[i] != b[k]) {
+      return a[i] < b[k];
+    } else {
+      ++i;
+      ++k;
+    }
+  }
+  // Equal but for leading zeros, or one the beginning of the other.
+  return a.size() - i != b.size() - k ? a.size() - i < b.size() - k : a < b;
+}
+
+std::vector<fs::path> FilesEndingWith(const fs::path& folder, const std::string& end) {
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) return files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file() && name.ends_with(end)) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return NaturallyLess(a.filename().string(), b.filename().string());
+  });
+  return files;
+}
+
+fs::path TheFile(const fs::path& path, const std::vector<std::string>& ends) {
+  std::error_code ignored;
+  if (fs::is_regular_file(path, ignored)) return path;
+  if (!fs::exists(path, ignored)) throw IoError(path.string(), "no such file or folder");
+  const std::vector<fs::path> files = FilesEndingWithAny(path, ends);
+  if (files.empty()) throw IoError(path.string(), "no file " + AnyOf(ends) + " in this folder");
+  if (files.size() > 1) {
+    throw IoError(path.string(), "several files " + AnyOf(ends) + " in this folder (" +
+                                     files[0].filename().string() + ", " +
+                                     files[1].filename().string() + "): give the path of one");
+  }
+  return files.front();
+}
+
+bool HoldsFile(const fs::path& path, const std::vector<std::string>& ends) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return !FilesEndingWithAny(path, ends).empty();
+  const std::string name = path.filename().string();
+  return fs::is_regular_file(path, ignored) &&
+         std::any_of(ends.begin(), ends.end(),
+                     [&](const std::string& end) { return name.ends_with(end); });
+}
+
+bool BeginsWith(const fs::path& file, const std::string& text) {
+  std::ifstream in(file, std::ios::binary);
+  in >> std::ws;
+  std::string start(text.size(), '\0');
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return in && start == text;
+}
+
+std::vector<std::string> ReadImageList(const std::string& path) {
+  static const std::regex kBundlerNumbers(R"(^(.*\S)\s+\d+\s+[-+.\deE]+$)");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw IoError(path, "cannot be opened for reading");
+  std::vector<std::string> names;
+  LineReader reader(in, path);
+  while (reader.NextLine()) {
+    Fields fields(reader);
+    std::string name(fields.Rest());
+    if (name.empty()) continue;
+    std::smatch match;
+    if (std::regex_match(name, match, kBundlerNumbers)) name = std::string(match[1]);
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+}  // namespace limn::colmap_ext

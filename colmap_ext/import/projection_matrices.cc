@@ -1,0 +1,80 @@
+#include "colmap_ext/import/projection_matrices.h"
+
+#include "colmap_ext/import/calibration.h"
+#include "colmap_ext/import/file_matching.h"
+#include "limn/io/text_scanner.h"
+#include "limn/io/whole_file.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kHeader[] = "CONTOUR";
+
+std::vector<fs::path> MatrixFiles(const fs::path& folder) {
+  std::vector<fs::path> files = FilesEndingWith(folder, ".projmatrix");
+  return files.empty() ? FilesEndingWith(folder, ".txt") : files;
+}
+
+Eigen::Matrix<double, 3, 4> ReadMatrix(const std::string& path) {
+  const std::string text = ReadWholeFile(path);
+  TextScanner scanner(path, text);
+  scanner.AtEnd();
+  if (scanner.Peek() == kHeader[0]) {
+    const std::string header(scanner.Word("the matrix"));
+    if (header != kHeader) scanner.Fail("\"" + header + "\" found, CONTOUR or a number expected");
+  }
+  Eigen::Matrix<double, 3, 4> matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      matrix(row, column) = scanner.FiniteNumber("element of a 3x4 matrix");
+    }
+  }
+  if (!scanner.AtEnd()) scanner.Fail("more than the twelve numbers of a 3x4 matrix");
+  return matrix;
+}
+
+bool IsMatrixFile(const fs::path& path) {
+  try {
+    ReadMatrix(path.string());
+    return true;
+  } catch (const IoError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+bool HoldsProjectionMatrices(const fs::path& path) {
+  if (HoldsFile(path, {".projmatrix"})) return true;
+  const std::vector<fs::path> files = MatrixFiles(path);
+  return !files.empty() && (BeginsWith(files.front(), kHeader) || IsMatrixFile(files.front()));
+}
+
+ImportedScene ReadProjectionMatrices(const ImportInput& input) {
+  const std::vector<fs::path> files = MatrixFiles(input.path);
+  if (files.empty()) {
+    throw IoError(input.path.string(), "no folder with *.projmatrix or *.txt, one per image");
+  }
+  const FileMatches matches = MatchFilesToImages(files, input);
+  ImportedScene scene;
+  scene.notes = {matches.note};
+  for (size_t i = 0; i < files.size(); ++i) {
+    if (matches.names[i].empty()) continue;
+    ImportedImage image;
+    image.path = files[i].string();
+    const Place place{image.path, "line", 1};
+    const auto found = input.images->Find(matches.names[i], {}, place);
+    if (!found) continue;
+    const CalibratedPose pose = DecomposeProjection(ReadMatrix(image.path), place);
+    image.name = found->name;
+    image.camera = CameraFromCalibration(pose.calibration, found->size, place);
+    image.cam_from_world = pose.cam_from_world;
+    scene.images.push_back(std::move(image));
+  }
+  return scene;
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "colmap_ext/import/import_input.h"
+
+namespace limn::colmap_ext {
+
+// A folder with one text file per image that holds a 3x4 projection matrix P, row by row:
+// *.projmatrix if there are any (the Barcelona Pavilion and DTU Vase data sets), else all *.txt,
+// with or without the line CONTOUR at the top (PMVS). x ~ P X; P is decomposed to K [R | t].
+//
+// Pixel centres: integer coordinates, as PMVS and MATLAB-like tools sample. But matrices written by
+// COLMAP's image_undistorter, and those made from a Blender camera as w/2, h/2, have them at half.
+
+// Whether the folder looks like that.
+bool HoldsProjectionMatrices(const std::filesystem::path& path);
+
+// Throws IoError with file and line: not twelve finite numbers, a singular matrix, skewed pixels,
+// no image for a file (see MatchFilesToImages).
+ImportedScene ReadProjectionMatrices(const ImportInput& input);
+
+}  // namespace limn::colmap_ext

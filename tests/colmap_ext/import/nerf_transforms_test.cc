@@ -1,0 +1,174 @@
+#include "colmap_ext/import/nerf_transforms.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "colmap_ext/import/import_test_base.h"
+#include "colmap_ext/workspace/test_model.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+constexpr char kFormat[] = "nerf_transforms";
+
+// world_from_cam with y up and z backwards.
+Json Transform(const Rigid3d& cam_from_world) {
+  const Rigid3d world_from_cam = Inverse(cam_from_world);
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<3, 3>() =
+      world_from_cam.rotation.toRotationMatrix() * Eigen::DiagonalMatrix<double, 3>(1, -1, -1);
+  matrix.topRightCorner<3, 1>() = world_from_cam.translation;
+  Json json;
+  for (int row = 0; row < 4; ++row) {
+    json.push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3)});
+  }
+  return json;
+}
+
+Json Frames(const SparseModel& model) {
+  Json frames;
+  for (const ModelImage& image : model.images) {
+    frames.push_back({{"file_path", "./images/" + image.name},
+                      {"transform_matrix", Transform(image.cam_from_world)}});
+  }
+  return frames;
+}
+
+// All parameters at the top of the file.
+Json File(const SparseModel& model) {
+  const std::vector<double>& params = model.cameras[0].params;
+  return {{"fl_x", params[0]}, {"fl_y", params[1]}, {"cx", params[2]},        {"cy", params[3]},
+          {"w", 640},          {"h", 480},          {"frames", Frames(model)}};
+}
+
+class NerfTransforms : public ImportTest {
+ protected:
+  std::string Write(const Json& json) { return dir_.WriteFile("transforms.json", json.dump()); }
+  std::string ErrorWith(const Json& json) { return Error(kFormat, Write(json)); }
+
+  const SparseModel known_ = KnownModel();
+};
+
+TEST_F(NerfTransforms, GiveTheSameProjections) {
+  Write(File(known_));
+  const SparseModel model = Import(kFormat, dir_.path());
+  ExpectSameProjections(model, known_);
+  EXPECT_EQ(model.cameras.size(), 1u);
+  EXPECT_EQ(model.cameras[0].model, CameraModelId::kPinhole);
+}
+
+TEST_F(NerfTransforms, CameraAnglesAreForTheWholeImage) {
+  Json file = {{"frames", Frames(known_)}};
+  file["camera_angle_x"] = 2 * std::atan(320 / 600.25);
+  ExpectSameProjections(Import(kFormat, Write(file)), CenteredModel());
+  SparseModel expected = KnownModel();
+  expected.cameras[0].params = {600.25, 611.5, 320, 240};
+  file["camera_angle_y"] = 2 * std::atan(240 / 611.5);
+  ExpectSameProjections(Import(kFormat, Write(file)), expected);
+}
+
+TEST_F(NerfTransforms, FramesMayHaveIntrinsicsOfTheirOwn) {
+  Json file = File(known_);
+  file["frames"][2]["fl_x"] = 555.5;
+  file["frames"][2]["k1"] = -0.05;
+  SparseModel expected = known_;
+  expected.cameras.push_back(expected.cameras[0]);
+  expected.cameras[1].id = 2;
+  expected.cameras[1].model = CameraModelId::kOpencv;
+  expected.cameras[1].params = {555.5, 611.5, 316.75, 251.125, -0.05, 0, 0, 0};
+  expected.images[2].camera_id = 2;
+  const SparseModel model = Import(kFormat, Write(file));
+  ExpectSameProjections(model, expected);
+  EXPECT_EQ(model.cameras.size(), 2u);
+}
+
+// The models of other tests, with k1 ... as the file has them.
+TEST_F(NerfTransforms, LensesBecomeColmaps) {
+  const auto expect = [&](CameraModelId id, const std::vector<double>& extra, Json lens) {
+    SparseModel expected = known_;
+    expected.cameras[0].model = id;
+    expected.cameras[0].params.insert(expected.cameras[0].params.end(), extra.begin(), extra.end());
+    lens.update(File(known_));
+    const SparseModel model = Import(kFormat, Write(lens));
+    EXPECT_EQ(model.cameras[0].model, id);
+    ExpectSameProjections(model, expected);
+  };
+  expect(CameraModelId::kOpencv, {-0.12, 0.04, 0.001, -0.002},
+         {{"k1", -0.12}, {"k2", 0.04}, {"p1", 0.001}, {"p2", -0.002}, {"camera_model", "OPENCV"}});
+  expect(CameraModelId::kFullOpencv, {-0.12, 0.04, 0.001, -0.002, 0.01, 0, 0, 0},
+         {{"k1", -0.12}, {"k2", 0.04}, {"k3", 0.01}, {"p1", 0.001}, {"p2", -0.002}});
+  const Json fisheye = {{"k1", -0.02}, {"k2", 0.005}, {"k3", -0.003}, {"k4", 0.0005}};
+  for (const Json& flag : {Json{{"camera_model", "OPENCV_FISHEYE"}}, Json{{"is_fisheye", true}}}) {
+    Json lens = fisheye;
+    lens.update(flag);
+    expect(CameraModelId::kOpencvFisheye, {-0.02, 0.005, -0.003, 0.0005}, lens);
+  }
+}
+
+TEST_F(NerfTransforms, ThatPointsAreNotReadIsSaid) {
+  Json file = File(known_);
+  file["ply_file_path"] = "points.ply";
+  EXPECT_TRUE(Import(kFormat, Write(file)).points.empty());
+  EXPECT_THAT(notes_, Contains("The points of its .ply are not read"));
+}
+
+TEST_F(NerfTransforms, NamesWithoutExtensionArePng) {
+  Json file = File(known_);
+  file["frames"][0]["file_path"] = "images/img_1";
+  ExpectSameProjections(Import(kFormat, Write(file)), known_);
+}
+
+TEST_F(NerfTransforms, BadFilesAreRefused) {
+  const auto error_with = [&](const char* key, const Json& value) {
+    Json file = File(known_);
+    file["frames"][1][key] = value;
+    const std::string error = ErrorWith(file);
+    EXPECT_THAT(error, HasSubstr("transforms.json: frame 1: ")) << key;
+    return error;
+  };
+  EXPECT_THAT(error_with("file_path", "images/none.png"),
+              HasSubstr("image \"images/none.png\" is not in the image folder"));
+  EXPECT_THAT(error_with("file_path", 7), HasSubstr("type must be string"));
+  EXPECT_THAT(error_with("w", 641),
+              HasSubstr("image \"img_2.png\" has 640 x 480 pixels, but w and h are 641 and 480"));
+  EXPECT_THAT(error_with("k4", 0.1), HasSubstr("a k4 without fisheye"));
+  EXPECT_THAT(error_with("camera_model", "EQUIRECTANGULAR"), HasSubstr("is not known"));
+  EXPECT_THAT(error_with("fl_x", -600), HasSubstr("the focal length is not positive"));
+  EXPECT_THAT(error_with("fl_x", "600"), HasSubstr("type must be number"));
+  EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}}),
+              HasSubstr("transform_matrix must be 4 x 4"));
+  EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1}}),
+              HasSubstr("transform_matrix must be 4 x 4"));
+  EXPECT_THAT(error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}}),
+              HasSubstr("the rotation matrix is none"));
+  EXPECT_THAT(
+      error_with("transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 1, 1}}),
+      HasSubstr("the last row of transform_matrix"));
+  Json file = File(known_);
+  file["frames"][2].erase("transform_matrix");
+  EXPECT_THAT(ErrorWith(file), AllOf(HasSubstr("frame 2"), HasSubstr("transform_matrix")));
+  file = File(known_);
+  file.erase("fl_x");
+  EXPECT_THAT(ErrorWith(file), HasSubstr("frame 0: neither fl_x nor camera_angle_x"));
+  file = File(known_);
+  file["from_na"] = true;
+  EXPECT_THAT(ErrorWith(file), HasSubstr("the axes of NeuS2"));
+  file["frames"] = 5;
+  EXPECT_THAT(ErrorWith(file), HasSubstr("\"frames\" is no list"));
+  EXPECT_THAT(ErrorWith(Json::object()), HasSubstr("frames"));
+  const std::string text = File(known_).dump();
+  EXPECT_THAT(Error(kFormat, dir_.WriteFile("transforms.json", text.substr(0, text.size() / 2))),
+              HasSubstr("parse error"));
+  EXPECT_THAT(Error(kFormat, dir_.WriteFile("transforms.json", "{\"fl_x\": nan}")),
+              HasSubstr("parse error"));
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext

@@ -1,0 +1,46 @@
+#include "colmap_ext/import/new_model_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/test_model.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+TEST(NewModelFolder, NewAndEmptyFoldersAreFilled) {
+  const TempDir dir;
+  fs::create_directories(dir / "empty");
+  fs::create_directory_symlink(dir / "empty", dir / "link");
+  for (const char* name : {"link", "new/sparse/0", "slash/"}) {
+    WriteNewModel(MakeModel(), dir / name, ModelFlavour::kBinary);
+    ExpectSameModel(ReadModel(dir / name), MakeModel());
+  }
+  EXPECT_TRUE(fs::exists(dir / "empty" / "images.bin"));
+  EXPECT_FALSE(fs::exists(dir / "slash.tmp"));
+  EXPECT_FALSE(fs::exists(dir / "slash" / ".tmp"));
+}
+
+TEST(NewModelFolder, OthersAreLeftAlone) {
+  const TempDir dir;
+  const auto error = [&](const char* name) {
+    return ErrorText<IoError>([&] { WriteNewModel(MakeModel(), dir / name, ModelFlavour::kText); });
+  };
+  WriteNewModel(MakeModel(), dir / "model", ModelFlavour::kBinary);
+  EXPECT_THAT(error("model"), HasSubstr("model: holds a model already"));
+  EXPECT_FALSE(fs::exists(dir / "model" / "images.txt"));
+  dir.WriteFile("full/points3D.bin", "");
+  EXPECT_THAT(error("full"), HasSubstr("full: the folder is not empty"));
+  dir.WriteFile("file", "");
+  EXPECT_THAT(error("file"), HasSubstr("file: is no folder"));
+  EXPECT_THAT(error("file/below"), HasSubstr("file"));
+  EXPECT_FALSE(fs::exists(dir / "full.tmp"));
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext
