@@ -22,6 +22,7 @@ constexpr Command kCommands[] = {
     {"curve_drawer", RunCurveDrawer, "make the drawing from a stored enhanced sketch"},
     {"drawing_refiner", RunDrawingRefiner, "fit a stored drawing to all images"},
     {"drawing_evaluator", RunDrawingEvaluator, "compare curves with ground truth"},
+    {"truth_extractor", RunTruthExtractor, "ground truth from a surface or a dense cloud"},
 };
 
 void PrintUsage() {

@@ -12,5 +12,6 @@ int RunCurveSketcher(int argc, const char* const* argv);
 int RunDrawingEvaluator(int argc, const char* const* argv);
 int RunDrawingRefiner(int argc, const char* const* argv);
 int RunEdgeExtractor(int argc, const char* const* argv);
+int RunTruthExtractor(int argc, const char* const* argv);
 
 }  // namespace limn::colmap_ext
