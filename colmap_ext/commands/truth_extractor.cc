@@ -43,6 +43,8 @@ void AddOptions(ExtractorOptions* options, OptionParser* parser) {
   parser->AddOption("min_length_px", &truth.min_length_px, "shorter runs are dropped, px");
   parser->AddOption("splat_px", &truth.splat_px,
                     "a point of the cloud hides a disc of this radius, px");
+  parser->AddOption("max_chance", &truth.max_chance,
+                    "most likely that chance alone puts so many edgels near a point of the cloud");
 }
 
 // The truth is one file; what is kept of the images goes to curves/cache beside it, where

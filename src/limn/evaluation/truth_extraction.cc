@@ -142,6 +142,30 @@ std::vector<Polyline3d> KeptParts(const Polyline3d& curve, const std::vector<uin
   return parts;
 }
 
+// The mean over views of the share of the image that is near an edgel.
+double ShareNearEdgels(const std::vector<View>& views, const std::vector<ImageCurves>& image_curves,
+                       double max_distance_px, const RunContext& context) {
+  constexpr double kStepPx = 3;
+  std::vector<double> shares(views.size(), 0);
+  ParallelFor(context, "share near edgels", views.size(), [&](size_t v) {
+    const EdgelIndex edgels(image_curves[v].edge_map, LinkedEdgels(image_curves[v]));
+    const ImageRegion& region = views[v].region;
+    int asked = 0;
+    int near = 0;
+    for (double y = region.min_px.y(); y <= region.max_px.y(); y += kStepPx) {
+      for (double x = region.min_px.x(); x <= region.max_px.x(); x += kStepPx) {
+        if (!region.Contains({x, y})) continue;
+        ++asked;
+        near += edgels.AnyWithin({x, y}, max_distance_px);
+      }
+    }
+    if (asked > 0) shares[v] = static_cast<double>(near) / asked;
+  });
+  double sum = 0;
+  for (const double share : shares) sum += share;
+  return sum / static_cast<double>(views.size());
+}
+
 double WeightOfAtLeast(const std::vector<int>& counts, int least,
                        const std::function<double(int)>& weight) {
   double sum = 0;
@@ -170,6 +194,8 @@ void TruthOptions::Check() const {
   LIMN_CHECK_OPTION(max_gap_px, >= 0);
   LIMN_CHECK_OPTION(min_length_px, >= 0);
   LIMN_CHECK_OPTION(splat_px, > 0);
+  LIMN_CHECK_OPTION(max_chance, > 0);
+  LIMN_CHECK_OPTION(max_chance, <= 1);
 }
 
 ExtractedTruth ExtractTruthCurves(const std::vector<Polyline3d>& curves, const TriangleMesh& mesh,
@@ -226,8 +252,13 @@ ExtractedTruth ExtractTruthPoints(const std::vector<Eigen::Vector3d>& cloud,
 
   ExtractedTruth truth;
   truth.account = AccountOf(counts, options.min_views, [](int) { return 1.0; });
+  const double share = options.require_edges
+                           ? ShareNearEdgels(views, image_curves, options.max_distance_px, context)
+                           : 0;
   for (size_t i = 0; i < cloud.size(); ++i) {
-    if (counts.shown[i] >= options.min_views) truth.set.points.push_back(cloud[i]);
+    const bool by_chance =
+        LogChance(counts.shown[i], counts.visible[i], share) > std::log(options.max_chance);
+    if (counts.shown[i] >= options.min_views && !by_chance) truth.set.points.push_back(cloud[i]);
   }
   truth.account.kept = static_cast<double>(truth.set.points.size());
   return truth;

@@ -32,6 +32,11 @@ struct TruthOptions {
   // neighbours in the images. The tolerance of occlusion grows by three radii: slanted surfaces
   // hide nothing of themselves up to a slope of three.
   double splat_px = 2;
+  // Points have no direction, and images full of edgels show some near any point. A point is kept
+  // if the chance that so many of the views that see it show it is at most this (bound by
+  // LogChance); the chance in one view is the mean share of an image that is so near to edgels.
+  // 1 = any.
+  double max_chance = 0.01;
 
   // Throws OptionError.
   void Check() const;
@@ -42,7 +47,7 @@ struct TruthAccount {
   double found = 0;    // that went in
   double visible = 0;  // visible in min_views views
   double shown = 0;    // shown by so many: visible, with edges if they are required
-  double kept = 0;     // after closing gaps and dropping short runs
+  double kept = 0;     // after closing gaps and dropping short runs, or points by chance
 };
 
 struct ExtractedTruth {

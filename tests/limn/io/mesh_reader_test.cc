@@ -76,8 +76,9 @@ TEST(ReadMesh, BadFilesAreRefusedWithPlaceAndReason) {
                 "face of 2 corners");
   ExpectIoError(folder.Write("6.ply", head + kPositions + "0 3 0 1 1\n0 3 0 0 2\n"),
                 "no face has an area");
-  ExpectIoError(folder.Write("7.ply", std::string(kVertices) + kFaces + "corners\nend_header\n"),
-                "no list vertex_indices");
+  ExpectIoError(
+      folder.Write("7.ply", std::string(kVertices) + kFaces + "corners\nend_header\n" + kPositions),
+      "no list vertex_indices");
   ExpectIoError(folder.Write("8.ply", std::string(kVertices) +
                                           "element tristrips 1\nproperty list int int "
                                           "vertex_indices\nend_header\n" +

@@ -13,14 +13,14 @@ using testing::LookAt;
 
 TEST(SplatDepth, DiscsHoldTheNearestPoint) {
   const View view = LookAt({0, -6, 0}, {0, 0, 0});
-  const DepthImage image = SplatDepth({{0, 0, 0}, {0, 1, 0}, {0, -8, 0}}, view, 1, 3.5);
+  const DepthImage image = SplatDepth({{0, 0, 0}, {0, 1, 0}, {0, -8, 0}}, view, 1, 8);
   int covered = 0;
   for (const float depth : image.depth) {
     if (depth == 0) continue;
     ++covered;
     EXPECT_EQ(depth, 6);
   }
-  EXPECT_NEAR(covered, M_PI * 3.5 * 3.5, 4);
+  EXPECT_NEAR(covered, M_PI * 8 * 8, 10);
 }
 
 TEST(SplatDepth, RadiusIsInPixelsOfTheImageAtAnyScale) {
