@@ -39,6 +39,11 @@ class TruthExtractor : public ::testing::Test {
   }
 
   std::string Output() const { return (dir_ / "out" / "truth.ply").string(); }
+  // In a folder that all tests share, and with it the cache of the image curves.
+  static std::string SharedOutput(const std::string& name) {
+    static const TempDir shared;
+    return (shared / name).string();
+  }
 
   void ExpectRefused(const std::vector<std::string>& arguments, const auto& line_matcher) {
     const auto before = ReadTree(dir_.path());
@@ -83,11 +88,12 @@ CurveSet TruthOfSurfaces() {
 // Both truths hold what 4 images show, of which one was made by ray casting and gradients, the
 // other by depth images and edgels.
 TEST_F(TruthExtractor, AgreesWithTheTruthOfTheSampleScene) {
+  const std::string output = SharedOutput("curves.ply");
   const LimnRun run = Run({"--mesh_path", kMesh, "--workspace_path", kWorkspace, "--output_path",
-                           Output(), "--min_views", "4"});
+                           output, "--min_views", "4"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("visible in 4 or more images"));
-  const CurveSet extracted = ReadCurves(Output());
+  const CurveSet extracted = ReadCurves(output);
   EvaluationOptions options;
   options.taus = {2 * kFootprint};
   options.region =
@@ -143,10 +149,11 @@ TEST_F(TruthExtractor, KeepsThePointsOfACloudThatAreOnEdges) {
   cloud.points = CloudOfSurfaces();
   std::ostringstream bytes;
   WriteCurvesPly(cloud, bytes);
+  const std::string output = SharedOutput("points.ply");
   const LimnRun run = Run({"--cloud_path", dir_.WriteFile("cloud.ply", bytes.str()),
-                           "--workspace_path", kWorkspace, "--output_path", Output()});
+                           "--workspace_path", kWorkspace, "--output_path", output});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const CurveSet kept = ReadCurves(Output());
+  const CurveSet kept = ReadCurves(output);
   EXPECT_TRUE(kept.polylines.empty());
   const CurveSet truth = ReadCurves(LIMN_SAMPLE_DIR "/truth/curves-visible.ply");
   EvaluationOptions options;

@@ -125,6 +125,17 @@ TEST_F(CubeTruth, ShortRunsAreDroppedAndShortGapsClosed) {
   EXPECT_TRUE(Extract(shown, {.max_gap_px = 16, .min_length_px = 90}).set.polylines.empty());
 }
 
+TEST_F(CubeTruth, UnitOfLengthDoesNotMatter) {
+  for (const double factor : {1e-4, 1e5}) {
+    const TriangleMesh mesh = CubeMesh({0, 0, 0}, factor * kHalf);
+    const ExtractedTruth truth =
+        ExtractTruthCurves(FindSharpEdges(mesh, {}), mesh, testing::Scaled(views_, factor),
+                           ProjectCurves(views_, CubeEdges(kHalf)), {}, RunContext());
+    EXPECT_EQ(truth.set.polylines.size(), 9u);
+    EXPECT_NEAR(truth.account.kept, 9 * factor, 1e-9 * factor);
+  }
+}
+
 TEST_F(CubeTruth, SameResultWithAnyNumberOfThreads) {
   const std::vector<ImageCurves> curves = ProjectCurves(views_, CubeEdges(kHalf), 0.3);
   RunContext one, three;
