@@ -24,6 +24,7 @@ constexpr Command kCommands[] = {
     {"drawing_fuser", RunDrawingFuser, "compare a drawing with dense results and combine the two"},
     {"model_importer", RunModelImporter, "make a COLMAP model from cameras in another format"},
     {"drawing_evaluator", RunDrawingEvaluator, "compare curves with ground truth"},
+    {"truth_extractor", RunTruthExtractor, "ground truth from a surface or a dense cloud"},
 };
 
 void PrintUsage() {

@@ -15,7 +15,7 @@ LAYERS = [
     ["util"],
     ["geometry"],
     ["model"],
-    ["support"],
+    ["support", "visibility"],
     ["edges", "linking", "sketch", "drawing", "refinement", "dense"],
     ["io"],
     ["export"],

@@ -14,5 +14,6 @@ int RunDrawingRefiner(int argc, const char* const* argv);
 int RunDrawingFuser(int argc, const char* const* argv);
 int RunEdgeExtractor(int argc, const char* const* argv);
 int RunModelImporter(int argc, const char* const* argv);
+int RunTruthExtractor(int argc, const char* const* argv);
 
 }  // namespace limn::colmap_ext

@@ -12,6 +12,7 @@
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/model_writer.h"
 #include "limn/export/write_drawing.h"
+#include "limn/io/mesh_reader.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -104,7 +105,8 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
       dense.depths = CloudDepthSource(dense.cloud->points, project.views());
       break;
     case DenseKind::kMesh:
-      throw IoError(dense.products.path.string(), "meshes are not read yet");
+      dense.depths = MeshDepthSource(ReadMesh(dense.products.path.string()), project.views());
+      break;
   }
   return dense;
 }

@@ -8,13 +8,13 @@
 namespace limn::colmap_ext {
 namespace {
 
-void AddPathOptions(RunOptions* options, OptionParser* parser) {
+void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParser* parser) {
   LayoutOptions& layout = options->layout;
   ViewOptions& view = options->view;
   parser->AddOption("workspace_path", &layout.workspace_path, "folder of the COLMAP project");
   parser->AddOption("input_path", &layout.input_path, "sparse model instead of the one found");
   parser->AddOption("image_path", &layout.image_path, "images instead of those found");
-  parser->AddOption("output_path", &layout.output_path, "where results go instead");
+  parser->AddOption("output_path", &layout.output_path, groups.output_help);
   parser->AddOption("model_index", &layout.model_index,
                     "which of several models, -1 = the one with most images");
   parser->AddOption("image_list_path", &view.image_list_path,
@@ -36,7 +36,7 @@ void AddGroup(const std::string& group, auto* fields, OptionParser* parser) {
 }
 
 void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* parser) {
-  AddPathOptions(options, parser);
+  AddPathOptions(groups, options, parser);
   PipelineOptions& pipeline = options->pipeline;
   if (groups.sketch) {
     parser->AddOption("box", &options->box, "reconstruct only inside x0,x1,y0,y1,z0,z1");

@@ -34,6 +34,8 @@ struct OptionGroups {
   bool sketch = false;
   bool drawing = false;
   bool refinement = false;
+  // What --output_path is for.
+  const char* output_help = "where results go instead";
 };
 
 // "x0,x1,y0,y1,z0,z1" as a box; nothing if there are no numbers. Throws OptionError.

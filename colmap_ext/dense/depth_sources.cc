@@ -3,10 +3,12 @@
 #include <cmath>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include "colmap_ext/workspace/depth_map.h"
 #include "limn/dense/point_splat.h"
 #include "limn/util/errors.h"
+#include "limn/visibility/render_depth.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -134,6 +136,12 @@ size_t CountDepthMaps(const fs::path& stereo_dir, const std::vector<View>& views
 DepthSource CloudDepthSource(DensePointStream points, const std::vector<View>& views) {
   const auto depths = std::make_shared<CloudDepths>(std::move(points), views);
   return [depths](ViewId view) { return depths->For(static_cast<size_t>(view)); };
+}
+
+DepthSource MeshDepthSource(TriangleMesh mesh, const std::vector<View>& views) {
+  return [mesh = std::move(mesh), &views](ViewId view) -> std::optional<DepthImage> {
+    return RenderDepth(mesh, views[view], 1);
+  };
 }
 
 }  // namespace limn::colmap_ext

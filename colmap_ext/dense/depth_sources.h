@@ -6,6 +6,7 @@
 
 #include "limn/dense/dense_point.h"
 #include "limn/dense/sample_sights.h"
+#include "limn/geometry/triangle_mesh.h"
 #include "limn/model/view.h"
 
 namespace limn::colmap_ext {
@@ -21,5 +22,8 @@ size_t CountDepthMaps(const std::filesystem::path& stereo_dir, const std::vector
 // Depths that the views see of a cloud (SplatPoints), made for several views at a time; to be asked
 // in ascending order.
 DepthSource CloudDepthSource(DensePointStream points, const std::vector<View>& views);
+
+// Depths of a mesh (RenderDepth), at one depth pixel per pixel.
+DepthSource MeshDepthSource(TriangleMesh mesh, const std::vector<View>& views);
 
 }  // namespace limn::colmap_ext

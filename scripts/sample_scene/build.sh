@@ -21,4 +21,5 @@ in_blender render.py --light day --distorted --output "$work/frames/distorted" -
 /usr/bin/python3 "$here/make_workspaces.py" --frames "$work/frames" --sample "$sample"
 /usr/bin/python3 "$here/sift_points.py" --sample "$sample" --work "$work/colmap" --points
 in_blender truth.py --sample "$sample" --depth
+/usr/bin/python3 "$here/mesh.py" --output "$sample/truth/mesh.ply"
 in_blender verify.py --sample "$sample" --overlays "$work/overlays"

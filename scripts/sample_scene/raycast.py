@@ -3,7 +3,8 @@
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-GROUND_HALF_SIZE = 60.0
+from mesh import surfaces
+
 NO_HIT = np.inf
 
 
@@ -11,16 +12,7 @@ class RayCaster:
     """All solids and the ground as one triangle soup."""
 
     def __init__(self, solids):
-        vertices, faces = [], []
-        for solid in solids:
-            local, solid_faces = solid.mesh()
-            first = len(vertices)
-            vertices += [tuple(v) for v in solid.pose.to_world(local)]
-            faces += [[first + i for i in face] for face in solid_faces]
-        first, h = len(vertices), GROUND_HALF_SIZE
-        vertices += [(-h, -h, 0.0), (h, -h, 0.0), (h, h, 0.0), (-h, h, 0.0)]
-        faces.append([first, first + 1, first + 2, first + 3])
-        self._tree = BVHTree.FromPolygons(vertices, faces)
+        self._tree = BVHTree.FromPolygons(*surfaces(solids))
 
     def distances(self, origins, directions):
         """Distance to the first hit along unit directions; infinity where nothing is hit."""

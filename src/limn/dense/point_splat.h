@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "limn/dense/dense_point.h"
-#include "limn/dense/depth_image.h"
+#include "limn/visibility/depth_image.h"
 
 namespace limn {
 

@@ -81,13 +81,13 @@ class Look {
  private:
   // The surface is no farther in depth than `allowed` and what it may gain over the distance.
   bool IsNear(const Eigen::Vector2i& cell, double allowed, double distance_px) const {
-    const double surface = image_.DepthAt(cell.x(), cell.y());
+    const double surface = image_.DepthOr0(cell.x(), cell.y());
     return surface > 0 &&
            std::abs(surface - depth_) <= allowed + kMaxSlope * distance_px * footprint_;
   }
 
   Side Compare(const Eigen::Vector2i& cell, double distance_px) const {
-    const double surface = image_.DepthAt(cell.x(), cell.y());
+    const double surface = image_.DepthOr0(cell.x(), cell.y());
     if (!(surface > 0)) return Side::kUnknown;
     if (IsNear(cell, tolerance_, distance_px)) return Side::kNear;
     return surface < depth_ ? Side::kFront : Side::kBehind;

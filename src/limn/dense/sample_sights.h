@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "limn/dense/dense_options.h"
-#include "limn/dense/depth_image.h"
+#include "limn/visibility/depth_image.h"
 #include "limn/dense/drawing_samples.h"
 #include "limn/util/parallel.h"
 

@@ -24,9 +24,7 @@ bool IsShown(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, con
     const auto angle = ProjectedDirection(view, point, direction);
     return angle && edgels.Best(*pixel, *angle, gate);
   }
-  bool found = false;
-  edgels.ForEachWithin(*pixel, gate.normal_px, [&](EdgelId) { found = true; });
-  return found;
+  return edgels.AnyWithin(*pixel, gate.normal_px);
 }
 
 }  // namespace

@@ -8,12 +8,6 @@
 namespace limn {
 namespace {
 
-void PutColor(std::ostream& out, const Color& color) {
-  PutLittleEndian(out, color.red);
-  PutLittleEndian(out, color.green);
-  PutLittleEndian(out, color.blue);
-}
-
 void PutVertex(std::ostream& out, const Eigen::Vector3d& point, const Color& color, double sigma) {
   for (int axis = 0; axis < 3; ++axis) PutLittleEndian(out, point[axis]);
   PutColor(out, color);

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <ostream>
 
+#include "limn/export/colors.h"
+
 namespace limn {
 
 // Appends values in little-endian byte order.
@@ -13,6 +15,12 @@ void PutLittleEndian(std::ostream& out, T value) {
   char bytes[sizeof(T)];
   std::memcpy(bytes, &value, sizeof(T));
   out.write(bytes, sizeof(T));
+}
+
+inline void PutColor(std::ostream& out, const Color& color) {
+  PutLittleEndian(out, color.red);
+  PutLittleEndian(out, color.green);
+  PutLittleEndian(out, color.blue);
 }
 
 }  // namespace limn

@@ -13,12 +13,6 @@ size_t NumEdges(const Curve3D& curve) {
   return curve.closed ? curve.size() : curve.size() - 1;
 }
 
-void PutColor(std::ostream& out, const Color& color) {
-  PutLittleEndian(out, color.red);
-  PutLittleEndian(out, color.green);
-  PutLittleEndian(out, color.blue);
-}
-
 void PutSamples(const Curve3D& curve, const Color& color, std::ostream& out) {
   for (size_t i = 0; i < curve.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) PutLittleEndian(out, curve.points_in_world[i][axis]);

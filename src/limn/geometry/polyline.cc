@@ -56,4 +56,21 @@ Polyline3d ResampleUniform(std::span<const Eigen::Vector3d> points, double max_s
   return samples;
 }
 
+Polyline3d CutPolyline(std::span<const Eigen::Vector3d> points, double from, double to) {
+  const std::vector<double> lengths = CumulativeLength(points);
+  const auto point_at = [&](double at) -> Eigen::Vector3d {
+    if (at <= 0) return points.front();
+    if (at >= lengths.back()) return points.back();
+    const auto next = std::upper_bound(lengths.begin(), lengths.end(), at) - lengths.begin();
+    const double t = (at - lengths[next - 1]) / (lengths[next] - lengths[next - 1]);
+    return points[next - 1] + t * (points[next] - points[next - 1]);
+  };
+  Polyline3d part = {point_at(from)};
+  for (size_t i = 1; i + 1 < points.size(); ++i) {
+    if (lengths[i] > from && lengths[i] < to) part.push_back(points[i]);
+  }
+  part.push_back(point_at(to));
+  return part;
+}
+
 }  // namespace limn

@@ -29,4 +29,9 @@ PolylinePoint ClosestPoint(std::span<const Eigen::Vector3d> points, const Eigen:
 // A polyline of zero length gives its first vertex.
 Polyline3d ResampleUniform(std::span<const Eigen::Vector3d> points, double max_step);
 
+// The part between two arc lengths, 0 <= from <= to <= length, with all vertices in between. Whole
+// ends keep their vertices to the last bit. At least two points. Linear time. Precondition: at
+// least two vertices.
+Polyline3d CutPolyline(std::span<const Eigen::Vector3d> points, double from, double to);
+
 }  // namespace limn

@@ -1,9 +1,10 @@
 #include "limn/io/curve_chains.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <tuple>
+
+#include "limn/geometry/weld.h"
 
 namespace limn {
 namespace {
@@ -13,23 +14,6 @@ struct Edge {
   int a = 0;
   int b = 0;
 };
-
-// Per vertex the smallest index of a vertex at the same position.
-std::vector<int> WeldVertices(const std::vector<Eigen::Vector3d>& vertices) {
-  std::vector<int> order(vertices.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto key = [&](int i) {
-    return std::tuple(vertices[i].x(), vertices[i].y(), vertices[i].z());
-  };
-  std::sort(order.begin(), order.end(),
-            [&](int i, int j) { return key(i) != key(j) ? key(i) < key(j) : i < j; });
-  std::vector<int> representative(vertices.size());
-  for (size_t k = 0; k < order.size(); ++k) {
-    const bool same = k > 0 && key(order[k]) == key(order[k - 1]);
-    representative[order[k]] = same ? representative[order[k - 1]] : order[k];
-  }
-  return representative;
-}
 
 std::vector<Edge> CleanEdges(const EdgeSoup& soup, const std::vector<int>& weld) {
   std::vector<Edge> edges;
@@ -130,7 +114,7 @@ CurveSet ChainEdges(const EdgeSoup& soup) {
   for (size_t i = 0; i < soup.vertices.size(); ++i) {
     if (!in_edge[i]) set.points.push_back(soup.vertices[i]);
   }
-  const std::vector<int> weld = WeldVertices(soup.vertices);
+  const std::vector<int> weld = WeldPoints(soup.vertices);
   set.polylines = Chainer(soup.vertices, CleanEdges(soup, weld)).Run();
   return set;
 }

@@ -11,24 +11,37 @@ namespace {
 
 class ObjParser {
  public:
-  explicit ObjParser(TextScanner* scanner) : scanner_(scanner) {}
+  // Statements that are not asked for are passed over.
+  ObjParser(TextScanner* scanner, bool curves, bool faces)
+      : scanner_(scanner), wants_curves_(curves), wants_faces_(faces) {}
 
-  CurveSet Run() {
-    while (!scanner_->AtEnd()) ParseStatement(scanner_->Word("statement"));
+  CurveSet Curves() {
+    ParseAll();
     CurveSet set = ChainEdges(soup_);
     if (has_elements_) set.points = std::move(points_);
     return set;
   }
 
+  FaceSoup Faces() {
+    ParseAll();
+    return {std::move(soup_.vertices), std::move(faces_)};
+  }
+
  private:
+  void ParseAll() {
+    while (!scanner_->AtEnd()) ParseStatement(scanner_->Word("statement"));
+  }
+
   void ParseStatement(std::string_view keyword) {
     if (keyword == "v") {
       soup_.vertices.push_back(scanner_->Point());
-    } else if (keyword == "l") {
+    } else if (wants_curves_ && keyword == "l") {
       ParseLine();
-    } else if (keyword == "p") {
+    } else if (wants_curves_ && keyword == "p") {
       has_elements_ = true;
       while (!scanner_->AtEndOfLine()) points_.push_back(soup_.vertices[VertexIndex()]);
+    } else if (wants_faces_ && keyword == "f") {
+      ParseFace();
     } else if (keyword == "o" || keyword == "g") {
       ++label_;
     }
@@ -46,6 +59,15 @@ class ObjParser {
       }
       previous = index;
     }
+  }
+
+  void ParseFace() {
+    std::vector<int> corners;
+    while (!scanner_->AtEndOfLine()) corners.push_back(VertexIndex());
+    if (corners.size() < 3) {
+      scanner_->Fail("face of " + std::to_string(corners.size()) + " corners");
+    }
+    faces_.push_back(std::move(corners));
   }
 
   // "7", "7/3" or relative to the end "-1"; counts from 1.
@@ -66,7 +88,10 @@ class ObjParser {
   }
 
   TextScanner* scanner_;
+  bool wants_curves_;
+  bool wants_faces_;
   EdgeSoup soup_;
+  std::vector<std::vector<int>> faces_;
   std::vector<Eigen::Vector3d> points_;
   int label_ = 0;
   bool has_elements_ = false;
@@ -77,7 +102,13 @@ class ObjParser {
 CurveSet ReadObjCurves(const std::string& path) {
   const std::string text = ReadWholeFile(path);
   TextScanner scanner(path, text);
-  return ObjParser(&scanner).Run();
+  return ObjParser(&scanner, /*curves=*/true, /*faces=*/false).Curves();
+}
+
+FaceSoup ReadObjFaces(const std::string& path) {
+  const std::string text = ReadWholeFile(path);
+  TextScanner scanner(path, text);
+  return ObjParser(&scanner, /*curves=*/false, /*faces=*/true).Faces();
 }
 
 }  // namespace limn

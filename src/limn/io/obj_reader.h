@@ -1,6 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "limn/model/curve_set.h"
 
@@ -10,5 +13,14 @@ namespace limn {
 // object or group (o, g) are joined by ChainEdges. Vertices no statement uses are left out if there
 // is any l or p; else all vertices are points. Throws IoError.
 CurveSet ReadObjCurves(const std::string& path);
+
+// The v and f statements: vertices, and per face the indices of its corners, at least three.
+struct FaceSoup {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::vector<int>> faces;
+};
+
+// Other statements are passed over. Throws IoError.
+FaceSoup ReadObjFaces(const std::string& path);
 
 }  // namespace limn

@@ -1,31 +1,16 @@
 #include "limn/io/read_curves.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-
 #include "limn/io/drawing_json_reader.h"
 #include "limn/io/obj_reader.h"
 #include "limn/io/ply_reader.h"
 #include "limn/io/text_curve_reader.h"
+#include "limn/io/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {
-namespace {
-
-// Lower-case extension, that before ".gz" if there is one.
-std::string Extension(std::filesystem::path path) {
-  if (path.extension() == ".gz") path = path.stem();
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-}  // namespace
 
 CurveSet ReadCurves(const std::string& path, const std::string& edges_path) {
-  const std::string extension = Extension(path);
+  const std::string extension = FileExtension(path);
   const bool is_text = extension == ".txt" || extension == ".xyz";
   if (!edges_path.empty()) {
     if (!is_text) throw IoError(path, "a file of edges goes with points in .txt or .xyz only");

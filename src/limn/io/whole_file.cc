@@ -1,5 +1,7 @@
 #include "limn/io/whole_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -35,6 +37,15 @@ std::string ReadWholeFile(const std::string& path) {
   // A gzip file that breaks off ends like a whole one, but for this.
   if (code != Z_OK) throw IoError(path, "byte " + std::to_string(bytes.size()), reason);
   return bytes;
+}
+
+std::string FileExtension(const std::string& file) {
+  std::filesystem::path path(file);
+  if (path.extension() == ".gz") path = path.stem();
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 }  // namespace limn

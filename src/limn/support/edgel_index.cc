@@ -106,6 +106,12 @@ void EdgelIndex::ForEachWithin(const Eigen::Vector2d& position_px, double radius
   });
 }
 
+bool EdgelIndex::AnyWithin(const Eigen::Vector2d& position_px, double radius_px) const {
+  bool found = false;
+  ForEachWithin(position_px, radius_px, [&](EdgelId) { found = true; });
+  return found;
+}
+
 std::vector<bool> LinkedEdgels(const ImageCurves& curves) {
   std::vector<bool> linked(curves.edge_map.edgels.size(), false);
   for (const CurveFragment& fragment : curves.fragments) {

@@ -44,6 +44,9 @@ class EdgelIndex {
   void ForEachWithin(const Eigen::Vector2d& position_px, double radius_px,
                      const std::function<void(EdgelId)>& visit) const;
 
+  // Whether there is any such edgel.
+  bool AnyWithin(const Eigen::Vector2d& position_px, double radius_px) const;
+
  private:
   template <typename Visit>
   void VisitCells(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;

@@ -66,12 +66,17 @@ SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d&
   return result;
 }
 
+bool ShowsSegment(const View& view, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                  const EdgelIndex& edgels, const SupportGate& gate) {
+  const auto ends = ProjectSegment(view, from, to);
+  return ends && EdgelsRunAlong(ends->first, ends->second, edgels, gate);
+}
+
 bool IsSeen(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
             const std::vector<uint8_t>& visible, const std::vector<View>& views,
             const EdgelIndexes& edgels, const SupportGate& gate) {
   for (size_t v = 0; v < views.size(); ++v) {
-    const auto ends = visible[v] ? ProjectSegment(views[v], from, to) : std::nullopt;
-    if (ends && EdgelsRunAlong(ends->first, ends->second, *edgels[v], gate)) return true;
+    if (visible[v] && ShowsSegment(views[v], from, to, *edgels[v], gate)) return true;
   }
   return false;
 }

@@ -32,6 +32,11 @@ SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d&
                              const std::vector<uint8_t>& visible, const std::vector<View>& views,
                              const EdgelIndexes& edgels, const SupportGate& gate);
 
+// Whether edgels run along the segment in this view, as above: false if an end is outside the image
+// or it is seen end on.
+bool ShowsSegment(const View& view, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                  const EdgelIndex& edgels, const SupportGate& gate);
+
 // Whether edgels run along the segment in any of the views asked, as above.
 bool IsSeen(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
             const std::vector<uint8_t>& visible, const std::vector<View>& views,

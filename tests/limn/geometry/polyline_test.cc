@@ -57,6 +57,19 @@ TEST(Polyline, ClosestPointIsNoFartherThanAnySample) {
   }
 }
 
+TEST(Polyline, CutKeepsVerticesInBetweenAndWholeEnds) {
+  const Polyline3d polyline = {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, 2, 0}, {0.1, 2, 0}};
+  EXPECT_EQ(CutPolyline(polyline, 0, Length(polyline)), polyline);
+  const Polyline3d part = CutPolyline(polyline, 0.25, 2);
+  ASSERT_EQ(part.size(), 3u);
+  EXPECT_TRUE(part[0].isApprox(Eigen::Vector3d(0.25, 0, 0)));
+  EXPECT_EQ(part[1], polyline[1]);
+  EXPECT_TRUE(part[2].isApprox(Eigen::Vector3d(1, 1, 0)));
+  // A cut at a vertex does not repeat it.
+  EXPECT_EQ(CutPolyline(polyline, 0, 1), (Polyline3d{polyline[0], polyline[1]}));
+  EXPECT_EQ(CutPolyline(polyline, 1, 3), (Polyline3d{polyline[1], polyline[2]}));
+}
+
 TEST(Polyline, ResampleUniformKeepsEndsAndStep) {
   const Polyline3d samples = ResampleUniform(kCorner, 1.5);
   ASSERT_EQ(samples.size(), 6u);  // five steps of 1.4

@@ -102,6 +102,7 @@ TEST_F(EdgelIndexTest, ForEachWithinVisitsTheDiscOnce) {
       index.ForEachWithin(queries_[q], radius, [&](EdgelId id) { visited.push_back(id); });
       std::sort(visited.begin(), visited.end());
       EXPECT_EQ(visited, expected) << "query " << q << " radius " << radius;
+      EXPECT_EQ(index.AnyWithin(queries_[q], radius), !expected.empty());
     }
   }
 }

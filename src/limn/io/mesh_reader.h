@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "limn/geometry/triangle_mesh.h"
+
+namespace limn {
+
+// A surface from a file, by its extension: .ply (elements vertex and face, whose list is
+// vertex_indices or vertex_index; ascii or binary of either byte order) or .obj (v and f
+// statements). Faces are polygons of any number of corners; vertices at the same place are welded
+// (MakeTriangleMesh). Throws IoError: also for a file without faces or whose faces have no area.
+TriangleMesh ReadMesh(const std::string& path);
+
+}  // namespace limn

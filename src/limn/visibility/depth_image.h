@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/view.h"
+
+namespace limn {
+
+// How far a view sees, along the optical axis, on a grid over its virtual image.
+struct DepthImage {
+  int width = 0;
+  int height = 0;
+  // The depth pixel (column, row) stands for the place origin_px + cell_px * (column, row) of the
+  // virtual image. A depth map of COLMAP's has its origin at (-0.5, -0.5).
+  Eigen::Vector2d origin_px = Eigen::Vector2d::Zero();
+  Eigen::Vector2d cell_px = Eigen::Vector2d::Ones();
+  // Rows in order: z in the camera frame, 0 = nothing there, or unknown.
+  std::vector<float> depth;
+  // Unit normals in the world, facing the view; zero = unknown. Empty: none is known.
+  std::vector<Eigen::Vector3f> normal_in_world;
+
+  bool Contains(int column, int row) const {
+    return column >= 0 && column < width && row >= 0 && row < height;
+  }
+  size_t Index(int column, int row) const { return static_cast<size_t>(row) * width + column; }
+  float At(int column, int row) const { return depth[Index(column, row)]; }
+  // 0 outside.
+  float DepthOr0(int column, int row) const { return Contains(column, row) ? At(column, row) : 0; }
+  Eigen::Vector2d FromVirtual(const Eigen::Vector2d& virtual_px) const {
+    return (virtual_px - origin_px).cwiseQuotient(cell_px);
+  }
+  // The nearest depth pixel's column and row, perhaps outside.
+  Eigen::Vector2i CellAt(const Eigen::Vector2d& virtual_px) const {
+    return FromVirtual(virtual_px).array().round().cast<int>();
+  }
+  Eigen::Vector2d PixelOf(int column, int row) const {
+    return origin_px + cell_px.cwiseProduct(Eigen::Vector2d(column, row));
+  }
+};
+
+// An empty depth image over the region of a view, with `scale` depth pixels per virtual pixel.
+// Precondition: scale > 0.
+DepthImage MakeDepthImage(const View& view, double scale);
+
+// Whether the view contains a point and sees it in front of what the depth image holds: farther by
+// no more than `tolerance_px` pixel footprints than one of the (up to four) depth pixels around it.
+// Of these the farthest decides, so that edges at the border of a surface count as visible.
+// Constant time.
+bool IsVisible(const View& view, const DepthImage& depth, const Eigen::Vector3d& point_in_world,
+               double tolerance_px);
+
+// The normal of the surface at a depth pixel, in the world, facing the view: the one that is stored,
+// else that of the four depths around, if there is no step between them. Nothing if unknown.
+std::optional<Eigen::Vector3d> NormalAt(const View& view, const DepthImage& image, int column,
+                                        int row);
+
+}  // namespace limn
