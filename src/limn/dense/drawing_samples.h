@@ -13,8 +13,8 @@ namespace limn {
 struct DrawingSamples {
   std::vector<Eigen::Vector3d> position;
   std::vector<Eigen::Vector3d> tangent;  // unit
-  std::vector<double> footprint;  // world units per px, median over the link's supporting views
-  std::vector<double> length;     // of the piece of the link that the sample stands for
+  std::vector<double> footprint;         // world units per px (LinkFootprint)
+  std::vector<double> length;            // of the piece of the link that the sample stands for
   std::vector<LinkId> link;
 
   size_t size() const { return position.size(); }

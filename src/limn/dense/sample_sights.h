@@ -9,9 +9,9 @@
 #include <Eigen/Core>
 
 #include "limn/dense/dense_options.h"
-#include "limn/visibility/depth_image.h"
 #include "limn/dense/drawing_samples.h"
 #include "limn/util/parallel.h"
+#include "limn/visibility/depth_image.h"
 
 namespace limn {
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "limn/geometry/polyline.h"
-#include "limn/support/edgel_residual.h"
+#include "limn/support/link_footprint.h"
 
 namespace limn {
 namespace {
@@ -14,18 +13,6 @@ namespace {
 // but never more than this share of it.
 constexpr double kCornerSkipPx = 3;
 constexpr double kMaxSkippedShare = 0.25;
-
-double MedianFootprint(const Eigen::Vector3d& point, const std::vector<ViewId>& ids,
-                       const std::vector<View>& views) {
-  std::vector<double> footprints;
-  for (const ViewId id : ids) {
-    if (const auto footprint = Footprint(views[id], point)) footprints.push_back(*footprint);
-  }
-  if (footprints.empty()) return 0;
-  const auto middle = footprints.begin() + static_cast<std::ptrdiff_t>(footprints.size() / 2);
-  std::nth_element(footprints.begin(), middle, footprints.end());
-  return *middle;
-}
 
 // Two ends go on smoothly and nothing else is here.
 bool IsSmooth(const DrawingNode& node) {
@@ -111,15 +98,6 @@ class ControlGraphBuilder {
 };
 
 }  // namespace
-
-double LinkFootprint(const DrawingLink& link, const Eigen::Vector3d& point,
-                     const std::vector<View>& views) {
-  const double footprint = MedianFootprint(point, link.supporting_views, views);
-  if (footprint > 0) return footprint;
-  std::vector<ViewId> all(views.size());
-  std::iota(all.begin(), all.end(), 0);
-  return MedianFootprint(point, all, views);
-}
 
 ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>& views,
                               double spacing_px) {

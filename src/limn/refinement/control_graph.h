@@ -35,11 +35,6 @@ struct ControlGraph {
   std::vector<std::array<int, 3>> bends;
 };
 
-// World units per px at a point of a link: the median over its supporting views, or over all where
-// those do not see it; 0 if no view does.
-double LinkFootprint(const DrawingLink& link, const Eigen::Vector3d& point,
-                     const std::vector<View>& views);
-
 // Control points about `spacing_px` apart along every link. Linear time.
 ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>& views,
                               double spacing_px);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "limn/geometry/polyline.h"
-#include "limn/refinement/control_graph.h"
+#include "limn/support/link_footprint.h"
 
 namespace limn {
 namespace {

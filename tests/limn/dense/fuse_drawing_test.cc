@@ -1,0 +1,110 @@
+#include "limn/dense/fuse_drawing.h"
+
+#include <gtest/gtest.h>
+
+#include "limn/dense/plate_scene.h"
+
+namespace limn {
+namespace {
+
+using testing::kPlateHalf;
+
+enum Curve { kPaint, kRim, kAir, kBelow, kNumCurves };
+
+DrawingGraph PlateDrawing() {
+  constexpr double h = kPlateHalf;
+  return testing::GraphOf({{{-0.3, 0.1, 0}, {0.3, 0.1, 0}},
+                           {{-h, h, 0}, {h, h, 0}},
+                           {{-0.1, 0, 0.15}, {0.1, 0, 0.15}},
+                           {{-0.1, 0, -0.15}, {0.1, 0, -0.15}}});
+}
+
+const FusionResult& Fused() {
+  static const DrawingGraph graph = PlateDrawing();
+  static const FusionResult result =
+      FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), std::nullopt}, {}, {});
+  return result;
+}
+
+TEST(FuseDrawing, LinksGetTheirClasses) {
+  const std::vector<LinkDense>& links = Fused().classes.links;
+  ASSERT_EQ(links.size(), size_t{kNumCurves});
+  EXPECT_EQ(links[kPaint].dense_class, DenseClass::kSurface);
+  EXPECT_LT(links[kPaint].fold_deg, 1);
+  EXPECT_EQ(links[kRim].dense_class, DenseClass::kBoundary);
+  EXPECT_EQ(links[kAir].dense_class, DenseClass::kFree);
+  EXPECT_DOUBLE_EQ(links[kAir].free_share, 1);
+  for (const Curve curve : {kPaint, kRim, kAir}) EXPECT_FALSE(links[curve].behind_surface);
+  EXPECT_TRUE(links[kBelow].behind_surface);
+  EXPECT_DOUBLE_EQ(links[kBelow].occluded_share, 1);
+  for (size_t l = 0; l < links.size(); ++l) {
+    EXPECT_EQ(Fused().graph.links[l].dense->dense_class, links[l].dense_class);
+  }
+}
+
+TEST(FuseDrawing, LengthsAddUp) {
+  const auto length = [](DenseClass of) { return LengthOf(of, Fused().samples, Fused().classes); };
+  // The line below is judged by no view that sees it.
+  EXPECT_NEAR(length(DenseClass::kSurface), 0.6, 0.03);
+  EXPECT_NEAR(length(DenseClass::kBoundary), 1.2, 0.06);
+  EXPECT_NEAR(length(DenseClass::kFree), 0.2, 1e-9);
+  EXPECT_NEAR(length(DenseClass::kUnknown), 0.2, 0.06);
+}
+
+TEST(FuseDrawing, PointsKnowTheirFaces) {
+  size_t num_paint = 0;
+  for (const CurvePoint& point : Fused().points) {
+    EXPECT_NE(point.link, LinkId{kBelow});
+    if (point.link == LinkId{kAir}) {
+      EXPECT_FALSE(point.HasNormal());
+      EXPECT_NEAR(point.Outward(testing::PlateViews()).dot(point.tangent), 0, 1e-9);
+    }
+    if (point.link != LinkId{kPaint}) continue;
+    ++num_paint;
+    // One face on both sides.
+    EXPECT_GT(point.normals[0].z(), 0.999);
+    EXPECT_EQ(point.normals[1].norm(), 0);
+    EXPECT_EQ(point.views.size(), testing::PlateViews().size());
+  }
+  EXPECT_NEAR(static_cast<double>(num_paint), 0.6 / testing::kPlatePx, 8);
+}
+
+TEST(FuseDrawing, WithoutOccludedKeepsTheRest) {
+  const DrawingGraph kept = WithoutOccluded(Fused().graph);
+  EXPECT_EQ(kept.links.size(), size_t{kNumCurves} - 1);
+  EXPECT_TRUE(Validate(kept).empty());
+}
+
+TEST(FuseDrawing, AViewThatIsNotASupporterHasNoSay) {
+  DrawingGraph graph = PlateDrawing();
+  graph.links[kBelow].supporting_views.clear();
+  const FusionResult result =
+      FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), std::nullopt}, {}, {});
+  EXPECT_FALSE(result.classes.links[kBelow].behind_surface);
+}
+
+TEST(FuseDrawing, CloudDecidesWhatIsNear) {
+  const DensePointStream none = [](const DensePointVisitor&) {};
+  const DrawingGraph graph = PlateDrawing();
+  const FusionResult result =
+      FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), none}, {}, {});
+  EXPECT_EQ(result.classes.links[kPaint].dense_class, DenseClass::kFree);
+}
+
+TEST(FuseDrawing, EmptyDrawingAndNoDepths) {
+  const DrawingGraph empty;
+  EXPECT_TRUE(
+      FuseDrawing({testing::PlateViews(), empty, testing::PlateDepths(), std::nullopt}, {}, {})
+          .points.empty());
+  const DepthSource nothing = [](ViewId) { return std::nullopt; };
+  const DrawingGraph graph = PlateDrawing();
+  const FusionResult result =
+      FuseDrawing({testing::PlateViews(), graph, nothing, std::nullopt}, {}, {});
+  for (const LinkDense& link : result.classes.links) {
+    EXPECT_FALSE(link.behind_surface);
+    EXPECT_EQ(link.dense_class, DenseClass::kFree);
+  }
+}
+
+}  // namespace
+}  // namespace limn
