@@ -99,6 +99,13 @@ void CorpusWorkspace::WriteText(const colmap_ext::SparseModel& model,
 
 void Corpus::RunCase() {
   const CorpusCase& bad = GetParam();
+  RunConditions conditions;
+  conditions.max_memory_mb = kMaxMemoryMb;
+  conditions.max_seconds = kMaxSeconds;
+  conditions.as_nobody = bad.as_nobody;
+  if (RunProgram("test", {"-x", LIMN_PROGRAM}, conditions).exit_code != 0) {
+    GTEST_SKIP() << "the user nobody may not run " << LIMN_PROGRAM;
+  }
   workspace_.Overlay(bad.name);
   if (bad.spoil) bad.spoil(workspace_);
   if (HasFatalFailure()) return;
@@ -113,10 +120,6 @@ void Corpus::RunCase() {
     if (argument.starts_with("{W}")) argument.replace(0, 3, workspace_.path().string());
     arguments.push_back(argument);
   }
-  RunConditions conditions;
-  conditions.max_memory_mb = kMaxMemoryMb;
-  conditions.max_seconds = kMaxSeconds;
-  conditions.as_nobody = bad.as_nobody;
   const LimnRun run = RunLimn(arguments, conditions);
   const std::string& text = bad.outcome == Outcome::kRefused ? run.err : run.out;
   for (const std::string& part : bad.said) EXPECT_THAT(text, HasSubstr(part));
