@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <string_view>
 
 #include "colmap_ext/commands/commands.h"
@@ -38,6 +40,13 @@ void PrintUsage() {
   }
 }
 
+// Names in files may hold line ends and other control characters; an error is one line.
+std::string OneLine(std::string text) {
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
+  std::replace_if(text.begin(), text.end(), is_control, '?');
+  return text;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -51,7 +60,7 @@ int main(int argc, char** argv) {
     try {
       return command.run(argc - 1, argv + 1);
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "ERROR: %s\n", error.what());
+      std::fprintf(stderr, "ERROR: %s\n", OneLine(error.what()).c_str());
       return 1;
     }
   }

@@ -5,6 +5,7 @@
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "limn/pipeline/pipeline.h"
+#include "limn/sketch/view_selection.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -25,8 +26,9 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   Console console(options.num_threads);
   const Project project(options, &console);
   CheckRefinedFolder(project, options);
+  CheckViews(project.views());
   const PipelineResult result = DrawScene(
-      {project.views(), project.view_set().hints, project.images(), BoxFromNumbers(options.box),
+      {project.views(), project.view_set().hints, project.images(), ProjectBox(project, options),
        project.CacheDir()},
       options.pipeline, console.context(), [&](const StageSummary& summary, const CacheUse& cache) {
         console.Report(cache);

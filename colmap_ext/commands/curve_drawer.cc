@@ -20,7 +20,7 @@ int RunCurveDrawer(int argc, const char* const* argv) {
   const StoredCurveSketch stored =
       ReadSketchResult(project, SketchFileName(options.pipeline.mode), image_curves.curves);
   const DrawingResult result = BuildDrawing(
-      {project.views(), image_curves.curves, stored.sketch, BoxFromNumbers(options.box)},
+      {project.views(), image_curves.curves, stored.sketch, ProjectBox(project, options)},
       options.pipeline.drawing, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);

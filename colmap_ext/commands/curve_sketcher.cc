@@ -4,6 +4,7 @@
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "limn/sketch/sketch.h"
+#include "limn/sketch/view_selection.h"
 
 namespace limn::colmap_ext {
 
@@ -14,10 +15,11 @@ int RunCurveSketcher(int argc, const char* const* argv) {
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
+  CheckViews(project.views());
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
 
   const SketchInput input{project.views(), image_curves.curves, project.view_set().hints,
-                          BoxFromNumbers(options.box)};
+                          ProjectBox(project, options)};
   const SketchMode mode = options.pipeline.mode;
   const SketchResult result = BuildSketch(mode, input, options.pipeline.sketch, console.context());
   console.Report(result.summary);

@@ -1,8 +1,12 @@
 #include "colmap_ext/commands/project.h"
 
+#include <cstdio>
 #include <fstream>
 
+#include "colmap_ext/commands/world_shift.h"
 #include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/output_check.h"
+#include "colmap_ext/workspace/scene_origin.h"
 #include "limn/pipeline/content_hash.h"
 #include "limn/util/errors.h"
 
@@ -32,16 +36,30 @@ std::string ImageIdentity(const ViewSet& set, ViewId view) {
   return identity + "\nsize " + std::to_string(camera.width) + " " + std::to_string(camera.height);
 }
 
+std::string TextOf(const Eigen::Vector3d& point) {
+  char text[100];
+  std::snprintf(text, sizeof(text), "(%.10g, %.10g, %.10g)", point.x(), point.y(), point.z());
+  return text;
+}
+
 }  // namespace
 
 Project::Project(const RunOptions& options, Console* console)
     : layout_(ResolveLayout(options.layout)) {
   console->Say(layout_.description);
-  view_set_ =
-      ToViews(ReadModel(layout_.model_dir), layout_.image_dir, options.view, console->context());
+  CheckWritable(layout_.output.drawing_dir);
+  CheckWritable(layout_.output.curves_dir);
+  SparseModel model = ReadModel(layout_.model_dir);
+  origin_ = SceneOrigin(model);
+  MoveModel(-origin_, &model);
+  view_set_ = ToViews(model, layout_.image_dir, options.view, console->context());
   for (const std::string& warning : view_set_.warnings) console->Say("WARNING: " + warning);
   console->Say(std::to_string(views().size()) + " images, " +
                std::to_string(view_set_.hints.points.size()) + " 3D points");
+  if (!origin_.isZero()) {
+    console->Say("Coordinates are large: working around " + TextOf(origin_) +
+                 ", all files keep the model's coordinates");
+  }
   images_.read = [this](ViewId view) { return ReadViewImage(view_set_, view); };
   images_.identity = [this](ViewId view) { return ImageIdentity(view_set_, view); };
 }
@@ -52,6 +70,10 @@ std::string Project::DrawingPath(const std::string& name) const {
 
 std::string Project::CurvesPath(const std::string& name) const {
   return (layout_.output.curves_dir / name).string();
+}
+
+std::optional<Eigen::AlignedBox3d> ProjectBox(const Project& project, const RunOptions& options) {
+  return Moved(BoxFromNumbers(options.box), -project.origin());
 }
 
 CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,

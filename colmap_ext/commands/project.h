@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include <Eigen/Geometry>
 
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/run_options.h"
@@ -23,6 +26,9 @@ class Project {
   const ViewSet& view_set() const { return view_set_; }
   const std::vector<View>& views() const { return view_set_.views; }
   const ImageSource& images() const { return images_; }
+  // Views and hints are the model's with this subtracted from all positions (see SceneOrigin), and
+  // so is all that is computed from them; files hold the model's coordinates.
+  const Eigen::Vector3d& origin() const { return origin_; }
 
   std::string CacheDir() const { return CurvesPath("cache"); }
   // A file beside fused.ply.
@@ -32,9 +38,13 @@ class Project {
 
  private:
   WorkspaceLayout layout_;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   ViewSet view_set_;
   ImageSource images_;
 };
+
+// The box of the options around the project's origin; nothing if none was given.
+std::optional<Eigen::AlignedBox3d> ProjectBox(const Project& project, const RunOptions& options);
 
 // The image curves of all views, from the project's cache where it holds them; reports what was
 // done.

@@ -5,6 +5,7 @@
 
 #include "colmap_ext/workspace/model_writer.h"
 #include "colmap_ext/workspace/refined_model.h"
+#include "colmap_ext/workspace/scene_origin.h"
 #include "limn/io/atomic_file.h"
 #include "limn/util/errors.h"
 
@@ -58,8 +59,11 @@ void WriteRefinedModel(const Project& project, const std::optional<RefinedCamera
     return;
   }
   SparseModel model = ReadModel(project.layout().model_dir);
-  ApplyRefinement({cameras->views, project.views(), project.view_set().hints, cameras->points},
-                  &model);
+  std::vector<View> views = cameras->views;
+  for (View& view : views) view.cam_from_world = Moved(view.cam_from_world, project.origin());
+  std::vector<Eigen::Vector3d> points = cameras->points;
+  for (Eigen::Vector3d& point : points) point += project.origin();
+  ApplyRefinement({views, project.views(), project.view_set().hints, points}, &model);
   const auto write = [&](const char* name, void (*writer)(const SparseModel&, std::ostream&)) {
     WriteFileAtomically(RefinedPath(project, name), [&](std::ostream& out) { writer(model, out); });
   };

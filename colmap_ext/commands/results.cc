@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/commands/refined_cameras.h"
+#include "colmap_ext/commands/world_shift.h"
 #include "limn/evaluation/edgel_account.h"
 #include "limn/export/write_drawing.h"
 #include "limn/io/atomic_file.h"
@@ -79,7 +80,7 @@ void WriteSketchResults(const Project& project, const std::string& name,
                         const std::string& provenance) {
   WriteCurveSketch(project.CurvesPath(name + ".bin"), sketch, Metadata(project, provenance),
                    CurvesKey(project.views(), curves));
-  WriteSketch(project.CurvesPath(name + ".ply"), sketch);
+  WriteSketch(project.CurvesPath(name + ".ply"), Moved(sketch, project.origin()));
 }
 
 StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
@@ -99,6 +100,7 @@ DrawingFile ReadDrawingResult(const Project& project, const std::string& path) {
   if (drawing.metadata.view_names != Metadata(project, "{}").view_names) {
     throw IoError(path, "is a drawing of other images than those of the model");
   }
+  drawing.graph = Moved(std::move(drawing.graph), -project.origin());
   return drawing;
 }
 
@@ -106,8 +108,9 @@ void WriteDrawingResults(const Project& project, const std::vector<View>& views,
                          const DrawingGraph& graph, const std::string& provenance,
                          Console* console) {
   const DrawingMetadata metadata = Metadata(project, provenance);
+  const DrawingGraph in_model = Moved(graph, project.origin());
   for (const char* name : {"drawing.ply", "drawing.json", "drawing.obj"}) {
-    WriteDrawing(project.DrawingPath(name), graph, metadata);
+    WriteDrawing(project.DrawingPath(name), in_model, metadata);
   }
   WriteTracks(project.CurvesPath("tracks.txt"), graph, views);
   WritePictures(project, "overlays", console->context(), [&](ViewId v) {

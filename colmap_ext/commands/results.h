@@ -29,7 +29,8 @@ std::string SketchFileName(SketchMode mode);
 // Throws InputError if the graph breaks an invariant. To be called before anything is written.
 void CheckGraph(const DrawingGraph& graph);
 
-// Write <curves>/<name>.bin and .ply.
+// Write <curves>/<name>.bin, around the project's origin as its views are, and .ply, in the model's
+// coordinates.
 void WriteSketchResults(const Project& project, const std::string& name,
                         const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
                         const std::string& provenance);
@@ -38,7 +39,8 @@ void WriteSketchResults(const Project& project, const std::string& name,
 StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
                                    const std::vector<ImageCurves>& curves);
 
-// Read a drawing.json. Throws IoError if it is missing, damaged or of other views.
+// Read a drawing.json; the graph is then around the project's origin. Throws IoError if it is
+// missing, damaged or of other views.
 DrawingFile ReadDrawingResult(const Project& project, const std::string& path);
 
 // Write drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.

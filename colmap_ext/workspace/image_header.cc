@@ -58,7 +58,56 @@ std::optional<ImageSize> ReadJpeg(std::istream& in) {
   return std::nullopt;
 }
 
+// After the signature.
+bool PngIsTruncated(std::istream& in) {
+  in.ignore(static_cast<std::streamsize>(kPngSignature.size()) - 1);
+  while (true) {
+    const int64_t length = ReadBigEndian(in, 4);
+    const int64_t type = ReadBigEndian(in, 4);
+    if (length < 0 || type < 0) return true;
+    constexpr int64_t kEnd = 0x49454E44;  // IEND, without data
+    if (type == kEnd) return ReadBigEndian(in, 4) < 0;
+    in.seekg(length + 4, std::ios::cur);  // and the checksum
+  }
+}
+
+// After the first byte of the start-of-image marker. In a scan 0xFF is followed by 0 or by a
+// marker.
+bool JpegIsTruncated(std::istream& in) {
+  in.get();
+  while (in.get() == 0xFF) {
+    int marker = in.get();
+    while (marker == 0xFF) marker = in.get();
+    const int64_t length = ReadBigEndian(in, 2);
+    if (length < 2) return true;
+    in.seekg(length - 2, std::ios::cur);
+    if (marker != 0xDA) continue;
+    int before = 0;
+    for (int byte = in.get(); byte >= 0; before = byte, byte = in.get()) {
+      if (before == 0xFF && byte == 0xD9) return false;
+    }
+    return true;
+  }
+  return true;
+}
+
 }  // namespace
+
+bool IsTruncated(std::istream& in) {
+  switch (in.get()) {
+    case 0x89:
+      return PngIsTruncated(in);
+    case 0xFF:
+      return JpegIsTruncated(in);
+    default:
+      return false;
+  }
+}
+
+bool IsTruncated(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return IsTruncated(in);
+}
 
 std::optional<ImageSize> ReadSizeFromHeader(std::istream& in) {
   switch (in.get()) {

@@ -17,9 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void CheckWhole(const fs::path& path) {
+  if (!IsTruncated(path)) return;
+  throw IoError(path.string(), "truncated: the file ends before the picture does");
+}
+
 cv::Mat Decode(const fs::path& path, int flags) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) throw IoError(path.string(), "no such image file");
+  CheckWhole(path);
   cv::Mat image;
   try {
     image = cv::imread(path.string(), flags | cv::IMREAD_IGNORE_ORIENTATION);
@@ -45,7 +51,10 @@ std::string Text(ImageSize size) {
 }  // namespace
 
 ImageSize ReadImageSize(const fs::path& path) {
-  if (const auto size = ReadSizeFromHeader(path)) return *size;
+  if (const auto size = ReadSizeFromHeader(path)) {
+    CheckWhole(path);
+    return *size;
+  }
   const cv::Mat image = Decode(path, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
   return {image.cols, image.rows};
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/pmvs_model.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -72,7 +73,23 @@ std::string Listing(const fs::path& folder) {
   return text;
 }
 
+// Throws if some folder of the workspace would be a model but for a file.
+void CheckForIncompleteModels(const fs::path& workspace) {
+  std::vector<fs::path> folders = {workspace / "sparse", workspace / "dense" / "sparse", workspace};
+  for (const auto& [index, folder] : NumberedFolders(workspace / "sparse")) {
+    folders.push_back(folder);
+  }
+  for (const auto& [index, folder] : NumberedFolders(workspace / "dense")) {
+    folders.push_back(folder / "sparse");
+  }
+  for (const fs::path& folder : folders) {
+    const std::string missing = MissingModelFile(folder);
+    if (!missing.empty()) throw IoError(folder.string(), "not a COLMAP model: " + missing);
+  }
+}
+
 [[noreturn]] void FailNothingFits(const fs::path& workspace, const LayoutOptions& options) {
+  CheckForIncompleteModels(workspace);
   std::string found = "found " + Listing(workspace);
   for (const char* name : {"sparse", "dense"}) {
     if (IsFolder(workspace / name)) {
@@ -84,7 +101,8 @@ std::string Listing(const fs::path& folder) {
   throw IoError(
       workspace.string(),
       "no COLMAP model with its images" + asked +
-          " (expected sparse/ and images/, dense/<i>/, or sparse/<i>/ and images/): " + found);
+          " (expected sparse/ and images/, dense/<i>/, sparse/<i>/ and images/, or pmvs/): " +
+          found);
 }
 
 // The first one that has most registered images.
@@ -109,7 +127,6 @@ class Finder {
       : workspace_(std::move(workspace)), options_(options) {}
 
   Candidate Find() const {
-    const fs::path sparse = workspace_ / "sparse";
     std::vector<Candidate> found;
     AddDense(workspace_, kNoIndex, &found);
     if (found.empty()) {
@@ -118,12 +135,13 @@ class Finder {
       }
     }
     if (found.empty()) AddDense(workspace_ / "dense", kNoIndex, &found);
-    if (found.empty()) {
-      for (const auto& [index, folder] : NumberedFolders(sparse)) {
-        Add({folder, ImagesIn(workspace_), workspace_, {}, index}, &found);
-      }
+    for (const char* sparse : {"sparse", "colmap/sparse"}) {
+      if (found.empty()) AddSparse(workspace_ / sparse, ImagesIn(workspace_), &found);
     }
-    if (found.empty()) Add({sparse, ImagesIn(workspace_), workspace_, {}, kNoIndex}, &found);
+    for (const fs::path& folder : {workspace_, workspace_ / "pmvs"}) {
+      if (found.empty()) AddPmvs(folder, &found);
+    }
+    if (found.empty()) AddModelFolder(&found);
     if (found.empty()) FailNothingFits(workspace_, options_);
     return MostRegistered(found);
   }
@@ -137,6 +155,30 @@ class Finder {
 
   void AddDense(const fs::path& folder, int index, std::vector<Candidate>* found) const {
     Add({folder / "sparse", ImagesIn(folder), folder, folder, index}, found);
+  }
+
+  // Numbered models in a folder, else the folder itself.
+  void AddSparse(const fs::path& folder, const fs::path& image_dir,
+                 std::vector<Candidate>* found) const {
+    for (const auto& [index, model_dir] : NumberedFolders(folder)) {
+      Add({model_dir, image_dir, workspace_, {}, index}, found);
+    }
+    if (found->empty()) Add({folder, image_dir, workspace_, {}, kNoIndex}, found);
+  }
+
+  void AddPmvs(const fs::path& folder, std::vector<Candidate>* found) const {
+    const fs::path image_dir =
+        options_.image_path.empty() ? folder / "visualize" : fs::path(options_.image_path);
+    if (HoldsPmvsModel(folder)) Add({folder, image_dir, folder, {}, kNoIndex}, found);
+  }
+
+  // The workspace is `sparse` or a model itself, with the images in it or up to two folders above.
+  void AddModelFolder(std::vector<Candidate>* found) const {
+    const fs::path absolute = fs::weakly_canonical(workspace_);
+    for (const fs::path& folder :
+         {workspace_, absolute.parent_path(), absolute.parent_path().parent_path()}) {
+      if (found->empty()) AddSparse(workspace_, ImagesIn(folder), found);
+    }
   }
 
   void Add(const Candidate& candidate, std::vector<Candidate>* found) const {
@@ -178,6 +220,8 @@ Candidate GivenModel(const LayoutOptions& options) {
   result.base_dir = dense ? parent : fs::path(options.workspace_path);
   result.image_dir = options.image_path;
   if (!options.image_path.empty()) return result;
+  result.image_dir = result.model_dir / "visualize";
+  if (HoldsPmvsModel(result.model_dir)) return result;
   for (const fs::path& folder : {parent, parent.parent_path(), fs::path(options.workspace_path)}) {
     result.image_dir = folder / "images";
     if (IsFolder(result.image_dir)) return result;

@@ -44,7 +44,9 @@ struct WorkspaceLayout {
 // Finds model, images and output folders. The workspace W is read as the first of
 //   W            W/sparse holds a model and W/images exists (a dense workspace)
 //   W/dense/<i>  holds the same; then W/dense itself
-//   W/sparse/<i> or W/sparse, with W/images
+//   W/sparse/<i> or W/sparse, with W/images; then the same in W/colmap/sparse
+//   W, W/pmvs    a PMVS folder (pmvs_model.h), with its visualize/
+//   W/<i> or W   a model itself, with `images` in W, its parent or the parent of that
 // Overrides replace the parts they name; with an image folder given, no `images` is asked for.
 //
 // Throws OptionError if too few paths are given, IoError saying what was found if nothing fits.

@@ -8,6 +8,7 @@
 #include "colmap_ext/workspace/line_reader.h"
 #include "colmap_ext/workspace/model_builder.h"
 #include "colmap_ext/workspace/model_files.h"
+#include "colmap_ext/workspace/pmvs_model.h"
 #include "colmap_ext/workspace/rig.h"
 #include "limn/util/errors.h"
 
@@ -45,21 +46,27 @@ bool IsComplete(const fs::path& folder, const Flavour& flavour) {
   return IsFile(FileOf(folder, "cameras", flavour)) && IsFile(FileOf(folder, "images", flavour));
 }
 
-// Names the files that keep the folder from being a model.
+bool HoldsColmapModel(const fs::path& folder) {
+  return IsComplete(folder, kBinary) || IsComplete(folder, kText);
+}
+
 [[noreturn]] void FailIncomplete(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) throw IoError(folder.string(), "no such folder");
-  std::string missing = "cameras.bin and images.bin (or .txt) expected, neither of them found";
-  for (const Flavour* flavour : {&kBinary, &kText}) {
-    const std::string cameras = FileOf("", "cameras", *flavour).string();
-    const std::string images = FileOf("", "images", *flavour).string();
-    if (IsFile(folder / cameras)) missing = images + " is missing beside " + cameras;
-    if (IsFile(folder / images)) missing = cameras + " is missing beside " + images;
+  std::string missing = MissingModelFile(folder);
+  if (missing.empty()) {
+    missing = "cameras.bin and images.bin (or .txt) expected, neither of them found";
   }
   throw IoError(folder.string(), "not a COLMAP model: " + missing);
 }
 
+// As COLMAP, which asks for all three files; then whatever has poses.
 const Flavour& FlavourOf(const fs::path& folder) {
+  for (const Flavour* flavour : {&kBinary, &kText}) {
+    if (IsComplete(folder, *flavour) && IsFile(FileOf(folder, "points3D", *flavour))) {
+      return *flavour;
+    }
+  }
   if (IsComplete(folder, kBinary)) return kBinary;
   if (IsComplete(folder, kText)) return kText;
   FailIncomplete(folder);
@@ -114,10 +121,22 @@ const Camera& SparseModel::CameraOf(const ModelImage& image) const {
 }
 
 bool HoldsModel(const fs::path& folder) {
-  return IsComplete(folder, kBinary) || IsComplete(folder, kText);
+  return HoldsColmapModel(folder) || HoldsPmvsModel(folder);
+}
+
+std::string MissingModelFile(const fs::path& folder) {
+  if (HoldsModel(folder)) return "";
+  for (const Flavour* flavour : {&kText, &kBinary}) {
+    const std::string cameras = FileOf("", "cameras", *flavour).string();
+    const std::string images = FileOf("", "images", *flavour).string();
+    if (IsFile(folder / cameras)) return images + " is missing beside " + cameras;
+    if (IsFile(folder / images)) return cameras + " is missing beside " + images;
+  }
+  return "";
 }
 
 uint64_t CountRegisteredImages(const fs::path& folder) {
+  if (!HoldsColmapModel(folder) && HoldsPmvsModel(folder)) return CountPmvsImages(folder);
   const Flavour& flavour = FlavourOf(folder);
   const fs::path path = FileOf(folder, "images", flavour);
   std::ifstream in = Open(path);
@@ -131,6 +150,7 @@ uint64_t CountRegisteredImages(const fs::path& folder) {
 }
 
 SparseModel ReadModel(const fs::path& folder) {
+  if (!HoldsColmapModel(folder) && HoldsPmvsModel(folder)) return ReadPmvsModel(folder);
   const Flavour& flavour = FlavourOf(folder);
   ModelBuilder builder;
   WarnAboutSecondFlavour(folder, &builder);

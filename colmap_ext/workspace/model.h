@@ -33,6 +33,13 @@ struct ModelImage {
   // Relative to the image folder, '/' between folders.
   std::string name;
   std::vector<Observation> observations;
+  // The file in the image folder where that is not the name (PMVS folders); else empty.
+  std::string file = "";
+
+  // Whether this observation exists and is of this 3D point.
+  bool Shows(uint64_t point3D_id, uint32_t observation) const {
+    return observation < observations.size() && observations[observation].point3D_id == point3D_id;
+  }
 };
 
 struct TrackElement {
@@ -64,13 +71,18 @@ struct SparseModel {
   const Camera& CameraOf(const ModelImage& image) const;
 };
 
-// Whether the folder holds cameras and images, in binary or in text.
+// Whether the folder holds cameras and images, in binary, in text or as a PMVS folder.
 bool HoldsModel(const std::filesystem::path& folder);
+
+// Of a folder that is no model: which file is missing beside the others, "images.bin is missing
+// beside cameras.bin". Empty if the folder has neither cameras nor images, or is a model.
+std::string MissingModelFile(const std::filesystem::path& folder);
 
 // Number of registered images, without reading them. Throws IoError.
 uint64_t CountRegisteredImages(const std::filesystem::path& folder);
 
-// Read a model: binary when cameras.bin and images.bin exist, else text. A missing points3D file is
+// Read a model: binary when cameras.bin and images.bin exist, else text, else PMVS (see
+// pmvs_model.h); a flavour with points3D comes before one without. A missing points3D file is
 // a warning, poses alone are enough. Poses composed from rigs and frames, where both exist, replace
 // those of the images file, as in COLMAP.
 //

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
+#include "colmap_ext/workspace/image_name.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -15,18 +15,6 @@ constexpr double kNormTolerance = 1e-3;
 
 Eigen::Quaterniond QuaternionOf(const std::array<double, 4>& wxyz) {
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
-}
-
-// Empty when the name may be joined to a folder.
-std::string ProblemOfName(const std::string& name) {
-  if (name.empty()) return "the image has no name";
-  if (name.find('\0') != std::string::npos) return "the image name contains a NUL character";
-  const std::filesystem::path path(name);
-  const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
-  if (path.is_absolute() || climbs) {
-    return "image name \"" + name + "\" leads out of the image folder";
-  }
-  return "";
 }
 
 bool PrincipalPointIsOdd(const Intrinsics& camera, uint64_t width, uint64_t height) {
@@ -77,7 +65,8 @@ void ModelBuilder::AddCamera(Camera camera, const Place& place) {
 void ModelBuilder::AddImage(ModelImage image, const std::array<double, 4>& quaternion,
                             const Place& place) {
   const std::string what = "image " + std::to_string(image.id);
-  if (!image_ids_.insert(image.id).second) place.Fail(what + " is defined twice");
+  if (!image_index_.emplace(image.id, model_.images.size()).second)
+    place.Fail(what + " is defined twice");
   const std::string problem = ProblemOfName(image.name);
   if (!problem.empty()) place.Fail(what + ": " + problem);
   if (!image_names_.insert(image.name).second) {
@@ -106,8 +95,12 @@ void ModelBuilder::AddPoint(ModelPoint point) {
     return;
   }
   num_bad_track_elements_ += std::erase_if(point.track, [this](const TrackElement& element) {
-    return !image_ids_.contains(element.image_id);
+    return !image_index_.contains(element.image_id);
   });
+  for (const TrackElement& element : point.track) {
+    const ModelImage& image = model_.images[image_index_.at(element.image_id)];
+    num_odd_track_elements_ += !image.Shows(point.id, element.observation);
+  }
   model_.points.push_back(std::move(point));
 }
 
@@ -119,6 +112,8 @@ SparseModel ModelBuilder::Finish() {
   warn_if(num_odd_principal_points_, "cameras have their principal point outside the image");
   warn_if(num_bad_points_, "3D points left out: not finite or defined twice");
   warn_if(num_bad_track_elements_, "elements of point tracks left out: no such image");
+  warn_if(num_odd_track_elements_,
+          "elements of point tracks do not agree with the 2D points of their images");
   return std::move(model_);
 }
 

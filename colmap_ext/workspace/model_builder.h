@@ -30,7 +30,8 @@ class ModelBuilder {
   // `quaternion` is w, x, y, z as stored; image.cam_from_world.rotation is set from it.
   void AddImage(ModelImage image, const std::array<double, 4>& quaternion, const Place& place);
   // Points that are not finite or whose id was seen before, and elements of tracks without their
-  // image, are left out and counted in a warning.
+  // image, are left out and counted in a warning. So are, without being left out, elements whose 2D
+  // point is missing or belongs to another 3D point.
   void AddPoint(ModelPoint point);
   void Warn(std::string warning) { model_.warnings.push_back(std::move(warning)); }
 
@@ -39,13 +40,14 @@ class ModelBuilder {
  private:
   SparseModel model_;
   std::unordered_map<uint32_t, size_t> camera_index_;
-  std::unordered_set<uint32_t> image_ids_;
+  std::unordered_map<uint32_t, size_t> image_index_;
   std::unordered_set<std::string> image_names_;
   std::unordered_set<uint64_t> point_ids_;
   int64_t num_odd_quaternions_ = 0;
   int64_t num_odd_principal_points_ = 0;
   int64_t num_bad_points_ = 0;
   int64_t num_bad_track_elements_ = 0;
+  int64_t num_odd_track_elements_ = 0;
 };
 
 // Checks a pose as stored and returns it normalised. Throws via `place`.

@@ -15,18 +15,18 @@ Eigen::Vector3d ReadVector3(Fields& fields, const char* what) {
 }
 
 // -1 is how text writes "none".
-uint64_t ReadPointId(Fields& fields) {
-  return static_cast<uint64_t>(fields.Number<int64_t>("POINT3D_ID"));
+uint64_t ReadPointId(Fields& fields, const char* what) {
+  return static_cast<uint64_t>(fields.Number<int64_t>(what));
 }
 
 std::vector<Observation> ReadObservations(Fields& fields) {
   std::vector<Observation> observations;
   while (!fields.AtEnd()) {
     Observation observation;
-    observation.position.x() =
-        fields.Number<double>("X of a 2D point; is the line of points missing?");
-    observation.position.y() = fields.Number<double>("Y of a 2D point");
-    observation.point3D_id = ReadPointId(fields);
+    const char* what = "X Y POINT3D_ID of a 2D point; is the line of points missing?";
+    observation.position.x() = fields.Number<double>(what);
+    observation.position.y() = fields.Number<double>(what);
+    observation.point3D_id = ReadPointId(fields, what);
     observations.push_back(observation);
   }
   return observations;
@@ -86,7 +86,7 @@ void ReadPointsText(std::istream& in, const std::string& path, ModelBuilder* bui
   while (reader.NextRecord()) {
     Fields fields(reader);
     ModelPoint point;
-    point.id = ReadPointId(fields);
+    point.id = ReadPointId(fields, "POINT3D_ID");
     point.position = ReadVector3(fields, "X Y Z");
     for (uint8_t& channel : point.color) channel = fields.Number<uint8_t>("R G B");
     point.error = fields.Number<double>("ERROR");

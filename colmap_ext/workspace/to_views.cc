@@ -14,6 +14,7 @@
 #include <Eigen/LU>
 
 #include "colmap_ext/workspace/camera_lens_map.h"
+#include "colmap_ext/workspace/image_name.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
 
@@ -57,7 +58,7 @@ std::vector<int> SelectImages(const SparseModel& model, const std::string& image
   return selected;
 }
 
-void CheckImagesExist(const std::vector<std::string>& paths) {
+void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& image_dir) {
   const auto missing = [](const std::string& path) {
     std::error_code ignored;
     return !fs::is_regular_file(path, ignored);
@@ -67,7 +68,13 @@ void CheckImagesExist(const std::vector<std::string>& paths) {
   const auto count = std::count_if(first, paths.end(), missing);
   const std::string others =
       count == 1 ? "" : " (and " + std::to_string(count - 1) + " other images)";
-  throw IoError(*first, "the image is registered in the model but missing on disk" + others);
+  std::error_code ignored;
+  const bool is_link = fs::is_symlink(*first, ignored);
+  const std::string hint =
+      HintForMissing(image_dir, fs::path(*first).lexically_relative(image_dir).string());
+  throw IoError(*first, (is_link ? "the image is a symbolic link that leads nowhere"
+                                 : "the image is registered in the model but missing on disk") +
+                            others + hint);
 }
 
 // The file may be a resized version of what the camera describes; anything else is a wrong image.
@@ -126,12 +133,12 @@ std::string MaskPath(const std::string& mask_dir, const std::string& image_name)
   return fs::is_regular_file(path, ignored) ? path.string() : "";
 }
 
-// Nothing if the observation is missing, no number, or beyond what the lens maps.
+// Nothing if the observation is missing, of another point, no number, or beyond what the lens maps.
 std::optional<PointPixel> PixelOf(const SparseModel& model, const std::vector<View>& views,
-                                  ViewId id, uint32_t observation) {
+                                  ViewId id, uint64_t point_id, uint32_t observation) {
   const View& view = views[id];
   const ModelImage& image = model.images[view.model_index];
-  if (observation >= image.observations.size()) return std::nullopt;
+  if (!image.Shows(point_id, observation)) return std::nullopt;
   const Camera& camera = model.cameras[view.camera_index];
   const Eigen::Vector2d scale(view.camera.width / static_cast<double>(camera.width),
                               view.camera.height / static_cast<double>(camera.height));
@@ -166,7 +173,8 @@ SceneHints MakeHints(const SparseModel& model, const std::vector<View>& views) {
       const auto view = view_of_image.find(element.image_id);
       if (view == view_of_image.end()) continue;
       hint.views.push_back(view->second);
-      const auto pixel = PixelOf(model, views, view->second, element.observation);
+      const auto pixel =
+          PixelOf(model, views, view->second, model.points[p].id, element.observation);
       if (pixel) hint.pixels.push_back(*pixel);
     }
     SortByView(&hint.pixels);
@@ -215,10 +223,11 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   set.max_image_size = options.max_image_size;
   for (const int index : selected) {
     const std::string& name = model.images[index].name;
-    set.image_paths.push_back((image_dir / name).string());
+    const std::string& file = model.images[index].file;
+    set.image_paths.push_back((image_dir / (file.empty() ? name : file)).string());
     set.mask_paths.push_back(MaskPath(options.mask_path, name));
   }
-  CheckImagesExist(set.image_paths);
+  CheckImagesExist(set.image_paths, image_dir);
   set.stored_sizes.resize(selected.size());
   ParallelFor(context, "image headers", selected.size(),
               [&](size_t i) { set.stored_sizes[i] = ReadImageSize(set.image_paths[i]); });

@@ -13,12 +13,22 @@ struct LimnRun {
   std::string err;  // standard error
 };
 
-// Run a program and wait for it; send it SIGINT after some time if that is not 0.
+// How a program is run. 0 = no limit.
+struct RunConditions {
+  double interrupt_after_seconds = 0;  // send SIGINT then
+  double max_seconds = 0;              // kill it then: exit code 137
+  // Of address space; not under the address sanitizer, which reserves terabytes.
+  int max_memory_mb = 0;
+  // When the tests run as root, whom no file mode stops, as the user `nobody` instead.
+  bool as_nobody = false;
+};
+
+// Run a program and wait for it.
 LimnRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
-                   double interrupt_after_seconds = 0);
+                   const RunConditions& conditions = {});
 
 // The same with the built `limn`.
-LimnRun RunLimn(const std::vector<std::string>& arguments, double interrupt_after_seconds = 0);
+LimnRun RunLimn(const std::vector<std::string>& arguments, const RunConditions& conditions = {});
 
 // The contents of all files below a folder by their relative paths; empty if there is no such
 // folder.

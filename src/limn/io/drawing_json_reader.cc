@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/io/json_text.h"
 #include "limn/io/whole_file.h"
 #include "limn/util/errors.h"
 
@@ -18,7 +19,7 @@ Eigen::Vector3d ToPoint(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-LinkEnd ToLinkEnd(const Json& json) { return {json.at(0).get<int>(), json.at(1).get<int>()}; }
+LinkEnd ToLinkEnd(const Json& json) { return {IntFromJson(json.at(0)), IntFromJson(json.at(1))}; }
 
 NodeKind ToNodeKind(const std::string& name) {
   for (const NodeKind kind : {NodeKind::kEnd, NodeKind::kJunction, NodeKind::kLoopAnchor}) {
@@ -57,8 +58,8 @@ LinkDense ToDense(const Json& json) {
 
 DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_ids) {
   DrawingLink link;
-  link.node0 = json.at("node0").get<int>();
-  link.node1 = json.at("node1").get<int>();
+  link.node0 = IntFromJson(json.at("node0"));
+  link.node1 = IntFromJson(json.at("node1"));
   link.closed = json.at("closed").get<bool>();
   link.residual_px = json.at("residual_px").get<double>();
   if (json.contains("dense")) link.dense = ToDense(json.at("dense"));
@@ -75,7 +76,7 @@ DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_i
   }
   for (const Json& member : json.at("members")) {
     link.members.push_back(
-        {member.at(0).get<int>(), member.at(1).get<int>(), member.at(2).get<int>()});
+        {IntFromJson(member.at(0)), IntFromJson(member.at(1)), IntFromJson(member.at(2))});
   }
   return link;
 }
@@ -84,7 +85,7 @@ DrawingFile ToDrawingFile(const Json& json) {
   if (json.at("format").get<std::string>() != kDrawingJsonFormat) {
     throw InputError("\"format\" is not \"" + std::string(kDrawingJsonFormat) + "\"");
   }
-  const int version = json.at("format_version").get<int>();
+  const int version = IntFromJson(json.at("format_version"));
   if (version != kDrawingJsonVersion) {
     throw InputError("format version " + std::to_string(version) + "; this program reads version " +
                      std::to_string(kDrawingJsonVersion));
@@ -108,7 +109,7 @@ DrawingFile ToDrawingFile(const Json& json) {
 DrawingFile ReadDrawingJson(const std::string& path) {
   const std::string text = ReadWholeFile(path);
   try {
-    return ToDrawingFile(Json::parse(text));
+    return ToDrawingFile(ParseJson(path, text));
   } catch (const Json::exception& error) {
     throw IoError(path, error.what());
   } catch (const InputError& error) {

@@ -217,6 +217,12 @@ std::vector<std::vector<double>> PointDepths(const std::vector<View>& views,
   return depths;
 }
 
+std::vector<Eigen::Vector3d> Centres(const std::vector<View>& views) {
+  std::vector<Eigen::Vector3d> centres;
+  for (const View& view : views) centres.push_back(view.CenterInWorld());
+  return centres;
+}
+
 }  // namespace
 
 void ViewSelectionOptions::Check() const {
@@ -231,20 +237,24 @@ void ViewSelectionOptions::Check() const {
   LIMN_CHECK_OPTION(points_depth_widening, >= 1);
 }
 
-std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
-                                  const ViewSelectionOptions& options, const RunContext& context) {
-  options.Check();
+void CheckViews(const std::vector<View>& views) {
   if (views.size() < 3) {
     throw InputError("at least 3 registered images are needed, got " +
                      std::to_string(views.size()));
   }
-  std::vector<Eigen::Vector3d> centres;
-  for (const View& view : views) centres.push_back(view.CenterInWorld());
-  const double scene_scale = MedianCentreDistance(centres);
+  const std::vector<Eigen::Vector3d> centres = Centres(views);
   // Centres that differ by rounding only are one centre.
-  if (!(scene_scale > 1e-9 * centres.front().norm())) {
+  if (!(MedianCentreDistance(centres) > 1e-9 * centres.front().norm())) {
     throw InputError("the cameras are all at one centre: nothing can be triangulated");
   }
+}
+
+std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
+                                  const ViewSelectionOptions& options, const RunContext& context) {
+  options.Check();
+  CheckViews(views);
+  const std::vector<Eigen::Vector3d> centres = Centres(views);
+  const double scene_scale = MedianCentreDistance(centres);
   const auto point_depths = PointDepths(views, hints);
   const PlanBuilder builder(views, centres, scene_scale, options);
   std::vector<ViewPlan> plans(views.size());

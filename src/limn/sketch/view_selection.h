@@ -38,6 +38,10 @@ struct ViewPlan {
   std::vector<ViewId> confirmation_views;  // most useful and diverse first
 };
 
+// Throws InputError if nothing can be triangulated: fewer than 3 views, or all cameras at one
+// centre. SelectViews does it too; to be called before edges are looked for.
+void CheckViews(const std::vector<View>& views);
+
 // Choose for every view its depth range, second views and confirmation views from the frusta:
 // sample points on a grid of pixels and depths, keep the depths that enough other views see under
 // usable angles, score the views by how much of that they see, and pick greedily with spread in

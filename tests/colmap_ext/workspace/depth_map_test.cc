@@ -61,7 +61,7 @@ TEST(DepthMap, ChannelsArePlanes) {
   EXPECT_EQ(map.At(1, 1, 2), 8.0f);
 }
 
-TEST(DepthMap, DamagedFilesAreRefused) {
+TEST(DepthMap, Case31_DamagedFilesAreRefused) {
   const std::string good = Bytes(MakeMap(1));
   for (size_t size = 0; size < good.size(); ++size) {
     EXPECT_THAT(ErrorOf(good.substr(0, size)), HasSubstr("truncated")) << size;
@@ -75,7 +75,7 @@ TEST(DepthMap, DamagedFilesAreRefused) {
   EXPECT_THAT(ErrorOf("1000000&1000000&1000000&abcd"), HasSubstr("truncated"));
 }
 
-TEST(DepthMap, FilesKnowTheirKind) {
+TEST(DepthMap, Case31_FilesKnowTheirKind) {
   const TempDir dir;
   WriteFloatMap(MakeMap(1), dir / "depth.bin");
   WriteFloatMap(MakeMap(3), dir / "normal.bin");

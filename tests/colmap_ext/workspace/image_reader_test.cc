@@ -159,5 +159,28 @@ TEST_F(ImageReader, MaskCountsOnlyPixelsThatAreWholeInside) {
               HasSubstr("the mask is 4 x 2 pixels, its image 4 x 3"));
 }
 
+// Cut anywhere within the pixels; OpenCV would make up the rest.
+TEST_F(ImageReader, TruncatedFilesAreRefused) {
+  cv::Mat noise(64, 64, CV_8UC3);
+  cv::randu(noise, 0, 255);
+  for (const char* name : {"a.png", "a.jpg"}) {
+    const std::string whole = Content(Write(name, noise));
+    const std::string trailing = dir_.WriteFile("trailing", whole + "a maker's note");
+    EXPECT_FALSE(IsTruncated(trailing)) << name;
+    for (const size_t size : {whole.size() - 1, whole.size() - 13, whole.size() / 2}) {
+      const std::string path = dir_.WriteFile("cut", whole.substr(0, size));
+      for (const std::string& error :
+           {ErrorText<IoError>([&] { ReadImageSize(path); }),
+            ErrorText<IoError>([&] { ReadImage(path); }), ErrorText<IoError>([&] {
+              ReadMask(path, {64, 64});
+            })}) {
+        EXPECT_THAT(error, HasSubstr("cut: truncated")) << name << " " << size;
+      }
+    }
+  }
+  std::istringstream other("BM");
+  EXPECT_FALSE(IsTruncated(other));
+}
+
 }  // namespace
 }  // namespace limn::colmap_ext

@@ -124,6 +124,43 @@ TEST_F(Layout, GivenModelIsUsedWithTheImagesNearIt) {
   ExpectLayout(options, "dense/0/sparse", "dense/0/images", "dense/0");
 }
 
+TEST_F(Layout, SparseModelsInAColmapFolder) {
+  AddModel("colmap/sparse/0");
+  AddFolder("images");
+  ExpectLayout(Options(), "colmap/sparse/0", "images", ".");
+}
+
+TEST_F(Layout, PmvsFolder) {
+  dir_.WriteFile("pmvs/txt/00000000.txt", "CONTOUR\n1 0 0 0\n0 1 0 0\n0 0 1 0\n");
+  AddFolder("pmvs/visualize");
+  ExpectLayout(Options(), "pmvs", "pmvs/visualize", "pmvs");
+  LayoutOptions options = Options();
+  options.workspace_path += "/pmvs";
+  ExpectLayout(options, "pmvs", "pmvs/visualize", "pmvs");
+  options = Options();
+  options.input_path = (dir_ / "pmvs").string();
+  ExpectLayout(options, "pmvs", "pmvs/visualize", ".");
+}
+
+TEST_F(Layout, WorkspaceMayBeTheFolderOfModelsOrAModel) {
+  AddModel("project/sparse/0", 2);
+  AddModel("project/sparse/1", 3);
+  AddFolder("project/images");
+  LayoutOptions options = Options();
+  options.workspace_path += "/project/sparse";
+  ExpectLayout(options, "project/sparse/1", "project/images", "project/sparse");
+  options.workspace_path += "/0";
+  ExpectLayout(options, "project/sparse/0", "project/images", "project/sparse/0");
+}
+
+TEST_F(Layout, IncompleteModelsNameTheMissingFile) {
+  AddModel("sparse/0");
+  AddFolder("images");
+  fs::remove(dir_ / "sparse/0/images.bin");
+  EXPECT_THAT(ErrorOf(Options()),
+              HasSubstr("sparse/0: not a COLMAP model: images.bin is missing beside cameras.bin"));
+}
+
 TEST_F(Layout, GivenFoldersReplaceTheFoundOnes) {
   AddModel("sparse/0");
   AddFolder("photos");
@@ -145,7 +182,6 @@ TEST_F(Layout, ErrorsListWhatWasFound) {
   EXPECT_THAT(ErrorOf(Options()), HasSubstr("found nothing"));
   AddFolder("sparse/0");
   dir_.WriteFile("database.db", "");
-  dir_.WriteFile("sparse/0/cameras.bin", "");
   EXPECT_THAT(ErrorOf(Options()),
               AllOf(HasSubstr("database.db, sparse/"), HasSubstr("in sparse: 0/")));
   LayoutOptions options = Options();

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include "limn/model/curve3d.h"
+#include "limn/model/drawing_graph.h"
+
+namespace limn::colmap_ext {
+
+// The same things with `shift` added to all positions. Files hold the coordinates of the model that
+// was read; the stages work around Project::origin().
+DrawingGraph Moved(DrawingGraph graph, const Eigen::Vector3d& shift);
+CurveSketch Moved(CurveSketch sketch, const Eigen::Vector3d& shift);
+std::optional<Eigen::AlignedBox3d> Moved(std::optional<Eigen::AlignedBox3d> box,
+                                         const Eigen::Vector3d& shift);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,175 @@
+#include "colmap_ext/workspace/pmvs_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "colmap_ext/workspace/image_reader.h"
+#include "colmap_ext/workspace/line_reader.h"
+#include "colmap_ext/workspace/model_builder.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kListName = "bundle.rd.out.list.txt";
+// Of the focal length. Six digits in P leave a skew of up to some 1e-4.
+constexpr double kMaxSkew = 1e-3;
+
+// "00000007" + extension.
+std::string Numbered(size_t index, const char* extension) {
+  char name[32];
+  std::snprintf(name, sizeof(name), "%08zu%s", index, extension);
+  return name;
+}
+
+bool IsFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+bool IsNumberedText(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  return path.extension() == ".txt" && stem.size() == 8 &&
+         std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// The lines that are not blank; nothing if there is no list.
+std::vector<std::string> ReadNames(const fs::path& path) {
+  std::vector<std::string> names;
+  std::ifstream in(path);
+  LineReader reader(in, path.string());
+  while (reader.NextLine()) {
+    Fields fields(reader);
+    if (!fields.AtEnd()) names.emplace_back(fields.Rest());
+  }
+  return names;
+}
+
+std::string ImageFile(const fs::path& folder, size_t index) {
+  for (const char* extension : {".jpg", ".ppm", ".pgm"}) {
+    const std::string name = Numbered(index, extension);
+    if (IsFile(folder / "visualize" / name)) return name;
+  }
+  throw IoError((folder / "visualize" / Numbered(index, ".jpg")).string(),
+                "the image of this number is missing (.jpg, .ppm or .pgm)");
+}
+
+Camera CameraFrom(const Eigen::Matrix3d& intrinsics, ImageSize size, const std::string& path) {
+  if (std::abs(intrinsics(0, 1)) > kMaxSkew * intrinsics(0, 0)) {
+    throw IoError(path, "the camera has skew (" + std::to_string(intrinsics(0, 1)) +
+                            " px): it is no pinhole camera of COLMAP");
+  }
+  const double cx = intrinsics(0, 2);
+  const double cy = intrinsics(1, 2);
+  if (cx > 0.95 * size.width && cy > 0.95 * size.height) {
+    throw IoError(path, "the principal point (" + std::to_string(cx) + ", " + std::to_string(cy) +
+                            ") is at the corner of the " + std::to_string(size.width) + " x " +
+                            std::to_string(size.height) +
+                            " image: the images were shrunk without their matrices (COLMAP before "
+                            "4.1.1): undistort without --max_image_size");
+  }
+  Camera camera;
+  camera.width = static_cast<uint64_t>(size.width);
+  camera.height = static_cast<uint64_t>(size.height);
+  camera.params = {intrinsics(0, 0), intrinsics(1, 1), cx, cy};
+  return camera;
+}
+
+DecomposedProjection ReadProjection(const fs::path& path) {
+  std::ifstream in(path);
+  if (!in) throw IoError(path.string(), "cannot be opened for reading");
+  const ProjectionMatrix projection = ReadContour(in, path.string());
+  try {
+    return Decompose(projection);
+  } catch (const InputError& error) {
+    throw IoError(path.string(), error.what());
+  }
+}
+
+void AddImage(const fs::path& folder, size_t index, const std::string& name,
+              ModelBuilder* builder) {
+  const fs::path path = folder / "txt" / Numbered(index, ".txt");
+  const std::string text_path = path.string();
+  const Place place{text_path, "line", 1};
+  const DecomposedProjection parts = ReadProjection(path);
+  ModelImage image;
+  image.id = static_cast<uint32_t>(index + 1);
+  image.camera_id = image.id;
+  image.name = name;
+  image.file = ImageFile(folder, index);
+  image.cam_from_world = parts.cam_from_world;
+  Camera camera =
+      CameraFrom(parts.intrinsics, ReadImageSize(folder / "visualize" / image.file), text_path);
+  camera.id = image.camera_id;
+  builder->AddCamera(std::move(camera), place);
+  const Eigen::Quaterniond& q = parts.cam_from_world.rotation;
+  builder->AddImage(std::move(image), {q.w(), q.x(), q.y(), q.z()}, place);
+}
+
+}  // namespace
+
+bool HoldsPmvsModel(const fs::path& folder) {
+  std::error_code ignored;
+  return IsFile(folder / "txt" / Numbered(0, ".txt")) &&
+         fs::is_directory(folder / "visualize", ignored);
+}
+
+uint64_t CountPmvsImages(const fs::path& folder) {
+  const fs::path texts = folder / "txt";
+  uint64_t count = 0;
+  std::error_code error;
+  for (fs::directory_iterator it(texts, error), end; !error && it != end; it.increment(error)) {
+    count += IsNumberedText(it->path());
+  }
+  if (error) throw IoError(texts.string(), "cannot be listed: " + error.message());
+  for (uint64_t i = 0; i < count; ++i) {
+    const fs::path path = texts / Numbered(i, ".txt");
+    if (!IsFile(path)) throw IoError(path.string(), "missing, but files of higher numbers exist");
+  }
+  return count;
+}
+
+SparseModel ReadPmvsModel(const fs::path& folder) {
+  const uint64_t count = CountPmvsImages(folder);
+  const fs::path list = folder / kListName;
+  ModelBuilder builder;
+  std::vector<std::string> names = ReadNames(list);
+  if (!IsFile(list)) {
+    builder.Warn(list.string() + " is missing: images have the names of visualize/");
+    for (uint64_t i = 0; i < count; ++i) names.push_back(ImageFile(folder, i));
+  }
+  if (names.size() != count) {
+    throw IoError(list.string(), "holds the names of " + std::to_string(names.size()) +
+                                     " images, txt/ has " + std::to_string(count));
+  }
+  for (uint64_t i = 0; i < count; ++i) AddImage(folder, i, names[i], &builder);
+  SparseModel model = builder.Finish();
+  model.folder = folder;
+  return model;
+}
+
+ProjectionMatrix ReadContour(std::istream& in, const std::string& path) {
+  LineReader reader(in, path);
+  reader.NextRecord();
+  if (!reader.line().starts_with("CONTOUR")) reader.Here().Fail("\"CONTOUR\" expected");
+  ProjectionMatrix projection;
+  for (int row = 0; row < 3; ++row) {
+    if (!reader.NextRecord())
+      reader.Here().Fail("the file ends before row " + std::to_string(row + 1) + " of the matrix");
+    Fields fields(reader);
+    for (int column = 0; column < 4; ++column) {
+      projection(row, column) = fields.Number<double>("an element of P");
+    }
+  }
+  return projection;
+}
+
+}  // namespace limn::colmap_ext

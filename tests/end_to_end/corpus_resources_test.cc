@@ -1,0 +1,126 @@
+// Section 6 of docs/colmap.md, several models and resources: cases 34 to 36.
+#include <gmock/gmock.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "end_to_end/corpus_case.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using W = CorpusWorkspace;
+
+// sparse/0 and sparse/1 in other frames, dense/0 for the first of them.
+void MakeTwoModels(const W& w) {
+  colmap_ext::SparseModel model = w.Model();
+  fs::remove_all(w / "sparse");
+  w.WriteText(model, "sparse/1");
+  model.images.resize(4);
+  for (colmap_ext::ModelImage& image : model.images) image.cam_from_world.translation.x() += 50;
+  w.WriteText(model, "sparse/0");
+  w.WriteText(model, "dense/0/sparse");
+  fs::copy(w / "images", w / "dense/0/images",
+           fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+}
+
+const CorpusCase kCases[] = {
+    {.name = "Case34_DenseWithItsOwnModel",
+     .spoil = MakeTwoModels,
+     .outcome = Outcome::kAccepted,
+     .said = {"dense/0/sparse (4 registered images), images in ", "dense/0/images, results to "}},
+    {.name = "Case34_SparseWithTheRawImages",
+     .spoil = MakeTwoModels,
+     .outcome = Outcome::kAccepted,
+     .said = {"sparse/1 (6 registered images), images in ", "project/images, results to "},
+     .arguments = {"--model_index", "1"}},
+};
+
+class CorpusResources : public Corpus {};
+TEST_P(CorpusResources, Is) { RunCase(); }
+INSTANTIATE_TEST_SUITE_P(Section6, CorpusResources, ::testing::ValuesIn(kCases), NameOf);
+
+RunConditions Limits(double max_seconds) {
+  RunConditions conditions;
+  conditions.max_memory_mb = 2048;
+  conditions.max_seconds = max_seconds;
+  return conditions;
+}
+
+TEST(CorpusRuns, Case35_ThousandsOfImages) {
+  constexpr int kCount = 3000;
+  const W w;
+  colmap_ext::SparseModel model = w.Model();
+  const colmap_ext::ModelImage first = model.images[0];
+  model.images.clear();
+  model.points.clear();
+  model.cameras[0].width = 64;
+  model.cameras[0].height = 48;
+  model.cameras[0].params = {64, 64, 32, 24};
+  fs::remove_all(w / "images");
+  fs::create_directories(w / "images");
+  cv::Mat pixels(48, 64, CV_8U, cv::Scalar(50));
+  pixels.colRange(20, 40) = 200;
+  ASSERT_TRUE(cv::imwrite((w / "one.png").string(), pixels));
+  for (int i = 0; i < kCount; ++i) {
+    colmap_ext::ModelImage image = first;
+    image.id = static_cast<uint32_t>(i + 1);
+    image.name = std::to_string(i) + ".png";
+    image.observations.clear();
+    fs::create_symlink("../one.png", w / "images" / image.name);
+    model.images.push_back(image);
+  }
+  w.WriteBinary(model);
+  const LimnRun run = RunLimn(
+      {"edge_extractor", "--workspace_path", w.path().string(), "--num_threads", "2"}, Limits(300));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("3000 images, 0 3D points"));
+}
+
+// Ctrl-C while the edges are looked for.
+TEST(CorpusRuns, Case35_InterruptedRunLeavesNothingHalfWritten) {
+  const fs::path day = fs::path(LIMN_SAMPLE_DIR) / "day";
+  const TempDir dir;
+  RunConditions conditions;
+  conditions.interrupt_after_seconds = 2;
+  const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", day.string(),
+                               "--output_path", (dir / "out").string(), "--num_threads", "1"},
+                              conditions);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err, "ERROR: cancelled\n");
+  for (const auto& [name, bytes] : ReadTree(dir.path())) {
+    EXPECT_THAT(name, HasSubstr("curves/cache/"));
+    EXPECT_FALSE(name.ends_with(".tmp")) << name;
+  }
+}
+
+// Nothing that was given is changed, nothing that was written is read as input.
+TEST(CorpusRuns, Case36_RunningTwice) {
+  const W w;
+  const auto given = ReadTree(w.path());
+  const std::vector<std::string> arguments = {"automatic_drawer",
+                                              "--workspace_path",
+                                              w.path().string(),
+                                              "--quality",
+                                              "low",
+                                              "--max_image_size",
+                                              "160",
+                                              "--num_threads",
+                                              "2",
+                                              "--DrawingRefinement.refine_poses",
+                                              "1"};
+  const LimnRun first = RunLimn(arguments, Limits(120));
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  const auto after_first = ReadTree(w.path());
+  EXPECT_GT(after_first.size(), given.size());
+  const LimnRun second = RunLimn(arguments, Limits(120));
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_THAT(second.out, HasSubstr("6 images were taken from the cache"));
+  const auto after_second = ReadTree(w.path());
+  EXPECT_EQ(after_second, after_first);
+  for (const auto& [name, bytes] : given) EXPECT_EQ(after_second.at(name), bytes) << name;
+}
+
+}  // namespace
+}  // namespace limn::testing

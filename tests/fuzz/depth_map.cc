@@ -1,0 +1,9 @@
+#include "colmap_ext/workspace/depth_map.h"
+
+#include "fuzz/fuzz_target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  return limn::fuzz::FuzzStream(data, size, [](std::istream& in, const std::string& path) {
+    limn::colmap_ext::ReadFloatMap(in, path);
+  });
+}

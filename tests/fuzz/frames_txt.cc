@@ -1,0 +1,8 @@
+#include "colmap_ext/workspace/rig.h"
+#include "fuzz/fuzz_target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  return limn::fuzz::FuzzStream(data, size, [](std::istream& in, const std::string& path) {
+    limn::colmap_ext::ReadFramesText(in, path);
+  });
+}

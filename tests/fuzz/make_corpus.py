@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""Write the seeds of the fuzzers, small valid files, to tests/fuzz/corpus/<target>/.
+
+Run again after a change of a format; the files are committed.
+"""
+
+import struct
+import zlib
+from pathlib import Path
+
+CORPUS = Path(__file__).parent / "corpus"
+IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.1, -0.2, 3.0)
+NO_POINT = 2**64 - 1
+
+
+def put(target, name, content):
+    folder = CORPUS / target
+    folder.mkdir(parents=True, exist_ok=True)
+    data = content.encode() if isinstance(content, str) else content
+    (folder / name).write_bytes(data)
+
+
+def counted(items):
+    return struct.pack("<Q", len(items)) + b"".join(items)
+
+
+def camera(camera_id, model, *params):
+    return struct.pack(f"<IiQQ{len(params)}d", camera_id, model, 640, 480, *params)
+
+
+def image(image_id, name, points):
+    record = struct.pack("<I7dI", image_id, *IDENTITY, 1) + name.encode() + b"\0"
+    return record + counted([struct.pack("<ddQ", *point) for point in points])
+
+
+def point(point_id, *track):
+    record = struct.pack("<Q3d3Bd", point_id, 0.5, 0.25, 1.0, 10, 20, 30, 0.7)
+    return record + counted([struct.pack("<II", *element) for element in track])
+
+
+def models():
+    put("cameras_bin", "two", counted([
+        camera(1, 1, 500, 500, 320, 240), camera(2, 2, 500, 320, 240, 0.01)]))
+    put("cameras_bin", "fisheyes", counted([
+        camera(1, 5, 500, 500, 320, 240, 0.01, 0, 0, 0),
+        camera(2, 11, 500, 500, 320, 240, *[0.001] * 12),
+        camera(3, 12, 500, 320, 240, -0.1), camera(4, 16, 500, 500, 320, 240, 0.6, 1.1)]))
+    put("cameras_txt", "three", "# cameras\n1 PINHOLE 640 480 500 500 320 240\n"
+        "2 FULL_OPENCV 640 480 500 500 320 240 .1 .05 .001 -.0015 .01 .2 .06 .008\n"
+        "3 FOV 640 480 500 500 320 240 0.9\n")
+    put("cameras_txt", "spherical", "7 EQUIRECTANGULAR 640 320 640 320\r\n")
+    put("images_bin", "two", counted([
+        image(1, "a.png", [(10.5, 20.5, 1), (1, 2, NO_POINT)]), image(2, "sub/b c.png", [])]))
+    put("images_txt", "two", "# images\n1 1 0 0 0 0.1 -0.2 3 1 a.png\n10.5 20.5 1 1 2 -1\n"
+        "2 1 0 0 0 0.1 -0.2 3 1 sub/b c.png\n\n")
+    put("points3D_bin", "two", counted([point(1, (1, 0), (2, 1)), point(9)]))
+    put("points3D_txt", "two", "# points\n1 0.5 0.25 1 10 20 30 0.7 1 0 2 1\n9 1 2 3 0 0 0 -1\n")
+
+
+def rigs():
+    sensor = struct.pack("<iIB7d", 0, 2, 1, *IDENTITY)
+    unknown = struct.pack("<iIB", 1, 5, 0)
+    put("rigs_bin", "one", counted([struct.pack("<IIiI", 1, 3, 0, 1) + sensor + unknown]))
+    put("rigs_txt", "one", "1 3 CAMERA 1 CAMERA 2 1 1 0 0 0 0.1 -0.2 3 IMU 5 0\n")
+    put("frames_bin", "one", counted([
+        struct.pack("<II7dI", 1, 1, *IDENTITY, 2) + struct.pack("<iIQ", 0, 1, 1) +
+        struct.pack("<iIQ", 0, 2, 2)]))
+    put("frames_txt", "one", "1 1 1 0 0 0 0.1 -0.2 3 2 CAMERA 1 1 CAMERA 2 2\n")
+
+
+def chunk(name, data):
+    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+
+def segment(marker, data):
+    return struct.pack(">BBH", 0xFF, marker, len(data) + 2) + data
+
+
+def workspaces():
+    put("depth_map", "depth", b"3&2&1&" + struct.pack("<6f", 1, 2, 0, 4, -1, 6))
+    put("depth_map", "normal", b"1&2&3&" + struct.pack("<6f", *[0.5] * 6))
+    put("pmvs_contour", "one", "CONTOUR\n-160.21 317.61 -28.6522 451.535\n"
+        "-19.2325 20.1974 -341.33 408.955\n-0.952495 -0.0104537 -0.304375 2.92417\n")
+    put("image_header", "png", b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", 4, 3, 8, 0, 0, 0, 0)) +
+        chunk(b"IDAT", zlib.compress(bytes(15))) + chunk(b"IEND", b""))
+    put("image_header", "jpeg", b"\xff\xd8" + segment(0xE0, b"JFIF\0") +
+        segment(0xC0, struct.pack(">BHHB", 8, 3, 4, 0)) + segment(0xDA, b"\0") + b"\1\xff\0\2\xff\xd9")
+    put("project_ini", "project", "# options\nworkspace_path = a b\n[Sketch]\nmax_gap_px = 3\n")
+
+
+def curves():
+    header = ("ply\nformat {}\nelement vertex 3\nproperty double x\nproperty double y\n"
+              "property double z\nproperty uchar red\nelement edge 2\nproperty int vertex1\n"
+              "property int vertex2\nproperty int link\nelement face 1\n"
+              "property list uchar int vertex_indices\nend_header\n")
+    put("ply", "ascii", header.format("ascii 1.0") +
+        "0 0 0 255\n1 0 0 255\n1 1 0 255\n0 1 0\n1 2 0\n3 0 1 2\n")
+    for name, order in (("little", "<"), ("big", ">")):
+        rows = b"".join(struct.pack(order + "3dB", i, 1, 0, 255) for i in range(3))
+        rows += struct.pack(order + "6i", 0, 1, 0, 1, 2, 0) + struct.pack(order + "B3i", 3, 0, 1, 2)
+        put("ply", name, header.format(f"binary_{name}_endian 1.0").encode() + rows)
+    put("obj", "lines", "# curves\no link_0\nv 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n"
+        "g b\nl -1 1/2\np 2\nvn 0 0 1\n")
+    put("points_txt", "points", "# truth\n0 0 0\n1.5 -2e-3 3 255 0 0\n")
+    put("points_txt", "gzip", zlib.compress(b"0 0 0\n1 2 3\n", wbits=31))
+    put("edges_txt", "edges", "1 2\n2 3\n4 5\n")
+    put("junctions_json", "two", '{"junctions": [{"position": [0, 1, 2], "degree": 3},\n'
+        '{"position": [0.5, 1, 2], "degree": 1, "kind": "end"}]}\n')
+    put("drawing_json", "corner", """{"format": "limn-drawing", "format_version": 1,
+"views": ["a.png", "b.png"], "options": {"Sketch": {"max_gap_px": 3}},
+"nodes": [
+{"id":0,"position":[0,0,0],"kind":"end","incident":[[0,0]],"continuations":[]},
+{"id":1,"position":[1,0,0],"kind":"end","incident":[[0,1],[1,0]],"continuations":[[[0,1],[1,0]]]},
+{"id":2,"position":[1,1,0],"kind":"end","incident":[[1,1]],"continuations":[]},
+{"id":3,"position":[5,5,5],"kind":"loop_anchor","incident":[[2,0],[2,1]],"continuations":[]}],
+"links": [
+{"id":0,"node0":0,"node1":1,"closed":false,"residual_px":0.5,"supporting_views":["a.png"],
+ "members":[[0,0,1]],"points":[[0,0,0],[1,0,0]],"sigma":[0.1,null]},
+{"id":1,"node0":1,"node1":2,"closed":false,"residual_px":0.5,"supporting_views":["b.png"],
+ "members":[],"points":[[1,0,0],[1,1,0]],"sigma":[0.1,0.1]},
+{"id":2,"node0":3,"node1":3,"closed":true,"residual_px":0,"supporting_views":[],
+ "members":[],"points":[[5,5,5],[6,5,5],[5,5,5]],"sigma":[1,1,1]}]}
+""")
+
+
+def edges():
+    put("edg", "two", "# EDGE_MAP v3.0\n\nWIDTH=64\nHEIGHT=48\nEDGE_COUNT=2\n\n"
+        "[3, 4]    0.5 12   [3.25, 4.5]   0.5 12 0.1\n[5, 4]    6 12   [5, 4]   6 12 0.1\n")
+    put("edg", "old", "# EDGE_MAP v2.0\nWIDTH=64\nHEIGHT=48\nEDGE_COUNT=1\n"
+        "EDGE : [3, 4]    0.5 12   [3.25, 4.5]   0.5 12\n")
+    put("cem", "two", ".CEM v2.0\nsize=[64 48]\n[Edgemap]\ncount=3\n(1, 2)\t0.5\t9\t0\n"
+        "(2, 2)\t0.5\t9\t0\n(3, 2)\t0.5\t9\t0\n[Contours]\ncount=2\n[0 1 2 ]\n[0 1 2 0 ]\n"
+        "[Contour Properties]\n# <len>\n3 9 0 0 0 0 0 0\n")
+
+
+def text(string):
+    return struct.pack("<Q", len(string)) + string.encode()
+
+
+def stages():
+    sample = struct.pack("<7dBI4i", 1, 2, 3, 0, 0, 1, 0.1, 1, 2, 0, 7, 1, 8)
+    curve = struct.pack("<3iB", 0, 4, 0, 0) + counted([sample, sample])
+    sketch = text("{}") + counted([text("a.png"), text("b.png")]) + counted([curve])
+    put("curve_sketch", "one", sketch)
+    edgel = struct.pack("<3d8f", 1, 2, 0.5, 9, 0.1, 1, 2, 1, 0, 0, 1)
+    image_curves = struct.pack("<iidi", 64, 48, 0.5, 0) + counted([edgel] * 3)
+    image_curves += counted([struct.pack("<BQ3i", 0, 3, 0, 1, 2)])
+    image_curves += counted([struct.pack("<3i", 0, 1, 5), struct.pack("<3i", 1, 2, 5)])
+    put("image_curves", "one", image_curves)
+    packed = zlib.compress(sketch, 1)
+    stage = b"limnfile" + struct.pack("<II", 1, 2) + text("identity")
+    stage += struct.pack("<QQ", len(sketch), len(packed)) + packed
+    put("stage_file", "sketch", stage + struct.pack("<I", zlib.crc32(stage)))
+
+
+if __name__ == "__main__":
+    models()
+    rigs()
+    workspaces()
+    curves()
+    edges()
+    stages()

@@ -1,0 +1,5 @@
+#include "fuzz/model_targets.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  return limn::fuzz::FuzzPoints(data, size, limn::colmap_ext::ReadPointsBinary);
+}
