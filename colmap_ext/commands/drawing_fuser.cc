@@ -1,4 +1,4 @@
-#include <cstdio>
+#include <optional>
 
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/commands/console.h"
@@ -51,10 +51,9 @@ int RunDrawingFuser(int argc, const char* const* argv) {
   if (fuser.drawing_path.empty()) fuser.drawing_path = project.DrawingPath("drawing.json");
   const DrawingFile drawing = ReadDrawingResult(project, fuser.drawing_path);
   const DenseInput dense = OpenDenseInput(project, fuser, options.layout.workspace_path, &console);
-  FusionResult result =
-      FuseDrawing({project.views(), drawing.graph, dense.depths,
-                   dense.cloud ? std::optional(dense.cloud->points) : std::nullopt},
-                  fuser.dense, console.context());
+  FusionResult result = FuseDrawing({project.views(), drawing.graph, dense.depths,
+                                     dense.cloud ? std::optional(dense.points) : std::nullopt},
+                                    fuser.dense, console.context());
   console.Report(result.summary);
   SayLengths(result, fuser, &console);
   ColorCurvePoints(project, console.context(), &result.points);

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
+#include "colmap_ext/commands/world_shift.h"
 #include "colmap_ext/dense/depth_sources.h"
 #include "colmap_ext/dense/merged_cloud.h"
 #include "colmap_ext/dense/pmvs_with_curves.h"
 #include "colmap_ext/dense/sparse_with_curves.h"
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/workspace/scene_origin.h"
 #include "limn/export/write_drawing.h"
 #include "limn/io/mesh_reader.h"
 #include "limn/util/errors.h"
@@ -39,27 +42,53 @@ std::array<uint8_t, 3> ColorAt(const Image& image, const Eigen::Vector2d& pixel)
   return color;
 }
 
+// Files hold the coordinates of the model that was read.
+DensePointStream MovedStream(const DensePointStream& points, const Eigen::Vector3d& shift) {
+  return [=](const DensePointVisitor& visit) {
+    points([&](const DensePoint& point) {
+      DensePoint moved = point;
+      moved.position += shift;
+      visit(moved);
+    });
+  };
+}
+
+// Views and curve points in the coordinates of the model.
+struct InModel {
+  std::vector<View> views;
+  std::vector<CurvePoint> points;
+};
+
+InModel ToModel(const Project& project, const std::vector<CurvePoint>& points) {
+  InModel moved = {project.views(), points};
+  for (View& view : moved.views) {
+    view.cam_from_world = Moved(view.cam_from_world, project.origin());
+  }
+  for (CurvePoint& point : moved.points) point.position += project.origin();
+  return moved;
+}
+
 void WriteSparseWithCurves(const Project& project, const FuserOptions& options,
-                           const std::vector<CurvePoint>& points, Console* console) {
+                           const InModel& curves, Console* console) {
   const fs::path folder = project.DrawingPath("sparse-with-curves");
   const int every = std::max(1, static_cast<int>(std::lround(options.sparse_spacing_px /
                                                              options.dense.sample_spacing_px)));
   SparseModel model = ReadModel(project.layout().model_dir);
   const size_t before = model.points.size();
-  model = AddCurvePoints(std::move(model), points, project.views(), every);
+  model = AddCurvePoints(std::move(model), curves.points, curves.views, every);
   fs::create_directories(folder);
   WriteModelBinary(model, folder);
   console->Say("wrote " + folder.string() + ": " + std::to_string(model.points.size() - before) +
                " points of curves beside " + std::to_string(before) + " of the model");
 }
 
-void WriteMeshing(const Project& project, const DenseInput& dense,
-                  const std::vector<CurvePoint>& points, Console* console) {
+void WriteMeshing(const Project& project, const DenseInput& dense, const InModel& curves,
+                  Console* console) {
   const fs::path folder = project.DrawingPath("with-curves");
-  const std::vector<CloudPoint> extra = PointsForMeshing(points);
+  const std::vector<CloudPoint> extra = PointsForMeshing(curves.points);
   fs::create_directories(folder);
   WriteMeshingFolder(folder, dense.products.fused_cloud, project.layout().model_dir, extra,
-                     project.views());
+                     curves.views);
   console->Say("wrote " + folder.string() + ": " + std::to_string(dense.cloud->num_points) +
                " dense points and " + std::to_string(extra.size()) + " of curves; to mesh them:");
   console->Say("  colmap poisson_mesher --input_path " + (folder / "fused.ply").string() +
@@ -86,6 +115,7 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
   const size_t num_images = CountRegisteredImages(project.layout().model_dir);
   const auto open = [&](const fs::path& path) {
     dense.cloud = OpenCloud(path, project.views(), num_images);
+    dense.points = MovedStream(dense.cloud->points, -project.origin());
     console->Say(std::to_string(dense.cloud->num_points) + " dense points" +
                  (dense.cloud->has_visibility ? " with the images that see them" : ""));
   };
@@ -102,11 +132,14 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
     case DenseKind::kFusedCloud:
     case DenseKind::kPmvs:
       open(dense.products.path);
-      dense.depths = CloudDepthSource(dense.cloud->points, project.views());
+      dense.depths = CloudDepthSource(dense.points, project.views());
       break;
-    case DenseKind::kMesh:
-      dense.depths = MeshDepthSource(ReadMesh(dense.products.path.string()), project.views());
+    case DenseKind::kMesh: {
+      TriangleMesh mesh = ReadMesh(dense.products.path.string());
+      for (Eigen::Vector3d& vertex : mesh.vertices) vertex -= project.origin();
+      dense.depths = MeshDepthSource(std::move(mesh), project.views());
       break;
+    }
   }
   return dense;
 }
@@ -149,15 +182,16 @@ void WriteFusionResults(const Project& project, const FuserOptions& options,
   for (const char* name : {"drawing-fused.ply", "drawing-fused.json", "drawing-fused.obj"}) {
     WriteDrawing(project.DrawingPath(name), graph, metadata);
   }
+  const InModel curves = ToModel(project, result.points);
   console->Say("wrote " + project.DrawingPath("drawing-fused.{ply,json,obj}"));
-  WriteSparseWithCurves(project, options, result.points, console);
+  WriteSparseWithCurves(project, options, curves, console);
   if (dense.products.kind == DenseKind::kPmvs) {
     const fs::path base = project.DrawingPath("pmvs-with-curves");
-    WritePmvsWithCurves(base, dense.products.path, *dense.cloud, result.points, project.views());
+    WritePmvsWithCurves(base, dense.products.path, *dense.cloud, curves.points, curves.views);
     console->Say("wrote " + base.string() + ".{patch,ply}");
   }
   if (!dense.products.fused_cloud.empty()) {
-    WriteMeshing(project, dense, result.points, console);
+    WriteMeshing(project, dense, curves, console);
   }
 }
 

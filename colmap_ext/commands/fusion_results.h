@@ -31,6 +31,8 @@ struct DenseInput {
   DepthSource depths;
   // Of PMVS or fused.ply; with depth maps the fused cloud beside them, if there is one.
   std::optional<DenseCloud> cloud;
+  // Its points around the project's origin.
+  DensePointStream points;
 };
 
 // Finds and opens them and says what was chosen. Throws IoError, also when no view has a depth map.
