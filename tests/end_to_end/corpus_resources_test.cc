@@ -83,7 +83,7 @@ TEST(CorpusRuns, Case35_InterruptedRunLeavesNothingHalfWritten) {
   const fs::path day = fs::path(LIMN_SAMPLE_DIR) / "day";
   const TempDir dir;
   RunConditions conditions;
-  conditions.interrupt_after_seconds = 2;
+  conditions.interrupt_after_seconds = 5;
   const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", day.string(),
                                "--output_path", (dir / "out").string(), "--num_threads", "1"},
                               conditions);
