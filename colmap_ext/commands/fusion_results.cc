@@ -15,6 +15,7 @@
 #include "colmap_ext/workspace/model_writer.h"
 #include "colmap_ext/workspace/scene_origin.h"
 #include "limn/export/write_drawing.h"
+#include "limn/io/atomic_file.h"
 #include "limn/io/mesh_reader.h"
 #include "limn/util/errors.h"
 
@@ -76,8 +77,12 @@ void WriteSparseWithCurves(const Project& project, const FuserOptions& options,
   SparseModel model = ReadModel(project.layout().model_dir);
   const size_t before = model.points.size();
   model = AddCurvePoints(std::move(model), curves.points, curves.views, every);
-  fs::create_directories(folder);
-  WriteModelBinary(model, folder);
+  const auto write = [&](const char* name, void (*writer)(const SparseModel&, std::ostream&)) {
+    WriteFileAtomically((folder / name).string(), [&](std::ostream& out) { writer(model, out); });
+  };
+  write("cameras.bin", WriteCamerasBinary);
+  write("images.bin", WriteImagesBinary);
+  write("points3D.bin", WritePointsBinary);
   console->Say("wrote " + folder.string() + ": " + std::to_string(model.points.size() - before) +
                " points of curves beside " + std::to_string(before) + " of the model");
 }
@@ -141,6 +146,11 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
       break;
     }
   }
+  if (!dense.products.fused_cloud.empty() && !dense.cloud->has_normals) {
+    console->Say("WARNING: " + dense.products.fused_cloud.string() +
+                 " has no normals: nothing is written for meshers");
+    dense.products.fused_cloud.clear();
+  }
   return dense;
 }
 
@@ -153,7 +163,8 @@ void SayLengths(const FusionResult& result, const FuserOptions& options, Console
   console->Say("length: " + Number(whole) + " in the model's unit; on a surface " +
                Number(length_of(DenseClass::kSurface)) + ", at a boundary " +
                Number(length_of(DenseClass::kBoundary)) + ", not judged " +
-               Number(length_of(DenseClass::kUnknown)));
+               Number(length_of(DenseClass::kUnknown)) + ", behind the surface " +
+               Number(LengthBehind(result.samples, result.classes)));
   console->Say("the drawing adds " + Number(length_of(DenseClass::kFree)) +
                " that have no dense point within " + Number(options.dense.near_px) + " footprints");
 }
@@ -178,7 +189,8 @@ void ColorCurvePoints(const Project& project, const RunContext& context,
 void WriteFusionResults(const Project& project, const FuserOptions& options,
                         const DenseInput& dense, const DrawingMetadata& metadata,
                         const FusionResult& result, Console* console) {
-  const DrawingGraph graph = options.remove_occluded ? WithoutOccluded(result.graph) : result.graph;
+  const DrawingGraph graph = Moved(
+      options.remove_occluded ? WithoutOccluded(result.graph) : result.graph, project.origin());
   for (const char* name : {"drawing-fused.ply", "drawing-fused.json", "drawing-fused.obj"}) {
     WriteDrawing(project.DrawingPath(name), graph, metadata);
   }

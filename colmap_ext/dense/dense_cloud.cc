@@ -80,6 +80,7 @@ DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<Vie
       seen_by = std::make_unique<VisibilityReader>(visibility, info.count, by_index);
     }
     DensePoint point;
+    point.views_known = has_visibility;
     ReadPlyPoints(path.string(), [&](const PlyPoint& from) {
       point.position = from.position;
       point.normal = UnitOrZero(from.normal);
@@ -100,11 +101,15 @@ DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<V
         names.empty() ? views[v].model_index : static_cast<int>(named - names.begin());
     if (names.empty() || named != names.end()) view_of[number] = static_cast<ViewId>(v);
   }
+  if (view_of.empty()) {
+    throw IoError(path.string(), "bundle.rd.out.list.txt beside it names none of the images");
+  }
   DenseCloud cloud;
   cloud.has_normals = cloud.has_visibility = true;
   ReadPatchFile(path.string(), [&](const Patch&) { ++cloud.num_points; });
   cloud.points = [=](const DensePointVisitor& visit) {
     DensePoint point;
+    point.views_known = true;
     ReadPatchFile(path.string(), [&](const Patch& patch) {
       point.position = patch.position;
       point.normal = UnitOrZero(patch.normal);

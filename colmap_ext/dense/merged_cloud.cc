@@ -59,10 +59,14 @@ void WriteVisibility(const fs::path& path, const fs::path& fused_visibility,
   });
 }
 
-// `link` comes to stand for `target`.
+// `link` comes to stand for `target`. A folder that is in the way is not ours and stays.
 void LinkOrCopy(const fs::path& target, const fs::path& link) {
   std::error_code error;
-  fs::remove_all(link, error);
+  if (fs::equivalent(target, link, error)) return;
+  if (fs::is_directory(fs::symlink_status(link, error))) {
+    throw IoError(link.string(), "is a folder, not the link that is to be made: remove it");
+  }
+  fs::remove(link, error);
   const fs::path relative = fs::relative(target, link.parent_path(), error);
   fs::create_symlink(error ? fs::absolute(target) : relative, link, error);
   if (error) fs::copy(target, link, fs::copy_options::recursive, error);
@@ -91,7 +95,12 @@ void WriteMeshingFolder(const fs::path& folder, const fs::path& fused, const fs:
   LinkOrCopy(cloud, folder / "fused.ply");
   LinkOrCopy(model_dir, folder / "sparse");
   std::error_code ignored;
-  if (!fs::exists(fused_visibility, ignored)) return;
+  if (!fs::exists(fused_visibility, ignored)) {
+    // Those of an earlier run would be of another cloud.
+    fs::remove(visibility, ignored);
+    fs::remove(folder / "fused.ply.vis", ignored);
+    return;
+  }
   WriteVisibility(visibility, fused_visibility, curve_points, views);
   LinkOrCopy(visibility, folder / "fused.ply.vis");
 }

@@ -65,14 +65,17 @@ class PatchReader {
   Patch ReadPatch() {
     const std::string kind = Record("a patch");
     if (kind != "PATCHS" && kind != "PATCHA") lines_.Here().Fail("PATCHS expected");
-    if (kind == "PATCHA") Record("type");  // and one more vector below
     Patch patch;
     patch.position = Vector("position");
     patch.normal = Vector("normal");
-    if (kind == "PATCHA") Record("axis");
     Record("scores");
     Fields scores(lines_);
     patch.photometric_score = Finite(&scores, "score");
+    for (double& scale : patch.scales) scale = Finite(&scores, "scale");
+    if (kind == "PATCHA") {
+      Record("type");
+      Record("direction");
+    }
     patch.images = Images("number of images");
     patch.more_images = Images("number of further images");
     return patch;
@@ -113,8 +116,7 @@ void WritePatchFile(const std::vector<Patch>& patches, std::ostream& out) {
     out << "PATCHS\n";
     PutVector(patch.position, 1, out);
     PutVector(patch.normal, 0, out);
-    // Score, and two scales of PMVS's search, which are of no use for a finished patch.
-    out << patch.photometric_score << " 1 1\n";
+    out << patch.photometric_score << ' ' << patch.scales[0] << ' ' << patch.scales[1] << '\n';
     PutImages(patch.images, out);
     PutImages(patch.more_images, out);
     out << '\n';

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -22,6 +23,18 @@ constexpr std::array<KindName, 4> kKinds = {{{"depth_maps", DenseKind::kDepthMap
                                              {"fused", DenseKind::kFusedCloud},
                                              {"pmvs", DenseKind::kPmvs},
                                              {"mesh", DenseKind::kMesh}}};
+
+// What drawing_fuser itself writes, perhaps beside PMVS's files.
+constexpr char kOwnPatches[] = "pmvs-with-curves.patch";
+
+bool HasFaces(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  while (std::getline(in, line) && !line.starts_with("end_header")) {
+    if (line.starts_with("element face") && !line.starts_with("element face 0")) return true;
+  }
+  return false;
+}
 
 bool Exists(const fs::path& path) {
   std::error_code ignored;
@@ -51,7 +64,10 @@ bool HasFiles(const fs::path& folder) {
 std::optional<fs::path> FirstWith(const fs::path& folder, const std::string& extension,
                                   const std::string& prefix) {
   for (const fs::path& file : FilesIn(folder)) {
-    if (file.extension() == extension && file.filename().string().starts_with(prefix)) return file;
+    const std::string name = file.filename().string();
+    if (file.extension() == extension && name.starts_with(prefix) && name != kOwnPatches) {
+      return file;
+    }
   }
   return std::nullopt;
 }
@@ -106,10 +122,17 @@ DenseProducts FindDenseProducts(const DenseOptionsPaths& options, const fs::path
                                 const fs::path& dense_dir) {
   options.Check();
   std::vector<fs::path> places = {dense_dir, workspace};
-  if (!options.dense_path.empty()) places = {options.dense_path};
+  if (!options.dense_path.empty()) {
+    const fs::path given = fs::path(options.dense_path).lexically_normal();
+    places = {given.has_filename() ? given : given.parent_path()};
+  }
+  // A PLY file with faces is a mesh unless something else is asked for.
+  const bool is_mesh = options.dense_type == "auto" && !places.empty() &&
+                       places.front().extension() == ".ply" && HasFaces(places.front());
   std::erase(places, fs::path());
   for (const auto& [name, kind] : kKinds) {
     if (options.dense_type != "auto" && options.dense_type != name) continue;
+    if (is_mesh && kind != DenseKind::kMesh) continue;
     for (const fs::path& place : places) {
       const auto found = Find(kind, place);
       if (!found) continue;

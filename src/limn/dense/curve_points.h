@@ -30,8 +30,8 @@ struct CurvePoint {
   Eigen::Vector3d Outward(const std::vector<View>& all_views) const;
 };
 
-// The samples of all links that are not behind the surface. Two normals that differ by less than
-// a few degrees become one: the face goes on.
+// The samples of all links that are not behind the surface, where any view sees them. Two normals
+// that differ by less than a few degrees become one: the face goes on.
 std::vector<CurvePoint> MakeCurvePoints(const DrawingGraph& graph, const DrawingSamples& samples,
                                         const std::vector<SampleEvidence>& evidence,
                                         const DenseClasses& classes);

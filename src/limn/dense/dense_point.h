@@ -16,8 +16,9 @@ struct DensePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit; zero = unknown
   std::array<uint8_t, 3> color = {};
-  // Views that see it, as far as they are among those of the run; empty = unknown.
+  // Views that see it, as far as they are among those of the run.
   std::vector<ViewId> views;
+  bool views_known = false;
 };
 
 using DensePointVisitor = std::function<void(const DensePoint&)>;

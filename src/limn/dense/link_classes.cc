@@ -84,10 +84,19 @@ DenseClasses ClassifyLinks(const DrawingGraph& graph, const DrawingSamples& samp
   return classes;
 }
 
+double LengthBehind(const DrawingSamples& samples, const DenseClasses& classes) {
+  double length = 0;
+  for (size_t s = 0; s < samples.size(); ++s) {
+    if (classes.links[samples.link[s]].behind_surface) length += samples.length[s];
+  }
+  return length;
+}
+
 double LengthOf(DenseClass wanted, const DrawingSamples& samples, const DenseClasses& classes) {
   double length = 0;
   for (size_t s = 0; s < samples.size(); ++s) {
-    if (classes.sample_class[s] == wanted) length += samples.length[s];
+    const bool behind = classes.links[samples.link[s]].behind_surface;
+    if (!behind && classes.sample_class[s] == wanted) length += samples.length[s];
   }
   return length;
 }

@@ -23,7 +23,9 @@ DenseClasses ClassifyLinks(const DrawingGraph& graph, const DrawingSamples& samp
                            const std::vector<SampleEvidence>& evidence,
                            const std::vector<uint8_t>& near_dense, const DenseOptions& options);
 
-// Total length of the samples of a class, world units.
+// Total length, world units, of the samples of a class on links that are not behind the surface,
+// and of the links that are.
+double LengthBehind(const DrawingSamples& samples, const DenseClasses& classes);
 double LengthOf(DenseClass wanted, const DrawingSamples& samples, const DenseClasses& classes);
 
 }  // namespace limn

@@ -9,7 +9,7 @@
 namespace limn {
 
 // Per sample 1 if a point of the cloud is within `near_px` of its footprints. Reads the cloud once;
-// constant expected time per point.
+// time per point: logarithmic in the samples.
 std::vector<uint8_t> FindSamplesNearPoints(const DrawingSamples& samples,
                                            const DensePointStream& points, double near_px);
 

@@ -32,7 +32,7 @@ void ForEachSight(const DensePointStream& points, const std::vector<View>& views
     const auto look = [&](size_t v) {
       if (const auto seen = See(views[v], point)) visit(v - begin, point, *seen);
     };
-    if (point.views.empty()) {
+    if (!point.views_known) {
       for (size_t v = begin; v < end; ++v) look(v);
       return;
     }
@@ -46,13 +46,14 @@ void ForEachSight(const DensePointStream& points, const std::vector<View>& views
 DepthImage EmptyImage(const View& view, size_t num_points) {
   DepthImage image;
   if (num_points == 0) return image;
-  const double area = static_cast<double>(view.camera.width) * view.camera.height;
+  const Eigen::Vector2d extent = view.region.max_px - view.region.min_px;
+  const double area = extent.x() * extent.y();
   const double cell =
       std::clamp(std::sqrt(area / static_cast<double>(num_points)), kMinCellPx, kMaxCellPx);
-  image.width = static_cast<int>(std::ceil(view.camera.width / cell));
-  image.height = static_cast<int>(std::ceil(view.camera.height / cell));
+  image.width = static_cast<int>(std::ceil(extent.x() / cell)) + 1;
+  image.height = static_cast<int>(std::ceil(extent.y() / cell)) + 1;
   image.cell_px = {cell, cell};
-  image.origin_px = {0.5 * (cell - 1), 0.5 * (cell - 1)};
+  image.origin_px = view.region.min_px;
   const size_t num_cells = static_cast<size_t>(image.width) * image.height;
   image.depth.assign(num_cells, 0);
   image.normal_in_world.assign(num_cells, Eigen::Vector3f::Zero());

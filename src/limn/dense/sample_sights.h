@@ -40,7 +40,8 @@ struct SampleSight {
 };
 
 // Compare a sample with the depths around its projection. The nine cells around it are asked: it is
-// visible if one of them is at its depth or if all are behind it, and occluded if most are nearer;
+// visible if one of them is at its depth or if at least as many are behind it as are nearer, and
+// occluded if more, and three or more, are nearer;
 // the tolerance is that of the options, plus what a surface at 60 degrees gains in depth. Sides are
 // looked at across the projected curve, at side_offset_px or two cells, whichever is more.
 SampleSight LookAtSample(const View& view, const DepthImage& image, const Eigen::Vector3d& position,

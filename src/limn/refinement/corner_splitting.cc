@@ -56,7 +56,7 @@ int64_t SplitAtCorners(GraphEditor* editor) {
   int64_t num_corners = 0;
   const auto num_links = static_cast<LinkId>(editor->graph().links.size());
   for (LinkId id = 0; id < num_links; ++id) {
-    if (editor->link(id).closed || !(editor->FootprintOf(id) > 0)) continue;
+    if (editor->link(id).closed || editor->IsLeftAlone(id)) continue;
     for (const int index : FindCorners(editor->link(id).points_in_world)) {
       editor->Split(id, index, /*smooth=*/false);
       ++num_corners;

@@ -16,7 +16,7 @@ struct ImagePlace {
 };
 
 // Where reprojected links run side by side in one view, so near that the image shows one blurred
-// edge instead of two. Immutable; places of one link are in the order of the link.
+// edge instead of two. Immutable.
 class Crowding {
  public:
   explicit Crowding(std::vector<ImagePlace> places);

@@ -264,6 +264,7 @@ std::vector<LinkMatches> MatchEdgels(const MatchInput& input, const ControlGraph
       std::erase_if(sample.pulls, [&](const EdgelPull& pull) {
         return std::abs(pull.residual_px) > best[pull.ref.view][pull.ref.edgel] + kClearlyBetterPx;
       });
+      if (static_cast<int>(sample.pulls.size()) < options.min_views) sample.pulls.clear();
     }
   }
   return matches;

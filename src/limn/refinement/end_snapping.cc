@@ -105,10 +105,17 @@ class EndSnapper {
     });
   }
 
-  // From the back of each link, so that indices before the cut stay.
+  // From the back of each link, so that indices before the cut stay. Places near each other get one
+  // node.
   void CutLinks() {
+    std::pair<LinkId, int> last = {-1, 0};
+    NodeId node = -1;
     for (auto it = cuts_.rbegin(); it != cuts_.rend(); ++it) {
-      const NodeId node = editor_->Split(it->first.first, it->first.second, /*smooth=*/true);
+      const auto& [link, index] = it->first;
+      if (link != last.first || last.second - index >= kNodePreferencePx) {
+        node = editor_->Split(link, index, /*smooth=*/true);
+        last = it->first;
+      }
       for (const NodeId from : it->second) moves_.push_back({from, node});
     }
   }

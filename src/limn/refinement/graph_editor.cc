@@ -16,7 +16,6 @@ constexpr double kMaxChance = 0.05;
 
 // Points one px apart.
 void Densify(double footprint, DrawingLink* link) {
-  if (!(footprint > 0)) return;
   const Polyline3d old = link->points_in_world;
   const std::vector<double> arc = CumulativeLength(old);
   link->points_in_world = ResampleUniform(old, footprint);
@@ -47,19 +46,20 @@ GraphEditor::GraphEditor(const std::vector<View>& views,
   for (size_t l = 0; l < graph->links.size(); ++l) {
     DrawingLink& link = graph->links[l];
     const Eigen::Vector3d& middle = link.points_in_world[link.points_in_world.size() / 2];
-    footprint_.push_back(frozen[l] ? 0 : LinkFootprint(link, middle, views));
-    Densify(footprint_.back(), &link);
+    footprint_.push_back(LinkFootprint(link, middle, views));
+    left_alone_.push_back(frozen[l] || !(footprint_.back() > 0));
+    if (!left_alone_.back()) Densify(footprint_.back(), &link);
   }
 }
 
 bool GraphEditor::HasPlaces() const {
-  return std::any_of(footprint_.begin(), footprint_.end(), [](double f) { return f > 0; });
+  return std::find(left_alone_.begin(), left_alone_.end(), 0) != left_alone_.end();
 }
 
 std::vector<LinkEnd> GraphEditor::FreeEnds() const {
   std::vector<LinkEnd> ends;
   for (const DrawingNode& node : graph_->nodes) {
-    if (node.Degree() == 1 && footprint_[node.incident[0].link] > 0) {
+    if (node.Degree() == 1 && !left_alone_[node.incident[0].link]) {
       ends.push_back(node.incident[0]);
     }
   }
@@ -80,7 +80,7 @@ Eigen::Vector3d GraphEditor::DirectionAt(LinkId id, int index) const {
 GraphEditor::Places GraphEditor::CollectPlaces() const {
   Places places;
   for (LinkId id = 0; id < static_cast<LinkId>(graph_->links.size()); ++id) {
-    if (!(footprint_[id] > 0)) continue;
+    if (left_alone_[id]) continue;
     const auto& points = graph_->links[id].points_in_world;
     for (int k = 0; k < static_cast<int>(points.size()); ++k) {
       places.position.push_back(points[k]);
@@ -130,7 +130,10 @@ void GraphEditor::CutTo(int begin, int end, LinkId id) {
 NodeId GraphEditor::Split(LinkId id, int index, bool smooth) {
   const bool was_closed = graph_->links[id].closed;
   const NodeId node = SplitLink(id, index, graph_);
-  if (!was_closed) footprint_.push_back(footprint_[id]);
+  if (!was_closed) {
+    footprint_.push_back(footprint_[id]);
+    left_alone_.push_back(left_alone_[id]);
+  }
   if (smooth) {
     const LinkId second = static_cast<LinkId>(graph_->links.size()) - 1;
     const LinkEnd before = was_closed ? LinkEnd{id, 0} : LinkEnd{id, 1};
@@ -142,11 +145,19 @@ NodeId GraphEditor::Split(LinkId id, int index, bool smooth) {
 
 void GraphEditor::Keep(const std::vector<uint8_t>& keep) {
   std::vector<double> footprint;
+  std::vector<uint8_t> left_alone;
   for (size_t l = 0; l < keep.size(); ++l) {
-    if (keep[l]) footprint.push_back(footprint_[l]);
+    if (!keep[l]) continue;
+    footprint.push_back(footprint_[l]);
+    left_alone.push_back(left_alone_[l]);
   }
   footprint_ = std::move(footprint);
+  left_alone_ = std::move(left_alone);
   RemoveLinks(keep, graph_);
+  for (DrawingLink& link : graph_->links) {
+    if (link.node0 == link.node1 && graph_->nodes[link.node0].Degree() == 2) link.closed = true;
+  }
+  RebuildIncidence(graph_);
 }
 
 }  // namespace limn

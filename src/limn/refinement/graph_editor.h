@@ -27,9 +27,9 @@ constexpr double kSmallGapPx = 3;
 constexpr double kMaxGapPx = 12;
 constexpr double kMaxMissPx = 1.5;
 
-// A drawing while its topology is edited: links that are not frozen have a point every px, and each
-// knows its pixel footprint. What all edits (topology_edits.h) ask and do. The incidence of the
-// graph's nodes holds between edits.
+// A drawing while its topology is edited: links that are not frozen have a point every px at the
+// beginning, and each knows its pixel footprint. What all edits (topology_edits.h) ask and do. The
+// incidence of the graph's nodes holds between edits.
 class GraphEditor {
  public:
   GraphEditor(const std::vector<View>& views,
@@ -40,9 +40,10 @@ class GraphEditor {
   DrawingGraph& graph() { return *graph_; }
   const DrawingGraph& graph() const { return *graph_; }
   const DrawingLink& link(LinkId id) const { return graph_->links[id]; }
-  // World units per px at its middle; 0 for a link that is left alone, because it is frozen or no
-  // view sees it.
+  // World units per px at its middle; 0 if no view sees it.
   double FootprintOf(LinkId id) const { return footprint_[id]; }
+  // Frozen, or no view sees it.
+  bool IsLeftAlone(LinkId id) const { return left_alone_[id] != 0; }
 
   bool HasPlaces() const;  // not all links are left alone
   // Ends that are alone at their node, ascending.
@@ -78,7 +79,8 @@ class GraphEditor {
   // SplitLink; `smooth`: the parts continue each other.
   NodeId Split(LinkId id, int index, bool smooth);
 
-  // Remove links marked 0; ids change.
+  // Remove links marked 0, after which ids have changed. Links that return to their own node, alone
+  // there, are closed.
   void Keep(const std::vector<uint8_t>& keep);
 
  private:
@@ -87,6 +89,7 @@ class GraphEditor {
   EdgelIndexes edgels_;
   DrawingGraph* graph_;
   std::vector<double> footprint_;
+  std::vector<uint8_t> left_alone_;
 };
 
 // The angle between two unit directions, rad, and the angle between the lines along them.

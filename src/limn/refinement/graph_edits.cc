@@ -127,6 +127,7 @@ void JoinEnds(const LinkEnd& a, const LinkEnd& b, DrawingGraph* graph) {
     first.sigma.push_back(first.sigma.front());
     first.node1 = first.node0;
     first.closed = true;
+    graph->nodes[first.node0].continuations.push_back({{a.link, 0}, {a.link, 1}});
     return;
   }
   DrawingLink& second = graph->links[b.link];

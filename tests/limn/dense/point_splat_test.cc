@@ -16,6 +16,7 @@ DensePointStream PlatePoints(const Eigen::Vector3d& normal, std::vector<ViewId> 
     DensePoint point;
     point.normal = normal;
     point.views = views;
+    point.views_known = !views.empty();
     for (int x = -50; x <= 50; ++x) {
       for (int y = -50; y <= 50; ++y) {
         point.position = {0.012 * x, 0.012 * y, 0};
