@@ -122,7 +122,7 @@ TEST_F(Fusion, EveryLinkHasAClass) {
 TEST_F(Fusion, MeshIsNearerToTheTrueEdgesByAQuarterAtLeast) {
   const auto mesh = [](const std::string& cloud, const std::string& out) {
     MustRun("colmap", {"poisson_mesher", "--input_path", cloud, "--output_path", out,
-                       "--PoissonMeshing.depth", "9", "--PoissonMeshing.trim", "5"});
+                       "--PoissonMeshing.depth", "8", "--PoissonMeshing.trim", "5"});
     return MeanDistanceOfEdges(out);
   };
   const double dense_alone = mesh(Path("fused.ply"), Path("dense.ply"));
