@@ -61,9 +61,11 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
   }
 }
 
+// False too where the incident link does not exist.
 bool IsLoopAnchor(const DrawingGraph& graph, const DrawingNode& node) {
-  return node.incident.size() == 2 && node.incident[0].link == node.incident[1].link &&
-         graph.links[node.incident[0].link].closed;
+  if (node.incident.size() != 2 || node.incident[0].link != node.incident[1].link) return false;
+  const LinkId link = node.incident[0].link;
+  return link >= 0 && link < static_cast<int>(graph.links.size()) && graph.links[link].closed;
 }
 
 void CheckIncidence(const DrawingGraph& graph, NodeId id, Violations* violations) {

@@ -119,6 +119,12 @@ INSTANTIATE_TEST_SUITE_P(
                  "node 0: junction and degree"},
         Breakage{"LoopAnchorWithoutLoop",
                  [](DrawingGraph* g) { g->nodes[1].kind = NodeKind::kLoopAnchor; },
+                 "node 1: loop anchor"},
+        Breakage{"LoopAnchorOfALinkThatIsNotThere",
+                 [](DrawingGraph* g) {
+                   g->nodes[1].kind = NodeKind::kLoopAnchor;
+                   g->nodes[1].incident = {{99, 0}, {99, 1}};
+                 },
                  "node 1: loop anchor"}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
