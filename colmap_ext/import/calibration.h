@@ -6,7 +6,6 @@
 #include "colmap_ext/workspace/camera_model.h"
 #include "colmap_ext/workspace/image_reader.h"
 #include "colmap_ext/workspace/model_builder.h"
-#include "limn/geometry/rigid3.h"
 
 namespace limn::colmap_ext {
 
@@ -22,17 +21,5 @@ Camera CameraFromCalibration(const Eigen::Matrix3d& calibration, const ImageSize
 // The rotation nearest to a matrix whose columns are orthogonal and of unit length within 1e-3
 // (files with few digits); anything else, mirrors too, is refused.
 Eigen::Quaterniond RotationFromMatrix(const Eigen::Matrix3d& matrix, const Place& place);
-
-// P = scale * K [R | t] with a rotation R and positive focal lengths in K, whose last element is 1.
-struct CalibratedPose {
-  Eigen::Matrix3d calibration;
-  Rigid3d cam_from_world;
-};
-
-// Any scale of P, negative ones too, gives the same camera. (P and -P project alike; a matrix that
-// was made for a camera looking backwards cannot be told from one looking forwards.) Refuses
-// matrices that are not finite, and singular ones: affine cameras, ranks below three.
-CalibratedPose DecomposeProjection(const Eigen::Matrix<double, 3, 4>& projection,
-                                   const Place& place);
 
 }  // namespace limn::colmap_ext

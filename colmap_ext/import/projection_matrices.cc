@@ -2,6 +2,7 @@
 
 #include "colmap_ext/import/calibration.h"
 #include "colmap_ext/import/file_matching.h"
+#include "colmap_ext/workspace/projection_matrix.h"
 #include "limn/io/text_scanner.h"
 #include "limn/io/whole_file.h"
 #include "limn/util/errors.h"
@@ -45,6 +46,14 @@ bool IsMatrixFile(const fs::path& path) {
   }
 }
 
+DecomposedProjection DecomposeAt(const ProjectionMatrix& projection, const Place& place) {
+  try {
+    return Decompose(projection);
+  } catch (const InputError& error) {
+    place.Fail(error.what());
+  }
+}
+
 }  // namespace
 
 bool HoldsProjectionMatrices(const fs::path& path) {
@@ -68,9 +77,9 @@ ImportedScene ReadProjectionMatrices(const ImportInput& input) {
     const Place place{image.path, "line", 1};
     const auto found = input.images->Find(matches.names[i], {}, place);
     if (!found) continue;
-    const CalibratedPose pose = DecomposeProjection(ReadMatrix(image.path), place);
+    const DecomposedProjection pose = DecomposeAt(ReadMatrix(image.path), place);
     image.name = found->name;
-    image.camera = CameraFromCalibration(pose.calibration, found->size, place);
+    image.camera = CameraFromCalibration(pose.intrinsics, found->size, place);
     image.cam_from_world = pose.cam_from_world;
     scene.images.push_back(std::move(image));
   }

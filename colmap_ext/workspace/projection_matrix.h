@@ -8,15 +8,16 @@ namespace limn::colmap_ext {
 
 using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 
-// P = s K [R | t] taken apart, whatever the factor s (also negative).
+// P = s K [R | t] taken apart, whatever the factor s (also negative). P and -P project alike: a
+// matrix that was made for a camera looking backwards cannot be told from one looking forwards.
 struct DecomposedProjection {
   // Upper triangular: (0, 0) and (1, 1) are positive focal lengths, (2, 2) is 1; (0, 1) is skew.
   Eigen::Matrix3d intrinsics;
   Rigid3d cam_from_world;
 };
 
-// Throws InputError if P is not finite or its left 3 x 3 part is singular (no camera with a
-// centre).
+// Throws InputError if P is not finite or its left 3 x 3 part is singular: affine cameras, ranks
+// below three.
 DecomposedProjection Decompose(const ProjectionMatrix& projection);
 
 }  // namespace limn::colmap_ext
