@@ -92,8 +92,7 @@ void WriteMeshing(const Project& project, const DenseInput& dense, const InModel
   const fs::path folder = project.DrawingPath("with-curves");
   const std::vector<CloudPoint> extra = PointsForMeshing(curves.points);
   fs::create_directories(folder);
-  WriteMeshingFolder(folder, dense.products.fused_cloud, project.layout().model_dir, extra,
-                     curves.views);
+  WriteMeshingFolder(folder, dense.for_meshers, project.layout().model_dir, extra, curves.views);
   console->Say("wrote " + folder.string() + ": " + std::to_string(dense.cloud->num_points) +
                " dense points and " + std::to_string(extra.size()) + " of curves; to mesh them:");
   console->Say("  colmap poisson_mesher --input_path " + (folder / "fused.ply").string() +
@@ -118,12 +117,12 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
   dense.products = FindDenseProducts(options.paths, workspace_path, project.layout().dense_dir);
   console->Say(dense.products.description);
   const size_t num_images = CountRegisteredImages(project.layout().model_dir);
-  const auto open = [&](const fs::path& path) {
-    dense.cloud = OpenCloud(path, project.views(), num_images);
+  if (!dense.products.clouds.empty()) {
+    dense.cloud = OpenClouds(dense.products.clouds, project.views(), num_images);
     dense.points = MovedStream(dense.cloud->points, -project.origin());
     console->Say(std::to_string(dense.cloud->num_points) + " dense points" +
                  (dense.cloud->has_visibility ? " with the images that see them" : ""));
-  };
+  }
   switch (dense.products.kind) {
     case DenseKind::kDepthMaps: {
       const size_t count = CountDepthMaps(dense.products.path, project.views());
@@ -131,12 +130,10 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
       console->Say(std::to_string(count) + " depth maps for " +
                    std::to_string(project.views().size()) + " images");
       dense.depths = DepthMapSource(dense.products.path, project.views());
-      if (!dense.products.fused_cloud.empty()) open(dense.products.fused_cloud);
       break;
     }
     case DenseKind::kFusedCloud:
     case DenseKind::kPmvs:
-      open(dense.products.path);
       dense.depths = CloudDepthSource(dense.points, project.views());
       break;
     case DenseKind::kMesh: {
@@ -146,10 +143,12 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
       break;
     }
   }
-  if (!dense.products.fused_cloud.empty() && !dense.cloud->has_normals) {
-    console->Say("WARNING: " + dense.products.fused_cloud.string() +
-                 " has no normals: nothing is written for meshers");
-    dense.products.fused_cloud.clear();
+  if (!dense.cloud || dense.products.kind == DenseKind::kPmvs) return dense;
+  const fs::path& fused = dense.products.clouds.front();
+  if (dense.cloud->has_normals) {
+    dense.for_meshers = fused;
+  } else {
+    console->Say("WARNING: " + fused.string() + " has no normals: nothing is written for meshers");
   }
   return dense;
 }
@@ -199,10 +198,10 @@ void WriteFusionResults(const Project& project, const FuserOptions& options,
   WriteSparseWithCurves(project, options, curves, console);
   if (dense.products.kind == DenseKind::kPmvs) {
     const fs::path base = project.DrawingPath("pmvs-with-curves");
-    WritePmvsWithCurves(base, dense.products.path, *dense.cloud, curves.points, curves.views);
+    WritePmvsWithCurves(base, dense.products.clouds, *dense.cloud, curves.points, curves.views);
     console->Say("wrote " + base.string() + ".{patch,ply}");
   }
-  if (!dense.products.fused_cloud.empty()) {
+  if (!dense.for_meshers.empty()) {
     WriteMeshing(project, dense, curves, console);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,8 @@ struct DenseInput {
   std::optional<DenseCloud> cloud;
   // Its points around the project's origin.
   DensePointStream points;
+  // fused.ply, if it is there and has normals as meshers need them; else empty.
+  std::filesystem::path for_meshers;
 };
 
 // Finds and opens them and says what was chosen. Throws IoError, also when no view has a depth map.

@@ -1,6 +1,7 @@
 #include "colmap_ext/dense/dense_cloud.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -63,6 +64,21 @@ Eigen::Vector3d UnitOrZero(const Eigen::Vector3d& vector) {
   return norm > 0 ? Eigen::Vector3d(vector / norm) : Eigen::Vector3d::Zero();
 }
 
+using Colors = std::vector<std::array<uint8_t, 3>>;
+constexpr std::array<uint8_t, 3> kGrey = {128, 128, 128};
+
+// PMVS writes the same points with colours to a .ply file. Empty if there is none.
+Colors ColorsBeside(std::filesystem::path patches, uint64_t num_patches) {
+  const std::string path = patches.replace_extension(".ply").string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return {};
+  const PlyPointsInfo info = ReadPlyPointsInfo(path);
+  if (info.count != num_patches || !info.has_colors) return {};
+  Colors colors;
+  ReadPlyPoints(path, [&](const PlyPoint& point) { colors.push_back(point.color); });
+  return colors;
+}
+
 }  // namespace
 
 DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<View>& views,
@@ -93,13 +109,10 @@ DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<Vie
 }
 
 DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views) {
-  const std::vector<std::string> names = ReadPmvsImageNames(path.string());
+  const std::vector<int> numbers = PmvsNumbers(path, views);
   std::map<int, ViewId> view_of;
   for (size_t v = 0; v < views.size(); ++v) {
-    const auto named = std::find(names.begin(), names.end(), views[v].name);
-    const int number =
-        names.empty() ? views[v].model_index : static_cast<int>(named - names.begin());
-    if (names.empty() || named != names.end()) view_of[number] = static_cast<ViewId>(v);
+    if (numbers[v] >= 0) view_of[numbers[v]] = static_cast<ViewId>(v);
   }
   if (view_of.empty()) {
     throw IoError(path.string(), "bundle.rd.out.list.txt beside it names none of the images");
@@ -107,12 +120,17 @@ DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<V
   DenseCloud cloud;
   cloud.has_normals = cloud.has_visibility = true;
   ReadPatchFile(path.string(), [&](const Patch&) { ++cloud.num_points; });
+  const auto colors = std::make_shared<Colors>(ColorsBeside(path, cloud.num_points));
   cloud.points = [=](const DensePointVisitor& visit) {
     DensePoint point;
     point.views_known = true;
+    point.color = kGrey;
+    uint64_t index = 0;
     ReadPatchFile(path.string(), [&](const Patch& patch) {
       point.position = patch.position;
       point.normal = UnitOrZero(patch.normal);
+      if (index < colors->size()) point.color = (*colors)[index];
+      ++index;
       point.views.clear();
       for (const int image : patch.images) {
         const auto view = view_of.find(image);
@@ -125,10 +143,22 @@ DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<V
   return cloud;
 }
 
-DenseCloud OpenCloud(const std::filesystem::path& path, const std::vector<View>& views,
-                     size_t num_model_images) {
-  if (path.extension() == ".patch") return OpenPatchCloud(path, views);
-  return OpenPlyCloud(path, views, num_model_images);
+DenseCloud OpenClouds(const std::vector<std::filesystem::path>& paths,
+                      const std::vector<View>& views, size_t num_model_images) {
+  std::vector<DensePointStream> parts;
+  DenseCloud all = {0, true, true, {}};
+  for (const std::filesystem::path& path : paths) {
+    DenseCloud cloud = path.extension() == ".patch" ? OpenPatchCloud(path, views)
+                                                    : OpenPlyCloud(path, views, num_model_images);
+    all.num_points += cloud.num_points;
+    all.has_normals &= cloud.has_normals;
+    all.has_visibility &= cloud.has_visibility;
+    parts.push_back(std::move(cloud.points));
+  }
+  all.points = [parts = std::move(parts)](const DensePointVisitor& visit) {
+    for (const DensePointStream& part : parts) part(visit);
+  };
+  return all;
 }
 
 }  // namespace limn::colmap_ext

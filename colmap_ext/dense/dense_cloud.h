@@ -25,11 +25,12 @@ struct DenseCloud {
 DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<View>& views,
                         size_t num_model_images);
 
-// PMVS's patches. Images that are not among the views are left out.
+// PMVS's patches. Images that are not among the views are left out. Colours are those of the .ply
+// file of the same name beside it, as PMVS writes it, or grey without one.
 DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views);
 
-// By the extension.
-DenseCloud OpenCloud(const std::filesystem::path& path, const std::vector<View>& views,
-                     size_t num_model_images);
+// All points of several files, each by its extension; at least one.
+DenseCloud OpenClouds(const std::vector<std::filesystem::path>& paths,
+                      const std::vector<View>& views, size_t num_model_images);
 
 }  // namespace limn::colmap_ext

@@ -1,11 +1,12 @@
 #include "colmap_ext/dense/patch_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 #include "colmap_ext/workspace/line_reader.h"
+#include "colmap_ext/workspace/pmvs_model.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -110,30 +111,34 @@ void ReadPatchFile(const std::string& path, const std::function<void(const Patch
   PatchReader(path).Run(visit);
 }
 
-void WritePatchFile(const std::vector<Patch>& patches, std::ostream& out) {
-  out << "PATCHES\n" << patches.size() << '\n';
-  for (const Patch& patch : patches) {
-    out << "PATCHS\n";
-    PutVector(patch.position, 1, out);
-    PutVector(patch.normal, 0, out);
-    out << patch.photometric_score << ' ' << patch.scales[0] << ' ' << patch.scales[1] << '\n';
-    PutImages(patch.images, out);
-    PutImages(patch.more_images, out);
-    out << '\n';
-  }
+void WritePatchHeader(uint64_t num_patches, std::ostream& out) {
+  out << "PATCHES\n" << num_patches << '\n';
 }
 
-std::vector<std::string> ReadPmvsImageNames(const std::string& file_in_models) {
-  const std::filesystem::path list =
-      std::filesystem::path(file_in_models).parent_path().parent_path() / "bundle.rd.out.list.txt";
-  std::vector<std::string> names;
-  std::ifstream in(list);
-  if (!in) return names;
-  LineReader lines(in, list.string());
-  while (lines.NextLine()) {
-    if (!lines.line().empty()) names.push_back(lines.line());
+void WritePatch(const Patch& patch, std::ostream& out) {
+  out << "PATCHS\n";
+  PutVector(patch.position, 1, out);
+  PutVector(patch.normal, 0, out);
+  out << patch.photometric_score << ' ' << patch.scales[0] << ' ' << patch.scales[1] << '\n';
+  PutImages(patch.images, out);
+  PutImages(patch.more_images, out);
+  out << '\n';
+}
+
+std::vector<int> PmvsNumbers(const std::filesystem::path& file_in_models,
+                             const std::vector<View>& views) {
+  const std::vector<std::string> names =
+      ReadPmvsImageNames(file_in_models.parent_path().parent_path());
+  std::vector<int> numbers;
+  for (const View& view : views) {
+    const auto named = std::find(names.begin(), names.end(), view.name);
+    if (names.empty()) {
+      numbers.push_back(view.model_index);
+    } else {
+      numbers.push_back(named == names.end() ? -1 : static_cast<int>(named - names.begin()));
+    }
   }
-  return names;
+  return numbers;
 }
 
 }  // namespace limn::colmap_ext

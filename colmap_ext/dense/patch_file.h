@@ -1,12 +1,16 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "limn/model/view.h"
 
 namespace limn::colmap_ext {
 
@@ -25,11 +29,14 @@ struct Patch {
 // IoError naming the line: no patch file, too short, numbers that are not finite, negative counts.
 void ReadPatchFile(const std::string& path, const std::function<void(const Patch&)>& visit);
 
-// Writes one that PMVS2's tools read.
-void WritePatchFile(const std::vector<Patch>& patches, std::ostream& out);
+// Write one that PMVS2's tools read: the header, then so many patches.
+void WritePatchHeader(uint64_t num_patches, std::ostream& out);
+void WritePatch(const Patch& patch, std::ostream& out);
 
-// The names of the images by PMVS number: bundle.rd.out.list.txt in the folder above that of the
-// file, if it is there. Empty: the numbers are those of the model's file order.
-std::vector<std::string> ReadPmvsImageNames(const std::string& file_in_models);
+// Per view its number in the PMVS folder that the file of patches or points lies in (in models/);
+// -1 if it has none. Without the folder's list of images the numbers are those of the model's file
+// order.
+std::vector<int> PmvsNumbers(const std::filesystem::path& file_in_models,
+                             const std::vector<View>& views);
 
 }  // namespace limn::colmap_ext

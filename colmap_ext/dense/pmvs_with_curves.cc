@@ -10,21 +10,6 @@
 namespace limn::colmap_ext {
 namespace {
 
-// PMVS number of every view; -1 if it has none.
-std::vector<int> PmvsNumbers(const std::vector<std::string>& names,
-                             const std::vector<View>& views) {
-  std::vector<int> numbers;
-  for (const View& view : views) {
-    const auto named = std::find(names.begin(), names.end(), view.name);
-    if (names.empty()) {
-      numbers.push_back(view.model_index);
-    } else {
-      numbers.push_back(named == names.end() ? -1 : static_cast<int>(named - names.begin()));
-    }
-  }
-  return numbers;
-}
-
 std::vector<Patch> CurvePatches(const std::vector<CurvePoint>& points,
                                 const std::vector<View>& views, const std::vector<int>& numbers) {
   std::vector<Patch> patches;
@@ -56,18 +41,20 @@ void PutLine(const Eigen::Vector3d& position, const Eigen::Vector3d& normal,
 
 }  // namespace
 
-void WritePmvsWithCurves(const std::filesystem::path& base, const std::filesystem::path& pmvs_cloud,
-                         const DenseCloud& cloud, const std::vector<CurvePoint>& points,
-                         const std::vector<View>& views) {
-  const std::vector<int> numbers = PmvsNumbers(ReadPmvsImageNames(pmvs_cloud.string()), views);
-  std::vector<Patch> patches;
-  if (pmvs_cloud.extension() == ".patch") {
-    ReadPatchFile(pmvs_cloud.string(), [&](const Patch& patch) { patches.push_back(patch); });
-  }
-  const std::vector<Patch> of_curves = CurvePatches(points, views, numbers);
-  patches.insert(patches.end(), of_curves.begin(), of_curves.end());
-  WriteFileAtomically(base.string() + ".patch",
-                      [&](std::ostream& out) { WritePatchFile(patches, out); });
+void WritePmvsWithCurves(const std::filesystem::path& base,
+                         const std::vector<std::filesystem::path>& files, const DenseCloud& cloud,
+                         const std::vector<CurvePoint>& points, const std::vector<View>& views) {
+  const bool has_patches = files.front().extension() == ".patch";
+  const std::vector<Patch> of_curves =
+      CurvePatches(points, views, PmvsNumbers(files.front(), views));
+  WriteFileAtomically(base.string() + ".patch", [&](std::ostream& out) {
+    WritePatchHeader((has_patches ? cloud.num_points : 0) + of_curves.size(), out);
+    const auto write = [&](const Patch& patch) { WritePatch(patch, out); };
+    for (const std::filesystem::path& file : files) {
+      if (has_patches) ReadPatchFile(file.string(), write);
+    }
+    std::for_each(of_curves.begin(), of_curves.end(), write);
+  });
   WriteFileAtomically(base.string() + ".ply", [&](std::ostream& out) {
     out << "ply\nformat ascii 1.0\nelement vertex " << cloud.num_points + points.size()
         << "\nproperty float x\nproperty float y\nproperty float z\n"

@@ -10,11 +10,11 @@
 namespace limn::colmap_ext {
 
 // For PMVS's tools: <base>.patch, one oriented patch per sample of the curves with the images that
-// see it (PMVS numbers: the order of `image_names`, or of the model where that is empty), after the
-// patches of `pmvs_cloud` if that is a .patch file; and <base>.ply, all points of `cloud` and the
-// curves in PMVS's own PLY format. Throws IoError.
-void WritePmvsWithCurves(const std::filesystem::path& base, const std::filesystem::path& pmvs_cloud,
-                         const DenseCloud& cloud, const std::vector<CurvePoint>& points,
-                         const std::vector<View>& views);
+// see it (see PmvsNumbers), after those of the `files`, if these are .patch files; and
+// <base>.ply, all points of these files, open as `cloud`, and the curves in PMVS's own PLY format.
+// Throws IoError.
+void WritePmvsWithCurves(const std::filesystem::path& base,
+                         const std::vector<std::filesystem::path>& files, const DenseCloud& cloud,
+                         const std::vector<CurvePoint>& points, const std::vector<View>& views);
 
 }  // namespace limn::colmap_ext

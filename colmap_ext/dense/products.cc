@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <optional>
+#include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "limn/util/errors.h"
 
@@ -13,6 +12,7 @@ namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
+using Paths = std::vector<fs::path>;
 
 struct KindName {
   const char* name;
@@ -61,50 +61,72 @@ bool HasFiles(const fs::path& folder) {
   return false;
 }
 
-std::optional<fs::path> FirstWith(const fs::path& folder, const std::string& extension,
-                                  const std::string& prefix) {
-  for (const fs::path& file : FilesIn(folder)) {
+std::vector<fs::path> FilesWith(const fs::path& folder, const std::string& extension,
+                                const std::string& prefix) {
+  std::vector<fs::path> files = FilesIn(folder);
+  std::erase_if(files, [&](const fs::path& file) {
     const std::string name = file.filename().string();
-    if (file.extension() == extension && name.starts_with(prefix) && name != kOwnPatches) {
-      return file;
-    }
-  }
-  return std::nullopt;
+    return file.extension() != extension || !name.starts_with(prefix) || name == kOwnPatches;
+  });
+  return files;
 }
 
-std::optional<fs::path> FindPmvs(const fs::path& folder) {
-  for (const fs::path& models : {folder / "models", folder / "pmvs" / "models", folder}) {
-    if (const auto patches = FirstWith(models, ".patch", "")) return patches;
-    if (models != folder) {
-      if (const auto points = FirstWith(models, ".ply", "")) return points;
-    }
-  }
-  return std::nullopt;
+Paths FirstOf(Paths files) {
+  if (files.size() > 1) files.resize(1);
+  return files;
 }
+
+bool IsCluster(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  constexpr std::string_view kPrefix = "option-";
+  return stem.size() > kPrefix.size() && stem.starts_with(kPrefix) &&
+         std::all_of(stem.begin() + kPrefix.size(), stem.end(),
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// The clusters of CMVS, or else the first file.
+Paths ClustersOrFirst(const Paths& files) {
+  Paths clusters = files;
+  std::erase_if(clusters, [](const fs::path& file) { return !IsCluster(file); });
+  return clusters.empty() ? FirstOf(files) : clusters;
+}
+
+Paths FindPmvs(const fs::path& folder) {
+  for (const fs::path& models : {folder / "models", folder / "pmvs" / "models", folder}) {
+    Paths patches = ClustersOrFirst(FilesWith(models, ".patch", ""));
+    if (!patches.empty()) return patches;
+    if (models == folder) continue;
+    Paths points = ClustersOrFirst(FilesWith(models, ".ply", ""));
+    if (!points.empty()) return points;
+  }
+  return {};
+}
+
+Paths IfExists(const fs::path& path) { return Exists(path) ? Paths{path} : Paths{}; }
 
 // What a folder, or a file itself, holds of a kind.
-std::optional<fs::path> Find(DenseKind kind, const fs::path& where) {
-  if (where.empty() || !Exists(where)) return std::nullopt;
+Paths Find(DenseKind kind, const fs::path& where) {
+  if (where.empty() || !Exists(where)) return {};
   std::error_code ignored;
   if (!fs::is_directory(where, ignored)) {
     const std::string extension = where.extension().string();
     const bool fits = kind == DenseKind::kPmvs   ? extension == ".patch" || extension == ".ply"
                       : kind == DenseKind::kMesh ? extension == ".ply" || extension == ".obj"
                                                  : extension == ".ply";
-    return fits && kind != DenseKind::kDepthMaps ? std::optional(where) : std::nullopt;
+    return fits && kind != DenseKind::kDepthMaps ? Paths{where} : Paths{};
   }
   switch (kind) {
     case DenseKind::kDepthMaps:
-      if (HasFiles(where / "stereo" / "depth_maps")) return where / "stereo";
-      return HasFiles(where / "depth_maps") ? std::optional(where) : std::nullopt;
+      if (HasFiles(where / "stereo" / "depth_maps")) return {where / "stereo"};
+      return HasFiles(where / "depth_maps") ? Paths{where} : Paths{};
     case DenseKind::kFusedCloud:
-      return Exists(where / "fused.ply") ? std::optional(where / "fused.ply") : std::nullopt;
+      return IfExists(where / "fused.ply");
     case DenseKind::kPmvs:
       return FindPmvs(where);
     case DenseKind::kMesh:
-      return FirstWith(where, ".ply", "meshed-");
+      return FirstOf(FilesWith(where, ".ply", "meshed-"));
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -134,15 +156,20 @@ DenseProducts FindDenseProducts(const DenseOptionsPaths& options, const fs::path
     if (options.dense_type != "auto" && options.dense_type != name) continue;
     if (is_mesh && kind != DenseKind::kMesh) continue;
     for (const fs::path& place : places) {
-      const auto found = Find(kind, place);
-      if (!found) continue;
-      DenseProducts products = {kind, *found, {}, {}};
+      const Paths found = Find(kind, place);
+      if (found.empty()) continue;
+      DenseProducts products;
+      products.kind = kind;
+      products.path = found.front();
       if (kind == DenseKind::kDepthMaps) {
-        const auto cloud = Find(DenseKind::kFusedCloud, products.path.parent_path());
-        if (cloud) products.fused_cloud = *cloud;
+        products.clouds = Find(DenseKind::kFusedCloud, products.path.parent_path());
+      } else if (kind != DenseKind::kMesh) {
+        products.clouds = found;
       }
-      if (kind == DenseKind::kFusedCloud) products.fused_cloud = *found;
-      products.description = std::string("dense results: ") + name + ", " + found->string();
+      products.description = std::string("dense results: ") + name + ", " + products.path.string();
+      if (found.size() > 1) {
+        products.description += " and " + std::to_string(found.size() - 1) + " more clusters";
+      }
       return products;
     }
   }

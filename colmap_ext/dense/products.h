@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace limn::colmap_ext {
 
@@ -23,8 +24,9 @@ struct DenseProducts {
   DenseKind kind = DenseKind::kDepthMaps;
   // Folder stereo/, or the file of the cloud or mesh.
   std::filesystem::path path;
-  // A fused cloud to go with depth maps; empty if there is none.
-  std::filesystem::path fused_cloud;
+  // The files of the cloud: fused.ply (also beside depth maps, if it is there), or PMVS's, several
+  // where CMVS made clusters (option-0000, option-0001, ...).
+  std::vector<std::filesystem::path> clouds;
   std::string description;  // for the user, one line
 };
 

@@ -1,7 +1,6 @@
 #include "colmap_ext/import/bundler.h"
 
 #include "colmap_ext/import/calibration.h"
-#include "colmap_ext/import/tracked_points.h"
 #include "limn/io/text_scanner.h"
 #include "limn/io/whole_file.h"
 #include "limn/util/errors.h"
@@ -137,7 +136,7 @@ ImportedScene ReadBundler(const ImportInput& input) {
   scene.notes = {"Read " + path + " with " + list_path};
   const ImageOfCamera image_of_camera =
       ReadCameras(names, fs::path(list_path).parent_path(), path, input, &scanner, &scene);
-  ReadTrackedPoints(num_points, image_of_camera, &scanner, &scene);
+  SetPoints(ReadTrackedPoints(num_points, image_of_camera, &scanner), &scene);
   if (!scanner.AtEnd()) {
     scanner.Fail("more than the " + std::to_string(num_points) + " points that were announced");
   }

@@ -59,6 +59,13 @@ Place PlaceOf(const ImportedImage& image) { return {image.path, image.unit, imag
 
 }  // namespace
 
+void SetPoints(TrackedPoints tracked, ImportedScene* scene) {
+  scene->points = std::move(tracked.points);
+  for (size_t i = 0; i < tracked.observations.size(); ++i) {
+    scene->images[i].observations = std::move(tracked.observations[i]);
+  }
+}
+
 SparseModel ToSparseModel(ImportedScene scene, const SparseModelOptions& options) {
   const double shift = options.pixel_centers == PixelCenters::kInteger ? 0.5 : 0.0;
   for (ImportedImage& image : scene.images) ShiftPixels(shift, &image);

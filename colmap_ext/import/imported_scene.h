@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/tracked_points.h"
 
 namespace limn::colmap_ext {
 
@@ -36,6 +37,9 @@ struct ImportedScene {
   // What the user should know: which file was read, how images were matched, what was left out.
   std::vector<std::string> notes;
 };
+
+// Give a scene its points. Precondition: they are of its images.
+void SetPoints(TrackedPoints tracked, ImportedScene* scene);
 
 struct SparseModelOptions {
   PixelCenters pixel_centers = PixelCenters::kHalf;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "colmap_ext/import/measurement_distortion.h"
-#include "colmap_ext/import/tracked_points.h"
 #include "limn/io/text_scanner.h"
 #include "limn/io/whole_file.h"
 
@@ -178,7 +177,7 @@ ImportedScene ReadNvm(const ImportInput& input) {
                  std::to_string(models.size()) + " (counted from 0)"};
   NvmModel& model = models[chosen];
   const ImageOfCamera image_of_camera = AddImages(model.cameras, path, input.images, &scene);
-  ReadTrackedPoints(model.num_points, image_of_camera, &model.points, &scene);
+  SetPoints(ReadTrackedPoints(model.num_points, image_of_camera, &model.points), &scene);
   PlaceMeasurements(&scene);
   return scene;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "colmap_ext/workspace/image_reader.h"
 #include "colmap_ext/workspace/line_reader.h"
 #include "colmap_ext/workspace/model_builder.h"
+#include "colmap_ext/workspace/tracked_points.h"
+#include "limn/io/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -19,6 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kBundleName = "bundle.rd.out";
+constexpr const char* kBundleHeader = "# Bundle file v0.3";
+// Focal length, two of distortion, rotation, translation.
+constexpr int kNumbersPerBundleCamera = 3 + 9 + 3;
 constexpr const char* kListName = "bundle.rd.out.list.txt";
 // Of the focal length. Six digits in P leave a skew of up to some 1e-4.
 constexpr double kMaxSkew = 1e-3;
@@ -39,18 +46,6 @@ bool IsNumberedText(const fs::path& path) {
   const std::string stem = path.stem().string();
   return path.extension() == ".txt" && stem.size() == 8 &&
          std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-// The lines that are not blank; nothing if there is no list.
-std::vector<std::string> ReadNames(const fs::path& path) {
-  std::vector<std::string> names;
-  std::ifstream in(path);
-  LineReader reader(in, path.string());
-  while (reader.NextLine()) {
-    Fields fields(reader);
-    if (!fields.AtEnd()) names.emplace_back(fields.Rest());
-  }
-  return names;
 }
 
 std::string ImageFile(const fs::path& folder, size_t index) {
@@ -94,8 +89,38 @@ DecomposedProjection ReadProjection(const fs::path& path) {
   }
 }
 
+// The points, with observations as the file has them; without the file none.
+TrackedPoints ReadBundlePoints(const fs::path& path, size_t num_images) {
+  if (!IsFile(path)) return {};
+  const std::string text = ReadWholeFile(path.string());
+  TextScanner scanner(path.string(), text);
+  if (scanner.RestOfLine() != kBundleHeader) {
+    scanner.Fail(std::string("\"") + kBundleHeader + "\" expected");
+  }
+  const int num_cameras = scanner.Count("number of cameras");
+  if (static_cast<size_t>(num_cameras) != num_images) {
+    scanner.Fail(std::to_string(num_cameras) + " cameras, but txt/ has " +
+                 std::to_string(num_images));
+  }
+  const int num_points = scanner.Count("number of points");
+  for (int k = 0; k < num_cameras * kNumbersPerBundleCamera; ++k) scanner.Number("a camera");
+  ImageOfCamera all(num_images);
+  std::iota(all.begin(), all.end(), 0);
+  return ReadTrackedPoints(num_points, all, &scanner);
+}
+
+// Bundler measures from the principal point, y up.
+std::vector<Observation> InImage(std::vector<Observation> observations,
+                                 const Eigen::Matrix3d& intrinsics) {
+  for (Observation& observation : observations) {
+    observation.position.y() *= -1;
+    observation.position += intrinsics.block<2, 1>(0, 2);
+  }
+  return observations;
+}
+
 void AddImage(const fs::path& folder, size_t index, const std::string& name,
-              ModelBuilder* builder) {
+              std::vector<Observation> observations, ModelBuilder* builder) {
   const fs::path path = folder / "txt" / Numbered(index, ".txt");
   const std::string text_path = path.string();
   const Place place{text_path, "line", 1};
@@ -106,6 +131,7 @@ void AddImage(const fs::path& folder, size_t index, const std::string& name,
   image.name = name;
   image.file = ImageFile(folder, index);
   image.cam_from_world = parts.cam_from_world;
+  image.observations = InImage(std::move(observations), parts.intrinsics);
   Camera camera =
       CameraFrom(parts.intrinsics, ReadImageSize(folder / "visualize" / image.file), text_path);
   camera.id = image.camera_id;
@@ -141,7 +167,7 @@ SparseModel ReadPmvsModel(const fs::path& folder) {
   const uint64_t count = CountPmvsImages(folder);
   const fs::path list = folder / kListName;
   ModelBuilder builder;
-  std::vector<std::string> names = ReadNames(list);
+  std::vector<std::string> names = ReadPmvsImageNames(folder);
   if (!IsFile(list)) {
     builder.Warn(list.string() + " is missing: images have the names of visualize/");
     for (uint64_t i = 0; i < count; ++i) names.push_back(ImageFile(folder, i));
@@ -150,10 +176,27 @@ SparseModel ReadPmvsModel(const fs::path& folder) {
     throw IoError(list.string(), "holds the names of " + std::to_string(names.size()) +
                                      " images, txt/ has " + std::to_string(count));
   }
-  for (uint64_t i = 0; i < count; ++i) AddImage(folder, i, names[i], &builder);
+  TrackedPoints tracked = ReadBundlePoints(folder / kBundleName, count);
+  tracked.observations.resize(count);
+  for (uint64_t i = 0; i < count; ++i) {
+    AddImage(folder, i, names[i], std::move(tracked.observations[i]), &builder);
+  }
+  for (ModelPoint& point : tracked.points) builder.AddPoint(std::move(point));
   SparseModel model = builder.Finish();
   model.folder = folder;
   return model;
+}
+
+std::vector<std::string> ReadPmvsImageNames(const fs::path& folder) {
+  const fs::path path = folder / kListName;
+  std::vector<std::string> names;
+  std::ifstream in(path);
+  LineReader reader(in, path.string());
+  while (reader.NextLine()) {
+    Fields fields(reader);
+    if (!fields.AtEnd()) names.emplace_back(fields.Rest());
+  }
+  return names;
 }
 
 ProjectionMatrix ReadContour(std::istream& in, const std::string& path) {

@@ -127,6 +127,22 @@ TEST_F(ColmapOracle, PmvsCamerasAreThoseOfTheModel) {
     EXPECT_LT(difference.rotation.angularDistance(Eigen::Quaterniond::Identity()), 3e-5);
     EXPECT_LT(difference.translation.norm(), 1e-4);
   }
+  // The points and where they were seen, in one order.
+  ASSERT_EQ(pmvs.points.size(), given.points.size());
+  EXPECT_TRUE(pmvs.warnings.empty());
+  size_t num_seen = 0;
+  for (const colmap_ext::ModelPoint& point : pmvs.points) {
+    for (const colmap_ext::TrackElement& seen : point.track) {
+      const size_t i = seen.image_id - 1;
+      const auto& at = pmvs.images[i].observations[seen.observation].position;
+      const auto& all = given.images[i].observations;
+      ASSERT_TRUE(std::any_of(all.begin(), all.end(), [&](const colmap_ext::Observation& o) {
+        return (o.position - at).norm() < 0.02;  // six digits again
+      })) << at.transpose();
+      ++num_seen;
+    }
+  }
+  EXPECT_GT(num_seen, 2 * given.points.size());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "colmap_ext/dense/patch_file.h"
+#include "colmap_ext/dense/pmvs_with_curves.h"
 #include "colmap_ext/temp_dir.h"
 #include "limn/io/ply_points.h"
 #include "limn/util/errors.h"
@@ -145,7 +146,8 @@ TEST(PlyPoints, BinaryOfBothByteOrders) {
 
 std::string PatchText(const std::vector<Patch>& patches) {
   std::ostringstream out;
-  WritePatchFile(patches, out);
+  WritePatchHeader(patches.size(), out);
+  for (const Patch& patch : patches) WritePatch(patch, out);
   return out.str();
 }
 
@@ -180,10 +182,31 @@ TEST(PatchFile, ImagesAreFoundByTheListOfNames) {
   dir.WriteFile("bundle.rd.out.list.txt", "b c.jpg\nx.jpg\na.jpg\n");
   const std::string path = dir.WriteFile("models/option.patch", PatchText({MakePatch()}));
   // Numbers 2 and 0 are "a.jpg" and "b c.jpg": views 0 and 1.
-  EXPECT_THAT(ReadAll(OpenCloud(path, ThreeViews(), 4))[0].views, ElementsAre(0, 1));
+  EXPECT_THAT(ReadAll(OpenClouds({path}, ThreeViews(), 4))[0].views, ElementsAre(0, 1));
   std::filesystem::remove(dir / "bundle.rd.out.list.txt");
   // The model's order: image 2 is view 0, image 0 is view 1.
-  EXPECT_THAT(ReadAll(OpenCloud(path, ThreeViews(), 4))[0].views, ElementsAre(0, 1));
+  EXPECT_THAT(ReadAll(OpenClouds({path}, ThreeViews(), 4))[0].views, ElementsAre(0, 1));
+}
+
+TEST(PatchFile, ClustersAreOneCloudWithTheColoursBesideThem) {
+  const TempDir dir;
+  const std::string first =
+      dir.WriteFile("models/option-0000.patch", PatchText({MakePatch(), MakePatch()}));
+  const std::string second = dir.WriteFile("models/option-0001.patch", PatchText({MakePatch()}));
+  dir.WriteFile("models/option-0000.ply", kCloud);
+  const DenseCloud cloud = OpenClouds({first, second}, ThreeViews(), 4);
+  EXPECT_EQ(cloud.num_points, 3u);
+  const std::vector<DensePoint> points = ReadAll(cloud);
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_THAT(points[0].color, ElementsAre(10, 20, 30));
+  EXPECT_THAT(points[1].color, ElementsAre(40, 50, 60));
+  EXPECT_THAT(points[2].color, ElementsAre(128, 128, 128));
+  const std::string merged = (dir / "pmvs-with-curves").string();
+  WritePmvsWithCurves(merged, {first, second}, cloud, {}, ThreeViews());
+  uint64_t count = 0;
+  ReadPatchFile(merged + ".patch", [&](const Patch&) { ++count; });
+  EXPECT_EQ(count, 3u);
+  EXPECT_EQ(ReadPlyPointsInfo(merged + ".ply").count, 3u);
 }
 
 TEST(PatchFile, DamageIsTold) {

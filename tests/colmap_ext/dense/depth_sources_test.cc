@@ -14,6 +14,7 @@
 namespace limn::colmap_ext {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // 640 x 480 px.
@@ -91,6 +92,10 @@ TEST(DenseProducts, TheFirstOfWhatIsThere) {
   EXPECT_EQ(find().kind, DenseKind::kMesh);
   dir.WriteFile("pmvs/models/option-all.ply", "");
   EXPECT_EQ(find().path, dir / "pmvs" / "models" / "option-all.ply");
+  dir.WriteFile("pmvs/models/option-0001.ply", "");
+  dir.WriteFile("pmvs/models/option-0000.ply", "");
+  EXPECT_THAT(find().clouds, ElementsAre(dir / "pmvs" / "models" / "option-0000.ply",
+                                         dir / "pmvs" / "models" / "option-0001.ply"));
   dir.WriteFile("pmvs/models/option-all.patch", "");
   EXPECT_EQ(find().path, dir / "pmvs" / "models" / "option-all.patch");
   dir.WriteFile("dense/fused.ply", "");
@@ -99,7 +104,7 @@ TEST(DenseProducts, TheFirstOfWhatIsThere) {
   const DenseProducts all = find();
   EXPECT_EQ(all.kind, DenseKind::kDepthMaps);
   EXPECT_EQ(all.path, dir / "dense" / "stereo");
-  EXPECT_EQ(all.fused_cloud, dir / "dense" / "fused.ply");
+  EXPECT_THAT(all.clouds, ElementsAre(dir / "dense" / "fused.ply"));
   EXPECT_EQ(find("pmvs").kind, DenseKind::kPmvs);
   const std::string cloud = dir.WriteFile("elsewhere/scan.ply", "");
   EXPECT_EQ(find("fused", cloud).path, cloud);

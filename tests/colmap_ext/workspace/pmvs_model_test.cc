@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <sstream>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -125,6 +126,39 @@ TEST_F(PmvsModel, IsReadWithTheOriginalNames) {
         1e-4);
   }
   EXPECT_TRUE(model.warnings.empty());
+}
+
+TEST_F(PmvsModel, PointsOfTheBundleAreRead) {
+  Add(0, Project(k_, SomePose(0.1)));
+  Add(1, Project(k_, SomePose(0.2)));
+  dir_.WriteFile("bundle.rd.out.list.txt", "a.png\nb.png\n");
+  std::string bundle = "# Bundle file v0.3\n2 1\n";
+  for (int k = 0; k < 10; ++k) bundle += "0 0 0\n";
+  const Eigen::Vector3d point(0.1, 0.2, 0.3);
+  bundle += "0.1 0.2 0.3\n10 20 30\n2";
+  std::vector<Eigen::Vector2d> pixels;
+  for (int i = 0; i < 2; ++i) {
+    pixels.push_back((k_ * (SomePose(0.1 * (i + 1)) * point)).hnormalized());
+    std::ostringstream measurement;
+    measurement << ' ' << i << " 7 " << pixels[i].x() - 33 << ' ' << 25 - pixels[i].y();
+    bundle += measurement.str();
+  }
+  dir_.WriteFile("bundle.rd.out", bundle + "\n");
+  const SparseModel model = ReadModel(dir_.path());
+  ASSERT_EQ(model.points.size(), 1u);
+  EXPECT_EQ(model.points[0].position, point);
+  EXPECT_THAT(model.points[0].color, ElementsAre(10, 20, 30));
+  ASSERT_EQ(model.points[0].track.size(), 2u);
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(model.images[i].Shows(1, model.points[0].track[i].observation));
+    EXPECT_LT((model.images[i].observations[0].position - pixels[i]).norm(), 0.02);
+  }
+  dir_.WriteFile("bundle.rd.out", bundle.substr(0, bundle.rfind(' ')));
+  EXPECT_THAT(Error(), HasSubstr("bundle.rd.out: line 15: "));
+  dir_.WriteFile("bundle.rd.out", "# Bundle file v0.3\n3 0\n");
+  EXPECT_THAT(Error(), HasSubstr("bundle.rd.out: line 2: 3 cameras, but txt/ has 2"));
+  dir_.WriteFile("bundle.rd.out", "# Bundle file v0.1\n");
+  EXPECT_THAT(Error(), HasSubstr("\"# Bundle file v0.3\" expected"));
 }
 
 TEST_F(PmvsModel, WithoutTheListNamesAreThoseOfTheFiles) {

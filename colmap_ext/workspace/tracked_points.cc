@@ -1,5 +1,6 @@
-#include "colmap_ext/import/tracked_points.h"
+#include "colmap_ext/workspace/tracked_points.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,7 +14,7 @@ uint8_t ReadColor(TextScanner* scanner) {
 }
 
 void ReadMeasurement(const ImageOfCamera& image_of_camera, TextScanner* scanner, ModelPoint* point,
-                     ImportedScene* scene) {
+                     TrackedPoints* tracked) {
   const int camera = scanner->Count("camera index of a measurement");
   if (camera >= static_cast<int>(image_of_camera.size())) {
     scanner->Fail("camera index " + std::to_string(camera) + ", but there are only " +
@@ -26,7 +27,7 @@ void ReadMeasurement(const ImageOfCamera& image_of_camera, TextScanner* scanner,
   observation.point3D_id = point->id;
   const int image = image_of_camera[camera];
   if (image < 0) return;
-  std::vector<Observation>& observations = scene->images[image].observations;
+  std::vector<Observation>& observations = tracked->observations[image];
   point->track.push_back(
       {static_cast<uint32_t>(image + 1), static_cast<uint32_t>(observations.size())});
   observations.push_back(observation);
@@ -34,19 +35,23 @@ void ReadMeasurement(const ImageOfCamera& image_of_camera, TextScanner* scanner,
 
 }  // namespace
 
-void ReadTrackedPoints(int count, const ImageOfCamera& image_of_camera, TextScanner* scanner,
-                       ImportedScene* scene) {
+TrackedPoints ReadTrackedPoints(int count, const ImageOfCamera& image_of_camera,
+                                TextScanner* scanner) {
+  TrackedPoints tracked;
+  const auto last = std::max_element(image_of_camera.begin(), image_of_camera.end());
+  tracked.observations.resize(last == image_of_camera.end() ? 0 : *last + 1);
   for (int i = 0; i < count; ++i) {
     ModelPoint point;
-    point.id = scene->points.size() + 1;
+    point.id = tracked.points.size() + 1;
     point.position = scanner->Point();
     for (uint8_t& channel : point.color) channel = ReadColor(scanner);
     const int num_measurements = scanner->Count("number of measurements");
     for (int m = 0; m < num_measurements; ++m) {
-      ReadMeasurement(image_of_camera, scanner, &point, scene);
+      ReadMeasurement(image_of_camera, scanner, &point, &tracked);
     }
-    scene->points.push_back(std::move(point));
+    tracked.points.push_back(std::move(point));
   }
+  return tracked;
 }
 
 }  // namespace limn::colmap_ext
