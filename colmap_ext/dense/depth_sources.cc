@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Pixels of all depth images that are made of a cloud at a time, at most.
-constexpr double kMaxPixelsAtATime = 1e8;
+// Of all depth images that are made of a cloud at a time, at most; 16 bytes each.
+constexpr size_t kMaxCellsAtATime = 50'000'000;
 
 // The map of a view, or an empty path.
 fs::path FindMap(const fs::path& folder, const std::string& image_name) {
@@ -90,17 +90,21 @@ class CloudDepths {
 
  private:
   void Make(size_t begin) {
+    if (num_seen_.empty()) num_seen_ = CountSeenPoints(points_, views_);
     begin_ = end_ = begin;
-    double pixels = 0;
-    while (end_ < views_.size() && (end_ == begin || pixels < kMaxPixelsAtATime)) {
-      pixels += static_cast<double>(views_[end_].camera.width) * views_[end_].camera.height;
+    size_t num_cells = 0;
+    while (end_ < views_.size()) {
+      num_cells += NumSplatCells(views_[end_], num_seen_[end_]);
+      if (end_ > begin_ && num_cells > kMaxCellsAtATime) break;
       ++end_;
     }
-    images_ = SplatPoints(points_, views_, begin_, end_);
+    images_.clear();
+    images_ = SplatPoints(points_, views_, num_seen_, begin_, end_);
   }
 
   DensePointStream points_;
   const std::vector<View>& views_;
+  std::vector<size_t> num_seen_;
   std::vector<DepthImage> images_;
   size_t begin_ = 0;
   size_t end_ = 0;

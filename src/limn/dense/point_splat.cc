@@ -43,33 +43,43 @@ void ForEachSight(const DensePointStream& points, const std::vector<View>& views
   });
 }
 
-DepthImage EmptyImage(const View& view, size_t num_points) {
+// Without depths.
+DepthImage Grid(const View& view, size_t num_seen) {
   DepthImage image;
-  if (num_points == 0) return image;
+  if (num_seen == 0) return image;
   const Eigen::Vector2d extent = view.region.max_px - view.region.min_px;
   const double area = extent.x() * extent.y();
   const double cell =
-      std::clamp(std::sqrt(area / static_cast<double>(num_points)), kMinCellPx, kMaxCellPx);
+      std::clamp(std::sqrt(area / static_cast<double>(num_seen)), kMinCellPx, kMaxCellPx);
   image.width = static_cast<int>(std::ceil(extent.x() / cell)) + 1;
   image.height = static_cast<int>(std::ceil(extent.y() / cell)) + 1;
   image.cell_px = {cell, cell};
   image.origin_px = view.region.min_px;
-  const size_t num_cells = static_cast<size_t>(image.width) * image.height;
-  image.depth.assign(num_cells, 0);
-  image.normal_in_world.assign(num_cells, Eigen::Vector3f::Zero());
   return image;
 }
 
 }  // namespace
 
+size_t NumSplatCells(const View& view, size_t num_seen) {
+  const DepthImage grid = Grid(view, num_seen);
+  return static_cast<size_t>(grid.width) * grid.height;
+}
+
+std::vector<size_t> CountSeenPoints(const DensePointStream& points,
+                                    const std::vector<View>& views) {
+  std::vector<size_t> num_seen(views.size(), 0);
+  ForEachSight(points, views, 0, views.size(),
+               [&](size_t v, const DensePoint&, const Seen&) { ++num_seen[v]; });
+  return num_seen;
+}
+
 std::vector<DepthImage> SplatPoints(const DensePointStream& points, const std::vector<View>& views,
-                                    size_t begin, size_t end) {
-  std::vector<size_t> num_points(end - begin, 0);
-  ForEachSight(points, views, begin, end,
-               [&](size_t v, const DensePoint&, const Seen&) { ++num_points[v]; });
+                                    const std::vector<size_t>& num_seen, size_t begin, size_t end) {
   std::vector<DepthImage> images;
   for (size_t v = begin; v < end; ++v) {
-    images.push_back(EmptyImage(views[v], num_points[v - begin]));
+    DepthImage& image = images.emplace_back(Grid(views[v], num_seen[v]));
+    image.depth.assign(NumSplatCells(views[v], num_seen[v]), 0);
+    image.normal_in_world.assign(image.depth.size(), Eigen::Vector3f::Zero());
   }
   ForEachSight(points, views, begin, end, [&](size_t v, const DensePoint& point, const Seen& seen) {
     DepthImage& image = images[v];

@@ -7,12 +7,17 @@
 
 namespace limn {
 
-// The depths that views see of a cloud: in every cell the nearest of the points that project into
-// it and face the view; points that say by which views they are seen are only seen by those. Cells
-// are so large that a view's points would fill them if they were evenly spread, and no larger than
-// 16 px. Returns an image per view of [begin, end), without a cell where no point is seen. Reads
-// the cloud twice; memory: the images.
+// How many points of a cloud each view sees: those that project into it and face it; points that
+// say by which views they are seen are only seen by those. Reads the cloud once.
+std::vector<size_t> CountSeenPoints(const DensePointStream& points, const std::vector<View>& views);
+
+// The depths that views see of a cloud: in every cell the nearest of the points seen there. Cells
+// are so large that the points seen by a view (`num_seen`, of all views) would fill them if they
+// were evenly spread, from 1 to 16 px. Returns an image per view of [begin, end), without a cell
+// where no point is seen. Reads the cloud once; memory: the images, NumSplatCells() each.
 std::vector<DepthImage> SplatPoints(const DensePointStream& points, const std::vector<View>& views,
-                                    size_t begin, size_t end);
+                                    const std::vector<size_t>& num_seen, size_t begin, size_t end);
+
+size_t NumSplatCells(const View& view, size_t num_seen);
 
 }  // namespace limn

@@ -31,9 +31,14 @@ size_t NumKnown(const DepthImage& image) {
       std::count_if(image.depth.begin(), image.depth.end(), [](float depth) { return depth > 0; }));
 }
 
+std::vector<DepthImage> Splat(const DensePointStream& points, size_t end) {
+  const auto& views = testing::PlateViews();
+  return SplatPoints(points, views, CountSeenPoints(points, views), 0, end);
+}
+
 TEST(PointSplat, DepthsAreThoseOfThePoints) {
   const auto& views = testing::PlateViews();
-  const auto images = SplatPoints(PlatePoints({0, 0, 1}), views, 0, views.size());
+  const auto images = Splat(PlatePoints({0, 0, 1}), views.size());
   ASSERT_EQ(images.size(), views.size());
   for (size_t v = 0; v < views.size(); ++v) {
     // About as many cells as points in the whole image.
@@ -51,11 +56,10 @@ TEST(PointSplat, DepthsAreThoseOfThePoints) {
 }
 
 TEST(PointSplat, BacksAndOtherViewsSeeNothing) {
-  const auto& views = testing::PlateViews();
-  for (const DepthImage& image : SplatPoints(PlatePoints({0, 0, -1}), views, 0, 2)) {
+  for (const DepthImage& image : Splat(PlatePoints({0, 0, -1}), 2)) {
     EXPECT_EQ(image.width, 0);
   }
-  const auto images = SplatPoints(PlatePoints({0, 0, 1}, {1}), views, 0, 3);
+  const auto images = Splat(PlatePoints({0, 0, 1}, {1}), 3);
   EXPECT_EQ(NumKnown(images[0]), 0u);
   EXPECT_GT(NumKnown(images[1]), 300u);
   EXPECT_EQ(NumKnown(images[2]), 0u);
