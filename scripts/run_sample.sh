@@ -10,7 +10,7 @@ cmake --build --preset release --target limn
 limn=build/release/limn
 scene=datasets/sample
 out=build/sample
-$limn automatic_drawer --workspace_path $scene/day --output_path $out
+$limn automatic_drawer --workspace_path $scene/day --output_path $out --overwrite 1
 echo
 echo "The drawing against the visible truth, distances in pixels where they are seen:"
 $limn drawing_evaluator --input_path $out/drawing.json \

@@ -15,8 +15,12 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   bool account = false;
   const auto parser =
       ParseRunOptions("automatic_drawer", "make the 3D drawing of a COLMAP project",
-                      {.linking = true, .sketch = true, .drawing = true, .refinement = true}, argc,
-                      argv, &options, [&](OptionParser* more) {
+                      {.linking = true,
+                       .sketch = true,
+                       .drawing = true,
+                       .refinement = true,
+                       .writes_drawing = true},
+                      argc, argv, &options, [&](OptionParser* more) {
                         more->AddOption("account", &account, "tell what became of every edgel");
                       });
   if (!parser) return 0;
@@ -26,6 +30,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   Console console(options.num_threads);
   const Project project(options, &console);
   CheckRefinedFolder(project, options);
+  CheckReplaceable(project, options, "drawing.json", Provenance(options));
   CheckViews(project.views());
   const PipelineResult result = DrawScene(
       {project.views(), project.view_set().hints, project.images(), ProjectBox(project, options),

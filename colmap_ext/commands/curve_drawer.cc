@@ -12,21 +12,22 @@ int RunCurveDrawer(int argc, const char* const* argv) {
   RunOptions options;
   const auto parser = ParseRunOptions(
       "curve_drawer", "make the 3D drawing from the sketch that curve_sketcher has stored",
-      {.linking = true, .drawing = true}, argc, argv, &options);
+      {.linking = true, .drawing = true, .writes_drawing = true}, argc, argv, &options);
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
   const StoredCurveSketch stored =
       ReadSketchResult(project, SketchFileName(options.pipeline.mode), image_curves.curves);
+  const std::string provenance = DrawingProvenance(options, stored.metadata.options_json);
+  CheckReplaceable(project, options, "drawing.json", provenance);
   const DrawingResult result = BuildDrawing(
       {project.views(), image_curves.curves, stored.sketch, ProjectBox(project, options)},
       options.pipeline.drawing, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
   WriteRefinedModel(project, std::nullopt, &console);
-  WriteDrawingResults(project, project.views(), result.graph,
-                      DrawingProvenance(options, stored.metadata.options_json), &console);
+  WriteDrawingResults(project, project.views(), result.graph, provenance, &console);
   return 0;
 }
 

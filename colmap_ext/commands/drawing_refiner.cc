@@ -13,7 +13,8 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   std::string drawing_path;
   const auto parser = ParseRunOptions(
       "drawing_refiner", "fit the drawing that curve_drawer has stored to all images",
-      {.linking = true, .refinement = true}, argc, argv, &options, [&](OptionParser* more) {
+      {.linking = true, .refinement = true, .writes_drawing = true}, argc, argv, &options,
+      [&](OptionParser* more) {
         more->AddOption("drawing_path", &drawing_path,
                         "drawing.json to start from, instead of the one in the output folder");
       });
@@ -21,8 +22,11 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   Console console(options.num_threads);
   const Project project(options, &console);
   CheckRefinedFolder(project, options);
-  if (drawing_path.empty()) drawing_path = project.DrawingPath("drawing.json");
+  const bool in_place = drawing_path.empty();
+  if (in_place) drawing_path = project.DrawingPath("drawing.json");
   const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
+  const std::string provenance = RefinementProvenance(options, drawing.metadata.options_json);
+  if (!in_place) CheckReplaceable(project, options, "drawing.json", provenance);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
   const RefinementResult result = RefineDrawing(
       {project.views(), image_curves.curves, drawing.graph, &project.view_set().hints.points},
@@ -30,8 +34,8 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   console.Report(result.summary);
   CheckGraph(result.graph);
   WriteRefinedModel(project, result.cameras, &console);
-  WriteDrawingResults(project, ViewsOfDrawing(project, result.cameras), result.graph,
-                      RefinementProvenance(options, drawing.metadata.options_json), &console);
+  WriteDrawingResults(project, ViewsOfDrawing(project, result.cameras), result.graph, provenance,
+                      &console);
   return 0;
 }
 

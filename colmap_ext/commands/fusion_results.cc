@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "colmap_ext/commands/world_shift.h"
 #include "colmap_ext/dense/depth_sources.h"
 #include "colmap_ext/dense/merged_cloud.h"
@@ -69,11 +71,9 @@ InModel ToModel(const Project& project, const std::vector<CurvePoint>& points) {
   return moved;
 }
 
-void WriteSparseWithCurves(const Project& project, const FuserOptions& options,
-                           const InModel& curves, Console* console) {
+void WriteSparseWithCurves(const Project& project, int every, const InModel& curves,
+                           Console* console) {
   const fs::path folder = project.DrawingPath("sparse-with-curves");
-  const int every = std::max(1, static_cast<int>(std::lround(options.sparse_spacing_px /
-                                                             options.dense.sample_spacing_px)));
   SparseModel model = ReadModel(project.layout().model_dir);
   const size_t before = model.points.size();
   model = AddCurvePoints(std::move(model), curves.points, curves.views, every);
@@ -107,8 +107,17 @@ void WriteMeshing(const Project& project, const DenseInput& dense, const InModel
 
 void FuserOptions::Check() const {
   paths.Check();
-  dense.Check();
   LIMN_CHECK_OPTION(sparse_spacing_px, >= 1);
+}
+
+std::string FusionProvenance(const RunOptions& options, const FuserOptions& fuser,
+                             const std::string& drawing_provenance) {
+  auto json = nlohmann::ordered_json::parse(drawing_provenance);
+  auto& dense = json["DenseFusion"] = nlohmann::ordered_json::parse(OptionsAsJson(options.dense));
+  dense["dense_type"] = fuser.paths.dense_type;
+  dense["remove_occluded"] = fuser.remove_occluded;
+  dense["sparse_spacing_px"] = fuser.sparse_spacing_px;
+  return json.dump();
 }
 
 DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
@@ -153,7 +162,7 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
   return dense;
 }
 
-void SayLengths(const FusionResult& result, const FuserOptions& options, Console* console) {
+void SayLengths(const FusionResult& result, const DenseOptions& options, Console* console) {
   double whole = 0;
   for (const double length : result.samples.length) whole += length;
   const auto length_of = [&](DenseClass wanted) {
@@ -165,7 +174,7 @@ void SayLengths(const FusionResult& result, const FuserOptions& options, Console
                Number(length_of(DenseClass::kUnknown)) + ", behind the surface " +
                Number(LengthBehind(result.samples, result.classes)));
   console->Say("the drawing adds " + Number(length_of(DenseClass::kFree)) +
-               " that have no dense point within " + Number(options.dense.near_px) + " footprints");
+               " that have no dense point within " + Number(options.near_px) + " footprints");
 }
 
 void ColorCurvePoints(const Project& project, const RunContext& context,
@@ -185,17 +194,20 @@ void ColorCurvePoints(const Project& project, const RunContext& context,
   });
 }
 
-void WriteFusionResults(const Project& project, const FuserOptions& options,
-                        const DenseInput& dense, const DrawingMetadata& metadata,
-                        const FusionResult& result, Console* console) {
-  const DrawingGraph graph = Moved(
-      options.remove_occluded ? WithoutOccluded(result.graph) : result.graph, project.origin());
-  for (const char* name : {"drawing-fused.ply", "drawing-fused.json", "drawing-fused.obj"}) {
+void WriteFusionResults(const Project& project, const RunOptions& options,
+                        const FuserOptions& fuser, const DenseInput& dense,
+                        const DrawingMetadata& metadata, const FusionResult& result,
+                        Console* console) {
+  const DrawingGraph graph =
+      Moved(fuser.remove_occluded ? WithoutOccluded(result.graph) : result.graph, project.origin());
+  for (const char* name : {"drawing-fused.ply", kFusedDrawing, "drawing-fused.obj"}) {
     WriteDrawing(project.DrawingPath(name), graph, metadata);
   }
   const InModel curves = ToModel(project, result.points);
   console->Say("wrote " + project.DrawingPath("drawing-fused.{ply,json,obj}"));
-  WriteSparseWithCurves(project, options, curves, console);
+  const double spacing = fuser.sparse_spacing_px / options.dense.sample_spacing_px;
+  WriteSparseWithCurves(project, std::max(1, static_cast<int>(std::lround(spacing))), curves,
+                        console);
   if (dense.products.kind == DenseKind::kPmvs) {
     const fs::path base = project.DrawingPath("pmvs-with-curves");
     WritePmvsWithCurves(base, dense.products.clouds, *dense.cloud, curves.points, curves.views);

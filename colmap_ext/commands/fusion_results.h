@@ -18,13 +18,18 @@ namespace limn::colmap_ext {
 struct FuserOptions {
   std::string drawing_path;
   DenseOptionsPaths paths;
-  DenseOptions dense;
   bool remove_occluded = false;
   int sparse_spacing_px = 4;
 
   // Throws OptionError.
   void Check() const;
 };
+
+constexpr const char* kFusedDrawing = "drawing-fused.json";
+
+// Of a drawing fused with these options that says in `drawing_provenance` how it was made.
+std::string FusionProvenance(const RunOptions& options, const FuserOptions& fuser,
+                             const std::string& drawing_provenance);
 
 // The dense results, open.
 struct DenseInput {
@@ -43,7 +48,7 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
                           const std::string& workspace_path, Console* console);
 
 // Length of the drawing by class, and what it adds to the dense results.
-void SayLengths(const FusionResult& result, const FuserOptions& options, Console* console);
+void SayLengths(const FusionResult& result, const DenseOptions& options, Console* console);
 
 // Every point gets its colour from the photograph of the first of its views.
 void ColorCurvePoints(const Project& project, const RunContext& context,
@@ -51,8 +56,9 @@ void ColorCurvePoints(const Project& project, const RunContext& context,
 
 // Writes drawing-fused.{ply,json,obj} and, as far as the dense results allow, with-curves/,
 // pmvs-with-curves.{patch,ply} and sparse-with-curves/; says what meshers to call.
-void WriteFusionResults(const Project& project, const FuserOptions& options,
-                        const DenseInput& dense, const DrawingMetadata& metadata,
-                        const FusionResult& result, Console* console);
+void WriteFusionResults(const Project& project, const RunOptions& options,
+                        const FuserOptions& fuser, const DenseInput& dense,
+                        const DrawingMetadata& metadata, const FusionResult& result,
+                        Console* console);
 
 }  // namespace limn::colmap_ext

@@ -1,6 +1,8 @@
 #include "colmap_ext/commands/results.h"
 
+#include <filesystem>
 #include <functional>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -35,6 +37,31 @@ void WritePictures(const Project& project, const std::string& folder, const RunC
 }
 
 }  // namespace
+
+void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
+                      const std::string& provenance) {
+  const std::string path = project.DrawingPath(name);
+  std::error_code ignored;
+  if (options.overwrite || !std::filesystem::exists(path, ignored)) return;
+  const auto refuse = [&](const std::string& what) {
+    throw IoError(path, what + ": --overwrite 1 replaces it, --output_path writes elsewhere");
+  };
+  DrawingMetadata metadata;
+  try {
+    metadata = ReadDrawingJson(path).metadata;
+  } catch (const IoError&) {
+    refuse("exists, and is no drawing of this version of limn");
+  }
+  if (metadata.view_names != Metadata(project, "{}").view_names) {
+    refuse("is a drawing of other images");
+  }
+  const Json old_options = Json::parse(metadata.options_json);
+  const Json new_options = Json::parse(provenance);
+  if (old_options != new_options) {
+    const Json difference = Json::diff(old_options, new_options);
+    refuse("was drawn with other options (" + difference.front().value("path", "") + ")");
+  }
+}
 
 std::string SketchFileName(SketchMode mode) {
   switch (mode) {

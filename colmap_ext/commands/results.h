@@ -23,6 +23,13 @@ std::string DrawingProvenance(const RunOptions& options, const std::string& sket
 // Of a drawing refined with `options` that says in `drawing_provenance` how it was made.
 std::string RefinementProvenance(const RunOptions& options, const std::string& drawing_provenance);
 
+// To be called before work starts. Throws IoError if the output folder has a file of this name (a
+// drawing, .json) that was not made in the same way, with the options of `provenance` from images
+// of these names, and the run's options do not say that it may be replaced: then it may hold work
+// that running again does not bring back.
+void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
+                      const std::string& provenance);
+
 // Name of a sketch's files, without extension, in the folder of curves.
 std::string SketchFileName(SketchMode mode);
 

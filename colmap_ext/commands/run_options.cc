@@ -26,6 +26,10 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
       "quality", &options->quality,
       {{"low", Quality::kLow}, {"medium", Quality::kMedium}, {"high", Quality::kHigh}},
       "defaults of the other options");
+  if (groups.writes_drawing) {
+    parser->AddOption("overwrite", &options->overwrite,
+                      "replace a drawing made with other options or of other images");
+  }
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }
 
@@ -57,6 +61,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
   }
   if (groups.drawing) AddGroup("Drawing", &pipeline.drawing, parser);
   if (groups.refinement) AddGroup("DrawingRefinement", &pipeline.refinement, parser);
+  if (groups.dense) AddGroup("DenseFusion", &options->dense, parser);
 }
 
 }  // namespace
@@ -82,6 +87,7 @@ void RunOptions::Check() const {
   layout.Check();
   view.Check();
   pipeline.Check();
+  dense.Check();
   BoxFromNumbers(box);
 }
 

@@ -19,10 +19,13 @@ struct RunOptions {
   LayoutOptions layout;
   ViewOptions view;
   PipelineOptions pipeline;
+  DenseOptions dense;
   // The 3D box to reconstruct: x0,x1,y0,y1,z0,z1 in the model's unit. Empty = everything.
   std::vector<double> box;
   Quality quality = Quality::kMedium;
   int num_threads = -1;
+  // Replace a drawing that was made in another way.
+  bool overwrite = false;
 
   // Throws OptionError.
   void Check() const;
@@ -34,6 +37,9 @@ struct OptionGroups {
   bool sketch = false;
   bool drawing = false;
   bool refinement = false;
+  bool dense = false;
+  // It writes a drawing, and has --overwrite.
+  bool writes_drawing = false;
   // What --output_path is for.
   const char* output_help = "where results go instead";
 };

@@ -120,6 +120,20 @@ TEST(CorpusRuns, Case36_RunningTwice) {
   const auto after_second = ReadTree(w.path());
   EXPECT_EQ(after_second, after_first);
   for (const auto& [name, bytes] : given) EXPECT_EQ(after_second.at(name), bytes) << name;
+
+  // What another run has made is kept, unless it may be replaced.
+  std::vector<std::string> other = arguments;
+  other.insert(other.end(), {"--Drawing.min_link_length_px", "30"});
+  const LimnRun refused = RunLimn(other, Limits(120));
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_EQ(refused.err, "ERROR: " + (w / "drawing.json").string() +
+                             ": was drawn with other options (/Drawing/min_link_length_px): "
+                             "--overwrite 1 replaces it, --output_path writes elsewhere\n");
+  EXPECT_EQ(ReadTree(w.path()), after_first);
+  other.insert(other.end(), {"--overwrite", "1"});
+  const LimnRun replaced = RunLimn(other, Limits(120));
+  EXPECT_EQ(replaced.exit_code, 0) << replaced.err;
+  EXPECT_NE(ReadTree(w.path()).at("drawing.json"), after_first.at("drawing.json"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "limn/dense/dense_options.h"
 #include "limn/pipeline/pipeline_options.h"
 
 namespace limn {
@@ -159,7 +160,20 @@ void VisitFields(RefinementOptions& o, Visit&& visit) {
   visit("refine_poses", o.refine_poses, "refine camera poses and focal lengths too");
 }
 
-// visit(group name, options struct) for every group.
+template <typename Visit>
+void VisitFields(DenseOptions& o, Visit&& visit) {
+  visit("depth_tolerance_px", o.depth_tolerance_px,
+        "a curve this near in depth is on the surface, footprints");
+  visit("side_offset_px", o.side_offset_px, "where the surface beside a curve is looked at, px");
+  visit("near_px", o.near_px, "a dense point this near is of the same place, footprints");
+  visit("sample_spacing_px", o.sample_spacing_px,
+        "distance of the samples along a link, footprints");
+  visit("max_occluded_share", o.max_occluded_share,
+        "a link is behind the surface where more of its supporting views say so");
+  visit("min_judged_share", o.min_judged_share, "share of them that must be able to say anything");
+}
+
+// visit(group name, options struct) for every group of the pipeline.
 template <typename Visit>
 void VisitGroups(PipelineOptions& options, Visit&& visit) {
   visit("EdgeDetection", options.edges);

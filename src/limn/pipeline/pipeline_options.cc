@@ -81,6 +81,8 @@ std::string OptionsAsJson(const PipelineOptions& options) {
   return json.dump();
 }
 
+std::string OptionsAsJson(const DenseOptions& options) { return FieldsAsJson(options).dump(); }
+
 std::string OptionsAsText(const EdgeDetectionOptions& options) { return FieldsAsText(options); }
 
 std::string OptionsAsText(const LinkingOptions& options) { return FieldsAsText(options); }

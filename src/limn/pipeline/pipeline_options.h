@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "limn/dense/dense_options.h"
 #include "limn/drawing/drawing_options.h"
 #include "limn/edges/edge_detection.h"
 #include "limn/linking/linking.h"
@@ -41,6 +42,9 @@ const char* SketchModeName(SketchMode mode);
 
 // All options as the text of a JSON object {"mode": name, group: {name: value}}, for provenance.
 std::string OptionsAsJson(const PipelineOptions& options);
+
+// The same of one group: {name: value}.
+std::string OptionsAsJson(const DenseOptions& options);
 
 // One group as "name=value" lines: two structs have the same text if and only if they are the same.
 std::string OptionsAsText(const EdgeDetectionOptions& options);
