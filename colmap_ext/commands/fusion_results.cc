@@ -170,10 +170,11 @@ void SayLengths(const FusionResult& result, const DenseOptions& options, Console
   };
   console->Say("length: " + Number(whole) + " in the model's unit; on a surface " +
                Number(length_of(DenseClass::kSurface)) + ", at a boundary " +
-               Number(length_of(DenseClass::kBoundary)) + ", not judged " +
+               Number(length_of(DenseClass::kBoundary)) + ", off the surface " +
+               Number(length_of(DenseClass::kFree)) + ", not judged " +
                Number(length_of(DenseClass::kUnknown)) + ", behind the surface " +
                Number(LengthBehind(result.samples, result.classes)));
-  console->Say("the drawing adds " + Number(length_of(DenseClass::kFree)) +
+  console->Say("the drawing adds " + Number(LengthAdded(result.samples, result.classes)) +
                " that have no dense point within " + Number(options.near_px) + " footprints");
 }
 

@@ -18,6 +18,9 @@ struct DenseOptions {
   // its samples says so, and they can say it of at least min_judged_share of them.
   double max_occluded_share = 0.5;
   double min_judged_share = 0.3;
+  // But never where so many of its supporting views, in the mean over its samples, see it: they are
+  // enough to believe in it. (Others support it by what stands before it.)
+  double enough_visible_views = 3;
 
   void Check() const;
 };

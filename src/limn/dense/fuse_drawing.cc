@@ -30,7 +30,7 @@ StageSummary Summary(const DenseClasses& classes, size_t num_samples) {
                 {"samples", static_cast<int64_t>(num_samples)}};
   summary.kept = {{"links on a surface", of_class(DenseClass::kSurface)},
                   {"links at a boundary", of_class(DenseClass::kBoundary)},
-                  {"links without dense points", of_class(DenseClass::kFree)},
+                  {"links off the surface", of_class(DenseClass::kFree)},
                   {"links that no view can judge", of_class(DenseClass::kUnknown)}};
   summary.dropped = {
       {"links behind the surface", count([](const LinkDense& l) { return l.behind_surface; })}};

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace limn {
 namespace {
 
 constexpr int kNumClasses = 4;
 
-DenseClass ClassOfSample(const SampleEvidence& evidence, bool near_dense) {
+DenseClass ClassOfSample(const SampleEvidence& evidence) {
   const int num_judged = evidence.num_surface + evidence.num_boundary + evidence.num_free;
   const bool known = num_judged > 0 || !evidence.visible_in.empty();
-  if (!near_dense)
+  if (evidence.num_touching == 0) {
     return known || evidence.occluded_in.empty() ? DenseClass::kFree : DenseClass::kUnknown;
+  }
   if (num_judged == 0) return DenseClass::kUnknown;
   if (evidence.num_surface >= evidence.num_boundary && evidence.num_surface >= evidence.num_free) {
     return DenseClass::kSurface;
@@ -25,6 +27,7 @@ DenseClass ClassOfSample(const SampleEvidence& evidence, bool near_dense) {
 struct LinkSums {
   std::array<double, kNumClasses> length = {};
   double whole_length = 0;
+  double added = 0;
   double judged = 0;  // what supporting views can say, in views times length
   double occluded = 0;
   double asked = 0;
@@ -59,46 +62,59 @@ LinkDense Judge(const LinkSums& sums, const DenseOptions& options) {
   if (!(sums.whole_length > 0)) return result;
   const auto most = std::max_element(sums.length.begin(), sums.length.end());
   result.dense_class = static_cast<DenseClass>(most - sums.length.begin());
-  result.free_share = sums.length[static_cast<int>(DenseClass::kFree)] / sums.whole_length;
+  result.added_share = sums.added / sums.whole_length;
   if (sums.judged > 0) result.occluded_share = sums.occluded / sums.judged;
+  const double visible_views = (sums.judged - sums.occluded) / sums.whole_length;
   result.behind_surface = sums.judged >= options.min_judged_share * sums.asked &&
-                          result.occluded_share > options.max_occluded_share;
+                          result.occluded_share > options.max_occluded_share &&
+                          visible_views < options.enough_visible_views;
   if (sums.fold_length > 0) result.fold_deg = sums.fold_rad / sums.fold_length * 180 / M_PI;
   return result;
+}
+
+template <typename Counts>
+double SumLengths(const DrawingSamples& samples, const DenseClasses& classes, bool behind,
+                  const Counts& counts) {
+  double length = 0;
+  for (size_t s = 0; s < samples.size(); ++s) {
+    if (classes.links[samples.link[s]].behind_surface == behind && counts(s)) {
+      length += samples.length[s];
+    }
+  }
+  return length;
 }
 
 }  // namespace
 
 DenseClasses ClassifyLinks(const DrawingGraph& graph, const DrawingSamples& samples,
                            const std::vector<SampleEvidence>& evidence,
-                           const std::vector<uint8_t>& near_dense, const DenseOptions& options) {
+                           std::vector<uint8_t> near_dense, const DenseOptions& options) {
   DenseClasses classes;
   std::vector<LinkSums> sums(graph.links.size());
   for (size_t s = 0; s < samples.size(); ++s) {
-    const DenseClass of_sample = ClassOfSample(evidence[s], near_dense[s] != 0);
+    const DenseClass of_sample = ClassOfSample(evidence[s]);
     classes.sample_class.push_back(of_sample);
+    LinkSums& of_link = sums[samples.link[s]];
     Add(evidence[s], samples.length[s], of_sample, graph.links[samples.link[s]].supporting_views,
-        &sums[samples.link[s]]);
+        &of_link);
+    if (near_dense[s] == 0) of_link.added += samples.length[s];
   }
+  classes.near_dense = std::move(near_dense);
   for (const LinkSums& of_link : sums) classes.links.push_back(Judge(of_link, options));
   return classes;
 }
 
 double LengthBehind(const DrawingSamples& samples, const DenseClasses& classes) {
-  double length = 0;
-  for (size_t s = 0; s < samples.size(); ++s) {
-    if (classes.links[samples.link[s]].behind_surface) length += samples.length[s];
-  }
-  return length;
+  return SumLengths(samples, classes, true, [](size_t) { return true; });
 }
 
 double LengthOf(DenseClass wanted, const DrawingSamples& samples, const DenseClasses& classes) {
-  double length = 0;
-  for (size_t s = 0; s < samples.size(); ++s) {
-    const bool behind = classes.links[samples.link[s]].behind_surface;
-    if (!behind && classes.sample_class[s] == wanted) length += samples.length[s];
-  }
-  return length;
+  return SumLengths(samples, classes, false,
+                    [&](size_t s) { return classes.sample_class[s] == wanted; });
+}
+
+double LengthAdded(const DrawingSamples& samples, const DenseClasses& classes) {
+  return SumLengths(samples, classes, false, [&](size_t s) { return classes.near_dense[s] == 0; });
 }
 
 }  // namespace limn

@@ -13,19 +13,23 @@ namespace limn {
 struct DenseClasses {
   std::vector<LinkDense> links;          // as in the graph
   std::vector<DenseClass> sample_class;  // as the samples
+  std::vector<uint8_t> near_dense;       // as the samples
 };
 
-// The class of every sample, and of every link that of most of its length. A sample is free if no
-// dense point is near it (`near_dense`, per sample), else what most views say that see it with both
-// of its sides: on a surface, or at its boundary (an occluding contour or a rim). A link is behind
-// the surface by the rule of the options.
+// The class of every sample, and of every link that of most of its length. A sample that touches
+// the surface, at the resolution at which the views know it, is what most views say that see it
+// with both of its sides: on the surface, or at its boundary (an occluding contour or a rim). One
+// that does not is free. A link is behind the surface by the rule of the options. `near_dense`:
+// whether a dense point is within near_px, per sample; with a thin cloud that is seldom so on the
+// surface, too.
 DenseClasses ClassifyLinks(const DrawingGraph& graph, const DrawingSamples& samples,
                            const std::vector<SampleEvidence>& evidence,
-                           const std::vector<uint8_t>& near_dense, const DenseOptions& options);
+                           std::vector<uint8_t> near_dense, const DenseOptions& options);
 
-// Total length, world units, of the samples of a class on links that are not behind the surface,
-// and of the links that are.
+// Total lengths, world units: of the links behind the surface; of the other links the samples of a
+// class, and those without a dense point near.
 double LengthBehind(const DrawingSamples& samples, const DenseClasses& classes);
 double LengthOf(DenseClass wanted, const DrawingSamples& samples, const DenseClasses& classes);
+double LengthAdded(const DrawingSamples& samples, const DenseClasses& classes);
 
 }  // namespace limn

@@ -33,7 +33,7 @@ Json ToJson(const DrawingNode& node, size_t id) {
 
 Json ToJson(const LinkDense& dense) {
   Json json = {{"class", DenseClassName(dense.dense_class)},
-               {"free_share", dense.free_share},
+               {"added_share", dense.added_share},
                {"occluded_share", dense.occluded_share},
                {"behind_surface", dense.behind_surface}};
   if (dense.fold_deg >= 0) json["fold_deg"] = dense.fold_deg;

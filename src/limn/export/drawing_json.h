@@ -15,7 +15,7 @@ namespace limn {
 //               ...]}],
 //    "links": [{"id", "node0", "node1", "closed", "length", "residual_px",
 //               after drawing_fuser also "dense": {"class": "surface"|"boundary"|"free"|"unknown",
-//               "free_share", "occluded_share", "behind_surface", "fold_deg" where known},
+//               "added_share", "occluded_share", "behind_surface", "fold_deg" where known},
 //               "supporting_views": [name, ...], "members": [[curve, begin, end], ...],
 //               "points": [[x, y, z], ...], "sigma": [..., null = unknown]}]}
 // One node or link per line. Throws InputError if a supporting view has no name in the metadata or

@@ -49,7 +49,7 @@ LinkDense ToDense(const Json& json) {
   if (name != DenseClassName(dense.dense_class)) {
     throw InputError("unknown class of link \"" + name.substr(0, 40) + "\"");
   }
-  dense.free_share = json.at("free_share").get<double>();
+  dense.added_share = json.at("added_share").get<double>();
   dense.occluded_share = json.at("occluded_share").get<double>();
   dense.behind_surface = json.at("behind_surface").get<bool>();
   dense.fold_deg = json.value("fold_deg", -1.0);

@@ -54,7 +54,7 @@ enum class DenseClass {
   kUnknown,
   kSurface,   // the surface goes on at both sides: paint or a fold
   kBoundary,  // on one side only: an occluding contour or a rim
-  kFree,      // no dense point is near
+  kFree,      // in front of the surface, or where there is none
 };
 
 const char* DenseClassName(DenseClass dense_class);
@@ -62,7 +62,7 @@ const char* DenseClassName(DenseClass dense_class);
 // What a dense surface says of a link (limn/dense/).
 struct LinkDense {
   DenseClass dense_class = DenseClass::kUnknown;  // of most of its length
-  double free_share = 0;                          // of its length
+  double added_share = 0;                         // of its length: without a dense point near it
   // Share of its supporting views, over its samples, in which it is behind the surface.
   double occluded_share = 0;
   bool behind_surface = false;

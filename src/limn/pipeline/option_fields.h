@@ -171,6 +171,8 @@ void VisitFields(DenseOptions& o, Visit&& visit) {
   visit("max_occluded_share", o.max_occluded_share,
         "a link is behind the surface where more of its supporting views say so");
   visit("min_judged_share", o.min_judged_share, "share of them that must be able to say anything");
+  visit("enough_visible_views", o.enough_visible_views,
+        "a link that so many of them see is never behind the surface");
 }
 
 // visit(group name, options struct) for every group of the pipeline.

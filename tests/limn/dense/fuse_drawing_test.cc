@@ -1,5 +1,7 @@
 #include "limn/dense/fuse_drawing.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "limn/dense/plate_scene.h"
@@ -33,7 +35,7 @@ TEST(FuseDrawing, LinksGetTheirClasses) {
   EXPECT_LT(links[kPaint].fold_deg, 1);
   EXPECT_EQ(links[kRim].dense_class, DenseClass::kBoundary);
   EXPECT_EQ(links[kAir].dense_class, DenseClass::kFree);
-  EXPECT_DOUBLE_EQ(links[kAir].free_share, 1);
+  EXPECT_DOUBLE_EQ(links[kAir].added_share, 1);
   for (const Curve curve : {kPaint, kRim, kAir}) EXPECT_FALSE(links[curve].behind_surface);
   EXPECT_TRUE(links[kBelow].behind_surface);
   EXPECT_DOUBLE_EQ(links[kBelow].occluded_share, 1);
@@ -47,6 +49,7 @@ TEST(FuseDrawing, LengthsAddUp) {
   EXPECT_NEAR(length(DenseClass::kSurface), 0.6, 0.03);
   EXPECT_NEAR(length(DenseClass::kBoundary), 1.2, 0.06);
   EXPECT_NEAR(length(DenseClass::kFree), 0.2, 1e-9);
+  EXPECT_NEAR(LengthAdded(Fused().samples, Fused().classes), 0.2, 1e-9);
   EXPECT_NEAR(LengthBehind(Fused().samples, Fused().classes), 0.2, 1e-9);
 }
 
@@ -82,12 +85,35 @@ TEST(FuseDrawing, AViewThatIsNotASupporterHasNoSay) {
   EXPECT_FALSE(result.classes.links[kBelow].behind_surface);
 }
 
-TEST(FuseDrawing, CloudDecidesWhatIsNear) {
+// Three views find the surface far behind everything.
+TEST(FuseDrawing, ALinkThatEnoughViewsSeeIsNotBehind) {
+  const DrawingGraph graph = PlateDrawing();
+  const DepthSource plate = testing::PlateDepths();
+  const DepthSource some = [&](ViewId view) {
+    auto image = plate(view);
+    if (view < 3) std::fill(image->depth.begin(), image->depth.end(), 1e3f);
+    return image;
+  };
+  const auto behind = [&](double enough) {
+    DenseOptions options;
+    options.enough_visible_views = enough;
+    return FuseDrawing({testing::PlateViews(), graph, some, std::nullopt}, options, {})
+        .classes.links[kBelow]
+        .behind_surface;
+  };
+  ASSERT_GT(testing::PlateViews().size(), 6u);  // most still hide it
+  EXPECT_FALSE(behind(2.9));
+  EXPECT_TRUE(behind(3.1));
+}
+
+TEST(FuseDrawing, CloudDecidesWhatIsAdded) {
   const DensePointStream none = [](const DensePointVisitor&) {};
   const DrawingGraph graph = PlateDrawing();
   const FusionResult result =
       FuseDrawing({testing::PlateViews(), graph, testing::PlateDepths(), none}, {}, {});
-  EXPECT_EQ(result.classes.links[kPaint].dense_class, DenseClass::kFree);
+  EXPECT_EQ(result.classes.links[kPaint].dense_class, DenseClass::kSurface);
+  EXPECT_EQ(result.classes.links[kPaint].added_share, 1);
+  EXPECT_NEAR(LengthAdded(result.samples, result.classes), 0.6 + 1.2 + 0.2, 0.1);
 }
 
 TEST(FuseDrawing, EmptyDrawingAndNoDepths) {
