@@ -6,6 +6,10 @@ DrawingGraph Moved(DrawingGraph graph, const Eigen::Vector3d& shift) {
   for (DrawingNode& node : graph.nodes) node.position_in_world += shift;
   for (DrawingLink& link : graph.links) {
     for (Eigen::Vector3d& point : link.points_in_world) point += shift;
+    if (link.primitive) {
+      link.primitive->shape =
+          Transformed(link.primitive->shape, 1, Eigen::Matrix3d::Identity(), shift);
+    }
   }
   return graph;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <ostream>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -40,6 +41,29 @@ Json ToJson(const LinkDense& dense) {
   return json;
 }
 
+Json ToJson(const LinkPrimitive& primitive) {
+  Json json = {{"type", ShapeName(primitive.shape)}};
+  if (const auto* line = std::get_if<LineSegment>(&primitive.shape)) {
+    json["start"] = ToJson(line->start);
+    json["end"] = ToJson(line->end);
+  } else if (const auto* arc = std::get_if<CircularArc>(&primitive.shape)) {
+    json["center"] = ToJson(arc->center);
+    json["x_axis"] = ToJson(arc->x_axis);
+    json["y_axis"] = ToJson(arc->y_axis);
+    json["radius"] = arc->radius;
+    json["sweep_rad"] = arc->sweep_rad;
+  } else if (const auto* spline = std::get_if<CubicBSpline>(&primitive.shape)) {
+    json["degree"] = 3;
+    json["knots"] = spline->knots;
+    for (const Eigen::Vector3d& point : spline->control_points) {
+      json["control_points"].push_back(ToJson(point));
+    }
+  }
+  json["rms_px"] = primitive.rms_px;
+  json["max_px"] = primitive.max_px;
+  return json;
+}
+
 Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& view_names) {
   Json json = {{"id", id},
                {"node0", link.node0},
@@ -48,6 +72,7 @@ Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& 
                {"length", Length(link.points_in_world)},
                {"residual_px", link.residual_px}};
   if (link.dense) json["dense"] = ToJson(*link.dense);
+  if (link.primitive) json["primitive"] = ToJson(*link.primitive);
   json["supporting_views"] = Json::array();
   for (const ViewId view : link.supporting_views) {
     if (view < 0 || view >= static_cast<ViewId>(view_names.size())) {

@@ -16,6 +16,11 @@ namespace limn {
 //    "links": [{"id", "node0", "node1", "closed", "length", "residual_px",
 //               after drawing_fuser also "dense": {"class": "surface"|"boundary"|"free"|"unknown",
 //               "added_share", "occluded_share", "behind_surface", "fold_deg" where known},
+//               "primitive": {"type": "line", "start", "end"} or
+//                            {"type": "arc"|"circle", "center", "x_axis", "y_axis", "radius",
+//                             "sweep_rad"} or
+//                            {"type": "spline", "degree": 3, "knots": [...],
+//                             "control_points": [...]}, each with "rms_px", "max_px",
 //               "supporting_views": [name, ...], "members": [[curve, begin, end], ...],
 //               "points": [[x, y, z], ...], "sigma": [..., null = unknown]}]}
 // One node or link per line. Throws InputError if a supporting view has no name in the metadata or

@@ -56,6 +56,44 @@ LinkDense ToDense(const Json& json) {
   return dense;
 }
 
+CircularArc ToArc(const Json& json) {
+  CircularArc arc;
+  arc.center = ToPoint(json.at("center"));
+  arc.x_axis = ToPoint(json.at("x_axis"));
+  arc.y_axis = ToPoint(json.at("y_axis"));
+  arc.radius = json.at("radius").get<double>();
+  arc.sweep_rad = json.at("sweep_rad").get<double>();
+  return arc;
+}
+
+CubicBSpline ToSpline(const Json& json) {
+  CubicBSpline spline;
+  spline.knots = json.at("knots").get<std::vector<double>>();
+  for (const Json& point : json.at("control_points")) {
+    spline.control_points.push_back(ToPoint(point));
+  }
+  return spline;
+}
+
+LinkPrimitive ToPrimitive(const Json& json) {
+  LinkPrimitive primitive;
+  const auto type = json.at("type").get<std::string>();
+  if (type == "line") {
+    primitive.shape = LineSegment{ToPoint(json.at("start")), ToPoint(json.at("end"))};
+  } else if (type == "arc" || type == "circle") {
+    primitive.shape = ToArc(json);
+  } else if (type == "spline") {
+    primitive.shape = ToSpline(json);
+  } else {
+    throw InputError("unknown type of primitive \"" + type.substr(0, 40) + "\"");
+  }
+  const std::string broken = ValidateShape(primitive.shape);
+  if (!broken.empty()) throw InputError("primitive: " + broken);
+  primitive.rms_px = json.at("rms_px").get<double>();
+  primitive.max_px = json.at("max_px").get<double>();
+  return primitive;
+}
+
 DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_ids) {
   DrawingLink link;
   link.node0 = IntFromJson(json.at("node0"));
@@ -63,6 +101,7 @@ DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_i
   link.closed = json.at("closed").get<bool>();
   link.residual_px = json.at("residual_px").get<double>();
   if (json.contains("dense")) link.dense = ToDense(json.at("dense"));
+  if (json.contains("primitive")) link.primitive = ToPrimitive(json.at("primitive"));
   for (const Json& point : json.at("points")) link.points_in_world.push_back(ToPoint(point));
   for (const Json& sigma : json.at("sigma")) {
     // JSON has no infinity: unknown is null.

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "limn/geometry/curve_shape.h"
 #include "limn/model/curve3d.h"
 
 namespace limn {
@@ -70,6 +71,15 @@ struct LinkDense {
   double fold_deg = -1;
 };
 
+// The simplest parametric curve that explains a link (limn/primitives/). It begins and ends at the
+// link's nodes where these have other links, too.
+struct LinkPrimitive {
+  CurveShape shape;
+  // Of the link's points to the shape, as the supporting views see them, px.
+  double rms_px = 0;
+  double max_px = 0;
+};
+
 struct DrawingLink {
   // First and last point are the positions of node0 and node1.
   std::vector<Eigen::Vector3d> points_in_world;
@@ -86,6 +96,8 @@ struct DrawingLink {
   double residual_px = 0;
   // Only after drawing_fuser.
   std::optional<LinkDense> dense = std::nullopt;
+  // As the points; absent in drawings of earlier versions.
+  std::optional<LinkPrimitive> primitive = std::nullopt;
 };
 
 // The 3D drawing: curves (links) that meet at nodes.

@@ -1,6 +1,10 @@
 #include "limn/export/write_drawing.h"
 
+#include <cmath>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,6 +68,39 @@ TEST(WriteDrawing, JsonKeepsTheWholeGraph) {
   // Writing what was read gives the same bytes.
   WriteDrawing(folder.Path("again.json"), file.graph, file.metadata);
   EXPECT_EQ(TemporaryFolder::Read(path), TemporaryFolder::Read(folder.Path("again.json")));
+}
+
+TEST(WriteDrawing, JsonKeepsThePrimitives) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  const std::vector<CurveShape> shapes = {
+      LineSegment{{0, 0, 0}, {1, 0, 0}}, CircularArc{{0, 1, 0}, {0, 1, 0}, {1, 0, 0}, 1.0 / 3, 2},
+      CubicBSpline{{0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0.1}}},
+      CircularArc{{5, 6, 5}, {0, -1, 0}, {1, 0, 0}, 1, 2 * M_PI}};
+  for (size_t l = 0; l < shapes.size(); ++l) {
+    graph.links[l].primitive = LinkPrimitive{shapes[l], 0.25, 0.5};
+  }
+  const std::string path = folder.Path("d.json");
+  WriteDrawing(path, graph, SmallMetadata());
+  const DrawingFile file = ReadDrawingJson(path);
+  for (size_t l = 0; l < shapes.size(); ++l) {
+    const auto& primitive = file.graph.links[l].primitive;
+    ASSERT_TRUE(primitive);
+    EXPECT_STREQ(ShapeName(primitive->shape), ShapeName(shapes[l]));
+    EXPECT_EQ(PointAt(primitive->shape, 0.3), PointAt(shapes[l], 0.3));
+    EXPECT_EQ(primitive->max_px, 0.5);
+  }
+  WriteDrawing(folder.Path("again.json"), file.graph, file.metadata);
+  const std::string text = TemporaryFolder::Read(path);
+  EXPECT_EQ(text, TemporaryFolder::Read(folder.Path("again.json")));
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"spline\"", "\"bezier\""},
+                                 {"\"radius\":1.0", "\"radius\":-1.0"},
+                                 {"\"knots\":[0.0,", "\"knots\":["}}) {
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    const std::string bad = std::string(text).replace(at, from.size(), to);
+    EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", bad)), IoError) << from;
+  }
 }
 
 TEST(WriteDrawing, BrokenJsonIsRefused) {
