@@ -16,7 +16,7 @@ LAYERS = [
     ["geometry"],
     ["model"],
     ["support", "visibility"],
-    ["edges", "linking", "sketch", "drawing", "refinement", "dense"],
+    ["edges", "linking", "sketch", "drawing", "refinement", "primitives", "dense"],
     ["io"],
     ["export"],
     ["pictures", "evaluation", "viewer"],
@@ -26,7 +26,7 @@ LAYERS = [
 # Prefix of an include in angle brackets -> where it may stand: folders, or single files.
 THIRD_PARTY = {
     "opencv2/": ["src/limn/edges/", "src/limn/pictures/", "colmap_ext/workspace/"],
-    "ceres/": ["src/limn/refinement/"],
+    "ceres/": ["src/limn/refinement/", "src/limn/primitives/"],
     "flann/": ["src/limn/geometry/spatial_index.cc"],
     "tbb/": ["src/limn/util/parallel.cc"],
     "oneapi/tbb": ["src/limn/util/parallel.cc"],

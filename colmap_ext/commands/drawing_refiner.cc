@@ -4,6 +4,7 @@
 #include "colmap_ext/commands/refined_cameras.h"
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
+#include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
 
 namespace limn::colmap_ext {
@@ -32,10 +33,13 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
       {project.views(), image_curves.curves, drawing.graph, &project.view_set().hints.points},
       options.pipeline.refinement, console.context());
   console.Report(result.summary);
-  CheckGraph(result.graph);
+  const std::vector<View>& views = ViewsOfDrawing(project, result.cameras);
+  const PrimitiveResult primitives =
+      FitPrimitives(result.graph, views, options.pipeline.primitives, console.context());
+  console.Report(primitives.summary);
+  CheckGraph(primitives.graph);
   WriteRefinedModel(project, result.cameras, &console);
-  WriteDrawingResults(project, ViewsOfDrawing(project, result.cameras), result.graph, provenance,
-                      &console);
+  WriteDrawingResults(project, views, primitives.graph, provenance, &console);
   return 0;
 }
 

@@ -91,14 +91,18 @@ std::string Provenance(const RunOptions& options) {
 
 std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance) {
   Json json = Json::parse(sketch_provenance);
-  json["Drawing"] = Json::parse(OptionsAsJson(options.pipeline))["Drawing"];
+  const Json now = Json::parse(OptionsAsJson(options.pipeline));
+  json["Drawing"] = now["Drawing"];
+  json["Primitives"] = now["Primitives"];
   json["DrawingRefinement"] = nullptr;
   return json.dump();
 }
 
 std::string RefinementProvenance(const RunOptions& options, const std::string& drawing_provenance) {
   Json json = Json::parse(drawing_provenance);
-  json["DrawingRefinement"] = Json::parse(OptionsAsJson(options.pipeline))["DrawingRefinement"];
+  const Json now = Json::parse(OptionsAsJson(options.pipeline));
+  json["DrawingRefinement"] = now["DrawingRefinement"];
+  json["Primitives"] = now["Primitives"];
   return json.dump();
 }
 

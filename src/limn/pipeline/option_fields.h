@@ -161,6 +161,15 @@ void VisitFields(RefinementOptions& o, Visit&& visit) {
 }
 
 template <typename Visit>
+void VisitFields(PrimitiveOptions& o, Visit&& visit) {
+  visit("max_residual_px", o.max_residual_px,
+        "a primitive is nowhere farther from its link in the mean of the views, px");
+  visit("noise_px", o.noise_px, "standard deviation of drawn curves, px");
+  visit("correlation_px", o.correlation_px, "length over which their errors are the same, px");
+  visit("end_zone_px", o.end_zone_px, "places this near to a node count little, px");
+}
+
+template <typename Visit>
 void VisitFields(DenseOptions& o, Visit&& visit) {
   visit("depth_tolerance_px", o.depth_tolerance_px,
         "a curve this near in depth is on the surface, footprints");
@@ -184,6 +193,7 @@ void VisitGroups(PipelineOptions& options, Visit&& visit) {
   visit("Sketch", options.sketch);
   visit("Drawing", options.drawing);
   visit("DrawingRefinement", options.refinement);
+  visit("Primitives", options.primitives);
 }
 
 }  // namespace limn

@@ -26,8 +26,13 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
                     options.refinement, context);
   on_stage_end(refined.summary, {});
 
+  PrimitiveResult primitives =
+      FitPrimitives(refined.graph, refined.cameras ? refined.cameras->views : input.views,
+                    options.primitives, context);
+  on_stage_end(primitives.summary, {});
+
   return {std::move(image_curves.curves), std::move(sketch.sketch),   std::move(sketch.fates),
-          std::move(refined.graph),       std::move(refined.cameras), std::move(drawing.fates)};
+          std::move(primitives.graph),    std::move(refined.cameras), std::move(drawing.fates)};
 }
 
 }  // namespace limn

@@ -10,6 +10,7 @@
 #include "limn/drawing/drawing.h"
 #include "limn/pipeline/extract_curves.h"
 #include "limn/pipeline/pipeline_options.h"
+#include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
 #include "limn/sketch/sketch.h"
 
@@ -40,7 +41,7 @@ struct PipelineResult {
 using StageObserver = std::function<void(const StageSummary& summary, const CacheUse& cache)>;
 
 // The whole way from photographs to the drawing (ECCV 2016): edges and fragments of every image,
-// the sketch, the drawing graph, its refinement. Throws OptionError, InputError, what `images`
+// the sketch, the drawing graph, its refinement, its primitives. Throws OptionError, InputError, what `images`
 // throws, and Cancelled.
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end);

@@ -6,6 +6,7 @@
 #include "limn/drawing/drawing_options.h"
 #include "limn/edges/edge_detection.h"
 #include "limn/linking/linking.h"
+#include "limn/primitives/primitive_options.h"
 #include "limn/refinement/refinement_options.h"
 #include "limn/sketch/sketch.h"
 
@@ -19,6 +20,7 @@ struct PipelineOptions {
   SketchOptions sketch;
   DrawingOptions drawing;
   RefinementOptions refinement;
+  PrimitiveOptions primitives;
 
   // Throws OptionError naming group and option.
   void Check() const;

@@ -1,0 +1,120 @@
+#include "limn/primitives/link_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "limn/geometry/polyline.h"
+#include "limn/support/edgel_residual.h"
+
+namespace limn {
+namespace {
+
+constexpr double kSpacingPx = 2;
+// Tangents are measured to so many samples before and after.
+constexpr size_t kTangentReach = 3;
+// Weight of offsets along the curve: they only keep the ends in place.
+constexpr double kAlongWeight = 0.1;
+
+std::vector<ViewId> ViewsOf(const DrawingLink& link, const std::vector<View>& views) {
+  if (!link.supporting_views.empty()) return link.supporting_views;
+  std::vector<ViewId> all(views.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+// Mean footprint over points and views; 0 if no view sees any.
+double MeanFootprint(const std::vector<Eigen::Vector3d>& points, const std::vector<View>& views,
+                     const std::vector<ViewId>& of_link) {
+  double sum = 0;
+  int count = 0;
+  for (const Eigen::Vector3d& point : points) {
+    for (const ViewId v : of_link) {
+      if (const auto footprint = Footprint(views[v], point)) {
+        sum += *footprint;
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+// The gradient of the distance across the projected curve; nothing if the curve is not seen.
+std::optional<Eigen::Vector3d> AcrossGradient(const View& view, const Eigen::Vector3d& point,
+                                              const Eigen::Vector3d& tangent) {
+  const auto direction = ProjectedDirection(view, point, tangent);
+  if (!direction) return std::nullopt;
+  const Eigen::Vector3d in_cam = view.cam_from_world * point;
+  const double z = in_cam.z();
+  const PinholeCamera& camera = view.camera;
+  const Eigen::Vector2d normal(-std::sin(*direction), std::cos(*direction));
+  const Eigen::Vector2d scaled(normal.x() * camera.fx / z, normal.y() * camera.fy / z);
+  const Eigen::Vector3d gradient_in_cam(scaled.x(), scaled.y(),
+                                        -(scaled.x() * in_cam.x() + scaled.y() * in_cam.y()) / z);
+  return view.cam_from_world.rotation.conjugate() * gradient_in_cam;
+}
+
+Eigen::Matrix3d Across(const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
+                       const std::vector<View>& views, const std::vector<ViewId>& of_link,
+                       double footprint) {
+  Eigen::Matrix3d metric = Eigen::Matrix3d::Zero();
+  int count = 0;
+  for (const ViewId v : of_link) {
+    if (const auto gradient = AcrossGradient(views[v], point, tangent)) {
+      metric += *gradient * gradient->transpose();
+      ++count;
+    }
+  }
+  if (count > 0) {
+    metric /= count;
+  } else {
+    metric = Eigen::Matrix3d::Identity() / (footprint * footprint);
+  }
+  const double along = kAlongWeight / footprint;
+  metric += along * along * tangent * tangent.transpose();
+  // The root; eigenvalues below zero are rounding.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(metric);
+  return eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+LinkSamples SampleLink(const DrawingLink& link, const std::vector<View>& views) {
+  LinkSamples result;
+  const std::vector<ViewId> of_link = ViewsOf(link, views);
+  const double footprint = MeanFootprint(link.points_in_world, views, of_link);
+  const double length = Length(link.points_in_world);
+  if (!(footprint > 0) || !(length > 0)) return result;
+  result.length_px = length / footprint;
+  result.footprint = footprint;
+  const Polyline3d points = ResampleUniform(link.points_in_world, kSpacingPx * footprint);
+  const size_t last = points.size() - 1;
+  for (size_t k = 0; k <= last; ++k) {
+    const Eigen::Vector3d tangent =
+        (points[std::min(k + kTangentReach, last)] - points[k - std::min(k, kTangentReach)])
+            .normalized();
+    LinkSample3d sample;
+    sample.position = points[k];
+    sample.t = static_cast<double>(k) / static_cast<double>(last);
+    sample.across = Across(points[k], tangent, views, of_link, footprint);
+    sample.tangent = tangent;
+    result.samples.push_back(sample);
+  }
+  return result;
+}
+
+void DiscountEnds(const std::array<bool, 2>& ends, double zone_px, LinkSamples* link) {
+  constexpr double kWeight = 0.02;
+  const double zone = std::min(zone_px / link->length_px, 0.25);
+  for (LinkSample3d& sample : link->samples) {
+    const bool is_near = (ends[0] && sample.t < zone) || (ends[1] && sample.t > 1 - zone);
+    sample.weight = is_near ? kWeight : 1;
+  }
+}
+
+}  // namespace limn

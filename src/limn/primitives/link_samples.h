@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+
+namespace limn {
+
+// A place on a link and how its views see a deviation from it.
+struct LinkSample3d {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  // Where it is along the link, 0 to 1 by length.
+  double t = 0;
+  // |across * d|^2 is the mean over the views of the squared distance, px^2, by which a small
+  // offset d moves the point across the projected curve. Offsets along the curve count little.
+  Eigen::Matrix3d across = Eigen::Matrix3d::Zero();
+  // Unit vector along the curve.
+  Eigen::Vector3d tangent = Eigen::Vector3d::Zero();
+  // 1, or less near ends at nodes, where the edges of several curves run into one another.
+  double weight = 1;
+};
+
+struct LinkSamples {
+  std::vector<LinkSample3d> samples;  // at least two, first and last point included
+  double length_px = 0;               // as a footprint measures it, in the mean
+  double footprint = 0;               // world units
+};
+
+// A link about every second pixel, in the views that support it (in all, if none is said to).
+// Nothing if no view sees it. Time: samples times views.
+LinkSamples SampleLink(const DrawingLink& link, const std::vector<View>& views);
+
+// Lets the samples within `zone_px` (at most a quarter of the length) of these ends count little.
+void DiscountEnds(const std::array<bool, 2>& ends, double zone_px, LinkSamples* link);
+
+}  // namespace limn

@@ -1,0 +1,230 @@
+#include "limn/primitives/fit_primitives.h"
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limn/util/errors.h"
+#include "support/synthetic_scene.h"
+
+namespace limn {
+namespace {
+
+// Ten views around the origin; a pixel is about 8 mm large there.
+constexpr double kPx = 0.008;
+constexpr double kNoisePx = 0.15;
+
+const std::vector<View>& Views() {
+  static const std::vector<View> views = testing::DomeViews(10, 5);
+  return views;
+}
+
+using Curve = std::function<Eigen::Vector3d(double)>;
+
+// Builds graphs of noisy curves; the noise changes every 10 px.
+class Scene {
+ public:
+  NodeId AddNode(const Eigen::Vector3d& position) {
+    graph_.nodes.emplace_back();
+    graph_.nodes.back().position_in_world = position;
+    return static_cast<NodeId>(graph_.nodes.size()) - 1;
+  }
+
+  // A curve of about this length from node to node.
+  void AddLink(NodeId node0, NodeId node1, const Curve& curve, double length) {
+    const int count = std::max(3, static_cast<int>(length / kPx));
+    DrawingLink link;
+    Eigen::Vector3d noise = Noise();
+    Eigen::Vector3d next = Noise();
+    for (int k = 0; k <= count; ++k) {
+      if (k % 10 == 0) noise = std::exchange(next, Noise());
+      const double part = (k % 10) / 10.0;
+      link.points_in_world.push_back(curve(static_cast<double>(k) / count) + (1 - part) * noise +
+                                     part * next);
+    }
+    link.closed = node0 == node1;
+    link.node0 = node0;
+    link.node1 = node1;
+    link.points_in_world.front() = graph_.nodes[node0].position_in_world;
+    link.points_in_world.back() = graph_.nodes[node1].position_in_world;
+    link.sigma.assign(link.points_in_world.size(), kNoisePx * kPx);
+    for (size_t v = 0; v < Views().size(); ++v) {
+      link.supporting_views.push_back(static_cast<ViewId>(v));
+    }
+    graph_.links.push_back(std::move(link));
+  }
+
+  // A curve with nodes of its own at its ends.
+  void AddCurve(const Curve& curve, double length) {
+    const NodeId node0 = AddNode(curve(0));
+    const bool closed = (curve(1) - curve(0)).norm() < 1e-9;
+    AddLink(node0, closed ? node0 : AddNode(curve(1)), curve, length);
+  }
+
+  DrawingGraph graph() {
+    RebuildIncidence(&graph_);
+    return graph_;
+  }
+
+ private:
+  Eigen::Vector3d Noise() {
+    std::normal_distribution<double> normal(0, kNoisePx * kPx);
+    return {normal(random_), normal(random_), normal(random_)};
+  }
+
+  DrawingGraph graph_;
+  std::mt19937 random_{5};
+};
+
+Curve Line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return [=](double t) -> Eigen::Vector3d { return (1 - t) * from + t * to; };
+}
+
+// In a tilted plane around the origin.
+Curve Arc(double radius, double sweep_rad) {
+  const Eigen::Vector3d x(1, 0, 0);
+  const Eigen::Vector3d y(0, 0.8, 0.6);
+  return [=](double t) -> Eigen::Vector3d {
+    return radius * (std::cos(t * sweep_rad) * x + std::sin(t * sweep_rad) * y);
+  };
+}
+
+Curve Wave(double begin, double end) {
+  return [=](double t) -> Eigen::Vector3d {
+    const double x = begin + t * (end - begin);
+    return {x, 0.15 * std::sin(5 * x), 0.1 * std::cos(3 * x)};
+  };
+}
+
+PrimitiveResult Fit(const DrawingGraph& graph) {
+  const PrimitiveResult result = FitPrimitives(graph, Views(), {}, {});
+  EXPECT_THAT(Validate(result.graph), ::testing::IsEmpty());
+  for (const DrawingLink& link : result.graph.links) {
+    EXPECT_TRUE(!link.primitive || ValidateShape(link.primitive->shape).empty());
+  }
+  return result;
+}
+
+const CurveShape& ShapeOf(const PrimitiveResult& result, size_t link) {
+  return result.graph.links[link].primitive.value().shape;
+}
+
+TEST(FitPrimitives, LinesAreLines) {
+  Scene scene;
+  const Eigen::Vector3d along = Eigen::Vector3d(3, 1, -1).normalized();
+  for (const double length : {0.08, 0.3, 1.2}) {
+    scene.AddCurve(Line(Eigen::Vector3d::Zero(), length * along), length);
+  }
+  const PrimitiveResult result = Fit(scene.graph());
+  for (size_t l = 0; l < 3; ++l) {
+    ASSERT_STREQ(ShapeName(ShapeOf(result, l)), "line");
+    EXPECT_LT(result.graph.links[l].primitive->max_px, 5 * kNoisePx);
+  }
+  const auto& longest = std::get<LineSegment>(ShapeOf(result, 2));
+  // Two ends with an error of the noise, over 150 px.
+  EXPECT_GT((longest.end - longest.start).normalized().dot(along), std::cos(3 * kNoisePx / 150));
+}
+
+TEST(FitPrimitives, CirclesAndArcsAreFound) {
+  Scene scene;
+  scene.AddCurve(Arc(0.5, 2 * M_PI), M_PI);
+  scene.AddCurve(Arc(0.4, 2), 0.8);
+  scene.AddCurve(Arc(0.3, 4.5), 1.35);  // more than a half
+  const PrimitiveResult result = Fit(scene.graph());
+  const double radii[] = {0.5, 0.4, 0.3};
+  const char* names[] = {"circle", "arc", "arc"};
+  const Eigen::Vector3d normal(0, -0.6, 0.8);
+  for (size_t l = 0; l < 3; ++l) {
+    ASSERT_STREQ(ShapeName(ShapeOf(result, l)), names[l]);
+    const auto& arc = std::get<CircularArc>(ShapeOf(result, l));
+    EXPECT_NEAR(arc.radius, radii[l], 4 * kNoisePx * kPx);
+    EXPECT_LT(arc.center.norm(), 4 * kNoisePx * kPx);
+    EXPECT_GT(arc.Normal().dot(normal), std::cos(0.01));
+  }
+  EXPECT_NEAR(std::get<CircularArc>(ShapeOf(result, 2)).sweep_rad, 4.5, 0.05);
+}
+
+TEST(FitPrimitives, OtherCurvesAreSplinesOfFewKnots) {
+  Scene scene;
+  scene.AddCurve(Wave(-1, 1), 2.4);
+  scene.AddCurve(
+      [](double t) -> Eigen::Vector3d {
+        const double angle = 2 * M_PI * t;
+        return {0.6 * std::cos(angle), 0.3 * std::sin(angle), 0.1 * std::sin(2 * angle)};
+      },
+      3);
+  const PrimitiveResult result = Fit(scene.graph());
+  for (size_t l = 0; l < 2; ++l) {
+    ASSERT_STREQ(ShapeName(ShapeOf(result, l)), "spline");
+    EXPECT_LE(result.graph.links[l].primitive->max_px, PrimitiveOptions().max_residual_px);
+    EXPECT_LT(std::get<CubicBSpline>(ShapeOf(result, l)).control_points.size(), 20u);
+  }
+  // The closed one has no kink at its joint.
+  const CurveShape& closed = ShapeOf(result, 1);
+  EXPECT_LT((PointAt(closed, 0) - PointAt(closed, 1)).norm(), 1e-12);
+  EXPECT_GT(DerivativeAt(closed, 0).normalized().dot(DerivativeAt(closed, 1).normalized()),
+            1 - 1e-9);
+}
+
+TEST(FitPrimitives, EndsAreHeldWhereTheirCurvesMeet) {
+  Scene scene;
+  // The node is a pixel and a half beside the place where the lines meet.
+  const NodeId center = scene.AddNode({1.5 * kPx, 0, 0});
+  const Eigen::Vector3d ends[] = {{0.6, 0.1, 0}, {-0.3, 0.5, 0.1}, {-0.2, -0.6, -0.1}};
+  for (const Eigen::Vector3d& end : ends) {
+    scene.AddLink(center, scene.AddNode(end), Line(Eigen::Vector3d::Zero(), end), 0.6);
+  }
+  const PrimitiveResult result = Fit(scene.graph());
+  const Eigen::Vector3d& meeting = result.graph.nodes[center].position_in_world;
+  EXPECT_LT(meeting.norm(), 0.5 * kPx);
+  for (size_t l = 0; l < 3; ++l) {
+    ASSERT_STREQ(ShapeName(ShapeOf(result, l)), "line");
+    EXPECT_EQ(PointAt(ShapeOf(result, l), 0), meeting);
+  }
+}
+
+TEST(FitPrimitives, ContinuationsShareTheirTangent) {
+  Scene scene;
+  const NodeId first = scene.AddNode(Wave(-1, 1)(0));
+  const NodeId middle = scene.AddNode(Wave(-1, 1)(0.5));
+  const NodeId last = scene.AddNode(Wave(-1, 1)(1));
+  const NodeId side = scene.AddNode({0, 0.6, 0.1});
+  scene.AddLink(first, middle, Wave(-1, 0), 1.2);
+  scene.AddLink(middle, last, Wave(0, 1), 1.2);
+  scene.AddLink(middle, side, Line(Wave(-1, 1)(0.5), {0, 0.6, 0.1}), 0.6);
+  DrawingGraph graph = scene.graph();
+  graph.nodes[middle].continuations = {{{0, 1}, {1, 0}}};
+  const PrimitiveResult result = Fit(graph);
+  for (const size_t l : {0, 1}) ASSERT_STREQ(ShapeName(ShapeOf(result, l)), "spline");
+  EXPECT_GT(DerivativeAt(ShapeOf(result, 0), 1)
+                .normalized()
+                .dot(DerivativeAt(ShapeOf(result, 1), 0).normalized()),
+            1 - 1e-9);
+  EXPECT_EQ(PointAt(ShapeOf(result, 1), 0), result.graph.nodes[middle].position_in_world);
+}
+
+TEST(FitPrimitives, WhatNoViewSeesGetsNone) {
+  Scene scene;
+  scene.AddCurve(Line({0, 0, 50}, {1, 0, 50}), 1);  // behind all views
+  scene.AddCurve(Line({0, 0, 0}, {1, 0, 0}), 1);
+  const PrimitiveResult result = Fit(scene.graph());
+  EXPECT_FALSE(result.graph.links[0].primitive);
+  EXPECT_TRUE(result.graph.links[1].primitive);
+  const PrimitiveStatistics statistics = Describe(result.graph);
+  EXPECT_EQ(statistics.kinds.front().count, 1);
+  EXPECT_EQ(statistics.kinds.back().count, 1);
+  EXPECT_EQ(statistics.numbers_after, 6u);
+  EXPECT_TRUE(FitPrimitives({}, Views(), {}, {}).graph.links.empty());
+}
+
+TEST(FitPrimitives, OptionsAreChecked) {
+  PrimitiveOptions options;
+  options.noise_px = 0;
+  EXPECT_THROW(FitPrimitives({}, Views(), options, {}), OptionError);
+}
+
+}  // namespace
+}  // namespace limn
