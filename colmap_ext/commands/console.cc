@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include <unistd.h>
 
@@ -119,18 +120,23 @@ void Console::Say(const std::string& line) {
   ClearProgressLine();
   std::printf("%s\n", line.c_str());
   std::fflush(stdout);
+  constexpr std::string_view kWarning = "WARNING: ";
+  if (line.starts_with(kWarning)) log_.warnings.push_back(line.substr(kWarning.size()));
 }
 
 void Console::Report(const StageSummary& summary) {
   ClearProgressLine();
-  std::printf("%s: %.1f s, peak memory %s MB\n", summary.stage.c_str(), SecondsSince(stage_start_),
-              WithCommas(PeakMemoryMb()).c_str());
+  const RunLog::Stage stage = {summary, SecondsSince(stage_start_), PeakMemoryMb()};
+  std::printf("%s: %.1f s, peak memory %s MB\n", summary.stage.c_str(), stage.seconds,
+              WithCommas(stage.peak_memory_mb).c_str());
   PrintTable("in", summary.in);
   PrintTable("kept", summary.kept);
   PrintTable("dropped", summary.dropped);
   for (const std::string& warning : summary.warnings) {
     std::printf("  WARNING: %s\n", warning.c_str());
+    log_.warnings.push_back(warning);
   }
+  log_.stages.push_back(stage);
   std::fflush(stdout);
   stage_start_ = Clock::now();
 }

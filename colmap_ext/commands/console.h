@@ -1,13 +1,26 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "limn/pipeline/extract_curves.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
 
 namespace limn::colmap_ext {
+
+// What was told of a run, for its report.
+struct RunLog {
+  struct Stage {
+    StageSummary summary;
+    double seconds = 0;
+    int64_t peak_memory_mb = 0;
+  };
+  std::vector<Stage> stages;
+  std::vector<std::string> warnings;
+};
 
 // What the user sees of a run on standard output: progress with the time left (one line that is
 // rewritten on a terminal; otherwise a plain line every 10 %, not more than one in 2 seconds), and
@@ -23,11 +36,14 @@ class Console {
   // For the stages. Refers to this console.
   const RunContext& context() const { return context_; }
 
+  // Lines that begin with "WARNING: " are kept for the log.
   void Say(const std::string& line);
   // Counts in, kept and dropped, seconds since the last summary, peak memory of the program.
   void Report(const StageSummary& summary);
   // One line on what came from the cache.
   void Report(const CacheUse& cache);
+
+  const RunLog& log() const { return log_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -36,6 +52,7 @@ class Console {
   void ClearProgressLine();
 
   RunContext context_;
+  RunLog log_;
   bool is_terminal_ = false;
   bool has_progress_line_ = false;
   std::string progress_stage_;
