@@ -1,5 +1,6 @@
 #include "colmap_ext/commands/results.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <system_error>
@@ -13,6 +14,7 @@
 #include "limn/io/atomic_file.h"
 #include "limn/pictures/overlays.h"
 #include "limn/pipeline/extract_curves.h"
+#include "limn/primitives/fit_primitives.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -34,6 +36,24 @@ void WritePictures(const Project& project, const std::string& folder, const RunC
     WritePng(PicturePath(project.CurvesPath(folder), project.views()[v].name),
              draw(static_cast<ViewId>(v)));
   });
+}
+
+// Share of the length by primitive, how far they are, and how much shorter they tell the drawing.
+void SayPrimitives(const DrawingGraph& graph, Console* console) {
+  const PrimitiveStatistics primitives = Describe(graph);
+  double whole = 0;
+  for (const auto& kind : primitives.kinds) whole += kind.length;
+  if (!(whole > 0)) return;
+  std::string line = "primitives, shares of the length:";
+  char text[120];
+  for (const auto& kind : primitives.kinds) {
+    std::snprintf(text, sizeof(text), " %s %.1f %%,", kind.name, 100 * kind.length / whole);
+    line += text;
+  }
+  std::snprintf(text, sizeof(text), " %.2f px from the links (at most %.2f), %zu numbers for %zu",
+                primitives.rms_px, primitives.max_px, primitives.numbers_after,
+                primitives.numbers_before);
+  console->Say(line + text);
 }
 
 }  // namespace
@@ -147,6 +167,7 @@ void WriteDrawingResults(const Project& project, const std::vector<View>& views,
   WritePictures(project, "overlays", console->context(), [&](ViewId v) {
     return DrawOverlay(project.images().read(v), views[v], v, graph);
   });
+  SayPrimitives(graph, console);
   console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +
                project.CurvesPath("tracks.txt") + ", " + project.CurvesPath("overlays"));
 }

@@ -8,6 +8,7 @@
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "end_to_end/run_limn.h"
+#include "end_to_end/true_shapes.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/io/drawing_json_reader.h"
 #include "limn/io/junctions_reader.h"
@@ -24,6 +25,11 @@ constexpr double kMinPrecision = 0.92;
 constexpr double kMinRecall = 0.87;
 constexpr double kMinJunctionPrecision = 0.75;
 constexpr double kMinJunctionRecall = 0.55;
+// What primitives reach (0.82, 0.83, 0.3 degrees, 0.7 %) less a margin.
+constexpr double kMinLinesAsLines = 0.75;
+constexpr double kMinCirclesAsCircles = 0.75;
+constexpr double kMaxMedianDirectionDeg = 0.5;
+constexpr double kMaxMedianRadiusError = 0.02;
 // Squared errors over those that the sigmas tell are 1 in the mean, within this factor.
 constexpr double kMaxVarianceFactor = 1.5;
 
@@ -50,12 +56,20 @@ EvaluationReport Judge(const DrawingGraph& graph) {
   return report;
 }
 
+// The drawing, made once.
+const DrawingGraph& Drawing() {
+  static const DrawingGraph graph = [] {
+    const TempDir dir;
+    const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day",
+                                 "--output_path", dir.path().string()});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return ReadDrawingJson((dir / "drawing.json").string()).graph;
+  }();
+  return graph;
+}
+
 TEST(Sample, DrawingAgreesWithTheTruth) {
-  const TempDir dir;
-  const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day",
-                               "--output_path", dir.path().string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const EvaluationReport report = Judge(ReadDrawingJson((dir / "drawing.json").string()).graph);
+  const EvaluationReport report = Judge(Drawing());
   const TauResult& result = report.rows.front();
   EXPECT_GE(result.precision.value(), kMinPrecision);
   EXPECT_GE(result.recall.value(), kMinRecall);
@@ -63,6 +77,18 @@ TEST(Sample, DrawingAgreesWithTheTruth) {
   EXPECT_GE(result.junction_recall.value(), kMinJunctionRecall);
   EXPECT_LE(report.normalised_errors->variance.value(), kMaxVarianceFactor);
   EXPECT_GE(report.normalised_errors->variance.value(), 1 / kMaxVarianceFactor);
+}
+
+TEST(Sample, StraightEdgesAreLinesAndCirclesAreCircles) {
+  // Two pixels where the objects are; long lines have 25 px and more.
+  const ShapeAgreement shapes =
+      CompareShapes(Drawing(), LIMN_SAMPLE_DIR "/truth/curves.ply", 0.01, 0.1);
+  ASSERT_GT(shapes.length_on_lines, 30);
+  EXPECT_GE(shapes.lines_as_lines, kMinLinesAsLines * shapes.length_on_lines);
+  ASSERT_GT(shapes.length_on_circles, 4);
+  EXPECT_GE(shapes.circles_as_circles, kMinCirclesAsCircles * shapes.length_on_circles);
+  EXPECT_LE(Median(shapes.direction_errors_deg), kMaxMedianDirectionDeg);
+  EXPECT_LE(Median(shapes.radius_errors), kMaxMedianRadiusError);
 }
 
 }  // namespace
