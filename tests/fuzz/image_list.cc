@@ -6,33 +6,19 @@
 #include "colmap_ext/workspace/to_views.h"
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
-
-namespace limn::fuzz {
-namespace {
-
-// Three images without their list.
-std::filesystem::path MakePmvsFolder() {
-  for (const std::string number : {"00000000", "00000001", "00000002"}) {
-    WriteScratch("pmvs/txt/" + number + ".txt", "CONTOUR\n50 0 20 1\n0 50 15 2\n0 0 1 3\n");
-    WriteScratch("pmvs/visualize/" + number + ".jpg", EmptyImage());
-  }
-  return ScratchFolder() / "pmvs";
-}
-
-}  // namespace
-}  // namespace limn::fuzz
+#include "fuzz/pmvs_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace limn;
-  static const std::filesystem::path folder = fuzz::MakePmvsFolder();
+  const std::filesystem::path& folder = fuzz::PmvsFolder();
   const std::string list =
       fuzz::WriteScratch("pmvs/bundle.rd.out.list.txt", fuzz::Text(data, size));
   fuzz::ExpectReadOrRefused([&] { colmap_ext::ReadImageList(list); });
-  fuzz::ExpectReadOrRefused(
-      [&] { colmap_ext::ReadPmvsImageNames((folder / "models" / "option.patch").string()); });
   return fuzz::ExpectReadOrRefused([&] {
     colmap_ext::ViewOptions options;
     options.image_list_path = list;
-    colmap_ext::ToViews(colmap_ext::ReadPmvsModel(folder), folder / "visualize", options);
+    const colmap_ext::ViewSet set =
+        colmap_ext::ToViews(colmap_ext::ReadPmvsModel(folder), folder / "visualize", options);
+    colmap_ext::PmvsNumbers(folder / "models" / "option.patch", set.views);
   });
 }

@@ -94,6 +94,8 @@ def image_lists():
 
 
 def imports():
+    put("pmvs_bundle", "three", "# Bundle file v0.3\n3 2\n" + "60 0 0\n1 0 0\n0 1 0\n0 0 1\n0.5 1 3\n" * 3 +
+        "0.5 1 2\n255 0 10\n2 0 7 1.5 -2.5 2 8 3 4\n1 1 1\n0 0 0\n0\n")
     put("projection_matrices", "contour", "CONTOUR\n50 0 20 1\n0 50 15 2\n0 0 1 3\n")
     put("projection_matrices", "numbers", "-160.21 317.61 -28.6522 451.535\n"
         "-19.2325, 20.1974, -341.33, 408.955\n-0.952495 -0.0104537 -0.304375 2.92417\n")
@@ -124,6 +126,9 @@ def dense():
     put("visibility", "three", counted([struct.pack(f"<{len(l) + 1}I", len(l), *l) for l in lists]))
     put("patch", "two", "PATCHES\n2\nPATCHS\n0.5 -1 2e-3 1\n0 0 1 0\n0.9 0.1 0.2\n2\n3 0 \n0\n\n\n"
         "PATCHA\n0.5 1 2 1\n0.6 0 0.8 0\n0.7 0 0\n1\n1 0 0 0\n1\n0 \n2\n1 4 \n\n")
+    put("ply_points", "float_colours", "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
+        "property double y\nproperty double z\nproperty float red\nproperty float green\nproperty float blue\n"
+        "end_header\n0 1 2 0.5 255.5 -1\n")
     header = ("ply\nformat {}\ncomment made by hand\nelement vertex 2\nproperty float x\nproperty float y\n"
               "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
               "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty short quality\n"

@@ -117,7 +117,9 @@ class PointReader {
       point.position[axis] = values[column_[axis]];
       if (Has(3)) point.normal[axis] = values[column_[3 + axis]];
       if (Has(6)) {
-        point.color[axis] = static_cast<uint8_t>(std::clamp(values[column_[6 + axis]], 0.0, 255.0));
+        const double color = values[column_[6 + axis]];
+        if (std::isnan(color)) Fail(unit, place, "colour is not a number");
+        point.color[axis] = static_cast<uint8_t>(std::clamp(color, 0.0, 255.0));
       }
     }
     if (!point.position.allFinite() || !point.normal.allFinite()) {

@@ -109,6 +109,24 @@ TEST(DenseCloud, DamagedCloudIsTold) {
               HasSubstr("the first element is not vertex"));
 }
 
+TEST(PlyPoints, ColoursOfAnyType) {
+  const TempDir dir;
+  const auto color_of = [&](const std::string& line) {
+    const std::string path = dir.WriteFile(
+        "x.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float red\nproperty float green\nproperty float blue\n"
+        "end_header\n" +
+            line);
+    PlyPoint read;
+    ReadPlyPoints(path, [&](const PlyPoint& point) { read = point; });
+    return read.color;
+  };
+  EXPECT_THAT(color_of("1 2 3 -1 inf 7.9\n"), ElementsAre(0, 255, 7));
+  EXPECT_THAT(ErrorText<IoError>([&] { color_of("1 2 3 1 nan 3\n"); }),
+              HasSubstr("line 11: colour is not a number"));
+}
+
 TEST(PlyPoints, BinaryOfBothByteOrders) {
   const TempDir dir;
   for (const bool big : {false, true}) {
