@@ -6,6 +6,7 @@ Run again after a change of a format; the files are committed.
 
 import struct
 import zlib
+from math import cos, sin
 from pathlib import Path
 
 CORPUS = Path(__file__).parent / "corpus"
@@ -91,6 +92,7 @@ def workspaces():
 def image_lists():
     put("image_list", "pmvs", "a.png\nsub/b c.png\nc.png\n")
     put("image_list", "bundler", "./a.jpg\r\n\nb.jpg 0 600.25\nmy holidays 2.jpg\n  d 7.jpg  \n")
+    put("image_list", "long_line", "a" * 2000 + " 0 600\n" + "1 2 " * 200 + "\n")
 
 
 def imports():
@@ -154,6 +156,9 @@ def meshes():
         "vt 0 0\ns off\nf 1 2 3 4\nf 1//1 -4/1/1 5\nf 1 2 3\nl 1 2\n")
     put("mesh_obj", "star", "v 0 3 0\nv 1 1 0\nv 3 1 0\nv 1 0 0\nv 2 -2 0\nv 0 -1 0\nv -2 -2 0\n"
         "v -1 0 0\nv -3 1 0\nv -1 1 0\nf 1 2 3 4 5 6 7 8 9 10\n")
+    radii = [(1 + 0.02 * i, 0.3 * i) for i in range(40)] + [(1.1 + 0.02 * i, 0.3 * i) for i in range(39, -1, -1)]
+    put("mesh_obj", "spiral", "".join(f"v {r * cos(a):.3f} {r * sin(a):.3f} 0\n" for r, a in radii) +
+        "f " + " ".join(str(i + 1) for i in range(len(radii))) + "\n")
 
 
 def curves():
