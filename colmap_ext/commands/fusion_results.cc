@@ -15,6 +15,7 @@
 #include "colmap_ext/dense/sparse_with_curves.h"
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/workspace/pmvs_model.h"
 #include "colmap_ext/workspace/scene_origin.h"
 #include "limn/export/write_drawing.h"
 #include "limn/io/atomic_file.h"
@@ -103,6 +104,13 @@ void WriteMeshing(const Project& project, const DenseInput& dense, const InModel
   }
 }
 
+void WarnWithoutImageNames(const fs::path& pmvs_cloud, Console* console) {
+  const fs::path folder = pmvs_cloud.parent_path().parent_path();
+  if (!ReadPmvsImageNames(folder).empty()) return;
+  console->Say("WARNING: " + (folder / "bundle.rd.out.list.txt").string() +
+               " is missing: image numbers are taken as the order of the model's images");
+}
+
 }  // namespace
 
 void FuserOptions::Check() const {
@@ -141,8 +149,10 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
       dense.depths = DepthMapSource(dense.products.path, project.views());
       break;
     }
-    case DenseKind::kFusedCloud:
     case DenseKind::kPmvs:
+      WarnWithoutImageNames(dense.products.path, console);
+      [[fallthrough]];
+    case DenseKind::kFusedCloud:
       dense.depths = CloudDepthSource(dense.points, project.views());
       break;
     case DenseKind::kMesh: {
