@@ -1,7 +1,5 @@
 // Section 6 of docs/colmap.md, cases 32 and 33: clouds and meshes that drawing_fuser reads. The
 // scene is a plane with two links on it and one that hovers above it (fusion_scene.h).
-#include <sstream>
-
 #include "colmap_ext/dense/patch_file.h"
 #include "end_to_end/corpus_case.h"
 #include "end_to_end/fusion_scene.h"
@@ -46,17 +44,7 @@ constexpr char kPatches[] = "pmvs/models/option-0000.patch";
 // The plane in patches that the images with these numbers see.
 void WritePatches(const W& w, const std::vector<int>& images) {
   WriteDrawingOf(w);
-  std::ostringstream out;
-  const std::vector<Eigen::Vector3d> points = PlanePoints();
-  colmap_ext::WritePatchHeader(points.size(), out);
-  for (const Eigen::Vector3d& point : points) {
-    colmap_ext::Patch patch;
-    patch.position = point;
-    patch.normal = {0, 0, 1};
-    patch.images = images;
-    colmap_ext::WritePatch(patch, out);
-  }
-  w.Write(kPatches, out.str());
+  w.Write(kPatches, PlanePatches(images));
 }
 
 // The list of a PMVS folder, whose order is not the model's.
@@ -217,20 +205,15 @@ const std::vector<CorpusCase> kCases = {
      .spoil =
          [](const W& w) {
            WriteDrawingOf(w);
-           w.Write("meshed-poisson.ply",
-                   "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-                   "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
-                   "end_header\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n3 0 1 2\n3 0 2 4\n");
+           w.Write("meshed-poisson.ply", PlaneMesh());
+           w.Replace("meshed-poisson.ply", "4 0 1 2 3", "4 0 1 2 4");
          },
-     .said = {"meshed-poisson.ply: line 15: face to vertex 4", " of 4"}},
+     .said = {"meshed-poisson.ply: line 14: face to vertex 4", " of 4"}},
     {.name = "Case33_FuserReadsAMesh",
      .spoil =
          [](const W& w) {
            WriteDrawingOf(w);
-           w.Write("meshed-poisson.ply",
-                   "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-                   "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
-                   "end_header\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n4 0 1 2 3\n");
+           w.Write("meshed-poisson.ply", PlaneMesh());
          },
      .outcome = kAccepted,
      .said = {"dense results: mesh"},

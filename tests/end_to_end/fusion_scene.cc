@@ -4,9 +4,11 @@
 #include <cmath>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "colmap_ext/dense/patch_file.h"
 #include "limn/export/write_drawing.h"
 #include "limn/io/drawing_json_reader.h"
 
@@ -131,6 +133,32 @@ std::string PlanePly(const PlyForm& form, const Eigen::Vector3d& shift) {
     out << "\t\t\t";
     if (*form.more) put(0.5f);
   }
+  return out.str();
+}
+
+std::string PlanePatches(const std::vector<int>& images, const Eigen::Vector3d& shift) {
+  const std::vector<Eigen::Vector3d> points = PlanePoints(shift);
+  std::ostringstream out;
+  colmap_ext::WritePatchHeader(points.size(), out);
+  for (const Eigen::Vector3d& point : points) {
+    colmap_ext::Patch patch;
+    patch.position = point;
+    patch.normal = {0, 0, 1};
+    patch.images = images;
+    colmap_ext::WritePatch(patch, out);
+  }
+  return out.str();
+}
+
+std::string PlaneMesh(const Eigen::Vector3d& shift) {
+  std::ostringstream out;
+  out.precision(12);
+  out << "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+         "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const auto& [x, y] : {std::pair(-2, -2), {2, -2}, {2, 2}, {-2, 2}}) {
+    out << (Eigen::Vector3d(x, y, 0) + shift).transpose() << '\n';
+  }
+  out << "4 0 1 2 3\n";
   return out.str();
 }
 

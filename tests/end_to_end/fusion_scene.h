@@ -42,6 +42,13 @@ struct PlyForm {
 // The points as a PLY file.
 std::string PlanePly(const PlyForm& form, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero());
 
+// The points as the text of a .patch file; every patch is seen by the images with these numbers.
+std::string PlanePatches(const std::vector<int>& images,
+                         const Eigen::Vector3d& shift = Eigen::Vector3d::Zero());
+
+// The plane as one face, an ascii PLY file.
+std::string PlaneMesh(const Eigen::Vector3d& shift = Eigen::Vector3d::Zero());
+
 // What a drawing-fused.json must say: links 0 and 1 on a surface, and link 2 without dense points.
 void ExpectPlaneClasses(const std::filesystem::path& path);
 

@@ -194,9 +194,9 @@ def curves():
 {"id":2,"node0":3,"node1":3,"closed":true,"residual_px":0,"supporting_views":[],
  "members":[],"points":[[5,5,5],[6,5,5],[5,5,5]],"sigma":[1,1,1]}]}
 """)
-    dense = ('"dense":{"class":"surface","free_share":0,"occluded_share":0.25,'
+    dense = ('"dense":{"class":"surface","added_share":0,"occluded_share":0.25,'
              '"behind_surface":false,"fold_deg":90.5}')
-    free = '"dense":{"class":"free","free_share":1,"occluded_share":0,"behind_surface":true}'
+    free = '"dense":{"class":"free","added_share":1,"occluded_share":0,"behind_surface":true}'
     ends = '"incident":[[%d,%d]],"continuations":[]'
     link = ('{"id":%d,"node0":%d,"node1":%d,"closed":false,"residual_px":0.5,"supporting_views":["a.png"],'
             '%s,"members":[],"points":[[%d,0,0],[%d,1,0]],"sigma":[0.1,0.1]}')
