@@ -92,6 +92,13 @@ void WriteMeshing(const Project& project, const DenseInput& dense, const InModel
                   Console* console) {
   const fs::path folder = project.DrawingPath("with-curves");
   const std::vector<CloudPoint> extra = PointsForMeshing(curves.points);
+  if (!project.origin().isZero()) {
+    const auto far = static_cast<float>(project.origin().cwiseAbs().maxCoeff());
+    console->Say("WARNING: " + folder.string() +
+                 " is in single precision, as COLMAP's meshers read it: so far from the origin "
+                 "positions have steps of " +
+                 Number(std::nextafter(far, 2 * far) - far));
+  }
   fs::create_directories(folder);
   WriteMeshingFolder(folder, dense.for_meshers, project.layout().model_dir, extra, curves.views);
   console->Say("wrote " + folder.string() + ": " + std::to_string(dense.cloud->num_points) +

@@ -108,7 +108,7 @@ TEST_F(GeoFusion, DepthMaps) {
 }
 
 TEST_F(GeoFusion, CloudInDoublePrecision) {
-  Fuse("fused", "double.ply");
+  EXPECT_THAT(Fuse("fused", "double.ply"), HasSubstr("positions have steps of 0.25"));
   ExpectSameClasses();
   ExpectSparseModelMoved();
 }
