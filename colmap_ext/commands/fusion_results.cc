@@ -15,6 +15,7 @@
 #include "colmap_ext/dense/sparse_with_curves.h"
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/workspace/pmvs_model.h"
 #include "colmap_ext/workspace/scene_origin.h"
 #include "limn/export/write_drawing.h"
 #include "limn/io/atomic_file.h"
@@ -91,6 +92,13 @@ void WriteMeshing(const Project& project, const DenseInput& dense, const InModel
                   Console* console) {
   const fs::path folder = project.DrawingPath("with-curves");
   const std::vector<CloudPoint> extra = PointsForMeshing(curves.points);
+  if (!project.origin().isZero()) {
+    const auto far = static_cast<float>(project.origin().cwiseAbs().maxCoeff());
+    console->Say("WARNING: " + folder.string() +
+                 " is in single precision, as COLMAP's meshers read it: so far from the origin "
+                 "positions have steps of " +
+                 Number(std::nextafter(far, 2 * far) - far));
+  }
   fs::create_directories(folder);
   WriteMeshingFolder(folder, dense.for_meshers, project.layout().model_dir, extra, curves.views);
   console->Say("wrote " + folder.string() + ": " + std::to_string(dense.cloud->num_points) +
@@ -101,6 +109,13 @@ void WriteMeshing(const Project& project, const DenseInput& dense, const InModel
     console->Say("  colmap delaunay_mesher --input_path " + folder.string() + " --output_path " +
                  (folder / "meshed-delaunay.ply").string());
   }
+}
+
+void WarnWithoutImageNames(const fs::path& pmvs_cloud, Console* console) {
+  const fs::path folder = pmvs_cloud.parent_path().parent_path();
+  if (!ReadPmvsImageNames(folder).empty()) return;
+  console->Say("WARNING: " + (folder / "bundle.rd.out.list.txt").string() +
+               " is missing: image numbers are taken as the order of the model's images");
 }
 
 }  // namespace
@@ -141,8 +156,10 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
       dense.depths = DepthMapSource(dense.products.path, project.views());
       break;
     }
-    case DenseKind::kFusedCloud:
     case DenseKind::kPmvs:
+      WarnWithoutImageNames(dense.products.path, console);
+      [[fallthrough]];
+    case DenseKind::kFusedCloud:
       dense.depths = CloudDepthSource(dense.points, project.views());
       break;
     case DenseKind::kMesh: {

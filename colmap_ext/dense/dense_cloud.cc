@@ -9,6 +9,7 @@
 
 #include "colmap_ext/dense/patch_file.h"
 #include "colmap_ext/workspace/byte_reader.h"
+#include "colmap_ext/workspace/pmvs_model.h"
 #include "limn/io/ply_points.h"
 #include "limn/util/errors.h"
 
@@ -53,6 +54,9 @@ class VisibilityReader {
     return seen_by;
   }
 
+  // To be called after the last point.
+  void CheckEnd() const { reader_.CheckEnd(); }
+
  private:
   std::ifstream in_;
   ByteReader reader_;
@@ -77,6 +81,16 @@ Colors ColorsBeside(std::filesystem::path patches, uint64_t num_patches) {
   Colors colors;
   ReadPlyPoints(path, [&](const PlyPoint& point) { colors.push_back(point.color); });
   return colors;
+}
+
+void CheckImages(const Patch& patch, size_t num_images, const Place& place) {
+  for (const std::vector<int>* images : {&patch.images, &patch.more_images}) {
+    for (const int image : *images) {
+      if (static_cast<size_t>(image) < num_images) continue;
+      place.Fail("image " + std::to_string(image) + ", but there are only " +
+                 std::to_string(num_images));
+    }
+  }
 }
 
 }  // namespace
@@ -104,11 +118,13 @@ DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<Vie
       if (seen_by) point.views = seen_by->Next();
       visit(point);
     });
+    if (seen_by) seen_by->CheckEnd();
   };
   return cloud;
 }
 
-DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views) {
+DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views,
+                          size_t num_model_images) {
   const std::vector<int> numbers = PmvsNumbers(path, views);
   std::map<int, ViewId> view_of;
   for (size_t v = 0; v < views.size(); ++v) {
@@ -119,7 +135,12 @@ DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<V
   }
   DenseCloud cloud;
   cloud.has_normals = cloud.has_visibility = true;
-  ReadPatchFile(path.string(), [&](const Patch&) { ++cloud.num_points; });
+  const size_t num_named = ReadPmvsImageNames(path.parent_path().parent_path()).size();
+  const size_t num_images = num_named > 0 ? num_named : num_model_images;
+  ReadPatchFile(path.string(), [&](const Patch& patch) {
+    CheckImages(patch, num_images, {path.string(), "patch", cloud.num_points});
+    ++cloud.num_points;
+  });
   const auto colors = std::make_shared<Colors>(ColorsBeside(path, cloud.num_points));
   cloud.points = [=](const DensePointVisitor& visit) {
     DensePoint point;
@@ -148,13 +169,14 @@ DenseCloud OpenClouds(const std::vector<std::filesystem::path>& paths,
   std::vector<DensePointStream> parts;
   DenseCloud all = {0, true, true, {}};
   for (const std::filesystem::path& path : paths) {
-    DenseCloud cloud = path.extension() == ".patch" ? OpenPatchCloud(path, views)
+    DenseCloud cloud = path.extension() == ".patch" ? OpenPatchCloud(path, views, num_model_images)
                                                     : OpenPlyCloud(path, views, num_model_images);
     all.num_points += cloud.num_points;
     all.has_normals &= cloud.has_normals;
     all.has_visibility &= cloud.has_visibility;
     parts.push_back(std::move(cloud.points));
   }
+  if (all.num_points == 0) throw IoError(paths.front().string(), "no points");
   all.points = [parts = std::move(parts)](const DensePointVisitor& visit) {
     for (const DensePointStream& part : parts) part(visit);
   };

@@ -21,15 +21,19 @@ struct DenseCloud {
 // fused.ply or any other PLY cloud, with <path>.vis if it is there: the views that see each point,
 // by the order of the model's images. `num_model_images` is the number of images in the model.
 // Throws IoError here or from `points`: not readable, another number of points in .vis than in the
-// cloud, an image number that the model does not have.
+// cloud, bytes after them, an image number that the model does not have.
 DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<View>& views,
                         size_t num_model_images);
 
 // PMVS's patches. Images that are not among the views are left out. Colours are those of the .ply
 // file of the same name beside it, as PMVS writes it, or grey without one.
-DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views);
+// Throws IoError, also for image numbers that neither the list of images nor, without one, the
+// model has.
+DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views,
+                          size_t num_model_images);
 
-// All points of several files, each by its extension; at least one.
+// All points of several files, each by its extension; at least one. Throws IoError, also when there
+// are none.
 DenseCloud OpenClouds(const std::vector<std::filesystem::path>& paths,
                       const std::vector<View>& views, size_t num_model_images);
 

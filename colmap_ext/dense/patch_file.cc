@@ -59,7 +59,10 @@ class PatchReader {
     std::vector<int> images;
     if (!lines_.NextLine() && count > 0) lines_.Here().Fail("the file ends before the images");
     Fields fields(lines_);
-    for (int k = 0; k < count; ++k) images.push_back(fields.Number<int>("image number"));
+    for (int k = 0; k < count; ++k) {
+      images.push_back(fields.Number<int>("image number"));
+      if (images.back() < 0) lines_.Here().Fail("negative image number");
+    }
     return images;
   }
 

@@ -26,7 +26,8 @@ struct Patch {
 };
 
 // Reads a .patch file of PMVS2 (PATCHS and PATCHA records), one patch after the other. Throws
-// IoError naming the line: no patch file, too short, numbers that are not finite, negative counts.
+// IoError naming the line: no patch file, too short, numbers that are not finite, negative counts
+// or image numbers.
 void ReadPatchFile(const std::string& path, const std::function<void(const Patch&)>& visit);
 
 // Write one that PMVS2's tools read: the header, then so many patches.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <regex>
+#include <string_view>
 
 #include "colmap_ext/workspace/line_reader.h"
 #include "limn/util/errors.h"
@@ -37,6 +37,18 @@ std::string AnyOf(const std::vector<std::string>& ends) {
   std::string text;
   for (const std::string& end : ends) text += (text.empty() ? "*" : " or *") + end;
   return text;
+}
+
+// Leaves off the two numbers that Bundler may write after a name. No white space at either end.
+std::string_view NameOfLine(std::string_view line) {
+  constexpr std::string_view kSpace = " \t\r\v\f";
+  std::string_view name = line;
+  for (const std::string_view characters : {"+-.0123456789Ee", "0123456789"}) {
+    const size_t word = name.find_last_of(kSpace) + 1;
+    if (word == 0 || name.find_first_not_of(characters, word) != name.npos) return line;
+    name = name.substr(0, name.find_last_not_of(kSpace, word - 1) + 1);
+  }
+  return name;
 }
 
 }  // namespace
@@ -107,18 +119,13 @@ bool BeginsWith(const fs::path& file, const std::string& text) {
 }
 
 std::vector<std::string> ReadImageList(const std::string& path) {
-  static const std::regex kBundlerNumbers(R"(^(.*\S)\s+\d+\s+[-+.\deE]+$)");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw IoError(path, "cannot be opened for reading");
   std::vector<std::string> names;
   LineReader reader(in, path);
   while (reader.NextLine()) {
     Fields fields(reader);
-    std::string name(fields.Rest());
-    if (name.empty()) continue;
-    std::smatch match;
-    if (std::regex_match(name, match, kBundlerNumbers)) name = std::string(match[1]);
-    names.push_back(std::move(name));
+    if (!fields.AtEnd()) names.emplace_back(NameOfLine(fields.Rest()));
   }
   return names;
 }

@@ -45,7 +45,7 @@ Coefficients Fit(const Eigen::ArrayXd& u, const Eigen::ArrayXd& factor,
 std::optional<InvertedDistortion> InvertMeasurementDistortion(double r, double max_radius) {
   // dp/dm > 0 up to the border.
   if (!(1 + 3 * r * max_radius * max_radius > 0)) return std::nullopt;
-  constexpr int kSamples = 1000;
+  constexpr int kSamples = 100;
   const Eigen::ArrayXd m = Eigen::ArrayXd::LinSpaced(kSamples, max_radius / kSamples, max_radius);
   const Eigen::ArrayXd p = m * (1 + r * m.square());
   const Eigen::ArrayXd u = p.square();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/import/calibration.h"
+#include "limn/io/json_text.h"
 #include "limn/io/whole_file.h"
 #include "limn/util/errors.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 const std::vector<std::string> kEnds = {"transforms.json", "transforms_train.json",
                                         "transforms_test.json", "transforms_val.json"};
@@ -148,7 +149,7 @@ std::optional<ImportedImage> ReadFrame(const Json& frame, const Json& file, cons
 
 Json Parse(const std::string& path) {
   try {
-    const Json file = Json::parse(ReadWholeFile(path));
+    const Json file = ParseJson(path, ReadWholeFile(path));
     if (!file.at("frames").is_array()) throw IoError(path, "\"frames\" is no list");
     if (file.value("from_na", false)) {
       throw IoError(path, "\"from_na\" is true: the axes of NeuS2 are not read");

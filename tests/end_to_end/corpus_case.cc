@@ -97,6 +97,11 @@ void CorpusWorkspace::WriteText(const colmap_ext::SparseModel& model,
   colmap_ext::WriteModelText(model, path_ / folder);
 }
 
+std::vector<CorpusCase> OfCommand(const std::string& command, std::vector<CorpusCase> cases) {
+  for (CorpusCase& one : cases) one.command = command;
+  return cases;
+}
+
 void Corpus::RunCase() {
   const CorpusCase& bad = GetParam();
   RunConditions conditions;
@@ -126,12 +131,17 @@ void Corpus::RunCase() {
   if (bad.outcome == Outcome::kAccepted) {
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");
+    for (const auto& [name, bytes] : ReadTree(workspace_.path())) {
+      EXPECT_FALSE(name.ends_with(".tmp")) << name;
+    }
+    if (bad.check) bad.check(workspace_);
     return;
   }
   EXPECT_EQ(run.exit_code, 1) << run.out;
   EXPECT_THAT(run.err, StartsWith("ERROR: "));
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-  EXPECT_EQ(ReadTree(workspace_.path()), before);
+  // Not EXPECT_EQ, which looks for differences of files line by line.
+  EXPECT_TRUE(ReadTree(workspace_.path()) == before) << "files were written or changed";
 }
 
 }  // namespace limn::testing

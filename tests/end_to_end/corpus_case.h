@@ -77,7 +77,12 @@ struct CorpusCase {
   bool as_nobody = false;  // see RunConditions
   // In the workspace; what --workspace_path names.
   std::string folder = ".";
+  // Looks at what an accepted run has written.
+  std::function<void(const CorpusWorkspace&)> check = nullptr;
 };
+
+// The cases with another command.
+std::vector<CorpusCase> OfCommand(const std::string& command, std::vector<CorpusCase> cases);
 
 // For messages of GoogleTest.
 inline void PrintTo(const CorpusCase& bad, std::ostream* out) { *out << bad.name; }

@@ -199,7 +199,8 @@ TEST_F(Fusion, AsPmvsPatches) {
 
 TEST_F(Fusion, BadInputIsToldInOneLine) {
   const auto refused = [](std::vector<std::string> arguments, const std::string& text) {
-    arguments.insert(arguments.begin(), {"drawing_fuser", "--workspace_path", Path()});
+    arguments.insert(arguments.begin(),
+                     {"drawing_fuser", "--workspace_path", Path(), "--overwrite", "1"});
     const LimnRun run = RunLimn(arguments);
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_THAT(run.err, HasSubstr(text));

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -21,9 +22,33 @@ MemoryFile::MemoryFile(std::string_view bytes) : descriptor_(memfd_create("fuzze
 
 MemoryFile::~MemoryFile() { close(descriptor_); }
 
-std::string ScratchPath() {
+const std::filesystem::path& ScratchFolder() {
   static const TempDir dir;
-  return (dir / "fuzzed.bin").string();
+  return dir.path();
+}
+
+std::string WriteScratch(const std::string& name, std::string_view bytes) {
+  const std::filesystem::path path = ScratchFolder() / name;
+  std::ofstream out(path, std::ios::binary);
+  if (!out) {
+    std::filesystem::create_directories(path.parent_path());
+    out.open(path, std::ios::binary);
+  }
+  out << bytes;
+  out.close();
+  if (!out) {
+    std::perror(path.c_str());
+    std::abort();
+  }
+  return path.string();
+}
+
+std::string ScratchPath() { return (ScratchFolder() / "fuzzed.bin").string(); }
+
+std::string_view EmptyImage() {
+  using namespace std::string_view_literals;
+  return "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x28\0\0\0\x1e\x08\0\0\0\0????"
+         "\0\0\0\0IEND????"sv;
 }
 
 }  // namespace limn::fuzz

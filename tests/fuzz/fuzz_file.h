@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -20,8 +21,17 @@ class MemoryFile {
   std::string path_;
 };
 
-// A path in a folder of this process that is removed at its end; for readers of files that only
-// their writer can make (with a checksum).
+// A folder of this process that is removed at its end.
+const std::filesystem::path& ScratchFolder();
+
+// Writes a file of that folder, for readers that look at names or at several files, and returns its
+// path. Folders above it are made.
+std::string WriteScratch(const std::string& name, std::string_view bytes);
+
+// A path in it; for readers of files that only their writer can make (with a checksum).
 std::string ScratchPath();
+
+// First and last chunk of a PNG of 40 x 30 pixels: enough for readers of sizes.
+std::string_view EmptyImage();
 
 }  // namespace limn::fuzz

@@ -1,11 +1,11 @@
 #include "colmap_ext/workspace/image_header.h"
+
 #include "fuzz/fuzz_target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   limn::fuzz::FuzzStream(data, size, [](std::istream& in, const std::string&) {
     limn::colmap_ext::ReadSizeFromHeader(in);
   });
-  return limn::fuzz::FuzzStream(data, size, [](std::istream& in, const std::string&) {
-    limn::colmap_ext::IsTruncated(in);
-  });
+  return limn::fuzz::FuzzStream(
+      data, size, [](std::istream& in, const std::string&) { limn::colmap_ext::IsTruncated(in); });
 }

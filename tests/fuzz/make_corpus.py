@@ -6,6 +6,7 @@ Run again after a change of a format; the files are committed.
 
 import struct
 import zlib
+from math import cos, sin
 from pathlib import Path
 
 CORPUS = Path(__file__).parent / "corpus"
@@ -88,6 +89,78 @@ def workspaces():
     put("project_ini", "project", "# options\nworkspace_path = a b\n[Sketch]\nmax_gap_px = 3\n")
 
 
+def image_lists():
+    put("image_list", "pmvs", "a.png\nsub/b c.png\nc.png\n")
+    put("image_list", "bundler", "./a.jpg\r\n\nb.jpg 0 600.25\nmy holidays 2.jpg\n  d 7.jpg  \n")
+    put("image_list", "long_line", "a" * 2000 + " 0 600\n" + "1 2 " * 200 + "\n")
+
+
+def imports():
+    put("pmvs_bundle", "three", "# Bundle file v0.3\n3 2\n" + "60 0 0\n1 0 0\n0 1 0\n0 0 1\n0.5 1 3\n" * 3 +
+        "0.5 1 2\n255 0 10\n2 0 7 1.5 -2.5 2 8 3 4\n1 1 1\n0 0 0\n0\n")
+    put("projection_matrices", "contour", "CONTOUR\n50 0 20 1\n0 50 15 2\n0 0 1 3\n")
+    put("projection_matrices", "numbers", "-160.21 317.61 -28.6522 451.535\n"
+        "-19.2325, 20.1974, -341.33, 408.955\n-0.952495 -0.0104537 -0.304375 2.92417\n")
+    put("intrinsic_extrinsic", "one", "60 0 20\n0 61 15\n0 0 1\n|0 1 0\n-1 0 0\n0 0 1\n0.5 -2 3e1\n")
+    put("middlebury", "two", "2\na.png 60 0 20 0 60 15 0 0 1 1 0 0 0 1 0 0 0 1 0.5 1 3\n"
+        "b.png 60 0 20 0 60 15 0 0 1 0 1 0 -1 0 0 0 0 1 0.5 1 3\n")
+    put("bundler", "two", "# Bundle file v0.3\n2 2\n60 0 0\n1 0 0\n0 1 0\n0 0 1\n0.5 1 3\n"
+        "60 0.1 -0.01\n0 1 0\n-1 0 0\n0 0 1\n0.5 1 3\n"
+        "0.5 1 2\n255 0 10\n2 0 7 1.5 -2.5 1 8 3 4\n1 1 1\n0 0 0\n0\n")
+    put("bundler", "without_pose", "# Bundle file v0.3\n2 0\n" + "0 0 0\n" * 5 +
+        "60 0 0\n1 0 0\n0 1 0\n0 0 1\n0.5 1 3\n")
+    put("nvm", "two", "NVM_V3\n\n2\na.png\t60 1 0 0 0 0.5 1 3 0 0\n"
+        "b.png\t60 0.5 0.5 0.5 0.5 0.5 1 3 -0.05 0\n\n"
+        "1\n0.5 1 2 255 0 10 2 0 7 1.5 -2.5 1 8 3 4\n\n0\n")
+    put("nvm", "two_models", "NVM_V3 \n1\nsub/my\"a.png 60 1 0 0 0 0.5 1 3 0 0\n0\n"
+        "1\nb.png 60 1 0 0 0 0.5 1 3 0 0\n1\n0.5 1 2 255 0 10 0\n0\n")
+    matrix = "[[1,0,0,0.5],[0,1,0,1],[0,0,1,3],[0,0,0,1]]"
+    put("nerf_transforms", "blender", '{"camera_angle_x": 0.69, "frames": [\n'
+        f'{{"file_path": "./train/a", "transform_matrix": {matrix}}}]}}\n')
+    put("nerf_transforms", "colmap", '{"fl_x": 60, "fl_y": 61, "cx": 20, "cy": 15, "w": 40, "h": 30,\n'
+        '"k1": 0.01, "k2": 0, "p1": 0.001, "p2": 0, "camera_model": "OPENCV", "frames": [\n'
+        f'{{"file_path": "images/a.png", "transform_matrix": {matrix}}},\n'
+        f'{{"file_path": "b.png", "is_fisheye": true, "p1": 0, "k4": 0.1, "transform_matrix": {matrix}}}]}}\n')
+
+
+def dense():
+    lists = ((0, 1, 2), (1,), ())
+    put("visibility", "three", counted([struct.pack(f"<{len(l) + 1}I", len(l), *l) for l in lists]))
+    put("patch", "two", "PATCHES\n2\nPATCHS\n0.5 -1 2e-3 1\n0 0 1 0\n0.9 0.1 0.2\n2\n3 0 \n0\n\n\n"
+        "PATCHA\n0.5 1 2 1\n0.6 0 0.8 0\n0.7 0 0\n1\n1 0 0 0\n1\n0 \n2\n1 4 \n\n")
+    put("ply_points", "float_colours", "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
+        "property double y\nproperty double z\nproperty float red\nproperty float green\nproperty float blue\n"
+        "end_header\n0 1 2 0.5 255.5 -1\n")
+    header = ("ply\nformat {}\ncomment made by hand\nelement vertex 2\nproperty float x\nproperty float y\n"
+              "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+              "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty short quality\n"
+              "end_header\n")
+    put("ply_points", "ascii", header.format("ascii 1.0") +
+        "0 0 0 0 0 1 255 0 1 7\r\n\n1.5 -2e-3 3 0 1 0 1 2 3 -1\n")
+    for name, order in (("little", "<"), ("big", ">")):
+        put("ply_points", name, header.format(f"binary_{name}_endian 1.0").encode() +
+            struct.pack(order + "6f3Bh", 0, 0, 0, 0, 0, 1, 255, 0, 1, 7) * 2)
+
+
+def meshes():
+    header = ("ply\nformat {}\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+              "element face 2\nproperty list uchar int {}\nproperty uchar flags\nend_header\n")
+    corners = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1))
+    put("mesh_ply", "ascii", header.format("ascii 1.0", "vertex_indices") +
+        "".join("%d %d %d\n" % corner for corner in corners) + "4 0 1 2 3 0\n3 0 1 4 0\n")
+    for name, order in (("little", "<"), ("big", ">")):
+        rows = b"".join(struct.pack(order + "3f", *corner) for corner in corners)
+        rows += struct.pack(order + "B4iB", 4, 0, 1, 2, 3, 0) + struct.pack(order + "B3iB", 3, 0, 1, 4, 0)
+        put("mesh_ply", name, header.format(f"binary_{name}_endian 1.0", "vertex_index").encode() + rows)
+    put("mesh_obj", "faces", "# mesh\no body\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\n"
+        "vt 0 0\ns off\nf 1 2 3 4\nf 1//1 -4/1/1 5\nf 1 2 3\nl 1 2\n")
+    put("mesh_obj", "star", "v 0 3 0\nv 1 1 0\nv 3 1 0\nv 1 0 0\nv 2 -2 0\nv 0 -1 0\nv -2 -2 0\n"
+        "v -1 0 0\nv -3 1 0\nv -1 1 0\nf 1 2 3 4 5 6 7 8 9 10\n")
+    radii = [(1 + 0.02 * i, 0.3 * i) for i in range(40)] + [(1.1 + 0.02 * i, 0.3 * i) for i in range(39, -1, -1)]
+    put("mesh_obj", "spiral", "".join(f"v {r * cos(a):.3f} {r * sin(a):.3f} 0\n" for r, a in radii) +
+        "f " + " ".join(str(i + 1) for i in range(len(radii))) + "\n")
+
+
 def curves():
     header = ("ply\nformat {}\nelement vertex 3\nproperty double x\nproperty double y\n"
               "property double z\nproperty uchar red\nelement edge 2\nproperty int vertex1\n"
@@ -121,6 +194,17 @@ def curves():
 {"id":2,"node0":3,"node1":3,"closed":true,"residual_px":0,"supporting_views":[],
  "members":[],"points":[[5,5,5],[6,5,5],[5,5,5]],"sigma":[1,1,1]}]}
 """)
+    dense = ('"dense":{"class":"surface","added_share":0,"occluded_share":0.25,'
+             '"behind_surface":false,"fold_deg":90.5}')
+    free = '"dense":{"class":"free","added_share":1,"occluded_share":0,"behind_surface":true}'
+    ends = '"incident":[[%d,%d]],"continuations":[]'
+    link = ('{"id":%d,"node0":%d,"node1":%d,"closed":false,"residual_px":0.5,"supporting_views":["a.png"],'
+            '%s,"members":[],"points":[[%d,0,0],[%d,1,0]],"sigma":[0.1,0.1]}')
+    nodes = [f'{{"id":{i},"position":[{i // 2},{i % 2},0],"kind":"end",{ends % (i // 2, i % 2)}}}'
+             for i in range(4)]
+    put("drawing_json", "fused", '{"format": "limn-drawing", "format_version": 1,\n"views": ["a.png"], '
+        '"options": {},\n"nodes": [' + ",\n".join(nodes) + '],\n"links": [' +
+        link % (0, 0, 1, dense, 0, 0) + ",\n" + link % (1, 2, 3, free, 1, 1) + "]}\n")
 
 
 def edges():
@@ -157,6 +241,10 @@ if __name__ == "__main__":
     models()
     rigs()
     workspaces()
+    image_lists()
+    imports()
+    dense()
+    meshes()
     curves()
     edges()
     stages()

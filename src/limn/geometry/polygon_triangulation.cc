@@ -1,5 +1,7 @@
 #include "limn/geometry/polygon_triangulation.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -28,55 +30,90 @@ std::vector<Eigen::Vector2d> Flatten(std::span<const Eigen::Vector3d> corners) {
   return flat;
 }
 
-// Clips ears off the corners that are left.
+// Clips ears off the corners that are left, a ring.
 class EarClipper {
  public:
   explicit EarClipper(std::vector<Eigen::Vector2d> corners)
-      : corners_(std::move(corners)), left_(corners_.size()) {
-    std::iota(left_.begin(), left_.end(), 0);
+      : corners_(std::move(corners)),
+        before_(corners_.size()),
+        next_(corners_.size()),
+        is_known_(corners_.size()) {
+    std::iota(before_.begin(), before_.end(), -1);
+    before_.front() = static_cast<int>(corners_.size()) - 1;
+    std::iota(next_.begin(), next_.end(), 1);
+    next_.back() = 0;
   }
 
   std::vector<Triangle> Run() {
-    size_t at = 0;
-    size_t misses = 0;
-    while (left_.size() > 3) {
-      at %= left_.size();
-      // When all corners have been refused the polygon is not simple: take the next one.
-      if (misses < left_.size() && !IsEar(at)) {
+    int at = 0;
+    int misses = 0;
+    for (int left = static_cast<int>(corners_.size()); left > 3;) {
+      if (misses < left && !TestEar(at)) {
         ++misses;
-        ++at;
+        at = next_[at];
         continue;
       }
-      Add(EarAt(at));
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
+      if (misses == left && num_rounds_++ < kMaxRounds) {
+        std::fill(is_known_.begin(), is_known_.end(), 0);
+        misses = 0;
+        continue;
+      }
+      // Even if no corner is an ear: the polygon is not simple.
+      Clip(at);
+      --left;
       misses = 0;
       // The next ear begins beyond this one, so that triangles do not become a fan of slivers.
-      ++at;
+      at = next_[next_[at]];
     }
-    Add({left_[0], left_[1], left_[2]});
+    const int first = FirstLeft();
+    Add({first, next_[first], before_[first]});
     return std::move(triangles_);
   }
 
  private:
+  // An ear that is clipped changes what its neighbours are. Others it changes only where the
+  // polygon touches itself: then all are looked at again, but only so often.
+  static constexpr int kMaxRounds = 3;
+
+  // A corner that was none is only looked at again when it is not known any more.
+  bool TestEar(int at) {
+    if (is_known_[at]) return false;
+    is_known_[at] = 1;
+    return IsEar(at);
+  }
+
+  // The corner itself still tells its next one.
+  void Clip(int at) {
+    Add(EarAt(at));
+    const int before = before_[at];
+    const int next = next_[at];
+    next_[before] = next;
+    before_[next] = before;
+    is_clipped_[at] = 1;
+    is_known_[before] = is_known_[next] = 0;
+  }
+
+  int FirstLeft() const {
+    return static_cast<int>(std::find(is_clipped_.begin(), is_clipped_.end(), 0) -
+                            is_clipped_.begin());
+  }
+
   double AreaOf(const Triangle& t) const {
     return Area(corners_[t[0]], corners_[t[1]], corners_[t[2]]);
   }
 
-  Triangle EarAt(size_t at) const {
-    const size_t count = left_.size();
-    return {left_[(at + count - 1) % count], left_[at], left_[(at + 1) % count]};
-  }
+  Triangle EarAt(int at) const { return {before_[at], at, next_[at]}; }
 
   void Add(const Triangle& triangle) {
     if (AreaOf(triangle) != 0) triangles_.push_back(triangle);
   }
 
-  bool IsEar(size_t at) const {
+  bool IsEar(int at) const {
     const Triangle ear = EarAt(at);
     const double area = AreaOf(ear);
     if (area == 0) return true;  // a corner on a straight side
     if (area < 0) return false;
-    for (const int other : left_) {
+    for (int other = next_[ear[2]]; other != ear[0]; other = next_[other]) {
       if (IsInside(ear, corners_[other])) return false;
     }
     return true;
@@ -92,7 +129,11 @@ class EarClipper {
   }
 
   std::vector<Eigen::Vector2d> corners_;
-  std::vector<int> left_;
+  std::vector<int> before_;
+  std::vector<int> next_;
+  std::vector<uint8_t> is_known_;  // to be no ear
+  std::vector<uint8_t> is_clipped_ = std::vector<uint8_t>(corners_.size());
+  int num_rounds_ = 0;
   std::vector<Triangle> triangles_;
 };
 

@@ -16,21 +16,16 @@ namespace {
 constexpr size_t kMaxHeaderBytes = 1 << 20;
 constexpr size_t kBlockBytes = 1 << 22;
 
-// Up to and with the line end_header.
-std::string ReadHeaderText(std::istream& in) {
-  std::string text, line;
-  while (text.size() < kMaxHeaderBytes && std::getline(in, line)) {
-    text += line + '\n';
-    if (line == "end_header" || line == "end_header\r") break;
-  }
-  return text;
-}
-
 class PointReader {
  public:
   explicit PointReader(const std::string& path) : path_(path), in_(path, std::ios::binary) {
     if (!in_) throw IoError(path, "cannot be opened for reading");
-    header_ = ParsePlyHeader(path, ReadHeaderText(in_));
+    std::string start(kMaxHeaderBytes, '\0');
+    in_.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<size_t>(in_.gcount()));
+    header_ = ParsePlyHeader(path, start);
+    in_.clear();
+    in_.seekg(static_cast<std::streamoff>(header_.data_offset));
     if (header_.elements.empty() || header_.elements[0].name != "vertex") {
       throw IoError(path, "the first element is not vertex");
     }
@@ -117,7 +112,9 @@ class PointReader {
       point.position[axis] = values[column_[axis]];
       if (Has(3)) point.normal[axis] = values[column_[3 + axis]];
       if (Has(6)) {
-        point.color[axis] = static_cast<uint8_t>(std::clamp(values[column_[6 + axis]], 0.0, 255.0));
+        const double color = values[column_[6 + axis]];
+        if (std::isnan(color)) Fail(unit, place, "colour is not a number");
+        point.color[axis] = static_cast<uint8_t>(std::clamp(color, 0.0, 255.0));
       }
     }
     if (!point.position.allFinite() || !point.normal.allFinite()) {

@@ -89,6 +89,8 @@ TEST(DenseCloud, DamagedVisibilityIsTold) {
   EXPECT_THAT(error_with(Visibility({{4}, {0}})), HasSubstr("image 4, but the model has 4"));
   EXPECT_THAT(error_with(Visibility({{0}, {0, 3}}).substr(0, 20)), HasSubstr("fused.ply.vis"));
   EXPECT_THAT(error_with(""), HasSubstr("fused.ply.vis"));
+  EXPECT_THAT(error_with(Visibility({{0}, {0}}) + "more"),
+              HasSubstr("byte 24: 4 bytes after the last record"));
 }
 
 TEST(DenseCloud, DamagedCloudIsTold) {
@@ -107,6 +109,24 @@ TEST(DenseCloud, DamagedCloudIsTold) {
   EXPECT_THAT(error_of(bad), HasSubstr("line 14: number not finite"));
   EXPECT_THAT(error_of("ply\nformat ascii 1.0\nelement face 1\nend_header\n"),
               HasSubstr("the first element is not vertex"));
+}
+
+TEST(PlyPoints, ColoursOfAnyType) {
+  const TempDir dir;
+  const auto color_of = [&](const std::string& line) {
+    const std::string path = dir.WriteFile(
+        "x.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float red\nproperty float green\nproperty float blue\n"
+        "end_header\n" +
+            line);
+    PlyPoint read;
+    ReadPlyPoints(path, [&](const PlyPoint& point) { read = point; });
+    return read.color;
+  };
+  EXPECT_THAT(color_of("1 2 3 -1 inf 7.9\n"), ElementsAre(0, 255, 7));
+  EXPECT_THAT(ErrorText<IoError>([&] { color_of("1 2 3 1 nan 3\n"); }),
+              HasSubstr("line 11: colour is not a number"));
 }
 
 TEST(PlyPoints, BinaryOfBothByteOrders) {
@@ -179,7 +199,7 @@ TEST(PatchFile, ComesBackAsWritten) {
 
 TEST(PatchFile, ImagesAreFoundByTheListOfNames) {
   const TempDir dir;
-  dir.WriteFile("bundle.rd.out.list.txt", "b c.jpg\nx.jpg\na.jpg\n");
+  dir.WriteFile("bundle.rd.out.list.txt", "b c.jpg\nx.jpg\na.jpg\ny.jpg\n");
   const std::string path = dir.WriteFile("models/option.patch", PatchText({MakePatch()}));
   // Numbers 2 and 0 are "a.jpg" and "b c.jpg": views 0 and 1.
   EXPECT_THAT(ReadAll(OpenClouds({path}, ThreeViews(), 4))[0].views, ElementsAre(0, 1));
@@ -209,6 +229,26 @@ TEST(PatchFile, ClustersAreOneCloudWithTheColoursBesideThem) {
   EXPECT_EQ(ReadPlyPointsInfo(merged + ".ply").count, 3u);
 }
 
+TEST(PatchFile, ImagesBeyondTheListAreTold) {
+  const TempDir dir;
+  const std::string path =
+      dir.WriteFile("models/option.patch", PatchText({MakePatch()}));  // images 2, 0 and 3
+  const auto error = [&](size_t num_model_images) {
+    return ErrorText<IoError>([&] { OpenClouds({path}, ThreeViews(), num_model_images); });
+  };
+  EXPECT_THAT(error(4), IsEmpty());
+  EXPECT_THAT(error(3), HasSubstr("option.patch: patch 0: image 3, but there are only 3"));
+  dir.WriteFile("bundle.rd.out.list.txt", "b c.jpg\nx.jpg\n");
+  EXPECT_THAT(error(4), HasSubstr("patch 0: image 2, but there are only 2"));
+}
+
+TEST(DenseCloud, CloudsWithoutPointsAreRefused) {
+  const TempDir dir;
+  const std::string path = dir.WriteFile("models/option.patch", PatchText({}));
+  EXPECT_THAT(ErrorText<IoError>([&] { OpenClouds({path}, ThreeViews(), 4); }),
+              HasSubstr("option.patch: no points"));
+}
+
 TEST(PatchFile, DamageIsTold) {
   const TempDir dir;
   const auto error_of = [&](const std::string& content) {
@@ -225,6 +265,9 @@ TEST(PatchFile, DamageIsTold) {
   bad = whole;
   bad.replace(bad.find("\n2\n2 0"), 3, "\n-2\n");
   EXPECT_THAT(error_of(bad), HasSubstr("number of images"));
+  bad = whole;
+  bad.replace(bad.find("\n2 0"), 4, "\n2 -1");
+  EXPECT_THAT(error_of(bad), HasSubstr("line 8: negative image number"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "limn/geometry/polygon_triangulation.h"
 
+#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -63,6 +64,26 @@ TEST(TriangulatePolygon, ManyCornersAtRandomDistances) {
     corners.push_back(radius(random) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   ExpectCovered(InSpace(corners), 298);
+}
+
+// Looking at all corners again after every ear took most of a minute.
+TEST(TriangulatePolygon, LongSpiralTakesNoTime) {
+  std::vector<Eigen::Vector2d> corners;
+  const auto add = [&](int i, double width) {
+    const double angle = 0.15 * i;
+    corners.push_back((1 + 0.02 * i + width) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  };
+  for (int i = 5000; i > 0; --i) add(i, 0);
+  for (int i = 1; i <= 5000; ++i) add(i, 0.1);
+  const auto begin = std::chrono::steady_clock::now();
+  ExpectCovered(InSpace(corners), 9998);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+}
+
+// A square with a square hole, cut open along a line to the hole that is gone twice.
+TEST(TriangulatePolygon, PolygonsMayTouchThemselves) {
+  ExpectCovered(
+      InSpace({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}}), 8);
 }
 
 TEST(TriangulatePolygon, CornersOnStraightSidesCostNothing) {

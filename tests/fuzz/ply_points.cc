@@ -1,0 +1,12 @@
+#include "limn/io/ply_points.h"
+
+#include "fuzz/fuzz_file.h"
+#include "fuzz/fuzz_target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const limn::fuzz::MemoryFile file(limn::fuzz::Text(data, size));
+  return limn::fuzz::ExpectReadOrRefused([&] {
+    limn::ReadPlyPointsInfo(file.path());
+    limn::ReadPlyPoints(file.path(), [](const limn::PlyPoint&) {});
+  });
+}
