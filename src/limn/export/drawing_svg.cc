@@ -91,9 +91,9 @@ class SvgWriter {
          << ".hidden{stroke-opacity:.6;stroke-linecap:butt;stroke-dasharray:" << Pixels(3) << ' '
          << Pixels(2) << "}\n"
          << "#junctions{fill:#fff;stroke:#000;stroke-width:" << Pixels(0.75) << "}\n"
-         << "#legend{fill:none;stroke:#000;stroke-width:" << Pixels(0.75) << "}\n"
-         << "#legend circle,#legend text{fill:#000;stroke:none}\n"
-         << "#legend text{font:" << Pixels(kTextPx) << "px sans-serif}\n";
+         << "#legend{fill:none;stroke:#000;stroke-width:.75}\n"
+            "#legend circle,#legend text{fill:#000;stroke:none}\n"
+         << "#legend text{font:" << ShortNumber(kLegendTextPx, 2) << "px sans-serif}\n";
     if (options_.colors == SvgColors::kPrimitive) {
       PutRule(".line", "#0072b2");
       PutRule(".arc", "#d55e00");
@@ -168,9 +168,6 @@ class SvgWriter {
     }
     out_ << "</g>\n";
   }
-
-  // 3 mm.
-  static constexpr double kTextPx = 3 * 96 / 25.4;
 
   const DrawingGraph& graph_;
   const Picture& picture_;

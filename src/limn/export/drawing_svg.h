@@ -42,7 +42,7 @@ struct SvgOptions {
   double junction_radius_px = 2;
   // See LinkPathOptions.
   double tolerance_px = 0.1;
-  double min_run_px = 4;
+  double min_run_px = 6;
   // Beneath the drawing in views, as a file or URL relative to the picture; empty: none.
   std::string photo;
   // Of the photograph, in [0, 1]; lower lets the lines stand out.

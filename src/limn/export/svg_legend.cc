@@ -9,10 +9,12 @@
 namespace limn {
 namespace {
 
-constexpr double kTextMm = 3;
-constexpr double kTickMm = 1.5;
-constexpr double kArrowMm = 8;
-constexpr double kDotMm = 0.6;
+// Pixels of the sheet, the unit of the legend: renderers lay text out badly in sizes far below one.
+constexpr double kMm = 96 / 25.4;
+constexpr double kTickPx = 1.5 * kMm;
+constexpr double kArrowPx = 8 * kMm;
+constexpr double kDotPx = 0.6 * kMm;
+constexpr int kDecimals = 2;
 
 // The largest of 1, 2 and 5 times a power of ten that is not above the value.
 double RoundDown(double value) {
@@ -31,27 +33,27 @@ std::string LengthText(double meters) {
   return ShortNumber(1e6 * meters, 3) + " \xc2\xb5m";
 }
 
+std::string Number(double value) { return ShortNumber(value, kDecimals); }
+
+// In pixels from the lower left corner of the paper, x right and y down.
 class LegendWriter {
  public:
   LegendWriter(const SvgSheet& sheet, std::ostream& out)
-      : sheet_(sheet), decimals_(DecimalsFor(0.01 * sheet.px())), out_(out) {}
+      : sheet_(sheet), width_px_((sheet.paper_max - sheet.paper_min).x() / sheet.px()), out_(out) {}
 
   void Write() {
-    out_ << "<g id=\"legend\">\n";
+    const int decimals = DecimalsFor(0.01 * sheet_.px());
+    // Enough digits for the width of the paper.
+    const int scale_decimals = DecimalsFor(0.01 * sheet_.px() / width_px_);
+    out_ << "<g id=\"legend\" transform=\"translate(" << ShortNumber(sheet_.paper_min.x(), decimals)
+         << ' ' << ShortNumber(sheet_.paper_max.y(), decimals) << ") scale("
+         << ShortNumber(sheet_.px(), scale_decimals) << ")\">\n";
     PutScaleBar();
     PutAxes();
     out_ << "</g>\n";
   }
 
  private:
-  // mm from the lower left corner of the paper, right and up.
-  Eigen::Vector2d FromLeft(double right_mm, double up_mm) const {
-    return {sheet_.paper_min.x() + right_mm * sheet_.mm(),
-            sheet_.paper_max.y() - up_mm * sheet_.mm()};
-  }
-
-  std::string Number(double value) const { return ShortNumber(value, decimals_); }
-
   void PutText(const Eigen::Vector2d& at, const char* anchor, const std::string& text) {
     out_ << "<text x=\"" << Number(at.x()) << "\" y=\"" << Number(at.y()) << "\" text-anchor=\""
          << anchor << "\">" << XmlEscaped(text) << "</text>\n";
@@ -60,60 +62,54 @@ class LegendWriter {
   void PutPath(const SvgPath& path) { out_ << "<path d=\"" << path.text() << "\"/>\n"; }
 
   void PutScaleBar() {
-    constexpr double kLeftMm = 5;
-    constexpr double kBarMm = 5;
-    const double length = RoundDown((sheet_.paper_max.x() - sheet_.paper_min.x()) / 3);
-    const Eigen::Vector2d start = FromLeft(kLeftMm, kBarMm);
-    const Eigen::Vector2d end = start + Eigen::Vector2d(length, 0);
-    const Eigen::Vector2d tick(0, -kTickMm * sheet_.mm());
-    SvgPath path(decimals_);
+    const double length = RoundDown(width_px_ * sheet_.px() / 3);
+    const Eigen::Vector2d start(5 * kMm, -5 * kMm);
+    const Eigen::Vector2d end = start + Eigen::Vector2d(length / sheet_.px(), 0);
+    const Eigen::Vector2d tick(0, -kTickPx);
+    SvgPath path(kDecimals);
     path.MoveTo(start + tick);
     path.LineTo(start);
     path.LineTo(end);
     path.LineTo(end + tick);
     PutPath(path);
-    PutText(start + 2 * tick, "start", ScaleText(sheet_.scale_denominator));
-    PutText(end + 2 * tick, "end", LengthText(length));
+    PutText(start + 1.5 * tick, "start", ScaleText(sheet_.scale_denominator));
+    PutText(end + 1.5 * tick, "end", LengthText(length));
   }
 
   void PutAxes() {
     // Room for arrows to all sides.
-    constexpr double kRightMm = 14;
-    constexpr double kUpMm = 8;
-    const Eigen::Vector2d origin =
-        sheet_.paper_max - sheet_.mm() * Eigen::Vector2d(kRightMm, kUpMm);
+    const Eigen::Vector2d origin(width_px_ - 14 * kMm, -10 * kMm);
     const char* names[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
-      const Eigen::Vector2d arrow = kArrowMm * sheet_.mm() * sheet_.axes.col(axis).head<2>();
-      PutAxis(origin, arrow, names[axis]);
+      PutAxis(origin, kArrowPx * sheet_.axes.col(axis).head<2>(), names[axis]);
     }
   }
 
   void PutAxis(const Eigen::Vector2d& origin, const Eigen::Vector2d& arrow, const char* name) {
+    // Half the height of a small letter below its middle.
+    const Eigen::Vector2d below(0, 0.25 * kLegendTextPx);
     const double length = arrow.norm();
-    if (length < 2 * kDotMm * sheet_.mm()) {
+    if (length < 2 * kDotPx) {
       out_ << "<circle cx=\"" << Number(origin.x()) << "\" cy=\"" << Number(origin.y()) << "\" r=\""
-           << Number(kDotMm * sheet_.mm()) << "\"/>\n";
-      PutText(origin + sheet_.mm() * Eigen::Vector2d(-2, 1), "middle", name);
+           << Number(kDotPx) << "\"/>\n";
+      PutText(origin + kMm * Eigen::Vector2d(-2, 2) + below, "middle", name);
       return;
     }
     const Eigen::Vector2d tip = origin + arrow;
-    const Eigen::Vector2d back = -kTickMm * sheet_.mm() / length * arrow;
+    const Eigen::Vector2d back = -kTickPx / length * arrow;
     const Eigen::Vector2d aside(-0.4 * back.y(), 0.4 * back.x());
-    SvgPath path(decimals_);
+    SvgPath path(kDecimals);
     path.MoveTo(origin);
     path.LineTo(tip);
     path.MoveTo(tip + back + aside);
     path.LineTo(tip);
     path.LineTo(tip + back - aside);
     PutPath(path);
-    const Eigen::Vector2d beyond = tip + 2 * sheet_.mm() / length * arrow;
-    // Half the height of a small letter below its middle.
-    PutText(beyond + Eigen::Vector2d(0, 0.25 * kTextMm * sheet_.mm()), "middle", name);
+    PutText(tip + 2 * kMm / length * arrow + below, "middle", name);
   }
 
   const SvgSheet& sheet_;
-  int decimals_;
+  double width_px_;
   std::ostream& out_;
 };
 

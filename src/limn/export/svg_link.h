@@ -16,7 +16,7 @@ struct LinkPathOptions {
   // Curves that are drawn for others stay this near to them.
   double tolerance_px = 0.1;
   // See FindRuns.
-  double min_run_px = 4;
+  double min_run_px = 6;
   // Of the numbers in the paths.
   int decimals = 2;
 };
