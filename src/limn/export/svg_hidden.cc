@@ -72,8 +72,10 @@ IsHidden HiddenInView(View view, DepthImage depth, double tolerance_px, double m
   };
 }
 
-IsHidden HiddenBehind(OrthographicDepth depth, double tolerance, double margin) {
-  return [depth = std::move(depth), tolerance, margin](const Eigen::Vector3d& point) {
+IsHidden HiddenOnSheet(OrthographicDepth depth, double tolerance_px, double margin_px) {
+  const double cell = depth.image.cell_px.x();
+  return [depth = std::move(depth), tolerance = tolerance_px * cell,
+          margin = margin_px * cell](const Eigen::Vector3d& point) {
     return BehindAllAround([&](const Eigen::Vector2d& side) {
       const Eigen::Vector3d beside = point + margin * depth.axes.topRows<2>().transpose() * side;
       return IsBehind(depth, beside, tolerance);

@@ -20,8 +20,8 @@ using IsHidden = std::function<bool(const Eigen::Vector3d& point_in_world)>;
 // vanish behind the outline beside them. Both are kept by the result.
 IsHidden HiddenInView(View view, DepthImage depth, double tolerance_px = 4, double margin_px = 1);
 
-// The same in parallel projection; tolerance and margin in world units.
-IsHidden HiddenBehind(OrthographicDepth depth, double tolerance, double margin);
+// The same in parallel projection, for sheets; tolerance and margin in depth pixels.
+IsHidden HiddenOnSheet(OrthographicDepth depth, double tolerance_px = 4, double margin_px = 1);
 
 // A part of a curve, in the curve's own parameter.
 struct ShownRun {
