@@ -71,6 +71,7 @@ class SceneBuilder {
   // Vertices are added, then made a child of the drawing.
   void AddVertex(const Eigen::Vector3d& point, const Color& color) {
     const Eigen::Vector3f place = YUp(point - origin_).cast<float>();
+    if (!place.allFinite()) throw InputError("coordinates are too large for a .glb file");
     positions_.insert(positions_.end(), place.data(), place.data() + 3);
     for (const uint8_t channel : {color.red, color.green, color.blue}) {
       colors_.push_back(LinearFromSrgb(channel));

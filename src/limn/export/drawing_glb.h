@@ -33,7 +33,8 @@ struct GlbOptions {
 // The graph has z up, glTF y up: (x, y, z) is written as (x, z, -y), which Blender's import turns
 // back. Positions are floats from the middle of the links, so that places far from the origin keep
 // their digits; the translation is written with all of them. Colours are linear, as glTF asks.
-// Throws InputError if the file would be too large for the format (4 GB).
+// Throws InputError if the file would be too large for the format (4 GB), or a coordinate is for a
+// float.
 void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out);
 
 }  // namespace limn

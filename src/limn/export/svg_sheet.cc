@@ -16,6 +16,7 @@ constexpr double kPaperWidthMm = 400;
 constexpr double kPaperHeightMm = 277;
 constexpr double kLegendHeightMm = 16;
 constexpr double kLeastPaperMm = 1;
+constexpr double kLargestPaperMm = 100'000;
 // Room for the legend below narrow drawings.
 constexpr double kLegendWidthMm = 60;
 // As for models: farther away than so many times its size, a drawing is moved to the origin.
@@ -113,6 +114,8 @@ SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options) {
     sheet.paper_max.x() =
         std::max(sheet.paper_max.x(), sheet.paper_min.x() + kLegendWidthMm * sheet.mm());
   }
+  CheckOption(sheet.PaperMm().maxCoeff() <= kLargestPaperMm, "scale_denominator",
+              sheet.scale_denominator, "such that the sheet is no larger than 100 m");
   return sheet;
 }
 

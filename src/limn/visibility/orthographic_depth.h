@@ -31,7 +31,8 @@ struct OrthographicDepth {
 // Of a mesh: as RenderDepth. Time: triangles plus depth pixels covered.
 OrthographicDepth RenderOrthographicDepth(const TriangleMesh& mesh, const OrthographicFrame& frame);
 
-// Of a cloud whose points are discs of `radius`, world units: as SplatDepth.
+// Of a cloud whose points are discs of `radius`, world units: as SplatDepth. PointSpacing, or a
+// little more, is a good radius.
 OrthographicDepth SplatOrthographicDepth(const std::vector<Eigen::Vector3d>& points,
                                          const OrthographicFrame& frame, double radius);
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/export/small_drawing.h"
+#include "limn/util/errors.h"
 
 namespace limn {
 namespace {
@@ -172,6 +173,13 @@ TEST(WriteDrawingGlb, TellsPrimitiveAndClass) {
   EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["primitive"], "line");
   EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["class"], "boundary");
   EXPECT_FALSE(NodeNamed(glb, "link_1")["extras"].contains("primitive"));
+}
+
+TEST(WriteDrawingGlb, RefusesCoordinatesBeyondFloat) {
+  GlbOptions options;
+  options.cloud = {{{1e40, 0, 0}, {}}};
+  std::ostringstream out;
+  EXPECT_THROW(WriteDrawingGlb(SmallDrawing(), options, out), InputError);
 }
 
 TEST(WriteDrawingGlb, AnEmptyDrawingIsAFileToo) {

@@ -238,6 +238,8 @@ TEST(WriteDrawingSvg, RefusesOptionsOutOfRange) {
   sheet.elevation_deg = 91;
   EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);
   sheet = {};
+  sheet.scale_denominator = 0.001;  // four kilometres of paper
+  EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);
   sheet.scale_denominator = -1;
   EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);
 }
