@@ -31,6 +31,7 @@ THIRD_PARTY = {
     "tbb/": ["src/limn/util/parallel.cc"],
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
     "boost/": ["colmap_ext/options/"],
+    "tiny_gltf.h": ["src/limn/export/drawing_glb.cc"],
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -68,21 +68,25 @@ DepthImage MakeDepthImage(const View& view, double scale) {
   return image;
 }
 
+bool IsBehind(const DepthImage& depth, const Eigen::Vector2d& virtual_px, double z,
+              double tolerance) {
+  return z > FarthestAround(depth, depth.FromVirtual(virtual_px)) + tolerance;
+}
+
 bool IsVisible(const View& view, const DepthImage& depth, const Eigen::Vector3d& point_in_world,
                double tolerance_px) {
   const auto pixel = view.Project(point_in_world);
   if (!pixel) return false;
   const double z = (view.cam_from_world * point_in_world).z();
   const double tolerance = tolerance_px * z / view.camera.MeanFocal();
-  return z <= FarthestAround(depth, depth.FromVirtual(*pixel)) + tolerance;
+  return !IsBehind(depth, *pixel, z, tolerance);
 }
 
 std::optional<Eigen::Vector3d> NormalAt(const View& view, const DepthImage& image, int column,
                                         int row) {
   if (!(image.DepthOr0(column, row) > 0)) return std::nullopt;
   if (!image.normal_in_world.empty()) {
-    const Eigen::Vector3f& stored =
-        image.normal_in_world[image.Index(column, row)];
+    const Eigen::Vector3f& stored = image.normal_in_world[image.Index(column, row)];
     if (stored.squaredNorm() > 0.5f) return stored.cast<double>().normalized();
   }
   const auto x = Across(view, image, column, row, 1, 0);

@@ -45,15 +45,20 @@ struct DepthImage {
 // Precondition: scale > 0.
 DepthImage MakeDepthImage(const View& view, double scale);
 
-// Whether the view contains a point and sees it in front of what the depth image holds: farther by
-// no more than `tolerance_px` pixel footprints than one of the (up to four) depth pixels around it.
-// Of these the farthest decides, so that edges at the border of a surface count as visible.
-// Constant time.
+// Whether a place of the virtual image, at depth z, is farther by more than `tolerance` than all of
+// the (up to four) depth pixels around it: the farthest decides, so that edges at the border of a
+// surface are not behind it. Nothing is behind where one of them is unknown. Constant time.
+bool IsBehind(const DepthImage& depth, const Eigen::Vector2d& virtual_px, double z,
+              double tolerance);
+
+// Whether the view contains a point and sees it in front of what the depth image holds: behind by
+// no more than `tolerance_px` pixel footprints, by IsBehind. Constant time.
 bool IsVisible(const View& view, const DepthImage& depth, const Eigen::Vector3d& point_in_world,
                double tolerance_px);
 
-// The normal of the surface at a depth pixel, in the world, facing the view: the one that is stored,
-// else that of the four depths around, if there is no step between them. Nothing if unknown.
+// The normal of the surface at a depth pixel, in the world, facing the view: the one that is
+// stored, else that of the four depths around, if there is no step between them. Nothing if
+// unknown.
 std::optional<Eigen::Vector3d> NormalAt(const View& view, const DepthImage& image, int column,
                                         int row);
 

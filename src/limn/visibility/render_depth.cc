@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/visibility/raster.h"
+
 namespace limn {
 namespace {
 
@@ -72,60 +74,6 @@ class DepthOnPlane {
   double farthest_ = 0;
 };
 
-// Where a row crosses a convex polygon, in columns; empty (first > last) if it does not.
-struct Span {
-  double first = std::numeric_limits<double>::infinity();
-  double last = -std::numeric_limits<double>::infinity();
-
-  void Add(double column) {
-    first = std::min(first, column);
-    last = std::max(last, column);
-  }
-};
-
-// The crossing with a side does not depend on the side's direction, to the last bit.
-void CrossSide(Eigen::Vector2d a, Eigen::Vector2d b, double row, Span* span) {
-  if (b.y() < a.y() || (b.y() == a.y() && b.x() < a.x())) std::swap(a, b);
-  if (row < a.y() || row > b.y()) return;
-  if (a.y() == b.y()) {
-    span->Add(a.x());
-    span->Add(b.x());
-  } else {
-    span->Add(a.x() + (row - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-  }
-}
-
-int FirstIndex(double at) { return static_cast<int>(std::max(0.0, std::ceil(at))); }
-
-int LastIndex(double at, int count) {
-  return static_cast<int>(std::min(count - 1.0, std::floor(at)));
-}
-
-void FillPolygon(const std::vector<Eigen::Vector2d>& corners, const DepthOnPlane& plane,
-                 DepthImage* image) {
-  double top = std::numeric_limits<double>::infinity();
-  double bottom = -top;
-  for (const Eigen::Vector2d& corner : corners) {
-    top = std::min(top, corner.y());
-    bottom = std::max(bottom, corner.y());
-  }
-  if (top > image->height || bottom < 0) return;
-  for (int row = FirstIndex(top); row <= LastIndex(bottom, image->height); ++row) {
-    Span span;
-    for (size_t k = 0; k < corners.size(); ++k) {
-      CrossSide(corners[k], corners[(k + 1) % corners.size()], row, &span);
-    }
-    if (span.first > image->width || !(span.last >= 0)) continue;
-    for (int column = FirstIndex(span.first); column <= LastIndex(span.last, image->width);
-         ++column) {
-      const Eigen::Vector2d pixel = image->PixelOf(column, row);
-      float& depth = image->depth[static_cast<size_t>(row) * image->width + column];
-      const float found = static_cast<float>(plane.At(pixel));
-      if (depth == 0 || found < depth) depth = found;
-    }
-  }
-}
-
 }  // namespace
 
 DepthImage RenderDepth(const TriangleMesh& mesh, const View& view, double scale) {
@@ -144,7 +92,9 @@ DepthImage RenderDepth(const TriangleMesh& mesh, const View& view, double scale)
     for (const Eigen::Vector3d& corner : clipped) {
       corners.push_back(image.FromVirtual(view.camera.Project(corner)));
     }
-    FillPolygon(corners, DepthOnPlane(triangle, clipped, view.camera), &image);
+    const DepthOnPlane plane(triangle, clipped, view.camera);
+    FillPolygon(
+        corners, [&](const Eigen::Vector2d& pixel) { return plane.At(pixel); }, &image);
   }
   return image;
 }

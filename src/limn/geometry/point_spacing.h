@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace limn {
+
+// Median distance of a point of a cloud to its nearest neighbour, of a thousand points spread over
+// the list; copies of a point count as none. 0 if no point has a neighbour. O(n log n).
+double PointSpacing(const std::vector<Eigen::Vector3d>& points);
+
+}  // namespace limn
