@@ -33,6 +33,21 @@ void AddOptions(ExporterOptions* options, OptionParser* parser) {
                      {"-y", SignedAxis::kMinusY},
                      {"-z", SignedAxis::kMinusZ}},
                     "the axis of the model that points up, often -y; it becomes z");
+  DxfOptions& dxf = options->format.dxf;
+  parser->AddOption("layers", &dxf.layers,
+                    {{"class", DxfLayers::kClass},
+                     {"component", DxfLayers::kComponent},
+                     {"single", DxfLayers::kSingle}},
+                    "DXF: what makes a layer, the kind of curve or the connected component");
+  parser->AddOption("junctions", &dxf.junctions, "DXF: junctions as points on their own layer");
+  parser->AddOption("unit", &options->format.unit,
+                    {{"none", LengthUnit::kNone},
+                     {"mm", LengthUnit::kMillimetre},
+                     {"cm", LengthUnit::kCentimetre},
+                     {"m", LengthUnit::kMetre},
+                     {"in", LengthUnit::kInch},
+                     {"ft", LengthUnit::kFoot}},
+                    "DXF and STEP: what one unit is after scaling");
 }
 
 void Check(const ExporterOptions& options) {

@@ -58,7 +58,7 @@ nlohmann::json ExportedDrawing::ReadInBlender(const std::string& script,
 
 double ShapeLength(const DrawingLink& link) {
   if (!link.primitive) return Length(link.points_in_world);
-  constexpr int kSteps = 200000;
+  constexpr int kSteps = 20000;
   double length = 0;
   Eigen::Vector3d previous = PointAt(link.primitive->shape, 0);
   for (int k = 1; k <= kSteps; ++k) {

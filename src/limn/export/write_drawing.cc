@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "limn/export/drawing_dxf.h"
 #include "limn/export/drawing_graphml.h"
 #include "limn/export/drawing_json.h"
 #include "limn/export/drawing_obj.h"
@@ -37,6 +38,11 @@ const std::vector<Format>& Formats() {
       {"json",
        {".json"},
        [](const Job& job, Out& out) { WriteDrawingJson(job.graph, job.metadata, out); }},
+      {"dxf",
+       {".dxf"},
+       [](const Job& job, Out& out) {
+         WriteDrawingDxf(job.graph, job.options.dxf, job.options.unit, out);
+       }},
       {"graphml",
        {".graphml"},
        [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, out); }},

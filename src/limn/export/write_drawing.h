@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "limn/export/drawing_dxf.h"
+#include "limn/export/length_unit.h"
 #include "limn/io/drawing_json_reader.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
@@ -15,6 +17,9 @@ constexpr const char* kAutoFormat = "auto";
 struct DrawingFormatOptions {
   // One of DrawingFormats(), or kAutoFormat: the one that the path's extension names.
   std::string format = kAutoFormat;
+  DxfOptions dxf;
+  // What one unit of the coordinates is; for formats that say so (DXF, STEP).
+  LengthUnit unit = LengthUnit::kNone;
 };
 
 // The names of the formats that drawings are written in: "ply", "obj", ... Those of a build without
