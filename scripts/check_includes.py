@@ -31,6 +31,9 @@ THIRD_PARTY = {
     "tbb/": ["src/limn/util/parallel.cc"],
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
     "boost/": ["colmap_ext/options/"],
+    # OpenCASCADE: its headers are in no folder.
+    **{prefix: ["src/limn/export/drawing_step.cc", "src/limn/export/step_edges"]
+       for prefix in ("Step", "STEP", "Geom", "gp_", "TCol", "Standard_", "Interface_", "APIHeader", "TopoDS", "BRep")},
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -9,6 +9,7 @@
 #include "limn/export/drawing_json.h"
 #include "limn/export/drawing_obj.h"
 #include "limn/export/drawing_ply.h"
+#include "limn/export/drawing_step.h"
 #include "limn/export/sketch_ply.h"
 #include "limn/export/tracks.h"
 #include "limn/io/atomic_file.h"
@@ -46,6 +47,11 @@ const std::vector<Format>& Formats() {
       {"graphml",
        {".graphml"},
        [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, out); }},
+#ifdef LIMN_WITH_STEP
+      {"step",
+       {".step", ".stp"},
+       [](const Job& job, Out& out) { WriteDrawingStep(job.graph, job.options.unit, out); }},
+#endif
   };
   return formats;
 }
