@@ -57,9 +57,8 @@ handle<StepShape_ConnectedEdgeSet> MakeEdgeSet(const DrawingPath& path, const St
   return edge_set;
 }
 
-handle<StepShape_EdgeBasedWireframeModel> MakeWireframe(const DrawingGraph& graph,
+handle<StepShape_EdgeBasedWireframeModel> MakeWireframe(const std::vector<DrawingPath>& paths,
                                                         const StepEdges& edges) {
-  const std::vector<DrawingPath> paths = PathsOf(graph);
   handle<StepShape_HArray1OfConnectedEdgeSet> edge_sets =
       new StepShape_HArray1OfConnectedEdgeSet(1, static_cast<int>(paths.size()));
   for (size_t i = 0; i < paths.size(); ++i) {
@@ -122,9 +121,10 @@ void WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& 
   STEPControl_Controller::Init();
   handle<StepData_StepModel> model = new StepData_StepModel;
   model->SetProtocol(STEPEdit::Protocol());
-  const StepEdges edges = MakeStepEdges(in_mm);
+  const std::vector<DrawingPath> paths = PathsOf(in_mm);
+  const StepEdges edges = MakeStepEdges(in_mm, paths);
   AddProduct(
-      MakeRepresentation(MakeWireframe(in_mm, edges), std::max(kLeastUncertaintyMm, 2 * edges.gap)),
+      MakeRepresentation(MakeWireframe(paths, edges), std::max(kLeastUncertaintyMm, 2 * edges.gap)),
       model.get());
   AddHeader(model);
   StepData_StepWriter writer(model);

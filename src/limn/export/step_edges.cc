@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include <GeomToStep_MakeCartesianPoint.hxx>
@@ -100,17 +101,18 @@ Eigen::Vector3d PositionOfVertex(const DrawingGraph& graph, const DrawingNode& n
 }
 
 handle<StepShape_EdgeCurve> MakeEdge(const DrawingLink& link, const std::string& name,
-                                     const handle<StepShape_VertexPoint>& start,
-                                     const handle<StepShape_VertexPoint>& end) {
+                                     handle<StepShape_VertexPoint> start,
+                                     handle<StepShape_VertexPoint> end, bool reversed) {
   handle<StepShape_EdgeCurve> edge = new StepShape_EdgeCurve;
+  if (reversed) std::swap(start, end);
   edge->Init(new TCollection_HAsciiString(name.c_str()), start, end,
-             GeomToStep_MakeCurve(CurveOf(link)).Value(), true);
+             GeomToStep_MakeCurve(CurveOf(link)).Value(), /*same_sense=*/!reversed);
   return edge;
 }
 
 }  // namespace
 
-StepEdges MakeStepEdges(const DrawingGraph& graph) {
+StepEdges MakeStepEdges(const DrawingGraph& graph, const std::vector<DrawingPath>& paths) {
   std::vector<handle<StepShape_VertexPoint>> vertices;
   std::vector<Eigen::Vector3d> positions;
   for (const DrawingNode& node : graph.nodes) {
@@ -118,16 +120,20 @@ StepEdges MakeStepEdges(const DrawingGraph& graph) {
     vertices.push_back(MakeVertex(positions.back()));
   }
   StepEdges edges;
-  for (size_t id = 0; id < graph.links.size(); ++id) {
-    const DrawingLink& link = graph.links[id];
-    const std::string name = "link_" + std::to_string(id);
-    try {
-      edges.of_link.push_back(MakeEdge(link, name, vertices[link.node0], vertices[link.node1]));
-    } catch (const Standard_Failure& failure) {
-      throw InputError(name + ": no curve of OpenCASCADE: " + failure.GetMessageString());
+  edges.of_link.resize(graph.links.size());
+  for (const DrawingPath& path : paths) {
+    for (const PathStep& step : path) {
+      const DrawingLink& link = graph.links[step.link];
+      const std::string name = "link_" + std::to_string(step.link);
+      try {
+        edges.of_link[step.link] =
+            MakeEdge(link, name, vertices[link.node0], vertices[link.node1], step.reversed);
+      } catch (const Standard_Failure& failure) {
+        throw InputError(name + ": no curve of OpenCASCADE: " + failure.GetMessageString());
+      }
+      edges.gap = std::max({edges.gap, (EndOfCurve(link, 0) - positions[link.node0]).norm(),
+                            (EndOfCurve(link, 1) - positions[link.node1]).norm()});
     }
-    edges.gap = std::max({edges.gap, (EndOfCurve(link, 0) - positions[link.node0]).norm(),
-                          (EndOfCurve(link, 1) - positions[link.node1]).norm()});
   }
   return edges;
 }

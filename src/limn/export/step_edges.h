@@ -6,6 +6,7 @@
 #include <StepShape_VertexPoint.hxx>
 
 #include "limn/model/drawing_graph.h"
+#include "limn/model/drawing_paths.h"
 
 namespace limn {
 
@@ -16,7 +17,8 @@ struct StepEdges {
   double gap = 0;
 };
 
-// Coordinates in millimetres. Throws InputError where OpenCASCADE does not take a curve.
-StepEdges MakeStepEdges(const DrawingGraph& graph);
+// Every link as its path walks it: where that is against its curve, the edge says so. Coordinates
+// in millimetres. Throws InputError where OpenCASCADE does not take a curve.
+StepEdges MakeStepEdges(const DrawingGraph& graph, const std::vector<DrawingPath>& paths);
 
 }  // namespace limn

@@ -147,6 +147,30 @@ TEST_F(DrawingStep, LinksShareTheVerticesOfTheirNodes) {
   EXPECT_EQ(degrees, expected);
 }
 
+// 0-1-2-3 with links of any direction.
+TEST_F(DrawingStep, EdgesOfAWireFollowEachOther) {
+  PrimitiveDrawingBuilder builder;
+  std::vector<NodeId> nodes;
+  for (int n = 0; n < 4; ++n) nodes.push_back(builder.AddNode({1.0 * n, 0.1 * n * n, 0}));
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  builder.AddPolyline({zero, {1.5, 0.5, 0}, zero}, nodes[2], nodes[1]);
+  builder.AddPolyline({zero, zero}, nodes[0], nodes[1]);
+  builder.AddPolyline({zero, zero}, nodes[3], nodes[2]);
+  builder.AddShape(TiltedArc({9, 0, 0}, 1, 0.4, 0, 2));
+  RebuildIncidence(&builder.graph());
+  const std::vector<TopoDS_Shape> wires = Children(WriteAndRead(builder.graph()), TopAbs_WIRE);
+  ASSERT_EQ(wires.size(), 2u);
+  const std::vector<TopoDS_Shape> edges = Children(wires[0], TopAbs_EDGE);
+  ASSERT_EQ(edges.size(), 3u);
+  for (size_t i = 1; i < edges.size(); ++i) {
+    EXPECT_TRUE(TopExp::LastVertex(TopoDS::Edge(edges[i - 1]), true)
+                    .IsSame(TopExp::FirstVertex(TopoDS::Edge(edges[i]), true)))
+        << i;
+  }
+  const auto start = BRep_Tool::Pnt(TopExp::FirstVertex(TopoDS::Edge(edges[0]), true));
+  EXPECT_LT((At(start) - builder.graph().nodes[3].position_in_world).norm(), 1e-12);
+}
+
 TEST_F(DrawingStep, UnitsBecomeMillimetres) {
   PrimitiveDrawingBuilder builder;
   builder.AddShape(LineSegment{{1, 2, 3}, {1, 2, 5}});
