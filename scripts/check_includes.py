@@ -32,6 +32,9 @@ THIRD_PARTY = {
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
     "boost/": ["colmap_ext/options/"],
     "tiny_gltf.h": ["src/limn/export/drawing_glb.cc"],
+    # OpenCASCADE: its headers are in no folder.
+    **{prefix: ["src/limn/export/drawing_step.cc", "src/limn/export/step_edges"]
+       for prefix in ("Step", "STEP", "Geom", "gp_", "TCol", "Standard_", "Interface_", "APIHeader", "TopoDS", "BRep")},
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -10,6 +10,7 @@ int RunCurveDrawer(int argc, const char* const* argv);
 int RunCurveLinker(int argc, const char* const* argv);
 int RunCurveSketcher(int argc, const char* const* argv);
 int RunDrawingEvaluator(int argc, const char* const* argv);
+int RunDrawingExporter(int argc, const char* const* argv);
 int RunDrawingRefiner(int argc, const char* const* argv);
 int RunDrawingFuser(int argc, const char* const* argv);
 int RunEdgeExtractor(int argc, const char* const* argv);

@@ -1,17 +1,13 @@
 #include "colmap_ext/commands/world_shift.h"
 
+#include <utility>
+
+#include "limn/model/drawing_transform.h"
+
 namespace limn::colmap_ext {
 
 DrawingGraph Moved(DrawingGraph graph, const Eigen::Vector3d& shift) {
-  for (DrawingNode& node : graph.nodes) node.position_in_world += shift;
-  for (DrawingLink& link : graph.links) {
-    for (Eigen::Vector3d& point : link.points_in_world) point += shift;
-    if (link.primitive) {
-      link.primitive->shape =
-          Transformed(link.primitive->shape, 1, Eigen::Matrix3d::Identity(), shift);
-    }
-  }
-  return graph;
+  return Transformed(std::move(graph), 1, Eigen::Matrix3d::Identity(), shift);
 }
 
 CurveSketch Moved(CurveSketch sketch, const Eigen::Vector3d& shift) {

@@ -1,21 +1,15 @@
 #include "limn/export/drawing_obj.h"
 
-#include <charconv>
 #include <ostream>
+
+#include "limn/export/number_text.h"
 
 namespace limn {
 namespace {
 
-// The shortest text that reads back as the same number.
-void PutNumber(std::ostream& out, double value) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof(text), value);
-  out.write(text, end - text);
-}
-
 void PutVertex(std::ostream& out, const Eigen::Vector3d& point) {
   out << 'v';
-  for (int axis = 0; axis < 3; ++axis) PutNumber(out << ' ', point[axis]);
+  for (int axis = 0; axis < 3; ++axis) out << ' ' << NumberText(point[axis]);
   out << '\n';
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "limn/export/colors.h"
+#include "limn/export/link_kind.h"
 #include "limn/export/ply_output.h"
 
 namespace limn {
@@ -58,8 +59,7 @@ void PutEdges(const DrawingGraph& graph, std::ostream& out) {
       PutColor(out, color);
       PutLittleEndian(out, static_cast<int32_t>(id));
       if (has_classes) {
-        const DenseClass of_link = link.dense ? link.dense->dense_class : DenseClass::kUnknown;
-        PutLittleEndian(out, static_cast<uint8_t>(of_link));
+        PutLittleEndian(out, static_cast<uint8_t>(ClassOf(link)));
       }
       previous = next;
     }

@@ -4,30 +4,104 @@
 #include <cctype>
 #include <filesystem>
 
+#include "limn/export/drawing_dxf.h"
+#include "limn/export/drawing_graphml.h"
 #include "limn/export/drawing_json.h"
 #include "limn/export/drawing_obj.h"
 #include "limn/export/drawing_ply.h"
+#include "limn/export/drawing_step.h"
 #include "limn/export/sketch_ply.h"
 #include "limn/export/tracks.h"
 #include "limn/io/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {
+namespace {
 
-void WriteDrawing(const std::string& path, const DrawingGraph& graph,
-                  const DrawingMetadata& metadata) {
-  const std::vector<std::string> violations = Validate(graph);
-  if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
+struct Job {
+  const DrawingGraph& graph;
+  const DrawingMetadata& metadata;
+  const DrawingFormatOptions& options;
+};
+
+struct Format {
+  const char* name;
+  std::vector<std::string> extensions;
+  void (*write)(const Job& job, std::ostream& out);
+};
+
+// One line per format.
+const std::vector<Format>& Formats() {
+  using Out = std::ostream;
+  static const std::vector<Format> formats = {
+      {"ply", {".ply"}, [](const Job& job, Out& out) { WriteDrawingPly(job.graph, out); }},
+      {"obj", {".obj"}, [](const Job& job, Out& out) { WriteDrawingObj(job.graph, out); }},
+      {"json",
+       {".json"},
+       [](const Job& job, Out& out) { WriteDrawingJson(job.graph, job.metadata, out); }},
+      {"dxf",
+       {".dxf"},
+       [](const Job& job, Out& out) {
+         WriteDrawingDxf(job.graph, job.options.dxf, job.options.unit, out);
+       }},
+      {"graphml",
+       {".graphml"},
+       [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, out); }},
+#ifdef LIMN_WITH_STEP
+      {"step",
+       {".step", ".stp"},
+       [](const Job& job, Out& out) { WriteDrawingStep(job.graph, job.options.unit, out); }},
+#endif
+  };
+  return formats;
+}
+
+std::string JoinedExtensions() {
+  std::string text;
+  for (const Format& format : Formats()) {
+    for (const std::string& extension : format.extensions) {
+      text += (text.empty() ? "" : ", ") + extension;
+    }
+  }
+  return text;
+}
+
+const Format& FormatByName(const std::string& path, const std::string& name) {
+  for (const Format& format : Formats()) {
+    if (format.name == name) return format;
+  }
+  throw IoError(path, "unknown format " + name);
+}
+
+const Format& FormatByExtension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension != ".ply" && extension != ".obj" && extension != ".json") {
-    throw IoError(path, "unknown extension; drawings are written as .ply, .obj or .json");
+  for (const Format& format : Formats()) {
+    const auto& extensions = format.extensions;
+    if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) {
+      return format;
+    }
   }
+  throw IoError(path, "unknown extension; drawings are written as " + JoinedExtensions());
+}
+
+}  // namespace
+
+std::vector<std::string> DrawingFormats() {
+  std::vector<std::string> names;
+  for (const Format& format : Formats()) names.push_back(format.name);
+  return names;
+}
+
+void WriteDrawing(const std::string& path, const DrawingGraph& graph,
+                  const DrawingMetadata& metadata, const DrawingFormatOptions& options) {
+  const std::vector<std::string> violations = Validate(graph);
+  if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
+  const Format& format =
+      options.format == kAutoFormat ? FormatByExtension(path) : FormatByName(path, options.format);
   WriteFileAtomically(path, [&](std::ostream& out) {
-    if (extension == ".ply") WriteDrawingPly(graph, out);
-    if (extension == ".obj") WriteDrawingObj(graph, out);
-    if (extension == ".json") WriteDrawingJson(graph, metadata, out);
+    format.write({graph, metadata, options}, out);
   });
 }
 

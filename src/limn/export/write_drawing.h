@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "limn/export/drawing_dxf.h"
+#include "limn/export/length_unit.h"
 #include "limn/io/drawing_json_reader.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
@@ -10,11 +12,25 @@
 
 namespace limn {
 
-// Write a drawing in the format of the path's extension: .ply, .obj or .json. The same graph gives
-// the same bytes. The file appears whole or not at all. Throws IoError, or InputError if the graph
+constexpr const char* kAutoFormat = "auto";
+
+struct DrawingFormatOptions {
+  // One of DrawingFormats(), or kAutoFormat: the one that the path's extension names.
+  std::string format = kAutoFormat;
+  DxfOptions dxf;
+  // What one unit of the coordinates is; for formats that say so (DXF, STEP).
+  LengthUnit unit = LengthUnit::kNone;
+};
+
+// The names of the formats that drawings are written in: "ply", "obj", ... Those of a build without
+// OpenCASCADE lack "step".
+std::vector<std::string> DrawingFormats();
+
+// Write a drawing. The same graph gives the same bytes. The file appears whole or not at all.
+// Throws IoError, also for an extension or format that is not known, or InputError if the graph
 // breaks an invariant of Validate.
 void WriteDrawing(const std::string& path, const DrawingGraph& graph,
-                  const DrawingMetadata& metadata);
+                  const DrawingMetadata& metadata, const DrawingFormatOptions& options = {});
 
 // WriteSketchPly and WriteTracks to a path, whole or not at all.
 void WriteSketch(const std::string& path, const CurveSketch& sketch);

@@ -87,8 +87,6 @@ LinkPrimitive ToPrimitive(const Json& json) {
   } else {
     throw InputError("unknown type of primitive \"" + type.substr(0, 40) + "\"");
   }
-  const std::string broken = ValidateShape(primitive.shape);
-  if (!broken.empty()) throw InputError("primitive: " + broken);
   primitive.rms_px = json.at("rms_px").get<double>();
   primitive.max_px = json.at("max_px").get<double>();
   return primitive;

@@ -52,6 +52,10 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
       link.points_in_world.back() != graph.nodes[link.node1].position_in_world) {
     violations->Add("link", id, "ends are not at its nodes");
   }
+  if (link.primitive) {
+    const std::string broken = ValidateShape(link.primitive->shape);
+    if (!broken.empty()) violations->Add("link", id, "primitive: " + broken);
+  }
   if (link.closed && link.node0 != link.node1) {
     violations->Add("link", id, "closed, but with two nodes");
   }

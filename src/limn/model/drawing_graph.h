@@ -108,8 +108,8 @@ struct DrawingGraph {
 
 // Broken invariants in words, empty if there are none: ids in range, incidence symmetric, link ends
 // at their nodes' positions, all numbers finite, links of at least two points, no link of zero
-// length, junction <=> degree >= 3, loop anchors have exactly the two ends of one closed link.
-// Linear time.
+// length, primitives that ValidateShape accepts, junction <=> degree >= 3, loop anchors have
+// exactly the two ends of one closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // Recompute `incident` and `kind` of every node from the links' node0, node1 and closed.

@@ -1,0 +1,76 @@
+#include <iostream>
+
+#include "colmap_ext/commands/commands.h"
+#include "colmap_ext/options/option_parser.h"
+#include "limn/export/write_drawing.h"
+#include "limn/io/drawing_json_reader.h"
+#include "limn/model/drawing_transform.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+struct ExporterOptions {
+  std::string input_path, output_path;
+  DrawingFormatOptions format;
+  double scale = 1;
+  SignedAxis up_axis = SignedAxis::kZ;
+};
+
+void AddOptions(ExporterOptions* options, OptionParser* parser) {
+  std::vector<std::string> formats = DrawingFormats();
+  formats.insert(formats.begin(), kAutoFormat);
+  parser->AddOption("input_path", &options->input_path, "the drawing.json");
+  parser->AddOption("output_path", &options->output_path, "the file to write");
+  parser->AddOption("output_type", &options->format.format, formats,
+                    "its format; auto = by its extension");
+  parser->AddOption("scale", &options->scale, "what coordinates are multiplied by");
+  parser->AddOption("up_axis", &options->up_axis,
+                    {{"x", SignedAxis::kX},
+                     {"y", SignedAxis::kY},
+                     {"z", SignedAxis::kZ},
+                     {"-x", SignedAxis::kMinusX},
+                     {"-y", SignedAxis::kMinusY},
+                     {"-z", SignedAxis::kMinusZ}},
+                    "the axis of the model that points up, often -y; it becomes z");
+  DxfOptions& dxf = options->format.dxf;
+  parser->AddOption("layers", &dxf.layers,
+                    {{"class", DxfLayers::kClass},
+                     {"component", DxfLayers::kComponent},
+                     {"single", DxfLayers::kSingle}},
+                    "DXF: what makes a layer, the kind of curve or the connected component");
+  parser->AddOption("junctions", &dxf.junctions, "DXF: junctions as points on their own layer");
+  parser->AddOption("unit", &options->format.unit,
+                    {{"none", LengthUnit::kNone},
+                     {"mm", LengthUnit::kMillimetre},
+                     {"cm", LengthUnit::kCentimetre},
+                     {"m", LengthUnit::kMetre},
+                     {"in", LengthUnit::kInch},
+                     {"ft", LengthUnit::kFoot}},
+                    "DXF and STEP: what one unit is after scaling");
+}
+
+void Check(const ExporterOptions& options) {
+  if (options.input_path.empty()) throw OptionError("--input_path must be given");
+  if (options.output_path.empty()) throw OptionError("--output_path must be given");
+  CheckOption(options.scale > 0, "scale", options.scale, "> 0");
+}
+
+}  // namespace
+
+int RunDrawingExporter(int argc, const char* const* argv) {
+  ExporterOptions options;
+  OptionParser parser("drawing_exporter", "write a drawing in the format of another program");
+  AddOptions(&options, &parser);
+  if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
+  Check(options);
+  DrawingFile drawing = ReadDrawingJson(options.input_path);
+  drawing.graph = Transformed(std::move(drawing.graph), options.scale, ZUpFrom(options.up_axis),
+                              Eigen::Vector3d::Zero());
+  WriteDrawing(options.output_path, drawing.graph, drawing.metadata, options.format);
+  std::cout << "Written: " << options.output_path << " (" << drawing.graph.links.size()
+            << " links)\n";
+  return 0;
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// The words files use for a link.
+
+// "line", "arc", "circle", "spline", or "polyline" where the link has no primitive.
+inline const char* PrimitiveName(const DrawingLink& link) {
+  return link.primitive ? ShapeName(link.primitive->shape) : "polyline";
+}
+
+inline DenseClass ClassOf(const DrawingLink& link) {
+  return link.dense ? link.dense->dense_class : DenseClass::kUnknown;
+}
+
+}  // namespace limn

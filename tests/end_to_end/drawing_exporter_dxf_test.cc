@@ -1,0 +1,217 @@
+// DXF files, read and audited by ezdxf.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "end_to_end/exported_drawing.h"
+#include "limn/export/primitive_drawing.h"
+#include "limn/geometry/polyline.h"
+#include "limn/model/drawing_transform.h"
+
+namespace limn::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::Pair;
+
+void ExpectSoundFile(const json& read) {
+  EXPECT_EQ(read.at("version"), "AC1015");
+  EXPECT_EQ(read.at("errors"), json::array());
+  EXPECT_EQ(read.at("fixes"), json::array());
+  EXPECT_EQ(read.at("paper_space"), 0);
+  std::set<int> handles;
+  for (const int handle : read.at("handles")) {
+    EXPECT_TRUE(handles.insert(handle).second) << "handle " << handle << " is not unique";
+    EXPECT_LT(handle, read.at("seed").get<int>());
+  }
+}
+
+std::string EntityType(const DrawingLink& link) {
+  static const std::map<std::string, std::string> types = {
+      {"line", "LINE"}, {"arc", "ARC"}, {"circle", "CIRCLE"}, {"spline", "SPLINE"}};
+  return link.primitive ? types.at(ShapeName(link.primitive->shape)) : "POLYLINE";
+}
+
+// The entities of links by link id.
+std::map<int, json> LinkEntities(const json& read) {
+  std::map<int, json> entities;
+  for (const json& entity : read.at("entities")) {
+    if (entity.at("type") == "POINT") continue;
+    EXPECT_TRUE(entities.emplace(entity.at("id"), entity).second);
+    EXPECT_EQ(entity.at("owner"), read.at("entities")[0].at("owner"));
+  }
+  return entities;
+}
+
+// ezdxf's points lie on the link's curve, in its order from end to end.
+void ExpectSameCurve(const json& entity, const DrawingLink& link, double size) {
+  const Polyline3d curve = link.primitive ? SampleShape(link.primitive->shape, 1e-8 * size)
+                                          : Polyline3d(link.points_in_world);
+  const json& samples = entity.at("samples");
+  const bool circle = entity.at("type") == "CIRCLE";  // has no start
+  if (!circle) {
+    EXPECT_LT((ToPoint(samples.front()) - curve.front()).norm(), 1e-12 * size);
+    EXPECT_LT((ToPoint(samples.back()) - curve.back()).norm(), 1e-12 * size);
+  }
+  const std::vector<double> arc_length = CumulativeLength(curve);
+  double previous = -1;
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const PolylinePoint closest = ClosestPoint(curve, ToPoint(samples[i]));
+    EXPECT_LT(std::sqrt(closest.squared_distance), 2e-8 * size);
+    const double place =
+        arc_length[closest.segment] +
+        closest.t * (arc_length[closest.segment + 1] - arc_length[closest.segment]);
+    const bool may_be_either_end = circle || i == 0 || i + 1 == samples.size();
+    if (!may_be_either_end) {
+      EXPECT_GT(place, previous);
+      previous = place;
+    }
+  }
+  EXPECT_NEAR(entity.at("length").get<double>() / ShapeLength(link), 1, 1e-7);
+}
+
+void ExpectSameDrawing(const json& read, const DrawingGraph& graph, double size) {
+  ExpectSoundFile(read);
+  const std::map<int, json> entities = LinkEntities(read);
+  ASSERT_EQ(entities.size(), graph.links.size());
+  for (const auto& [id, entity] : entities) {
+    SCOPED_TRACE("link " + std::to_string(id));
+    const DrawingLink& link = graph.links.at(id);
+    ASSERT_EQ(entity.at("type"), EntityType(link));
+    ExpectSameCurve(entity, link, size);
+  }
+}
+
+TEST(DrawingExporterDxf, EveryLinkIsOneEntityWithItsShape) {
+  const DrawingGraph graph = PrimitiveDrawing();
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf");
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSameDrawing(read, graph, 60);
+  EXPECT_EQ(read.at("unit"), 0);
+  const std::map<int, json> entities = LinkEntities(read);
+  for (const int id : {1, 5, 7, 10, 11}) {
+    const auto& arc = std::get<CircularArc>(graph.links[id].primitive->shape);
+    EXPECT_EQ(entities.at(id).at("radius"), arc.radius);
+    EXPECT_LT((ToPoint(entities.at(id).at("center")) - arc.center).norm(), 1e-12);
+  }
+  for (const int id : {2, 9}) {
+    const auto& spline = std::get<CubicBSpline>(graph.links[id].primitive->shape);
+    EXPECT_EQ(entities.at(id).at("degree"), 3);
+    EXPECT_EQ(entities.at(id).at("knots"), json(spline.knots));
+    ASSERT_EQ(entities.at(id).at("control_points").size(), spline.control_points.size());
+    for (size_t i = 0; i < spline.control_points.size(); ++i) {
+      EXPECT_EQ(ToPoint(entities.at(id).at("control_points")[i]), spline.control_points[i]);
+    }
+  }
+  for (const int id : {4, 6, 8}) {
+    EXPECT_TRUE(entities.at(id).at("is_3d"));
+    EXPECT_EQ(entities.at(id).at("closed"), graph.links[id].closed);
+    EXPECT_EQ(entities.at(id).at("points").size(),
+              graph.links[id].points_in_world.size() - (graph.links[id].closed ? 1 : 0));
+  }
+}
+
+TEST(DrawingExporterDxf, ScaledAndTurnedArcsToo) {
+  const ExportedDrawing exported(PrimitiveDrawing());
+  for (const auto& [name, axis] :
+       {std::pair("-y", SignedAxis::kMinusY), std::pair("x", SignedAxis::kX),
+        std::pair("-z", SignedAxis::kMinusZ)}) {
+    SCOPED_TRACE(name);
+    exported.Export("d.dxf", {"--scale", "1000", "--up_axis", name, "--unit", "mm"});
+    const json read = exported.Read("read_dxf.py", "d.dxf");
+    ExpectSameDrawing(
+        read, Transformed(PrimitiveDrawing(), 1000, ZUpFrom(axis), Eigen::Vector3d::Zero()), 60000);
+    EXPECT_EQ(read.at("unit"), 4);
+  }
+}
+
+std::map<std::string, int> CountsByLayer(const json& read) {
+  std::map<std::string, int> counts;
+  for (const json& entity : read.at("entities")) ++counts[entity.at("layer")];
+  return counts;
+}
+
+TEST(DrawingExporterDxf, LayersByClass) {
+  const ExportedDrawing exported(PrimitiveDrawing());
+  exported.Export("d.dxf");
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  EXPECT_THAT(CountsByLayer(read),
+              ElementsAre(Pair("arc", 4), Pair("circle", 1), Pair("junctions", 1), Pair("line", 1),
+                          Pair("line_boundary", 1), Pair("polyline", 2),
+                          Pair("polyline_surface", 1), Pair("spline", 2)));
+  std::set<int> colors;
+  for (const auto& [layer, count] : CountsByLayer(read)) {
+    colors.insert(read.at("layers").at(layer).get<int>());
+  }
+  EXPECT_EQ(colors.size(), 8u);
+}
+
+TEST(DrawingExporterDxf, LayersByComponentAndNone) {
+  const ExportedDrawing exported(PrimitiveDrawing());
+  exported.Export("d.dxf", {"--layers", "component", "--junctions", "0"});
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  std::map<int, std::string> layers;
+  for (const auto& [id, entity] : LinkEntities(read)) layers[id] = entity.at("layer");
+  const std::set<std::string> names = [&] {
+    std::set<std::string> all;
+    for (const auto& [id, layer] : layers) all.insert(layer);
+    return all;
+  }();
+  EXPECT_THAT(names, ElementsAre("component_1", "component_2", "component_3", "component_4",
+                                 "component_5", "component_6", "component_7"));
+  for (const int id : {1, 2, 3, 4}) EXPECT_EQ(layers.at(id), layers.at(0));
+  EXPECT_EQ(layers.at(5), layers.at(6));
+  EXPECT_EQ(layers.at(7), "component_1");  // the longest
+  EXPECT_EQ(CountsByLayer(read).count("junctions"), 0u);
+
+  exported.Export("s.dxf", {"--layers", "single"});
+  EXPECT_THAT(CountsByLayer(exported.Read("read_dxf.py", "s.dxf")),
+              ElementsAre(Pair("drawing", 12), Pair("junctions", 1)));
+}
+
+TEST(DrawingExporterDxf, JunctionsArePoints) {
+  const DrawingGraph graph = PrimitiveDrawing();
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf");
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  int num_points = 0;
+  for (const json& entity : read.at("entities")) {
+    if (entity.at("type") != "POINT") continue;
+    ++num_points;
+    EXPECT_EQ(entity.at("layer"), "junctions");
+    const DrawingNode& node = graph.nodes.at(entity.at("id").get<int>());
+    EXPECT_EQ(node.kind, NodeKind::kJunction);
+    EXPECT_EQ(ToPoint(entity.at("location")), node.position_in_world);
+  }
+  EXPECT_EQ(num_points, 1);
+}
+
+TEST(DrawingExporterDxf, ExtentHoldsAllAndNoMore) {
+  const DrawingGraph graph = PrimitiveDrawing();
+  Eigen::AlignedBox3d box;
+  for (const DrawingLink& link : graph.links) {
+    for (const Eigen::Vector3d& point : link.points_in_world) box.extend(point);
+  }
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf");
+  const json extent = exported.Read("read_dxf.py", "d.dxf").at("extent");
+  EXPECT_LT((ToPoint(extent[0]) - box.min()).norm(), 1e-3);
+  EXPECT_LT((ToPoint(extent[1]) - box.max()).norm(), 1e-3);
+}
+
+TEST(DrawingExporterDxf, EmptyDrawing) {
+  const ExportedDrawing exported(DrawingGraph{});
+  exported.Export("d.dxf");
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  EXPECT_EQ(read.at("entities"), json::array());
+}
+
+}  // namespace
+}  // namespace limn::testing

@@ -1,0 +1,142 @@
+// `limn drawing_exporter`: its options, and the files that Python's XML parser reads back. Formats
+// of CAD and of Blender are in drawing_exporter_<format>_test.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "end_to_end/exported_drawing.h"
+#include "limn/export/primitive_drawing.h"
+#include "limn/geometry/polyline.h"
+#include "limn/io/drawing_json_reader.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST(DrawingExporter, GraphmlIsTheGraph) {
+  const DrawingGraph graph = PrimitiveDrawing();
+  const ExportedDrawing exported(graph);
+  exported.Export("graph.graphml");
+  const nlohmann::json read = exported.Read("read_graphml.py", "graph.graphml");
+  EXPECT_EQ(read.at("edgedefault"), "undirected");
+  ASSERT_EQ(read.at("nodes").size(), graph.nodes.size());
+  for (size_t n = 0; n < graph.nodes.size(); ++n) {
+    const nlohmann::json& node = read.at("nodes")[n];
+    EXPECT_EQ(node.at("id"), "n" + std::to_string(n));
+    EXPECT_EQ(Eigen::Vector3d(node.at("x"), node.at("y"), node.at("z")),
+              graph.nodes[n].position_in_world);
+    EXPECT_EQ(node.at("kind"), NodeKindName(graph.nodes[n].kind));
+    EXPECT_EQ(node.at("degree"), graph.nodes[n].Degree());
+  }
+  ASSERT_EQ(read.at("edges").size(), graph.links.size());
+  const std::vector<std::string> primitives = {"line",     "arc",    "spline",   "line",
+                                               "polyline", "arc",    "polyline", "circle",
+                                               "polyline", "spline", "arc",      "arc"};
+  ASSERT_EQ(primitives.size(), graph.links.size());
+  int num_loops = 0;
+  for (size_t l = 0; l < graph.links.size(); ++l) {
+    const nlohmann::json& edge = read.at("edges")[l];
+    EXPECT_EQ(edge.at("link"), l);
+    EXPECT_EQ(edge.at("source"), "n" + std::to_string(graph.links[l].node0));
+    EXPECT_EQ(edge.at("target"), "n" + std::to_string(graph.links[l].node1));
+    EXPECT_EQ(edge.at("length"), Length(graph.links[l].points_in_world));
+    EXPECT_EQ(edge.at("points"), graph.links[l].points_in_world.size());
+    EXPECT_EQ(edge.at("views"), 2);
+    EXPECT_EQ(edge.at("residual_px"), 0.1);
+    EXPECT_EQ(edge.at("primitive"), primitives[l]);
+    EXPECT_EQ(edge.at("class"), l == 3 ? "boundary" : l == 4 ? "surface" : "unknown");
+    num_loops += edge.at("source") == edge.at("target");
+  }
+  EXPECT_EQ(num_loops, 3);  // a circle, a closed polyline, a closed spline
+  // Parallel edges are two.
+  EXPECT_EQ(read.at("edges")[5].at("source"), read.at("edges")[6].at("source"));
+  EXPECT_EQ(read.at("edges")[5].at("target"), read.at("edges")[6].at("target"));
+}
+
+TEST(DrawingExporter, ScaleAndUpAxis) {
+  const DrawingGraph graph = PrimitiveDrawing();
+  const ExportedDrawing exported(graph);
+  exported.Export("upright.json", {"--scale", "1000", "--up_axis", "-y"});
+  const DrawingGraph read = ReadDrawingJson(exported.Path("upright.json")).graph;
+  ASSERT_EQ(read.nodes.size(), graph.nodes.size());
+  for (size_t n = 0; n < graph.nodes.size(); ++n) {
+    const Eigen::Vector3d& p = graph.nodes[n].position_in_world;
+    EXPECT_EQ(read.nodes[n].position_in_world,
+              Eigen::Vector3d(1000 * p.x(), 1000 * p.z(), -1000 * p.y()));
+  }
+  for (size_t l = 0; l < graph.links.size(); ++l) {
+    EXPECT_NEAR(ShapeLength(read.links[l]) / ShapeLength(graph.links[l]), 1000, 1e-6);
+  }
+}
+
+TEST(DrawingExporter, TypeByExtensionOrByOption) {
+  const ExportedDrawing exported(PrimitiveDrawing());
+  exported.Export("a.GraphML");
+  exported.Export("b.txt", {"--output_type", "graphml"});
+  exported.Export("new/folder/c.graphml");
+  const auto files = ReadTree(exported.dir().path());
+  EXPECT_EQ(files.at("a.GraphML"), files.at("b.txt"));
+  EXPECT_EQ(files.at("a.GraphML"), files.at("new/folder/c.graphml"));
+}
+
+class BadExport : public ::testing::Test {
+ protected:
+  void ExpectRefused(const LimnRun& run, const auto& line_matcher) {
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: "), line_matcher));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_EQ(ReadTree(exported_.dir().path()), before_);
+  }
+
+  ExportedDrawing exported_{PrimitiveDrawing()};
+  std::map<std::string, std::string> before_ = ReadTree(exported_.dir().path());
+};
+
+TEST_F(BadExport, Options) {
+  ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "0"}), HasSubstr("scale = 0"));
+  ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "-2"}), HasSubstr("scale = -2"));
+  ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "nan"}), HasSubstr("scale = nan"));
+  ExpectRefused(exported_.TryExport("a.graphml", {"--up_axis", "w"}), HasSubstr("up_axis = w"));
+  ExpectRefused(exported_.TryExport("a.graphml", {"--output_type", "dwg"}),
+                HasSubstr("output_type = dwg"));
+  ExpectRefused(RunLimn({"drawing_exporter", "--output_path", exported_.Path("a.graphml")}),
+                HasSubstr("input_path"));
+  ExpectRefused(RunLimn({"drawing_exporter", "--input_path", exported_.Path("drawing.json")}),
+                HasSubstr("output_path"));
+}
+
+TEST_F(BadExport, Extension) {
+  ExpectRefused(exported_.TryExport("a.dwg"), AllOf(HasSubstr("a.dwg"), HasSubstr(".graphml")));
+  ExpectRefused(exported_.TryExport("a"), HasSubstr("unknown extension"));
+}
+
+TEST_F(BadExport, NumbersThatRunOver) {
+  ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "1e308"}), HasSubstr("not finite"));
+}
+
+TEST_F(BadExport, Input) {
+  const auto run = [&](const std::string& name) {
+    return RunLimn({"drawing_exporter", "--input_path", exported_.Path(name), "--output_path",
+                    exported_.Path("a.graphml")});
+  };
+  ExpectRefused(run("none.json"), HasSubstr("none.json"));
+  exported_.dir().WriteFile("cut.json", before_.at("drawing.json").substr(0, 1000));
+  exported_.dir().WriteFile("other.json", "{\"format\": \"other\"}");
+  before_ = ReadTree(exported_.dir().path());
+  ExpectRefused(run("cut.json"), HasSubstr("cut.json"));
+  ExpectRefused(run("other.json"), HasSubstr("limn-drawing"));
+}
+
+TEST_F(BadExport, OutputFolderThatCannotBeMade) {
+  ExpectRefused(exported_.TryExport("drawing.json/a.graphml"), HasSubstr("drawing.json"));
+}
+
+}  // namespace
+}  // namespace limn::testing

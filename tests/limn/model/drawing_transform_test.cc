@@ -1,0 +1,81 @@
+#include "limn/model/drawing_transform.h"
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limn/export/primitive_drawing.h"
+#include "limn/geometry/polyline.h"
+
+namespace limn {
+namespace {
+
+TEST(ZUpFrom, TakesTheAxisToZAndIsARotation) {
+  const std::array<std::pair<SignedAxis, Eigen::Vector3d>, 6> cases = {
+      {{SignedAxis::kX, {1, 0, 0}},
+       {SignedAxis::kY, {0, 1, 0}},
+       {SignedAxis::kZ, {0, 0, 1}},
+       {SignedAxis::kMinusX, {-1, 0, 0}},
+       {SignedAxis::kMinusY, {0, -1, 0}},
+       {SignedAxis::kMinusZ, {0, 0, -1}}}};
+  for (const auto& [axis, up] : cases) {
+    const Eigen::Matrix3d rotation = ZUpFrom(axis);
+    EXPECT_EQ(rotation * up, Eigen::Vector3d(0, 0, 1));
+    EXPECT_EQ(rotation.determinant(), 1);
+    EXPECT_EQ(rotation * rotation.transpose(), Eigen::Matrix3d::Identity());
+  }
+  EXPECT_EQ(ZUpFrom(SignedAxis::kZ), Eigen::Matrix3d::Identity());
+  EXPECT_EQ(ZUpFrom(SignedAxis::kMinusY) * Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(1, 3, -2));
+}
+
+TEST(TransformedDrawing, MovesGraphAndPrimitivesAlike) {
+  const DrawingGraph graph = PrimitiveDrawing();
+  const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  const Eigen::Vector3d translation(5, -7, 100);
+  const double scale = 2.5;
+  const DrawingGraph moved = Transformed(graph, scale, rotation, translation);
+  EXPECT_THAT(Validate(moved), ::testing::IsEmpty());
+  ASSERT_EQ(moved.links.size(), graph.links.size());
+  for (size_t l = 0; l < graph.links.size(); ++l) {
+    const DrawingLink& link = graph.links[l];
+    EXPECT_NEAR(Length(moved.links[l].points_in_world), scale * Length(link.points_in_world), 1e-9);
+    EXPECT_EQ(moved.links[l].sigma[0], scale * link.sigma[0]);
+    EXPECT_EQ(moved.links[l].residual_px, link.residual_px);
+    ASSERT_EQ(moved.links[l].primitive.has_value(), link.primitive.has_value());
+    if (!link.primitive) continue;
+    EXPECT_EQ(moved.links[l].primitive->rms_px, link.primitive->rms_px);
+    for (const double t : {0.0, 0.3, 0.8, 1.0}) {
+      const Eigen::Vector3d expected =
+          scale * (rotation * PointAt(link.primitive->shape, t)) + translation;
+      EXPECT_LT((PointAt(moved.links[l].primitive->shape, t) - expected).norm(), 1e-12 * 100);
+    }
+  }
+}
+
+TEST(TransformedDrawing, AnAxisChangeLosesNoBit) {
+  const DrawingGraph graph = PrimitiveDrawing();
+  const DrawingGraph there =
+      Transformed(graph, 1, ZUpFrom(SignedAxis::kMinusY), Eigen::Vector3d::Zero());
+  const DrawingGraph back =
+      Transformed(there, 1, ZUpFrom(SignedAxis::kMinusY).transpose(), Eigen::Vector3d::Zero());
+  for (size_t l = 0; l < graph.links.size(); ++l) {
+    EXPECT_EQ(back.links[l].points_in_world, graph.links[l].points_in_world);
+  }
+  EXPECT_NE(there.links[0].points_in_world, graph.links[0].points_in_world);
+}
+
+// Numbers that run over or vanish do not go into files.
+TEST(TransformedDrawing, ScalesThatBreakItAreSeenByValidate) {
+  for (const double scale : {1e308, 1e-323}) {
+    const DrawingGraph moved = Transformed(PrimitiveDrawing(), scale, Eigen::Matrix3d::Identity(),
+                                           Eigen::Vector3d::Zero());
+    EXPECT_THAT(Validate(moved), ::testing::Not(::testing::IsEmpty())) << scale;
+  }
+}
+
+}  // namespace
+}  // namespace limn

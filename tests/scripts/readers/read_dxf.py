@@ -1,0 +1,90 @@
+"""Prints what a DXF file holds as JSON, read and audited by ezdxf: read_dxf.py file
+
+Points along entities are ezdxf's own: arcs and circles go through its object coordinate systems.
+"""
+
+import json
+import math
+import sys
+
+import ezdxf
+
+
+def is_curve(entity):
+    return entity.dxftype() in ("LINE", "ARC", "CIRCLE", "SPLINE", "POLYLINE")
+
+
+def points_and_length(entity):
+    """Points from end to end, in world coordinates, and the length."""
+    kind = entity.dxftype()
+    if kind == "LINE":
+        points = [entity.dxf.start, entity.dxf.end]
+    elif kind == "POLYLINE":
+        points = [vertex.dxf.location for vertex in entity.vertices]
+        points += points[:1] if entity.is_closed else []
+    elif kind == "SPLINE":
+        points = list(entity.construction_tool().approximate(20000))
+    else:
+        points = list(entity.flattening(1e-4))
+    length = sum(a.distance(b) for a, b in zip(points, points[1:]))
+    if kind in ("ARC", "CIRCLE"):
+        turn = 360 if kind == "CIRCLE" else (entity.dxf.end_angle - entity.dxf.start_angle) % 360
+        length = entity.dxf.radius * math.radians(turn)
+    return points, length
+
+
+def describe(entity):
+    record = {"type": entity.dxftype(), "layer": entity.dxf.layer,
+              "id": entity.get_xdata("LIMN")[0].value, "owner": entity.dxf.owner}
+    if is_curve(entity):
+        points, record["length"] = points_and_length(entity)
+        record["samples"] = [list(point) for point in points[:-1:max(1, len(points) // 50)] + points[-1:]]
+    if entity.dxftype() in ("ARC", "CIRCLE"):
+        record["center"] = list(entity.ocs().to_wcs(entity.dxf.center))
+        record["radius"] = entity.dxf.radius
+    if entity.dxftype() == "SPLINE":
+        record["degree"] = entity.dxf.degree
+        record["knots"] = list(entity.knots)
+        record["control_points"] = [list(point) for point in entity.control_points]
+    if entity.dxftype() == "POLYLINE":
+        record["is_3d"], record["closed"] = entity.is_3d_polyline, entity.is_closed
+        record["points"] = [list(vertex.dxf.location) for vertex in entity.vertices]
+    if entity.dxftype() == "POINT":
+        record["location"] = list(entity.dxf.location)
+    return record
+
+
+def raw_handles(path):
+    """All handles of the file as it is, and the one it says is free."""
+    lines = open(path, encoding="ascii").read().split("\n")
+    tags = list(zip((int(code) for code in lines[0:-1:2]), lines[1::2]))
+    assert len(lines) % 2 == 1 and lines[-1] == "" and tags[-1] == (0, "EOF")
+    handles, seed, kind = [], None, None
+    for (code, value), (_, before) in zip(tags, [(0, "")] + tags):
+        kind = value if code == 0 else kind
+        if before == "$HANDSEED":
+            seed = int(value, 16)
+        elif code == (105 if kind == "DIMSTYLE" else 5):
+            handles.append(int(value, 16))
+    return handles, seed
+
+
+def main():
+    handles, seed = raw_handles(sys.argv[1])
+    document = ezdxf.readfile(sys.argv[1])
+    auditor = document.audit()
+    print(json.dumps({
+        "version": document.dxfversion,
+        "errors": [error.message for error in auditor.errors],
+        "fixes": [fix.message for fix in auditor.fixes],
+        "handles": handles, "seed": seed,
+        "unit": document.header["$INSUNITS"],
+        "extent": [list(document.header["$EXTMIN"]), list(document.header["$EXTMAX"])],
+        "layers": {layer.dxf.name: layer.dxf.color for layer in document.layers},
+        "model_space": document.modelspace().layout_key,
+        "paper_space": len(document.layout()),
+        "entities": [describe(entity) for entity in document.modelspace()],
+    }))
+
+
+main()
