@@ -83,7 +83,12 @@ const Format& FormatByExtension(const std::string& path) {
       return format;
     }
   }
-  throw IoError(path, "unknown extension; drawings are written as " + JoinedExtensions());
+#ifdef LIMN_WITH_STEP
+  const std::string missing;
+#else
+  const std::string missing = " (.step: only by a limn that is built with OpenCASCADE)";
+#endif
+  throw IoError(path, "unknown extension; drawings are written as " + JoinedExtensions() + missing);
 }
 
 }  // namespace
