@@ -1,6 +1,9 @@
+#include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/commands/svg_source.h"
 #include "colmap_ext/options/option_parser.h"
 #include "limn/export/write_drawing.h"
 #include "limn/io/drawing_json_reader.h"
@@ -12,9 +15,11 @@ namespace {
 
 struct ExporterOptions {
   std::string input_path, output_path;
+  bool junctions = true;
   DrawingFormatOptions format;
   double scale = 1;
   SignedAxis up_axis = SignedAxis::kZ;
+  SvgSource svg;
 };
 
 void AddOptions(ExporterOptions* options, OptionParser* parser) {
@@ -39,7 +44,8 @@ void AddOptions(ExporterOptions* options, OptionParser* parser) {
                      {"component", DxfLayers::kComponent},
                      {"single", DxfLayers::kSingle}},
                     "DXF: what makes a layer, the kind of curve or the connected component");
-  parser->AddOption("junctions", &dxf.junctions, "DXF: junctions as points on their own layer");
+  parser->AddOption("junctions", &options->junctions,
+                    "DXF, GLB and SVG: junctions as points on their own layer");
   parser->AddOption("unit", &options->format.unit,
                     {{"none", LengthUnit::kNone},
                      {"mm", LengthUnit::kMillimetre},
@@ -48,12 +54,34 @@ void AddOptions(ExporterOptions* options, OptionParser* parser) {
                      {"in", LengthUnit::kInch},
                      {"ft", LengthUnit::kFoot}},
                     "DXF and STEP: what one unit is after scaling");
+  options->svg.AddOptions(parser);
+}
+
+bool IsSvg(const ExporterOptions& options) {
+  return options.format.format == "svg" ||
+         (options.format.format == kAutoFormat &&
+          std::filesystem::path(options.output_path).extension() == ".svg");
+}
+
+// What an SVG picture shows instead of the graph, and how.
+void SetUpSvg(ExporterOptions* options, DrawingGraph* graph) {
+  SvgScene scene =
+      options->svg.IsSheet()
+          ? SceneOnSheet(options->svg, *graph, ZUpFrom(options->up_axis), options->scale)
+          : SceneInImage(options->svg, *graph, options->output_path);
+  options->format.svg = std::move(scene.picture);
+  *graph = std::move(scene.graph);
 }
 
 void Check(const ExporterOptions& options) {
   if (options.input_path.empty()) throw OptionError("--input_path must be given");
   if (options.output_path.empty()) throw OptionError("--output_path must be given");
   CheckOption(options.scale > 0, "scale", options.scale, "> 0");
+  if (!IsSvg(options)) return;
+  options.svg.Check();
+  if (!options.svg.IsSheet() && (options.scale != 1 || options.up_axis != SignedAxis::kZ)) {
+    throw OptionError("scale and up_axis: the picture of an image is in its pixels");
+  }
 }
 
 }  // namespace
@@ -67,6 +95,9 @@ int RunDrawingExporter(int argc, const char* const* argv) {
   DrawingFile drawing = ReadDrawingJson(options.input_path);
   drawing.graph = Transformed(std::move(drawing.graph), options.scale, ZUpFrom(options.up_axis),
                               Eigen::Vector3d::Zero());
+  options.format.dxf.junctions = options.format.glb.junctions = options.junctions;
+  options.svg.style.junctions = options.junctions;
+  if (IsSvg(options)) SetUpSvg(&options, &drawing.graph);
   WriteDrawing(options.output_path, drawing.graph, drawing.metadata, options.format);
   std::cout << "Written: " << options.output_path << " (" << drawing.graph.links.size()
             << " links)\n";

@@ -27,15 +27,6 @@ constexpr std::array<KindName, 4> kKinds = {{{"depth_maps", DenseKind::kDepthMap
 // What drawing_fuser itself writes, perhaps beside PMVS's files.
 constexpr char kOwnPatches[] = "pmvs-with-curves.patch";
 
-bool HasFaces(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string line;
-  while (std::getline(in, line) && !line.starts_with("end_header")) {
-    if (line.starts_with("element face") && !line.starts_with("element face 0")) return true;
-  }
-  return false;
-}
-
 bool Exists(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
@@ -129,6 +120,18 @@ Paths Find(DenseKind kind, const fs::path& where) {
   return {};
 }
 
+// Where is looked, in order.
+Paths PlacesOf(const DenseOptionsPaths& options, const fs::path& workspace,
+               const fs::path& dense_dir) {
+  Paths places = {dense_dir, workspace};
+  if (!options.dense_path.empty()) {
+    const fs::path given = fs::path(options.dense_path).lexically_normal();
+    places = {given.has_filename() ? given : given.parent_path()};
+  }
+  std::erase(places, fs::path());
+  return places;
+}
+
 }  // namespace
 
 void DenseOptionsPaths::Check() const {
@@ -140,18 +143,14 @@ void DenseOptionsPaths::Check() const {
   }
 }
 
-DenseProducts FindDenseProducts(const DenseOptionsPaths& options, const fs::path& workspace,
-                                const fs::path& dense_dir) {
+std::optional<DenseProducts> LookForDenseProducts(const DenseOptionsPaths& options,
+                                                  const fs::path& workspace,
+                                                  const fs::path& dense_dir) {
   options.Check();
-  std::vector<fs::path> places = {dense_dir, workspace};
-  if (!options.dense_path.empty()) {
-    const fs::path given = fs::path(options.dense_path).lexically_normal();
-    places = {given.has_filename() ? given : given.parent_path()};
-  }
+  const Paths places = PlacesOf(options, workspace, dense_dir);
   // A PLY file with faces is a mesh unless something else is asked for.
   const bool is_mesh = options.dense_type == "auto" && !places.empty() &&
-                       places.front().extension() == ".ply" && HasFaces(places.front());
-  std::erase(places, fs::path());
+                       places.front().extension() == ".ply" && IsMeshFile(places.front());
   for (const auto& [name, kind] : kKinds) {
     if (options.dense_type != "auto" && options.dense_type != name) continue;
     if (is_mesh && kind != DenseKind::kMesh) continue;
@@ -173,12 +172,29 @@ DenseProducts FindDenseProducts(const DenseOptionsPaths& options, const fs::path
       return products;
     }
   }
+  return std::nullopt;
+}
+
+DenseProducts FindDenseProducts(const DenseOptionsPaths& options, const fs::path& workspace,
+                                const fs::path& dense_dir) {
+  if (auto products = LookForDenseProducts(options, workspace, dense_dir)) return *products;
+  const Paths places = PlacesOf(options, workspace, dense_dir);
   const std::string wanted = options.dense_type == "auto"
                                  ? "stereo/depth_maps, fused.ply, pmvs/models or meshed-*.ply"
                                  : options.dense_type;
   throw IoError(places.empty() ? "." : places.front().string(),
                 "no dense results found (looked for " + wanted +
                     "); name them by --dense_path and --dense_type");
+}
+
+bool IsMeshFile(const fs::path& path) {
+  if (path.extension() == ".obj") return true;
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  while (std::getline(in, line) && !line.starts_with("end_header")) {
+    if (line.starts_with("element face") && !line.starts_with("element face 0")) return true;
+  }
+  return false;
 }
 
 }  // namespace limn::colmap_ext

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,5 +36,13 @@ struct DenseProducts {
 DenseProducts FindDenseProducts(const DenseOptionsPaths& options,
                                 const std::filesystem::path& workspace,
                                 const std::filesystem::path& dense_dir);
+
+// The same; nothing where there are none.
+std::optional<DenseProducts> LookForDenseProducts(const DenseOptionsPaths& options,
+                                                  const std::filesystem::path& workspace,
+                                                  const std::filesystem::path& dense_dir);
+
+// Whether a file is a surface: .obj, or a .ply with faces.
+bool IsMeshFile(const std::filesystem::path& path);
 
 }  // namespace limn::colmap_ext

@@ -9,6 +9,7 @@
 
 #include "end_to_end/exported_drawing.h"
 #include "limn/export/primitive_drawing.h"
+#include "limn/export/write_drawing.h"
 #include "limn/geometry/polyline.h"
 #include "limn/io/drawing_json_reader.h"
 
@@ -84,6 +85,23 @@ TEST(DrawingExporter, TypeByExtensionOrByOption) {
   const auto files = ReadTree(exported.dir().path());
   EXPECT_EQ(files.at("a.GraphML"), files.at("b.txt"));
   EXPECT_EQ(files.at("a.GraphML"), files.at("new/folder/c.graphml"));
+}
+
+// STEP by the command; what is in the file is tested in limn/export.
+TEST(DrawingExporter, StepWhereItIsBuilt) {
+  const ExportedDrawing exported(PrimitiveDrawing());
+  const std::vector<std::string> formats = DrawingFormats();
+  if (std::find(formats.begin(), formats.end(), "step") == formats.end()) {
+    const LimnRun run = exported.TryExport("a.step");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, HasSubstr("OpenCASCADE"));
+    return;
+  }
+  exported.Export("a.step", {"--unit", "m"});
+  exported.Export("b.step", {"--scale", "1000"});
+  const auto files = ReadTree(exported.dir().path());
+  EXPECT_THAT(files.at("a.step"), StartsWith("ISO-10303-21;"));
+  EXPECT_EQ(files.at("a.step"), files.at("b.step"));
 }
 
 class BadExport : public ::testing::Test {

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <filesystem>
 
-#include "limn/export/drawing_dxf.h"
 #include "limn/export/drawing_graphml.h"
 #include "limn/export/drawing_json.h"
 #include "limn/export/drawing_obj.h"
@@ -30,6 +29,16 @@ struct Format {
   void (*write)(const Job& job, std::ostream& out);
 };
 
+void WriteSvg(const Job& job, std::ostream& out) {
+  const SvgPicture& picture = job.options.svg;
+  if (picture.view) {
+    WriteDrawingSvg(job.graph, *picture.view, picture.is_hidden, picture.style, out);
+  } else {
+    WriteDrawingSvg(job.graph, MakeSheet(job.graph, picture.sheet), picture.is_hidden,
+                    picture.style, out);
+  }
+}
+
 // One line per format.
 const std::vector<Format>& Formats() {
   using Out = std::ostream;
@@ -44,6 +53,10 @@ const std::vector<Format>& Formats() {
        [](const Job& job, Out& out) {
          WriteDrawingDxf(job.graph, job.options.dxf, job.options.unit, out);
        }},
+      {"glb",
+       {".glb"},
+       [](const Job& job, Out& out) { WriteDrawingGlb(job.graph, job.options.glb, out); }},
+      {"svg", {".svg"}, [](const Job& job, Out& out) { WriteSvg(job, out); }},
       {"graphml",
        {".graphml"},
        [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, out); }},
@@ -83,7 +96,12 @@ const Format& FormatByExtension(const std::string& path) {
       return format;
     }
   }
-  throw IoError(path, "unknown extension; drawings are written as " + JoinedExtensions());
+#ifdef LIMN_WITH_STEP
+  const std::string missing;
+#else
+  const std::string missing = " (.step: only by a limn that is built with OpenCASCADE)";
+#endif
+  throw IoError(path, "unknown extension; drawings are written as " + JoinedExtensions() + missing);
 }
 
 }  // namespace

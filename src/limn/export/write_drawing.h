@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "limn/export/drawing_dxf.h"
+#include "limn/export/drawing_glb.h"
+#include "limn/export/drawing_svg.h"
 #include "limn/export/length_unit.h"
 #include "limn/io/drawing_json_reader.h"
 #include "limn/model/curve3d.h"
@@ -14,10 +17,21 @@ namespace limn {
 
 constexpr const char* kAutoFormat = "auto";
 
+// How an SVG picture sees the drawing.
+struct SvgPicture {
+  // The photograph's view; none: the sheet.
+  std::optional<View> view;
+  SheetOptions sheet;
+  IsHidden is_hidden;
+  SvgOptions style;
+};
+
 struct DrawingFormatOptions {
   // One of DrawingFormats(), or kAutoFormat: the one that the path's extension names.
   std::string format = kAutoFormat;
   DxfOptions dxf;
+  GlbOptions glb;
+  SvgPicture svg;
   // What one unit of the coordinates is; for formats that say so (DXF, STEP).
   LengthUnit unit = LengthUnit::kNone;
 };

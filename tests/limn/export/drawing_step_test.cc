@@ -29,6 +29,7 @@
 #include "limn/geometry/polyline.h"
 #include "limn/io/temporary_folder.h"
 #include "limn/model/drawing_paths.h"
+#include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -202,6 +203,24 @@ TEST_F(DrawingStep, FreeEndsAreThoseOfTheCurves) {
   }
   EXPECT_THAT(lengths, ::testing::ElementsAre(::testing::DoubleNear(1, 1e-9),
                                               ::testing::DoubleNear(2 * M_PI, 1e-9)));
+}
+
+// Fitted primitives may end a little beside their nodes, and models may be far from their origin.
+TEST_F(DrawingStep, WiresHoldWherePrimitivesEndBesideTheirNodes) {
+  DrawingGraph graph = PrimitiveDrawing();
+  std::get<LineSegment>(graph.links[0].primitive->shape).end += Eigen::Vector3d(1e-6, -1e-6, 2e-6);
+  std::get<CircularArc>(graph.links[1].primitive->shape).center += Eigen::Vector3d(0, 1e-6, 0);
+  graph = Transformed(graph, 1, Eigen::Matrix3d::Identity(), {4.5e5, 5.1e6, 300});
+  const TopoDS_Shape read = WriteAndRead(graph, LengthUnit::kMetre);
+  EXPECT_EQ(Children(read, TopAbs_WIRE).size(), PathsOf(graph).size());
+  EXPECT_EQ(CountDistinct(read, TopAbs_EDGE), static_cast<int>(graph.links.size()));
+  EXPECT_EQ(CountDistinct(read, TopAbs_VERTEX), static_cast<int>(graph.nodes.size()));
+  double length = 0, expected = 0;
+  for (TopExp_Explorer edge(read, TopAbs_EDGE); edge.More(); edge.Next()) {
+    length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(edge.Current())), 1e-6);
+  }
+  for (const DrawingLink& link : graph.links) expected += 1000 * LengthOf(link);
+  EXPECT_NEAR(length / expected, 1, 1e-6);
 }
 
 TEST_F(DrawingStep, TheSameBytesAgain) {

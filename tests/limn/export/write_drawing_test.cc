@@ -147,6 +147,10 @@ TEST(WriteDrawing, EmptyDrawingIsAFileToo) {
     WriteDrawing(folder.Path(name), {}, {});
     EXPECT_TRUE(ReadCurves(folder.Path(name)).polylines.empty());
   }
+  for (const char* name : {"e.dxf", "e.graphml"}) {
+    WriteDrawing(folder.Path(name), {}, {});
+    EXPECT_FALSE(TemporaryFolder::Read(folder.Path(name)).empty());
+  }
 }
 
 TEST(WriteDrawing, RefusesBrokenGraphsNamesAndExtensions) {
@@ -155,6 +159,13 @@ TEST(WriteDrawing, RefusesBrokenGraphsNamesAndExtensions) {
   broken.links[0].points_in_world[0].x() += 1;
   EXPECT_THROW(WriteDrawing(folder.Path("d.ply"), broken, SmallMetadata()), InputError);
   EXPECT_THROW(WriteDrawing(folder.Path("d.stl"), SmallDrawing(), SmallMetadata()), IoError);
+  DrawingFormatOptions unknown;
+  unknown.format = "stl";
+  EXPECT_THROW(WriteDrawing(folder.Path("d.ply"), SmallDrawing(), SmallMetadata(), unknown),
+               IoError);
+  DrawingGraph no_circle = SmallDrawing();
+  no_circle.links[3].primitive.emplace().shape = CircularArc{};
+  EXPECT_THROW(WriteDrawing(folder.Path("d.ply"), no_circle, SmallMetadata()), InputError);
   EXPECT_THROW(WriteDrawing(folder.Path("d.json"), SmallDrawing(), {{"only one"}, "{}"}),
                InputError);
   EXPECT_THROW(WriteDrawing(folder.Path("d.json"), SmallDrawing(), {{"a", "b"}, "[1]"}),
