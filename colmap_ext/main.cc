@@ -24,6 +24,7 @@ constexpr Command kCommands[] = {
     {"curve_drawer", RunCurveDrawer, "make the drawing from a stored enhanced sketch"},
     {"drawing_refiner", RunDrawingRefiner, "fit a stored drawing to all images"},
     {"drawing_fuser", RunDrawingFuser, "compare a drawing with dense results and combine the two"},
+    {"drawing_viewer", RunDrawingViewer, "make a page that shows a drawing in a browser"},
     {"model_importer", RunModelImporter, "make a COLMAP model from cameras in another format"},
     {"drawing_evaluator", RunDrawingEvaluator, "compare curves with ground truth"},
     {"truth_extractor", RunTruthExtractor, "ground truth from a surface or a dense cloud"},

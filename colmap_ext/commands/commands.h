@@ -12,6 +12,7 @@ int RunCurveSketcher(int argc, const char* const* argv);
 int RunDrawingEvaluator(int argc, const char* const* argv);
 int RunDrawingRefiner(int argc, const char* const* argv);
 int RunDrawingFuser(int argc, const char* const* argv);
+int RunDrawingViewer(int argc, const char* const* argv);
 int RunEdgeExtractor(int argc, const char* const* argv);
 int RunModelImporter(int argc, const char* const* argv);
 int RunTruthExtractor(int argc, const char* const* argv);

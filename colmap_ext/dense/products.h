@@ -36,4 +36,8 @@ DenseProducts FindDenseProducts(const DenseOptionsPaths& options,
                                 const std::filesystem::path& workspace,
                                 const std::filesystem::path& dense_dir);
 
+// The files of the first cloud that is found there: fused.ply, else PMVS's. Empty if there is none.
+std::vector<std::filesystem::path> FindDenseCloud(const std::filesystem::path& workspace,
+                                                  const std::filesystem::path& dense_dir);
+
 }  // namespace limn::colmap_ext
