@@ -4,13 +4,15 @@ import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, RawShaderMate
 
 import { pictureRectangle } from './optics.js';
 
+const CORNERS = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]);
+
 const VERTEX = `
-  in vec2 position;
+  in vec3 position;
   uniform vec4 rectangle;
   out vec2 place;
   void main() {
-    place = position;
-    gl_Position = vec4(mix(rectangle.xy, rectangle.zw, position), 0.0, 1.0);
+    place = position.xy;
+    gl_Position = vec4(mix(rectangle.xy, rectangle.zw, place), 0.0, 1.0);
   }`;
 
 const FRAGMENT = `
@@ -29,10 +31,7 @@ export class Backdrop {
     this.onLoaded = onLoaded;
     this.opacity = 0.6;
     const geometry = new BufferGeometry();
-    geometry.setAttribute(
-      'position',
-      new BufferAttribute(new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]), 2),
-    );
+    geometry.setAttribute('position', new BufferAttribute(CORNERS, 3));
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
     this.material = new RawShaderMaterial({
       glslVersion: GLSL3,

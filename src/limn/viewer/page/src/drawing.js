@@ -8,7 +8,7 @@ export const NODE_KINDS = ['end', 'junction', 'loop anchor'];
 export const JUNCTION = 1;
 
 // Parts of the points that do not decide how large the drawing is, per side of an axis.
-const STRAY_SHARE = 0.01;
+const STRAY_SHARE = 0.03;
 
 function rootOf(parents, node) {
   while (parents[node] !== node) {

@@ -1,20 +1,14 @@
 // The cameras as pyramids with their photographs on them.
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  MeshBasicMaterial,
-} from 'three';
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from 'three';
 
 import { pictureRectangle, pointAtPixel } from './optics.js';
+import { joined, WideLines } from './wide_lines.js';
 
-const SIZE_IN_RADII = 0.06;
+const WIDTH_PX = 1.2;
+const SIZE_IN_RADII = 0.1;
 // Photographs are shown on pyramids that are at least so wide, px, and on so many of them.
-const LEAST_WIDTH_PX = 24;
+const LEAST_WIDTH_PX = 12;
 const MOST_PICTURES = 300;
 const UV = new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]);
 
@@ -49,26 +43,25 @@ export class Frusta {
     this.meshes = new Map();
     this.lines = this.makeLines();
     this.shown = true;
-    scene.add(this.lines);
   }
 
   makeLines() {
-    const points = [];
-    this.drawing.views.forEach((view, v) => {
-      const corners = this.corners[v].map((corner) => corner.toArray());
-      corners.forEach((corner, i) => {
-        points.push(...view.position, ...corner, ...corner, ...corners[(i + 1) % 4]);
-      });
+    const strokes = this.drawing.views.flatMap((view, v) => {
+      const [a, b, c, d] = this.corners[v].map((corner) => corner.toArray());
+      const tip = view.position;
+      return [
+        [tip, a, b, c, d, a],
+        [b, tip, c],
+        [d, tip],
+      ];
     });
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(new Float32Array(points), 3));
-    const lines = new LineSegments(geometry, new LineBasicMaterial());
-    lines.frustumCulled = false;
+    const lines = new WideLines({ width: WIDTH_PX }, this.scene);
+    lines.setLines(joined(strokes));
     return lines;
   }
 
   setColor(color) {
-    this.lines.material.color.set(color);
+    this.lines.setTint(color);
   }
 
   addPicture(view, texture) {

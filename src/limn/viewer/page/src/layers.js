@@ -6,7 +6,7 @@ import { JUNCTION } from './drawing.js';
 import { Frusta } from './frusta.js';
 import { Markers } from './markers.js';
 
-const JUNCTION_LOOK = { size: 8, fill: '#ffffff', rim: '#20242a' };
+const JUNCTION_LOOK = { size: 7, fill: '#ffffff', rim: '#20242a' };
 const END_LOOK = { size: 6, fill: '#ffd23c', rim: '#20242a' };
 
 function positionsOf(drawing, passes) {

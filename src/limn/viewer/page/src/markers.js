@@ -10,12 +10,16 @@ const VERTEX = `
   }`;
 
 const FRAGMENT = `
+  uniform float size;
   uniform vec3 fill;
   uniform vec3 rim;
   void main() {
     float place = length(2.0 * gl_PointCoord - 1.0);
-    if (place > 1.0) discard;
-    gl_FragColor = vec4(place > 0.6 ? rim : fill, 1.0);
+    float pixel = 2.0 / size;
+    float opacity = (1.0 - place) / pixel;
+    if (opacity <= 0.0) discard;
+    vec3 shade = mix(fill, rim, clamp((place - 0.6) / pixel + 0.5, 0.0, 1.0));
+    gl_FragColor = vec4(shade, min(opacity, 1.0));
   }`;
 
 export class Markers {
@@ -27,6 +31,7 @@ export class Markers {
     this.material = new ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
+      transparent: true,
       uniforms: {
         size: { value: size },
         fill: { value: new Color(fill) },

@@ -1,12 +1,10 @@
 // The two-point measuring tool.
 
 import { Vector3 } from 'three';
-import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 
 import { make } from './dom.js';
 import { number } from './format.js';
+import { joined, WideLines } from './wide_lines.js';
 
 const WIDTH_PX = 2.5;
 
@@ -17,18 +15,12 @@ export class Measuring {
     this.points = [];
     this.hover = null;
     this.onChange = () => {};
-    this.line = new LineSegments2(
-      new LineSegmentsGeometry(),
-      new LineMaterial({ linewidth: WIDTH_PX, depthTest: false }),
-    );
-    this.line.frustumCulled = false;
-    this.line.renderOrder = 3;
+    this.line = new WideLines({ width: WIDTH_PX, depthTest: false, renderOrder: 3 }, scene);
     this.line.visible = false;
-    scene.add(this.line);
   }
 
   setColor(color) {
-    this.line.material.color.set(color);
+    this.line.setTint(color);
   }
 
   setActive(active) {
@@ -54,9 +46,7 @@ export class Measuring {
     this.points = points;
     this.line.visible = points.length === 2;
     if (points.length === 2) {
-      this.line.geometry.dispose();
-      this.line.geometry = new LineSegmentsGeometry();
-      this.line.geometry.setPositions(points.flatMap(({ position }) => position.toArray()));
+      this.line.setLines(joined([points.map(({ position }) => position.toArray())]));
     }
     this.onChange();
   }

@@ -15,7 +15,7 @@ export class Stage {
   constructor(canvas, eye) {
     this.canvas = canvas;
     this.eye = eye;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: false });
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, alpha: false });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.autoClear = false;
     this.backdrop = new Scene();
