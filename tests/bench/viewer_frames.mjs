@@ -58,6 +58,7 @@ const result = await page.evaluate(async (seconds) => {
   return {
     size: `${canvas.clientWidth}x${canvas.clientHeight}`,
     segments: drawing.numSegments,
+    linesWhileMoving: layers.curves.thin.geometry.index.count / 2,
     points: layers.cloud.size,
     pointsWhileMoving: layers.cloud.whileMoving,
     frames: times.length,

@@ -6,7 +6,9 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-export const PAGES = process.env.LIMN_PAGES;
+// The folder that viewer_pages has written, and the one with node_modules.
+const { LIMN_PAGES: PAGES, LIMN_BROWSER_PACKAGES: PACKAGES } = process.env;
+if (!PAGES || !PACKAGES) throw new Error('LIMN_PAGES and LIMN_BROWSER_PACKAGES must be set');
 const PROGRAM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 // No connections of the browser's own; WebGL in software.
 const ARGUMENTS = [
@@ -28,7 +30,7 @@ export async function launch() {
     console.log(`SKIPPED: no Chromium at ${PROGRAM} (scripts/setup.sh chromium installs it)`);
     process.exit(77);
   }
-  const require = createRequire(join(process.env.LIMN_BROWSER_PACKAGES, 'package.json'));
+  const require = createRequire(join(PACKAGES, 'package.json'));
   const { chromium } = require('playwright-core');
   return chromium.launch({ executablePath: PROGRAM, args: ARGUMENTS });
 }

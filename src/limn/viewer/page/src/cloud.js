@@ -4,8 +4,6 @@ import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from 'three';
 
 const SIZE_PX = 1.6;
 const FEWEST = 10000;
-const SLOW_MS = 45;
-const FAST_MS = 25;
 
 // A fixed order in which every beginning is spread over the whole.
 function shuffledOrder(size) {
@@ -58,9 +56,9 @@ export class Cloud {
     this.points.geometry.setDrawRange(0, fine ? this.size : this.whileMoving);
   }
 
-  adapt(ms) {
-    if (ms > SLOW_MS) this.whileMoving = Math.max(Math.floor(0.7 * this.whileMoving), FEWEST);
-    if (ms > 0 && ms < FAST_MS) this.whileMoving = Math.ceil(1.1 * this.whileMoving);
+  adapt(pace) {
+    if (pace < 0) this.whileMoving = Math.max(Math.floor(0.7 * this.whileMoving), FEWEST);
+    if (pace > 0) this.whileMoving = Math.ceil(1.1 * this.whileMoving);
     this.whileMoving = Math.min(this.whileMoving, this.size);
   }
 }

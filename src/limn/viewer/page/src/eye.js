@@ -176,7 +176,7 @@ export class Eye {
     if (!(mean.length() > 1e-6 * drawing.radius)) {
       mean.crossVectors(camera.up, new Vector3(0.3, 0.9, 0.2));
     }
-    const direction = mean.normalize().addScaledVector(camera.up, 0.45).normalize();
+    const direction = mean.normalize().addScaledVector(camera.up, 0.6).normalize();
     return this.stateFrom(center, direction, drawing.radius);
   }
 
@@ -269,10 +269,8 @@ export class Eye {
     };
   }
 
-  // Direction from the camera's centre through a place on the canvas.
-  ray(x, y) {
-    const { width, height } = this.size;
-    const point = new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, 0.5);
-    return point.unproject(this.camera).sub(this.camera.position).normalize();
+  // Size of a pixel at distance 1.
+  pixelAngle() {
+    return 2 / (this.size.height * this.camera.projectionMatrix.elements[5]);
   }
 }

@@ -4,6 +4,10 @@
 import { Color, ColorManagement, LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three';
 
 const REST_MS = 140;
+// Coarse frames that take longer should show less; those that take less may show more.
+const SLOW_MS = 45;
+const FAST_MS = 25;
+const MAX_FRAME_MS = 1000;
 // More pixels than this per CSS pixel cost much and show little.
 const MAX_PIXEL_RATIO = 2;
 
@@ -23,7 +27,7 @@ export class Stage {
     this.near = new Scene();
     this.layers = [];
     this.beforeFrame = [];
-    this.frameMs = 0;
+    this.previousStart = -Infinity;
     this.fine = false;
     this.frameRequest = 0;
     this.lastChange = -Infinity;
@@ -32,7 +36,8 @@ export class Stage {
     this.resize();
   }
 
-  // A layer may have setFine(bool) and, to be told how long coarse frames take, adapt(ms).
+  // A layer may have setFine(bool, eye) and adapt(pace), which is told -1 if coarse frames are slow
+  // and 1 if they are fast.
   addLayer(layer) {
     this.layers.push(layer);
   }
@@ -76,8 +81,7 @@ export class Stage {
     const start = performance.now();
     this.draw(!moving);
     if (moving) {
-      const ms = this.settle(start);
-      for (const layer of this.layers) layer.adapt?.(ms);
+      this.adapt(start);
       this.frameRequest = requestAnimationFrame((next) => this.frame(next));
     } else {
       this.fine = true;
@@ -86,15 +90,16 @@ export class Stage {
   }
 
   // Time between frames says more than that of a call, since GL works behind our back.
-  settle(start) {
-    const ms = this.previousStart === undefined ? 0 : start - this.previousStart;
+  adapt(start) {
+    const ms = start - this.previousStart;
     this.previousStart = start;
-    this.frameMs = ms < 1000 ? ms : 0;
-    return this.frameMs;
+    if (ms > MAX_FRAME_MS) return; // there was a rest
+    const pace = ms > SLOW_MS ? -1 : ms < FAST_MS ? 1 : 0;
+    for (const layer of this.layers) layer.adapt?.(pace);
   }
 
   draw(fine) {
-    for (const layer of this.layers) layer.setFine?.(fine);
+    for (const layer of this.layers) layer.setFine?.(fine, this.eye);
     for (const update of this.beforeFrame) update(fine);
     const { renderer, eye } = this;
     renderer.clear();

@@ -1,4 +1,4 @@
-// Polylines that are some pixels wide, with smooth edges and round joints, in one draw call. The
+// Polylines that are some pixels wide, with smooth edges, in one draw call. The
 // lines of three.js's examples need multisampling and one instance per segment, which takes seconds
 // where GL is done in software.
 
@@ -63,7 +63,12 @@ const VERTEX = `
     vec2 along = reach > 1e-4 ? (to - from) / reach : vec2(1.0, 0.0);
     vec2 across = vec2(-along.y, along.x);
     float margin = 0.5 * width + 1.0;
-    place = vec2(isLast ? reach + margin : -margin, margin * side);
+    #ifdef IS_ROUND
+      float cap = margin;
+    #else
+      float cap = 0.0;
+    #endif
+    place = vec2(isLast ? reach + cap : -cap, margin * side);
     vec4 mine = isLast ? last : first;
     gl_Position = vec4((from + along * place.x + across * place.y) / (0.5 * size), mine.z / mine.w, 1.0);
     #ifdef WITH_COLORS
@@ -115,13 +120,18 @@ export function joined(polylines) {
 }
 
 export class WideLines {
-  constructor({ width, withColors = false, depthTest = true, renderOrder = 0 }, scene) {
+  // Round ends and joints overlap. Where segments are shorter than a pixel their smooth edges would add
+  // up to a jagged band, so that long curves of many segments must do without.
+  constructor(
+    { width, withColors = false, isRound = true, depthTest = true, renderOrder = 0 },
+    scene,
+  ) {
     this.widthPx = width;
     this.material = new ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
       glslVersion: GLSL3,
-      defines: { ROW, ...(withColors ? { WITH_COLORS: '' } : {}) },
+      defines: { ROW, IS_ROUND: isRound, WITH_COLORS: withColors }, // false: not defined
       uniforms: {
         vertices: { value: null },
         colors: { value: null },
@@ -131,6 +141,7 @@ export class WideLines {
       },
       transparent: true,
       depthTest,
+      depthWrite: false,
       side: DoubleSide,
     });
     this.mesh = new Mesh(new BufferGeometry(), this.material);
