@@ -80,19 +80,18 @@ export class DrawingPanel {
     this.legend = make('div', { id: 'legend' });
     this.measured = make('div', { id: 'measured', role: 'status', 'aria-live': 'polite' });
     this.boxes = new Map(layers.map((layer) => [layer.id, this.layerBox(layer)]));
+    const boxes = layers.map(({ id, label }) =>
+      make('label', { class: 'check' }, this.boxes.get(id), label),
+    );
     this.content = [
-      make('h1', {}, drawing.title),
-      this.measured,
-      summary(drawing),
-      make('h2', {}, make('label', { for: 'scheme' }, 'Colour by')),
-      make('div', { class: 'field' }, this.select, this.legend),
-      make('h2', {}, 'Layers'),
+      make('section', {}, make('h1', {}, drawing.title), this.measured, summary(drawing)),
       make(
-        'div',
-        { role: 'group', 'aria-label': 'Layers' },
-        ...layers.map(({ id, label }) =>
-          make('label', { class: 'check' }, this.boxes.get(id), label),
-        ),
+        'section',
+        {},
+        make('h2', {}, make('label', { for: 'scheme' }, 'Colour by')),
+        make('div', { class: 'field' }, this.select, this.legend),
+        make('h2', {}, 'Layers'),
+        make('div', { role: 'group', 'aria-label': 'Layers' }, ...boxes),
       ),
     ];
   }

@@ -71,15 +71,10 @@ export class LinksPanel {
       },
     });
     this.rows = make('div', { class: 'rows', id: 'links' });
+    const label = make('label', { for: 'search' }, 'Search by the number of a link');
     this.content = [
       this.details,
-      make(
-        'div',
-        { class: 'field' },
-        make('label', { for: 'search' }, 'Search by the number of a link'),
-        this.search,
-      ),
-      this.rows,
+      make('section', {}, make('div', { class: 'field' }, label, this.search), this.rows),
     ];
     this.show(null);
     this.refill();
