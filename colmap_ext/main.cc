@@ -25,6 +25,7 @@ constexpr Command kCommands[] = {
     {"drawing_refiner", RunDrawingRefiner, "fit a stored drawing to all images"},
     {"drawing_fuser", RunDrawingFuser, "compare a drawing with dense results and combine the two"},
     {"drawing_exporter", RunDrawingExporter, "write a drawing for CAD, Blender or as a graph"},
+    {"drawing_viewer", RunDrawingViewer, "make a page that shows a drawing in a browser"},
     {"model_importer", RunModelImporter, "make a COLMAP model from cameras in another format"},
     {"drawing_evaluator", RunDrawingEvaluator, "compare curves with ground truth"},
     {"truth_extractor", RunTruthExtractor, "ground truth from a surface or a dense cloud"},

@@ -1,8 +1,18 @@
 #!/usr/bin/env bash
-# Format all C++ sources. With --check: change nothing, fail if something would change.
+# Format all C++ sources, and the JavaScript of the viewer where a build has installed prettier. With --check:
+# change nothing, fail if something would change.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 mode=(-i)
 [[ ${1:-} == --check ]] && mode=(--dry-run -Werror)
 git ls-files -z -- '*.cc' '*.h' | xargs -0 clang-format "${mode[@]}"
+
+page=src/limn/viewer/page
+prettier=$(find build -path "*/limn/viewer/page/node_modules/.bin/prettier" -print -quit 2>/dev/null || true)
+if [[ -n $prettier ]]; then
+  mode=(--write)
+  [[ ${1:-} == --check ]] && mode=(--check)
+  "$prettier" --config $page/.prettierrc.json --log-level warn "${mode[@]}" $page tests/browser/*.mjs \
+    tests/bench/*.mjs
+fi

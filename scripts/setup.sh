@@ -12,6 +12,11 @@ packages=(
   "$@"
 )
 
+# The viewer's page is bundled with node 18 or newer and npm; where they come from elsewhere, Debian's are not
+# needed.
+command -v node >/dev/null || packages+=(nodejs)
+command -v npm >/dev/null || packages+=(npm)
+
 missing=()
 for package in "${packages[@]}"; do
   status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/setup.sh python3-numpy python3-opencv python3-ezdxf librsvg2-bin
+scripts/setup.sh python3-numpy python3-opencv python3-ezdxf librsvg2-bin chromium
 cmake --preset release -DLIMN_WARNINGS_AS_ERRORS=ON
 cmake --build --preset release
 ctest --preset release

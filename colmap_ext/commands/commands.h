@@ -13,6 +13,7 @@ int RunDrawingEvaluator(int argc, const char* const* argv);
 int RunDrawingExporter(int argc, const char* const* argv);
 int RunDrawingRefiner(int argc, const char* const* argv);
 int RunDrawingFuser(int argc, const char* const* argv);
+int RunDrawingViewer(int argc, const char* const* argv);
 int RunEdgeExtractor(int argc, const char* const* argv);
 int RunModelImporter(int argc, const char* const* argv);
 int RunTruthExtractor(int argc, const char* const* argv);

@@ -197,4 +197,14 @@ bool IsMeshFile(const fs::path& path) {
   return false;
 }
 
+std::vector<fs::path> FindDenseCloud(const fs::path& workspace, const fs::path& dense_dir) {
+  for (const DenseKind kind : {DenseKind::kFusedCloud, DenseKind::kPmvs}) {
+    for (const fs::path& place : {dense_dir, workspace}) {
+      Paths found = Find(kind, place);
+      if (!found.empty()) return found;
+    }
+  }
+  return {};
+}
+
 }  // namespace limn::colmap_ext

@@ -45,4 +45,8 @@ std::optional<DenseProducts> LookForDenseProducts(const DenseOptionsPaths& optio
 // Whether a file is a surface: .obj, or a .ply with faces.
 bool IsMeshFile(const std::filesystem::path& path);
 
+// The files of the first cloud that is found there: fused.ply, else PMVS's. Empty if there is none.
+std::vector<std::filesystem::path> FindDenseCloud(const std::filesystem::path& workspace,
+                                                  const std::filesystem::path& dense_dir);
+
 }  // namespace limn::colmap_ext

@@ -1,0 +1,301 @@
+// The page: puts the parts together and carries what the reader does from one to the others.
+
+import { Vector3 } from 'three';
+
+import { Backdrop } from './backdrop.js';
+import { schemesFor } from './colors.js';
+import { make } from './dom.js';
+import { download } from './download.js';
+import { Drawing } from './drawing.js';
+import { DrawingPanel } from './drawing_panel.js';
+import { Eye } from './eye.js';
+import { watchPhotoGestures, watchTaps } from './gestures.js';
+import { Help } from './help.js';
+import { watchKeys } from './keyboard.js';
+import { Layers } from './layers.js';
+import { LinksPanel } from './links_panel.js';
+import { Measuring } from './measuring.js';
+import { overlayGrid } from './overlays.js';
+import { PhotoBar } from './photo_bar.js';
+import { Photos } from './photos.js';
+import { Picking } from './picking.js';
+import { reportPanel } from './report.js';
+import { Sidebar } from './sidebar.js';
+import { Stage } from './stage.js';
+import { Theme } from './theme.js';
+
+const PICK_PX = 8;
+const SNAP_PX = 12;
+// A finger is less exact than a mouse.
+const TOUCH_FACTOR = 2.5;
+
+const element = (id) => document.getElementById(id);
+
+export class App {
+  constructor({ header, arrays }) {
+    this.drawing = new Drawing(header, arrays);
+    this.picked = null;
+    this.scheme = null;
+    this.schemes = schemesFor(this.drawing);
+    document.title = `${header.title} - Limn`;
+    this.makePicture();
+    this.makePanels(header.report);
+    this.commands = this.listCommands();
+    this.makeTools();
+    this.watch();
+    this.setScheme(this.schemes[0].id);
+    this.applyTheme();
+    this.eye.arrive(this.eye.homeState());
+    this.stage.move();
+  }
+
+  makePicture() {
+    const { drawing } = this;
+    const canvas = element('canvas');
+    this.eye = new Eye(canvas, drawing);
+    this.stage = new Stage(canvas, this.eye);
+    this.photos = new Photos(drawing);
+    this.layers = new Layers(drawing, this.stage, this.photos);
+    this.backdrop = new Backdrop(this.photos, this.stage.backdrop, () => this.stage.change());
+    this.picking = new Picking(drawing, this.eye);
+    this.measuring = new Measuring({
+      ...{ drawing, canvas, eye: this.eye, picking: this.picking },
+      ...{ scene: this.stage.near, marks: element('marks') },
+    });
+    this.stage.beforeFrame.push(
+      (fine) => this.layers.frusta.update(this.eye, fine),
+      () => this.backdrop.update(this.eye),
+      () => this.measuring.update(),
+    );
+  }
+
+  makePanels(report) {
+    const { drawing } = this;
+    const look = (view) => this.lookThrough(view);
+    this.drawingPanel = new DrawingPanel(drawing, this.schemes, this.layers.list, {
+      scheme: (id) => this.setScheme(id),
+      layer: (id, shown) => this.setLayer(id, shown),
+      category: (type, shown) => this.setCategory(type, shown),
+    });
+    this.linksPanel = new LinksPanel(drawing, {
+      pick: (link) => this.pick(link),
+      focus: (link) => this.focusLink(link),
+      view: look,
+    });
+    const tabs = [
+      { id: 'drawing', label: 'Drawing', content: this.drawingPanel.content },
+      { id: 'links', label: 'Links', content: this.linksPanel.content },
+    ];
+    const hasViews = drawing.views.length > 0;
+    if (hasViews) {
+      const content = [overlayGrid(drawing, this.photos, look)];
+      tabs.push({ id: 'views', label: 'Views', content });
+    }
+    if (report) {
+      const overlays = hasViews ? overlayGrid(drawing, this.photos, look) : null;
+      const content = reportPanel(report, overlays);
+      tabs.push({ id: 'report', label: 'Report', content, isWide: true });
+    }
+    this.sidebar = new Sidebar(element('sidebar'), tabs);
+    this.photoBar = new PhotoBar(element('photo-bar'), this.backdrop.opacity, {
+      step: (step) => this.stepPhoto(step),
+      opacity: (value) => this.setOpacity(value),
+      leave: () => this.eye.home(),
+    });
+  }
+
+  listCommands() {
+    const layers = this.layers.list.map(({ id, label, key }) => ({
+      keys: [key],
+      label: `${label} on and off`,
+      run: () => this.setLayer(id, !this.layers.isShown(id)),
+    }));
+    return [
+      { keys: ['Home'], label: 'see everything', tool: 'Home', run: () => this.eye.home() },
+      {
+        keys: ['Backspace'],
+        label: 'back to the place before',
+        tool: 'Back',
+        run: () => this.eye.back(),
+      },
+      { keys: ['m'], label: 'measure', tool: 'Measure', run: () => this.toggleMeasuring() },
+      {
+        keys: ['s'],
+        label: 'save the picture (PNG)',
+        tool: 'Picture',
+        run: () => this.savePicture(),
+      },
+      { keys: ['t'], label: 'dark or light', tool: 'Theme', run: () => this.theme.toggle() },
+      { keys: ['b'], label: 'panels on and off', tool: 'Panels', run: () => this.sidebar.toggle() },
+      { keys: ['?'], label: 'this help', tool: 'Help', run: () => this.help.toggle() },
+      { keys: ['/'], label: 'search a link', run: () => this.focusSearch() },
+      { keys: ['f'], label: 'go to the picked link', run: () => this.focusLink(this.picked) },
+      { keys: ['x'], label: 'next way to colour', run: () => this.stepScheme() },
+      { keys: ['['], label: 'previous photograph', run: () => this.stepPhoto(-1) },
+      { keys: [']'], label: 'next photograph', run: () => this.stepPhoto(1) },
+      {
+        keys: ['Escape'],
+        label: 'stop measuring, unpick, leave the photograph',
+        run: () => this.escape(),
+      },
+      ...layers,
+    ];
+  }
+
+  makeTools() {
+    const tools = this.commands.filter(({ tool }) => tool);
+    this.tools = new Map(
+      tools.map(({ tool, label, keys, run }) => [
+        tool,
+        make('button', { type: 'button', title: `${label} (${keys[0]})`, onclick: run }, tool),
+      ]),
+    );
+    this.tools.get('Measure').setAttribute('aria-pressed', 'false');
+    element('toolbar').append(...this.tools.values());
+    this.help = new Help(element('help'), this.commands);
+    this.theme = new Theme();
+  }
+
+  watch() {
+    this.theme.onChange = () => this.applyTheme();
+    this.eye.onMove = () => this.stage.move();
+    this.eye.onPhoto(() => this.photoBar.show(this.eye.photo === null ? null : this.eye.view()));
+    this.measuring.onChange = () => this.showMeasurement();
+    watchTaps(element('canvas'), {
+      tap: (x, y, isTouch) => this.tap(x, y, isTouch ? TOUCH_FACTOR : 1),
+      doubleTap: (x, y, isTouch) => this.doubleTap(x, y, isTouch ? TOUCH_FACTOR : 1),
+      hover: (x, y) => this.hover(x, y),
+    });
+    watchPhotoGestures(element('canvas'), {
+      isActive: () => this.eye.photo !== null && !this.eye.flight,
+      zoom: (...change) => this.eye.zoomPhoto(...change),
+    });
+    watchKeys(this.commands, () => element('help').open);
+  }
+
+  tap(x, y, factor) {
+    if (this.measuring.active) {
+      this.measuring.click(x, y, factor * SNAP_PX);
+      return;
+    }
+    const link = this.layers.isShown('drawing') ? this.picking.link(x, y, factor * PICK_PX) : null;
+    const camera = this.layers.frusta.pick(x, y, this.eye);
+    if (camera && !(link && link.depth < camera.depth)) this.lookThrough(camera.view);
+    else this.pick(link?.link ?? null);
+  }
+
+  doubleTap(x, y, factor) {
+    const found = this.measuring.active ? null : this.picking.link(x, y, factor * PICK_PX);
+    if (found) this.focusLink(found.link);
+  }
+
+  hover(x, y) {
+    if (!this.measuring.active) return;
+    this.measuring.moveTo(x, y, SNAP_PX);
+    this.measuring.update();
+  }
+
+  pick(link) {
+    this.picked = link;
+    this.layers.curves.select(link, this.theme.color('select'));
+    this.linksPanel.show(link);
+    if (link !== null) this.sidebar.show('links');
+    this.stage.change();
+  }
+
+  focusLink(link) {
+    if (link === null) return;
+    this.pick(link);
+    const box = this.drawing.linkBox(link);
+    this.eye.focus(box.getCenter(new Vector3()), 0.75 * box.getSize(new Vector3()).length());
+  }
+
+  focusSearch() {
+    this.sidebar.show('links');
+    this.linksPanel.search.focus();
+  }
+
+  lookThrough(view) {
+    this.eye.lookThrough(view);
+  }
+
+  stepPhoto(step) {
+    const { length } = this.drawing.views;
+    if (length === 0) return;
+    const from = this.eye.photo ?? (step > 0 ? -1 : 0);
+    this.lookThrough((from + step + length) % length);
+  }
+
+  setOpacity(opacity) {
+    this.backdrop.opacity = opacity;
+    this.stage.change();
+  }
+
+  setScheme(id) {
+    this.scheme = this.schemes.find((scheme) => scheme.id === id);
+    const { colors, legend } = this.scheme.apply(this.drawing);
+    this.legend = legend;
+    this.layers.curves.setColors(colors);
+    if (this.drawing.visible.includes(0)) {
+      this.drawing.visible.fill(1);
+      this.layers.curves.showLinks();
+    }
+    this.drawingPanel.showScheme(id, legend);
+    this.stage.change();
+  }
+
+  stepScheme() {
+    const next = (this.schemes.indexOf(this.scheme) + 1) % this.schemes.length;
+    this.setScheme(this.schemes[next].id);
+  }
+
+  // Links of one entry of the legend.
+  setCategory(type, shown) {
+    this.legend.types.forEach((of, link) => {
+      if (of === type) this.drawing.visible[link] = shown ? 1 : 0;
+    });
+    this.layers.curves.showLinks();
+    this.stage.change();
+  }
+
+  setLayer(id, shown) {
+    this.layers.set(id, shown);
+    this.drawingPanel.showLayer(id, shown);
+    this.stage.change();
+  }
+
+  toggleMeasuring() {
+    this.measuring.setActive(!this.measuring.active);
+    this.tools.get('Measure').setAttribute('aria-pressed', String(this.measuring.active));
+    if (this.measuring.active) this.sidebar.show('drawing');
+  }
+
+  showMeasurement() {
+    this.drawingPanel.showMeasurement(this.measuring.active, this.measuring.result());
+    this.stage.change();
+  }
+
+  async savePicture() {
+    const name = this.drawing.title.replace(/[^\w.-]+/g, '_');
+    download(await this.stage.picture(), `${name}.png`);
+  }
+
+  escape() {
+    if (this.measuring.active) this.toggleMeasuring();
+    else if (this.picked !== null) this.pick(null);
+    else if (this.eye.photo !== null) this.eye.home();
+  }
+
+  applyTheme() {
+    this.stage.setBackground(this.theme.color('stage'));
+    this.layers.frusta.setColor(this.theme.color('faint'));
+    this.measuring.setColor(this.theme.color('select'));
+    this.layers.curves.select(this.picked, this.theme.color('select'));
+    this.stage.change();
+  }
+
+  // For scripts: the place on the canvas, CSS px, of a point in the model's coordinates.
+  screenOf(point) {
+    return this.eye.screen(this.drawing.fromModel(point));
+  }
+}

@@ -1,0 +1,115 @@
+// The curves of the drawing: thin GL lines in one draw call while moving, wide ones at rest. Thin
+// lines leave out vertices that nobody would miss from where the reader is.
+
+import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
+
+import { importanceOf } from './detail.js';
+import { joined, WideLines } from './wide_lines.js';
+
+const WIDTH_PX = 1.8;
+const SELECTED_WIDTH_PX = 4.5;
+// How far off thin lines may be, px, and where frames are slow.
+const COARSE_PX = 0.6;
+const COARSEST_PX = 2.4;
+// The finest level of detail below all vertices, radii of the drawing; every further level is twice
+// as coarse.
+const FINEST_LEVEL = 1 / 16384;
+
+// First vertices of the segments of the links that pass.
+function segmentsOf(drawing, passes) {
+  const segments = [];
+  for (let link = 0; link < drawing.numLinks; ++link) {
+    if (!passes(link)) continue;
+    const [begin, end] = drawing.range(link);
+    for (let vertex = begin; vertex + 1 < end; ++vertex) segments.push(vertex);
+  }
+  return segments;
+}
+
+export class Curves {
+  constructor(drawing, scene) {
+    this.drawing = drawing;
+    this.colors = new Uint8Array(3 * drawing.numVertices);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(drawing.points, 3));
+    geometry.setAttribute('color', new BufferAttribute(this.colors, 3, true));
+    this.thin = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true }));
+    this.thin.frustumCulled = false;
+    scene.add(this.thin);
+    this.wide = new WideLines({ width: WIDTH_PX, withColors: true, isRound: false }, scene);
+    this.wide.setLines({ positions: drawing.points, segments: [] });
+    this.selected = new WideLines(
+      { width: SELECTED_WIDTH_PX, depthTest: false, renderOrder: 2 },
+      scene,
+    );
+    this.selected.visible = false;
+    this.coarsePx = COARSE_PX;
+    this.importance = importanceOf(drawing);
+    this.shown = true;
+    this.showLinks();
+  }
+
+  // To be called when drawing.visible has changed.
+  showLinks() {
+    this.levels = new Map();
+    this.wide.setSegments(segmentsOf(this.drawing, (link) => this.drawing.visible[link]));
+  }
+
+  // Pairs of vertices without those that a polyline within the level's tolerance does without.
+  endsAt(level) {
+    const { drawing, importance } = this;
+    const tolerance = level < 0 ? -1 : FINEST_LEVEL * drawing.radius * 2 ** level;
+    const ends = [];
+    for (let link = 0; link < drawing.numLinks; ++link) {
+      if (!drawing.visible[link]) continue;
+      const [begin, end] = drawing.range(link);
+      for (let vertex = begin + 1, previous = begin; vertex < end; ++vertex) {
+        if (!(importance[vertex] > tolerance)) continue;
+        ends.push(previous, vertex);
+        previous = vertex;
+      }
+    }
+    return new BufferAttribute(Uint32Array.from(ends), 1);
+  }
+
+  // The coarsest level that is good enough for what is nearest; -1: all vertices.
+  levelFor(eye) {
+    const near = this.drawing.box.distanceToPoint(eye.camera.position);
+    const tolerance = this.coarsePx * near * eye.pixelAngle();
+    const level = Math.floor(Math.log2(tolerance / (FINEST_LEVEL * this.drawing.radius)));
+    return Math.max(level, -1);
+  }
+
+  setLevel(level) {
+    if (!this.levels.has(level)) this.levels.set(level, this.endsAt(level));
+    this.thin.geometry.setIndex(this.levels.get(level));
+  }
+
+  setColors(colors) {
+    this.colors.set(colors);
+    this.thin.geometry.attributes.color.needsUpdate = true;
+    this.wide.setColors(colors);
+  }
+
+  adapt(pace) {
+    if (pace < 0) this.coarsePx = Math.min(1.2 * this.coarsePx, COARSEST_PX);
+    if (pace > 0) this.coarsePx = Math.max(this.coarsePx / 1.1, COARSE_PX);
+  }
+
+  setFine(fine, eye) {
+    if (!fine) this.setLevel(this.levelFor(eye));
+    this.thin.visible = this.shown && !fine;
+    this.wide.visible = this.shown && fine;
+  }
+
+  select(link, color) {
+    this.selected.visible = link !== null;
+    if (link === null) return;
+    const [begin, end] = this.drawing.range(link);
+    const points = Array.from({ length: end - begin }, (_, i) =>
+      this.drawing.point(begin + i).toArray(),
+    );
+    this.selected.setLines(joined([points]));
+    this.selected.setTint(color);
+  }
+}

@@ -1,0 +1,124 @@
+// The tab "Drawing": what there is, colours with their legend, layers, the measurement.
+
+import { css } from './colors.js';
+import { facts, make } from './dom.js';
+import { JUNCTION } from './drawing.js';
+import { coordinates, count, number, percent } from './format.js';
+
+function summary(drawing) {
+  const length = drawing.linkLength.reduce((sum, value) => sum + value, 0);
+  const junctions = drawing.nodeKind.filter((kind) => kind === JUNCTION).length;
+  return facts([
+    ['Links', count(drawing.numLinks)],
+    ['Junctions', count(junctions)],
+    ['Components', count(drawing.numComponents)],
+    ['Length, model units', number(length)],
+    ['Views', count(drawing.views.length)],
+    ['Points of the cloud', count(drawing.cloudPositions.length / 3)],
+  ]);
+}
+
+function rampLegend(legend) {
+  const ramp = make('div', { class: 'ramp' });
+  ramp.style.background = legend.ramp;
+  const ends = make('div', { class: 'ramp-ends' }, make('span', {}, legend.low));
+  ends.append(make('span', {}, legend.high));
+  return [ramp, ends];
+}
+
+// Entries can be switched off.
+function categoryLegend({ entries }, onToggle) {
+  return entries.map(({ name, type, color, share }) => {
+    const swatch = make('span', { class: 'swatch' });
+    swatch.style.background = css(color);
+    const box = make('input', {
+      type: 'checkbox',
+      onchange: (event) => onToggle(type, event.target.checked),
+    });
+    box.checked = true;
+    return make(
+      'label',
+      { class: 'check' },
+      box,
+      swatch,
+      `${name}, ${percent(share)} of the length`,
+    );
+  });
+}
+
+function measurement(drawing, result) {
+  if (!result) return [];
+  const { from, to, delta, distance } = result;
+  const step = 1e-5 * drawing.radius;
+  const at = ({ position, node, link }) => {
+    const what = node !== undefined ? `node ${node}` : `link ${link}`;
+    return `${coordinates(drawing.inModel(position), step)} (${what})`;
+  };
+  return [
+    make('h2', {}, 'Measured, model units'),
+    facts([
+      ['Distance', number(distance)],
+      ['dx', number(delta.x)],
+      ['dy', number(delta.y)],
+      ['dz', number(delta.z)],
+      ['From', at(from)],
+      ['To', at(to)],
+    ]),
+  ];
+}
+
+export class DrawingPanel {
+  // on.scheme(id), on.layer(id, shown), on.category(type, shown).
+  constructor(drawing, schemes, layers, on) {
+    this.drawing = drawing;
+    this.on = on;
+    this.select = make(
+      'select',
+      { id: 'scheme', onchange: (event) => on.scheme(event.target.value) },
+      ...schemes.map(({ id, label }) => make('option', { value: id }, label)),
+    );
+    this.legend = make('div', { id: 'legend' });
+    this.measured = make('div', { id: 'measured', role: 'status', 'aria-live': 'polite' });
+    this.boxes = new Map(layers.map((layer) => [layer.id, this.layerBox(layer)]));
+    const boxes = layers.map(({ id, label }) =>
+      make('label', { class: 'check' }, this.boxes.get(id), label),
+    );
+    this.content = [
+      make('section', {}, make('h1', {}, drawing.title), this.measured, summary(drawing)),
+      make(
+        'section',
+        {},
+        make('h2', {}, make('label', { for: 'scheme' }, 'Colour by')),
+        make('div', { class: 'field' }, this.select, this.legend),
+        make('h2', {}, 'Layers'),
+        make('div', { role: 'group', 'aria-label': 'Layers' }, ...boxes),
+      ),
+    ];
+  }
+
+  layerBox({ id, shown }) {
+    const box = make('input', {
+      ...{ type: 'checkbox', id: `layer-${id}` },
+      onchange: (event) => this.on.layer(id, event.target.checked),
+    });
+    box.checked = shown;
+    return box;
+  }
+
+  showScheme(id, legend) {
+    this.select.value = id;
+    if (legend.ramp) this.legend.replaceChildren(...rampLegend(legend));
+    else if (legend.note) this.legend.replaceChildren(make('div', { class: 'faint' }, legend.note));
+    else this.legend.replaceChildren(...categoryLegend(legend, this.on.category));
+  }
+
+  showLayer(id, shown) {
+    this.boxes.get(id).checked = shown;
+  }
+
+  showMeasurement(isActive, result) {
+    const hint = 'Pick two points: junctions, ends and curves catch the pointer.';
+    const waiting = isActive && !result ? [make('p', { class: 'faint' }, hint)] : [];
+    this.measured.replaceChildren(...waiting, ...measurement(this.drawing, result));
+  }
+}

@@ -1,0 +1,85 @@
+// The tab "Report": how the drawing came about. All members of the report are optional.
+
+import { histogram, precisionRecall } from './charts.js';
+import { facts, make } from './dom.js';
+import { count, number, percent } from './format.js';
+
+const isList = (value) => Array.isArray(value) && value.length > 0;
+
+function counts(values) {
+  const entries = Object.entries(values ?? {});
+  return entries.map(([name, value]) => `${name} ${count(value)}`).join(', ');
+}
+
+function grid(heads, rows) {
+  const isNumber = (value) => typeof value === 'number';
+  const cell = (value) =>
+    make(
+      'td',
+      { class: isNumber(value) ? 'number' : null },
+      isNumber(value) ? number(value, 4) : value,
+    );
+  return make(
+    'div',
+    { class: 'scroll' },
+    make(
+      'table',
+      { class: 'grid' },
+      make('thead', {}, make('tr', {}, ...heads.map((head) => make('th', { scope: 'col' }, head)))),
+      make('tbody', {}, ...rows.map((row) => make('tr', {}, ...row.map(cell)))),
+    ),
+  );
+}
+
+function stages(list) {
+  const rows = list.map((stage) => [
+    stage.stage ?? '',
+    stage.seconds ?? '',
+    stage.peak_mb ?? '',
+    counts(stage.in),
+    counts(stage.kept),
+    counts(stage.dropped),
+  ]);
+  return grid(['Stage', 's', 'Peak MB', 'In', 'Kept', 'Dropped'], rows);
+}
+
+function evaluation(list) {
+  const rows = list.map(({ tau, unit, precision, recall, f }) => [
+    `${tau} ${unit ?? ''}`,
+    percent(precision),
+    percent(recall),
+    percent(f),
+  ]);
+  return grid(['Within', 'Precision', 'Recall', 'F'], rows);
+}
+
+function section(title, isThere, content) {
+  return isThere ? [make('h2', {}, title), content()] : [];
+}
+
+export function reportPanel(report, overlays) {
+  const changed = Object.entries(report.options_changed ?? {});
+  return [
+    make('h1', {}, report.title ?? 'Report'),
+    ...(report.workspace ? [make('p', { class: 'faint' }, report.workspace)] : []),
+    ...section('Warnings', isList(report.warnings), () =>
+      make('ul', { class: 'warnings' }, ...report.warnings.map((text) => make('li', {}, text))),
+    ),
+    ...section('Stages', isList(report.stages), () => stages(report.stages)),
+    ...section('Options that are not the defaults', changed.length > 0, () =>
+      facts(changed.map(([name, value]) => [name, String(value)])),
+    ),
+    ...section('Links by number of supporting views', isList(report.support_histogram), () =>
+      histogram(
+        'Links by number of supporting views',
+        'supporting views',
+        report.support_histogram,
+      ),
+    ),
+    ...section('Against the truth', isList(report.evaluation), () => evaluation(report.evaluation)),
+    ...section('Precision and recall', isList(report.pr_curves), () =>
+      precisionRecall(report.pr_curves),
+    ),
+    ...section('The drawing over the photographs', overlays !== null, () => overlays),
+  ];
+}

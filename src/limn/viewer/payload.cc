@@ -1,0 +1,261 @@
+#include "limn/viewer/payload.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "limn/export/colors.h"
+#include "limn/geometry/polyline.h"
+#include "limn/util/errors.h"
+#include "limn/viewer/payload_arrays.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kAlignment = 8;
+// Positions of the cloud are rounded to this part of the drawing's size: low bits of noise would
+// make most of the page.
+constexpr double kCloudSteps = 1 << 15;
+
+// Values that are appended one after the other; positions become relative to a centre.
+struct Values {
+  std::vector<float> numbers;
+
+  void Put(const Eigen::Vector3d& vector) {
+    for (const double value : vector) numbers.push_back(static_cast<float>(value));
+  }
+};
+
+// The middle of the drawing by the medians of its coordinates: stray links do not move it.
+Eigen::Vector3d CenterOf(const ViewerScene& scene) {
+  std::vector<double> values[3];
+  const auto add = [&](const Eigen::Vector3d& point) {
+    for (int axis = 0; axis < 3; ++axis) values[axis].push_back(point[axis]);
+  };
+  for (const DrawingLink& link : scene.graph.links) {
+    for (const Eigen::Vector3d& point : link.points_in_world) add(point);
+  }
+  if (values[0].empty()) {
+    for (const View& view : scene.views) add(view.CenterInWorld());
+  }
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  if (values[0].empty()) return center;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto middle = values[axis].begin() + values[axis].size() / 2;
+    std::nth_element(values[axis].begin(), middle, values[axis].end());
+    center[axis] = *middle;
+  }
+  return center;
+}
+
+// A power of two: what is rounded to it ends in zero bits.
+double CloudStep(const ViewerScene& scene, const Eigen::Vector3d& center) {
+  double extent = 0;
+  for (const DrawingLink& link : scene.graph.links) {
+    for (const Eigen::Vector3d& point : link.points_in_world) {
+      extent = std::max(extent, (point - center).cwiseAbs().maxCoeff());
+    }
+  }
+  return extent > 0 ? std::exp2(std::floor(std::log2(extent / kCloudSteps))) : 0;
+}
+
+void AddLinkCurves(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
+  Values points;
+  std::vector<float> sigmas;
+  std::vector<uint32_t> start = {0};
+  std::vector<double> length;
+  std::vector<float> residual;
+  std::vector<int32_t> nodes;
+  std::vector<uint8_t> color;
+  for (size_t id = 0; id < scene.graph.links.size(); ++id) {
+    const DrawingLink& link = scene.graph.links[id];
+    for (const Eigen::Vector3d& point : link.points_in_world) points.Put(point - center);
+    for (const double sigma : link.sigma) sigmas.push_back(static_cast<float>(sigma));
+    start.push_back(static_cast<uint32_t>(points.numbers.size() / 3));
+    sigmas.resize(start.back(), std::numeric_limits<float>::infinity());
+    length.push_back(Length(link.points_in_world));
+    residual.push_back(static_cast<float>(link.residual_px));
+    nodes.insert(nodes.end(), {link.node0, link.node1});
+    const Color of_curve = ColorOfCurve(static_cast<int>(id));
+    color.insert(color.end(), {of_curve.red, of_curve.green, of_curve.blue});
+  }
+  arrays->Add("points", points.numbers);
+  arrays->Add("sigma", sigmas);
+  arrays->Add("linkStart", start);
+  arrays->Add("linkLength", length);
+  arrays->Add("linkResidual", residual);
+  arrays->Add("linkNodes", nodes);
+  arrays->Add("linkColor", color);
+}
+
+void AddSupport(const ViewerScene& scene, PayloadArrays* arrays) {
+  std::vector<uint32_t> start = {0};
+  std::vector<uint32_t> views;
+  for (size_t id = 0; id < scene.graph.links.size(); ++id) {
+    for (const ViewId view : scene.graph.links[id].supporting_views) {
+      if (view < 0 || view >= static_cast<ViewId>(scene.views.size())) {
+        throw InputError("link " + std::to_string(id) + ": there is no supporting view " +
+                         std::to_string(view));
+      }
+      views.push_back(static_cast<uint32_t>(view));
+    }
+    start.push_back(static_cast<uint32_t>(views.size()));
+  }
+  arrays->Add("linkViewStart", start);
+  arrays->Add("linkViews", views);
+}
+
+// 0 = none, then in the order of CurveShape, with circles behind it (page/src/drawing.js).
+uint8_t PrimitiveType(const CurveShape& shape) {
+  const auto* arc = std::get_if<CircularArc>(&shape);
+  if (arc && arc->IsCircle()) return 4;
+  return static_cast<uint8_t>(1 + shape.index());
+}
+
+void AddPrimitives(const ViewerScene& scene, PayloadArrays* arrays) {
+  std::vector<uint8_t> type;
+  std::vector<double> radius, sweep;
+  std::vector<float> rms, max;
+  std::vector<uint32_t> controls;
+  for (const DrawingLink& link : scene.graph.links) {
+    const CurveShape* shape = link.primitive ? &link.primitive->shape : nullptr;
+    const auto* arc = shape ? std::get_if<CircularArc>(shape) : nullptr;
+    const auto* spline = shape ? std::get_if<CubicBSpline>(shape) : nullptr;
+    type.push_back(shape ? PrimitiveType(*shape) : 0);
+    radius.push_back(arc ? arc->radius : 0);
+    sweep.push_back(arc ? arc->sweep_rad : 0);
+    controls.push_back(spline ? static_cast<uint32_t>(spline->control_points.size()) : 0);
+    rms.push_back(link.primitive ? static_cast<float>(link.primitive->rms_px) : 0);
+    max.push_back(link.primitive ? static_cast<float>(link.primitive->max_px) : 0);
+  }
+  arrays->Add("primitiveType", type);
+  arrays->Add("primitiveRadius", radius);
+  arrays->Add("primitiveSweep", sweep);
+  arrays->Add("primitiveControls", controls);
+  arrays->Add("primitiveRms", rms);
+  arrays->Add("primitiveMax", max);
+}
+
+// Only of drawings that drawing_fuser has made.
+void AddDense(const ViewerScene& scene, PayloadArrays* arrays) {
+  const auto& links = scene.graph.links;
+  const auto has_dense = [](const DrawingLink& link) { return link.dense.has_value(); };
+  if (std::none_of(links.begin(), links.end(), has_dense)) return;
+  std::vector<uint8_t> dense_class, behind;
+  std::vector<float> added, fold;
+  for (const DrawingLink& link : links) {
+    const LinkDense dense = link.dense.value_or(LinkDense());
+    dense_class.push_back(static_cast<uint8_t>(dense.dense_class));
+    behind.push_back(dense.behind_surface);
+    added.push_back(static_cast<float>(dense.added_share));
+    fold.push_back(static_cast<float>(dense.fold_deg));
+  }
+  arrays->Add("denseClass", dense_class);
+  arrays->Add("denseBehind", behind);
+  arrays->Add("denseAdded", added);
+  arrays->Add("denseFold", fold);
+}
+
+void AddNodes(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
+  Values positions;
+  std::vector<uint8_t> kind;
+  for (const DrawingNode& node : scene.graph.nodes) {
+    positions.Put(node.position_in_world - center);
+    kind.push_back(static_cast<uint8_t>(node.kind));
+  }
+  arrays->Add("nodePositions", positions.numbers);
+  arrays->Add("nodeKind", kind);
+}
+
+void AddCloud(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
+  const double step = CloudStep(scene, center);
+  Values positions;
+  std::vector<uint8_t> colors;
+  for (const ViewerPoint& point : scene.cloud) {
+    Eigen::Vector3d position = point.position - center;
+    if (step > 0) position = step * (position / step).array().round().matrix();
+    positions.Put(position);
+    colors.insert(colors.end(), point.color.begin(), point.color.end());
+  }
+  arrays->Add("cloudPositions", positions.numbers);
+  arrays->Add("cloudColors", colors);
+}
+
+Json ToJson(const Eigen::Vector2d& pixel) { return {pixel.x(), pixel.y()}; }
+
+Json ToJson(const View& view, const Eigen::Vector3d& center) {
+  const PinholeCamera& camera = view.camera;
+  const Eigen::Matrix3d rotation = view.cam_from_world.rotation.toRotationMatrix();
+  Json json = {{"name", view.name},   {"width", camera.width}, {"height", camera.height},
+               {"fx", camera.fx},     {"fy", camera.fy},       {"cx", camera.cx},
+               {"cy", camera.cy},     {"position", nullptr},   {"camFromWorld", Json::array()},
+               {"thumbnail", nullptr}};
+  const Eigen::Vector3d position = view.CenterInWorld() - center;
+  json["position"] = {position.x(), position.y(), position.z()};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      json["camFromWorld"].push_back(rotation(row, column));
+    }
+  }
+  return json;
+}
+
+Json AddViews(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
+  if (!scene.thumbnails.empty() && scene.thumbnails.size() != scene.views.size()) {
+    throw InputError(std::to_string(scene.thumbnails.size()) + " thumbnails of " +
+                     std::to_string(scene.views.size()) + " views");
+  }
+  std::string jpegs;
+  Json views = Json::array();
+  for (size_t v = 0; v < scene.views.size(); ++v) {
+    views.push_back(ToJson(scene.views[v], center));
+    if (scene.thumbnails.empty() || scene.thumbnails[v].jpeg.empty()) continue;
+    const ViewerThumbnail& thumbnail = scene.thumbnails[v];
+    views.back()["thumbnail"] = {{"offset", jpegs.size()},
+                                 {"length", thumbnail.jpeg.size()},
+                                 {"min", ToJson(thumbnail.min_px)},
+                                 {"max", ToJson(thumbnail.max_px)}};
+    jpegs += thumbnail.jpeg;
+  }
+  arrays->AddBytes("thumbnails", jpegs);
+  return views;
+}
+
+Json ReportOf(const ViewerScene& scene) {
+  if (scene.report_json.empty()) return nullptr;
+  Json report = Json::parse(scene.report_json, nullptr, /*allow_exceptions=*/false);
+  if (!report.is_object()) throw InputError("the report of a page must be a JSON object");
+  return report;
+}
+
+}  // namespace
+
+std::string EncodePayload(const ViewerScene& scene) {
+  const Eigen::Vector3d center = CenterOf(scene);
+  PayloadArrays arrays;
+  AddLinkCurves(scene, center, &arrays);
+  AddSupport(scene, &arrays);
+  AddPrimitives(scene, &arrays);
+  AddDense(scene, &arrays);
+  AddNodes(scene, center, &arrays);
+  AddCloud(scene, center, &arrays);
+  Json header = {{"format", "limn-viewer"}, {"version", 1}, {"title", scene.title}};
+  header["center"] = {center.x(), center.y(), center.z()};
+  header["views"] = AddViews(scene, center, &arrays);
+  header["report"] = ReportOf(scene);
+  header["arrays"] = arrays.header();
+  // Names of files need not be UTF-8.
+  std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);
+  while ((sizeof(uint32_t) + text.size()) % kAlignment != 0) text += ' ';
+  const auto size = static_cast<uint32_t>(text.size());
+  std::string payload(reinterpret_cast<const char*>(&size), sizeof(size));
+  return payload + text + arrays.bytes();
+}
+
+}  // namespace limn

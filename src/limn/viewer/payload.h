@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "limn/viewer/viewer_scene.h"
+
+namespace limn {
+
+// A scene as the bytes that page/src/payload.js decodes:
+//   u32 size of the header | header (JSON, padded with spaces to 8 bytes) | arrays, each at a
+//   multiple of 8 bytes
+// The header names the arrays: {"arrays": {name: {"type": "f32"|"f64"|"u32"|"i32"|"u8", "offset",
+// "length"}}}, offsets counted from the end of the header. Numbers of several bytes are stored in
+// planes, the first bytes of all numbers, then the second ..., which packs better. Positions are
+// relative to the header's "center", so that 32 bits are enough far from the origin, too.
+//
+// Throws InputError if the scene does not fit together: thumbnails or supporting views without
+// views, a report that is no JSON object.
+std::string EncodePayload(const ViewerScene& scene);
+
+}  // namespace limn

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+
+namespace limn {
+
+// A small picture of a view's virtual pinhole image.
+struct ViewerThumbnail {
+  // The rectangle of the virtual image that the picture covers, from edge to edge (the top-left
+  // pixel begins at (-0.5, -0.5)), px.
+  Eigen::Vector2d min_px = Eigen::Vector2d::Zero();
+  Eigen::Vector2d max_px = Eigen::Vector2d::Zero();
+  // A JPEG file; empty = the view has no picture.
+  std::string jpeg;
+};
+
+struct ViewerPoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  std::array<uint8_t, 3> color = {};
+};
+
+// All that a page shows. Positions are in the model's coordinates, which the page tells its reader.
+struct ViewerScene {
+  std::string title;
+  DrawingGraph graph;
+  // The views that the links' supporting views are indices into.
+  std::vector<View> views;
+  // One per view, or none at all.
+  std::vector<ViewerThumbnail> thumbnails;
+  std::vector<ViewerPoint> cloud;
+  // The text of a JSON object for the tab "Report" (page/README.md says which members it may have);
+  // empty = no such tab.
+  std::string report_json;
+};
+
+}  // namespace limn
