@@ -5,6 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/commands/results.h"
+#include "colmap_ext/commands/viewer_results.h"
+#include "colmap_ext/commands/world_shift.h"
+#include "colmap_ext/workspace/scene_origin.h"
+#include "limn/viewer/viewer_page.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -96,8 +100,6 @@ void AddEvaluation(const DrawingGraph& graph, const std::vector<View>& views,
   }
 }
 
-}  // namespace
-
 std::string RunReportJson(const Project& project, const RunOptions& options,
                           const DrawingGraph& graph, const std::vector<View>& views,
                           const TruthInput& truth, const Console& console) {
@@ -109,6 +111,26 @@ std::string RunReportJson(const Project& project, const RunOptions& options,
                  {"support_histogram", SupportHistogram(graph)}};
   if (truth.IsGiven()) AddEvaluation(graph, views, truth, console.context(), &report);
   return report.dump();
+}
+
+// Truth files are in the model's coordinates.
+std::vector<View> InModel(std::vector<View> views, const Eigen::Vector3d& origin) {
+  for (View& view : views) view.cam_from_world = Moved(view.cam_from_world, origin);
+  return views;
+}
+
+}  // namespace
+
+void WritePageWithReport(const Project& project, const RunOptions& options,
+                         const std::vector<View>& views, const DrawingGraph& graph,
+                         const TruthInput& truth, Console* console) {
+  if (!HasViewerPage()) {
+    console->Say("drawing.html is not written: this limn was built without the viewer");
+    return;
+  }
+  const std::string report = RunReportJson(project, options, Moved(graph, project.origin()),
+                                           InModel(views, project.origin()), truth, *console);
+  WriteViewerResult(project, options.layout.workspace_path, views, graph, {}, report, console);
 }
 
 }  // namespace limn::colmap_ext

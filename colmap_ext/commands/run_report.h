@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/project.h"
@@ -10,12 +10,13 @@
 
 namespace limn::colmap_ext {
 
-// The report of a run for the page (limn/viewer/), as JSON: counts, times and memory of its stages,
-// warnings, options that differ from the defaults, links by number of supporting views; with a
-// truth precision and recall, and both again for the links of at least so many views. `graph` and
-// `views` are in the model's coordinates.
-std::string RunReportJson(const Project& project, const RunOptions& options,
-                          const DrawingGraph& graph, const std::vector<View>& views,
-                          const TruthInput& truth, const Console& console);
+// Writes drawing.html with the report of the run: counts, times and memory of its stages, warnings,
+// options that differ from the defaults, links by number of supporting views; with a truth
+// precision and recall, and both again for the links of at least so many views. The graph and
+// `views`, the cameras that it fits, are around the project's origin. Says so where limn was built
+// without the page. Throws IoError.
+void WritePageWithReport(const Project& project, const RunOptions& options,
+                         const std::vector<View>& views, const DrawingGraph& graph,
+                         const TruthInput& truth, Console* console);
 
 }  // namespace limn::colmap_ext
