@@ -96,9 +96,9 @@ TEST(Commands, UnknownCommandIsRefused) {
 TEST(Commands, AllAreListedAndHaveHelp) {
   const LimnRun help = RunLimn({"help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command :
-       {"automatic_drawer", "edge_extractor", "curve_linker", "curve_sketcher", "curve_drawer",
-         "model_importer", "drawing_fuser", "drawing_evaluator", "truth_extractor"}) {
+  for (const char* command : {"automatic_drawer", "edge_extractor", "curve_linker",
+                              "curve_sketcher", "curve_drawer", "model_importer", "drawing_fuser",
+                              "drawing_viewer", "drawing_evaluator", "truth_extractor"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const LimnRun run = RunLimn({command, "-h"});
     EXPECT_EQ(run.exit_code, 0) << command;
