@@ -98,8 +98,8 @@ TEST(Commands, AllAreListedAndHaveHelp) {
   EXPECT_EQ(help.exit_code, 0);
   for (const char* command :
        {"automatic_drawer", "edge_extractor", "curve_linker", "curve_sketcher", "curve_drawer",
-        "drawing_exporter", "model_importer", "drawing_fuser", "drawing_evaluator",
-        "truth_extractor"}) {
+        "drawing_exporter", "drawing_viewer", "model_importer", "drawing_fuser",
+        "drawing_evaluator", "truth_extractor"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const LimnRun run = RunLimn({command, "-h"});
     EXPECT_EQ(run.exit_code, 0) << command;

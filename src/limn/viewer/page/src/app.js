@@ -4,6 +4,7 @@ import { Vector3 } from 'three';
 
 import { Backdrop } from './backdrop.js';
 import { schemesFor } from './colors.js';
+import { commandsOf } from './commands.js';
 import { make } from './dom.js';
 import { download } from './download.js';
 import { Drawing } from './drawing.js';
@@ -40,7 +41,7 @@ export class App {
     document.title = `${header.title} - Limn`;
     this.makePicture();
     this.makePanels(header.report);
-    this.commands = this.listCommands();
+    this.commands = commandsOf(this);
     this.makeTools();
     this.watch();
     this.setScheme(this.schemes[0].id);
@@ -102,44 +103,6 @@ export class App {
       opacity: (value) => this.setOpacity(value),
       leave: () => this.eye.home(),
     });
-  }
-
-  listCommands() {
-    const layers = this.layers.list.map(({ id, label, key }) => ({
-      keys: [key],
-      label: `${label} on and off`,
-      run: () => this.setLayer(id, !this.layers.isShown(id)),
-    }));
-    return [
-      { keys: ['Home'], label: 'see everything', tool: 'Home', run: () => this.eye.home() },
-      {
-        keys: ['Backspace'],
-        label: 'back to the place before',
-        tool: 'Back',
-        run: () => this.eye.back(),
-      },
-      { keys: ['m'], label: 'measure', tool: 'Measure', run: () => this.toggleMeasuring() },
-      {
-        keys: ['s'],
-        label: 'save the picture (PNG)',
-        tool: 'Picture',
-        run: () => this.savePicture(),
-      },
-      { keys: ['t'], label: 'dark or light', tool: 'Theme', run: () => this.theme.toggle() },
-      { keys: ['b'], label: 'panels on and off', tool: 'Panels', run: () => this.sidebar.toggle() },
-      { keys: ['?'], label: 'this help', tool: 'Help', run: () => this.help.toggle() },
-      { keys: ['/'], label: 'search a link', run: () => this.focusSearch() },
-      { keys: ['f'], label: 'go to the picked link', run: () => this.focusLink(this.picked) },
-      { keys: ['x'], label: 'next way to colour', run: () => this.stepScheme() },
-      { keys: ['['], label: 'previous photograph', run: () => this.stepPhoto(-1) },
-      { keys: [']'], label: 'next photograph', run: () => this.stepPhoto(1) },
-      {
-        keys: ['Escape'],
-        label: 'stop measuring, unpick, leave the photograph',
-        run: () => this.escape(),
-      },
-      ...layers,
-    ];
   }
 
   makeTools() {

@@ -14,22 +14,26 @@ export class Help {
   // `commands`: [{keys, label}].
   constructor(element, commands) {
     this.element = element;
+    const keyRows = (list) => rows(list.map(({ keys, label }) => [keys.join(' '), label]));
     const rows = (list) =>
       list.map(([key, text]) =>
         make('tr', {}, make('th', { scope: 'row' }, make('kbd', {}, key)), make('td', {}, text)),
       );
+    const close = () => element.close();
     element.append(
-      make('h2', {}, 'Pointer'),
-      make('table', {}, ...rows(POINTER)),
-      make('h2', {}, 'Keys'),
-      make('table', {}, ...rows(commands.map(({ keys, label }) => [keys.join(' '), label]))),
+      make('button', { type: 'button', autofocus: true, onclick: close }, 'Close'),
+      make(
+        'div',
+        { class: 'help' },
+        make('section', {}, make('h2', {}, 'Pointer'), make('table', {}, ...rows(POINTER))),
+        make('section', {}, make('h2', {}, 'Keys'), make('table', {}, ...keyRows(commands))),
+      ),
       make('p', { class: 'faint' }, 'Lengths and coordinates are in the units of the model.'),
       make(
         'p',
         { class: 'faint' },
-        'Drawn with three.js, whose licence is in the source of this page.',
+        'Drawn with three.js; its licence is in the source of this page.',
       ),
-      make('button', { type: 'button', onclick: () => element.close() }, 'Close'),
     );
   }
 
