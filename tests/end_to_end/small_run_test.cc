@@ -5,12 +5,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/model_writer.h"
 #include "end_to_end/run_limn.h"
 #include "limn/io/drawing_json_reader.h"
 #include "limn/io/read_curves.h"
+#include "limn/viewer/viewer_page.h"
 
 namespace limn::testing {
 namespace {
@@ -226,6 +228,38 @@ TEST_F(SmallRun, AccountTellsWhatBecameOfEveryEdgel) {
                                    "--mode", "original", "--account", "1"});
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.err, StartsWith("ERROR: account = 1: "));
+}
+
+TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
+  const std::string truth = std::string(LIMN_SAMPLE_DIR) + "/truth/curves-visible.ply";
+  if (!HasViewerPage()) GTEST_SKIP() << "built without the viewer";
+  Run("automatic_drawer", "out",
+      {"--truth_path", truth, "--taus", "2,4", "--unit", "footprint", "--Drawing.min_own_views",
+       "3"});
+  const LimnRun page =
+      RunProgram("/usr/bin/python3", {LIMN_SOURCE_DIR "/tests/scripts/readers/read_page.py",
+                                      Output("out", "drawing.html").string()});
+  ASSERT_EQ(page.exit_code, 0) << page.err;
+  const auto report = nlohmann::json::parse(page.out).at("report");
+  std::vector<std::string> stages;
+  for (const auto& stage : report.at("stages")) {
+    stages.push_back(stage.at("stage"));
+    EXPECT_GT(stage.at("peak_mb").get<int>(), 0);
+  }
+  EXPECT_THAT(stages, ::testing::ElementsAre("image curves", "swept sketch", "drawing",
+                                             "refinement", "primitives"));
+  EXPECT_EQ(report.at("options_changed").at("Drawing.min_own_views"), 3);
+  const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;
+  int num_links = 0;
+  for (const int count : report.at("support_histogram")) num_links += count;
+  EXPECT_EQ(num_links, static_cast<int>(graph.links.size()));
+  ASSERT_EQ(report.at("evaluation").size(), 2u);
+  EXPECT_GT(report.at("evaluation")[0].at("precision").get<double>(), 0.3);
+  EXPECT_EQ(report.at("pr_curves").size(), 2u);
+  EXPECT_GT(report.at("pr_curves")[0].at("points").size(), 2u);
+
+  Run("automatic_drawer", "without", {"--page", "0"});
+  EXPECT_FALSE(fs::exists(Output("without", "drawing.html")));
 }
 
 TEST_F(SmallRun, EveryModeDraws) {

@@ -9,9 +9,9 @@
 #include <Eigen/LU>
 
 #include "limn/drawing/corner_rays.h"
-#include "limn/support/segment_evidence.h"
 #include "limn/drawing/vertex_grid.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/support/segment_evidence.h"
 
 namespace limn {
 namespace {

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "limn/drawing/draft.h"
-#include "limn/support/segment_evidence.h"
 #include "limn/model/curve_fragment.h"
+#include "limn/support/segment_evidence.h"
 #include "limn/support/view_evidence.h"
 
 namespace limn {

@@ -41,8 +41,8 @@ struct PipelineResult {
 using StageObserver = std::function<void(const StageSummary& summary, const CacheUse& cache)>;
 
 // The whole way from photographs to the drawing (ECCV 2016): edges and fragments of every image,
-// the sketch, the drawing graph, its refinement, its primitives. Throws OptionError, InputError, what `images`
-// throws, and Cancelled.
+// the sketch, the drawing graph, its refinement, its primitives. Throws OptionError, InputError,
+// what `images` throws, and Cancelled.
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end);
 

@@ -6,8 +6,8 @@
 
 #include "limn/drawing/drawing.h"
 #include "limn/drawing/joints.h"
-#include "limn/support/segment_evidence.h"
 #include "limn/sketch/sketch.h"
+#include "limn/support/segment_evidence.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
