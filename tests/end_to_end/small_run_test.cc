@@ -234,8 +234,8 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
   const std::string truth = std::string(LIMN_SAMPLE_DIR) + "/truth/curves-visible.ply";
   if (!HasViewerPage()) GTEST_SKIP() << "built without the viewer";
   Run("automatic_drawer", "out",
-      {"--truth_path", truth, "--taus", "2,4", "--unit", "footprint", "--Drawing.min_own_views",
-       "3"});
+      {"--truth_path", truth, "--taus", "2,4", "--unit", "footprint",
+       "--Drawing.min_link_length_px", "7.5"});
   const LimnRun page =
       RunProgram("/usr/bin/python3", {LIMN_SOURCE_DIR "/tests/scripts/readers/read_page.py",
                                       Output("out", "drawing.html").string()});
@@ -248,7 +248,7 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
   }
   EXPECT_THAT(stages, ::testing::ElementsAre("image curves", "swept sketch", "drawing",
                                              "refinement", "primitives"));
-  EXPECT_EQ(report.at("options_changed").at("Drawing.min_own_views"), 3);
+  EXPECT_EQ(report.at("options_changed").at("Drawing.min_link_length_px"), 7.5);
   const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;
   int num_links = 0;
   for (const int count : report.at("support_histogram")) num_links += count;
