@@ -5,7 +5,6 @@
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "limn/drawing/drawing.h"
-#include "limn/primitives/fit_primitives.h"
 
 namespace limn::colmap_ext {
 
@@ -26,12 +25,9 @@ int RunCurveDrawer(int argc, const char* const* argv) {
       {project.views(), image_curves.curves, stored.sketch, ProjectBox(project, options)},
       options.pipeline.drawing, console.context());
   console.Report(result.summary);
-  const PrimitiveResult primitives =
-      FitPrimitives(result.graph, project.views(), options.pipeline.primitives, console.context());
-  console.Report(primitives.summary);
-  CheckGraph(primitives.graph);
+  CheckGraph(result.graph);
   WriteRefinedModel(project, std::nullopt, &console);
-  WriteDrawingResults(project, project.views(), primitives.graph, provenance, &console);
+  WriteDrawingResults(project, project.views(), result.graph, provenance, &console);
   return 0;
 }
 

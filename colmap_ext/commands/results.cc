@@ -43,7 +43,7 @@ void SayPrimitives(const DrawingGraph& graph, Console* console) {
   const PrimitiveStatistics primitives = Describe(graph);
   double whole = 0;
   for (const auto& kind : primitives.kinds) whole += kind.length;
-  if (!(whole > 0)) return;
+  if (primitives.numbers_after == 0) return;  // none yet
   std::string line = "primitives, shares of the length:";
   char text[120];
   for (const auto& kind : primitives.kinds) {
@@ -111,10 +111,9 @@ std::string Provenance(const RunOptions& options) {
 
 std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance) {
   Json json = Json::parse(sketch_provenance);
-  const Json now = Json::parse(OptionsAsJson(options.pipeline));
-  json["Drawing"] = now["Drawing"];
-  json["Primitives"] = now["Primitives"];
+  json["Drawing"] = Json::parse(OptionsAsJson(options.pipeline))["Drawing"];
   json["DrawingRefinement"] = nullptr;
+  json["Primitives"] = nullptr;
   return json.dump();
 }
 

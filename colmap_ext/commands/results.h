@@ -17,7 +17,7 @@ namespace limn::colmap_ext {
 std::string Provenance(const RunOptions& options);
 
 // Of a drawing made with `options` from a sketch that says in `sketch_provenance` how it was made;
-// it is not refined yet.
+// it is not refined and has no primitives yet.
 std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance);
 
 // Of a drawing refined with `options` that says in `drawing_provenance` how it was made.

@@ -61,7 +61,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
   }
   if (groups.drawing) AddGroup("Drawing", &pipeline.drawing, parser);
   if (groups.refinement) AddGroup("DrawingRefinement", &pipeline.refinement, parser);
-  if (groups.drawing || groups.refinement) AddGroup("Primitives", &pipeline.primitives, parser);
+  if (groups.refinement) AddGroup("Primitives", &pipeline.primitives, parser);
   if (groups.dense) AddGroup("DenseFusion", &options->dense, parser);
 }
 
