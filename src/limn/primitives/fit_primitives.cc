@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include <Eigen/Cholesky>
 
@@ -87,9 +88,9 @@ const Eigen::Matrix3d& AcrossNear(const LinkSamples& link, int end) {
 }
 
 // Where the shapes at a node meet, in the least squares of what their views see; nothing without
-// two shapes, or if it is farther than this from where the node is.
+// two shapes, or if it is farther than this (world units) from where the node is.
 std::optional<Eigen::Vector3d> MeetingPoint(const DrawingNode& node, const std::vector<Fit>& fits,
-                                            double max_shift_px) {
+                                            double max_shift) {
   // Pull of the present place, 1/px: holds the node along a line that all its links share.
   constexpr double kPriorWeight = 0.2;
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -111,7 +112,7 @@ std::optional<Eigen::Vector3d> MeetingPoint(const DrawingNode& node, const std::
   const double prior = kPriorWeight / footprint;
   normal += prior * prior * Eigen::Matrix3d::Identity();
   const Eigen::Vector3d shift = normal.ldlt().solve(right);
-  if (!(shift.norm() <= max_shift_px * footprint)) return std::nullopt;
+  if (!(shift.norm() <= max_shift)) return std::nullopt;
   return node.position_in_world + shift;
 }
 
@@ -131,15 +132,21 @@ void MoveEnd(const Eigen::Vector3d& position, bool first, double zone, Polyline3
 }
 
 void MoveNodes(const std::vector<Fit>& fits, double zone_px, DrawingGraph* graph) {
+  std::vector<double> zones;
+  for (size_t l = 0; l < fits.size(); ++l) {
+    zones.push_back(
+        std::min(zone_px * fits[l].samples.footprint, Length(graph->links[l].points_in_world) / 4));
+  }
   for (DrawingNode& node : graph->nodes) {
     if (node.kind == NodeKind::kLoopAnchor) continue;
-    const auto position = MeetingPoint(node, fits, zone_px);
+    // Less than a quarter of every link, so that none collapses.
+    double max_shift = std::numeric_limits<double>::infinity();
+    for (const LinkEnd& at : node.incident) max_shift = std::min(max_shift, zones[at.link]);
+    const auto position = MeetingPoint(node, fits, max_shift);
     if (!position) continue;
     node.position_in_world = *position;
     for (const LinkEnd& at : node.incident) {
-      Polyline3d& points = graph->links[at.link].points_in_world;
-      const double zone = std::min(zone_px * fits[at.link].samples.footprint, Length(points) / 4);
-      MoveEnd(*position, at.end == 0, zone, &points);
+      MoveEnd(*position, at.end == 0, zones[at.link], &graph->links[at.link].points_in_world);
     }
   }
 }

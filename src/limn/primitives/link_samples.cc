@@ -15,6 +15,7 @@ namespace limn {
 namespace {
 
 constexpr double kSpacingPx = 2;
+constexpr int kMinSteps = 4;
 // Tangents are measured to so many samples before and after.
 constexpr size_t kTangentReach = 3;
 // Weight of offsets along the curve: they only keep the ends in place.
@@ -92,7 +93,8 @@ LinkSamples SampleLink(const DrawingLink& link, const std::vector<View>& views) 
   if (!(footprint > 0) || !(length > 0)) return result;
   result.length_px = length / footprint;
   result.footprint = footprint;
-  const Polyline3d points = ResampleUniform(link.points_in_world, kSpacingPx * footprint);
+  const double spacing = std::min(kSpacingPx * footprint, length / kMinSteps);
+  const Polyline3d points = ResampleUniform(link.points_in_world, spacing);
   const size_t last = points.size() - 1;
   for (size_t k = 0; k <= last; ++k) {
     const Eigen::Vector3d tangent =

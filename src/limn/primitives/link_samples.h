@@ -25,7 +25,7 @@ struct LinkSample3d {
 };
 
 struct LinkSamples {
-  std::vector<LinkSample3d> samples;  // at least two, first and last point included
+  std::vector<LinkSample3d> samples;  // at least five, first and last point included
   double length_px = 0;               // as a footprint measures it, in the mean
   double footprint = 0;               // world units
 };

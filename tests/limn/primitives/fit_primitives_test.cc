@@ -206,6 +206,19 @@ TEST(FitPrimitives, ContinuationsShareTheirTangent) {
   EXPECT_EQ(PointAt(ShapeOf(result, 1), 0), result.graph.nodes[middle].position_in_world);
 }
 
+TEST(FitPrimitives, ShortLinksDoNotCollapse) {
+  // A pixel between two corners whose lines meet elsewhere.
+  Scene scene;
+  const NodeId a = scene.AddNode({0, 0, 0});
+  const NodeId b = scene.AddNode({kPx, 0, 0});
+  scene.AddLink(a, b, Line({0, 0, 0}, {kPx, 0, 0}), kPx);
+  scene.AddLink(a, scene.AddNode({0.02, 0.5, 0}), Line({0.02, 0, 0}, {0.02, 0.5, 0}), 0.5);
+  scene.AddLink(b, scene.AddNode({-0.01, -0.5, 0}), Line({-0.01, 0, 0}, {-0.01, -0.5, 0}), 0.5);
+  const PrimitiveResult result = Fit(scene.graph());
+  EXPECT_GT(Length(result.graph.links[0].points_in_world), 0.4 * kPx);
+  for (const DrawingLink& link : result.graph.links) EXPECT_TRUE(link.primitive);
+}
+
 TEST(FitPrimitives, WhatNoViewSeesGetsNone) {
   Scene scene;
   scene.AddCurve(Line({0, 0, 50}, {1, 0, 50}), 1);  // behind all views
