@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <iostream>
 #include <utility>
 
@@ -58,9 +57,7 @@ void AddOptions(ExporterOptions* options, OptionParser* parser) {
 }
 
 bool IsSvg(const ExporterOptions& options) {
-  return options.format.format == "svg" ||
-         (options.format.format == kAutoFormat &&
-          std::filesystem::path(options.output_path).extension() == ".svg");
+  return DrawingFormatOf(options.output_path, options.format) == "svg";
 }
 
 // What an SVG picture shows instead of the graph, and how.

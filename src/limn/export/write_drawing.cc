@@ -104,7 +104,16 @@ const Format& FormatByExtension(const std::string& path) {
   throw IoError(path, "unknown extension; drawings are written as " + JoinedExtensions() + missing);
 }
 
+const Format& FormatOf(const std::string& path, const DrawingFormatOptions& options) {
+  return options.format == kAutoFormat ? FormatByExtension(path)
+                                       : FormatByName(path, options.format);
+}
+
 }  // namespace
+
+std::string DrawingFormatOf(const std::string& path, const DrawingFormatOptions& options) {
+  return FormatOf(path, options).name;
+}
 
 std::vector<std::string> DrawingFormats() {
   std::vector<std::string> names;
@@ -116,8 +125,7 @@ void WriteDrawing(const std::string& path, const DrawingGraph& graph,
                   const DrawingMetadata& metadata, const DrawingFormatOptions& options) {
   const std::vector<std::string> violations = Validate(graph);
   if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
-  const Format& format =
-      options.format == kAutoFormat ? FormatByExtension(path) : FormatByName(path, options.format);
+  const Format& format = FormatOf(path, options);
   WriteFileAtomically(path, [&](std::ostream& out) {
     format.write({graph, metadata, options}, out);
   });

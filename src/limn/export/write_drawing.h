@@ -40,6 +40,9 @@ struct DrawingFormatOptions {
 // OpenCASCADE lack "step".
 std::vector<std::string> DrawingFormats();
 
+// The name of the format that a drawing is written in at this path. Throws IoError if none is.
+std::string DrawingFormatOf(const std::string& path, const DrawingFormatOptions& options);
+
 // Write a drawing. The same graph gives the same bytes. The file appears whole or not at all.
 // Throws IoError, also for an extension or format that is not known, or InputError if the graph
 // breaks an invariant of Validate.
