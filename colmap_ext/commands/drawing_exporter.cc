@@ -6,6 +6,7 @@
 #include "colmap_ext/options/option_parser.h"
 #include "limn/export/write_drawing.h"
 #include "limn/io/drawing_json_reader.h"
+#include "limn/io/ply_points.h"
 #include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
 
@@ -15,6 +16,7 @@ namespace {
 struct ExporterOptions {
   std::string input_path, output_path;
   bool junctions = true;
+  std::string cloud_path;
   DrawingFormatOptions format;
   double scale = 1;
   SignedAxis up_axis = SignedAxis::kZ;
@@ -53,11 +55,23 @@ void AddOptions(ExporterOptions* options, OptionParser* parser) {
                      {"in", LengthUnit::kInch},
                      {"ft", LengthUnit::kFoot}},
                     "DXF and STEP: what one unit is after scaling");
+  parser->AddOption("cloud_path", &options->cloud_path, "GLB: a cloud to go with it, .ply");
   options->svg.AddOptions(parser);
 }
 
 bool IsSvg(const ExporterOptions& options) {
   return DrawingFormatOf(options.output_path, options.format) == "svg";
+}
+
+// Scaled and turned as the drawing is.
+std::vector<GlbPoint> ReadCloud(const ExporterOptions& options) {
+  std::vector<GlbPoint> cloud;
+  const Eigen::Matrix3d z_up = ZUpFrom(options.up_axis);
+  ReadPlyPoints(options.cloud_path, [&](const PlyPoint& point) {
+    const auto& [red, green, blue] = point.color;
+    cloud.push_back({options.scale * (z_up * point.position), {red, green, blue}});
+  });
+  return cloud;
 }
 
 // What an SVG picture shows instead of the graph, and how.
@@ -74,6 +88,10 @@ void Check(const ExporterOptions& options) {
   if (options.input_path.empty()) throw OptionError("--input_path must be given");
   if (options.output_path.empty()) throw OptionError("--output_path must be given");
   CheckOption(options.scale > 0, "scale", options.scale, "> 0");
+  if (!options.cloud_path.empty() &&
+      DrawingFormatOf(options.output_path, options.format) != "glb") {
+    throw OptionError("cloud_path: only .glb files hold a cloud");
+  }
   if (!IsSvg(options)) return;
   options.svg.Check();
   if (!options.svg.IsSheet() && (options.scale != 1 || options.up_axis != SignedAxis::kZ)) {
@@ -94,6 +112,7 @@ int RunDrawingExporter(int argc, const char* const* argv) {
                               Eigen::Vector3d::Zero());
   options.format.dxf.junctions = options.format.glb.junctions = options.junctions;
   options.svg.style.junctions = options.junctions;
+  if (!options.cloud_path.empty()) options.format.glb.cloud = ReadCloud(options);
   if (IsSvg(options)) SetUpSvg(&options, &drawing.graph);
   WriteDrawing(options.output_path, drawing.graph, drawing.metadata, options.format);
   std::cout << "Written: " << options.output_path << " (" << drawing.graph.links.size()

@@ -87,6 +87,20 @@ TEST(DrawingExporter, TypeByExtensionOrByOption) {
   EXPECT_EQ(files.at("a.GraphML"), files.at("new/folder/c.graphml"));
 }
 
+TEST(DrawingExporter, GlbWithACloud) {
+  const ExportedDrawing exported(PrimitiveDrawing());
+  exported.dir().WriteFile("cloud.ply",
+                           "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                           "property float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n");
+  exported.Export("without.glb");
+  exported.Export("with.glb", {"--cloud_path", exported.Path("cloud.ply")});
+  const auto files = ReadTree(exported.dir().path());
+  EXPECT_THAT(files.at("with.glb"), AllOf(StartsWith("glTF"), HasSubstr("\"name\":\"cloud\"")));
+  EXPECT_THAT(files.at("without.glb"), ::testing::Not(HasSubstr("\"cloud\"")));
+  const LimnRun refused = exported.TryExport("a.dxf", {"--cloud_path", exported.Path("cloud.ply")});
+  EXPECT_THAT(refused.err, HasSubstr("only .glb files hold a cloud"));
+}
+
 // STEP by the command; what is in the file is tested in limn/export.
 TEST(DrawingExporter, StepWhereItIsBuilt) {
   const ExportedDrawing exported(PrimitiveDrawing());

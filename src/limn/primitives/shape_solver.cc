@@ -1,0 +1,15 @@
+#include "limn/primitives/shape_solver.h"
+
+namespace limn {
+
+void SolveShape(ceres::Problem* problem, int max_iterations) {
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = max_iterations;
+  options.num_threads = 1;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, problem, &summary);
+}
+
+}  // namespace limn

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cmath>
+
+#include <ceres/ceres.h>
+
+#include "limn/primitives/link_samples.h"
+
+namespace limn {
+
+// Shared by the fits of shape_fit.h; not for others.
+
+// The weighted root of a sample's metric.
+inline Eigen::Matrix3d Root(const LinkSample3d& sample) {
+  return std::sqrt(sample.weight) * sample.across;
+}
+
+void SolveShape(ceres::Problem* problem, int max_iterations);
+
+}  // namespace limn
