@@ -3,7 +3,7 @@
 //
 //   cmake --build --preset release --target viewer_pages browser_packages
 //   build/release/tests/browser/viewer_pages /tmp/pages
-//   LIMN_PAGES=/tmp/pages LIMN_BROWSER_PACKAGES=build/release/tests/browser/packages
+//   LIMN_PAGES=/tmp/pages LIMN_BROWSER_PACKAGES=$PWD/build/release/tests/browser/packages
 //       node tests/bench/viewer_frames.mjs
 
 import { launch, open } from '../browser/browser.mjs';
