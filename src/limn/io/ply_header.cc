@@ -133,6 +133,12 @@ class HeaderParser {
     if (count.empty() || error != std::errc() || end != count.data() + count.size()) {
       Fail("element needs a name and a count");
     }
+    // Readers keep what belongs together from element to element.
+    for (const PlyElement& other : header_.elements) {
+      if (other.name == element.name) {
+        Fail("element " + element.name.substr(0, 40) + " is there twice");
+      }
+    }
     header_.elements.push_back(std::move(element));
   }
 

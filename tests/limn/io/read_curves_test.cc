@@ -96,6 +96,8 @@ TEST(ReadCurves, BadPlyIsRefusedWithPlaceAndReason) {
   ExpectIoError(folder.Write("4.ply", vertices + "end_header\n1 2 what\n"), "line 8");
   ExpectIoError(folder.Write("5.ply", vertices + "end_header\n1 2 nan\n"), "not finite");
   ExpectIoError(folder.Write("6.ply", vertices + edges + "end_header\n1 2 3\n0 1\n"), "of 1");
+  ExpectIoError(folder.Write("twice.ply", vertices + edges + edges + "end_header\n"),
+                "element edge is there twice");
   ExpectIoError(folder.Write("7.ply",
                              "ply\nformat binary_little_endian 1.0\n"
                              "element vertex 99999999999999\nproperty double x\n"
