@@ -16,7 +16,6 @@
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/model_writer.h"
 #include "colmap_ext/workspace/pmvs_model.h"
-#include "colmap_ext/workspace/scene_origin.h"
 #include "limn/export/write_drawing.h"
 #include "limn/io/atomic_file.h"
 #include "limn/io/mesh_reader.h"
@@ -64,10 +63,7 @@ struct InModel {
 };
 
 InModel ToModel(const Project& project, const std::vector<CurvePoint>& points) {
-  InModel moved = {project.views(), points};
-  for (View& view : moved.views) {
-    view.cam_from_world = Moved(view.cam_from_world, project.origin());
-  }
+  InModel moved = {Moved(project.views(), project.origin()), points};
   for (CurvePoint& point : moved.points) point.position += project.origin();
   return moved;
 }

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "colmap_ext/commands/world_shift.h"
 #include "colmap_ext/workspace/model_writer.h"
 #include "colmap_ext/workspace/refined_model.h"
-#include "colmap_ext/workspace/scene_origin.h"
 #include "limn/io/atomic_file.h"
 #include "limn/util/errors.h"
 
@@ -59,8 +59,7 @@ void WriteRefinedModel(const Project& project, const std::optional<RefinedCamera
     return;
   }
   SparseModel model = ReadModel(project.layout().model_dir);
-  std::vector<View> views = cameras->views;
-  for (View& view : views) view.cam_from_world = Moved(view.cam_from_world, project.origin());
+  const std::vector<View> views = Moved(cameras->views, project.origin());
   std::vector<Eigen::Vector3d> points = cameras->points;
   for (Eigen::Vector3d& point : points) point += project.origin();
   ApplyRefinement({views, project.views(), project.view_set().hints, points}, &model);

@@ -7,7 +7,6 @@
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/viewer_results.h"
 #include "colmap_ext/commands/world_shift.h"
-#include "colmap_ext/workspace/scene_origin.h"
 #include "limn/viewer/viewer_page.h"
 
 namespace limn::colmap_ext {
@@ -113,12 +112,6 @@ std::string RunReportJson(const Project& project, const RunOptions& options,
   return report.dump();
 }
 
-// Truth files are in the model's coordinates.
-std::vector<View> InModel(std::vector<View> views, const Eigen::Vector3d& origin) {
-  for (View& view : views) view.cam_from_world = Moved(view.cam_from_world, origin);
-  return views;
-}
-
 }  // namespace
 
 void WritePageWithReport(const Project& project, const RunOptions& options,
@@ -128,8 +121,9 @@ void WritePageWithReport(const Project& project, const RunOptions& options,
     console->Say("drawing.html is not written: this limn was built without the viewer");
     return;
   }
+  // Truth files are in the model's coordinates.
   const std::string report = RunReportJson(project, options, Moved(graph, project.origin()),
-                                           InModel(views, project.origin()), truth, *console);
+                                           Moved(views, project.origin()), truth, *console);
   WriteViewerResult(project, options.layout.workspace_path, views, graph, {}, report, console);
 }
 

@@ -7,7 +7,6 @@
 #include "colmap_ext/dense/dense_cloud.h"
 #include "colmap_ext/dense/products.h"
 #include "colmap_ext/workspace/model.h"
-#include "colmap_ext/workspace/scene_origin.h"
 #include "limn/io/atomic_file.h"
 #include "limn/pictures/thumbnail.h"
 #include "limn/util/errors.h"
@@ -103,10 +102,7 @@ void WriteViewerResult(const Project& project, const std::string& workspace_path
   const fs::path folder = fs::absolute(project.DrawingPath("")).lexically_normal();
   scene.title = folder.parent_path().filename().string();
   scene.graph = Moved(graph, project.origin());
-  scene.views = views;
-  for (View& view : scene.views) {
-    view.cam_from_world = Moved(view.cam_from_world, project.origin());
-  }
+  scene.views = Moved(views, project.origin());
   scene.cloud = CloudOf(project, workspace_path, options, console);
   scene.thumbnails = Thumbnails(project, options.thumbnail_size, console);
   scene.report_json = report_json;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "colmap_ext/workspace/scene_origin.h"
 #include "limn/model/drawing_transform.h"
 
 namespace limn::colmap_ext {
@@ -15,6 +16,11 @@ CurveSketch Moved(CurveSketch sketch, const Eigen::Vector3d& shift) {
     for (Eigen::Vector3d& point : curve.points_in_world) point += shift;
   }
   return sketch;
+}
+
+std::vector<View> Moved(std::vector<View> views, const Eigen::Vector3d& shift) {
+  for (View& view : views) view.cam_from_world = Moved(view.cam_from_world, shift);
+  return views;
 }
 
 std::optional<Eigen::AlignedBox3d> Moved(std::optional<Eigen::AlignedBox3d> box,
