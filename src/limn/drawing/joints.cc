@@ -106,10 +106,9 @@ std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Ve
                                 const EdgelIndexes& edgels, const SupportGate& gate) {
   std::vector<EdgelRef> support;
   for (const ViewId v : in_views) {
-    const auto pixel = views[v].Project(position);
-    const auto angle = ProjectedDirection(views[v], position, direction);
-    if (!pixel || !angle) continue;
-    const auto match = edgels[v]->Best(*pixel, *angle, gate);
+    const auto sight = See(views[v], position, direction);
+    if (!sight) continue;
+    const auto match = edgels[v]->Best(sight->position_px, sight->direction_rad, gate);
     if (match) support.push_back({v, match->edgel});
   }
   return support;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "limn/drawing/occluding_contours.h"
+#include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
 
 namespace limn {
@@ -36,11 +37,12 @@ double MeanAgreement(const DraftLink& link, const std::vector<int>& agreeing_vie
 }
 
 // Mean number of views that contain a point of a link.
-double MeanContaining(const DraftLink& link, const std::vector<View>& views) {
+double MeanContaining(const DraftLink& link, const std::vector<ViewId>& near,
+                      const std::vector<View>& views) {
   int64_t sum = 0;
   for (const Eigen::Vector3d& point : link.position) {
-    sum += std::count_if(views.begin(), views.end(),
-                         [&](const View& view) { return view.Project(point).has_value(); });
+    sum += std::count_if(near.begin(), near.end(),
+                         [&](ViewId v) { return views[v].Project(point).has_value(); });
   }
   return static_cast<double>(sum) / link.size();
 }
@@ -75,7 +77,7 @@ class Claims {
   // Mean number of views in which edgels that nobody has claimed run along a link, less the number
   // in which edgels run along its copies. Those count claimed ones too: beside edges that are
   // known, little is worth believing.
-  double OwnViews(const DraftLink& link) const {
+  double OwnViews(const DraftLink& link, const std::vector<ViewId>& near) const {
     const std::vector<int> probes = ProbePoints(link, kMaxProbes);
     int64_t own = 0;
     int64_t contained = 0;
@@ -83,7 +85,7 @@ class Claims {
     for (const int k : probes) {
       const Eigen::Vector3d& point = link.position[k];
       const Eigen::Vector3d tangent = TangentAt(link, k);
-      for (size_t v = 0; v < input_.views.size(); ++v) {
+      for (const ViewId v : near) {
         if (!input_.views[v].Project(point)) continue;
         ++contained;
         const EdgelId id = EdgelAt(v, point, tangent);
@@ -120,10 +122,10 @@ class Claims {
   }
 
   EdgelId EdgelAt(size_t view, const Eigen::Vector3d& point, const Eigen::Vector3d& tangent) const {
-    const auto pixel = input_.views[view].Project(point);
-    const auto direction = ProjectedDirection(input_.views[view], point, tangent);
-    if (!pixel || !direction) return kInvalidEdgel;
-    const auto match = input_.evidence[view]->edgels.Best(*pixel, *direction, gate_);
+    const auto sight = See(input_.views[view], point, tangent);
+    if (!sight) return kInvalidEdgel;
+    const auto match =
+        input_.evidence[view]->edgels.Best(sight->position_px, sight->direction_rad, gate_);
     return match ? match->edgel : kInvalidEdgel;
   }
 
@@ -143,13 +145,13 @@ class Claims {
 enum Belief : uint8_t { kNotBelieved, kUncertain, kCertain };
 
 Belief FirstBelief(const LinkJudgementInput& input, const DrawingOptions& options,
-                   const DraftLink& link) {
+                   const DraftLink& link, const std::vector<ViewId>& near) {
   if (NumPrimaryViews(input.samples, link) < kMinMergedViews ||
-      IsOccludingContour(link, input.views, input.curves, input.evidence, options.Gate())) {
+      IsOccludingContour(link, near, input.views, input.curves, input.evidence, options.Gate())) {
     return kNotBelieved;
   }
   const double required =
-      std::clamp(options.primary_views_share * MeanContaining(link, input.views),
+      std::clamp(options.primary_views_share * MeanContaining(link, near, input.views),
                  options.min_primary_views, options.max_primary_views);
   return MeanAgreement(link, input.agreeing_views) >= required ? kCertain : kUncertain;
 }
@@ -159,22 +161,29 @@ Belief FirstBelief(const LinkJudgementInput& input, const DrawingOptions& option
 std::vector<uint8_t> BelievedLinks(const LinkJudgementInput& input, const DrawingOptions& options,
                                    const Draft& draft, const RunContext& context) {
   std::vector<Belief> belief(draft.links.size());
-  ParallelFor(context, "link agreement", belief.size(),
-              [&](size_t l) { belief[l] = FirstBelief(input, options, draft.links[l]); });
+  std::vector<std::vector<ViewId>> near(draft.links.size());  // views that may contain the link
+  const ViewFinder finder(input.views);
+  ParallelFor(context, "link agreement", belief.size(), [&](size_t l) {
+    near[l] = finder.NearAnyOf(draft.links[l].position);
+    belief[l] = FirstBelief(input, options, draft.links[l], near[l]);
+  });
   Claims claims(input, options);
+  std::vector<std::vector<size_t>> certain_in(input.views.size());
+  for (size_t l = 0; l < belief.size(); ++l) {
+    if (belief[l] != kCertain) continue;
+    for (const ViewId v : near[l]) certain_in[v].push_back(l);
+  }
   ParallelFor(context, "claimed edgels", input.views.size(), [&](size_t v) {
-    for (size_t l = 0; l < belief.size(); ++l) {
-      if (belief[l] == kCertain) claims.Add(v, draft.links[l]);
-    }
+    for (const size_t l : certain_in[v]) claims.Add(v, draft.links[l]);
   });
   std::vector<uint8_t> believed(belief.size(), 0);
   ParallelFor(context, "link evidence", belief.size(), [&](size_t l) {
     believed[l] = belief[l] == kCertain;
     if (belief[l] != kUncertain) return;
     const double required =
-        std::clamp(options.own_views_share * MeanContaining(draft.links[l], input.views),
+        std::clamp(options.own_views_share * MeanContaining(draft.links[l], near[l], input.views),
                    options.min_own_views, options.max_own_views);
-    believed[l] = claims.OwnViews(draft.links[l]) >= required;
+    believed[l] = claims.OwnViews(draft.links[l], near[l]) >= required;
   });
   return believed;
 }

@@ -45,23 +45,23 @@ double Spread(const std::vector<Sight>& sights) {
 // Sums over the points of a link.
 class ContourTest {
  public:
-  ContourTest(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+  ContourTest(const std::vector<ViewId>& near, const std::vector<View>& views,
+              const std::vector<ImageCurves>& curves,
               const std::vector<std::unique_ptr<ViewEvidence>>& evidence, const SupportGate& gate)
-      : views_(views), curves_(curves), evidence_(evidence), gate_(gate) {}
+      : near_(near), views_(views), curves_(curves), evidence_(evidence), gate_(gate) {}
 
   void Add(const Eigen::Vector3d& point, const Eigen::Vector3d& tangent) {
     std::vector<Sight> all;
     std::vector<Sight> supporting;
     std::vector<Sight> others;
     int polarity = 0;  // in how many more supporting views it is brighter to the left than right
-    for (size_t v = 0; v < views_.size(); ++v) {
-      const auto pixel = views_[v].Project(point);
-      const auto direction = ProjectedDirection(views_[v], point, tangent);
-      if (!pixel || !direction) continue;
-      const Eigen::Vector3d sight = point - views_[v].CenterInWorld();
-      all.push_back({static_cast<ViewId>(v), *pixel, *direction,
-                     (sight - sight.dot(tangent) * tangent).stableNormalized()});
-      const auto match = evidence_[v]->edgels.Best(*pixel, *direction, gate_);
+    for (const ViewId v : near_) {
+      const auto sight = See(views_[v], point, tangent);
+      if (!sight) continue;
+      const Eigen::Vector3d ray = point - views_[v].CenterInWorld();
+      all.push_back({v, sight->position_px, sight->direction_rad,
+                     (ray - ray.dot(tangent) * tangent).stableNormalized()});
+      const auto match = evidence_[v]->edgels.Best(sight->position_px, sight->direction_rad, gate_);
       (match ? supporting : others).push_back(all.back());
       if (match) polarity += AlongDirection(all.back(), match->edgel) > 0 ? 1 : -1;
     }
@@ -115,6 +115,7 @@ class ContourTest {
     return side;
   }
 
+  const std::vector<ViewId>& near_;
   const std::vector<View>& views_;
   const std::vector<ImageCurves>& curves_;
   const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
@@ -127,11 +128,11 @@ class ContourTest {
 
 }  // namespace
 
-bool IsOccludingContour(const DraftLink& link, const std::vector<View>& views,
-                        const std::vector<ImageCurves>& curves,
+bool IsOccludingContour(const DraftLink& link, const std::vector<ViewId>& near,
+                        const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                         const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
                         const SupportGate& gate) {
-  ContourTest test(views, curves, evidence, gate);
+  ContourTest test(near, views, curves, evidence, gate);
   for (const int k : ProbePoints(link, kMaxProbes)) {
     test.Add(link.position[k], TangentAt(link, k));
   }

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include "limn/drawing/curve_smoothing.h"
+#include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/support/required_views.h"
 
@@ -36,7 +37,7 @@ class CurveRetriangulation {
   CurveRetriangulation(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                        const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
                        const DrawingOptions& options)
-      : views_(views), curves_(curves), evidence_(evidence), options_(options) {}
+      : views_(views), curves_(curves), evidence_(evidence), options_(options), finder_(views) {}
 
   WorkingCurve Run(const Curve3D& curve) const {
     WorkingCurve working;
@@ -57,7 +58,10 @@ class CurveRetriangulation {
       UpdateTangents(&working);
       UpdateSupport(curve, &working);
     }
-    for (int s = 0; s < working.size(); ++s) working.supported.push_back(IsSupported(s, working));
+    const std::vector<ViewId> near = finder_.NearAnyOf(working.position);
+    for (int s = 0; s < working.size(); ++s) {
+      working.supported.push_back(IsSupported(s, near, working));
+    }
     return working;
   }
 
@@ -134,12 +138,10 @@ class CurveRetriangulation {
     for (int s = 0; s < working->size(); ++s) {
       std::vector<EdgelRef> support;
       for (const ViewId v : views) {
-        const auto pixel = views_[v].Project(working->position[s]);
-        if (!pixel) continue;
-        const auto direction =
-            ProjectedDirection(views_[v], working->position[s], working->tangent[s]);
-        if (!direction) continue;
-        const auto match = evidence_[v]->edgels.Best(*pixel, *direction, gate);
+        const auto sight = See(views_[v], working->position[s], working->tangent[s]);
+        if (!sight) continue;
+        const auto match =
+            evidence_[v]->edgels.Best(sight->position_px, sight->direction_rad, gate);
         if (match) support.push_back({v, match->edgel});
       }
       // The anchor's own edgel stays the sample's identity while it supports it at all.
@@ -150,9 +152,10 @@ class CurveRetriangulation {
     }
   }
 
-  bool IsSupported(int s, const WorkingCurve& working) const {
-    const auto num_containing = std::count_if(views_.begin(), views_.end(), [&](const View& view) {
-      return view.Project(working.position[s]).has_value();
+  // `near` holds the views that may contain the curve.
+  bool IsSupported(int s, const std::vector<ViewId>& near, const WorkingCurve& working) const {
+    const auto num_containing = std::count_if(near.begin(), near.end(), [&](ViewId v) {
+      return views_[v].Project(working.position[s]).has_value();
     });
     return static_cast<int>(working.support[s].size()) >=
            NumRequiredViews(static_cast<int>(num_containing), options_.supporting_views_share,
@@ -170,6 +173,7 @@ class CurveRetriangulation {
   const std::vector<ImageCurves>& curves_;
   const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
   const DrawingOptions& options_;
+  ViewFinder finder_;
 };
 
 class SampleCollector {

@@ -1,7 +1,5 @@
 #include "limn/geometry/epipolar.h"
 
-#include <cmath>
-
 #include <Eigen/LU>
 
 namespace limn {
@@ -14,11 +12,6 @@ RelativeProjection MakeRelativeProjection(const PinholeCamera& camera_a,
   const Eigen::Matrix3d calibration = camera_b.Calibration();
   return {calibration * b_from_a.rotation.toRotationMatrix() * camera_a.Calibration().inverse(),
           calibration * b_from_a.translation};
-}
-
-double UndirectedAngle(double angle_a_rad, double angle_b_rad) {
-  const double difference = std::remainder(angle_a_rad - angle_b_rad, M_PI);
-  return std::abs(difference);
 }
 
 }  // namespace limn

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+
 #include <Eigen/Core>
 
 #include "limn/geometry/pinhole_camera.h"
@@ -20,6 +23,11 @@ RelativeProjection MakeRelativeProjection(const PinholeCamera& camera_a,
                                           const Rigid3d& b_from_world);
 
 // Unsigned angle between two undirected directions given as angles, in [0, pi/2].
-double UndirectedAngle(double angle_a_rad, double angle_b_rad);
+inline double UndirectedAngle(double angle_a_rad, double angle_b_rad) {
+  const double difference = angle_a_rad - angle_b_rad;
+  const double half_turns = difference / M_PI;
+  const auto nearest = static_cast<int64_t>(half_turns + (half_turns < 0 ? -0.5 : 0.5));
+  return std::abs(difference - static_cast<double>(nearest) * M_PI);
+}
 
 }  // namespace limn

@@ -34,8 +34,8 @@ class LinkMatcher {
       const std::vector<ViewId>& asked = input_.asked[l];
       if (!std::binary_search(asked.begin(), asked.end(), view)) continue;
       for (const Place& place : MakePlaces(control_.links[l])) {
-        if (const auto seen = See(view, place)) {
-          found.push_back({static_cast<int>(l), seen->pixel, seen->direction_rad});
+        if (const auto seen = SightOf(view, place)) {
+          found.push_back({static_cast<int>(l), seen->position_px, seen->direction_rad});
         }
       }
     }
@@ -111,22 +111,12 @@ class LinkMatcher {
     return chord.norm() > 0 ? Eigen::Vector3d(chord.normalized()) : Eigen::Vector3d::UnitX();
   }
 
-  struct Sight {
-    Eigen::Vector2d pixel;
-    double direction_rad;
-  };
-
-  std::optional<Sight> See(ViewId id, const Place& place) const {
-    const View& view = input_.views[id];
-    const auto pixel = view.Project(place.position);
-    if (!pixel) return std::nullopt;
-    const auto direction = ProjectedDirection(view, place.position, place.tangent);
-    if (!direction) return std::nullopt;
-    return Sight{*pixel, *direction};
+  std::optional<CurveSight> SightOf(ViewId view, const Place& place) const {
+    return See(input_.views[view], place.position, place.tangent);
   }
 
   Answer Ask(ViewId id, const Place& place) const {
-    const auto seen = See(id, place);
+    const auto seen = SightOf(id, place);
     if (!seen) return {};
     const auto& [pixel, direction] = *seen;
     Answer answer = {true, input_.edgels[id]->Best(pixel, direction, gate_), pixel, false};
@@ -198,8 +188,8 @@ class LinkMatcher {
     for (size_t k = 0; k < places.size(); ++k) {
       std::vector<EdgelPull> resolved;
       for (const EdgelPull& pull : (*matches)[k].pulls) {
-        const auto seen = See(pull.ref.view, places[k]);
-        const ImagePlace place = {link, seen->pixel, seen->direction_rad};
+        const auto seen = SightOf(pull.ref.view, places[k]);
+        const ImagePlace place = {link, seen->position_px, seen->direction_rad};
         if (!crowding[pull.ref.view].At(place, kResolvedPx)) resolved.push_back(pull);
       }
       if (static_cast<int>(resolved.size()) >= options_.min_views) {

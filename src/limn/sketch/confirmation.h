@@ -7,6 +7,7 @@
 
 #include "limn/geometry/epipolar.h"
 #include "limn/sketch/hypotheses.h"
+#include "limn/support/view_evidence.h"
 
 namespace limn {
 

@@ -5,7 +5,12 @@ namespace {
 
 class PairedDepths {
  public:
-  explicit PairedDepths(const PrimaryView& primary) : primary_(primary) {}
+  explicit PairedDepths(const PrimaryView& primary) : primary_(primary) {
+    const SketchInput& input = primary.input;
+    for (const ViewId second : primary.plan.second_views) {
+      chords_.emplace_back(input.views[primary.id], input.views[second], input.curves[second]);
+    }
+  }
 
   DepthProfile Find(const FragmentRays& fragment) const {
     DepthProfile profile;
@@ -29,7 +34,7 @@ class PairedDepths {
       const ViewId second = plan.second_views[rank];
       for (const CurveHypothesis& hypothesis :
            FindHypotheses(fragment, primary_.input.views[primary_.id], primary_.input.views[second],
-                          *primary_.evidence[second], plan.min_depth, plan.max_depth, options)) {
+                          chords_[rank], plan.min_depth, plan.max_depth, options)) {
         for (const HypothesisSample& sample : hypothesis.samples) {
           (*fates)[sample.vertex] = EdgelFate::kTooFewViews;
         }
@@ -74,6 +79,7 @@ class PairedDepths {
   }
 
   const PrimaryView& primary_;
+  std::vector<EpipolarChords> chords_;  // per second view
 };
 
 }  // namespace
@@ -82,9 +88,10 @@ SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& 
                                  const RunContext& context) {
   return SketchFragments(
       "enhanced sketch", input, options, context, [&](const PrimaryView& primary) {
-        const PairedDepths depths(primary);
+        // std::function copies what it calls.
+        const auto depths = std::make_shared<PairedDepths>(primary);
         return DepthFinder{options.sample_spacing_px, [depths](const FragmentRays& fragment) {
-                             return depths.Find(fragment);
+                             return depths->Find(fragment);
                            }};
       });
 }

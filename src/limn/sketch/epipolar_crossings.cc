@@ -18,10 +18,10 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }  // namespace
 
 CrossingFinder::CrossingFinder(const View& primary, const View& other,
-                               const FragmentIndex& fragments)
+                               const ImageCurves& curves_of_other)
     : relative_(MakeRelativeProjection(primary.camera, primary.cam_from_world, other.camera,
                                        other.cam_from_world)),
-      fragments_(fragments) {}
+      chords_(primary, other, curves_of_other) {}
 
 void CrossingFinder::Find(const FragmentRays& fragment, size_t vertex, double min_inverse_depth,
                           double max_inverse_depth, int rank,
@@ -38,16 +38,15 @@ void CrossingFinder::Find(const FragmentRays& fragment, size_t vertex, double mi
   if (e.z() < 0) near = std::min(near, (margin - a.z()) / e.z());
   if (e.z() == 0 && a.z() < margin) return;
   if (!(far < near)) return;
-  const Eigen::Vector2d from = (a + far * e).hnormalized();
-  const Eigen::Vector2d to = (a + near * e).hnormalized();
   on_line_.clear();
-  fragments_.Crossings(from, to, &on_line_);
+  chords_.Find(fragment.positions_px[vertex], &on_line_);
   const Eigen::Vector3d step = relative_.infinite_homography.leftCols<2>() *
                                fragment.tangents_px[vertex];  // of a, per px along the fragment
   for (const LineCrossing& crossing : on_line_) {
     const Eigen::Vector2d& pixel = crossing.position_px;
     const Eigen::Vector2d line = e.head<2>() - pixel * e.z();
     const double w = (pixel * a.z() - a.head<2>()).dot(line) / line.squaredNorm();
+    if (!(w >= far && w <= near)) continue;
     const double depth = a.z() + w * e.z();
     const Eigen::Vector2d motion = line / depth;
     const double speed = motion.norm();
@@ -59,8 +58,10 @@ void CrossingFinder::Find(const FragmentRays& fragment, size_t vertex, double mi
     found.view = rank;
     found.inverse_depth = w;
     found.slope_per_px = -Cross(along, crossing.tangent) / across;
-    found.inverse_depth_per_px = 1 / std::abs(across);
-    found.slope_per_rad = (along + found.slope_per_px * motion).norm() / std::abs(across);
+    found.across_px_per_inverse_depth = std::abs(across);
+    const double turn_speed = (along + found.slope_per_px * motion).norm();
+    if (!(turn_speed > 0)) continue;  // seen end on
+    found.rad_per_slope = std::abs(across) / turn_speed;
     found.px_per_inverse_depth = speed;
     found.epipolar_sine = sine;
     crossings->push_back(found);

@@ -4,8 +4,8 @@
 
 #include "limn/geometry/epipolar.h"
 #include "limn/model/view.h"
+#include "limn/sketch/epipolar_chords.h"
 #include "limn/sketch/hypotheses.h"
-#include "limn/support/fragment_index.h"
 
 namespace limn {
 
@@ -17,10 +17,10 @@ struct EpipolarCrossing {
   double inverse_depth = 0;
   // Change of inverse depth per px along the primary fragment that the curve's tangent calls for.
   double slope_per_px = 0;
-  // By how much the two change when the curve moves by 1 px across itself, or turns by 1 radian:
-  // large where it runs along the epipolar line.
-  double inverse_depth_per_px = 0;
-  double slope_per_rad = 0;
+  // By how far the curve must move across itself, px, to change the first by 1, and by how much it
+  // must turn, radians, to change the second by 1: small where it runs along the epipolar line.
+  double across_px_per_inverse_depth = 0;
+  double rad_per_slope = 0;
   // Image motion per unit of inverse depth, px.
   double px_per_inverse_depth = 0;
   // Sine of the angle between curve and epipolar line.
@@ -30,16 +30,16 @@ struct EpipolarCrossing {
 // Finds the crossings of a primary view's samples in one other view.
 class CrossingFinder {
  public:
-  CrossingFinder(const View& primary, const View& other, const FragmentIndex& fragments);
+  CrossingFinder(const View& primary, const View& other, const ImageCurves& curves_of_other);
 
   // Append the crossings of vertex `vertex` whose inverse depth lies in the range, marked with
-  // `rank`. Time: cells along the epipolar segment plus chords in them.
+  // `rank`. Expected time: curves on the epipolar line.
   void Find(const FragmentRays& fragment, size_t vertex, double min_inverse_depth,
             double max_inverse_depth, int rank, std::vector<EpipolarCrossing>* crossings);
 
  private:
   RelativeProjection relative_;
-  const FragmentIndex& fragments_;
+  EpipolarChords chords_;
   std::vector<LineCrossing> on_line_;
 };
 

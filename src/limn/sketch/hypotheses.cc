@@ -201,7 +201,8 @@ FragmentRays Subset(const FragmentRays& fragment, const std::vector<int>& vertic
 }
 
 std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,
-                                            const View& second, const ViewEvidence& second_evidence,
+                                            const View& second,
+                                            const EpipolarChords& chords_of_second,
                                             double min_depth, double max_depth,
                                             const SketchOptions& options) {
   const PairGeometry pair(primary, second);
@@ -216,11 +217,12 @@ std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const 
     const double length = (to - from).norm();
     if (!(length > 1e-6)) continue;
     crossings.clear();
-    second_evidence.fragments.Crossings(from, to, &crossings);
+    chords_of_second.Find(pixel, &crossings);
     for (const LineCrossing& crossing : crossings) {
       const auto sample =
           Triangulate(fragment, static_cast<int>(vertex), crossing, (to - from) / length, pair);
-      if (sample) runs.Add(crossing.fragment, *sample);
+      const bool in_range = sample && sample->depth >= near && sample->depth <= far;
+      if (in_range) runs.Add(crossing.fragment, *sample);
     }
   }
   std::vector<CurveHypothesis> hypotheses = runs.Take();

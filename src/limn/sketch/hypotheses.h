@@ -4,8 +4,8 @@
 
 #include "limn/model/curve_fragment.h"
 #include "limn/model/view.h"
+#include "limn/sketch/epipolar_chords.h"
 #include "limn/sketch/sketch_options.h"
-#include "limn/support/view_evidence.h"
 
 namespace limn {
 
@@ -57,9 +57,11 @@ FragmentRays Subset(const FragmentRays& fragment, const std::vector<int>& vertic
 // section 3; algorithm.md section 5). For every vertex the epipolar line, cut to the depth range,
 // is intersected with the fragments of the second view; position and tangent are interpolated at
 // the intersection; runs of intersections with one fragment become hypotheses. No hypothesis leaves
-// the depth range. Time: vertices x (cells along the epipolar segment).
+// the depth range. Expected time: curves on the epipolar
+// lines.
 std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,
-                                            const View& second, const ViewEvidence& second_evidence,
+                                            const View& second,
+                                            const EpipolarChords& chords_of_second,
                                             double min_depth, double max_depth,
                                             const SketchOptions& options);
 

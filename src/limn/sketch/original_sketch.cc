@@ -90,7 +90,11 @@ class PairMatcher {
         plan_(plan),
         evidence_(evidence),
         options_(options),
-        confirmation_(primary, plan.confirmation_views, input.views, evidence) {}
+        confirmation_(primary, plan.confirmation_views, input.views, evidence) {
+    for (const ViewId second : plan.second_views) {
+      chords_.emplace_back(input.views[primary], input.views[second], input.curves[second]);
+    }
+  }
 
   // At most one curve per stretch of fragment and second view: the best supported one, if it beats
   // the second best by the ratio.
@@ -100,10 +104,11 @@ class PairMatcher {
     if (fragment.size() < 2 || fragment.arc_px.back() < options_.original_min_fragment_length_px) {
       return;
     }
-    for (const ViewId second : plan_.second_views) {
+    for (size_t rank = 0; rank < plan_.second_views.size(); ++rank) {
+      const ViewId second = plan_.second_views[rank];
       const auto hypotheses = CutTangentPortions(
           fragment,
-          FindHypotheses(fragment, input_.views[primary_], input_.views[second], *evidence_[second],
+          FindHypotheses(fragment, input_.views[primary_], input_.views[second], chords_[rank],
                          plan_.min_depth, plan_.max_depth, options_),
           options_, &sketch->counts);
       double best = 0;
@@ -168,6 +173,7 @@ class PairMatcher {
   const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
   const SketchOptions& options_;
   ConfirmationViews confirmation_;
+  std::vector<EpipolarChords> chords_;  // per second view
 };
 
 }  // namespace

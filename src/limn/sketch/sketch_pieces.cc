@@ -265,12 +265,9 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
     const EdgelId own = fragment.edgel_ids[(curve->anchor.begin + s) % fragment.edgel_ids.size()];
     of_sample.push_back({curve->anchor.view, own});
     for (const ViewId v : candidate_views) {
-      const auto pixel = views[v].Project(curve->points_in_world[s]);
-      if (!pixel) continue;
-      const auto direction =
-          ProjectedDirection(views[v], curve->points_in_world[s], curve->tangents_in_world[s]);
-      if (!direction) continue;
-      const auto match = evidence[v]->edgels.Best(*pixel, *direction, gate);
+      const auto sight = See(views[v], curve->points_in_world[s], curve->tangents_in_world[s]);
+      if (!sight) continue;
+      const auto match = evidence[v]->edgels.Best(sight->position_px, sight->direction_rad, gate);
       if (match) of_sample.push_back({v, match->edgel});
     }
     std::sort(of_sample.begin(), of_sample.end());

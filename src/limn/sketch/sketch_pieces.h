@@ -4,6 +4,7 @@
 
 #include "limn/sketch/depth_fusion.h"
 #include "limn/sketch/sketch.h"
+#include "limn/support/view_evidence.h"
 
 namespace limn {
 

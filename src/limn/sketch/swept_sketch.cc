@@ -14,10 +14,12 @@ constexpr double kSmoothingPx = 5;
 class SweptDepths {
  public:
   explicit SweptDepths(const PrimaryView& primary)
-      : primary_(primary), view_(primary.input.views[primary.id]) {
+      : primary_(primary),
+        view_(primary.input.views[primary.id]),
+        election_(view_.camera.MeanFocal(), primary.options) {
     for (const ViewId v : primary.plan.confirmation_views) {
       if (static_cast<int>(finders_.size()) == primary.options.max_sweep_views) break;
-      finders_.emplace_back(view_, primary.input.views[v], primary.evidence[v]->fragments);
+      finders_.emplace_back(view_, primary.input.views[v], primary.input.curves[v]);
     }
   }
 
@@ -50,7 +52,7 @@ class SweptDepths {
       for (size_t k = 0; k < finders_.size(); ++k) {
         finders_[k].Find(fragment, i, far, near, static_cast<int>(k), &crossings);
       }
-      modes[i] = FindAgreeingDepths(crossings, view_.camera.MeanFocal(), primary_.options);
+      modes[i] = election_.Find(crossings);
     }
     return modes;
   }
@@ -97,6 +99,7 @@ class SweptDepths {
   const PrimaryView& primary_;
   const View& view_;
   std::vector<CrossingFinder> finders_;
+  DepthElection election_;
 };
 
 }  // namespace

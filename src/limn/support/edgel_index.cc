@@ -20,8 +20,7 @@ double VirtualPerStored(const Edgel& edgel) {
 
 }  // namespace
 
-EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable)
-    : edge_map_(edge_map) {
+EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable) {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
   for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
@@ -46,10 +45,18 @@ EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable)
     if (usable[id]) ++cell_begin_[cell_of(edge_map.edgels[id]) + 1];
   }
   for (size_t i = 1; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
-  edgels_.resize(cell_begin_.back());
+  entries_.resize(cell_begin_.back());
   std::vector<int> next(cell_begin_.begin(), cell_begin_.end() - 1);
   for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
-    if (usable[id]) edgels_[next[cell_of(edge_map.edgels[id])]++] = static_cast<EdgelId>(id);
+    if (!usable[id]) continue;
+    const Edgel& edgel = edge_map.edgels[id];
+    const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
+    const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
+    const Eigen::Vector2d normal(tangent.y(), -tangent.x());
+    entries_[next[cell_of(edgel)]++] = {
+        edgel.position_px, (stored_from_virtual.transpose() * normal).cast<float>(),
+        (stored_from_virtual.transpose() * tangent).cast<float>(),
+        static_cast<float>(edgel.tangent_rad), static_cast<EdgelId>(id)};
   }
 }
 
@@ -62,11 +69,11 @@ void EdgelIndex::VisitCells(const Eigen::Vector2d& position_px, double radius_px
   const int col_end = std::min(cols_ - 1, static_cast<int>(std::floor(centre.x() + radius)));
   const int row_begin = std::max(0, static_cast<int>(std::floor(centre.y() - radius)));
   const int row_end = std::min(rows_ - 1, static_cast<int>(std::floor(centre.y() + radius)));
+  if (col_begin > col_end) return;
   for (int row = row_begin; row <= row_end; ++row) {
-    for (int col = col_begin; col <= col_end; ++col) {
-      const int cell = row * cols_ + col;
-      for (int i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) visit(edgels_[i]);
-    }
+    // The cells of a row follow each other.
+    const int* begin = cell_begin_.data() + static_cast<size_t>(row) * cols_;
+    for (int i = begin[col_begin]; i < begin[col_end + 1]; ++i) visit(entries_[i]);
   }
 }
 
@@ -75,22 +82,19 @@ std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px, d
   const double radius_px = std::hypot(gate.normal_px, gate.along_px) * max_scale_;
   EdgelMatch best;
   double best_cost = std::numeric_limits<double>::infinity();
-  VisitCells(position_px, radius_px, [&](EdgelId id) {
-    const Edgel& edgel = edge_map_.edgels[id];
+  VisitCells(position_px, radius_px, [&](const Entry& edgel) {
+    const Eigen::Vector2d offset = position_px - edgel.position_px;
+    const double normal = edgel.across.x() * offset.x() + edgel.across.y() * offset.y();
+    const double along = edgel.along.x() * offset.x() + edgel.along.y() * offset.y();
+    if (std::abs(normal) > gate.normal_px || std::abs(along) > gate.along_px) return;
     const double angle = UndirectedAngle(direction_rad, edgel.tangent_rad);
     if (angle > gate.angle_rad) return;
-    const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
-    const Eigen::Vector2d offset = stored_from_virtual * (position_px - edgel.position_px);
-    const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
-    const double normal = tangent.y() * offset.x() - tangent.x() * offset.y();
-    const double along = tangent.dot(offset);
-    if (std::abs(normal) > gate.normal_px || std::abs(along) > gate.along_px) return;
     const double cost =
         (normal * normal + 0.25 * along * along) / (gate.normal_px * gate.normal_px) +
         (angle * angle) / (gate.angle_rad * gate.angle_rad);
-    if (cost < best_cost || (cost == best_cost && id < best.edgel)) {
+    if (cost < best_cost || (cost == best_cost && edgel.id < best.edgel)) {
       best_cost = cost;
-      best = {id, normal, angle};
+      best = {edgel.id, normal, angle};
     }
   });
   if (best.edgel == kInvalidEdgel) return std::nullopt;
@@ -99,10 +103,8 @@ std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px, d
 
 void EdgelIndex::ForEachWithin(const Eigen::Vector2d& position_px, double radius_px,
                                const std::function<void(EdgelId)>& visit) const {
-  VisitCells(position_px, radius_px, [&](EdgelId id) {
-    if ((edge_map_.edgels[id].position_px - position_px).squaredNorm() <= radius_px * radius_px) {
-      visit(id);
-    }
+  VisitCells(position_px, radius_px, [&](const Entry& edgel) {
+    if ((edgel.position_px - position_px).squaredNorm() <= radius_px * radius_px) visit(edgel.id);
   });
 }
 

@@ -26,8 +26,7 @@ struct EdgelMatch {
   double angle_rad = 0;
 };
 
-// Edgels of one view by place and direction, on a grid over the virtual image. Holds a reference to
-// the edge map, which must outlive it.
+// Edgels of one view by place and direction, on a grid over the virtual image.
 class EdgelIndex {
  public:
   // Indexes the edgels with usable[id].
@@ -48,15 +47,25 @@ class EdgelIndex {
   bool AnyWithin(const Eigen::Vector2d& position_px, double radius_px) const;
 
  private:
+  // What a look-up needs of an edgel.
+  struct Entry {
+    Eigen::Vector2d position_px;
+    // Rows that turn an offset in the virtual image into its parts across and along the edgel,
+    // stored pixels.
+    Eigen::Vector2f across;
+    Eigen::Vector2f along;
+    float tangent_rad;
+    EdgelId id;
+  };
+
   template <typename Visit>
   void VisitCells(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;
 
-  const EdgeMap& edge_map_;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   int cols_ = 0;
   int rows_ = 0;
   std::vector<int> cell_begin_;  // cols * rows + 1
-  std::vector<EdgelId> edgels_;  // by cell, ascending within a cell
+  std::vector<Entry> entries_;   // by cell, ascending ids within a cell
   double max_scale_ = 1;
 };
 

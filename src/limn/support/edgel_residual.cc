@@ -30,15 +30,36 @@ double ResidualVariance(const Edgel& edgel) {
   return edgel.position_sigma_px * edgel.position_sigma_px + kModelSigmaPx * kModelSigmaPx;
 }
 
-std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d& point_in_world,
-                                         const Eigen::Vector3d& tangent_in_world) {
-  const Eigen::Vector3d point = view.cam_from_world * point_in_world;
-  if (!(point.z() > 0)) return std::nullopt;
+namespace {
+
+// `point` is in the camera.
+std::optional<double> DirectionAt(const View& view, const Eigen::Vector3d& point,
+                                  const Eigen::Vector3d& tangent_in_world) {
   const Eigen::Vector3d tangent = view.cam_from_world.rotation * tangent_in_world;
   const double dx = view.camera.fx * (tangent.x() * point.z() - point.x() * tangent.z());
   const double dy = view.camera.fy * (tangent.y() * point.z() - point.y() * tangent.z());
   if (dx == 0 && dy == 0) return std::nullopt;
   return std::atan2(dy, dx);
+}
+
+}  // namespace
+
+std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d& point_in_world,
+                                         const Eigen::Vector3d& tangent_in_world) {
+  const Eigen::Vector3d point = view.cam_from_world * point_in_world;
+  if (!(point.z() > 0)) return std::nullopt;
+  return DirectionAt(view, point, tangent_in_world);
+}
+
+std::optional<CurveSight> See(const View& view, const Eigen::Vector3d& point_in_world,
+                              const Eigen::Vector3d& tangent_in_world) {
+  const Eigen::Vector3d point = view.cam_from_world * point_in_world;
+  if (!(point.z() > 0)) return std::nullopt;
+  const Eigen::Vector2d pixel = view.camera.Project(point);
+  if (!view.region.Contains(pixel)) return std::nullopt;
+  const auto direction = DirectionAt(view, point, tangent_in_world);
+  if (!direction) return std::nullopt;
+  return CurveSight{pixel, *direction};
 }
 
 std::optional<double> Footprint(const View& view, const Eigen::Vector3d& point_in_world) {

@@ -32,6 +32,16 @@ double ResidualVariance(const Edgel& edgel);
 std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d& point_in_world,
                                          const Eigen::Vector3d& tangent_in_world);
 
+// Where a view sees a point of a curve, and how the curve runs there, in the virtual image.
+struct CurveSight {
+  Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
+  double direction_rad = 0;
+};
+
+// Nothing if the point is behind the camera or outside the image, or the tangent is seen end on.
+std::optional<CurveSight> See(const View& view, const Eigen::Vector3d& point_in_world,
+                              const Eigen::Vector3d& tangent_in_world);
+
 // Pixel footprint of a point: depth / focal length, world units per pixel. Nothing behind the
 // camera.
 std::optional<double> Footprint(const View& view, const Eigen::Vector3d& point_in_world);

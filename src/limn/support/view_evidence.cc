@@ -16,8 +16,7 @@ std::vector<int> FragmentOfEdgels(const ImageCurves& curves) {
 ViewEvidence::ViewEvidence(const View& view, const ImageCurves& curves, const SupportGate& gate)
     : fragment_of(FragmentOfEdgels(curves)),
       edgels(curves.edge_map, LinkedEdgels(curves)),
-      mask(curves.edge_map, LinkedEdgels(curves), view.region, gate),
-      fragments(curves) {}
+      mask(curves.edge_map, LinkedEdgels(curves), view.region, gate) {}
 
 std::vector<std::unique_ptr<ViewEvidence>> BuildEvidence(const std::vector<View>& views,
                                                          const std::vector<ImageCurves>& curves,

@@ -6,7 +6,6 @@
 #include "limn/model/curve_fragment.h"
 #include "limn/model/view.h"
 #include "limn/support/edgel_index.h"
-#include "limn/support/fragment_index.h"
 #include "limn/support/orientation_mask.h"
 #include "limn/util/parallel.h"
 
@@ -20,7 +19,6 @@ struct ViewEvidence {
   std::vector<int> fragment_of;  // per edgel: its fragment, or -1
   EdgelIndex edgels;
   OrientationMask mask;
-  FragmentIndex fragments;
 };
 
 // One per view; the arguments must outlive the result.

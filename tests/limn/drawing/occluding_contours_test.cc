@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/model/view_finder.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -58,7 +59,8 @@ DraftLink LinkThrough(const Polyline3d& points) {
 bool IsContour(const DraftLink& link, const std::vector<View>& views,
                const std::vector<ImageCurves>& curves) {
   const SupportGate gate = DrawingOptions().Gate();
-  return IsOccludingContour(link, views, curves, BuildEvidence(views, curves, gate, {}), gate);
+  return IsOccludingContour(link, ViewFinder(views).NearAnyOf(link.position), views, curves,
+                            BuildEvidence(views, curves, gate, {}), gate);
 }
 
 // An upright arc on the side of the ball, as the view in the middle sees its outline.

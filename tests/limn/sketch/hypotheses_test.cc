@@ -21,9 +21,9 @@ class HypothesesTest : public ::testing::Test {
                                     double min_depth = kMinDepth, double max_depth = kMaxDepth) {
     first_ = testing::ProjectCurves(primary_, curves);
     second_curves_ = testing::ProjectCurves(second_, curves);
-    const ViewEvidence evidence(second_, second_curves_, options_.Gate());
+    const EpipolarChords chords(primary_, second_, second_curves_);
     rays_ = MakeFragmentRays(primary_, first_, 0);
-    return FindHypotheses(rays_, primary_, second_, evidence, min_depth, max_depth, options_);
+    return FindHypotheses(rays_, primary_, second_, chords, min_depth, max_depth, options_);
   }
 
   const View primary_ = testing::LookAt({5, 0, 1}, {0, 0, 0});

@@ -17,10 +17,9 @@ class CrossingsTest : public ::testing::Test {
                                      double min_inverse_depth = 0.1, double max_inverse_depth = 1) {
     first_ = testing::ProjectCurves(primary_, curves);
     const ImageCurves second = testing::ProjectCurves(second_, curves);
-    const FragmentIndex index(second);
     rays_ = MakeFragmentRays(primary_, first_, 0);
     std::vector<EpipolarCrossing> crossings;
-    CrossingFinder(primary_, second_, index)
+    CrossingFinder(primary_, second_, second)
         .Find(rays_, vertex, min_inverse_depth, max_inverse_depth, 3, &crossings);
     return crossings;
   }
@@ -66,8 +65,8 @@ TEST_F(CrossingsTest, ToleranceSaysWhatAPixelDoesToDepth) {
     const Eigen::Vector2d along = (*b - *a).normalized();
     return std::abs(along.x() * (here->y() - a->y()) - along.y() * (here->x() - a->x()));
   };
-  const double px = std::abs(crossings[1].inverse_depth - crossings[0].inverse_depth) /
-                    crossings[0].inverse_depth_per_px;
+  const double px = std::abs(crossings[1].inverse_depth - crossings[0].inverse_depth) *
+                    crossings[0].across_px_per_inverse_depth;
   EXPECT_NEAR(px, distance_px(second_, moved), 0.05 * px);
 }
 
@@ -78,6 +77,10 @@ TEST_F(CrossingsTest, NoneLeavesTheRange) {
   EXPECT_TRUE(Find({line}, 50, 0.05, 0.15).empty());
 }
 
+std::vector<DepthMode> Elect(const std::vector<EpipolarCrossing>& crossings) {
+  return DepthElection(600, SketchOptions()).Find(crossings);
+}
+
 EpipolarCrossing MakeCrossing(int view, double inverse_depth, double slope_per_px,
                               double sine = 1) {
   EpipolarCrossing crossing;
@@ -86,31 +89,27 @@ EpipolarCrossing MakeCrossing(int view, double inverse_depth, double slope_per_p
   crossing.slope_per_px = slope_per_px;
   crossing.px_per_inverse_depth = 1000;
   crossing.epipolar_sine = sine;
-  crossing.inverse_depth_per_px = 1 / (1000 * sine);
-  crossing.slope_per_rad = crossing.inverse_depth_per_px;
+  crossing.across_px_per_inverse_depth = 1000 * sine;
+  crossing.rad_per_slope = crossing.across_px_per_inverse_depth;
   return crossing;
 }
 
 TEST(AgreeingDepthsTest, EveryViewVotesOnce) {
   // Two views agree near 0.2; near 0.3 one view sees three curves.
-  const auto modes = FindAgreeingDepths(
-      {MakeCrossing(0, 0.2, 0), MakeCrossing(1, 0.3, 0), MakeCrossing(1, 0.3003, 0),
-       MakeCrossing(1, 0.3005, 0), MakeCrossing(2, 0.2006, 0)},
-      600, SketchOptions());
+  const auto modes =
+      Elect({MakeCrossing(0, 0.2, 0), MakeCrossing(1, 0.3, 0), MakeCrossing(1, 0.3003, 0),
+             MakeCrossing(1, 0.3005, 0), MakeCrossing(2, 0.2006, 0)});
   ASSERT_EQ(modes.size(), 1u);
   EXPECT_NEAR(modes[0].depth.inverse_depth, 0.2003, 1e-9);
 }
 
 TEST(AgreeingDepthsTest, DirectionsMustAgreeToo) {
   const double turned = 0.4 / 1000;  // 0.4 radians
-  EXPECT_TRUE(FindAgreeingDepths({MakeCrossing(0, 0.2, 0), MakeCrossing(1, 0.2, turned)}, 600,
-                                 SketchOptions())
-                  .empty());
+  EXPECT_TRUE(Elect({MakeCrossing(0, 0.2, 0), MakeCrossing(1, 0.2, turned)}).empty());
 }
 
 TEST(AgreeingDepthsTest, MeanIsWeightedByInformation) {
-  const auto modes = FindAgreeingDepths({MakeCrossing(0, 0.2, 0), MakeCrossing(1, 0.201, 0, 0.5)},
-                                        600, SketchOptions());
+  const auto modes = Elect({MakeCrossing(0, 0.2, 0), MakeCrossing(1, 0.201, 0, 0.5)});
   ASSERT_EQ(modes.size(), 1u);
   EXPECT_NEAR(modes[0].depth.inverse_depth, (0.2 + 0.25 * 0.201) / 1.25, 1e-9);
 }
@@ -121,11 +120,11 @@ TEST(AgreeingDepthsTest, BestSupportedDepthComesFirst) {
   for (const int view : {0, 1, 2, 3}) crossings.push_back(MakeCrossing(view, 0.3, 0));
   std::sort(crossings.begin(), crossings.end(),
             [](const auto& a, const auto& b) { return a.view < b.view; });
-  const auto modes = FindAgreeingDepths(crossings, 600, SketchOptions());
+  const auto modes = Elect(crossings);
   ASSERT_EQ(modes.size(), 2u);
   EXPECT_NEAR(modes[0].depth.inverse_depth, 0.3, 1e-9);
   EXPECT_NEAR(modes[1].depth.inverse_depth, 0.2, 1e-9);
-  EXPECT_TRUE(FindAgreeingDepths({}, 600, SketchOptions()).empty());
+  EXPECT_TRUE(Elect({}).empty());
 }
 
 }  // namespace
