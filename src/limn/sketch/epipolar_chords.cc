@@ -57,8 +57,7 @@ EpipolarChords::EpipolarChords(const View& primary, const View& other,
         direction_from_pixel * chord.begin.cast<double>().homogeneous();
     middle += direction - along * along.dot(direction);
   }
-  const Eigen::Vector3d first =
-      middle.norm() > 0 ? middle.normalized() : along.unitOrthogonal();
+  const Eigen::Vector3d first = middle.norm() > 0 ? middle.normalized() : along.unitOrthogonal();
   Eigen::Matrix<double, 2, 3> across;
   across << first.transpose(), along.cross(first).transpose();
   offset_from_other_ = across * direction_from_pixel;

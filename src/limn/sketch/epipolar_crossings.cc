@@ -51,19 +51,18 @@ void CrossingFinder::Find(const FragmentRays& fragment, size_t vertex, double mi
     const Eigen::Vector2d motion = line / depth;
     const double speed = motion.norm();
     const double across = Cross(motion, crossing.tangent);
-    const double sine = std::abs(across) / speed;
-    if (!(sine > kMinSine)) continue;
+    if (!(std::abs(across) > kMinSine * speed)) continue;
     const Eigen::Vector2d along = (step.head<2>() - pixel * step.z()) / depth;
+    const double slope = -Cross(along, crossing.tangent) / across;
+    const double turn_speed = (along + slope * motion).norm();
+    if (!(turn_speed > 0)) continue;  // seen end on
     EpipolarCrossing found;
     found.view = rank;
-    found.inverse_depth = w;
-    found.slope_per_px = -Cross(along, crossing.tangent) / across;
-    found.across_px_per_inverse_depth = std::abs(across);
-    const double turn_speed = (along + found.slope_per_px * motion).norm();
-    if (!(turn_speed > 0)) continue;  // seen end on
-    found.rad_per_slope = std::abs(across) / turn_speed;
-    found.px_per_inverse_depth = speed;
-    found.epipolar_sine = sine;
+    found.inverse_depth = static_cast<float>(w);
+    found.slope_per_px = static_cast<float>(slope);
+    found.across_px_per_inverse_depth = static_cast<float>(std::abs(across));
+    found.rad_per_slope = static_cast<float>(std::abs(across) / turn_speed);
+    found.px_per_inverse_depth = static_cast<float>(speed);
     crossings->push_back(found);
   }
 }

@@ -10,21 +10,23 @@
 namespace limn {
 
 // An image curve of another view that crosses the epipolar line of a sample: one opinion on the
-// sample's depth and on how depth changes along the fragment.
+// sample's depth and on how depth changes along the fragment. Hundreds of them are compared per
+// sample, so they are small: single precision is good to 1e-4 px.
 struct EpipolarCrossing {
   // Rank of the view among those asked.
   int view = 0;
-  double inverse_depth = 0;
+  float inverse_depth = 0;
   // Change of inverse depth per px along the primary fragment that the curve's tangent calls for.
-  double slope_per_px = 0;
+  float slope_per_px = 0;
   // By how far the curve must move across itself, px, to change the first by 1, and by how much it
   // must turn, radians, to change the second by 1: small where it runs along the epipolar line.
-  double across_px_per_inverse_depth = 0;
-  double rad_per_slope = 0;
+  float across_px_per_inverse_depth = 0;
+  float rad_per_slope = 0;
   // Image motion per unit of inverse depth, px.
-  double px_per_inverse_depth = 0;
+  float px_per_inverse_depth = 0;
+
   // Sine of the angle between curve and epipolar line.
-  double epipolar_sine = 0;
+  float EpipolarSine() const { return across_px_per_inverse_depth / px_per_inverse_depth; }
 };
 
 // Finds the crossings of a primary view's samples in one other view.

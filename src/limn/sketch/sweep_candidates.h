@@ -15,27 +15,38 @@ namespace limn {
 class DepthCells {
  public:
   // `crossings` are grouped by view. Replaces what was there.
-  void Fill(const std::vector<EpipolarCrossing>& crossings, double gate_px);
+  void Fill(const std::vector<EpipolarCrossing>& crossings, float gate_px);
 
   // Crossings that may accept the depth, ascending.
-  std::span<const int> Near(double inverse_depth) const {
-    const int cell = Clamped(inverse_depth);
+  std::span<const int> Near(float inverse_depth) const {
+    const int cell = Cell(inverse_depth);
     return {members_.data() + begin_[cell], members_.data() + begin_[cell + 1]};
   }
   // Views that these belong to.
-  int NumViews(double inverse_depth) const { return num_views_[Clamped(inverse_depth)]; }
+  int NumViews(float inverse_depth) const { return num_views_[Cell(inverse_depth)]; }
 
  private:
-  int Cell(double inverse_depth) const;
-  int Clamped(double inverse_depth) const;
+  struct Range {
+    int first;
+    int last;
+  };
+  int Cell(float inverse_depth) const;
 
-  double low_ = 0;
-  double cells_per_unit_ = 0;
-  std::vector<int> begin_;
+  float low_ = 0;
+  float cells_per_unit_ = 0;
+  float last_cell_ = 0;
+  std::vector<Range> reach_;  // per crossing
+  std::vector<int> begin_;    // per cell, of its members
   std::vector<int> members_;
   std::vector<int> next_;
   std::vector<int> num_views_;
   std::vector<int> last_view_;
+};
+
+// What is elected.
+struct DepthPlace {
+  float inverse_depth = 0;
+  float slope_per_px = 0;
 };
 
 // Elects the depths of a sample on which the image curves of several views agree (algorithm.md 0.2,
@@ -53,26 +64,27 @@ class DepthElection {
   std::vector<DepthMode> Find(const std::vector<EpipolarCrossing>& crossings);
 
  private:
-  double TangencyWeight(const EpipolarCrossing& crossing) const;
-  double Distance(const EpipolarCrossing& crossing, double inverse_depth,
-                  double slope_per_px) const;
+  float TangencyWeight(const EpipolarCrossing& crossing) const;
+  float Distance(const EpipolarCrossing& crossing, const DepthPlace& place) const;
   std::optional<DepthMode> Vote(const std::vector<EpipolarCrossing>& crossings,
-                                double inverse_depth, double slope_per_px) const;
-  bool IsExplained(const EpipolarCrossing& seed) const;
+                                const DepthPlace& place) const;
+  void SortSeeds(const std::vector<EpipolarCrossing>& crossings);
+  void MarkExplained(const std::vector<EpipolarCrossing>& crossings, const FusedDepth& mode);
   void Offer(const DepthMode& mode);
 
   double focal_px_;
-  double per_gate_px_;
-  double per_gate_rad_;
-  double gate_px_;
-  double sin_low_;
-  double sin_high_;
-  double min_weight_;
+  float gate_px_;
+  float per_gate_px_;
+  float per_gate_rad_;
+  float sin_low_;
+  float sin_high_;
+  float min_weight_;
   DepthCells cells_;
-  // Number of views that may agree with a crossing, and the crossing's index: a heap.
-  std::vector<std::pair<int, int>> seeds_;
-  std::vector<FusedDepth> found_;  // also what was not good enough
-  std::vector<DepthMode> best_;    // by descending score, no two the same
+  // Crossings by the number of views that may agree with them, descending.
+  std::vector<int> seeds_;
+  std::vector<int> seeds_begin_;
+  std::vector<uint8_t> explained_;  // per crossing: would elect a mode that has been found
+  std::vector<DepthMode> best_;     // by descending score, no two the same
 };
 
 }  // namespace limn
