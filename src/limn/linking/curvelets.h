@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "limn/linking/arc_bundle.h"
 #include "limn/linking/edgel_grid.h"
 #include "limn/linking/linking.h"
 
@@ -18,15 +19,15 @@ using Curvelet = std::vector<EdgelId>;
 // as some cell's interval is not empty. Time: neighbours times curvelets.
 class CurveletBuilder {
  public:
-  // Both arguments must outlive the builder.
+  // `options` must outlive the builder.
   CurveletBuilder(const std::vector<Edgel>& edgels, const LinkingOptions& options);
 
   std::vector<Curvelet> Around(EdgelId anchor) const;
 
  private:
-  const std::vector<Edgel>& edgels_;
   const LinkingOptions& options_;
   EdgelGrid grid_;
+  std::vector<ArcSample> samples_;  // by edgel
 };
 
 }  // namespace limn
