@@ -21,8 +21,8 @@ struct ArcSample {
 
 ArcSample MakeArcSample(const Edgel& edgel, const LinkingOptions& options);
 
-// An interval of curvatures, 1/px, for every perturbation (a cell) of an anchor: its position across
-// the curve times its direction. Empty where low >= high.
+// An interval of curvatures, 1/px, for every perturbation (a cell) of an anchor: its position
+// across the curve times its direction. Empty where low >= high.
 struct ArcBundle {
   static constexpr int kShifts = 9;
   // Seven, of which the last is there twice, to make two vectors of four.

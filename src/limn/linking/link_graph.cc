@@ -51,8 +51,13 @@ std::vector<EdgelLink> CountVotes(const std::vector<Vote>& votes, size_t num_edg
 
 CurveFragment Trace(const Chaining& chaining, EdgelId start, std::vector<uint8_t>* seen) {
   CurveFragment chain;
+  size_t size = 0;
   for (EdgelId e = start; e != kInvalidEdgel && !(*seen)[e]; e = chaining.next[e]) {
     (*seen)[e] = 1;
+    ++size;
+  }
+  chain.edgel_ids.reserve(size);
+  for (EdgelId e = start; chain.edgel_ids.size() < size; e = chaining.next[e]) {
     chain.edgel_ids.push_back(e);
   }
   chain.closed = chaining.prev[start] != kInvalidEdgel;
@@ -74,7 +79,7 @@ void Chaining::BreakAfter(EdgelId from) {
 
 std::vector<EdgelLink> BuildLinkGraph(const std::vector<Edgel>& edgels,
                                       const LinkingOptions& options, int64_t* num_curvelets) {
-  const CurveletBuilder builder(edgels, options);
+  CurveletBuilder builder(edgels, options);
   std::vector<Vote> votes;
   int64_t count = 0;
   for (size_t i = 0; i < edgels.size(); ++i) {
@@ -92,10 +97,13 @@ std::vector<EdgelLink> BuildLinkGraph(const std::vector<Edgel>& edgels,
 Chaining ChainMutualBest(const std::vector<Edgel>& edgels, const std::vector<EdgelLink>& links) {
   std::vector<BestLink> ahead(edgels.size());
   std::vector<BestLink> behind(edgels.size());
+  std::vector<Eigen::Vector2d> tangents;
+  tangents.reserve(edgels.size());
+  for (const Edgel& edgel : edgels) tangents.push_back(edgel.Tangent());
   for (const EdgelLink& link : links) {
     const Eigen::Vector2d d = edgels[link.b].position_px - edgels[link.a].position_px;
-    const double along_a = d.dot(edgels[link.a].Tangent());
-    const double along_b = d.dot(edgels[link.b].Tangent());
+    const double along_a = d.dot(tangents[link.a]);
+    const double along_b = d.dot(tangents[link.b]);
     // Sideways for one of them: a link that is evidence of a junction, but no way to go on.
     if (along_a * along_b <= 0) continue;
     const EdgelId from = along_a > 0 ? link.a : link.b;
