@@ -29,7 +29,11 @@ bool InOneRun(const EdgelPlace& a, const EdgelPlace& b) {
          (Follows(a.tangent, offset) || Follows(b.tangent, offset));
 }
 
-int NearestInt(double value) { return static_cast<int>(std::floor(value + 0.5)); }
+// Without the function call that std::floor is where SSE2 is all there is.
+int NearestInt(double value) {
+  const int towards_zero = static_cast<int>(value + 0.5);
+  return towards_zero - (towards_zero > value + 0.5);
+}
 
 // Indices of edgels, the strongest first, ties in the given order.
 std::vector<uint32_t> ByStrength(const std::vector<RefinedEdgel>& edgels) {
@@ -86,10 +90,13 @@ bool EdgelRaster::HasParallelNear(const Vector2d& position, const Vector2d& dire
                                   double radius_px, double max_angle_rad) const {
   const double squared_radius = radius_px * radius_px;
   const double min_cosine = std::cos(max_angle_rad) * direction.norm();
-  return AnyInSquare(position, radius_px, [&](const EdgelPlace& other) {
+  const auto parallel_near = [&](const EdgelPlace& other) {
     return (other.position - position).squaredNorm() <= squared_radius &&
            std::abs(other.tangent.dot(direction)) >= min_cosine;
-  });
+  };
+  // Mostly the nearest pixels tell.
+  return AnyInSquare(position, std::min(1.0, radius_px), parallel_near) ||
+         AnyInSquare(position, radius_px, parallel_near);
 }
 
 UnionFind EdgelRaster::Runs() const {

@@ -158,18 +158,14 @@ SubpixelDerivatives::SubpixelDerivatives(const PaddedPlane& plane, double sigma_
   }
 }
 
-double SubpixelDerivatives::NearestNode(double coordinate) {
-  return std::floor(coordinate * kNodesPerPx + 0.5) / kNodesPerPx;
-}
-
 const float* SubpixelDerivatives::KernelAt(double fraction) const {
   const int node = static_cast<int>((fraction + 0.5) * kNodesPerPx + 0.5);
   return kernels_.data() + static_cast<size_t>(node) * 4 * row_size_;
 }
 
 Jet SubpixelDerivatives::At(double x, double y) const {
-  const int column = static_cast<int>(std::floor(x + 0.5));
-  const int row = static_cast<int>(std::floor(y + 0.5));
+  const int column = static_cast<int>(x + 0.5);
+  const int row = static_cast<int>(y + 0.5);
   const float* kernel_x = KernelAt(x - column);
   const float* kernel_y = KernelAt(y - row);
   const int taps = 2 * half_size_ + 1;

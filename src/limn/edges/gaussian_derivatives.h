@@ -55,8 +55,12 @@ class SubpixelDerivatives {
   // `plane` must outlive this object and have GaussianPadding(sigma_px).
   SubpixelDerivatives(const PaddedPlane& plane, double sigma_px);
 
-  // The node that is nearest to a coordinate.
-  static double NearestNode(double coordinate);
+  // The node that is nearest to a coordinate, which is not below -1.
+  static double NearestNode(double coordinate) {
+    return static_cast<double>(static_cast<int>((coordinate + 1) * kNodesPerPx + 0.5)) /
+               kNodesPerPx -
+           1;
+  }
 
   // (x, y): a node inside [-0.5, width - 0.5] x [-0.5, height - 0.5]. Cost: (2 ceil(4 sigma + 0.5)
   // + 1)^2 x 4.
