@@ -204,7 +204,7 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   EdgeMap map;
   map.width = image.width;
   map.height = image.height;
-  map.edgels = raster.InPixelOrder();
+  map.edgels = raster.Edgels();
   map.gradient_noise = channel.noise.Mean();
   return map;
 }

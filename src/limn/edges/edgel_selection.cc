@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -68,6 +69,22 @@ bool EdgelRaster::AnyInSquare(const Vector2d& center, double radius_px, const Te
 
 void EdgelRaster::AddStrongestFirst(const std::vector<RefinedEdgel>& edgels) {
   for (const uint32_t i : ByStrength(edgels)) TryAdd(edgels[i]);
+  Compact();
+}
+
+void EdgelRaster::Compact() {
+  std::vector<RefinedEdgel> edgels;
+  std::vector<EdgelPlace> places;
+  edgels.reserve(edgels_.size());
+  places.reserve(edgels_.size());
+  for (int& cell : index_of_pixel_) {
+    if (cell < 0) continue;
+    edgels.push_back(edgels_[cell]);
+    places.push_back(places_[cell]);
+    cell = static_cast<int>(edgels.size()) - 1;
+  }
+  edgels_ = std::move(edgels);
+  places_ = std::move(places);
 }
 
 void EdgelRaster::TryAdd(const RefinedEdgel& refined) {
@@ -140,15 +157,14 @@ void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
     const int run = runs.Find(cell);
     if ((high[run] - low[run]).norm() < min_run_px) cell = -1;
   }
+  Compact();
 }
 
-std::vector<Edgel> EdgelRaster::InPixelOrder() const {
-  std::vector<Edgel> ordered;
-  ordered.reserve(edgels_.size());
-  for (const int index : index_of_pixel_) {
-    if (index >= 0) ordered.push_back(edgels_[index].edgel);
-  }
-  return ordered;
+std::vector<Edgel> EdgelRaster::Edgels() const {
+  std::vector<Edgel> edgels;
+  edgels.reserve(edgels_.size());
+  for (const RefinedEdgel& refined : edgels_) edgels.push_back(refined.edgel);
+  return edgels;
 }
 
 }  // namespace limn

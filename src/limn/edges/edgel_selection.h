@@ -33,10 +33,12 @@ class EdgelRaster {
   void DropWeakShortRuns(double strong_ratio, double min_run_px);
 
   // All edgels in row-major order of the pixel that holds them.
-  std::vector<Edgel> InPixelOrder() const;
+  std::vector<Edgel> Edgels() const;
 
  private:
   void TryAdd(const RefinedEdgel& edgel);
+  // Forget the edgels that no pixel holds and bring the others in row-major order.
+  void Compact();
   // Whether `test(place of an edgel)` holds for any in pixels overlapping the square of half-size
   // `radius_px`.
   template <typename Test>
@@ -47,8 +49,9 @@ class EdgelRaster {
   int width_;
   int height_;
   std::vector<int> index_of_pixel_;  // -1: none
+  // In row-major order of their pixels, so that look-ups nearby are near in memory.
   std::vector<RefinedEdgel> edgels_;
-  std::vector<EdgelPlace> places_;  // of edgels_, close together for the look-ups
+  std::vector<EdgelPlace> places_;  // of edgels_
 };
 
 }  // namespace limn
