@@ -11,7 +11,7 @@ namespace limn {
 namespace {
 
 // The refinement goes no farther than 0.7 px; three grid values err by less than the rest.
-constexpr float kMaxStepPx = 0.9f;
+constexpr float kMaxStepPx = 0.8f;
 
 // Four pixels, of which here[0] is the magnitude of the first.
 auto NearMaximum(const float* here, std::ptrdiff_t width, Float4 dx, Float4 dy, float lowest) {
