@@ -70,28 +70,24 @@ ImageSize ShrunkSize(ImageSize size, int max_image_size) {
 }
 
 Image ReadImage(const fs::path& path, int max_image_size) {
-  const cv::Mat stored = Decode(path, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
+  cv::Mat stored = Decode(path, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
   double scale = 1;
   if (stored.depth() == CV_16U) {
     scale = 1.0 / 257;
   } else if (stored.depth() != CV_8U) {
     throw IoError(path.string(), "only images of 8 or 16 bits per channel can be used");
   }
+  if (stored.channels() == 3) cv::cvtColor(stored, stored, cv::COLOR_BGR2RGB);
   cv::Mat levels;
   stored.convertTo(levels, CV_32F, scale);
   levels = Shrink(levels, max_image_size);
-  if (levels.channels() == 3) cv::cvtColor(levels, levels, cv::COLOR_BGR2RGB);
 
   Image image;
   image.width = levels.cols;
   image.height = levels.rows;
   image.channels = levels.channels();
-  const size_t row_values = static_cast<size_t>(image.width) * image.channels;
-  image.data.reserve(row_values * image.height);
-  for (int y = 0; y < image.height; ++y) {
-    const float* row = levels.ptr<float>(y);
-    image.data.insert(image.data.end(), row, row + row_values);
-  }
+  const float* first = levels.ptr<float>();
+  image.data.assign(first, first + levels.total() * levels.channels());
   return image;
 }
 

@@ -227,12 +227,13 @@ def stages():
     sketch = text("{}") + counted([text("a.png"), text("b.png")]) + counted([curve])
     put("curve_sketch", "one", sketch)
     edgel = struct.pack("<3d8f", 1, 2, 0.5, 9, 0.1, 1, 2, 1, 0, 0, 1)
-    image_curves = struct.pack("<iidi", 64, 48, 0.5, 0) + counted([edgel] * 3)
-    image_curves += counted([struct.pack("<BQ3i", 0, 3, 0, 1, 2)])
-    image_curves += counted([struct.pack("<3i", 0, 1, 5), struct.pack("<3i", 1, 2, 5)])
-    put("image_curves", "one", image_curves)
+    fragments = counted([struct.pack("<BQ3i", 0, 3, 0, 1, 2)])
+    fragments += counted([struct.pack("<3i", 0, 1, 5), struct.pack("<3i", 1, 2, 5)])
+    put("image_curves", "lens", struct.pack("<iidiB", 64, 48, 0.5, 0, 0) + counted([edgel] * 3) + fragments)
+    as_stored = struct.pack("<3d2f", 1, 2, 0.5, 9, 0.1)
+    put("image_curves", "no_lens", struct.pack("<iidiB", 64, 48, 0.5, 0, 1) + counted([as_stored] * 3) + fragments)
     packed = zlib.compress(sketch, 1)
-    stage = b"limnfile" + struct.pack("<II", 1, 2) + text("identity")
+    stage = b"limnfile" + struct.pack("<II", 2, 2) + text("identity")
     stage += struct.pack("<QQ", len(sketch), len(packed)) + packed
     put("stage_file", "sketch", stage + struct.pack("<I", zlib.crc32(stage)))
 

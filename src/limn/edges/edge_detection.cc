@@ -2,23 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "limn/edges/edge_refinement.h"
 #include "limn/edges/edgel_selection.h"
 #include "limn/edges/gaussian_derivatives.h"
 #include "limn/edges/gradient_noise.h"
+#include "limn/edges/grid_maxima.h"
 #include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
+using Eigen::Vector2d;
+
 // A pixel up to 0.7 px beside the edge sees at least this share of its strength.
 constexpr double kGridStrengthShare = 0.85;
-// The parabola through three grid values errs; the exact refinement decides.
-constexpr double kMaxGridOffsetPx = 1.0;
 constexpr double kSimilarDirectionRad = 0.6;
 
 // One channel prepared for detection.
@@ -51,41 +52,9 @@ Channel PrepareChannel(const std::vector<float>& values, int width, int height, 
   Channel channel;
   channel.plane = MakePaddedPlane(values, width, height, GaussianPadding(sigma_px));
   channel.gradient = SmoothedGradient(channel.plane, sigma_px);
-  channel.magnitude.resize(values.size());
-  for (size_t i = 0; i < values.size(); ++i) {
-    const float dx = channel.gradient.dx[i];
-    const float dy = channel.gradient.dy[i];
-    channel.magnitude[i] = std::sqrt(dx * dx + dy * dy);
-  }
+  channel.magnitude = GradientMagnitude(channel.gradient);
   channel.noise = MeasureNoise(channel.plane, channel.gradient, sigma_px);
   return channel;
-}
-
-// Magnitude where the ray from pixel i in direction (dx, dy) leaves the 3 x 3 neighbourhood,
-// linearly interpolated between the two border pixels.
-float MagnitudeAhead(const Channel& channel, size_t i, float dx, float dy) {
-  const int width = channel.plane.width;
-  const bool steep = std::abs(dy) > std::abs(dx);
-  const std::ptrdiff_t major = steep ? (dy > 0 ? width : -width) : (dx > 0 ? 1 : -1);
-  const float slope = steep ? dx / std::abs(dy) : dy / std::abs(dx);
-  const std::ptrdiff_t minor = (slope > 0 ? 1 : -1) * (steep ? 1 : width);
-  const float share = std::abs(slope);
-  const float* at = channel.magnitude.data() + i + major;
-  return (1 - share) * at[0] + share * at[minor];
-}
-
-// Is the grid magnitude at pixel i near a maximum along the gradient? Needs a 1 px border.
-bool NearMaximum(const Channel& channel, size_t i) {
-  const float dx = channel.gradient.dx[i];
-  const float dy = channel.gradient.dy[i];
-  const float here = channel.magnitude[i];
-  const float ahead = MagnitudeAhead(channel, i, dx, dy);
-  const float behind = MagnitudeAhead(channel, i, -dx, -dy);
-  const double reach = here / std::max(std::abs(dx), std::abs(dy));
-  const double bend = ahead + behind - 2 * here;
-  if (!(bend < 0)) return false;
-  const double offset = -0.5 * (ahead - behind) / bend * reach;
-  return std::abs(offset) <= kMaxGridOffsetPx;
 }
 
 // 1 where edgels may be: inside the margin and away from masked pixels.
@@ -118,28 +87,33 @@ bool InUsablePixel(const std::vector<unsigned char>& usable, int width, const Ed
   return usable[static_cast<size_t>(y) * width + x] != 0;
 }
 
-// All refined edgels of a channel, unsorted and with duplicates. `skip(x, y, tangent)` tells which
-// grid candidates not to refine.
+// Below this magnitude the pixel grid shows no edge at any grey level.
+double LowestMagnitude(const RefinementContext& context) {
+  if (context.noise.noise.empty()) return kGridStrengthShare * context.ThresholdFor(0);
+  const auto& noise = context.noise.noise;
+  return kGridStrengthShare * context.ThresholdFor(*std::min_element(noise.begin(), noise.end()));
+}
+
+// All refined edgels of a channel, unsorted and with duplicates. `skip(position, tangent)`, where
+// the tangent has any length, tells which grid candidates not to refine.
 template <typename Skip>
 std::vector<RefinedEdgel> DetectInChannel(const Channel& channel, const RefinementContext& context,
                                           const std::vector<unsigned char>& usable,
                                           const Skip& skip) {
   const SubpixelDerivatives derivatives(channel.plane, context.sigma_px);
-  const int width = channel.plane.width;
-  // Below this nowhere an edge.
-  double lowest = std::numeric_limits<double>::max();
-  for (const double level : context.noise.level) {
-    lowest = std::min(lowest, kGridStrengthShare * context.ThresholdAt(level));
-  }
-  if (context.noise.level.empty()) lowest = kGridStrengthShare * context.ThresholdAt(0);
+  const GradientField& gradient = channel.gradient;
+  const int width = gradient.width;
+  const float lowest = static_cast<float>(LowestMagnitude(context));
+  std::vector<int32_t> near_maximum(width);
   std::vector<RefinedEdgel> edgels;
-  for (int y = 0; y < channel.plane.height; ++y) {
-    for (int x = 0; x < width; ++x) {
+  for (int y = 1; y < gradient.height - 1; ++y) {
+    FindGridMaxima(gradient, channel.magnitude, y, lowest, near_maximum.data());
+    for (int x = 1; x < width - 1; ++x) {
       const size_t i = static_cast<size_t>(y) * width + x;
-      if (!usable[i] || !(channel.magnitude[i] > lowest) || !NearMaximum(channel, i)) continue;
-      const double threshold = context.ThresholdAt(channel.gradient.smooth[i]);
+      if (!near_maximum[x] || !usable[i]) continue;
+      const double threshold = context.ThresholdFor(context.noise.At(gradient.smooth[i]));
       if (channel.magnitude[i] < kGridStrengthShare * threshold) continue;
-      if (skip(x, y, std::atan2(channel.gradient.dx[i], -channel.gradient.dy[i]))) continue;
+      if (skip(Vector2d(x, y), Vector2d(-gradient.dy[i], gradient.dx[i]))) continue;
       const auto refined = RefineEdgel(derivatives, x, y, context);
       if (refined && InUsablePixel(usable, width, refined->edgel)) edgels.push_back(*refined);
     }
@@ -152,8 +126,8 @@ std::vector<RefinedEdgel> DetectInChannel(const Channel& channel, const Refineme
 void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& options,
                           const std::vector<unsigned char>& usable, EdgelRaster* raster) {
   const double near_px = options.isoluminant_distance_px;
-  const auto explained = [near_px](const EdgelRaster& by, double x, double y, double tangent_rad) {
-    return by.HasParallelNear(x, y, tangent_rad, near_px, kSimilarDirectionRad);
+  const auto explained = [&](const Vector2d& position, const Vector2d& tangent) {
+    return raster->HasParallelNear(position, tangent, near_px, kSimilarDirectionRad);
   };
   std::vector<RefinedEdgel> of_channel[2];
   double total_strength[2] = {0, 0};
@@ -163,17 +137,14 @@ void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& option
     const RefinementContext context{options.sigma_px, channel.noise,
                                     options.isoluminant_noise_factor,
                                     options.isoluminant_min_strength};
-    of_channel[k] = DetectInChannel(channel, context, usable, [&](int x, int y, double tangent) {
-      return explained(*raster, x, y, tangent);
-    });
+    of_channel[k] = DetectInChannel(channel, context, usable, explained);
     for (const RefinedEdgel& refined : of_channel[k]) total_strength[k] += refined.edgel.strength;
   }
   const int first = total_strength[1] > total_strength[0] ? 1 : 0;
   raster->AddStrongestFirst(of_channel[first]);
   std::vector<RefinedEdgel>& rest = of_channel[1 - first];
   std::erase_if(rest, [&](const RefinedEdgel& refined) {
-    const Edgel& edgel = refined.edgel;
-    return explained(*raster, edgel.position_px.x(), edgel.position_px.y(), edgel.tangent_rad);
+    return explained(refined.edgel.position_px, refined.edgel.Tangent());
   });
   raster->AddStrongestFirst(rest);
   raster->DropWeakShortRuns(options.strong_ratio, options.min_run_px);
@@ -226,14 +197,14 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
 
   EdgelRaster raster(image.width, image.height);
   raster.AddStrongestFirst(
-      DetectInChannel(channel, context, usable, [](int, int, double) { return false; }));
+      DetectInChannel(channel, context, usable, [](const auto&, const auto&) { return false; }));
   raster.DropWeakShortRuns(options.strong_ratio, options.min_run_px);
   if (colour && options.find_isoluminant) AddIsoluminantEdgels(image, options, usable, &raster);
 
   EdgeMap map;
   map.width = image.width;
   map.height = image.height;
-  map.edgels = raster.InPixelOrder();
+  map.edgels = raster.Edgels();
   map.gradient_noise = channel.noise.Mean();
   return map;
 }

@@ -61,8 +61,8 @@ struct EdgeDetectionOptions {
 // Positions are in the image as stored (stored_from_virtual is the identity, position_px =
 // stored_px). Pixels where the mask is 0 hold no edgel, nor do those within sigma of one. Throws
 // OptionError on bad options and InputError on an image whose data do not match its size. An image
-// too small for the margin has no edgels. Time: linear in pixels, plus about 1 microsecond per
-// candidate.
+// too small for the margin, or narrower than 6 px, has no edgels. Time: linear in pixels, plus
+// about half a microsecond per candidate.
 EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options);
 
 }  // namespace limn

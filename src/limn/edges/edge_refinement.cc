@@ -8,6 +8,8 @@
 namespace limn {
 namespace {
 
+using Eigen::Vector2d;
+
 constexpr int kMaxIterations = 4;
 constexpr double kMaxStepPx = 0.6;
 // The error left after a step this small is far below 0.01 px.
@@ -20,7 +22,7 @@ constexpr double kMaxCurvature = 0.2;
 // Derivatives in the frame of the gradient: n along it, t = n turned so that (n, t) is a rotation.
 struct LocalJet {
   double value = 0;
-  Eigen::Vector2d normal;
+  Vector2d normal;
   double n = 0;
   double nn = 0, nt = 0, tt = 0;
   double nnn = 0, nnt = 0;
@@ -29,7 +31,7 @@ struct LocalJet {
 LocalJet AlongGradient(const Jet& jet) {
   LocalJet local;
   local.value = jet.value;
-  local.n = std::hypot(jet.x, jet.y);
+  local.n = std::sqrt(jet.x * jet.x + jet.y * jet.y);
   if (local.n == 0) return local;
   const double c = jet.x / local.n;
   const double s = jet.y / local.n;
@@ -84,22 +86,23 @@ double CurvatureShift(const LocalJet& jet, double sigma_px, double noise) {
 
 std::optional<RefinedEdgel> RefineEdgel(const SubpixelDerivatives& derivatives, int x, int y,
                                         const RefinementContext& context) {
-  Eigen::Vector2d position(x, y);
+  const Vector2d pixel(x, y);
+  Vector2d position = pixel;
   LocalJet jet;
   for (int iteration = 0;; ++iteration) {
-    jet = AlongGradient(derivatives.At(position.x(), position.y()));
+    const Vector2d node(SubpixelDerivatives::NearestNode(position.x()),
+                        SubpixelDerivatives::NearestNode(position.y()));
+    jet = AlongGradient(derivatives.At(node.x(), node.y()));
     if (jet.n == 0) return std::nullopt;
     const auto step = StepToMaximum(jet);
     if (!step) return std::nullopt;
-    position += *step * jet.normal;
-    if ((position - Eigen::Vector2d(x, y)).lpNorm<Eigen::Infinity>() > kMaxOffsetPx) {
-      return std::nullopt;
-    }
+    position = node + *step * jet.normal;
+    if ((position - pixel).lpNorm<Eigen::Infinity>() > kMaxOffsetPx) return std::nullopt;
     if (std::abs(*step) < kConvergedPx) break;
     if (iteration + 1 == kMaxIterations) return std::nullopt;
   }
   const double noise = context.noise.At(jet.value);
-  const double threshold = context.ThresholdAt(jet.value);
+  const double threshold = context.ThresholdFor(noise);
   if (jet.n < threshold) return std::nullopt;
 
   const double normal_rad =

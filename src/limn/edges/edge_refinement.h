@@ -18,8 +18,8 @@ struct RefinementContext {
   double noise_factor = 0;
   double min_strength = 0;
 
-  double ThresholdAt(double grey_level) const {
-    return std::max(noise_factor * noise.At(grey_level), min_strength);
+  double ThresholdFor(double gradient_noise) const {
+    return std::max(noise_factor * gradient_noise, min_strength);
   }
 };
 

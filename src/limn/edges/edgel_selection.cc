@@ -1,9 +1,10 @@
 #include "limn/edges/edgel_selection.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-
-#include "limn/util/union_find.h"
+#include <cstdint>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -14,20 +15,36 @@ constexpr double kMinDistancePx = 0.35;
 constexpr double kRunStepPx = 2.0;
 const double kRunMinCosine = std::cos(M_PI / 6);
 
-// Does an edgel at `offset` with tangent `other` continue one with tangent `tangent`? The offset
-// may leave the tangent by a third of a pixel plus 35 degrees.
-bool Continues(const Vector2d& tangent, const Vector2d& offset, const Vector2d& other) {
-  if (tangent.dot(other) < kRunMinCosine || offset.norm() > kRunStepPx) return false;
+// Does an edgel at `offset` follow one with tangent `tangent`? The offset may leave the tangent by
+// a third of a pixel plus 35 degrees.
+bool Follows(const Vector2d& tangent, const Vector2d& offset) {
   const double along = std::abs(offset.dot(tangent));
   const double across = std::abs(tangent.x() * offset.y() - tangent.y() * offset.x());
   return across <= 0.3 + 0.7 * along;
 }
 
-bool StrongerThan(const RefinedEdgel& a, const RefinedEdgel& b) {
-  if (a.edgel.strength != b.edgel.strength) return a.edgel.strength > b.edgel.strength;
-  const Vector2d& p = a.edgel.position_px;
-  const Vector2d& q = b.edgel.position_px;
-  return p.y() != q.y() ? p.y() < q.y() : p.x() < q.x();
+bool InOneRun(const EdgelPlace& a, const EdgelPlace& b) {
+  const Vector2d offset = b.position - a.position;
+  return a.tangent.dot(b.tangent) >= kRunMinCosine &&
+         offset.squaredNorm() <= kRunStepPx * kRunStepPx &&
+         (Follows(a.tangent, offset) || Follows(b.tangent, offset));
+}
+
+// Without the function call that std::floor is where SSE2 is all there is.
+int NearestInt(double value) {
+  const int towards_zero = static_cast<int>(value + 0.5);
+  return towards_zero - (towards_zero > value + 0.5);
+}
+
+// Indices of edgels, the strongest first, ties in the given order.
+std::vector<uint32_t> ByStrength(const std::vector<RefinedEdgel>& edgels) {
+  // Bits of positive floats ascend with their values.
+  std::vector<uint64_t> keys(edgels.size());
+  for (size_t i = 0; i < edgels.size(); ++i) {
+    keys[i] = static_cast<uint64_t>(~std::bit_cast<uint32_t>(edgels[i].edgel.strength)) << 32 | i;
+  }
+  std::sort(keys.begin(), keys.end());
+  return {keys.begin(), keys.end()};
 }
 
 }  // namespace
@@ -35,71 +52,103 @@ bool StrongerThan(const RefinedEdgel& a, const RefinedEdgel& b) {
 EdgelRaster::EdgelRaster(int width, int height)
     : width_(width), height_(height), index_of_pixel_(static_cast<size_t>(width) * height, -1) {}
 
-template <typename Visit>
-void EdgelRaster::VisitSquare(const Vector2d& center, double radius_px, const Visit& visit) const {
-  const int x0 = std::max(0, static_cast<int>(std::lround(center.x() - radius_px)));
-  const int y0 = std::max(0, static_cast<int>(std::lround(center.y() - radius_px)));
-  const int x1 = std::min(width_ - 1, static_cast<int>(std::lround(center.x() + radius_px)));
-  const int y1 = std::min(height_ - 1, static_cast<int>(std::lround(center.y() + radius_px)));
+template <typename Test>
+bool EdgelRaster::AnyInSquare(const Vector2d& center, double radius_px, const Test& test) const {
+  const int x0 = std::max(0, NearestInt(center.x() - radius_px));
+  const int y0 = std::max(0, NearestInt(center.y() - radius_px));
+  const int x1 = std::min(width_ - 1, NearestInt(center.x() + radius_px));
+  const int y1 = std::min(height_ - 1, NearestInt(center.y() + radius_px));
   for (int y = y0; y <= y1; ++y) {
+    const int* row = index_of_pixel_.data() + static_cast<size_t>(y) * width_;
     for (int x = x0; x <= x1; ++x) {
-      const int index = index_of_pixel_[static_cast<size_t>(y) * width_ + x];
-      if (index >= 0) visit(index);
+      if (row[x] >= 0 && test(places_[row[x]])) return true;
     }
   }
+  return false;
 }
 
-void EdgelRaster::AddStrongestFirst(std::vector<RefinedEdgel> edgels) {
-  std::sort(edgels.begin(), edgels.end(), StrongerThan);
-  for (const RefinedEdgel& edgel : edgels) TryAdd(edgel);
+void EdgelRaster::AddStrongestFirst(const std::vector<RefinedEdgel>& edgels) {
+  for (const uint32_t i : ByStrength(edgels)) TryAdd(edgels[i]);
+  Compact();
+}
+
+void EdgelRaster::Compact() {
+  std::vector<RefinedEdgel> edgels;
+  std::vector<EdgelPlace> places;
+  edgels.reserve(edgels_.size());
+  places.reserve(edgels_.size());
+  for (int& cell : index_of_pixel_) {
+    if (cell < 0) continue;
+    edgels.push_back(edgels_[cell]);
+    places.push_back(places_[cell]);
+    cell = static_cast<int>(edgels.size()) - 1;
+  }
+  edgels_ = std::move(edgels);
+  places_ = std::move(places);
 }
 
 void EdgelRaster::TryAdd(const RefinedEdgel& refined) {
   const Vector2d& position = refined.edgel.position_px;
-  const int x = static_cast<int>(std::lround(position.x()));
-  const int y = static_cast<int>(std::lround(position.y()));
+  const int x = NearestInt(position.x());
+  const int y = NearestInt(position.y());
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
   int& cell = index_of_pixel_[static_cast<size_t>(y) * width_ + x];
   if (cell >= 0) return;
-  bool taken = false;
-  VisitSquare(position, kMinDistancePx, [&](int other) {
-    taken |= (edgels_[other].edgel.position_px - position).norm() < kMinDistancePx;
+  const bool taken = AnyInSquare(position, kMinDistancePx, [&](const EdgelPlace& other) {
+    return (other.position - position).squaredNorm() < kMinDistancePx * kMinDistancePx;
   });
   if (taken) return;
   cell = static_cast<int>(edgels_.size());
   edgels_.push_back(refined);
+  places_.push_back({position, refined.edgel.Tangent()});
 }
 
-bool EdgelRaster::HasParallelNear(double x, double y, double tangent_rad, double radius_px,
-                                  double max_angle_rad) const {
-  const Vector2d center(x, y);
-  bool found = false;
-  VisitSquare(center, radius_px, [&](int other) {
-    const Edgel& edgel = edgels_[other].edgel;
-    const double angle = std::abs(std::remainder(edgel.tangent_rad - tangent_rad, M_PI));
-    found |= (edgel.position_px - center).norm() <= radius_px && angle <= max_angle_rad;
-  });
-  return found;
+bool EdgelRaster::HasParallelNear(const Vector2d& position, const Vector2d& direction,
+                                  double radius_px, double max_angle_rad) const {
+  const double squared_radius = radius_px * radius_px;
+  const double min_cosine = std::cos(max_angle_rad) * direction.norm();
+  const auto parallel_near = [&](const EdgelPlace& other) {
+    return (other.position - position).squaredNorm() <= squared_radius &&
+           std::abs(other.tangent.dot(direction)) >= min_cosine;
+  };
+  // Mostly the nearest pixels tell.
+  return AnyInSquare(position, std::min(1.0, radius_px), parallel_near) ||
+         AnyInSquare(position, radius_px, parallel_near);
+}
+
+UnionFind EdgelRaster::Runs() const {
+  // Positions within kRunStepPx are in pixels at most so far apart.
+  constexpr int kReach = 2;
+  static_assert(kReach >= kRunStepPx);
+  UnionFind runs(static_cast<int>(edgels_.size()));
+  for (int y = 0; y < height_; ++y) {
+    const int* row = index_of_pixel_.data() + static_cast<size_t>(y) * width_;
+    for (int x = 0; x < width_; ++x) {
+      if (row[x] < 0) continue;
+      // Every pair once: the pixels to the right and below.
+      for (int v = 0; v <= std::min(kReach, height_ - 1 - y); ++v) {
+        const int* other = row + static_cast<std::ptrdiff_t>(v) * width_;
+        for (int u = v == 0 ? x + 1 : std::max(0, x - kReach);
+             u <= std::min(width_ - 1, x + kReach); ++u) {
+          if (other[u] >= 0 && InOneRun(places_[row[x]], places_[other[u]])) {
+            runs.Union(row[x], other[u]);
+          }
+        }
+      }
+    }
+  }
+  return runs;
 }
 
 void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
-  const int count = static_cast<int>(edgels_.size());
-  std::vector<Vector2d> tangents;
-  for (const RefinedEdgel& refined : edgels_) tangents.push_back(refined.edgel.Tangent());
-  UnionFind runs(count);
-  for (int i = 0; i < count; ++i) {
-    const Vector2d& position = edgels_[i].edgel.position_px;
-    VisitSquare(position, kRunStepPx, [&](int other) {
-      const Vector2d offset = edgels_[other].edgel.position_px - position;
-      if (Continues(tangents[i], offset, tangents[other])) runs.Union(i, other);
-    });
-  }
+  UnionFind runs = Runs();
+  const size_t count = places_.size();
   std::vector<Vector2d> low(count);
   std::vector<Vector2d> high(count);
-  for (int i = 0; i < count; ++i) {
+  for (size_t i = 0; i < count; ++i) {
     // The representative is the smallest member, hence the first one seen.
-    const Vector2d& position = edgels_[i].edgel.position_px;
-    const int run = runs.Find(i);
+    const Vector2d& position = places_[i].position;
+    const size_t run = runs.Find(static_cast<int>(i));
     low[run] = run == i ? position : Vector2d(low[run].cwiseMin(position));
     high[run] = run == i ? position : Vector2d(high[run].cwiseMax(position));
   }
@@ -108,15 +157,14 @@ void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
     const int run = runs.Find(cell);
     if ((high[run] - low[run]).norm() < min_run_px) cell = -1;
   }
+  Compact();
 }
 
-std::vector<Edgel> EdgelRaster::InPixelOrder() const {
-  std::vector<Edgel> ordered;
-  ordered.reserve(edgels_.size());
-  for (const int index : index_of_pixel_) {
-    if (index >= 0) ordered.push_back(edgels_[index].edgel);
-  }
-  return ordered;
+std::vector<Edgel> EdgelRaster::Edgels() const {
+  std::vector<Edgel> edgels;
+  edgels.reserve(edgels_.size());
+  for (const RefinedEdgel& refined : edgels_) edgels.push_back(refined.edgel);
+  return edgels;
 }
 
 }  // namespace limn

@@ -3,8 +3,15 @@
 #include <vector>
 
 #include "limn/edges/edge_refinement.h"
+#include "limn/util/union_find.h"
 
 namespace limn {
+
+// What tells whether edgels are near each other and continue each other.
+struct EdgelPlace {
+  Eigen::Vector2d position;
+  Eigen::Vector2d tangent;
+};
 
 // The edgels found so far in an image, at most one per pixel and none within 0.35 px of another.
 class EdgelRaster {
@@ -12,13 +19,13 @@ class EdgelRaster {
   EdgelRaster(int width, int height);
 
   // Add those whose pixel is free and that have no edgel within 0.35 px. The strongest come first,
-  // ties by position, so that the result depends on nothing else.
-  void AddStrongestFirst(std::vector<RefinedEdgel> edgels);
+  // ties in the given order.
+  void AddStrongestFirst(const std::vector<RefinedEdgel>& edgels);
 
-  // Is there an edgel within `radius_px` of (x, y) whose tangent is within `max_angle_rad` of
-  // parallel?
-  bool HasParallelNear(double x, double y, double tangent_rad, double radius_px,
-                       double max_angle_rad) const;
+  // Is there an edgel within `radius_px` of a position whose tangent is within `max_angle_rad` of
+  // parallel to `direction`, which has any length?
+  bool HasParallelNear(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
+                       double radius_px, double max_angle_rad) const;
 
   // Drop edgels less significant than `strong_ratio` in runs that extend over less than
   // `min_run_px`. A run is a set of edgels connected by steps of at most 2 px that follow the
@@ -26,18 +33,25 @@ class EdgelRaster {
   void DropWeakShortRuns(double strong_ratio, double min_run_px);
 
   // All edgels in row-major order of the pixel that holds them.
-  std::vector<Edgel> InPixelOrder() const;
+  std::vector<Edgel> Edgels() const;
 
  private:
   void TryAdd(const RefinedEdgel& edgel);
-  // Visit(index of edgel) for all in pixels overlapping the square of half-size `radius_px`.
-  template <typename Visit>
-  void VisitSquare(const Eigen::Vector2d& center, double radius_px, const Visit& visit) const;
+  // Forget the edgels that no pixel holds and bring the others in row-major order.
+  void Compact();
+  // Whether `test(place of an edgel)` holds for any in pixels overlapping the square of half-size
+  // `radius_px`.
+  template <typename Test>
+  bool AnyInSquare(const Eigen::Vector2d& center, double radius_px, const Test& test) const;
+  // The connected runs, as sets of indices of edgels.
+  UnionFind Runs() const;
 
   int width_;
   int height_;
   std::vector<int> index_of_pixel_;  // -1: none
+  // In row-major order of their pixels, so that look-ups nearby are near in memory.
   std::vector<RefinedEdgel> edgels_;
+  std::vector<EdgelPlace> places_;  // of edgels_
 };
 
 }  // namespace limn

@@ -1,15 +1,17 @@
 #include "limn/edges/gaussian_derivatives.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstring>
 #include <numbers>
+
+#include "limn/util/float4.h"
 
 namespace limn {
 namespace {
 
-// Enough for sigma = 5 px, the largest the options allow.
-constexpr int kMaxTaps = 48;
+// Taps are padded to whole blocks of so many, with zeros.
+constexpr int kBlock = 8;
 
 int GridHalfSize(double sigma_px) { return static_cast<int>(std::ceil(4 * sigma_px)); }
 
@@ -19,22 +21,76 @@ double Gaussian(double x, double sigma) {
   return std::exp(-0.5 * x * x / (sigma * sigma)) / (std::sqrt(2 * std::numbers::pi) * sigma);
 }
 
-// out[x] = sum over k of taps[half + k] * rows(k)[x]; the loop over x is the inner one, to
-// vectorise.
+// A symmetric and an antisymmetric kernel: the taps from the centre on.
+struct HalfKernels {
+  std::vector<float> even;
+  std::vector<float> odd;
+};
+
+// The Gaussian, of sum 1, and its derivative.
+HalfKernels GridKernels(double sigma_px) {
+  const int half = GridHalfSize(sigma_px);
+  double sum = 0;
+  for (int k = -half; k <= half; ++k) sum += Gaussian(k, sigma_px);
+  HalfKernels kernels;
+  for (int k = 0; k <= half; ++k) {
+    const double g = Gaussian(k, sigma_px) / sum;
+    kernels.even.push_back(static_cast<float>(g));
+    // Correlation, not convolution: the sign of the kernel is flipped.
+    kernels.odd.push_back(static_cast<float>(g * k / (sigma_px * sigma_px)));
+  }
+  return kernels;
+}
+
+void StoreUpTo(int count, Float4 values, float* to) {
+  std::memcpy(to, &values, sizeof(float) * std::clamp(count, 0, 4));
+}
+
+// even[x] = sum over k of kernels.even[|k|] row_at(k)[x], and so odd, unless it is null. Rows are
+// read up to kBlock - 1 values beyond `count`.
 template <typename RowAt>
-void AccumulateTaps(const std::vector<float>& taps, int half, int count, const RowAt& row_at,
-                    float* out) {
-  std::fill(out, out + count, 0.f);
-  for (int k = -half; k <= half; ++k) {
-    const float tap = taps[half + k];
-    const float* row = row_at(k);
-    for (int x = 0; x < count; ++x) out[x] += tap * row[x];
+void FilterAcross(const HalfKernels& kernels, int count, const RowAt& row_at, float* even,
+                  float* odd) {
+  const int half = static_cast<int>(kernels.even.size()) - 1;
+  for (int x = 0; x < count; x += kBlock) {
+    Float4 even_sum[2];
+    Float4 odd_sum[2] = {Splat4(0), Splat4(0)};
+    for (int v = 0; v < 2; ++v) even_sum[v] = kernels.even[0] * Load4(row_at(0) + x + 4 * v);
+    for (int k = 1; k <= half; ++k) {
+      const float* after = row_at(k) + x;
+      const float* before = row_at(-k) + x;
+      for (int v = 0; v < 2; ++v) {
+        const Float4 a = Load4(after + 4 * v);
+        const Float4 b = Load4(before + 4 * v);
+        even_sum[v] += kernels.even[k] * (a + b);
+        if (odd) odd_sum[v] += kernels.odd[k] * (a - b);
+      }
+    }
+    for (int v = 0; v < 2; ++v) {
+      StoreUpTo(count - x - 4 * v, even_sum[v], even + x + 4 * v);
+      if (odd) StoreUpTo(count - x - 4 * v, odd_sum[v], odd + x + 4 * v);
+    }
   }
 }
 
+// The last rows of a plane, filtered along x: what the filter across them needs.
+class RowRing {
+ public:
+  RowRing(int num_rows, int width) : num_rows_(num_rows), stride_(width + kBlock) {
+    values_.resize(static_cast<size_t>(num_rows_) * stride_);
+  }
+  // y >= 0.
+  float* Row(int y) { return values_.data() + static_cast<size_t>(y % num_rows_) * stride_; }
+
+ private:
+  int num_rows_;
+  int stride_;
+  std::vector<float> values_;
+};
+
 }  // namespace
 
-int GaussianPadding(double sigma_px) { return SubpixelHalfSize(sigma_px) + 1; }
+int GaussianPadding(double sigma_px) { return SubpixelHalfSize(sigma_px) + kBlock; }
 
 PaddedPlane MakePaddedPlane(const std::vector<float>& values, int width, int height, int pad) {
   PaddedPlane plane;
@@ -54,106 +110,101 @@ PaddedPlane MakePaddedPlane(const std::vector<float>& values, int width, int hei
 }
 
 GradientField SmoothedGradient(const PaddedPlane& plane, double sigma_px) {
+  const HalfKernels kernels = GridKernels(sigma_px);
   const int half = GridHalfSize(sigma_px);
-  std::vector<float> smooth(2 * half + 1);
-  std::vector<float> derive(2 * half + 1);
-  double sum = 0;
-  for (int k = -half; k <= half; ++k) sum += Gaussian(k, sigma_px);
-  for (int k = -half; k <= half; ++k) {
-    const double g = Gaussian(k, sigma_px) / sum;
-    smooth[half + k] = static_cast<float>(g);
-    // Correlation, not convolution: the sign of the kernel is flipped.
-    derive[half + k] = static_cast<float>(g * k / (sigma_px * sigma_px));
-  }
-
   const int width = plane.width;
   const int height = plane.height;
   const size_t size = static_cast<size_t>(width) * height;
-  const size_t tall = static_cast<size_t>(width) * (height + 2 * half);
-  std::vector<float> rows_smooth(tall);
-  std::vector<float> rows_derived(tall);
-  for (int y = -half; y < height + half; ++y) {
-    const auto shifted = [&](int k) { return plane.Row(y) + k; };
-    const size_t offset = static_cast<size_t>(y + half) * width;
-    AccumulateTaps(smooth, half, width, shifted, rows_smooth.data() + offset);
-    AccumulateTaps(derive, half, width, shifted, rows_derived.data() + offset);
-  }
-
   GradientField field{width, height, std::vector<float>(size), std::vector<float>(size),
                       std::vector<float>(size)};
-  for (int y = 0; y < height; ++y) {
-    const auto offset = [&](int k) { return static_cast<size_t>(y + half + k) * width; };
-    const size_t out = static_cast<size_t>(y) * width;
-    AccumulateTaps(
-        smooth, half, width, [&](int k) { return rows_derived.data() + offset(k); },
-        field.dx.data() + out);
-    const auto smooth_row = [&](int k) { return rows_smooth.data() + offset(k); };
-    AccumulateTaps(derive, half, width, smooth_row, field.dy.data() + out);
-    AccumulateTaps(smooth, half, width, smooth_row, field.smooth.data() + out);
+  RowRing smooth(2 * half + 1, width);
+  RowRing derived(2 * half + 1, width);
+  for (int last = 0; last < height + 2 * half; ++last) {
+    const float* source = plane.Row(last - half);
+    FilterAcross(
+        kernels, width, [&](int k) { return source + k; }, smooth.Row(last), derived.Row(last));
+    const int centre = last - half;
+    if (centre < half) continue;
+    const size_t out = static_cast<size_t>(centre - half) * width;
+    FilterAcross(
+        kernels, width, [&](int k) { return smooth.Row(centre + k); }, field.smooth.data() + out,
+        field.dy.data() + out);
+    FilterAcross(
+        kernels, width, [&](int k) { return derived.Row(centre + k); }, field.dx.data() + out,
+        nullptr);
   }
   return field;
 }
 
 SubpixelDerivatives::SubpixelDerivatives(const PaddedPlane& plane, double sigma_px)
-    : plane_(plane), sigma_px_(sigma_px), half_size_(SubpixelHalfSize(sigma_px)) {
-  for (int k = -half_size_; k <= half_size_; ++k) {
-    centred_gaussian_.push_back(Gaussian(k, sigma_px));
+    : plane_(plane), half_size_(SubpixelHalfSize(sigma_px)) {
+  const int taps = 2 * half_size_ + 1;
+  row_size_ = (taps + kBlock - 1) / kBlock * kBlock;
+  kernels_.assign(static_cast<size_t>(kNodesPerPx + 1) * 4 * row_size_, 0.f);
+  const double inverse_variance = 1 / (sigma_px * sigma_px);
+  for (int node = 0; node <= kNodesPerPx; ++node) {
+    const double fraction = static_cast<double>(node) / kNodesPerPx - 0.5;
+    float* kernel = kernels_.data() + static_cast<size_t>(node) * 4 * row_size_;
+    for (int i = 0; i < taps; ++i) {
+      // Derivatives with respect to the position of the kernel (u = pixel - position).
+      const double u = i - half_size_ - fraction;
+      const double v = u * inverse_variance;
+      const double g = Gaussian(u, sigma_px);
+      kernel[i] = static_cast<float>(g);
+      kernel[row_size_ + i] = static_cast<float>(g * v);
+      kernel[2 * row_size_ + i] = static_cast<float>(g * (v * v - inverse_variance));
+      kernel[3 * row_size_ + i] = static_cast<float>(g * v * (v * v - 3 * inverse_variance));
+    }
   }
 }
 
-void SubpixelDerivatives::ShiftedKernel(double fraction, Tap* taps) const {
-  // G(k - f) = G(k) exp(k f / s^2) exp(-f^2 / 2 s^2): two exponentials instead of one per tap.
-  const double inverse_variance = 1 / (sigma_px_ * sigma_px_);
-  const double ratio = std::exp(fraction * inverse_variance);
-  double factor =
-      std::exp(-0.5 * fraction * fraction * inverse_variance) / std::pow(ratio, half_size_);
-  for (int k = -half_size_; k <= half_size_; ++k) {
-    const double g = centred_gaussian_[k + half_size_] * factor;
-    factor *= ratio;
-    // Derivatives with respect to the position of the kernel (u = pixel - position).
-    const double u = k - fraction;
-    const double v = u * inverse_variance;
-    Tap& tap = taps[k + half_size_];
-    tap.order[0] = static_cast<float>(g);
-    tap.order[1] = static_cast<float>(g * v);
-    tap.order[2] = static_cast<float>(g * (v * v - inverse_variance));
-    tap.order[3] = static_cast<float>(g * v * (v * v - 3 * inverse_variance));
-  }
+const float* SubpixelDerivatives::KernelAt(double fraction) const {
+  const int node = static_cast<int>((fraction + 0.5) * kNodesPerPx + 0.5);
+  return kernels_.data() + static_cast<size_t>(node) * 4 * row_size_;
 }
 
 Jet SubpixelDerivatives::At(double x, double y) const {
-  const int column = static_cast<int>(std::lround(x));
-  const int row = static_cast<int>(std::lround(y));
-  std::array<Tap, kMaxTaps> kernel_x;
-  std::array<Tap, kMaxTaps> kernel_y;
-  ShiftedKernel(x - column, kernel_x.data());
-  ShiftedKernel(y - row, kernel_y.data());
+  const int column = static_cast<int>(x + 0.5);
+  const int row = static_cast<int>(y + 0.5);
+  const float* kernel_x = KernelAt(x - column);
+  const float* kernel_y = KernelAt(y - row);
+  const int taps = 2 * half_size_ + 1;
 
   // Truncated, shifted derivative kernels do not sum to zero exactly; subtracting the level of the
   // centre pixel keeps a bright plane from leaking into the derivatives.
   const float level = plane_.Row(row)[column];
-  const int taps = 2 * half_size_ + 1;
-  Jet jet;
-  for (int j = 0; j < taps; ++j) {
-    const float* values = plane_.Row(row + j - half_size_) + column - half_size_;
-    float along_x[4] = {0, 0, 0, 0};
-    for (int i = 0; i < taps; ++i) {
-      const float value = values[i] - level;
-      for (int order = 0; order < 4; ++order) along_x[order] += value * kernel_x[i].order[order];
+  // sums[a][b]: derived a times along y, b times along x.
+  Float4 sums[4][4] = {};
+  for (int i = 0; i < row_size_; i += kBlock) {
+    // Down the columns first, a block of them at a time, which stays in registers.
+    const float* values = plane_.Row(row - half_size_) + column - half_size_ + i;
+    Float4 down[4][2] = {};
+    for (int j = 0; j < taps; ++j, values += plane_.stride) {
+      const Float4 here[2] = {Load4(values) - level, Load4(values + 4) - level};
+      for (int a = 0; a < 4; ++a) {
+        const float tap = kernel_y[a * row_size_ + j];
+        down[a][0] += tap * here[0];
+        down[a][1] += tap * here[1];
+      }
     }
-    const float* k = kernel_y[j].order;
-    jet.value += along_x[0] * k[0];
-    jet.x += along_x[1] * k[0];
-    jet.y += along_x[0] * k[1];
-    jet.xx += along_x[2] * k[0];
-    jet.xy += along_x[1] * k[1];
-    jet.yy += along_x[0] * k[2];
-    jet.xxx += along_x[3] * k[0];
-    jet.xxy += along_x[2] * k[1];
-    jet.xyy += along_x[1] * k[2];
-    jet.yyy += along_x[0] * k[3];
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; a + b < 4; ++b) {
+        const float* along = kernel_x + b * row_size_ + i;
+        sums[a][b] += down[a][0] * Load4(along) + down[a][1] * Load4(along + 4);
+      }
+    }
   }
-  jet.value += level;
+  Jet jet;
+  jet.value = Sum4(sums[0][0]) + level;
+  jet.x = Sum4(sums[0][1]);
+  jet.y = Sum4(sums[1][0]);
+  jet.xx = Sum4(sums[0][2]);
+  jet.xy = Sum4(sums[1][1]);
+  jet.yy = Sum4(sums[2][0]);
+  jet.xxx = Sum4(sums[0][3]);
+  jet.xxy = Sum4(sums[1][2]);
+  jet.xyy = Sum4(sums[2][1]);
+  jet.yyy = Sum4(sums[3][0]);
   return jet;
 }
 

@@ -44,29 +44,37 @@ struct Jet {
   double xxx = 0, xxy = 0, xyy = 0, yyy = 0;
 };
 
-// Derivatives at arbitrary positions, by direct convolution with Gaussian kernels shifted by the
-// fraction of a pixel: no interpolation, hence no bias towards the grid or the axes. The image is a
-// sum of pixels sampled at integers, so an area-sampled step appears with variance sigma^2 + 1/12.
+// Derivatives between the pixels, by direct convolution with Gaussian kernels shifted by the
+// fraction of a pixel: no interpolation, hence no bias towards the grid or the axes. They are taken
+// at nodes, kNodesPerPx of them per pixel, whose kernels are made once. The image is a sum of
+// pixels sampled at integers, so an area-sampled step appears with variance sigma^2 + 1/12.
 class SubpixelDerivatives {
  public:
+  static constexpr int kNodesPerPx = 32;
+
   // `plane` must outlive this object and have GaussianPadding(sigma_px).
   SubpixelDerivatives(const PaddedPlane& plane, double sigma_px);
 
-  // (x, y) inside [-0.5, width - 0.5] x [-0.5, height - 0.5]. Cost: (2 ceil(4 sigma + 0.5) + 1)^2
-  // x 4.
+  // The node that is nearest to a coordinate, which is not below -1.
+  static double NearestNode(double coordinate) {
+    return static_cast<double>(static_cast<int>((coordinate + 1) * kNodesPerPx + 0.5)) /
+               kNodesPerPx -
+           1;
+  }
+
+  // (x, y): a node inside [-0.5, width - 0.5] x [-0.5, height - 0.5]. Cost: (2 ceil(4 sigma + 0.5)
+  // + 1)^2 x 4.
   Jet At(double x, double y) const;
 
  private:
-  // Values of a Gaussian and its first three derivatives.
-  struct Tap {
-    float order[4];
-  };
-  void ShiftedKernel(double fraction, Tap* taps) const;
+  // The Gaussian and its first three derivatives, shifted by a fraction of a pixel: 4 x row_size_
+  // taps, those beyond 2 half_size_ + 1 are 0.
+  const float* KernelAt(double fraction) const;
 
   const PaddedPlane& plane_;
-  double sigma_px_;
   int half_size_;
-  std::vector<double> centred_gaussian_;  // taps -half_size_..half_size_
+  int row_size_;
+  std::vector<float> kernels_;  // by node, from -0.5 to 0.5
 };
 
 }  // namespace limn

@@ -1,5 +1,6 @@
 #include "limn/io/image_curves_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -9,29 +10,40 @@
 namespace limn {
 namespace {
 
-constexpr size_t kEdgelBytes = 3 * sizeof(double) + 8 * sizeof(float);
+constexpr size_t kStoredEdgelBytes = 3 * sizeof(double) + 2 * sizeof(float);
 
-void PutEdgel(const Edgel& edgel, ByteWriter* out) {
+// Before ApplyLens the place in the stored image is the position, and nothing needs to be told of
+// it.
+bool IsAsStored(const Edgel& edgel) {
+  return edgel.stored_px == edgel.position_px.cast<float>() &&
+         edgel.stored_from_virtual == Eigen::Matrix2f::Identity();
+}
+
+void PutEdgel(const Edgel& edgel, bool as_stored, ByteWriter* out) {
   out->Put(edgel.position_px.x());
   out->Put(edgel.position_px.y());
   out->Put(edgel.tangent_rad);
   out->Put(edgel.strength);
   out->Put(edgel.position_sigma_px);
+  if (as_stored) return;
   out->Put(edgel.stored_px.x());
   out->Put(edgel.stored_px.y());
   for (int i = 0; i < 4; ++i) out->Put(edgel.stored_from_virtual(i / 2, i % 2));
 }
 
-Edgel GetEdgel(ByteReader* in) {
+Edgel GetEdgel(bool as_stored, ByteReader* in) {
   Edgel edgel;
   edgel.position_px.x() = in->Get<double>();
   edgel.position_px.y() = in->Get<double>();
   edgel.tangent_rad = in->Get<double>();
   edgel.strength = in->Get<float>();
   edgel.position_sigma_px = in->Get<float>();
-  edgel.stored_px.x() = in->Get<float>();
-  edgel.stored_px.y() = in->Get<float>();
-  for (int i = 0; i < 4; ++i) edgel.stored_from_virtual(i / 2, i % 2) = in->Get<float>();
+  edgel.stored_px = edgel.position_px.cast<float>();
+  if (!as_stored) {
+    edgel.stored_px.x() = in->Get<float>();
+    edgel.stored_px.y() = in->Get<float>();
+    for (int i = 0; i < 4; ++i) edgel.stored_from_virtual(i / 2, i % 2) = in->Get<float>();
+  }
   in->Check(edgel.position_px.allFinite() && std::isfinite(edgel.tangent_rad) &&
                 std::isfinite(edgel.strength) && !std::isnan(edgel.position_sigma_px) &&
                 edgel.stored_px.allFinite() && edgel.stored_from_virtual.allFinite(),
@@ -39,13 +51,21 @@ Edgel GetEdgel(ByteReader* in) {
   return edgel;
 }
 
+bool GetFlag(ByteReader* in) {
+  const uint8_t flag = in->Get<uint8_t>();
+  in->Check(flag <= 1, "a flag is neither 0 nor 1");
+  return flag == 1;
+}
+
 void PutEdgeMap(const EdgeMap& map, ByteWriter* out) {
   out->Put<int32_t>(map.width);
   out->Put<int32_t>(map.height);
   out->Put(map.gradient_noise);
   out->Put<int32_t>(map.num_outside_lens);
+  const bool as_stored = std::all_of(map.edgels.begin(), map.edgels.end(), IsAsStored);
+  out->Put<uint8_t>(as_stored);
   out->PutCount(map.edgels.size());
-  for (const Edgel& edgel : map.edgels) PutEdgel(edgel, out);
+  for (const Edgel& edgel : map.edgels) PutEdgel(edgel, as_stored, out);
 }
 
 EdgeMap GetEdgeMap(ByteReader* in) {
@@ -56,9 +76,10 @@ EdgeMap GetEdgeMap(ByteReader* in) {
   map.gradient_noise = in->Get<double>();
   in->Check(std::isfinite(map.gradient_noise), "noise not finite");
   map.num_outside_lens = in->Get<int32_t>();
-  const size_t count = in->GetCount(kEdgelBytes);
+  const bool as_stored = GetFlag(in);
+  const size_t count = in->GetCount(kStoredEdgelBytes);
   map.edgels.reserve(count);
-  for (size_t i = 0; i < count; ++i) map.edgels.push_back(GetEdgel(in));
+  for (size_t i = 0; i < count; ++i) map.edgels.push_back(GetEdgel(as_stored, in));
   return map;
 }
 
@@ -70,9 +91,7 @@ EdgelId GetEdgelId(ByteReader* in, size_t num_edgels) {
 
 CurveFragment GetFragment(ByteReader* in, size_t num_edgels) {
   CurveFragment fragment;
-  const uint8_t closed = in->Get<uint8_t>();
-  in->Check(closed <= 1, "a flag is neither 0 nor 1");
-  fragment.closed = closed == 1;
+  fragment.closed = GetFlag(in);
   const size_t count = in->GetCount(sizeof(int32_t));
   fragment.edgel_ids.reserve(count);
   for (size_t i = 0; i < count; ++i) fragment.edgel_ids.push_back(GetEdgelId(in, num_edgels));

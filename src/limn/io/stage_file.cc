@@ -10,7 +10,7 @@ namespace limn {
 namespace {
 
 constexpr std::string_view kMagic = "limnfile";
-constexpr uint32_t kFormatVersion = 1;
+constexpr uint32_t kFormatVersion = 2;
 // zlib cannot pack better than this; a header that claims more is wrong.
 constexpr uint64_t kMaxRatio = 1100;
 constexpr uint64_t kMinUnpacked = 1 << 16;
@@ -21,12 +21,16 @@ uint32_t Checksum(std::string_view bytes) {
   return static_cast<uint32_t>(sum);
 }
 
-std::string Pack(std::string_view payload) {
+// The doubles of edgels hardly pack, and packing them would take longer than to find them.
+int PackingLevel(StageKind kind) {
+  return kind == StageKind::kImageCurves ? Z_NO_COMPRESSION : Z_BEST_SPEED;
+}
+
+std::string Pack(std::string_view payload, int level) {
   uLongf size = compressBound(payload.size());
   std::string packed(size, '\0');
-  const int code =
-      compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                reinterpret_cast<const Bytef*>(payload.data()), payload.size(), Z_BEST_SPEED);
+  const int code = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                             reinterpret_cast<const Bytef*>(payload.data()), payload.size(), level);
   if (code != Z_OK) throw std::bad_alloc();  // the buffer is large enough by construction
   packed.resize(size);
   return packed;
@@ -52,7 +56,7 @@ void WriteStageFile(const std::string& path, StageKind kind, std::string_view id
   writer.Put(static_cast<uint32_t>(kind));
   writer.PutString(identity);
   writer.PutCount(payload.size());
-  writer.PutString(Pack(payload));
+  writer.PutString(Pack(payload, PackingLevel(kind)));
   writer.Put(Checksum(writer.bytes()));
   WriteFileAtomically(path, writer.bytes());
 }

@@ -11,7 +11,8 @@ enum class StageKind : uint32_t { kImageCurves = 1, kCurveSketch = 2 };
 
 // The result of a stage on disk, all numbers little endian:
 //   char[8] "limnfile" | u32 format version | u32 kind | u64 n, char[n] identity |
-//   u64 size of the payload | u64 m, byte[m] payload (zlib) | u32 crc32 of all bytes before
+//   u64 size of the payload | u64 m, byte[m] payload (zlib; image curves
+//   stored without compression) | u32 crc32 of all bytes before
 // `identity` stands for everything the payload depends on (options, input); the caller chooses it.
 // The same input gives the same bytes. Throws IoError.
 void WriteStageFile(const std::string& path, StageKind kind, std::string_view identity,

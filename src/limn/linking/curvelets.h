@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "limn/linking/arc_bundle.h"
 #include "limn/linking/edgel_grid.h"
 #include "limn/linking/linking.h"
 
@@ -18,15 +20,36 @@ using Curvelet = std::vector<EdgelId>;
 // as some cell's interval is not empty. Time: neighbours times curvelets.
 class CurveletBuilder {
  public:
-  // Both arguments must outlive the builder.
+  // `options` must outlive the builder.
   CurveletBuilder(const std::vector<Edgel>& edgels, const LinkingOptions& options);
 
-  std::vector<Curvelet> Around(EdgelId anchor) const;
+  // Not from several threads at once: what is collected on the way is kept to be filled again.
+  std::vector<Curvelet> Around(EdgelId anchor);
 
  private:
-  const std::vector<Edgel>& edgels_;
+  // An edgel in the anchor's frame.
+  struct Neighbour {
+    EdgelId id;
+    double squared_distance;
+    Eigen::Vector2f offset;
+  };
+  static bool Follow(const Neighbour& a, const Neighbour& b);
+  // Fill neighbours_ with those that can be in a curvelet with the anchor, nearest first.
+  void FindNeighbours(const Neighbour& anchor);
+  // Fill members_ with the anchor, this neighbour and others that fit, and mark these as grouped.
+  // Returns whether there is an arc.
+  bool GroupFrom(size_t seed, const Neighbour& anchor, const ArcBundle& all_arcs);
+  // Of members_.
+  Curvelet InOrder();
+
   const LinkingOptions& options_;
   EdgelGrid grid_;
+  std::vector<ArcSample> samples_;  // by edgel
+  std::vector<EdgelId> near_;
+  std::vector<Neighbour> neighbours_;
+  std::vector<ArcBundle> bundles_;  // of neighbours_
+  std::vector<uint8_t> grouped_;    // of neighbours_
+  std::vector<Neighbour> members_;
 };
 
 }  // namespace limn

@@ -5,8 +5,7 @@
 
 namespace limn {
 
-EdgelGrid::EdgelGrid(const std::vector<Edgel>& edgels, double cell_px)
-    : edgels_(edgels), cell_px_(cell_px) {
+EdgelGrid::EdgelGrid(const std::vector<Edgel>& edgels, double cell_px) : cell_px_(cell_px) {
   if (!edgels.empty()) {
     Eigen::Vector2d max = edgels[0].position_px;
     min_ = max;
@@ -27,15 +26,21 @@ EdgelGrid::EdgelGrid(const std::vector<Edgel>& edgels, double cell_px)
   for (size_t c = 1; c < begin_of_cell_.size(); ++c) begin_of_cell_[c] += begin_of_cell_[c - 1];
   std::vector<int> next(begin_of_cell_.begin(), begin_of_cell_.end() - 1);
   ids_.resize(edgels.size());
-  for (size_t i = 0; i < edgels.size(); ++i) ids_[next[cell_of[i]]++] = static_cast<EdgelId>(i);
+  positions_.resize(edgels.size());
+  for (size_t i = 0; i < edgels.size(); ++i) {
+    const int place = next[cell_of[i]]++;
+    ids_[place] = static_cast<EdgelId>(i);
+    positions_[place] = edgels[i].position_px;
+  }
 }
 
+// Places before the first cell are clamped to it, so that rounding towards zero does no harm.
 int EdgelGrid::CellColumn(double x) const {
-  return std::clamp(static_cast<int>(std::floor((x - min_.x()) / cell_px_)), 0, cols_ - 1);
+  return std::clamp(static_cast<int>((x - min_.x()) / cell_px_), 0, cols_ - 1);
 }
 
 int EdgelGrid::CellRow(double y) const {
-  return std::clamp(static_cast<int>(std::floor((y - min_.y()) / cell_px_)), 0, rows_ - 1);
+  return std::clamp(static_cast<int>((y - min_.y()) / cell_px_), 0, rows_ - 1);
 }
 
 void EdgelGrid::Near(const Eigen::Vector2d& point, double radius_px,
@@ -48,8 +53,7 @@ void EdgelGrid::Near(const Eigen::Vector2d& point, double radius_px,
     const int begin = begin_of_cell_[y * cols_ + x0];
     const int end = begin_of_cell_[y * cols_ + x1 + 1];
     for (int i = begin; i < end; ++i) {
-      if ((edgels_[ids_[i]].position_px - point).squaredNorm() <= squared)
-        found->push_back(ids_[i]);
+      if ((positions_[i] - point).squaredNorm() <= squared) found->push_back(ids_[i]);
     }
   }
 }

@@ -19,13 +19,13 @@ class EdgelGrid {
   int CellColumn(double x) const;
   int CellRow(double y) const;
 
-  const std::vector<Edgel>& edgels_;
   double cell_px_;
   Eigen::Vector2d min_ = Eigen::Vector2d::Zero();
   int cols_ = 1;
   int rows_ = 1;
   std::vector<int> begin_of_cell_;  // one more than cells
   std::vector<EdgelId> ids_;
+  std::vector<Eigen::Vector2d> positions_;  // of ids_
 };
 
 }  // namespace limn

@@ -3,16 +3,37 @@
 #include <cmath>
 
 namespace limn {
+namespace {
+
+// Direction of the largest scatter, by the half of the angle of (xx - yy, 2 xy).
+Eigen::Vector2d PrincipalAxis(const Eigen::Matrix2d& scatter) {
+  const double difference = scatter(0, 0) - scatter(1, 1);
+  const double twice = 2 * scatter(0, 1);
+  const double length = std::sqrt(difference * difference + twice * twice);
+  if (length == 0) return {1, 0};
+  return difference > 0 ? Eigen::Vector2d(difference + length, twice).normalized()
+                        : Eigen::Vector2d(twice, length - difference).normalized();
+}
+
+}  // namespace
 
 FragmentPath::FragmentPath(const std::vector<Edgel>& edgels, const CurveFragment& fragment)
     : closed_(fragment.closed) {
+  const size_t size = fragment.edgel_ids.size();
+  points_.reserve(size);
+  arc_length_px_.reserve(size);
+  step_px_.reserve(size);
   for (const EdgelId id : fragment.edgel_ids) {
     const Eigen::Vector2d& point = edgels[id].position_px;
-    if (!points_.empty()) length_px_ += (point - points_.back()).norm();
+    if (!points_.empty()) {
+      step_px_.push_back((point - points_.back()).norm());
+      length_px_ += step_px_.back();
+    }
     points_.push_back(point);
     arc_length_px_.push_back(length_px_);
   }
-  if (closed_) length_px_ += (points_.front() - points_.back()).norm();
+  step_px_.push_back((points_.front() - points_.back()).norm());
+  if (closed_) length_px_ += step_px_.back();
 }
 
 FragmentPath::Arm FragmentPath::ArmAt(int i, int direction, double from_px, double to_px) const {
@@ -37,8 +58,7 @@ FragmentPath::Arm FragmentPath::ArmAt(int i, int direction, double from_px, doub
   if (count < 2) return arm;
   // Principal axis of the scatter, pointing from the first vertex to the last.
   const Eigen::Matrix2d scatter = squares - sum * sum.transpose() / count;
-  const double angle = 0.5 * std::atan2(2 * scatter(0, 1), scatter(0, 0) - scatter(1, 1));
-  arm.direction = Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  arm.direction = PrincipalAxis(scatter);
   if (arm.direction.dot(last - first) < 0) arm.direction = -arm.direction;
   return arm;
 }

@@ -34,7 +34,7 @@ class FragmentPath {
         if (!closed_) return;
         to = direction > 0 ? 0 : size() - 1;
       }
-      walked += (points_[to] - points_[at]).norm();
+      walked += step_px_[direction > 0 ? at : to];
       if (walked > reach_px) return;
       at = to;
       visit(at, walked);
@@ -53,6 +53,7 @@ class FragmentPath {
  private:
   std::vector<Eigen::Vector2d> points_;
   std::vector<double> arc_length_px_;
+  std::vector<double> step_px_;  // from every vertex to the next; of the last one to the first
   double length_px_ = 0;
   bool closed_ = false;
 };

@@ -24,10 +24,40 @@ void Offer(const BestLink& candidate, BestLink* best) {
   if (best->to == kInvalidEdgel || best->IsWorseThan(candidate)) *best = candidate;
 }
 
+// For a link from the smaller to the larger id.
+using Vote = std::pair<EdgelId, EdgelId>;
+
+// The links that were voted for, sorted. Linear time, as few votes share their first edgel.
+std::vector<EdgelLink> CountVotes(const std::vector<Vote>& votes, size_t num_edgels) {
+  std::vector<size_t> end_of(num_edgels + 1, 0);
+  for (const auto& [a, b] : votes) ++end_of[a + 1];
+  for (size_t a = 1; a <= num_edgels; ++a) end_of[a] += end_of[a - 1];
+  // Now end_of[a] is where those of a begin; filling in moves it to their end.
+  std::vector<EdgelId> targets(votes.size());
+  for (const auto& [a, b] : votes) targets[end_of[a]++] = b;
+  std::vector<EdgelLink> links;
+  auto begin = targets.begin();
+  for (size_t a = 0; a < num_edgels; ++a) {
+    const auto end = targets.begin() + static_cast<std::ptrdiff_t>(end_of[a]);
+    std::sort(begin, end);
+    while (begin != end) {
+      const auto next = std::find_if(begin, end, [&](EdgelId b) { return b != *begin; });
+      links.push_back({static_cast<EdgelId>(a), *begin, static_cast<int>(next - begin)});
+      begin = next;
+    }
+  }
+  return links;
+}
+
 CurveFragment Trace(const Chaining& chaining, EdgelId start, std::vector<uint8_t>* seen) {
   CurveFragment chain;
+  size_t size = 0;
   for (EdgelId e = start; e != kInvalidEdgel && !(*seen)[e]; e = chaining.next[e]) {
     (*seen)[e] = 1;
+    ++size;
+  }
+  chain.edgel_ids.reserve(size);
+  for (EdgelId e = start; chain.edgel_ids.size() < size; e = chaining.next[e]) {
     chain.edgel_ids.push_back(e);
   }
   chain.closed = chaining.prev[start] != kInvalidEdgel;
@@ -49,34 +79,31 @@ void Chaining::BreakAfter(EdgelId from) {
 
 std::vector<EdgelLink> BuildLinkGraph(const std::vector<Edgel>& edgels,
                                       const LinkingOptions& options, int64_t* num_curvelets) {
-  const CurveletBuilder builder(edgels, options);
-  std::vector<std::pair<EdgelId, EdgelId>> votes;
+  CurveletBuilder builder(edgels, options);
+  std::vector<Vote> votes;
   int64_t count = 0;
   for (size_t i = 0; i < edgels.size(); ++i) {
     for (const Curvelet& curvelet : builder.Around(static_cast<EdgelId>(i))) {
       ++count;
       for (size_t k = 1; k < curvelet.size(); ++k) {
-        votes.emplace_back(std::minmax(curvelet[k - 1], curvelet[k]));
+        votes.push_back(std::minmax(curvelet[k - 1], curvelet[k]));
       }
     }
   }
   if (num_curvelets) *num_curvelets = count;
-  std::sort(votes.begin(), votes.end());
-  std::vector<EdgelLink> links;
-  for (const auto& [a, b] : votes) {
-    if (links.empty() || links.back().a != a || links.back().b != b) links.push_back({a, b, 0});
-    ++links.back().votes;
-  }
-  return links;
+  return CountVotes(votes, edgels.size());
 }
 
 Chaining ChainMutualBest(const std::vector<Edgel>& edgels, const std::vector<EdgelLink>& links) {
   std::vector<BestLink> ahead(edgels.size());
   std::vector<BestLink> behind(edgels.size());
+  std::vector<Eigen::Vector2d> tangents;
+  tangents.reserve(edgels.size());
+  for (const Edgel& edgel : edgels) tangents.push_back(edgel.Tangent());
   for (const EdgelLink& link : links) {
     const Eigen::Vector2d d = edgels[link.b].position_px - edgels[link.a].position_px;
-    const double along_a = d.dot(edgels[link.a].Tangent());
-    const double along_b = d.dot(edgels[link.b].Tangent());
+    const double along_a = d.dot(tangents[link.a]);
+    const double along_b = d.dot(tangents[link.b]);
     // Sideways for one of them: a link that is evidence of a junction, but no way to go on.
     if (along_a * along_b <= 0) continue;
     const EdgelId from = along_a > 0 ? link.a : link.b;

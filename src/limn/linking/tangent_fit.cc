@@ -1,5 +1,6 @@
 #include "limn/linking/tangent_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -9,9 +10,7 @@
 namespace limn {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 // In white noise the direction error is about half the position error (radians, pixels; sigma 1.5),
 // with a floor where there is no noise.
@@ -19,55 +18,68 @@ constexpr double kAngleSigmaPerPx = 0.5;
 constexpr double kMinPositionSigmaPx = 0.05;
 // Directions further off than this are of another curve (corner, crossing).
 constexpr double kMaxAngleRad = 0.6;
+const double kMaxSlope = std::tan(kMaxAngleRad);
+
+// An edgel of a fragment.
+struct Vertex {
+  Vector2d position;
+  Vector2d tangent;
+  double weight;  // of its position: one over its variance
+};
 
 // Normal equations of y = c0 + c1 x + c2 x^2 with positions and slopes observed.
 class ParabolaFit {
  public:
-  void Add(const Edgel& edgel, const Vector2d& origin, const Vector2d& along) {
-    const Vector2d d = edgel.position_px - origin;
+  // The frame of the parabola is that of `center`.
+  void Add(const Vertex& vertex, const Vertex& center) {
+    const Vector2d& along = center.tangent;
+    const Vector2d d = vertex.position - center.position;
     const double x = d.dot(along);
     const double y = along.x() * d.y() - along.y() * d.x();
-    const double sigma = std::max<double>(kMinPositionSigmaPx, edgel.position_sigma_px);
-    AddRow(Vector3d(1, x, x * x), y, 1 / (sigma * sigma));
-    const Vector2d tangent = edgel.Tangent();
-    const double angle =
-        std::atan2(along.x() * tangent.y() - along.y() * tangent.x(), along.dot(tangent));
-    if (std::abs(angle) > kMaxAngleRad) return;
-    const double sigma_slope = kAngleSigmaPerPx * sigma;
-    AddRow(Vector3d(0, 1, 2 * x), std::tan(angle), 1 / (sigma_slope * sigma_slope));
+    AddRow({1, x, x * x}, y, vertex.weight);
+    const double rise = along.x() * vertex.tangent.y() - along.y() * vertex.tangent.x();
+    const double run = along.dot(vertex.tangent);
+    if (std::abs(rise) > kMaxSlope * run) return;
+    AddRow({0, 1, 2 * x}, rise / run, vertex.weight / (kAngleSigmaPerPx * kAngleSigmaPerPx));
   }
 
-  Vector3d Solve() const { return matrix_.ldlt().solve(vector_); }
+  // c1.
+  double Slope() const { return matrix_.inverse().row(1).dot(vector_); }
 
  private:
-  void AddRow(const Vector3d& row, double value, double weight) {
+  void AddRow(const Eigen::Vector3d& row, double value, double weight) {
     matrix_ += weight * row * row.transpose();
     vector_ += weight * value * row;
   }
   // A weak prior keeps the curvature of two or three edgels in bounds.
-  Matrix3d matrix_ = Vector3d(0, 0, 1).asDiagonal();
-  Vector3d vector_ = Vector3d::Zero();
+  Eigen::Matrix3d matrix_ = Eigen::Vector3d(0, 0, 1).asDiagonal();
+  Eigen::Vector3d vector_ = Eigen::Vector3d::Zero();
 };
+
+std::vector<Vertex> Vertices(const CurveFragment& fragment, const std::vector<Edgel>& edgels) {
+  std::vector<Vertex> vertices;
+  vertices.reserve(fragment.edgel_ids.size());
+  for (const EdgelId id : fragment.edgel_ids) {
+    const Edgel& edgel = edgels[id];
+    const double sigma = std::max<double>(kMinPositionSigmaPx, edgel.position_sigma_px);
+    vertices.push_back({edgel.position_px, edgel.Tangent(), 1 / (sigma * sigma)});
+  }
+  return vertices;
+}
 
 }  // namespace
 
 void RefitTangents(const CurveFragment& fragment, double arm_px, std::vector<Edgel>* edgels) {
   const FragmentPath path(*edgels, fragment);
-  std::vector<double> refitted(path.size());
+  const std::vector<Vertex> vertices = Vertices(fragment, *edgels);
   for (int i = 0; i < path.size(); ++i) {
-    const Edgel& center = (*edgels)[fragment.edgel_ids[i]];
     ParabolaFit fit;
-    const auto add = [&](int j, double) {
-      fit.Add((*edgels)[fragment.edgel_ids[j]], center.position_px, center.Tangent());
-    };
+    const auto add = [&](int j, double) { fit.Add(vertices[j], vertices[i]); };
     add(i, 0);
     path.Walk(i, 1, arm_px, add);
     path.Walk(i, -1, arm_px, add);
-    const double turn = std::atan(fit.Solve()(1));
-    refitted[i] = std::remainder(center.tangent_rad + turn, 2 * M_PI);
-  }
-  for (int i = 0; i < path.size(); ++i) {
-    (*edgels)[fragment.edgel_ids[i]].tangent_rad = refitted[i];
+    double& tangent_rad = (*edgels)[fragment.edgel_ids[i]].tangent_rad;
+    tangent_rad = std::remainder(tangent_rad + std::atan(fit.Slope()), 2 * M_PI);
   }
 }
 

@@ -30,8 +30,8 @@ TEST(SubpixelDerivatives, CubicAtSubpixelPositions) {
   const double center = 16;
   const PaddedPlane plane = CubicPlane(33, center);
   const SubpixelDerivatives derivatives(plane, kSigma);
-  for (const double x : {-0.5, -0.2, 0.0, 0.37}) {
-    for (const double y : {-0.49, 0.0, 0.25}) {
+  for (const double x : {-0.5, -0.1875, 0.0, 0.375}) {
+    for (const double y : {-0.46875, 0.0, 0.25}) {
       const Jet jet = derivatives.At(center + x, center + y);
       const double s2 = kSigma * kSigma;
       EXPECT_NEAR(jet.x,
@@ -54,11 +54,20 @@ TEST(SubpixelDerivatives, CubicAtSubpixelPositions) {
 TEST(SubpixelDerivatives, BrightConstantHasNoDerivatives) {
   const PaddedPlane plane =
       MakePaddedPlane(std::vector<float>(400, 255.f), 20, 20, GaussianPadding(kSigma));
-  const Jet jet = SubpixelDerivatives(plane, kSigma).At(10.4, 9.7);
+  const Jet jet = SubpixelDerivatives(plane, kSigma).At(10.375, 9.6875);
   EXPECT_EQ(jet.value, 255);
   EXPECT_EQ(jet.x, 0);
   EXPECT_EQ(jet.yy, 0);
   EXPECT_EQ(jet.xxx, 0);
+}
+
+TEST(SubpixelDerivatives, NearestNode) {
+  for (const double coordinate : {-0.7, -0.5, 0.0, 0.01, 7.26, 4000.995}) {
+    const double node = SubpixelDerivatives::NearestNode(coordinate);
+    EXPECT_LE(std::abs(node - coordinate), 0.5 / SubpixelDerivatives::kNodesPerPx);
+    EXPECT_EQ(std::floor(node * SubpixelDerivatives::kNodesPerPx),
+              node * SubpixelDerivatives::kNodesPerPx);
+  }
 }
 
 TEST(SmoothedGradient, AgreesWithSubpixelDerivatives) {

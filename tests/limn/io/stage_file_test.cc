@@ -1,6 +1,7 @@
 #include "limn/io/stage_file.h"
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -89,6 +90,30 @@ TEST(ImageCurvesFile, RoundTrip) {
   WriteImageCurves(folder.Path("b.bin"), *read, "options 1");
   EXPECT_EQ(TemporaryFolder::Read(folder.Path("a.bin")),
             TemporaryFolder::Read(folder.Path("b.bin")));
+}
+
+TEST(ImageCurvesFile, WithoutLens) {
+  const TemporaryFolder folder;
+  ImageCurves written = SmallImageCurves();
+  WriteImageCurves(folder.Path("lens.bin"), written, "");
+  ApplyLens(nullptr, &written.edge_map);
+  for (Edgel& edgel : written.edge_map.edgels) edgel.stored_from_virtual.setIdentity();
+  WriteImageCurves(folder.Path("a.bin"), written, "");
+  // What follows from the positions is not told again.
+  const size_t saved = 10 * 6 * sizeof(float);
+  EXPECT_EQ(std::filesystem::file_size(folder.Path("a.bin")) + saved,
+            std::filesystem::file_size(folder.Path("lens.bin")));
+  const std::optional<ImageCurves> read = ReadImageCurves(folder.Path("a.bin"), "");
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->edge_map.edgels.size(), 10u);
+  for (int i = 0; i < 10; ++i) {
+    const Edgel& a = written.edge_map.edgels[i];
+    const Edgel& b = read->edge_map.edgels[i];
+    EXPECT_EQ(a.position_px, b.position_px);
+    EXPECT_EQ(a.strength, b.strength);
+    EXPECT_EQ(a.stored_px, b.stored_px);
+    EXPECT_EQ(a.stored_from_virtual, b.stored_from_virtual);
+  }
 }
 
 TEST(CurveSketchFile, RoundTrip) {

@@ -26,7 +26,7 @@ TEST(CurveletBuilder, ArcInOrderOfTangents) {
     edgels.push_back(MakeEdgel(10 * std::cos(a), 10 * std::sin(a), a + 0.5 * std::numbers::pi));
   }
   const LinkingOptions options;
-  const CurveletBuilder builder(edgels, options);
+  CurveletBuilder builder(edgels, options);
   const auto curvelets = builder.Around(6);
   ASSERT_EQ(curvelets.size(), 1u);
   EXPECT_EQ(curvelets[0], (Curvelet{3, 4, 5, 6, 7, 8, 9}));
@@ -70,7 +70,7 @@ TEST(CurveletBuilder, OpposedTangentsDoNotGroup) {
   std::vector<Edgel> edgels;
   for (int x = 0; x < 7; ++x) edgels.push_back(MakeEdgel(x, 0, x == 3 ? std::numbers::pi : 0));
   const LinkingOptions options;
-  const CurveletBuilder builder(edgels, options);
+  CurveletBuilder builder(edgels, options);
   EXPECT_TRUE(builder.Around(3).empty());
   for (const Curvelet& curvelet : builder.Around(2)) {
     EXPECT_TRUE(std::find(curvelet.begin(), curvelet.end(), 3) == curvelet.end());

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstring>
+
+namespace limn {
+
+// Four floats that are calculated with at once, by the vector types of GCC and Clang: SSE2 on every
+// x86-64, so that results do not depend on the machine. Operators work element by element, also
+// with a float on one side; `a < b ? x : y` chooses element by element.
+using Float4 = float __attribute__((vector_size(16)));
+
+// From and to any address: it need not be aligned.
+inline Float4 Load4(const float* from) {
+  Float4 values;
+  std::memcpy(&values, from, sizeof(values));
+  return values;
+}
+inline void Store4(Float4 values, float* to) { std::memcpy(to, &values, sizeof(values)); }
+
+inline Float4 Splat4(float value) { return Float4{value, value, value, value}; }
+inline Float4 Min4(Float4 a, Float4 b) { return a < b ? a : b; }
+inline Float4 Max4(Float4 a, Float4 b) { return a > b ? a : b; }
+inline Float4 Abs4(Float4 a) { return Max4(a, -a); }
+inline float Sum4(Float4 a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+
+}  // namespace limn
