@@ -79,9 +79,9 @@ class PairedDepths {
 }  // namespace
 
 SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
-                                 const RunContext& context) {
+                                 const RunContext& context, const ViewSketchStore* store) {
   return SketchFragments(
-      "enhanced sketch", input, options, context, [&](const PrimaryView& primary) {
+      "enhanced sketch", input, options, context, store, [&](const PrimaryView& primary) {
         const PairedDepths depths(primary);
         return DepthFinder{options.sample_spacing_px, [depths](const FragmentRays& fragment) {
                              return depths.Find(fragment);
