@@ -91,6 +91,7 @@ Console::~Console() { ClearProgressLine(); }
 void Console::SetCache(std::shared_ptr<const ResultCache> cache) {
   const std::lock_guard lock(cache_mutex_);
   cache_ = std::move(cache);
+  reported_kinds_.clear();
 }
 
 std::string Console::WhatIsKept() const {
@@ -100,7 +101,8 @@ std::string Console::WhatIsKept() const {
     const CacheUse use = cache_->Use(static_cast<CachedKind>(kind));
     if (use.NumKept() > 0 && use.total > 0) kept += (kept.empty() ? "" : " and ") + KeptOf(use);
   }
-  if (kept.empty()) return "Interrupted: nothing is kept of this run";
+  if (kept.empty())
+    return "Interrupted: nothing new is kept; run the same command again to start over";
   return "Interrupted: " + kept + " are kept in " + cache_->dir() +
          "; run the same command again to go on";
 }

@@ -12,8 +12,8 @@ void WriteViewSketch(const std::string& path, const ViewSketch& sketch,
                      const std::string& identity);
 
 // Nothing if the file was made from another input or by another version of limn: make it anew.
-// Everything read is checked (ids of views below `num_views`, numbers finite but for unknown
-// sigmas); throws IoError.
+// An empty `identity` accepts any. Everything read is checked (ids of views below `num_views`,
+// numbers finite but for unknown sigmas); throws IoError.
 std::optional<ViewSketch> ReadViewSketch(const std::string& path, int num_views,
                                          const std::string& identity);
 

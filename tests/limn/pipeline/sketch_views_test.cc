@@ -82,7 +82,7 @@ TEST_F(SketchViewsTest, ModeOptionsAndBoxMakeAllAnew) {
   };
   expect_all_outdated("mode", SketchMode::kEnhanced);
   expect_all_outdated("mode back");
-  options_.min_supporting_views = 3;
+  options_.min_supporting_views = 4;
   expect_all_outdated("options");
   options_.view_selection.max_second_views = 5;
   expect_all_outdated("view selection");
