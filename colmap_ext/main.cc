@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/commands/interrupt.h"
+#include "limn/util/errors.h"
 
 namespace {
 
@@ -61,6 +63,8 @@ int main(int argc, char** argv) {
     if (command.name != name) continue;
     try {
       return command.run(argc - 1, argv + 1);
+    } catch (const limn::Cancelled&) {
+      return kInterruptedExitCode;  // what is kept has been said
     } catch (const std::exception& error) {
       std::fprintf(stderr, "ERROR: %s\n", OneLine(error.what()).c_str());
       return 1;

@@ -39,16 +39,14 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   CheckRefinedFolder(project, options);
   CheckReplaceable(project, options, "drawing.json", Provenance(options));
   CheckViews(project.views());
-  const PipelineResult result = DrawScene(
-      {project.views(), project.view_set().hints, project.images(), ProjectBox(project, options),
-       project.CacheDir()},
-      options.pipeline, console.context(), [&](const StageSummary& summary, const CacheUse& cache) {
-        console.Report(cache);
-        console.Report(summary);
-      });
+  const PipelineResult result =
+      DrawScene({project.views(), project.view_set().hints, project.images(),
+                 ProjectBox(project, options), project.cache()},
+                options.pipeline, console.context(),
+                [&](const StageSummary& summary) { console.Report(summary); });
   CheckGraph(result.graph);
   WriteSketchResults(project, SketchFileName(options.pipeline.mode), result.curves, result.sketch,
-                     Provenance(options));
+                     Provenance(options), console.context());
   WriteRefinedModel(project, result.cameras, &console);
   const std::vector<View>& views = ViewsOfDrawing(project, result.cameras);
   WriteDrawingResults(project, views, result.graph, Provenance(options), &console);

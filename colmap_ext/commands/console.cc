@@ -1,8 +1,6 @@
 #include "colmap_ext/commands/console.h"
 
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -17,11 +15,6 @@ constexpr double kSecondsBetweenLines = 2;
 constexpr double kSecondsBetweenRewrites = 0.1;
 // Before that the estimate of the time left is worth nothing.
 constexpr double kSecondsBeforeEstimate = 1;
-
-std::atomic<bool> g_cancelled = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
-
-void HandleInterrupt(int) { g_cancelled = true; }
 
 double SecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -46,6 +39,26 @@ void PrintTable(const char* heading, const StageSummary::Counts& counts) {
   }
 }
 
+// "sketches of 3 of 30 views"
+std::string KeptOf(const CacheUse& use) {
+  return std::string(use.what) + " of " + WithCommas(use.NumKept()) + " of " +
+         WithCommas(use.total) + " " + use.items;
+}
+
+// "3 made of other input, 1 damaged (file: reason)"
+std::string WhyMadeAgain(const CacheUse& use) {
+  std::string why;
+  if (use.outdated > 0) {
+    why = WithCommas(use.outdated) +
+          " made with other options, images or cameras, or by another version of limn";
+  }
+  if (use.damaged > 0) {
+    if (!why.empty()) why += ", ";
+    why += WithCommas(use.damaged) + " damaged (" + use.damage + ")";
+  }
+  return why;
+}
+
 // Peak resident memory of this process, MB; 0 where the system does not tell.
 int64_t PeakMemoryMb() {
   std::ifstream status("/proc/self/status");
@@ -61,19 +74,37 @@ int64_t PeakMemoryMb() {
 }  // namespace
 
 Console::Console(int num_threads)
-    : is_terminal_(isatty(STDOUT_FILENO) == 1), stage_start_(Clock::now()) {
+    : is_terminal_(isatty(STDOUT_FILENO) == 1), stage_start_(Clock::now()), interrupts_([this] {
+        if (is_terminal_) std::printf("\r\033[K");
+        std::fflush(stdout);
+        return WhatIsKept();
+      }) {
   context_.num_threads = num_threads;
   context_.progress = [this](const char* stage, size_t done, size_t total) {
     ShowProgress(stage, done, total);
   };
-  context_.cancelled = &g_cancelled;
-  g_cancelled = false;
-  std::signal(SIGINT, HandleInterrupt);
+  context_.cancelled = &interrupts_.interrupted();
 }
 
-Console::~Console() {
-  ClearProgressLine();
-  std::signal(SIGINT, SIG_DFL);
+Console::~Console() { ClearProgressLine(); }
+
+void Console::SetCache(std::shared_ptr<const ResultCache> cache) {
+  const std::lock_guard lock(cache_mutex_);
+  cache_ = std::move(cache);
+  reported_kinds_.clear();
+}
+
+std::string Console::WhatIsKept() const {
+  const std::lock_guard lock(cache_mutex_);
+  std::string kept;
+  for (int kind = 0; cache_ && kind < kNumCachedKinds; ++kind) {
+    const CacheUse use = cache_->Use(static_cast<CachedKind>(kind));
+    if (use.NumKept() > 0 && use.total > 0) kept += (kept.empty() ? "" : " and ") + KeptOf(use);
+  }
+  if (kept.empty())
+    return "Interrupted: nothing new is kept; run the same command again to start over";
+  return "Interrupted: " + kept + " are kept in " + cache_->dir() +
+         "; run the same command again to go on";
 }
 
 void Console::ShowProgress(const char* stage, size_t done, size_t total) {
@@ -126,6 +157,7 @@ void Console::Say(const std::string& line) {
 
 void Console::Report(const StageSummary& summary) {
   ClearProgressLine();
+  ReportCache();
   const RunLog::Stage stage = {summary, SecondsSince(stage_start_), PeakMemoryMb()};
   std::printf("%s: %.1f s, peak memory %s MB\n", summary.stage.c_str(), stage.seconds,
               WithCommas(stage.peak_memory_mb).c_str());
@@ -141,11 +173,23 @@ void Console::Report(const StageSummary& summary) {
   stage_start_ = Clock::now();
 }
 
-void Console::Report(const CacheUse& cache) {
-  if (cache.reused > 0) Say(WithCommas(cache.reused) + " images were taken from the cache");
-  if (cache.outdated > 0) {
-    Say(WithCommas(cache.outdated) +
-        " images were in the cache with other options or pixels and were computed again");
+void Console::ReportCache() {
+  for (int k = 0; cache_ && k < kNumCachedKinds; ++k) {
+    const CacheUse use = cache_->Use(static_cast<CachedKind>(k));
+    if (use.reused + use.outdated + use.damaged + use.not_stored == 0) continue;
+    if (!reported_kinds_.insert(static_cast<CachedKind>(k)).second) continue;
+    const std::string of = std::string(use.what) + " of ";
+    if (use.reused > 0) {
+      Say(of + WithCommas(use.reused) + " " + use.items + " were taken from the cache");
+    }
+    if (use.outdated + use.damaged > 0) {
+      Say(of + WithCommas(use.outdated + use.damaged) + " " + use.items +
+          " in the cache could not be used and were made again: " + WhyMadeAgain(use));
+    }
+    if (use.not_stored > 0) {
+      Say("WARNING: " + of + WithCommas(use.not_stored) + " " + use.items +
+          " are not kept for another run: " + use.write_error);
+    }
   }
 }
 

@@ -2,10 +2,14 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
+#include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "limn/pipeline/extract_curves.h"
+#include "colmap_ext/commands/interrupt.h"
+#include "limn/pipeline/result_cache.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
 
@@ -24,10 +28,11 @@ struct RunLog {
 
 // What the user sees of a run on standard output: progress with the time left (one line that is
 // rewritten on a terminal; otherwise a plain line every 10 %, not more than one in 2 seconds), and
-// a summary after every stage. Ctrl-C cancels the run: stages throw Cancelled.
+// a summary after every stage. SIGINT and SIGTERM end the run (see InterruptWatch), and what is
+// kept of it is said.
 class Console {
  public:
-  // Takes over SIGINT. One console at a time.
+  // One console at a time.
   explicit Console(int num_threads);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
@@ -38,21 +43,29 @@ class Console {
 
   // Lines that begin with "WARNING: " are kept for the log.
   void Say(const std::string& line);
-  // Counts in, kept and dropped, seconds since the last summary, peak memory of the program.
+  // Counts in, kept and dropped, seconds since the last summary, peak memory of the program. What
+  // the stage found in the cache, what it had to make again and what it could not keep goes before,
+  // one line each.
   void Report(const StageSummary& summary);
-  // One line on what came from the cache.
-  void Report(const CacheUse& cache);
+  // From now on the run keeps its results here.
+  void SetCache(std::shared_ptr<const ResultCache> cache);
 
   const RunLog& log() const { return log_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  void ReportCache();
+  // What an interrupted run leaves behind.
+  std::string WhatIsKept() const;
   void ShowProgress(const char* stage, size_t done, size_t total);
   void ClearProgressLine();
 
   RunContext context_;
   RunLog log_;
+  mutable std::mutex cache_mutex_;
+  std::shared_ptr<const ResultCache> cache_;
+  std::set<CachedKind> reported_kinds_;
   bool is_terminal_ = false;
   bool has_progress_line_ = false;
   std::string progress_stage_;
@@ -61,6 +74,8 @@ class Console {
   Clock::time_point progress_start_;
   Clock::time_point last_shown_;
   Clock::time_point stage_start_;
+  // Last: its thread asks what is kept.
+  InterruptWatch interrupts_;
 };
 
 }  // namespace limn::colmap_ext

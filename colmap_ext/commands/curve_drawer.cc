@@ -17,8 +17,8 @@ int RunCurveDrawer(int argc, const char* const* argv) {
   Console console(options.num_threads);
   const Project project(options, &console);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
-  const StoredCurveSketch stored =
-      ReadSketchResult(project, SketchFileName(options.pipeline.mode), image_curves.curves);
+  const StoredCurveSketch stored = ReadSketchResult(project, SketchFileName(options.pipeline.mode),
+                                                    image_curves.curves, console.context());
   const std::string provenance = DrawingProvenance(options, stored.metadata.options_json);
   CheckReplaceable(project, options, "drawing.json", provenance);
   const DrawingResult result = BuildDrawing(

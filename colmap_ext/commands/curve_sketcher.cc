@@ -3,7 +3,7 @@
 #include "colmap_ext/commands/project.h"
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
-#include "limn/sketch/sketch.h"
+#include "limn/pipeline/sketch_views.h"
 #include "limn/sketch/view_selection.h"
 
 namespace limn::colmap_ext {
@@ -21,11 +21,13 @@ int RunCurveSketcher(int argc, const char* const* argv) {
   const SketchInput input{project.views(), image_curves.curves, project.view_set().hints,
                           ProjectBox(project, options)};
   const SketchMode mode = options.pipeline.mode;
-  const SketchResult result = BuildSketch(mode, input, options.pipeline.sketch, console.context());
+  const SketchResult result =
+      SketchViews(mode, input, options.pipeline.sketch, project.cache(), console.context());
   console.Report(result.summary);
 
   const std::string name = SketchFileName(mode);
-  WriteSketchResults(project, name, image_curves.curves, result.sketch, Provenance(options));
+  WriteSketchResults(project, name, image_curves.curves, result.sketch, Provenance(options),
+                     console.context());
   console.Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");
   return 0;
 }

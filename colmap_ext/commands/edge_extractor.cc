@@ -14,9 +14,8 @@ int RunEdgeExtractor(int argc, const char* const* argv) {
   Console console(options.num_threads);
   const Project project(options, &console);
   const EdgeMapsResult result =
-      ExtractEdgeMaps({project.views(), project.images(), project.CacheDir()},
-                      options.pipeline.edges, console.context());
-  console.Report(result.cache);
+      ExtractEdgeMaps({project.views(), project.images(), project.cache()}, options.pipeline.edges,
+                      console.context());
   console.Report(result.summary);
   return 0;
 }

@@ -1,17 +1,22 @@
 #include "colmap_ext/commands/project.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "colmap_ext/commands/world_shift.h"
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/scene_origin.h"
+#include "limn/io/atomic_file.h"
 #include "limn/pipeline/content_hash.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
 namespace {
+
+namespace fs = std::filesystem;
 
 // Size and hash of a file's bytes; its name and time do not matter.
 std::string FileIdentity(const std::string& path) {
@@ -42,6 +47,27 @@ std::string TextOf(const Eigen::Vector3d& point) {
   return text;
 }
 
+void RemoveTemporaryFilesIn(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().filename().string().ends_with(kTemporarySuffix)) {
+      fs::remove(entry.path(), ignored);
+    }
+  }
+}
+
+// Those that a killed run has left behind. Only while no other run writes here.
+void RemoveTemporaryFiles(const OutputLayout& output) {
+  std::error_code ignored;
+  for (const char* folder : {"", "refined", "with-curves", "sparse-with-curves"}) {
+    RemoveTemporaryFilesIn(output.drawing_dir / folder);
+  }
+  RemoveTemporaryFilesIn(output.curves_dir);
+  for (const auto& entry : fs::recursive_directory_iterator(output.curves_dir, ignored)) {
+    if (entry.is_directory(ignored)) RemoveTemporaryFilesIn(entry.path());
+  }
+}
+
 }  // namespace
 
 Project::Project(const RunOptions& options, Console* console)
@@ -49,6 +75,10 @@ Project::Project(const RunOptions& options, Console* console)
   console->Say(layout_.description);
   CheckWritable(layout_.output.drawing_dir);
   CheckWritable(layout_.output.curves_dir);
+  lock_.emplace(layout_.output.curves_dir, LockMode::kExclusive);
+  RemoveTemporaryFiles(layout_.output);
+  cache_ = std::make_shared<ResultCache>(CurvesPath("cache"));
+  console->SetCache(cache_);
   SparseModel model = ReadModel(layout_.model_dir);
   origin_ = SceneOrigin(model);
   MoveModel(-origin_, &model);
@@ -79,9 +109,8 @@ std::optional<Eigen::AlignedBox3d> ProjectBox(const Project& project, const RunO
 CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
                                   Console* console) {
   CurvesResult result =
-      ExtractCurves({project.views(), project.images(), project.CacheDir()}, options.pipeline.edges,
+      ExtractCurves({project.views(), project.images(), project.cache()}, options.pipeline.edges,
                     options.pipeline.linking, console->context());
-  console->Report(result.cache);
   console->Report(result.summary);
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/run_options.h"
 #include "colmap_ext/workspace/layout.h"
+#include "colmap_ext/workspace/output_lock.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/pipeline/extract_curves.h"
 
@@ -17,7 +19,9 @@ namespace limn::colmap_ext {
 class Project {
  public:
   // Finds and reads the model and the headers of all images, and says what was chosen. Throws
-  // OptionError, IoError and InputError; nothing is written.
+  // OptionError, IoError and InputError; nothing is written but the file of the lock, which keeps
+  // other commands away from the output folder as long as the project lives. Temporary files of a
+  // run that was killed there are removed.
   Project(const RunOptions& options, Console* console);
   Project(const Project&) = delete;
   Project& operator=(const Project&) = delete;
@@ -30,7 +34,8 @@ class Project {
   // so is all that is computed from them; files hold the model's coordinates.
   const Eigen::Vector3d& origin() const { return origin_; }
 
-  std::string CacheDir() const { return CurvesPath("cache"); }
+  // Image curves and sketches that runs leave for later ones.
+  ResultCache* cache() const { return cache_.get(); }
   // A file beside fused.ply.
   std::string DrawingPath(const std::string& name) const;
   // A file in the folder of curves.
@@ -38,6 +43,8 @@ class Project {
 
  private:
   WorkspaceLayout layout_;
+  std::optional<OutputLock> lock_;
+  std::shared_ptr<ResultCache> cache_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   ViewSet view_set_;
   ImageSource images_;

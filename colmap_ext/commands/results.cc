@@ -13,7 +13,7 @@
 #include "limn/export/write_drawing.h"
 #include "limn/io/atomic_file.h"
 #include "limn/pictures/overlays.h"
-#include "limn/pipeline/extract_curves.h"
+#include "limn/pipeline/curves_key.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/util/errors.h"
 
@@ -127,16 +127,17 @@ std::string RefinementProvenance(const RunOptions& options, const std::string& d
 
 void WriteSketchResults(const Project& project, const std::string& name,
                         const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
-                        const std::string& provenance) {
+                        const std::string& provenance, const RunContext& context) {
   WriteCurveSketch(project.CurvesPath(name + ".bin"), sketch, Metadata(project, provenance),
-                   CurvesKey(project.views(), curves));
+                   CurvesKey(project.views(), curves, context));
   WriteSketch(project.CurvesPath(name + ".ply"), Moved(sketch, project.origin()));
 }
 
 StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
-                                   const std::vector<ImageCurves>& curves) {
+                                   const std::vector<ImageCurves>& curves,
+                                   const RunContext& context) {
   const std::string path = project.CurvesPath(name + ".bin");
-  auto stored = ReadCurveSketch(path, CurvesKey(project.views(), curves));
+  auto stored = ReadCurveSketch(path, CurvesKey(project.views(), curves, context));
   if (!stored) {
     throw IoError(path,
                   "was made from other images, cameras or options of edges and linking, or "

@@ -40,11 +40,12 @@ void CheckGraph(const DrawingGraph& graph);
 // coordinates.
 void WriteSketchResults(const Project& project, const std::string& name,
                         const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
-                        const std::string& provenance);
+                        const std::string& provenance, const RunContext& context);
 
 // Read <curves>/<name>.bin. Throws IoError if it is missing, damaged or not made from these curves.
 StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
-                                   const std::vector<ImageCurves>& curves);
+                                   const std::vector<ImageCurves>& curves,
+                                   const RunContext& context);
 
 // Read a drawing.json; the graph is then around the project's origin. Throws IoError if it is
 // missing, damaged or of other views.

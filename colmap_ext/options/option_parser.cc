@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <ostream>
 #include <set>
@@ -13,6 +11,7 @@
 #include <boost/program_options.hpp>
 
 #include "colmap_ext/options/ini_file.h"
+#include "limn/io/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -264,16 +263,7 @@ void OptionParser::WriteIni(std::ostream& out) const {
 }
 
 void OptionParser::WriteIni(const std::string& path) const {
-  const std::string temporary = path + ".tmp";
-  {
-    std::ofstream out(temporary);
-    WriteIni(out);
-    out.close();
-    if (!out) throw IoError(temporary, "cannot be written");
-  }
-  std::error_code error;
-  std::filesystem::rename(temporary, path, error);
-  if (error) throw IoError(path, "cannot be written: " + error.message());
+  WriteFileAtomically(path, [&](std::ostream& out) { WriteIni(out); });
 }
 
 }  // namespace limn

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "colmap_ext/workspace/model_writer.h"
+#include "limn/io/atomic_file.h"
 
 namespace limn::testing {
 
@@ -132,7 +133,7 @@ void Corpus::RunCase() {
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");
     for (const auto& [name, bytes] : ReadTree(workspace_.path())) {
-      EXPECT_FALSE(name.ends_with(".tmp")) << name;
+      EXPECT_FALSE(name.ends_with(kTemporarySuffix)) << name;
     }
     if (bad.check) bad.check(workspace_);
     return;

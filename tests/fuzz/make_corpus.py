@@ -226,6 +226,7 @@ def stages():
     curve = struct.pack("<3iB", 0, 4, 0, 0) + counted([sample, sample])
     sketch = text("{}") + counted([text("a.png"), text("b.png")]) + counted([curve])
     put("curve_sketch", "one", sketch)
+    put("view_sketch", "one", counted([curve]) + counted([b"\6", b"\0", b"\2"]))
     edgel = struct.pack("<3d8f", 1, 2, 0.5, 9, 0.1, 1, 2, 1, 0, 0, 1)
     fragments = counted([struct.pack("<BQ3i", 0, 3, 0, 1, 2)])
     fragments += counted([struct.pack("<3i", 0, 1, 5), struct.pack("<3i", 1, 2, 5)])

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 namespace limn {
 
@@ -14,6 +17,27 @@ class ContentHash {
     for (const char byte : bytes) {
       state_ = (state_ ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
     }
+  }
+
+  // With its length, so that "ab", "c" and "a", "bc" differ.
+  void AddText(std::string_view text) {
+    AddNumber(text.size());
+    Add(text);
+  }
+
+  template <typename T>
+  void AddNumber(T number) {
+    static_assert(std::is_arithmetic_v<T>);
+    char raw[sizeof(T)];
+    std::memcpy(raw, &number, sizeof(T));
+    Add({raw, sizeof(T)});
+  }
+
+  // With their count.
+  template <typename T>
+  void AddNumbers(const std::vector<T>& numbers) {
+    AddNumber(numbers.size());
+    for (const T number : numbers) AddNumber(number);
   }
 
   // 16 hexadecimal digits.

@@ -1,71 +1,37 @@
 #include "limn/pipeline/extract_curves.h"
 
 #include <algorithm>
-#include <atomic>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "limn/io/image_curves_file.h"
-#include "limn/pipeline/content_hash.h"
 #include "limn/pipeline/pipeline_options.h"
-#include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
-// Where the results of earlier runs are, and whether they can be used.
-class Cache {
- public:
-  Cache(const std::string& dir, const char* kind) : dir_(dir), kind_(kind) {}
-
-  // Nothing if there is no file, or it was made from something else, or is damaged.
-  std::optional<ImageCurves> Find(const View& view, const std::string& key) {
-    const std::string path = PathOf(view);
-    std::error_code ignored;
-    if (dir_.empty() || !std::filesystem::exists(path, ignored)) return std::nullopt;
-    try {
-      std::optional<ImageCurves> found = ReadImageCurves(path, key);
-      ++(found ? reused_ : outdated_);
-      return found;
-    } catch (const IoError&) {
-      // A damaged cache costs time, never the run; it is counted with the outdated files.
-      ++outdated_;
-      return std::nullopt;
-    }
-  }
-
-  void Store(const View& view, const std::string& key, const ImageCurves& curves) const {
-    if (!dir_.empty()) WriteImageCurves(PathOf(view), curves, key);
-  }
-
-  CacheUse Use() const { return {reused_, outdated_}; }
-
- private:
-  std::string PathOf(const View& view) const {
-    return (std::filesystem::path(dir_) / kind_ / (view.name + ".bin")).string();
-  }
-
-  std::string dir_;
-  const char* kind_;
-  std::atomic<int64_t> reused_ = 0;
-  std::atomic<int64_t> outdated_ = 0;
-};
+// To be raised whenever edge maps or fragments of the same photograph change, so that kept ones are
+// made again.
+constexpr int kEdgesVersion = 1;
+constexpr int kLinkingVersion = 1;
 
 // From photographs to edge maps and fragments in stored pixels, by way of the cache.
 class Extractor {
  public:
   Extractor(const ExtractionInput& input, const EdgeDetectionOptions& edges)
-      : input_(input), edge_options_(edges), edge_key_(OptionsAsText(edges)) {}
+      : input_(input),
+        edge_options_(edges),
+        edge_key_("edges, version " + std::to_string(kEdgesVersion) + "\n" + OptionsAsText(edges)) {
+  }
 
   // By way of the cache, which keeps them too.
   EdgeMap EdgesOf(ViewId id) {
     const View& view = input_.views[id];
     const std::string key = EdgeKey(id);
-    if (auto found = edges_.Find(view, key)) return std::move(found->edge_map);
+    if (auto found = Find(CachedKind::kEdges, view, key)) return std::move(found->edge_map);
     ImageCurves curves;
     curves.edge_map = DetectEdges(input_.images.read(id), edge_options_);
-    edges_.Store(view, key, curves);
+    Store(CachedKind::kEdges, view, key, curves);
     return std::move(curves.edge_map);
   }
 
@@ -73,28 +39,34 @@ class Extractor {
   ImageCurves FragmentsOf(ViewId id, const LinkingOptions& linking) {
     const View& view = input_.views[id];
     const std::string edge_key = EdgeKey(id);
-    const std::string key = edge_key + OptionsAsText(linking);
-    if (auto found = fragments_.Find(view, key)) return std::move(*found);
-    auto edges = edges_.Find(view, edge_key);
+    const std::string key = edge_key + "linking, version " + std::to_string(kLinkingVersion) +
+                            "\n" + OptionsAsText(linking);
+    if (auto found = Find(CachedKind::kFragments, view, key)) return std::move(*found);
+    auto edges = Find(CachedKind::kEdges, view, edge_key);
     ImageCurves curves = LinkEdgels(edges ? std::move(edges->edge_map)
                                           : DetectEdges(input_.images.read(id), edge_options_),
                                     linking)
                              .curves;
-    fragments_.Store(view, key, curves);
+    Store(CachedKind::kFragments, view, key, curves);
     return curves;
   }
 
-  CacheUse EdgesUse() const { return edges_.Use(); }
-  CacheUse FragmentsUse() const { return fragments_.Use(); }
-
  private:
+  std::optional<ImageCurves> Find(CachedKind kind, const View& view, const std::string& key) {
+    return input_.cache->Find<ImageCurves>(
+        kind, view.name, [&](const std::string& path) { return ReadImageCurves(path, key); });
+  }
+
+  void Store(CachedKind kind, const View& view, const std::string& key, const ImageCurves& curves) {
+    input_.cache->Store(kind, view.name,
+                        [&](const std::string& path) { WriteImageCurves(path, curves, key); });
+  }
+
   std::string EdgeKey(ViewId id) const { return input_.images.identity(id) + "\n" + edge_key_; }
 
   const ExtractionInput& input_;
   const EdgeDetectionOptions& edge_options_;
   std::string edge_key_;
-  Cache edges_{input_.cache_dir, "edges"};
-  Cache fragments_{input_.cache_dir, "fragments"};
 };
 
 // Where the edgels of a view are.
@@ -174,39 +146,7 @@ std::vector<CurveFragment> UsableRuns(const CurveFragment& fragment,
   return runs;
 }
 
-template <typename T>
-std::string_view BytesOf(const T* first, size_t count) {
-  return {reinterpret_cast<const char*>(first), count * sizeof(T)};
-}
-
-void AddView(const View& view, ContentHash* hash) {
-  const PinholeCamera& camera = view.camera;
-  const Rigid3d& pose = view.cam_from_world;
-  hash->Add(view.name);
-  for (const double value : {camera.fx, camera.fy, camera.cx, camera.cy}) {
-    hash->Add(BytesOf(&value, 1));
-  }
-  hash->Add(BytesOf(pose.rotation.coeffs().data(), 4));
-  hash->Add(BytesOf(pose.translation.data(), 3));
-}
-
-void AddCurves(const ImageCurves& curves, ContentHash* hash) {
-  for (const Edgel& edgel : curves.edge_map.edgels) hash->Add(BytesOf(edgel.position_px.data(), 2));
-  for (const CurveFragment& fragment : curves.fragments) {
-    const size_t size = fragment.edgel_ids.size();
-    hash->Add(BytesOf(&size, 1));
-    hash->Add(BytesOf(fragment.edgel_ids.data(), size));
-  }
-}
-
 }  // namespace
-
-std::string CurvesKey(const std::vector<View>& views, const std::vector<ImageCurves>& curves) {
-  ContentHash hash;
-  for (const View& view : views) AddView(view, &hash);
-  for (const ImageCurves& of_view : curves) AddCurves(of_view, &hash);
-  return hash.Hex();
-}
 
 void RemoveUnusableEdgels(const std::vector<bool>& usable, ImageCurves* curves) {
   std::vector<CurveFragment> fragments;
@@ -222,6 +162,7 @@ EdgeMapsResult ExtractEdgeMaps(const ExtractionInput& input, const EdgeDetection
                                const RunContext& context) {
   edges.Check();
   Extractor extractor(input, edges);
+  input.cache->Expect(CachedKind::kEdges, input.views.size());
   EdgeMapsResult result;
   result.edge_maps.resize(input.views.size());
   ParallelFor(context, "edges", input.views.size(),
@@ -232,7 +173,6 @@ EdgeMapsResult ExtractEdgeMaps(const ExtractionInput& input, const EdgeDetection
   result.summary.stage = "edges";
   result.summary.in = {{"images", num_images}};
   result.summary.kept = {{"images", num_images}, {"edgels", num_edgels}};
-  result.cache = extractor.EdgesUse();
   return result;
 }
 
@@ -241,6 +181,7 @@ CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOpti
   edges.Check();
   linking.Check();
   Extractor extractor(input, edges);
+  input.cache->Expect(CachedKind::kFragments, input.views.size());
   CurvesResult result;
   result.curves.resize(input.views.size());
   std::vector<ViewCounts> counts(input.views.size());
@@ -256,7 +197,6 @@ CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOpti
     of_view.fragments = static_cast<int64_t>(curves.fragments.size());
   });
   result.summary = Summarize(counts);
-  result.cache = extractor.FragmentsUse();
   return result;
 }
 

@@ -2,34 +2,36 @@
 
 #include <utility>
 
+#include "limn/pipeline/sketch_views.h"
+
 namespace limn {
 
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end) {
   options.Check();
 
-  CurvesResult image_curves = ExtractCurves({input.views, input.images, input.cache_dir},
-                                            options.edges, options.linking, context);
-  on_stage_end(image_curves.summary, image_curves.cache);
+  CurvesResult image_curves = ExtractCurves({input.views, input.images, input.cache}, options.edges,
+                                            options.linking, context);
+  on_stage_end(image_curves.summary);
 
   SketchResult sketch =
-      BuildSketch(options.mode, {input.views, image_curves.curves, input.hints, input.box},
-                  options.sketch, context);
-  on_stage_end(sketch.summary, {});
+      SketchViews(options.mode, {input.views, image_curves.curves, input.hints, input.box},
+                  options.sketch, input.cache, context);
+  on_stage_end(sketch.summary);
 
   DrawingResult drawing = BuildDrawing({input.views, image_curves.curves, sketch.sketch, input.box},
                                        options.drawing, context);
-  on_stage_end(drawing.summary, {});
+  on_stage_end(drawing.summary);
 
   RefinementResult refined =
       RefineDrawing({input.views, image_curves.curves, drawing.graph, &input.hints.points},
                     options.refinement, context);
-  on_stage_end(refined.summary, {});
+  on_stage_end(refined.summary);
 
   PrimitiveResult primitives =
       FitPrimitives(refined.graph, refined.cameras ? refined.cameras->views : input.views,
                     options.primitives, context);
-  on_stage_end(primitives.summary, {});
+  on_stage_end(primitives.summary);
 
   return {std::move(image_curves.curves), std::move(sketch.sketch),   std::move(sketch.fates),
           std::move(primitives.graph),    std::move(refined.cameras), std::move(drawing.fates)};

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -23,8 +22,8 @@ struct PipelineInput {
   const ImageSource& images;
   // Only what lies in this box is reconstructed.
   std::optional<Eigen::AlignedBox3d> box;
-  // As in ExtractionInput.
-  std::string cache_dir;
+  // Image curves and sketches of earlier runs; what is made is kept there. Never null.
+  ResultCache* cache;
 };
 
 struct PipelineResult {
@@ -37,8 +36,8 @@ struct PipelineResult {
   SampleFates sample_fates;
 };
 
-// Hears of every stage when it has ended. The cache is only used by the first one.
-using StageObserver = std::function<void(const StageSummary& summary, const CacheUse& cache)>;
+// Hears of every stage when it has ended.
+using StageObserver = std::function<void(const StageSummary& summary)>;
 
 // The whole way from photographs to the drawing (ECCV 2016): edges and fragments of every image,
 // the sketch, the drawing graph, its refinement, its primitives. Throws OptionError, InputError,

@@ -87,4 +87,8 @@ std::string OptionsAsText(const EdgeDetectionOptions& options) { return FieldsAs
 
 std::string OptionsAsText(const LinkingOptions& options) { return FieldsAsText(options); }
 
+std::string OptionsAsText(const ViewSelectionOptions& options) { return FieldsAsText(options); }
+
+std::string OptionsAsText(const SketchOptions& options) { return FieldsAsText(options); }
+
 }  // namespace limn

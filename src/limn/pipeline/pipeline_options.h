@@ -51,5 +51,8 @@ std::string OptionsAsJson(const DenseOptions& options);
 // One group as "name=value" lines: two structs have the same text if and only if they are the same.
 std::string OptionsAsText(const EdgeDetectionOptions& options);
 std::string OptionsAsText(const LinkingOptions& options);
+std::string OptionsAsText(const ViewSelectionOptions& options);
+// Without those of the view selection, a group of its own.
+std::string OptionsAsText(const SketchOptions& options);
 
 }  // namespace limn

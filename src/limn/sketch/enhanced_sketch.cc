@@ -85,9 +85,9 @@ class PairedDepths {
 }  // namespace
 
 SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
-                                 const RunContext& context) {
+                                 const RunContext& context, const ViewSketchStore* store) {
   return SketchFragments(
-      "enhanced sketch", input, options, context, [&](const PrimaryView& primary) {
+      "enhanced sketch", input, options, context, store, [&](const PrimaryView& primary) {
         // std::function copies what it calls.
         const auto depths = std::make_shared<PairedDepths>(primary);
         return DepthFinder{options.sample_spacing_px, [depths](const FragmentRays& fragment) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <iterator>
 #include <set>
 
 #include "limn/sketch/sketch_pieces.h"
@@ -58,8 +59,7 @@ class ViewSketcher {
     }
   }
 
-  std::vector<Curve3D> TakeCurves() { return std::move(curves_); }
-  std::vector<EdgelFate> TakeFates() { return std::move(fates_); }
+  ViewSketch Take() { return {std::move(curves_), std::move(fates_)}; }
 
  private:
   const limn::View& View() const { return primary_.input.views[primary_.id]; }
@@ -102,6 +102,29 @@ StageSummary Summarize(const char* stage, const SketchResult& result,
   return summary;
 }
 
+// Per view, what the store has; nothing without a store.
+std::vector<std::optional<ViewSketch>> LoadSketches(const std::vector<ViewPlan>& plans,
+                                                    const RunContext& context,
+                                                    const ViewSketchStore* store) {
+  std::vector<std::optional<ViewSketch>> found(plans.size());
+  if (!store) return found;
+  ParallelFor(context, "kept sketches", plans.size(),
+              [&](size_t v) { found[v] = store->load(static_cast<ViewId>(v), plans[v]); });
+  return found;
+}
+
+// A pure function of what ViewSketchStore lists.
+ViewSketch SketchOneView(const PrimaryView& primary, DepthFinder depths,
+                         const RunContext& context) {
+  ViewSketcher sketcher(primary, std::move(depths));
+  const size_t num_fragments = primary.input.curves[primary.id].fragments.size();
+  for (size_t f = 0; f < num_fragments; ++f) {
+    ThrowIfCancelled(context);
+    sketcher.Reconstruct(static_cast<int>(f));
+  }
+  return sketcher.Take();
+}
+
 }  // namespace
 
 PrimaryView::PrimaryView(const SketchInput& sketch_input, ViewId view, const ViewPlan& view_plan,
@@ -129,24 +152,30 @@ PrimaryView::Verdict PrimaryView::Judge(const HypothesisSupport& support, size_t
 
 SketchResult SketchFragments(const char* stage, const SketchInput& input,
                              const SketchOptions& options, const RunContext& context,
+                             const ViewSketchStore* store,
                              const std::function<DepthFinder(const PrimaryView&)>& make_finder) {
   options.Check();
   const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
-  const auto evidence = BuildEvidence(input.views, input.curves, options.Gate(), context);
-  std::vector<std::vector<Curve3D>> by_view(input.views.size());
-  SketchResult result;
-  result.fates.resize(input.views.size());
-  ParallelFor(context, stage, input.views.size(), [&](size_t v) {
-    const PrimaryView primary(input, static_cast<ViewId>(v), plans[v], evidence, options);
-    ViewSketcher sketcher(primary, make_finder(primary));
-    for (size_t f = 0; f < input.curves[v].fragments.size(); ++f) {
-      sketcher.Reconstruct(static_cast<int>(f));
-    }
-    by_view[v] = sketcher.TakeCurves();
-    result.fates[v] = sketcher.TakeFates();
+  std::vector<std::optional<ViewSketch>> by_view = LoadSketches(plans, context, store);
+  std::vector<ViewId> missing;
+  for (size_t v = 0; v < by_view.size(); ++v) {
+    if (!by_view[v]) missing.push_back(static_cast<ViewId>(v));
+  }
+  std::vector<std::unique_ptr<ViewEvidence>> evidence;
+  if (!missing.empty()) {
+    evidence = BuildEvidence(input.views, input.curves, options.Gate(), context);
+  }
+  ParallelFor(context, stage, missing.size(), [&](size_t m) {
+    const ViewId v = missing[m];
+    const PrimaryView primary(input, v, plans[v], evidence, options);
+    by_view[v] = SketchOneView(primary, make_finder(primary), context);
+    if (store) store->save(v, plans[v], *by_view[v]);
   });
-  for (auto& of_view : by_view) {
-    for (Curve3D& curve : of_view) result.sketch.curves.push_back(std::move(curve));
+  SketchResult result;
+  for (std::optional<ViewSketch>& of_view : by_view) {
+    std::move(of_view->curves.begin(), of_view->curves.end(),
+              std::back_inserter(result.sketch.curves));
+    result.fates.push_back(std::move(of_view->fates));
   }
   result.summary = Summarize(stage, result, input.curves);
   return result;

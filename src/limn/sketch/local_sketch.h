@@ -51,9 +51,11 @@ struct DepthFinder {
 
 // The sketch whose depths come from local support: for every view a finder is made, asked for every
 // fragment that is long enough, and what it finds becomes curves with their support. `stage` names
-// the result. Calls for different views run in parallel.
+// the result. Calls for different views run in parallel. Views that the store (may be null) has are
+// taken from it; the evidence of all views is only built if one is missing.
 SketchResult SketchFragments(const char* stage, const SketchInput& input,
                              const SketchOptions& options, const RunContext& context,
+                             const ViewSketchStore* store,
                              const std::function<DepthFinder(const PrimaryView&)>& make_finder);
 
 }  // namespace limn

@@ -18,7 +18,7 @@ struct Counts {
   int64_t ambiguous = 0;
 };
 
-struct ViewSketch {
+struct PrimaryCurves {
   std::vector<Curve3D> curves;
   Counts counts;
 };
@@ -98,7 +98,7 @@ class PairMatcher {
 
   // At most one curve per stretch of fragment and second view: the best supported one, if it beats
   // the second best by the ratio.
-  void Match(int fragment_id, ViewSketch* sketch) const {
+  void Match(int fragment_id, PrimaryCurves* sketch) const {
     const FragmentRays fragment =
         MakeFragmentRays(input_.views[primary_], input_.curves[primary_], fragment_id);
     if (fragment.size() < 2 || fragment.arc_px.back() < options_.original_min_fragment_length_px) {
@@ -141,7 +141,7 @@ class PairMatcher {
 
  private:
   void Emit(int fragment_id, const FragmentRays& fragment, const CurveHypothesis& hypothesis,
-            const HypothesisSupport& support, ViewSketch* sketch) const {
+            const HypothesisSupport& support, PrimaryCurves* sketch) const {
     const auto depths = AsDepths(fragment, hypothesis, support);
     const int begin = hypothesis.samples.front().vertex;
     // One curve over the whole overlap, as published: inner vertices without a match are passed
@@ -183,7 +183,7 @@ SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& 
   options.Check();
   const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
   const auto evidence = BuildEvidence(input.views, input.curves, options.Gate(), context);
-  std::vector<ViewSketch> by_view(input.views.size());
+  std::vector<PrimaryCurves> by_view(input.views.size());
   ParallelFor(context, "original sketch", input.views.size(), [&](size_t v) {
     const PairMatcher matcher(input, static_cast<ViewId>(v), plans[v], evidence, options);
     for (size_t f = 0; f < input.curves[v].fragments.size(); ++f) {
@@ -192,7 +192,7 @@ SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& 
   });
   SketchResult result;
   Counts counts;
-  for (ViewSketch& sketch : by_view) {
+  for (PrimaryCurves& sketch : by_view) {
     counts.made += sketch.counts.made;
     counts.too_short += sketch.counts.too_short;
     counts.too_little_support += sketch.counts.too_little_support;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -9,7 +10,9 @@
 #include "limn/model/edgel_fate.h"
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
+#include "limn/model/view_sketch.h"
 #include "limn/sketch/sketch_options.h"
+#include "limn/sketch/view_selection.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
 
@@ -34,6 +37,15 @@ struct SketchResult {
 // How a sketch is made.
 enum class SketchMode { kOriginal, kEnhanced, kSweep };
 
+// Where the sketches of views are kept between runs. What a view's sketch depends on is its mode,
+// options and box, its plan, and cameras, poses, regions and image curves of the view and of the
+// views in its plan. Both functions are called from several threads.
+struct ViewSketchStore {
+  // Nothing if there is none that was made of the same.
+  std::function<std::optional<ViewSketch>(ViewId, const ViewPlan&)> load;
+  std::function<void(ViewId, const ViewPlan&, const ViewSketch&)> save;
+};
+
 // The 3D curve sketch (Fabbri and Kimia, CVPR 2010), the paper's baseline (i): for every pair of
 // primary and second view, image curves that overlap epipolarly are matched, triangulated, and kept
 // when the whole curve has enough edge support in the confirmation views. Portions tangent to
@@ -43,19 +55,20 @@ SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& 
 
 // The enhanced curve sketch (ECCV 2016, section 3), the paper's baseline (ii): local support sample
 // by sample, weights near epipolar tangency, and robust averaging in inverse depth of all
-// reconstructions of the same edgel of the primary view.
+// reconstructions of the same edgel of the primary view. Views that the store has are not sketched
+// again.
 SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
-                                 const RunContext& context);
+                                 const RunContext& context, const ViewSketchStore* store = nullptr);
 
 // The swept sketch (algorithm.md 0.2): as the enhanced one, but every edgel of the primary view
 // gets its depth from the image curves that its epipolar lines cross in all confirmation views at
 // once: depths and slopes on which several views agree are chosen jointly along the fragment. No
-// pair of curves must correspond over a stretch.
+// pair of curves must correspond over a stretch. The store is used as by the enhanced one.
 SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& options,
-                              const RunContext& context);
+                              const RunContext& context, const ViewSketchStore* store = nullptr);
 
-// One of these.
+// One of these. The original sketch uses no store: it compares the curves of all views.
 SketchResult BuildSketch(SketchMode mode, const SketchInput& input, const SketchOptions& options,
-                         const RunContext& context);
+                         const RunContext& context, const ViewSketchStore* store = nullptr);
 
 }  // namespace limn

@@ -105,13 +105,15 @@ class SweptDepths {
 }  // namespace
 
 SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& options,
-                              const RunContext& context) {
-  return SketchFragments("swept sketch", input, options, context, [&](const PrimaryView& primary) {
-    // std::function copies what it calls.
-    const auto depths = std::make_shared<SweptDepths>(primary);
-    return DepthFinder{options.sweep_spacing_px,
-                       [depths](const FragmentRays& fragment) { return depths->Find(fragment); }};
-  });
+                              const RunContext& context, const ViewSketchStore* store) {
+  return SketchFragments(
+      "swept sketch", input, options, context, store, [&](const PrimaryView& primary) {
+        // std::function copies what it calls.
+        const auto depths = std::make_shared<SweptDepths>(primary);
+        return DepthFinder{options.sweep_spacing_px, [depths](const FragmentRays& fragment) {
+                             return depths->Find(fragment);
+                           }};
+      });
 }
 
 }  // namespace limn

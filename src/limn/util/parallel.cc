@@ -9,12 +9,16 @@
 
 namespace limn {
 
+void ThrowIfCancelled(const RunContext& context) {
+  if (context.cancelled && context.cancelled->load(std::memory_order_relaxed)) throw Cancelled();
+}
+
 void ParallelFor(const RunContext& context, const char* stage, size_t count,
                  const std::function<void(size_t)>& body) {
   std::mutex progress_mutex;
   size_t done = 0;
   const auto run_one = [&](size_t i) {
-    if (context.cancelled && context.cancelled->load(std::memory_order_relaxed)) throw Cancelled();
+    ThrowIfCancelled(context);
     body(i);
     if (!context.progress) return;
     const std::lock_guard lock(progress_mutex);

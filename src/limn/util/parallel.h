@@ -13,11 +13,16 @@ struct RunContext {
   int num_threads = -1;
   // Called with (stage, items done, items in all), from any thread, one call at a time.
   std::function<void(const char* stage, size_t done, size_t total)> progress;
-  // When set and true, ParallelFor throws Cancelled at the next item.
+  // When set and true, ThrowIfCancelled throws.
   const std::atomic<bool>* cancelled = nullptr;
 };
 
-// Run body(i) for i in [0, count), each index once, in no particular order. Results are independent
+// Throws Cancelled if the run is to stop: for long loops that are not parallel, and inside of long
+// items.
+void ThrowIfCancelled(const RunContext& context);
+
+// Run body(i) for i in [0, count), each index once, in no particular order. No item begins when the
+// run is to stop: Cancelled is thrown. Results are independent
 // of the number of threads if body(i) writes only what belongs to i. The first exception thrown by
 // a body is rethrown here after the others have stopped. `stage` labels the progress reports.
 void ParallelFor(const RunContext& context, const char* stage, size_t count,

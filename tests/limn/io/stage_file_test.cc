@@ -10,6 +10,7 @@
 #include "limn/io/curve_sketch_file.h"
 #include "limn/io/image_curves_file.h"
 #include "limn/io/temporary_folder.h"
+#include "limn/io/view_sketch_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -139,6 +140,24 @@ TEST(CurveSketchFile, RoundTrip) {
     EXPECT_EQ(a.anchor.begin, b.anchor.begin);
     EXPECT_EQ(a.closed, b.closed);
   }
+}
+
+TEST(ViewSketchFile, RoundTrip) {
+  const TemporaryFolder folder;
+  const ViewSketch written = {SmallSketch().curves,
+                              {EdgelFate::kSketched, EdgelFate::kNotLinked, EdgelFate::kNoPartner}};
+  WriteViewSketch(folder.Path("a.bin"), written, "x");
+  const std::optional<ViewSketch> read = ReadViewSketch(folder.Path("a.bin"), 2, "x");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->fates, written.fates);
+  ASSERT_EQ(read->curves.size(), 3u);
+  WriteViewSketch(folder.Path("b.bin"), *read, "x");
+  EXPECT_EQ(TemporaryFolder::Read(folder.Path("a.bin")),
+            TemporaryFolder::Read(folder.Path("b.bin")));
+  EXPECT_FALSE(ReadViewSketch(folder.Path("a.bin"), 2, "y"));
+  EXPECT_THROW(ReadViewSketch(folder.Path("a.bin"), 1, "x"), IoError);
+  WriteViewSketch(folder.Path("a.bin"), {{}, {static_cast<EdgelFate>(kNumEdgelFates)}}, "x");
+  EXPECT_THROW(ReadViewSketch(folder.Path("a.bin"), 2, "x"), IoError);
 }
 
 TEST(StageFile, OtherIdentityOrVersionMeansMakeItAnew) {

@@ -1,5 +1,6 @@
 #include "limn/pipeline/extract_curves.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "limn/pipeline/curves_key.h"
 #include "support/synthetic_image.h"
 
 namespace limn {
@@ -58,7 +60,10 @@ class ExtractCurvesTest : public ::testing::Test {
     RunContext context;
     context.num_threads = num_threads;
     num_read_ = 0;
-    return ExtractCurves({views_, images_, cache_dir}, edges_, linking_, context);
+    ResultCache cache(cache_dir);
+    const CurvesResult result = ExtractCurves({views_, images_, &cache}, edges_, linking_, context);
+    use_ = cache.Use(CachedKind::kFragments);
+    return result;
   }
 
   fs::path cache_;
@@ -68,7 +73,12 @@ class ExtractCurvesTest : public ::testing::Test {
   EdgeDetectionOptions edges_;
   LinkingOptions linking_;
   std::atomic<int> num_read_ = 0;
+  CacheUse use_;  // by the last call
 };
+
+std::string Key(const std::vector<View>& views, const std::vector<ImageCurves>& curves) {
+  return CurvesKey(views, curves, RunContext());
+}
 
 int64_t Count(const StageSummary::Counts& counts, const std::string& unit) {
   for (const auto& [name, count] : counts) {
@@ -99,46 +109,49 @@ TEST_F(ExtractCurvesTest, FindsTheSquareAndAccountsForEveryEdgel) {
 }
 
 TEST_F(ExtractCurvesTest, ThreadsChangeNothing) {
-  EXPECT_EQ(CurvesKey(views_, Extract("", 1).curves), CurvesKey(views_, Extract("", 2).curves));
+  EXPECT_EQ(Key(views_, Extract("", 1).curves), Key(views_, Extract("", 2).curves));
 }
 
 TEST_F(ExtractCurvesTest, TheSecondRunComesFromTheCache) {
   const CurvesResult first = Extract(cache_.string());
   EXPECT_EQ(num_read_, 2);
-  EXPECT_EQ(first.cache.reused, 0);
-  EXPECT_EQ(first.cache.outdated, 0);
+  EXPECT_EQ(use_.reused, 0);
+  EXPECT_EQ(use_.outdated, 0);
+  EXPECT_EQ(use_.NumKept(), 2);
   const CurvesResult second = Extract(cache_.string());
   EXPECT_EQ(num_read_, 0);
-  EXPECT_EQ(second.cache.reused, 2);
-  EXPECT_EQ(CurvesKey(views_, second.curves), CurvesKey(views_, first.curves));
+  EXPECT_EQ(use_.reused, 2);
+  EXPECT_EQ(Key(views_, second.curves), Key(views_, first.curves));
   EXPECT_EQ(second.summary.kept, first.summary.kept);
   EXPECT_EQ(second.summary.dropped, first.summary.dropped);
 }
 
 TEST_F(ExtractCurvesTest, KeptEdgeMapsAreUsed) {
   const CurvesResult direct = Extract();
-  ExtractEdgeMaps({views_, images_, cache_.string()}, edges_, RunContext());
+  ResultCache cache(cache_.string());
+  ExtractEdgeMaps({views_, images_, &cache}, edges_, RunContext());
   const CurvesResult result = Extract(cache_.string());
   EXPECT_EQ(num_read_, 0);
-  EXPECT_EQ(result.cache.reused, 0);
-  EXPECT_EQ(CurvesKey(views_, result.curves), CurvesKey(views_, direct.curves));
+  EXPECT_EQ(use_.reused, 0);
+  EXPECT_EQ(Key(views_, result.curves), Key(views_, direct.curves));
 }
 
 TEST_F(ExtractCurvesTest, OtherLinkingIsComputedAgain) {
   Extract(cache_.string());
   linking_.min_length_px = 20;
-  const CurvesResult result = Extract(cache_.string());
-  EXPECT_EQ(result.cache.reused, 0);
-  EXPECT_EQ(result.cache.outdated, 2);
+  Extract(cache_.string());
+  EXPECT_EQ(use_.reused, 0);
+  EXPECT_EQ(use_.outdated, 2);
 }
 
 TEST_F(ExtractCurvesTest, OtherPixelsAreComputedAgain) {
   Extract(cache_.string());
   identity_ = "another square";
-  const CurvesResult result = Extract(cache_.string());
+  Extract(cache_.string());
   EXPECT_EQ(num_read_, 2);
-  EXPECT_EQ(result.cache.outdated, 2);
-  EXPECT_EQ(Extract(cache_.string()).cache.reused, 2);
+  EXPECT_EQ(use_.outdated, 2);
+  Extract(cache_.string());
+  EXPECT_EQ(use_.reused, 2);
 }
 
 TEST_F(ExtractCurvesTest, DamagedCacheIsComputedAgain) {
@@ -148,9 +161,10 @@ TEST_F(ExtractCurvesTest, DamagedCacheIsComputedAgain) {
   fs::resize_file(file, fs::file_size(file) / 2);
   const CurvesResult second = Extract(cache_.string());
   EXPECT_EQ(num_read_, 1);
-  EXPECT_EQ(second.cache.reused, 1);
-  EXPECT_EQ(second.cache.outdated, 1);
-  EXPECT_EQ(CurvesKey(views_, second.curves), CurvesKey(views_, first.curves));
+  EXPECT_EQ(use_.reused, 1);
+  EXPECT_EQ(use_.damaged, 1);
+  EXPECT_TRUE(use_.damage.starts_with(file.string() + ": ")) << use_.damage;
+  EXPECT_EQ(Key(views_, second.curves), Key(views_, first.curves));
 }
 
 TEST_F(ExtractCurvesTest, WhatTheLensCannotMapIsInNoFragment) {
@@ -171,14 +185,23 @@ TEST_F(ExtractCurvesTest, WhatTheLensCannotMapIsInNoFragment) {
 
 TEST_F(ExtractCurvesTest, KeyFollowsPosesAndEdgels) {
   const CurvesResult result = Extract();
-  const std::string key = CurvesKey(views_, result.curves);
+  const std::string key = Key(views_, result.curves);
   views_[1].cam_from_world.translation.x() += 1e-9;
-  EXPECT_NE(CurvesKey(views_, result.curves), key);
+  EXPECT_NE(Key(views_, result.curves), key);
   views_[1].cam_from_world.translation.x() = 0;
-  EXPECT_EQ(CurvesKey(views_, result.curves), key);
-  std::vector<ImageCurves> moved = result.curves;
-  moved[0].edge_map.edgels[0].position_px.x() += 1e-9;
-  EXPECT_NE(CurvesKey(views_, moved), key);
+  EXPECT_EQ(Key(views_, result.curves), key);
+  views_[0].region.max_px.x() += 1;
+  EXPECT_NE(Key(views_, result.curves), key);
+  views_[0].region.max_px.x() -= 1;
+  std::vector<ImageCurves> changed = result.curves;
+  changed[0].edge_map.edgels[0].position_px.x() += 1e-9;
+  EXPECT_NE(Key(views_, changed), key);
+  changed = result.curves;
+  changed[0].edge_map.edgels[0].tangent_rad += 1e-9;
+  EXPECT_NE(Key(views_, changed), key);
+  changed = result.curves;
+  std::reverse(changed[0].fragments[0].edgel_ids.begin(), changed[0].fragments[0].edgel_ids.end());
+  EXPECT_NE(Key(views_, changed), key);
 }
 
 ImageCurves OneFragment(int size, bool closed) {

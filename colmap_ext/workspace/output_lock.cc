@@ -1,0 +1,101 @@
+#include "colmap_ext/workspace/output_lock.h"
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Makes the folder and those above it; returns those that were not there, inner ones first.
+std::vector<fs::path> MakeFolders(const fs::path& folder) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  for (fs::path at = fs::absolute(folder).lexically_normal(); !fs::exists(at, error);
+       at = at.parent_path()) {
+    missing.push_back(at);
+  }
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder.string(), "cannot create the folder: " + error.message());
+  return missing;
+}
+
+// "process 123 on host" of this process.
+std::string ThisProcess() {
+  char host[256] = "";
+  gethostname(host, sizeof(host) - 1);
+  return "process " + std::to_string(getpid()) + " on " + host;
+}
+
+std::string ReadHolder(int file) {
+  char text[512];
+  const ssize_t size = pread(file, text, sizeof(text), 0);
+  return size > 0 ? std::string(text, static_cast<size_t>(size)) : "a process that is not known";
+}
+
+// Only what is said to others; the lock itself does not depend on it.
+void WriteHolder(int file) {
+  const std::string text = ThisProcess();
+  if (ftruncate(file, 0) == 0) (void)!pwrite(file, text.data(), text.size(), 0);
+}
+
+// Whether the open file is still the one at this path.
+bool IsAt(int file, const fs::path& path) {
+  struct stat opened, found;
+  return fstat(file, &opened) == 0 && stat(path.c_str(), &found) == 0 &&
+         opened.st_dev == found.st_dev && opened.st_ino == found.st_ino;
+}
+
+}  // namespace
+
+OutputLock::OutputLock(const fs::path& folder, LockMode mode) : path_(folder / ".lock") {
+  do {
+    for (fs::path& made : MakeFolders(folder)) made_folders_.push_back(std::move(made));
+  } while (!TryLock(mode));
+  WriteHolder(file_);
+}
+
+bool OutputLock::TryLock(LockMode mode) {
+  file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0) {
+    if (errno == ENOENT) return false;  // the folder
+    throw IoError(path_.string(), std::string("cannot write: ") + std::strerror(errno));
+  }
+  const int operation = mode == LockMode::kExclusive ? LOCK_EX : LOCK_SH;
+  const bool locked = flock(file_, operation | LOCK_NB) == 0;
+  const int reason = errno;
+  if (locked && IsAt(file_, path_)) return true;
+  const std::string holder = ReadHolder(file_);
+  close(file_);
+  file_ = -1;
+  if (locked) return false;
+  if (reason == EWOULDBLOCK) {
+    throw IoError(path_.string(), "in use by " + holder +
+                                      ", which works on the same results: wait for it, or choose "
+                                      "another --output_path");
+  }
+  throw IoError(path_.string(), std::string("cannot be locked: ") + std::strerror(reason));
+}
+
+OutputLock::~OutputLock() {
+  // The last one that shares the lock removes the file.
+  if (flock(file_, LOCK_EX | LOCK_NB) == 0 && IsAt(file_, path_)) {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+    // Removes empty folders only.
+    for (const fs::path& folder : made_folders_) rmdir(folder.c_str());
+  }
+  close(file_);
+}
+
+}  // namespace limn::colmap_ext

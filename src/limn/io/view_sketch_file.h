@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limn/model/view_sketch.h"
+
+namespace limn {
+
+// The sketch of one view on disk (see stage_file.h for the container and `identity`).
+void WriteViewSketch(const std::string& path, const ViewSketch& sketch,
+                     const std::string& identity);
+
+// Nothing if the file was made from another input or by another version of limn: make it anew.
+// An empty `identity` accepts any. Everything read is checked (ids of views below `num_views`,
+// numbers finite but for unknown sigmas); throws IoError.
+std::optional<ViewSketch> ReadViewSketch(const std::string& path, int num_views,
+                                         const std::string& identity);
+
+}  // namespace limn

@@ -1,0 +1,66 @@
+#include "limn/pipeline/curves_key.h"
+
+#include "limn/pipeline/content_hash.h"
+
+namespace limn {
+namespace {
+
+void AddView(const View& view, ContentHash* hash) {
+  const PinholeCamera& camera = view.camera;
+  hash->AddText(view.name);
+  for (const double value : {camera.fx, camera.fy, camera.cx, camera.cy}) hash->AddNumber(value);
+  hash->AddNumber(camera.width);
+  hash->AddNumber(camera.height);
+  for (const double value : view.cam_from_world.rotation.coeffs()) hash->AddNumber(value);
+  for (const double value : view.cam_from_world.translation) hash->AddNumber(value);
+  const ImageRegion& region = view.region;
+  for (const double value : region.min_px) hash->AddNumber(value);
+  for (const double value : region.max_px) hash->AddNumber(value);
+  hash->AddNumber(region.cell_px);
+  hash->AddNumber(region.cols);
+  hash->AddNumber(region.rows);
+  hash->AddNumbers(region.valid);
+}
+
+void AddEdgel(const Edgel& edgel, ContentHash* hash) {
+  hash->AddNumber(edgel.position_px.x());
+  hash->AddNumber(edgel.position_px.y());
+  hash->AddNumber(edgel.tangent_rad);
+  hash->AddNumber(edgel.strength);
+  hash->AddNumber(edgel.position_sigma_px);
+  hash->AddNumber(edgel.stored_px.x());
+  hash->AddNumber(edgel.stored_px.y());
+  for (int i = 0; i < 4; ++i) hash->AddNumber(edgel.stored_from_virtual(i / 2, i % 2));
+}
+
+}  // namespace
+
+std::string ViewKey(const View& view, const ImageCurves& curves) {
+  ContentHash hash;
+  AddView(view, &hash);
+  hash.AddNumber(curves.edge_map.edgels.size());
+  for (const Edgel& edgel : curves.edge_map.edgels) AddEdgel(edgel, &hash);
+  for (const CurveFragment& fragment : curves.fragments) {
+    hash.AddNumber(fragment.closed);
+    hash.AddNumbers(fragment.edgel_ids);
+  }
+  return hash.Hex();
+}
+
+std::vector<std::string> ViewKeys(const std::vector<View>& views,
+                                  const std::vector<ImageCurves>& curves,
+                                  const RunContext& context) {
+  std::vector<std::string> keys(views.size());
+  ParallelFor(context, "keys", views.size(),
+              [&](size_t v) { keys[v] = ViewKey(views[v], curves[v]); });
+  return keys;
+}
+
+std::string CurvesKey(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                      const RunContext& context) {
+  ContentHash hash;
+  for (const std::string& key : ViewKeys(views, curves, context)) hash.AddText(key);
+  return hash.Hex();
+}
+
+}  // namespace limn

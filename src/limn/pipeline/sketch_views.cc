@@ -1,0 +1,78 @@
+#include "limn/pipeline/sketch_views.h"
+
+#include <string>
+#include <vector>
+
+#include "limn/io/view_sketch_file.h"
+#include "limn/pipeline/content_hash.h"
+#include "limn/pipeline/curves_key.h"
+#include "limn/pipeline/pipeline_options.h"
+
+namespace limn {
+namespace {
+
+// To be raised whenever the sketch of the same input changes, so that kept ones are made again.
+constexpr int kSketchVersion = 1;
+
+std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box) {
+  ContentHash hash;
+  if (box) {
+    for (const double value : box->min()) hash.AddNumber(value);
+    for (const double value : box->max()) hash.AddNumber(value);
+  }
+  return hash.Hex();
+}
+
+// What the sketches of all views depend on.
+std::string CommonKey(SketchMode mode, const SketchInput& input, const SketchOptions& options) {
+  return std::string(SketchModeName(mode)) + " sketch, version " + std::to_string(kSketchVersion) +
+         "\n" + OptionsAsText(options.view_selection) + OptionsAsText(options) + "box " +
+         BoxKey(input.box) + "\nview ";
+}
+
+// Sketches hold ids of views, so these count too.
+std::string PlanKey(ViewId view, const ViewPlan& plan, const std::vector<std::string>& view_keys) {
+  ContentHash hash;
+  const auto add_view = [&](ViewId id) {
+    hash.AddNumber(id);
+    hash.AddText(view_keys[id]);
+  };
+  hash.AddNumber(view_keys.size());
+  add_view(view);
+  hash.AddNumber(plan.min_depth);
+  hash.AddNumber(plan.max_depth);
+  for (const std::vector<ViewId>* others : {&plan.second_views, &plan.confirmation_views}) {
+    hash.AddNumber(others->size());
+    for (const ViewId id : *others) add_view(id);
+  }
+  return hash.Hex();
+}
+
+}  // namespace
+
+SketchResult SketchViews(SketchMode mode, const SketchInput& input, const SketchOptions& options,
+                         ResultCache* cache, const RunContext& context) {
+  if (!cache->IsOn() || mode == SketchMode::kOriginal) {
+    return BuildSketch(mode, input, options, context);
+  }
+  cache->Expect(CachedKind::kSketch, input.views.size());
+  const std::string common_key = CommonKey(mode, input, options);
+  const std::vector<std::string> view_keys = ViewKeys(input.views, input.curves, context);
+  const auto key = [&](ViewId v, const ViewPlan& plan) {
+    return common_key + PlanKey(v, plan, view_keys);
+  };
+  ViewSketchStore store;
+  store.load = [&](ViewId v, const ViewPlan& plan) {
+    return cache->Find<ViewSketch>(
+        CachedKind::kSketch, input.views[v].name, [&](const std::string& path) {
+          return ReadViewSketch(path, static_cast<int>(input.views.size()), key(v, plan));
+        });
+  };
+  store.save = [&](ViewId v, const ViewPlan& plan, const ViewSketch& sketch) {
+    cache->Store(CachedKind::kSketch, input.views[v].name,
+                 [&](const std::string& path) { WriteViewSketch(path, sketch, key(v, plan)); });
+  };
+  return BuildSketch(mode, input, options, context, &store);
+}
+
+}  // namespace limn

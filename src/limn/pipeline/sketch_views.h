@@ -1,0 +1,15 @@
+#pragma once
+
+#include "limn/pipeline/result_cache.h"
+#include "limn/sketch/sketch.h"
+
+namespace limn {
+
+// BuildSketch by way of the cache (never null), which keeps the sketch of every view: a run that
+// was stopped goes on where it was, and after a change of images or cameras only the views that it
+// touches are sketched again. Results are the same bytes as without. The original sketch is not
+// kept.
+SketchResult SketchViews(SketchMode mode, const SketchInput& input, const SketchOptions& options,
+                         ResultCache* cache, const RunContext& context);
+
+}  // namespace limn

@@ -1,0 +1,81 @@
+#include "colmap_ext/workspace/output_lock.h"
+
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+// What another lock on the folder says; empty if it is granted. flock is per open file, so one
+// process can stand for two.
+std::string Refusal(const fs::path& folder, LockMode mode) {
+  return ErrorText<IoError>([&] { const OutputLock lock(folder, mode); });
+}
+
+TEST(OutputLock, KeepsOthersOutAndNamesTheProcess) {
+  const TempDir dir;
+  const OutputLock lock(dir.path(), LockMode::kExclusive);
+  EXPECT_THAT(Refusal(dir.path(), LockMode::kExclusive),
+              AllOf(HasSubstr((dir / ".lock").string()),
+                    HasSubstr("in use by process " + std::to_string(getpid()))));
+  EXPECT_NE(Refusal(dir.path(), LockMode::kShared), "");
+}
+
+TEST(OutputLock, ThoseThatShareItRunTogetherButNotWithOthers) {
+  const TempDir dir;
+  std::optional<OutputLock> first, second;
+  first.emplace(dir.path(), LockMode::kShared);
+  second.emplace(dir.path(), LockMode::kShared);
+  EXPECT_NE(Refusal(dir.path(), LockMode::kExclusive), "");
+  first.reset();
+  EXPECT_TRUE(fs::exists(dir / ".lock"));
+  EXPECT_NE(Refusal(dir.path(), LockMode::kExclusive), "");
+  second.reset();
+  EXPECT_FALSE(fs::exists(dir / ".lock"));
+  EXPECT_EQ(Refusal(dir.path(), LockMode::kExclusive), "");
+}
+
+TEST(OutputLock, LeavesNothingBehind) {
+  const TempDir dir;
+  { const OutputLock lock(dir / "new/curves", LockMode::kExclusive); }
+  EXPECT_FALSE(fs::exists(dir / "new"));
+  {
+    const OutputLock lock(dir / "new/curves", LockMode::kExclusive);
+    dir.WriteFile("new/drawing.ply", "ply");
+  }
+  EXPECT_TRUE(fs::exists(dir / "new/drawing.ply"));
+  EXPECT_FALSE(fs::exists(dir / "new/curves"));
+}
+
+TEST(OutputLock, VanishesWithItsProcess) {
+  const TempDir dir;
+  const pid_t child = fork();
+  if (child == 0) {
+    const OutputLock lock(dir.path(), LockMode::kExclusive);
+    _exit(0);  // as if it were killed: no destructor runs
+  }
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  EXPECT_TRUE(fs::exists(dir / ".lock"));
+  EXPECT_EQ(Refusal(dir.path(), LockMode::kExclusive), "");
+}
+
+TEST(OutputLock, TellsWhyTheFileCannotBeMade) {
+  const TempDir dir;
+  fs::create_directories(dir / ".lock");
+  EXPECT_THAT(Refusal(dir.path(), LockMode::kExclusive),
+              AllOf(HasSubstr((dir / ".lock").string()), HasSubstr("Is a directory")));
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext

@@ -1,0 +1,59 @@
+#include "end_to_end/limn_process.h"
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+extern char** environ;
+
+namespace limn::testing {
+namespace {
+
+std::string ReadFile(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+LimnProcess::LimnProcess(const std::vector<std::string>& arguments) {
+  std::vector<char*> argv = {const_cast<char*>(LIMN_PROGRAM)};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&files, 1, (dir_ / "out").c_str(), flags, 0666);
+  posix_spawn_file_actions_addopen(&files, 2, (dir_ / "err").c_str(), flags, 0666);
+  const int error = posix_spawn(&pid_, LIMN_PROGRAM, &files, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0) throw std::runtime_error("cannot run " LIMN_PROGRAM);
+}
+
+LimnProcess::~LimnProcess() {
+  if (pid_ < 0) return;
+  Signal(SIGKILL);
+  waitpid(pid_, nullptr, 0);
+}
+
+void LimnProcess::Signal(int signal) const { kill(pid_, signal); }
+
+LimnProcess::End LimnProcess::Wait() {
+  const auto start = std::chrono::steady_clock::now();
+  int status = 0;
+  waitpid(pid_, &status, 0);
+  pid_ = -1;
+  End end;
+  end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  end.exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  end.out = ReadFile(dir_ / "out");
+  end.err = ReadFile(dir_ / "err");
+  return end;
+}
+
+}  // namespace limn::testing

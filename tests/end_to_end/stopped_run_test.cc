@@ -1,0 +1,134 @@
+// Runs that are stopped at many moments, and what the next run makes of it. LIMN_STOPS=100 for more
+// moments than the few of the test.
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "end_to_end/limn_process.h"
+#include "end_to_end/small_scene.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+int NumStops(int otherwise) {
+  const char* text = std::getenv("LIMN_STOPS");
+  return text ? std::atoi(text) : otherwise;
+}
+
+// What a run that nobody disturbs writes, and how long it takes.
+struct WholeRun {
+  std::map<std::string, std::string> files;
+  double seconds = 0;
+};
+
+WholeRun RunUndisturbed(const std::vector<std::string>& arguments, const fs::path& output) {
+  const LimnProcess::End end = LimnProcess(arguments).Wait();
+  EXPECT_EQ(end.exit_code, 0) << end.err;
+  WholeRun whole{Results(output), end.seconds};
+  EXPECT_GT(whole.files.size(), 10u);
+  fs::remove_all(output);
+  return whole;
+}
+
+void Sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+// SIGINT and SIGTERM in turn, at moments that are spread over the duration of the run.
+void ExpectInterruptsToStop(const std::vector<std::string>& arguments, const fs::path& output,
+                            int num_stops) {
+  const WholeRun whole = RunUndisturbed(arguments, output);
+  int num_interrupted = 0, num_told = 0;
+  double longest = 0;
+  for (int i = 0; i < num_stops; ++i) {
+    // The lock is taken when signals are listened to already.
+    fs::remove(output / "curves/.lock");
+    LimnProcess run(arguments);
+    while (!fs::exists(output / "curves/.lock")) Sleep(0.001);
+    Sleep(whole.seconds * i / num_stops);
+    run.Signal(i % 2 == 0 ? SIGINT : SIGTERM);
+    const LimnProcess::End end = run.Wait();
+    EXPECT_LT(end.seconds, 2) << "stop " << i;
+    longest = std::max(longest, end.seconds);
+    EXPECT_THAT(WrongFiles(output, whole.files, Leftovers::kLock), IsEmpty())
+        << "stop " << i << " " << end.err;
+    if (end.exit_code == 0) {  // it had ended
+      fs::remove_all(output);
+      continue;
+    }
+    EXPECT_EQ(end.exit_code, 130) << end.err;
+    EXPECT_THAT(end.err, StartsWith("Interrupted: "));
+    EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 1) << end.err;
+    if (end.err.find("are kept in " + (output / "curves/cache").string()) != std::string::npos) {
+      ++num_told;
+    }
+    ++num_interrupted;
+    // Every third one goes on where the last one was stopped, which makes it shorter.
+    if (i % 3 != 0) fs::remove_all(output);
+  }
+  std::printf("%d of %d runs of %.1f s were interrupted, the longest stop took %.2f s\n",
+              num_interrupted, num_stops, whole.seconds, longest);
+  // A busy machine is not even: some have ended before.
+  EXPECT_GE(4 * num_interrupted, num_stops);
+  EXPECT_GE(2 * num_told, num_interrupted);
+  const LimnProcess::End last = LimnProcess(arguments).Wait();
+  EXPECT_EQ(last.exit_code, 0) << last.err;
+  EXPECT_EQ(Results(output).size(), whole.files.size());
+  EXPECT_THAT(WrongFiles(output, whole.files, Leftovers::kNone), IsEmpty());
+}
+
+TEST(StoppedRun, InterruptsStopItSoonAndItGoesOn) {
+  const SmallScene scene;
+  ExpectInterruptsToStop(scene.Arguments(), scene.output(), NumStops(8));
+}
+
+// Default options: single views and single steps that take seconds.
+TEST(StoppedRun, InterruptsStopTheWholeSampleSceneSoon) {
+  const TempDir dir;
+  ExpectInterruptsToStop({"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day",
+                          "--output_path", (dir / "out").string()},
+                         dir / "out", NumStops(8));
+}
+
+TEST(StoppedRun, KillsLeaveNothingHalfWrittenAndItGoesOn) {
+  const SmallScene scene;
+  const WholeRun whole = RunUndisturbed(scene.Arguments(), scene.output());
+  std::mt19937 random(1);
+  const int num_stops = NumStops(12);
+  int num_killed = 0;
+  for (int i = 0; i < num_stops; ++i) {
+    LimnProcess run(scene.Arguments());
+    Sleep(std::uniform_real_distribution<>(0, whole.seconds)(random));
+    run.Signal(SIGKILL);
+    const LimnProcess::End end = run.Wait();
+    EXPECT_THAT(WrongFiles(scene.output(), whole.files, Leftovers::kAll), IsEmpty())
+        << "kill " << i;
+    if (end.exit_code == 0) {
+      EXPECT_THAT(WrongFiles(scene.output(), whole.files, Leftovers::kNone), IsEmpty())
+          << "kill " << i;
+      EXPECT_EQ(Results(scene.output()).size(), whole.files.size());
+      fs::remove_all(scene.output());
+      continue;
+    }
+    EXPECT_EQ(end.exit_code, 128 + SIGKILL) << end.err;
+    ++num_killed;
+    if (random() % 3 != 0) fs::remove_all(scene.output());
+  }
+  std::printf("%d of %d runs of %.1f s were killed\n", num_killed, num_stops, whole.seconds);
+  EXPECT_GE(4 * num_killed, num_stops);
+  const LimnProcess::End last = LimnProcess(scene.Arguments()).Wait();
+  EXPECT_EQ(last.exit_code, 0) << last.err;
+  EXPECT_EQ(Results(scene.output()).size(), whole.files.size());
+  EXPECT_THAT(WrongFiles(scene.output(), whole.files, Leftovers::kNone), IsEmpty());
+}
+
+}  // namespace
+}  // namespace limn::testing

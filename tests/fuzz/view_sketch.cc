@@ -1,0 +1,11 @@
+#include "fuzz/fuzz_file.h"
+#include "fuzz/fuzz_target.h"
+#include "limn/io/stage_file.h"
+#include "limn/io/view_sketch_file.h"
+
+// The bytes are the payload of a stage file that is whole.
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::string path = limn::fuzz::ScratchPath();
+  limn::WriteStageFile(path, limn::StageKind::kViewSketch, "", limn::fuzz::Text(data, size));
+  return limn::fuzz::ExpectReadOrRefused([&] { limn::ReadViewSketch(path, 2, ""); });
+}
