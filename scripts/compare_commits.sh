@@ -45,7 +45,8 @@ tree_of() {
 }
 
 build() {
-  cmake -S "$1" --preset release >"$1/configure.log"
+  # Built as scripts/test.sh does, so that ccache has most of it.
+  (cd "$1" && cmake --preset release -DLIMN_WARNINGS_AS_ERRORS=ON) >"$1/configure.log"
   nice cmake --build "$1/build/release" --target "${target:-stage_report}" >"$1/build.log" || {
     tail -20 "$1/build.log" >&2
     exit 1

@@ -77,11 +77,11 @@ Json MeasureStreet(const Options& options, const colmap_ext::Console& console) {
       street.scene.views.size(), "world", taus);
   const StageCost made_scene = meter.Finish("scene");
   std::cout << CountEdgels(street.scene) / street.scene.views.size()
-            << " edgels per view in the mean; the scene took " << made_scene.times.seconds << " s and "
-            << made_scene.peak_mb << " MB\n";
+            << " edgels per view in the mean; the scene took " << made_scene.times.seconds
+            << " s and " << made_scene.peak_mb << " MB\n";
   RunStages(street.scene, {}, context, [&](const StageCost& cost, const CurveSet& made) {
-    AddCost(cost,
-            options.accuracy ? MeasureTruth(street, made, taus, context) : Json(nullptr), &set);
+    AddCost(cost, options.accuracy ? MeasureTruth(street, made, taus, context) : Json(nullptr),
+            &set);
     std::cout << cost.stage << ": " << cost.times.seconds << " s, " << made.polylines.size()
               << " curves" << std::endl;
   });

@@ -14,12 +14,12 @@ namespace {
 
 using testing::SceneCurve;
 
-constexpr double kStepM = 0.9;       // between neighbouring cameras
-constexpr double kDistanceM = 11;    // of the cameras from the middle of the slab
-constexpr double kSlabDepthM = 3;    // along y
-constexpr double kSlabHeightM = 8;   // along z
-constexpr double kMarginM = 9;       // how far the slab goes on beyond the first and last camera
-constexpr double kReachM = 25;       // no view sees farther along the street
+constexpr double kStepM = 0.9;      // between neighbouring cameras
+constexpr double kDistanceM = 11;   // of the cameras from the middle of the slab
+constexpr double kSlabDepthM = 3;   // along y
+constexpr double kSlabHeightM = 8;  // along z
+constexpr double kMarginM = 9;      // how far the slab goes on beyond the first and last camera
+constexpr double kReachM = 25;      // no view sees farther along the street
 constexpr double kVertexStepM = 0.01;
 constexpr double kFocalPx = 3200;
 constexpr int kMinViews = 4;
@@ -163,9 +163,8 @@ Street MakeStreet(const StreetOptions& options, const RunContext& context) {
   Scene& scene = street.scene;
   for (int i = 0; i < options.num_views; ++i) scene.views.push_back(MakeView(i, &random));
   scene.curves.resize(scene.views.size());
-  ParallelFor(context, "street", scene.views.size(), [&](size_t v) {
-    scene.curves[v] = CurvesOf(scene.views[v], curves, options);
-  });
+  ParallelFor(context, "street", scene.views.size(),
+              [&](size_t v) { scene.curves[v] = CurvesOf(scene.views[v], curves, options); });
   for (const SceneCurve& curve : curves) {
     AddHints(curve, scene.views, &scene.hints);
     for (Polyline3d& part : SeenParts(curve, scene.views)) {
