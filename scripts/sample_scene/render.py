@@ -1,7 +1,7 @@
 """Builds the sample scene in Blender and renders it with Cycles. Blender 3.4 (Debian 12).
 
   blender --background --python render.py -- --light day --output /tmp/frames/day [--views 0,6] [--samples 64]
-          [--distorted] [--scale 1.0]
+          [--distorted] [--scale 1.0] [--long]
 
 Writes one lossless PNG per view. A frame that is there already is kept, so a broken run can be resumed.
 """
@@ -217,9 +217,7 @@ def build_camera(distorted):
     return item
 
 
-def place_camera(item, index):
-    rotation, _ = sample.camera_pose(index)
-    centre = sample.camera_centre(index)
+def place_camera(item, rotation, centre):
     matrix = mathutils.Matrix.Identity(4)
     for r in range(3):
         for c in range(3):
@@ -250,11 +248,21 @@ def parse_arguments():
     parser = argparse.ArgumentParser()
     parser.add_argument("--light", choices=sample.LIGHTS, required=True)
     parser.add_argument("--output", required=True)
-    parser.add_argument("--views", default=",".join(map(str, range(sample.VIEW_COUNT))))
+    parser.add_argument("--views", help="numbers with commas between; default: all")
+    parser.add_argument("--long", action="store_true", help="on the long path")
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--scale", type=float, default=1.0)
     parser.add_argument("--distorted", action="store_true")
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
+
+
+def views_of(arguments):
+    if arguments.views:
+        return list(map(int, arguments.views.split(",")))
+    if arguments.long:
+        # Every fourth first, then every second: a broken run has paths of their own, too.
+        return sorted(range(sample.LONG_VIEW_COUNT), key=lambda i: (i % 4 != 0, i % 2 != 0, i))
+    return range(sample.VIEW_COUNT)
 
 
 def main():
@@ -266,11 +274,13 @@ def main():
     camera = build_camera(arguments.distorted)
     set_up_render(arguments.samples, arguments.scale)
     os.makedirs(arguments.output, exist_ok=True)
-    for index in map(int, arguments.views.split(",")):
+    centre_of = sample.long_camera_centre if arguments.long else sample.camera_centre
+    pose_of = sample.long_camera_pose if arguments.long else sample.camera_pose
+    for index in views_of(arguments):
         path = os.path.join(arguments.output, f"view_{index:02d}.png")
         if os.path.exists(path):
             continue
-        place_camera(camera, index)
+        place_camera(camera, pose_of(index)[0], centre_of(index))
         bpy.context.scene.cycles.seed = 1000 * sample.LIGHTS.index(arguments.light) + index
         bpy.context.scene.render.filepath = path + ".tmp.png"
         bpy.ops.render.render(write_still=True)

@@ -10,6 +10,8 @@ FOCAL_PX = 640.0
 # COLMAP's convention: the centre of the top-left pixel is (0.5, 0.5). Off centre on purpose.
 PRINCIPAL_POINT = (316.0, 244.0)
 VIEW_COUNT = 24
+# A second path, never committed: to measure how time and memory grow with the number of views.
+LONG_VIEW_COUNT = 100
 LIGHTS = ("day", "evening", "lamp")
 
 PLINTH_TOP = 0.10
@@ -125,8 +127,35 @@ def view_name(index):
 
 def camera_pose(index):
     """(R, t) of cam_from_world; x right, y down, z forward."""
-    centre = camera_centre(index)
-    rng = np.random.default_rng(100 + index)
+    return _pose_at(camera_centre(index), np.random.default_rng(100 + index))
+
+
+def camera_centre(index):
+    """A full circle of 24 steps; heights cycle through low, middle, high, so neighbours differ."""
+    return _centre_at(index / VIEW_COUNT, index, np.random.default_rng(index))
+
+
+def long_camera_pose(index):
+    """As camera_pose, on the long path."""
+    return _pose_at(long_camera_centre(index), np.random.default_rng(2000 + index))
+
+
+def long_camera_centre(index):
+    """The same circle in LONG_VIEW_COUNT steps. Every second and every fourth view make a path of the same kind."""
+    step = index // 4 + (0, 3, 2, 0)[index % 4]
+    return _centre_at(index / LONG_VIEW_COUNT, step, np.random.default_rng(1000 + index))
+
+
+def _centre_at(turn, step, rng):
+    """Place on the circle: share of the full turn, and which of the heights."""
+    azimuth = np.radians(360.0 * turn + rng.uniform(-4, 4))
+    elevation = np.radians((20, 37, 28, 50)[step % 4] + rng.uniform(-4, 4))
+    distance = 3.15 + rng.uniform(-0.3, 0.4)
+    return distance * np.array([np.cos(azimuth) * np.cos(elevation), np.sin(azimuth) * np.cos(elevation),
+                                np.sin(elevation)]) + (0, 0, 0.15)
+
+
+def _pose_at(centre, rng):
     target = np.array([0.0, 0.0, 0.22]) + rng.uniform(-1, 1, 3) * (0.12, 0.12, 0.05)
     forward = (target - centre) / np.linalg.norm(target - centre)
     right = np.cross(forward, (0.0, 0.0, 1.0))
@@ -136,16 +165,6 @@ def camera_pose(index):
     right, down = np.cos(roll) * right + np.sin(roll) * down, np.cos(roll) * down - np.sin(roll) * right
     rotation = np.stack([right, down, forward])
     return rotation, -rotation @ centre
-
-
-def camera_centre(index):
-    """A full circle of 24 steps; heights cycle through low, middle, high, so neighbours differ."""
-    rng = np.random.default_rng(index)
-    azimuth = np.radians(360.0 * index / VIEW_COUNT + rng.uniform(-4, 4))
-    elevation = np.radians((20, 37, 28, 50)[index % 4] + rng.uniform(-4, 4))
-    distance = 3.15 + rng.uniform(-0.3, 0.4)
-    return distance * np.array([np.cos(azimuth) * np.cos(elevation), np.sin(azimuth) * np.cos(elevation),
-                                np.sin(elevation)]) + (0, 0, 0.15)
 
 
 # ----------------------------------------------------------------------------------------------

@@ -3,14 +3,8 @@
 #include <cstdio>
 #include <iostream>
 
-#include "bench/data_sets.h"
-#include "bench/measure.h"
-#include "colmap_ext/commands/project.h"
+#include "bench/sample_study.h"
 #include "colmap_ext/options/option_parser.h"
-#include "limn/drawing/drawing.h"
-#include "limn/geometry/polyline.h"
-#include "limn/refinement/refinement.h"
-#include "limn/sketch/sketch.h"
 #include "support/camera_errors.h"
 
 namespace limn::bench {
@@ -23,31 +17,8 @@ struct StudyOptions {
   bool use_points = true;
 };
 
-struct Study {
-  DataSet set;
-  Truth truth;
-  Scene scene;  // with the true cameras
-  std::vector<Eigen::Vector3d> truth_points;
-};
-
-Study Load(const StudyOptions& options, colmap_ext::Console* console) {
-  Study study;
-  study.set = SelectDataSets(KnownDataSets("", LIMN_SAMPLE_DIR), "sample-day")[0];
-  study.truth = ReadTruth(study.set);
-  colmap_ext::RunOptions run;
-  run.layout.workspace_path = study.set.workspace_path;
-  run.layout.output_path = options.output_path;
-  const colmap_ext::Project project(run, console);
-  study.scene = {project.views(), ExtractProjectCurves(project, run, console).curves, {}};
-  if (options.use_points) study.scene.hints = project.view_set().hints;
-  for (const Polyline3d& polyline : study.truth.curves.polylines) {
-    const Polyline3d samples = ResampleUniform(polyline, 0.05);
-    study.truth_points.insert(study.truth_points.end(), samples.begin(), samples.end());
-  }
-  return study;
-}
-
-void PrintCameras(const std::string& name, const Study& study, const std::vector<View>& views) {
+void PrintCameras(const std::string& name, const SampleStudy& study,
+                  const std::vector<View>& views) {
   const auto errors = testing::MeasureCameras(views, study.scene.views, study.truth_points);
   std::printf("| %s | %.3f | %.3f | %.4f | %.2f | %+.3f |\n", name.c_str(), errors.raw_px,
               errors.aligned_px, errors.rotation_deg, 1000 * errors.center,
@@ -55,19 +26,9 @@ void PrintCameras(const std::string& name, const Study& study, const std::vector
 }
 
 // After the same alignment as the cameras.
-void PrintDrawing(const std::string& name, const Study& study, const std::vector<View>& views,
+void PrintDrawing(const std::string& name, const SampleStudy& study, const std::vector<View>& views,
                   const DrawingGraph& graph, const RunContext& context) {
-  const Eigen::Affine3d truth_from_world =
-      testing::WorldFromTruth(views, study.scene.views).inverse();
-  CurveSet set = ToCurveSet(graph);
-  for (Polyline3d& polyline : set.polylines) {
-    for (Eigen::Vector3d& point : polyline) point = truth_from_world * point;
-  }
-  for (CurveNode& node : set.nodes) {
-    node.position_in_world = truth_from_world * node.position_in_world;
-  }
-  const Json report =
-      MeasureAgainstTruth(study.set, study.truth, study.scene.views, set, false, context);
+  const Json report = MeasureAligned(study, views, graph, context);
   std::printf("| %s |", name.c_str());
   for (const Json& row : report["all"]["rows"]) {
     std::printf(" %.3f / %.3f / %.3f |", row["precision"].get<double>(),
@@ -77,27 +38,10 @@ void PrintDrawing(const std::string& name, const Study& study, const std::vector
   std::fflush(stdout);
 }
 
-DrawingGraph Draw(const Study& study, const std::vector<View>& views, const RunContext& context) {
-  const auto& curves = study.scene.curves;
-  const CurveSketch sketch =
-      BuildSketch(PipelineOptions().mode, {views, curves, study.scene.hints, std::nullopt}, {},
-                  context)
-          .sketch;
-  return BuildDrawing({views, curves, sketch, std::nullopt}, {}, context).graph;
-}
-
-RefinementResult Refine(const Study& study, const std::vector<View>& views,
-                        const DrawingGraph& graph, bool refine_poses, const RunContext& context) {
-  RefinementOptions options;
-  options.refine_poses = refine_poses;
-  return RefineDrawing({views, study.scene.curves, graph, &study.scene.hints.points}, options,
-                       context);
-}
-
 void Run(const StudyOptions& options) {
   colmap_ext::Console console(-1);
   const RunContext& context = console.context();
-  const Study study = Load(options, &console);
+  const SampleStudy study = LoadSampleStudy(options.output_path, options.use_points, &console);
   const std::vector<View>& truth = study.scene.views;
   const std::vector<View> disturbed = testing::PerturbCameras(
       truth, study.truth_points, options.error_px, static_cast<unsigned>(options.seed));

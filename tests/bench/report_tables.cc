@@ -1,44 +1,12 @@
 #include "bench/report_tables.h"
 
-#include <cstdio>
 #include <ostream>
 #include <string>
-#include <vector>
+
+#include "bench/markdown.h"
 
 namespace limn::bench {
 namespace {
-
-using Cells = std::vector<std::string>;
-
-std::string Fixed(const Json& number, int digits, double factor = 1) {
-  if (number.is_null()) return "-";
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.*f", digits, factor * number.get<double>());
-  return text;
-}
-
-std::string Percent(const Json& share) { return Fixed(share, 1, 100); }
-
-std::string Short(const Json& number) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%g", number.get<double>());
-  return text;
-}
-
-std::string Shares(const Json& row) {
-  return Percent(row["precision"]) + " / " + Percent(row["recall"]) + " / " + Percent(row["f"]);
-}
-
-void PrintRow(const Cells& cells, std::ostream& out) {
-  out << '|';
-  for (const std::string& cell : cells) out << ' ' << cell << " |";
-  out << '\n';
-}
-
-void PrintHead(const Cells& cells, std::ostream& out) {
-  PrintRow(cells, out);
-  PrintRow(Cells(cells.size(), "---"), out);
-}
 
 bool IsDefault(const Json& run) { return run["threshold"].is_null(); }
 

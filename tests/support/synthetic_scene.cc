@@ -55,6 +55,72 @@ std::tuple<long, long> PixelKey(const Edgel& edgel) {
   return {std::lround(edgel.stored_px.y()), std::lround(edgel.stored_px.x())};
 }
 
+// A projected curve.
+struct PixelCurve {
+  std::vector<Eigen::Vector2d> pixels;
+  bool closed = false;
+};
+
+double Length(const std::vector<Eigen::Vector2d>& pixels) {
+  double length = 0;
+  for (size_t i = 1; i < pixels.size(); ++i) length += (pixels[i] - pixels[i - 1]).norm();
+  return length;
+}
+
+void AddVisibleParts(const View& view, const SceneCurve& curve, std::vector<PixelCurve>* parts) {
+  constexpr double kShortestPx = 2;
+  PixelCurve part;
+  const auto finish = [&] {
+    if (Length(part.pixels) >= kShortestPx) parts->push_back(part);
+    part.pixels.clear();
+  };
+  for (const Eigen::Vector3d& point : curve.points) {
+    const auto pixel = view.Project(point);
+    if (pixel) {
+      part.pixels.push_back(*pixel);
+    } else {
+      finish();
+    }
+  }
+  const auto first = view.Project(curve.points.front());
+  if (curve.closed && first && !part.pixels.empty()) part.pixels.push_back(*first);
+  finish();
+}
+
+ImageCurves MakeImageCurves(const View& view, const std::vector<PixelCurve>& curves,
+                            double noise_px, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> gauss(0, 1);
+  std::vector<Edgel> edgels;
+  std::vector<size_t> begins = {0};
+  for (const PixelCurve& curve : curves) {
+    for (Edgel edgel : SampleEdgels(curve.pixels, curve.closed)) {
+      edgel.position_px += noise_px * gauss(random) * edgel.Normal();
+      edgel.stored_px = edgel.position_px.cast<float>();
+      if (noise_px > 0) edgel.position_sigma_px = static_cast<float>(noise_px);
+      edgels.push_back(edgel);
+    }
+    begins.push_back(edgels.size());
+  }
+  std::vector<size_t> order(edgels.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return PixelKey(edgels[a]) < PixelKey(edgels[b]); });
+  std::vector<Edgel> sorted;
+  std::vector<EdgelId> id_of(edgels.size());
+  for (const size_t from : order) {
+    id_of[from] = static_cast<EdgelId>(sorted.size());
+    sorted.push_back(edgels[from]);
+  }
+  ImageCurves result;
+  result.edge_map = MakeEdgeMap(view, std::move(sorted));
+  for (size_t c = 0; c < curves.size(); ++c) {
+    result.fragments.push_back(
+        {{id_of.begin() + begins[c], id_of.begin() + begins[c + 1]}, curves[c].closed});
+  }
+  return result;
+}
+
 }  // namespace
 
 SceneCurve Segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
@@ -156,36 +222,18 @@ EdgeMap MakeEdgeMap(const View& view, std::vector<Edgel> edgels) {
 
 ImageCurves ProjectCurves(const View& view, const std::vector<SceneCurve>& curves, double noise_px,
                           unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> gauss(0, 1);
-  std::vector<Edgel> edgels;
-  std::vector<size_t> begins = {0};
+  std::vector<PixelCurve> projected;
   for (const SceneCurve& curve : curves) {
-    for (Edgel edgel : SampleEdgels(ProjectDensely(view, curve), curve.closed)) {
-      edgel.position_px += noise_px * gauss(random) * edgel.Normal();
-      edgel.stored_px = edgel.position_px.cast<float>();
-      if (noise_px > 0) edgel.position_sigma_px = static_cast<float>(noise_px);
-      edgels.push_back(edgel);
-    }
-    begins.push_back(edgels.size());
+    projected.push_back({ProjectDensely(view, curve), curve.closed});
   }
-  std::vector<size_t> order(edgels.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t a, size_t b) { return PixelKey(edgels[a]) < PixelKey(edgels[b]); });
-  std::vector<Edgel> sorted;
-  std::vector<EdgelId> id_of(edgels.size());
-  for (const size_t from : order) {
-    id_of[from] = static_cast<EdgelId>(sorted.size());
-    sorted.push_back(edgels[from]);
-  }
-  ImageCurves result;
-  result.edge_map = MakeEdgeMap(view, std::move(sorted));
-  for (size_t c = 0; c < curves.size(); ++c) {
-    result.fragments.push_back(
-        {{id_of.begin() + begins[c], id_of.begin() + begins[c + 1]}, curves[c].closed});
-  }
-  return result;
+  return MakeImageCurves(view, projected, noise_px, seed);
+}
+
+ImageCurves ProjectVisibleParts(const View& view, const std::vector<SceneCurve>& curves,
+                                double noise_px, unsigned seed) {
+  std::vector<PixelCurve> projected;
+  for (const SceneCurve& curve : curves) AddVisibleParts(view, curve, &projected);
+  return MakeImageCurves(view, projected, noise_px, seed);
 }
 
 std::vector<ImageCurves> ProjectCurves(const std::vector<View>& views,

@@ -39,6 +39,10 @@ std::vector<View> Scaled(const std::vector<View>& views, double factor);
 // std::invalid_argument if a curve is not wholly inside the view's region.
 ImageCurves ProjectCurves(const View& view, const std::vector<SceneCurve>& curves,
                           double noise_px = 0, unsigned seed = 1);
+// The same of what the view contains: a curve gives a fragment per stretch of its vertices inside,
+// so vertices must be near together in the image. Stretches of less than 2 px are left out.
+ImageCurves ProjectVisibleParts(const View& view, const std::vector<SceneCurve>& curves,
+                                double noise_px = 0, unsigned seed = 1);
 // For every view, each with a seed of its own.
 std::vector<ImageCurves> ProjectCurves(const std::vector<View>& views,
                                        const std::vector<SceneCurve>& curves, double noise_px = 0);

@@ -1,0 +1,118 @@
+// How time and memory of the stages after the image curves grow with the number of views: on a
+// street (street_scene.h) whose image curves are generated, and which is compared with its truth.
+// Prints the table of stages and what a view costs; --output_path keeps report.json
+// (stage_costs.h).
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "bench/markdown.h"
+#include "bench/run_stages.h"
+#include "bench/stage_table.h"
+#include "bench/street_scene.h"
+#include "colmap_ext/commands/console.h"
+#include "colmap_ext/options/option_parser.h"
+#include "limn/evaluation/evaluate_curves.h"
+#include "limn/evaluation/report_writers.h"
+#include "limn/io/atomic_file.h"
+
+namespace limn::bench {
+namespace {
+
+struct Options {
+  StreetOptions street;
+  std::string output_path;
+  std::string commit;
+  bool accuracy = true;
+  int num_threads = -1;
+};
+
+void AddOptions(Options* options, OptionParser* parser) {
+  parser->AddOption("views", &options->street.num_views, "number of views");
+  parser->AddOption("edgels", &options->street.num_edgels, "edgels per view, in the mean");
+  parser->AddOption("noise_px", &options->street.noise_px, "noise of the edgels, px");
+  parser->AddOption("seed", &options->street.seed, "of the scene");
+  parser->AddOption("accuracy", &options->accuracy, "compare with the truth");
+  parser->AddOption("output_path", &options->output_path, "folder of report.json; empty = none");
+  parser->AddOption("commit", &options->commit, "what is measured, for the report");
+  parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
+}
+
+// In metres: footprints of a thousand views would take longer than the stages.
+Json MeasureTruth(const Street& street, const CurveSet& made, const std::vector<double>& taus,
+                  const RunContext& context) {
+  EvaluationOptions options;
+  options.taus = taus;
+  options.find_duplicates = false;
+  std::ostringstream text;
+  WriteReportJson(EvaluateCurves(made, street.truth, options, {}, context), text);
+  return {{"all", Json::parse(text.str())}};
+}
+
+size_t CountEdgels(const Scene& scene) {
+  size_t count = 0;
+  for (const ImageCurves& curves : scene.curves) count += curves.edge_map.edgels.size();
+  return count;
+}
+
+void PrintPerView(const Json& set, double num_views, std::ostream& out) {
+  out << '\n';
+  PrintHead({"stage", "CPU ms per view", "peak MB per view"}, out);
+  for (const Json& stage : set["stages"]) {
+    PrintRow({stage["stage"], Fixed(stage["cpu_seconds"][0], 1, 1000 / num_views),
+              Fixed(stage["peak_mb"][0], 2, 1 / num_views)},
+             out);
+  }
+}
+
+Json MeasureStreet(const Options& options, const colmap_ext::Console& console) {
+  const StreetOptions& size = options.street;
+  const RunContext& context = console.context();
+  const StageMeter meter;
+  const Street street = MakeStreet(size, context);
+  const std::vector<double> taus = {street.footprint, 2 * street.footprint};
+  Json set = NewStageSet(
+      "street-" + std::to_string(size.num_views) + "-" + std::to_string(size.num_edgels),
+      street.scene.views.size(), "world", taus);
+  const StageCost made_scene = meter.Finish("scene");
+  std::cout << CountEdgels(street.scene) / street.scene.views.size()
+            << " edgels per view in the mean; the scene took " << made_scene.times.seconds
+            << " s and " << made_scene.peak_mb << " MB\n";
+  RunStages(street.scene, {}, context, [&](const StageCost& cost, const CurveSet& made) {
+    AddCost(cost, options.accuracy ? MeasureTruth(street, made, taus, context) : Json(nullptr),
+            &set);
+    std::cout << cost.stage << ": " << cost.times.seconds << " s, " << made.polylines.size()
+              << " curves" << std::endl;
+  });
+  AddTotal(&set);
+  return set;
+}
+
+void Run(int argc, const char* const* argv) {
+  Options options;
+  OptionParser parser("large_scene", "time and memory of the stages on a generated street");
+  AddOptions(&options, &parser);
+  if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return;
+  const colmap_ext::Console console(options.num_threads);
+  Json report = NewStageReport(options.commit, options.num_threads);
+  report["sets"].push_back(MeasureStreet(options, console));
+  WriteStageTable(report, std::cout);
+  PrintPerView(report["sets"][0], options.street.num_views, std::cout);
+  if (options.output_path.empty()) return;
+  WriteFileAtomically(options.output_path + "/report.json",
+                      [&](std::ostream& out) { out << report.dump(1) << '\n'; });
+}
+
+}  // namespace
+}  // namespace limn::bench
+
+int main(int argc, char** argv) {
+  try {
+    limn::bench::Run(argc, argv);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ERROR: %s\n", error.what());
+    return 1;
+  }
+}

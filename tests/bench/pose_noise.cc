@@ -1,0 +1,97 @@
+// What wrong cameras cost: draws the sample scene with all cameras disturbed more and more, and
+// with one camera in a hundred, at least one, turned by 5 degrees about its centre.
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <random>
+
+#include "bench/markdown.h"
+#include "bench/sample_study.h"
+#include "colmap_ext/options/option_parser.h"
+#include "limn/util/errors.h"
+#include "support/camera_errors.h"
+
+namespace limn::bench {
+namespace {
+
+constexpr double kWrongShare = 0.01;
+constexpr double kWrongDeg = 5;
+
+struct NoiseOptions {
+  std::string output_path;
+  std::vector<double> errors_px = {0, 0.5, 1, 2};
+  int seed = 1;
+  bool refine_poses = false;
+};
+
+// Every hundredth view, one at least, chosen and turned at random.
+std::vector<View> WithWrongViews(std::vector<View> views, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> gauss(0, 1);
+  std::vector<size_t> order(views.size());
+  for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::shuffle(order.begin(), order.end(), random);
+  const auto count =
+      std::max<size_t>(1, static_cast<size_t>(kWrongShare * static_cast<double>(views.size())));
+  for (size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d axis =
+        Eigen::Vector3d(gauss(random), gauss(random), gauss(random)).normalized();
+    Rigid3d turn;
+    turn.rotation = Eigen::AngleAxisd(kWrongDeg * M_PI / 180, axis);
+    views[order[i]].cam_from_world = turn * views[order[i]].cam_from_world;
+  }
+  return views;
+}
+
+void MeasureViews(const std::string& name, const SampleStudy& study, const NoiseOptions& options,
+                  const std::vector<View>& views, const RunContext& context) {
+  const RefinementResult refined =
+      Refine(study, views, Draw(study, views, context), options.refine_poses, context);
+  const std::vector<View>& fitted = refined.cameras ? refined.cameras->views : views;
+  const Json report = MeasureAligned(study, fitted, refined.graph, context);
+  Cells cells = {name, std::to_string(refined.graph.links.size())};
+  for (const Json& row : report["all"]["rows"]) cells.push_back(Shares(row));
+  PrintRow(cells, std::cout);
+  std::cout.flush();
+}
+
+void Run(const NoiseOptions& options) {
+  if (options.output_path.empty()) throw OptionError("--output_path must be given");
+  colmap_ext::Console console(-1);
+  RunContext context = console.context();
+  context.progress = {};  // nothing between the rows of the table
+  const SampleStudy study = LoadSampleStudy(options.output_path, true, &console);
+  const auto seed = static_cast<unsigned>(options.seed);
+  std::cout << '\n';
+  PrintHead({"cameras", "links", "P/R/F at 1", "at 2", "at 4 footprints"}, std::cout);
+  for (const double error_px : options.errors_px) {
+    const std::vector<View> views =
+        error_px > 0
+            ? testing::PerturbCameras(study.scene.views, study.truth_points, error_px, seed)
+            : study.scene.views;
+    MeasureViews(Short(error_px) + " px off", study, options, views, context);
+  }
+  MeasureViews("one turned by " + Short(kWrongDeg) + " degrees", study, options,
+               WithWrongViews(study.scene.views, seed), context);
+}
+
+}  // namespace
+}  // namespace limn::bench
+
+int main(int argc, char** argv) {
+  limn::bench::NoiseOptions options;
+  limn::OptionParser parser("pose_noise", "accuracy of the sample's drawing with wrong cameras");
+  parser.AddOption("output_path", &options.output_path, "folder for the cache of image curves");
+  parser.AddOption("errors_px", &options.errors_px, "mean displacements of the cameras, px");
+  parser.AddOption("seed", &options.seed, "of the disturbances");
+  parser.AddOption("refine_poses", &options.refine_poses, "refine the cameras too");
+  try {
+    using Outcome = limn::OptionParser::Outcome;
+    if (parser.Parse(argc, argv, std::cout) == Outcome::kHelp) return 0;
+    limn::bench::Run(options);
+  } catch (const std::exception& error) {
+    std::cerr << "ERROR: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

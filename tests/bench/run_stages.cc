@@ -1,0 +1,47 @@
+#include "bench/run_stages.h"
+
+#include "limn/drawing/drawing.h"
+#include "limn/primitives/fit_primitives.h"
+#include "limn/refinement/refinement.h"
+#include "limn/sketch/sketch.h"
+
+namespace limn::bench {
+namespace {
+
+// Calls the stage, tells what it cost, returns what it made.
+template <typename Stage, typename ToCurves>
+auto Measure(const Stage& stage, const ToCurves& to_curves, const StageListener& on_stage_end) {
+  const StageMeter meter;
+  auto result = stage();
+  const StageCost cost = meter.Finish(result.summary.stage);
+  on_stage_end(cost, to_curves(result));
+  return result;
+}
+
+}  // namespace
+
+void RunStages(const Scene& scene, const PipelineOptions& options, const RunContext& context,
+               const StageListener& on_stage_end) {
+  const auto of_graph = [](const auto& result) { return ToCurveSet(result.graph); };
+  const SketchResult sketch = Measure(
+      [&] {
+        return BuildSketch(options.mode, {scene.views, scene.curves, scene.hints, std::nullopt},
+                           options.sketch, context);
+      },
+      [](const SketchResult& result) { return ToCurveSet(result.sketch); }, on_stage_end);
+  const DrawingResult drawing = Measure(
+      [&] {
+        return BuildDrawing({scene.views, scene.curves, sketch.sketch}, options.drawing, context);
+      },
+      of_graph, on_stage_end);
+  const RefinementResult refined = Measure(
+      [&] {
+        return RefineDrawing({scene.views, scene.curves, drawing.graph, &scene.hints.points},
+                             options.refinement, context);
+      },
+      of_graph, on_stage_end);
+  Measure([&] { return FitPrimitives(refined.graph, scene.views, options.primitives, context); },
+          of_graph, on_stage_end);
+}
+
+}  // namespace limn::bench

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "bench/scene.h"
+#include "bench/stage_costs.h"
+#include "limn/model/curve_set.h"
+#include "limn/pipeline/pipeline_options.h"
+#include "limn/util/parallel.h"
+
+namespace limn::bench {
+
+// Hears what a stage cost and what it made.
+using StageListener = std::function<void(const StageCost& cost, const CurveSet& made)>;
+
+// The stages after the image curves as DrawScene runs them, each measured on its own; what the
+// listener does is not measured. Results of earlier stages stay in memory, as they do in DrawScene.
+void RunStages(const Scene& scene, const PipelineOptions& options, const RunContext& context,
+               const StageListener& on_stage_end);
+
+}  // namespace limn::bench
