@@ -59,10 +59,11 @@ void ReadImagesOnce(const colmap_ext::Project& project) {
 
 Scene ExtractScene(const colmap_ext::Project& project, const PipelineOptions& options,
                    const RunContext& context, Json* set) {
-  const TempDir cache;
+  const TempDir folder;
+  ResultCache cache(folder.path().string());
   const StageMeter meter;
-  CurvesResult curves = ExtractCurves({project.views(), project.images(), cache.path().string()},
-                                      options.edges, options.linking, context);
+  CurvesResult curves = ExtractCurves({project.views(), project.images(), &cache}, options.edges,
+                                      options.linking, context);
   AddCost(meter.Finish(curves.summary.stage), nullptr, set);
   return {project.views(), std::move(curves.curves), project.view_set().hints};
 }

@@ -82,6 +82,22 @@ class CurveRetriangulation {
     return *middle;
   }
 
+  struct WeightedLine {
+    const View* view;
+    EdgelLine line;
+    double variance;
+  };
+
+  std::vector<WeightedLine> LinesOf(const std::vector<EdgelRef>& support) const {
+    std::vector<WeightedLine> lines;
+    lines.reserve(support.size());
+    for (const EdgelRef& ref : support) {
+      const Edgel& edgel = EdgelOf(ref);
+      lines.push_back({&views_[ref.view], edgel, ResidualVariance(edgel)});
+    }
+    return lines;
+  }
+
   // Robust Gauss-Newton in the plane across the curve.
   void MoveToEdgels(int s, WorkingCurve* working) const {
     const std::vector<EdgelRef>& support = working->support[s];
@@ -94,18 +110,18 @@ class CurveRetriangulation {
     across.col(0) = tangent.unitOrthogonal();
     across.col(1) = tangent.cross(across.col(0));
     const double prior = 1 / std::pow(kPriorSigmaPx * working->footprint[s], 2);
+    const std::vector<WeightedLine> lines = LinesOf(support);
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     for (int step = 0; step < kGaussNewtonSteps; ++step) {
       information.setZero();
       Eigen::Vector2d right = -prior * (across.transpose() * (position - start));
-      for (const EdgelRef& ref : support) {
-        const Edgel& edgel = EdgelOf(ref);
-        const auto residual = ResidualToEdgel(views_[ref.view], edgel, position);
+      for (const WeightedLine& line : lines) {
+        const auto residual = ResidualToEdgel(*line.view, line.line, position);
         if (!residual) continue;
         const double size = std::abs(residual->residual_px);
         const double robust =
             size > options_.robust_residual_px ? options_.robust_residual_px / size : 1;
-        const double weight = robust / ResidualVariance(edgel);
+        const double weight = robust / line.variance;
         const Eigen::Vector2d gradient = across.transpose() * residual->gradient;
         information += weight * gradient * gradient.transpose();
         right -= weight * gradient * residual->residual_px;

@@ -50,7 +50,7 @@ struct Jet {
 // pixels sampled at integers, so an area-sampled step appears with variance sigma^2 + 1/12.
 class SubpixelDerivatives {
  public:
-  static constexpr int kNodesPerPx = 32;
+  static constexpr int kNodesPerPx = 256;
 
   // `plane` must outlive this object and have GaussianPadding(sigma_px).
   SubpixelDerivatives(const PaddedPlane& plane, double sigma_px);

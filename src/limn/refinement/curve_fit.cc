@@ -22,7 +22,12 @@ constexpr int kMaxIterations = 8;
 class PullCost : public ceres::CostFunction {
  public:
   PullCost(const CurveFitInput& input, const LinkSample& sample, double robust_px)
-      : input_(input), sample_(sample), robust_px_(robust_px) {
+      : t_(sample.t), robust_px_(robust_px) {
+    for (const EdgelPull& pull : sample.pulls) {
+      const Edgel& edgel = input.curves[pull.ref.view].edge_map.edgels[pull.ref.edgel];
+      pulls_.push_back(
+          {&input.views[pull.ref.view], edgel, std::sqrt(pull.weight / ResidualVariance(edgel))});
+    }
     set_num_residuals(static_cast<int>(sample.pulls.size()));
     *mutable_parameter_block_sizes() = {3, 3};
   }
@@ -31,32 +36,36 @@ class PullCost : public ceres::CostFunction {
                 double** jacobians) const override {
     const Eigen::Map<const Eigen::Vector3d> from(parameters[0]);
     const Eigen::Map<const Eigen::Vector3d> to(parameters[1]);
-    const Eigen::Vector3d point = (1 - sample_.t) * from + sample_.t * to;
-    for (size_t i = 0; i < sample_.pulls.size(); ++i) {
-      const Pull pull = At(sample_.pulls[i], point);
+    const Eigen::Vector3d point = (1 - t_) * from + t_ * to;
+    for (size_t i = 0; i < pulls_.size(); ++i) {
+      const Pull pull = At(pulls_[i], point);
       residuals[i] = pull.residual;
       if (!jacobians) continue;
       for (const int end : {0, 1}) {
         if (!jacobians[end]) continue;
         Eigen::Map<Eigen::Vector3d> row(jacobians[end] + 3 * i);
-        row = (end == 0 ? 1 - sample_.t : sample_.t) * pull.gradient;
+        row = (end == 0 ? 1 - t_ : t_) * pull.gradient;
       }
     }
     return true;
   }
 
  private:
+  struct WeightedLine {
+    const View* view;
+    EdgelLine line;
+    double scale;  // square root of the weight
+  };
   struct Pull {
     double residual = 0;
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   };
 
   // The square of this residual is the Cauchy loss of the distance.
-  Pull At(const EdgelPull& pull, const Eigen::Vector3d& point) const {
-    const Edgel& edgel = input_.curves[pull.ref.view].edge_map.edgels[pull.ref.edgel];
-    const auto distance = ResidualToEdgel(input_.views[pull.ref.view], edgel, point);
+  Pull At(const WeightedLine& pull, const Eigen::Vector3d& point) const {
+    const auto distance = ResidualToEdgel(*pull.view, pull.line, point);
     if (!distance) return {};
-    const double scale = std::sqrt(pull.weight / ResidualVariance(edgel));
+    const double scale = pull.scale;
     const double relative = distance->residual_px / robust_px_;
     if (std::abs(relative) < 1e-4) {
       return {scale * distance->residual_px, scale * distance->gradient};
@@ -66,8 +75,8 @@ class PullCost : public ceres::CostFunction {
     return {scale * std::copysign(robust_px_ * root, relative), scale * slope * distance->gradient};
   }
 
-  const CurveFitInput& input_;
-  const LinkSample& sample_;
+  std::vector<WeightedLine> pulls_;
+  double t_;
   double robust_px_;
 };
 

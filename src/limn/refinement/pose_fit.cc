@@ -50,7 +50,7 @@ bool ProjectCorrected(const View& view, const Vector3<T>& point, const T* motion
 // Distance across an edgel, stored px, of a place on a segment.
 struct PullResidual {
   const View* view;
-  const Edgel* edgel;
+  EdgelLine line;
   double t;
 
   template <typename T>
@@ -63,9 +63,8 @@ struct PullResidual {
       *residual = T(kBehindPx);
       return true;
     }
-    const Eigen::Vector2d row = AcrossInVirtual(*edgel);
-    *residual = row.x() * (pixel.x() - edgel->position_px.x()) +
-                row.y() * (pixel.y() - edgel->position_px.y());
+    *residual = line.across.x() * (pixel.x() - line.position_px.x()) +
+                line.across.y() * (pixel.y() - line.position_px.y());
     return true;
   }
 };
@@ -196,7 +195,7 @@ class PoseProblem {
         if (!IsInFront(views_[pull.ref.view], sample_point)) continue;
         problem_.AddResidualBlock(
             new ceres::AutoDiffCostFunction<PullResidual, 1, 3, 3, 6, 1>(
-                new PullResidual{&view, &edgel, sample.t}),
+                new PullResidual{&view, edgel, sample.t}),
             new ceres::ScaledLoss(new ceres::CauchyLoss(input_.robust_px),
                                   pull.weight / ResidualVariance(edgel), ceres::TAKE_OWNERSHIP),
             Position(from), Position(to), Motion(pull.ref.view), LogFocal(pull.ref.view));

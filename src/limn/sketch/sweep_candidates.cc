@@ -12,6 +12,8 @@ constexpr double kDeg = M_PI / 180;
 constexpr size_t kMaxModes = 8;
 // Fewer views that agree are chance.
 constexpr size_t kMinVoters = 2;
+// A mode is the mean of its voters, who are elected anew about it so often.
+constexpr int kRounds = 4;
 // Modes this near to a better one, in px of the other views, are the same.
 constexpr double kSamePx = 1.0;
 // A crossing this near to a mode, as a squared share of its gates, would elect it again.
@@ -91,12 +93,12 @@ std::vector<DepthMode> DepthElection::Find(const std::vector<EpipolarCrossing>& 
         best_.size() < kMaxModes || cells_.NumViews(seed.inverse_depth) > best_.back().score;
     if (!may_be_best) break;
     if (explained_[i]) continue;
-    const auto first = Vote(crossings, {seed.inverse_depth, seed.slope_per_px});
-    if (!first) continue;
-    const auto second = Vote(crossings, PlaceOf(first->depth));
-    if (!second) continue;
-    MarkExplained(crossings, second->depth);
-    Offer(*second);
+    auto mode = Vote(crossings, {seed.inverse_depth, seed.slope_per_px});
+    for (int round = 1; mode && round < kRounds; ++round)
+      mode = Vote(crossings, PlaceOf(mode->depth));
+    if (!mode) continue;
+    MarkExplained(crossings, mode->depth);
+    Offer(*mode);
   }
   return best_;
 }

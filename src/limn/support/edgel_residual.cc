@@ -4,24 +4,24 @@
 
 namespace limn {
 
-Eigen::Vector2d AcrossInVirtual(const Edgel& edgel) {
+EdgelLine::EdgelLine(const Edgel& edgel) : position_px(edgel.position_px) {
   const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
   const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
-  return stored_from_virtual.transpose() * Eigen::Vector2d(tangent.y(), -tangent.x());
+  across = stored_from_virtual.transpose() * Eigen::Vector2d(tangent.y(), -tangent.x());
 }
 
-std::optional<EdgelResidual> ResidualToEdgel(const View& view, const Edgel& edgel,
+std::optional<EdgelResidual> ResidualToEdgel(const View& view, const EdgelLine& line,
                                              const Eigen::Vector3d& point_in_world) {
   const Eigen::Vector3d point = view.cam_from_world * point_in_world;
   if (!(point.z() > 0)) return std::nullopt;
   const Eigen::Vector2d pixel = view.camera.Project(point);
-  const Eigen::Vector2d row = AcrossInVirtual(edgel);
+  const Eigen::Vector2d& row = line.across;
   const double fx = view.camera.fx / point.z();
   const double fy = view.camera.fy / point.z();
   const Eigen::Vector3d gradient_in_cam(
       row.x() * fx, row.y() * fy,
       -(row.x() * fx * point.x() + row.y() * fy * point.y()) / point.z());
-  return EdgelResidual{row.dot(pixel - edgel.position_px),
+  return EdgelResidual{row.dot(pixel - line.position_px),
                        view.cam_from_world.rotation.conjugate() * gradient_in_cam};
 }
 

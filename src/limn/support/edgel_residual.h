@@ -9,8 +9,16 @@
 
 namespace limn {
 
-// The row that turns an offset in the virtual image into its part across the edgel, stored pixels.
-Eigen::Vector2d AcrossInVirtual(const Edgel& edgel);
+// The tangent line of an edgel, ready to be asked for distances.
+struct EdgelLine {
+  // NOLINTNEXTLINE(google-explicit-constructor): an edgel is as good where it is asked once.
+  EdgelLine(const Edgel& edgel);
+
+  // A point of the line, virtual image.
+  Eigen::Vector2d position_px;
+  // The row that turns an offset in the virtual image into its part across the line, stored pixels.
+  Eigen::Vector2d across;
+};
 
 // Signed distance, stored pixels, of a projected point from the tangent line of an edgel, and its
 // gradient with respect to the point in the world.
@@ -20,7 +28,7 @@ struct EdgelResidual {
 };
 
 // Nothing if the point is behind the camera.
-std::optional<EdgelResidual> ResidualToEdgel(const View& view, const Edgel& edgel,
+std::optional<EdgelResidual> ResidualToEdgel(const View& view, const EdgelLine& line,
                                              const Eigen::Vector3d& point_in_world);
 
 // Variance of such a residual, px^2: what the edgel knows of its own position, and errors of
