@@ -1,5 +1,6 @@
 #include "colmap_ext/options/option_parser.h"
 
+#include <fstream>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -185,7 +186,8 @@ TEST_F(OptionParserTest, IniFileHasUngroupedKeysFirstThenSections) {
 }
 
 TEST_F(OptionParserTest, UnwritableIniIsAnError) {
-  EXPECT_THROW(parser_.WriteIni((dir_ / "no" / "project.ini").string()), IoError);
+  std::ofstream(dir_ / "file") << "no folder";
+  EXPECT_THROW(parser_.WriteIni((dir_ / "file" / "project.ini").string()), IoError);
 }
 
 TEST_F(OptionParserTest, DeclaringAnOptionTwiceIsAProgrammingError) {

@@ -70,8 +70,9 @@ TEST_F(EdgelIndexTest, FindsAnEdgelWhereverOneIsInTheGate) {
     ++num_found;
     EXPECT_TRUE(inside.count(best->edgel)) << "query " << q;
     const Edgel& edgel = edge_map_.edgels[best->edgel];
+    // Directions are kept in single precision.
     EXPECT_NEAR(best->normal_residual_px, edgel.Normal().dot(queries_[q] - edgel.position_px),
-                1e-9);
+                1e-6);
     EXPECT_NEAR(best->angle_rad,
                 OffsetOf(edgel, queries_[q], directions_[q], gate).angle * gate.angle_rad, 1e-6);
     // None is better in every respect.
