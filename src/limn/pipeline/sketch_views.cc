@@ -12,7 +12,7 @@ namespace limn {
 namespace {
 
 // To be raised whenever the sketch of the same input changes, so that kept ones are made again.
-constexpr int kSketchVersion = 1;
+constexpr int kSketchVersion = 2;
 
 std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box) {
   ContentHash hash;

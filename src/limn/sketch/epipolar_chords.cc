@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -123,6 +124,23 @@ void EpipolarChords::SortIntoBins(const std::vector<Span>& spans) {
   spans_.resize(bin_begin_.back());
   std::vector<int> next(bin_begin_.begin(), bin_begin_.end() - 1);
   for (const Span& span : spans) for_each_bin(span, [&](int bin) { spans_[next[bin]++] = span; });
+  SortChordsAsInBins();
+}
+
+// Chords that are looked at together lie together.
+void EpipolarChords::SortChordsAsInBins() {
+  std::vector<Chord> sorted;
+  sorted.reserve(chords_.size());
+  std::vector<int> place(chords_.size(), -1);
+  for (Span& span : spans_) {
+    int& at = place[span.chord];
+    if (at < 0) {
+      at = static_cast<int>(sorted.size());
+      sorted.push_back(chords_[span.chord]);
+    }
+    span.chord = at;
+  }
+  chords_ = std::move(sorted);
 }
 
 void EpipolarChords::Find(const Eigen::Vector2d& primary_px,

@@ -51,6 +51,7 @@ class EpipolarChords {
   void CollectChords(const ImageCurves& curves);
   std::vector<Span> FindSpans(const ImageCurves& curves) const;
   void SortIntoBins(const std::vector<Span>& spans);
+  void SortChordsAsInBins();
   int Bin(float plane_rad) const;
 
   OffsetFromPixel offset_from_primary_ = OffsetFromPixel::Zero();

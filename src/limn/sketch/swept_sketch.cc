@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "limn/sketch/epipolar_crossings.h"
@@ -10,6 +11,8 @@ namespace {
 
 // Half width of the stretch over which depths are smoothed, px.
 constexpr double kSmoothingPx = 5;
+// Every so many-th vertex is looked at by itself.
+constexpr size_t kAnchorSpacing = 4;
 
 class SweptDepths {
  public:
@@ -41,20 +44,51 @@ class SweptDepths {
   }
 
  private:
+  // Candidates of every vertex: of some among all crossings, of those between near theirs.
   std::vector<std::vector<DepthMode>> Modes(const FragmentRays& fragment) {
-    const double near = 1 / primary_.plan.min_depth;
-    const double far = 1 / primary_.plan.max_depth;
     std::vector<std::vector<DepthMode>> modes(fragment.size());
-    if (!(far < near)) return modes;
-    std::vector<EpipolarCrossing> crossings;
+    if (fragment.size() == 0) return modes;
+    const size_t first = std::min(kAnchorSpacing / 2, (fragment.size() - 1) / 2);
+    for (size_t anchor = first; anchor < fragment.size(); anchor += kAnchorSpacing) {
+      modes[anchor] = election_.Find(Crossings(fragment, anchor));
+    }
     for (size_t i = 0; i < fragment.size(); ++i) {
-      crossings.clear();
-      for (size_t k = 0; k < finders_.size(); ++k) {
-        finders_[k].Find(fragment, i, far, near, static_cast<int>(k), &crossings);
-      }
-      modes[i] = election_.Find(crossings);
+      std::vector<size_t> anchors;
+      if (i >= first) anchors.push_back(i - (i - first) % kAnchorSpacing);
+      const size_t next = i < first ? first : anchors[0] + kAnchorSpacing;
+      if (next < fragment.size()) anchors.push_back(next);
+      if (anchors[0] != i) modes[i] = ModesNear(fragment, i, anchors, modes);
     }
     return modes;
+  }
+
+  std::vector<DepthMode> ModesNear(const FragmentRays& fragment, size_t vertex,
+                                   const std::vector<size_t>& anchors,
+                                   const std::vector<std::vector<DepthMode>>& modes) {
+    std::vector<DepthPlace> proposals;
+    // Where the lists of the anchors are cut, this one would have been.
+    double min_score = 0;
+    for (const size_t anchor : anchors) {
+      const double step_px = fragment.arc_px[vertex] - fragment.arc_px[anchor];
+      for (const auto& [score, depth] : modes[anchor]) {
+        proposals.push_back(
+            PlaceOf(depth.inverse_depth + step_px * depth.slope_per_px, depth.slope_per_px));
+      }
+      if (modes[anchor].size() == DepthElection::kMaxModes) {
+        min_score = std::max(min_score, modes[anchor].back().score);
+      }
+    }
+    return election_.FindNear(Crossings(fragment, vertex), proposals, min_score);
+  }
+
+  const std::vector<EpipolarCrossing>& Crossings(const FragmentRays& fragment, size_t vertex) {
+    const double near = 1 / primary_.plan.min_depth;
+    const double far = 1 / primary_.plan.max_depth;
+    crossings_.clear();
+    for (size_t k = 0; k < finders_.size(); ++k) {
+      finders_[k].Find(fragment, vertex, far, near, static_cast<int>(k), &crossings_);
+    }
+    return crossings_;
   }
 
   // Take away the depths that too few views support, stretch by stretch.
@@ -99,6 +133,7 @@ class SweptDepths {
   const PrimaryView& primary_;
   const View& view_;
   std::vector<CrossingFinder> finders_;
+  std::vector<EpipolarCrossing> crossings_;  // of the vertex looked at
   DepthElection election_;
 };
 

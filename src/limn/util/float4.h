@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 
 namespace limn {
@@ -8,6 +9,8 @@ namespace limn {
 // x86-64, so that results do not depend on the machine. Operators work element by element, also
 // with a float on one side; `a < b ? x : y` chooses element by element.
 using Float4 = float __attribute__((vector_size(16)));
+// What comparing two of them gives: all bits of an element are set where it holds.
+using Mask4 = int32_t __attribute__((vector_size(16)));
 
 // From and to any address: it need not be aligned.
 inline Float4 Load4(const float* from) {
@@ -21,6 +24,12 @@ inline Float4 Splat4(float value) { return Float4{value, value, value, value}; }
 inline Float4 Min4(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 Max4(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float4 Abs4(Float4 a) { return Max4(a, -a); }
+// Whether any element of a comparison holds.
+inline bool Any4(Mask4 mask) {
+  uint64_t halves[2];
+  std::memcpy(halves, &mask, sizeof(halves));
+  return (halves[0] | halves[1]) != 0;
+}
 inline float Sum4(Float4 a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
 }  // namespace limn

@@ -125,5 +125,24 @@ TEST(AgreeingDepthsTest, BestSupportedDepthComesFirst) {
   EXPECT_TRUE(Elect({}).empty());
 }
 
+TEST(AgreeingDepthsTest, OnlyWhatIsProposedIsElected) {
+  std::vector<EpipolarCrossing> crossings;
+  for (const int view : {0, 1, 2}) {
+    for (const float depth : {0.2f, 0.3f, 0.4f}) crossings.push_back(MakeCrossing(view, depth, 0));
+  }
+  crossings.push_back(MakeCrossing(3, 0.3f, 0));
+  DepthElection election(600, SketchOptions());
+  EXPECT_EQ(election.Find(crossings).size(), 3u);
+  const std::vector<DepthPlace> proposals = {{0.2005f, 0}, {0.3005f, 0}, {0.25f, 0}};
+  const auto modes = election.FindNear(crossings, proposals, 0);
+  ASSERT_EQ(modes.size(), 2u);
+  EXPECT_NEAR(modes[0].depth.inverse_depth, 0.3, 1e-7);
+  EXPECT_NEAR(modes[1].depth.inverse_depth, 0.2, 1e-7);
+  const auto best = election.FindNear(crossings, proposals, modes[1].score + 0.01);
+  ASSERT_EQ(best.size(), 1u);
+  EXPECT_NEAR(best[0].depth.inverse_depth, 0.3, 1e-7);
+  EXPECT_TRUE(election.FindNear(crossings, {}, 0).empty());
+}
+
 }  // namespace
 }  // namespace limn

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "limn/sketch/epipolar_crossings.h"
+#include "limn/util/float4.h"
+
+namespace limn {
+
+// A depth of a sample and how it changes along the fragment.
+struct DepthPlace {
+  float inverse_depth = 0;
+  float slope_per_px = 0;
+};
+
+inline DepthPlace PlaceOf(double inverse_depth, double slope_per_px) {
+  return {static_cast<float>(inverse_depth), static_cast<float>(slope_per_px)};
+}
+
+// The crossings of one sample, sorted by inverse depth so that those which accept a place are found
+// among few, several at once. A crossing accepts the places within its gates: so far across the
+// curve, and turned so far against it.
+class CrossingTable {
+ public:
+  CrossingTable(double gate_px, double gate_rad)
+      : per_gate_px_(static_cast<float>(1 / gate_px)),
+        per_gate_rad_(static_cast<float>(1 / gate_rad)) {}
+
+  // Replaces what was there. Time: crossings.
+  void Fill(const std::vector<EpipolarCrossing>& crossings);
+
+  // Call visit(index into the crossings, squared distance in gates) for all that accept the place;
+  // some may come twice. Expected time: crossings whose depth alone comes near.
+  template <typename Visit>
+  void ForEachNear(const DepthPlace& place, Visit&& visit) const {
+    for (const Level& level : levels_) {
+      const int end = cell_begin_[level.first_cell + level.Cell(place.inverse_depth + level.reach) + 1];
+      int i = cell_begin_[level.first_cell + level.Cell(place.inverse_depth - level.reach)];
+      // What the last batch has beyond the end is compared like the rest.
+      for (; i < end; i += kBatch) VisitBatch(i, place, visit);
+    }
+  }
+
+ private:
+  // Crossings that are compared with a place at once.
+  static constexpr int kBatch = 8;
+  // Crossings of similar reach: how far their gates extend in inverse depth.
+  struct Level {
+    float reach = 0;  // the greatest
+    float low = 0;    // inverse depth where the first cell begins
+    float high = 0;
+    float cells_per_unit = 0;
+    int first_cell = 0;
+    int last_cell = 0;  // counted from the first
+    int count = 0;
+
+    int Cell(float inverse_depth) const {
+      const float cell = (inverse_depth - low) * cells_per_unit;
+      return static_cast<int>(std::clamp(cell, 0.f, static_cast<float>(last_cell)));
+    }
+  };
+
+  void FindLevels(const std::vector<EpipolarCrossing>& crossings);
+  void SortIntoCells(const std::vector<EpipolarCrossing>& crossings);
+
+  template <typename Visit>
+  void VisitBatch(int begin, const DepthPlace& place, Visit&& visit) const {
+    std::array<float, kBatch> distances;
+    Float4 least = Splat4(1);
+    for (int k = 0; k < kBatch; k += 4) {
+      const Float4 offset = (Load4(&inverse_depth_[begin + k]) - place.inverse_depth) *
+                            Load4(&gates_per_inverse_depth_[begin + k]);
+      const Float4 turn = (Load4(&slope_per_px_[begin + k]) - place.slope_per_px) *
+                          Load4(&gates_per_slope_[begin + k]);
+      const Float4 distance = offset * offset + turn * turn;
+      Store4(distance, distances.data() + k);
+      least = Min4(least, distance);
+    }
+    if (!Any4(least < Splat4(1))) return;
+    for (int k = 0; k < kBatch; ++k) {
+      if (distances[k] < 1) visit(crossing_[begin + k], distances[k]);
+    }
+  }
+
+  float per_gate_px_;
+  float per_gate_rad_;
+  std::array<Level, 4> levels_;
+  // Per cell, where its crossings begin in the arrays below.
+  std::vector<int> cell_begin_;
+  std::vector<int> crossing_;
+  std::vector<float> inverse_depth_;
+  std::vector<float> slope_per_px_;
+  std::vector<float> gates_per_inverse_depth_;
+  std::vector<float> gates_per_slope_;
+  // Per crossing, for the sorting.
+  std::vector<int> level_of_;
+  std::vector<int> cell_of_;
+  std::vector<int> next_in_cell_;
+};
+
+}  // namespace limn
