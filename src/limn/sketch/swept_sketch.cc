@@ -66,7 +66,7 @@ class SweptDepths {
                                    const std::vector<size_t>& anchors,
                                    const std::vector<std::vector<DepthMode>>& modes) {
     std::vector<DepthPlace> proposals;
-    // Where the lists of the anchors are cut, this one would have been.
+    // Where the lists of the anchors are cut, in the mean, this one would have been.
     double min_score = 0;
     for (const size_t anchor : anchors) {
       const double step_px = fragment.arc_px[vertex] - fragment.arc_px[anchor];
@@ -75,7 +75,7 @@ class SweptDepths {
             PlaceOf(depth.inverse_depth + step_px * depth.slope_per_px, depth.slope_per_px));
       }
       if (modes[anchor].size() == DepthElection::kMaxModes) {
-        min_score = std::max(min_score, modes[anchor].back().score);
+        min_score += modes[anchor].back().score / static_cast<double>(anchors.size());
       }
     }
     return election_.FindNear(Crossings(fragment, vertex), proposals, min_score);
