@@ -5,6 +5,7 @@
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "colmap_ext/commands/run_report.h"
+#include "colmap_ext/commands/shard_run.h"
 #include "limn/pipeline/pipeline.h"
 #include "limn/sketch/view_selection.h"
 #include "limn/util/errors.h"
@@ -22,6 +23,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
                        .sketch = true,
                        .drawing = true,
                        .refinement = true,
+                       .shards = true,
                        .writes_drawing = true},
                       argc, argv, &options, [&](OptionParser* more) {
                         more->AddOption("account", &account, "tell what became of every edgel");
@@ -36,6 +38,10 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   truth.evaluation.region = BoxFromNumbers(options.box);
   Console console(options.num_threads);
   const Project project(options, &console);
+  if (!options.shard.empty()) {
+    DoShard(project, options, ShardStage::kSketches, &console);
+    return 0;
+  }
   CheckRefinedFolder(project, options);
   CheckReplaceable(project, options, "drawing.json", Provenance(options));
   CheckViews(project.views());

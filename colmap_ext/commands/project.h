@@ -20,8 +20,9 @@ class Project {
  public:
   // Finds and reads the model and the headers of all images, and says what was chosen. Throws
   // OptionError, IoError and InputError; nothing is written but the file of the lock, which keeps
-  // other commands away from the output folder as long as the project lives. Temporary files of a
-  // run that was killed there are removed.
+  // other commands away from the output folder as long as the project lives, but for other shards
+  // where it is one. Temporary files of a run that was killed there are removed, unless shards may
+  // be at work.
   Project(const RunOptions& options, Console* console);
   Project(const Project&) = delete;
   Project& operator=(const Project&) = delete;

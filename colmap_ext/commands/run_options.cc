@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "limn/pipeline/option_fields.h"
+#include "limn/pipeline/shard.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -29,6 +30,10 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
   if (groups.writes_drawing) {
     parser->AddOption("overwrite", &options->overwrite,
                       "replace a drawing made with other options or of other images");
+  }
+  if (groups.shards) {
+    parser->AddOption("shard", &options->shard,
+                      "i/n: only keep the results of part i of n of the images, for a run without");
   }
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }
@@ -90,6 +95,7 @@ void RunOptions::Check() const {
   pipeline.Check();
   dense.Check();
   BoxFromNumbers(box);
+  if (!shard.empty()) ParseShard(shard);
 }
 
 std::optional<OptionParser> ParseRunOptions(const std::string& command, const std::string& summary,

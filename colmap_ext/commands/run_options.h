@@ -24,6 +24,8 @@ struct RunOptions {
   std::vector<double> box;
   Quality quality = Quality::kMedium;
   int num_threads = -1;
+  // Do only this part of the views, "i/n", into the cache; empty = everything.
+  std::string shard;
   // Replace a drawing that was made in another way.
   bool overwrite = false;
 
@@ -38,6 +40,8 @@ struct OptionGroups {
   bool drawing = false;
   bool refinement = false;
   bool dense = false;
+  // It can do a part of its work, and has --shard.
+  bool shards = false;
   // It writes a drawing, and has --overwrite.
   bool writes_drawing = false;
   // What --output_path is for.

@@ -162,14 +162,15 @@ EdgeMapsResult ExtractEdgeMaps(const ExtractionInput& input, const EdgeDetection
                                const RunContext& context) {
   edges.Check();
   Extractor extractor(input, edges);
-  input.cache->Expect(CachedKind::kEdges, input.views.size());
+  const std::vector<ViewId> ids = IdsOf(input.only, input.views.size());
+  input.cache->Expect(CachedKind::kEdges, ids.size());
   EdgeMapsResult result;
   result.edge_maps.resize(input.views.size());
-  ParallelFor(context, "edges", input.views.size(),
-              [&](size_t v) { result.edge_maps[v] = extractor.EdgesOf(static_cast<ViewId>(v)); });
+  ParallelFor(context, "edges", ids.size(),
+              [&](size_t i) { result.edge_maps[ids[i]] = extractor.EdgesOf(ids[i]); });
   int64_t num_edgels = 0;
   for (const EdgeMap& map : result.edge_maps) num_edgels += static_cast<int64_t>(map.edgels.size());
-  const auto num_images = static_cast<int64_t>(input.views.size());
+  const auto num_images = static_cast<int64_t>(ids.size());
   result.summary.stage = "edges";
   result.summary.in = {{"images", num_images}};
   result.summary.kept = {{"images", num_images}, {"edgels", num_edgels}};
@@ -181,14 +182,16 @@ CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOpti
   edges.Check();
   linking.Check();
   Extractor extractor(input, edges);
-  input.cache->Expect(CachedKind::kFragments, input.views.size());
+  const std::vector<ViewId> ids = IdsOf(input.only, input.views.size());
+  input.cache->Expect(CachedKind::kFragments, ids.size());
   CurvesResult result;
   result.curves.resize(input.views.size());
-  std::vector<ViewCounts> counts(input.views.size());
-  ParallelFor(context, "image curves", input.views.size(), [&](size_t v) {
+  std::vector<ViewCounts> counts(ids.size());
+  ParallelFor(context, "image curves", ids.size(), [&](size_t i) {
+    const ViewId v = ids[i];
     ImageCurves& curves = result.curves[v];
-    curves = extractor.FragmentsOf(static_cast<ViewId>(v), linking);
-    ViewCounts& of_view = counts[v];
+    curves = extractor.FragmentsOf(v, linking);
+    ViewCounts& of_view = counts[i];
     of_view = CountLinked(curves);
     RemoveUnusableEdgels(ApplyLens(input.views[v].lens.get(), &curves.edge_map), &curves);
     of_view.in_fragments = CountEdgelsInFragments(curves);

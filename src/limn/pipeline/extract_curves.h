@@ -9,6 +9,7 @@
 #include "limn/model/curve_fragment.h"
 #include "limn/model/image.h"
 #include "limn/model/view.h"
+#include "limn/model/view_subset.h"
 #include "limn/pipeline/result_cache.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
@@ -28,6 +29,8 @@ struct ExtractionInput {
   const ImageSource& images;
   // Edge maps and fragments of earlier runs; what is made is kept there. Never null.
   ResultCache* cache;
+  // Views that are asked for; the others get none.
+  ViewSubset only = std::nullopt;
 };
 
 struct EdgeMapsResult {
@@ -40,11 +43,11 @@ struct CurvesResult {
   StageSummary summary;
 };
 
-// The edge maps of all views, which the cache keeps. At most one image per thread is in memory.
+// The edge maps of the views, which the cache keeps. At most one image per thread is in memory.
 EdgeMapsResult ExtractEdgeMaps(const ExtractionInput& input, const EdgeDetectionOptions& edges,
                                const RunContext& context);
 
-// Edges, fragments and lens of all views. Edgels keep the ids that the detector gave them; where
+// Edges, fragments and lens of the views. Edgels keep the ids that the detector gave them; where
 // the lens cannot map an edgel its fragment is split. The cache keeps the fragments. At most one
 // image per thread is in memory.
 CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOptions& edges,

@@ -55,7 +55,7 @@ SketchResult SketchViews(SketchMode mode, const SketchInput& input, const Sketch
   if (!cache->IsOn() || mode == SketchMode::kOriginal) {
     return BuildSketch(mode, input, options, context);
   }
-  cache->Expect(CachedKind::kSketch, input.views.size());
+  cache->Expect(CachedKind::kSketch, IdsOf(input.only, input.views.size()).size());
   const std::string common_key = CommonKey(mode, input, options);
   const std::vector<std::string> view_keys = ViewKeys(input.views, input.curves, context);
   const auto key = [&](ViewId v, const ViewPlan& plan) {

@@ -76,7 +76,7 @@ class ViewSketcher {
 };
 
 StageSummary Summarize(const char* stage, const SketchResult& result,
-                       const std::vector<ImageCurves>& curves) {
+                       const std::vector<ImageCurves>& curves, const std::vector<ViewId>& ids) {
   std::array<int64_t, kNumEdgelFates> counts{};
   int64_t total = 0;
   for (const auto& of_view : result.fates) {
@@ -85,8 +85,8 @@ StageSummary Summarize(const char* stage, const SketchResult& result,
   const auto count = [&](EdgelFate fate) { return counts[static_cast<int>(fate)]; };
   for (const int64_t n : counts) total += n;
   int64_t num_fragments = 0;
-  for (const ImageCurves& of_view : curves) {
-    num_fragments += static_cast<int64_t>(of_view.fragments.size());
+  for (const ViewId v : ids) {
+    num_fragments += static_cast<int64_t>(curves[v].fragments.size());
   }
   StageSummary summary;
   summary.stage = stage;
@@ -103,13 +103,14 @@ StageSummary Summarize(const char* stage, const SketchResult& result,
 }
 
 // Per view, what the store has; nothing without a store.
-std::vector<std::optional<ViewSketch>> LoadSketches(const std::vector<ViewPlan>& plans,
+std::vector<std::optional<ViewSketch>> LoadSketches(const std::vector<ViewId>& ids,
+                                                    const std::vector<ViewPlan>& plans,
                                                     const RunContext& context,
                                                     const ViewSketchStore* store) {
   std::vector<std::optional<ViewSketch>> found(plans.size());
   if (!store) return found;
-  ParallelFor(context, "kept sketches", plans.size(),
-              [&](size_t v) { found[v] = store->load(static_cast<ViewId>(v), plans[v]); });
+  ParallelFor(context, "kept sketches", ids.size(),
+              [&](size_t i) { found[ids[i]] = store->load(ids[i], plans[ids[i]]); });
   return found;
 }
 
@@ -156,10 +157,11 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
                              const std::function<DepthFinder(const PrimaryView&)>& make_finder) {
   options.Check();
   const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
-  std::vector<std::optional<ViewSketch>> by_view = LoadSketches(plans, context, store);
+  const std::vector<ViewId> ids = IdsOf(input.only, input.views.size());
+  std::vector<std::optional<ViewSketch>> by_view = LoadSketches(ids, plans, context, store);
   std::vector<ViewId> missing;
-  for (size_t v = 0; v < by_view.size(); ++v) {
-    if (!by_view[v]) missing.push_back(static_cast<ViewId>(v));
+  for (const ViewId v : ids) {
+    if (!by_view[v]) missing.push_back(v);
   }
   std::vector<std::unique_ptr<ViewEvidence>> evidence;
   if (!missing.empty()) {
@@ -172,12 +174,13 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
     if (store) store->save(v, plans[v], *by_view[v]);
   });
   SketchResult result;
-  for (std::optional<ViewSketch>& of_view : by_view) {
-    std::move(of_view->curves.begin(), of_view->curves.end(),
+  result.fates.resize(input.views.size());
+  for (const ViewId v : ids) {
+    std::move(by_view[v]->curves.begin(), by_view[v]->curves.end(),
               std::back_inserter(result.sketch.curves));
-    result.fates.push_back(std::move(of_view->fates));
+    result.fates[v] = std::move(by_view[v]->fates);
   }
-  result.summary = Summarize(stage, result, input.curves);
+  result.summary = Summarize(stage, result, input.curves, ids);
   return result;
 }
 

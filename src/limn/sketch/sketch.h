@@ -11,6 +11,7 @@
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
 #include "limn/model/view_sketch.h"
+#include "limn/model/view_subset.h"
 #include "limn/sketch/sketch_options.h"
 #include "limn/sketch/view_selection.h"
 #include "limn/util/parallel.h"
@@ -25,6 +26,9 @@ struct SketchInput {
   const SceneHints& hints;
   // Only what lies in this box is reconstructed.
   std::optional<Eigen::AlignedBox3d> box;
+  // Views that are sketched; of the others only the curves of those in their plans matter. The
+  // original sketch is made of all views.
+  ViewSubset only = std::nullopt;
 };
 
 struct SketchResult {

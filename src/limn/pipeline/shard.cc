@@ -1,0 +1,90 @@
+#include "limn/pipeline/shard.h"
+
+#include <charconv>
+#include <numeric>
+#include <set>
+#include <string_view>
+
+#include "limn/util/errors.h"
+
+#include "limn/pipeline/sketch_views.h"
+
+namespace limn {
+namespace {
+
+bool ReadNumber(std::string_view text, int* number) {
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, *number);
+  return error == std::errc() && rest == end;
+}
+
+// The views and those that they are compared with.
+std::vector<ViewId> WithTheirPlans(const std::vector<ViewId>& views,
+                                   const std::vector<ViewPlan>& plans) {
+  std::set<ViewId> all(views.begin(), views.end());
+  for (const ViewId v : views) {
+    all.insert(plans[v].second_views.begin(), plans[v].second_views.end());
+    all.insert(plans[v].confirmation_views.begin(), plans[v].confirmation_views.end());
+  }
+  return {all.begin(), all.end()};
+}
+
+void CheckKept(const ResultCache& cache, CachedKind kind) {
+  const CacheUse use = cache.Use(kind);
+  if (use.not_stored > 0) throw IoError(cache.dir(), "cannot keep results: " + use.write_error);
+}
+
+}  // namespace
+
+Shard ParseShard(const std::string& text) {
+  Shard shard;
+  const size_t slash = text.find('/');
+  const bool is_read = slash != std::string::npos &&
+                       ReadNumber(std::string_view(text).substr(0, slash), &shard.index) &&
+                       ReadNumber(std::string_view(text).substr(slash + 1), &shard.count);
+  if (!is_read || shard.index < 1 || shard.index > shard.count) {
+    throw OptionError("shard = " + text + ": must be i/n with 1 <= i <= n");
+  }
+  return shard;
+}
+
+std::vector<ViewId> ViewsOf(const Shard& shard, size_t num_views) {
+  const auto begin_of = [&](int index) {
+    return static_cast<ViewId>(num_views * static_cast<size_t>(index - 1) / shard.count);
+  };
+  std::vector<ViewId> views(begin_of(shard.index + 1) - begin_of(shard.index));
+  std::iota(views.begin(), views.end(), begin_of(shard.index));
+  return views;
+}
+
+StageSummary MakeShardCurves(const PipelineInput& input, const PipelineOptions& options,
+                             const Shard& shard, const RunContext& context) {
+  options.Check();
+  const CurvesResult result = ExtractCurves(
+      {input.views, input.images, input.cache, ViewsOf(shard, input.views.size())}, options.edges,
+      options.linking, context);
+  CheckKept(*input.cache, CachedKind::kFragments);
+  return result.summary;
+}
+
+StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions& options,
+                               const Shard& shard, const RunContext& context) {
+  options.Check();
+  if (options.mode == SketchMode::kOriginal) {
+    throw OptionError("mode = " + std::string(SketchModeName(options.mode)) +
+                      ": this sketch is not made view by view, and has no shards");
+  }
+  const std::vector<ViewId> views = ViewsOf(shard, input.views.size());
+  const auto plans =
+      SelectViews(input.views, input.hints, options.sketch.view_selection, context);
+  const CurvesResult image_curves = ExtractCurves(
+      {input.views, input.images, input.cache, WithTheirPlans(views, plans)}, options.edges,
+      options.linking, context);
+  const SketchResult sketch =
+      SketchViews(options.mode, {input.views, image_curves.curves, input.hints, input.box, views},
+                  options.sketch, input.cache, context);
+  CheckKept(*input.cache, CachedKind::kSketch);
+  return sketch.summary;
+}
+
+}  // namespace limn

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "limn/pipeline/pipeline.h"
+
+namespace limn {
+
+// Part `index` (from 1) of `count` parts of the views of a scene: as many views each, but for one,
+// that follow one another, so that most of the views which a part looks at are its own.
+struct Shard {
+  int index = 1;
+  int count = 1;
+};
+
+// Of a text such as "2/8". Throws OptionError.
+Shard ParseShard(const std::string& text);
+
+// Ascending; none if there are fewer views than shards.
+std::vector<ViewId> ViewsOf(const Shard& shard, size_t num_views);
+
+// What processes that know nothing of each other do of DrawScene, which then finds the results of
+// all shards in the cache. A process that ends early has kept what it finished, and whatever is
+// missing in the end is made by DrawScene.
+
+// Keep the image curves of the views of a shard. Throws IoError if one could not be kept.
+StageSummary MakeShardCurves(const PipelineInput& input, const PipelineOptions& options,
+                             const Shard& shard, const RunContext& context);
+
+// Keep the sketches of the views of a shard. Only the image curves of the views that these are
+// compared with are read, and made and kept where they are missing. Throws IoError if a sketch could
+// not be kept, and OptionError if the mode of the sketch is the original one, which is not made view
+// by view.
+StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions& options,
+                               const Shard& shard, const RunContext& context);
+
+}  // namespace limn
