@@ -6,6 +6,7 @@
 
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/commands/interrupt.h"
+#include "colmap_ext/commands/ranks.h"
 #include "limn/util/errors.h"
 
 namespace {
@@ -51,6 +52,33 @@ std::string OneLine(std::string text) {
   return text;
 }
 
+// Throws what the command throws.
+int Run(int argc, const char* const* argv) {
+  const std::string_view name = argv[1];
+  for (const Command& command : kCommands) {
+    if (command.name != name) continue;
+    if (NumRanks() > 1 && command.run != RunAutomaticDrawer) {
+      throw limn::OptionError(std::string(name) +
+                              ": only automatic_drawer runs in several MPI processes");
+    }
+    return command.run(argc - 1, argv + 1);
+  }
+  throw limn::OptionError("unknown command '" + std::string(name) +
+                          "'; 'limn help' lists the commands");
+}
+
+// The exit code.
+int RunAndReport(int argc, const char* const* argv) {
+  try {
+    return Run(argc, argv);
+  } catch (const limn::Cancelled&) {
+    return kInterruptedExitCode;  // what is kept has been said
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ERROR: %s\n", OneLine(error.what()).c_str());
+    return 1;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -59,17 +87,13 @@ int main(int argc, char** argv) {
     PrintUsage();
     return 0;
   }
-  for (const Command& command : kCommands) {
-    if (command.name != name) continue;
-    try {
-      return command.run(argc - 1, argv + 1);
-    } catch (const limn::Cancelled&) {
-      return kInterruptedExitCode;  // what is kept has been said
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "ERROR: %s\n", OneLine(error.what()).c_str());
-      return 1;
-    }
+  try {
+    const MpiSession mpi;
+    const int exit_code = RunAndReport(argc, argv);
+    if (exit_code != 0) AbortRanks(exit_code);
+    return exit_code;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ERROR: %s\n", OneLine(error.what()).c_str());
+    return 1;
   }
-  std::fprintf(stderr, "ERROR: unknown command '%s'; 'limn help' lists the commands\n", argv[1]);
-  return 1;
 }

@@ -1,18 +1,37 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/project.h"
+#include "colmap_ext/commands/ranks.h"
 #include "colmap_ext/commands/refined_cameras.h"
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "colmap_ext/commands/run_report.h"
 #include "colmap_ext/commands/shard_run.h"
 #include "limn/pipeline/pipeline.h"
+#include "limn/pipeline/shard.h"
 #include "limn/sketch/view_selection.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
 
+namespace {
+
+// With several ranks: all of them fill the cache, and rank 0 goes on with what it holds.
+void FillCacheByRanks(const PipelineInput& input, const PipelineOptions& options,
+                      Console* console) {
+  const Shard shard{Rank() + 1, NumRanks()};
+  for (const auto make : {MakeShardCurves, MakeShardSketches}) {
+    console->Report(make(input, options, shard, console->context()));
+    WaitForAllRanks();
+  }
+}
+
+}  // namespace
+
 int RunAutomaticDrawer(int argc, const char* const* argv) {
+  // The others begin when rank 0 knows that there is work and holds the lock.
+  const bool leads = Rank() == 0;
+  if (!leads && !AsRankZero(true)) return 0;
   RunOptions options;
   bool account = false;
   bool page = true;
@@ -30,13 +49,20 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
                         more->AddOption("page", &page, "write drawing.html, with a report");
                         truth.AddOptions(more);
                       });
-  if (!parser) return 0;
+  if (!parser) {
+    AsRankZero(false);
+    return 0;
+  }
+  options.is_led = !leads;
+  if (!options.shard.empty() && NumRanks() > 1) {
+    throw OptionError("shard = " + options.shard + ": MPI processes make their own shards");
+  }
   if (account && options.pipeline.mode == SketchMode::kOriginal) {
     throw OptionError("account = 1: the original sketch judges whole curves, not edgels");
   }
   if (truth.IsGiven()) truth.Check();
   truth.evaluation.region = BoxFromNumbers(options.box);
-  Console console(options.num_threads);
+  Console console(options.num_threads, leads);
   const Project project(options, &console);
   if (!options.shard.empty()) {
     DoShard(project, options, ShardStage::kSketches, &console);
@@ -45,10 +71,15 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   CheckRefinedFolder(project, options);
   CheckReplaceable(project, options, "drawing.json", Provenance(options));
   CheckViews(project.views());
+  const PipelineInput input{project.views(), project.view_set().hints, project.images(),
+                            ProjectBox(project, options), project.cache()};
+  if (NumRanks() > 1) {
+    if (leads) AsRankZero(true);
+    FillCacheByRanks(input, options.pipeline, &console);
+    if (!leads) return 0;
+  }
   const PipelineResult result =
-      DrawScene({project.views(), project.view_set().hints, project.images(),
-                 ProjectBox(project, options), project.cache()},
-                options.pipeline, console.context(),
+      DrawScene(input, options.pipeline, console.context(),
                 [&](const StageSummary& summary) { console.Report(summary); });
   CheckGraph(result.graph);
   WriteSketchResults(project, SketchFileName(options.pipeline.mode), result.curves, result.sketch,

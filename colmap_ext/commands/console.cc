@@ -39,6 +39,18 @@ void PrintTable(const char* heading, const StageSummary::Counts& counts) {
   }
 }
 
+void PrintStage(const RunLog::Stage& stage) {
+  const StageSummary& summary = stage.summary;
+  std::printf("%s: %.1f s, peak memory %s MB\n", summary.stage.c_str(), stage.seconds,
+              WithCommas(stage.peak_memory_mb).c_str());
+  PrintTable("in", summary.in);
+  PrintTable("kept", summary.kept);
+  PrintTable("dropped", summary.dropped);
+  for (const std::string& warning : summary.warnings) {
+    std::printf("  WARNING: %s\n", warning.c_str());
+  }
+}
+
 // "sketches of 3 of 30 views"
 std::string KeptOf(const CacheUse& use) {
   return std::string(use.what) + " of " + WithCommas(use.NumKept()) + " of " +
@@ -73,8 +85,11 @@ int64_t PeakMemoryMb() {
 
 }  // namespace
 
-Console::Console(int num_threads)
-    : is_terminal_(isatty(STDOUT_FILENO) == 1), stage_start_(Clock::now()), interrupts_([this] {
+Console::Console(int num_threads, bool speaks)
+    : speaks_(speaks),
+      is_terminal_(isatty(STDOUT_FILENO) == 1),
+      stage_start_(Clock::now()),
+      interrupts_([this] {
         if (is_terminal_) std::printf("\r\033[K");
         std::fflush(stdout);
         return WhatIsKept();
@@ -108,7 +123,7 @@ std::string Console::WhatIsKept() const {
 }
 
 void Console::ShowProgress(const char* stage, size_t done, size_t total) {
-  if (total == 0) return;
+  if (!speaks_ || total == 0) return;
   // Another stage, or the same one again from the start.
   if (progress_stage_ != stage || done < progress_done_) {
     progress_stage_ = stage;
@@ -149,7 +164,7 @@ void Console::ClearProgressLine() {
 
 void Console::Say(const std::string& line) {
   ClearProgressLine();
-  std::printf("%s\n", line.c_str());
+  if (speaks_) std::printf("%s\n", line.c_str());
   std::fflush(stdout);
   constexpr std::string_view kWarning = "WARNING: ";
   if (line.starts_with(kWarning)) log_.warnings.push_back(line.substr(kWarning.size()));
@@ -159,16 +174,9 @@ void Console::Report(const StageSummary& summary) {
   ClearProgressLine();
   ReportCache();
   const RunLog::Stage stage = {summary, SecondsSince(stage_start_), PeakMemoryMb()};
-  std::printf("%s: %.1f s, peak memory %s MB\n", summary.stage.c_str(), stage.seconds,
-              WithCommas(stage.peak_memory_mb).c_str());
-  PrintTable("in", summary.in);
-  PrintTable("kept", summary.kept);
-  PrintTable("dropped", summary.dropped);
-  for (const std::string& warning : summary.warnings) {
-    std::printf("  WARNING: %s\n", warning.c_str());
-    log_.warnings.push_back(warning);
-  }
   log_.stages.push_back(stage);
+  log_.warnings.insert(log_.warnings.end(), summary.warnings.begin(), summary.warnings.end());
+  if (speaks_) PrintStage(stage);
   std::fflush(stdout);
   stage_start_ = Clock::now();
 }

@@ -32,8 +32,8 @@ struct RunLog {
 // kept of it is said.
 class Console {
  public:
-  // One console at a time.
-  explicit Console(int num_threads);
+  // One console at a time. One that does not speak writes nothing on standard output.
+  explicit Console(int num_threads, bool speaks = true);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
   ~Console();
@@ -61,6 +61,7 @@ class Console {
   void ShowProgress(const char* stage, size_t done, size_t total);
   void ClearProgressLine();
 
+  bool speaks_;
   RunContext context_;
   RunLog log_;
   mutable std::mutex cache_mutex_;

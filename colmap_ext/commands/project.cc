@@ -75,9 +75,11 @@ Project::Project(const RunOptions& options, Console* console)
   console->Say(layout_.description);
   CheckWritable(layout_.output.drawing_dir);
   CheckWritable(layout_.output.curves_dir);
-  const bool is_alone = options.shard.empty();
-  lock_.emplace(layout_.output.curves_dir, is_alone ? LockMode::kExclusive : LockMode::kShared);
-  if (is_alone) RemoveTemporaryFiles(layout_.output);
+  if (!options.is_led) {
+    const bool is_alone = options.shard.empty();
+    lock_.emplace(layout_.output.curves_dir, is_alone ? LockMode::kExclusive : LockMode::kShared);
+    if (is_alone) RemoveTemporaryFiles(layout_.output);
+  }
   cache_ = std::make_shared<ResultCache>(CurvesPath("cache"));
   console->SetCache(cache_);
   SparseModel model = ReadModel(layout_.model_dir);

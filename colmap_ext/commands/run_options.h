@@ -26,6 +26,8 @@ struct RunOptions {
   int num_threads = -1;
   // Do only this part of the views, "i/n", into the cache; empty = everything.
   std::string shard;
+  // Another process holds the lock of the output folder for this one. Not an option of users.
+  bool is_led = false;
   // Replace a drawing that was made in another way.
   bool overwrite = false;
 

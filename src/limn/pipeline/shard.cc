@@ -5,9 +5,8 @@
 #include <set>
 #include <string_view>
 
-#include "limn/util/errors.h"
-
 #include "limn/pipeline/sketch_views.h"
+#include "limn/util/errors.h"
 
 namespace limn {
 namespace {
@@ -60,9 +59,9 @@ std::vector<ViewId> ViewsOf(const Shard& shard, size_t num_views) {
 StageSummary MakeShardCurves(const PipelineInput& input, const PipelineOptions& options,
                              const Shard& shard, const RunContext& context) {
   options.Check();
-  const CurvesResult result = ExtractCurves(
-      {input.views, input.images, input.cache, ViewsOf(shard, input.views.size())}, options.edges,
-      options.linking, context);
+  const CurvesResult result =
+      ExtractCurves({input.views, input.images, input.cache, ViewsOf(shard, input.views.size())},
+                    options.edges, options.linking, context);
   CheckKept(*input.cache, CachedKind::kFragments);
   return result.summary;
 }
@@ -75,11 +74,10 @@ StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions
                       ": this sketch is not made view by view, and has no shards");
   }
   const std::vector<ViewId> views = ViewsOf(shard, input.views.size());
-  const auto plans =
-      SelectViews(input.views, input.hints, options.sketch.view_selection, context);
-  const CurvesResult image_curves = ExtractCurves(
-      {input.views, input.images, input.cache, WithTheirPlans(views, plans)}, options.edges,
-      options.linking, context);
+  const auto plans = SelectViews(input.views, input.hints, options.sketch.view_selection, context);
+  const CurvesResult image_curves =
+      ExtractCurves({input.views, input.images, input.cache, WithTheirPlans(views, plans)},
+                    options.edges, options.linking, context);
   const SketchResult sketch =
       SketchViews(options.mode, {input.views, image_curves.curves, input.hints, input.box, views},
                   options.sketch, input.cache, context);

@@ -29,9 +29,9 @@ StageSummary MakeShardCurves(const PipelineInput& input, const PipelineOptions& 
                              const Shard& shard, const RunContext& context);
 
 // Keep the sketches of the views of a shard. Only the image curves of the views that these are
-// compared with are read, and made and kept where they are missing. Throws IoError if a sketch could
-// not be kept, and OptionError if the mode of the sketch is the original one, which is not made view
-// by view.
+// compared with are read, and made and kept where they are missing. Throws IoError if a sketch
+// could not be kept, and OptionError if the mode of the sketch is the original one, which is not
+// made view by view.
 StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions& options,
                                const Shard& shard, const RunContext& context);
 

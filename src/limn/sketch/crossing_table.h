@@ -36,7 +36,8 @@ class CrossingTable {
   template <typename Visit>
   void ForEachNear(const DepthPlace& place, Visit&& visit) const {
     for (const Level& level : levels_) {
-      const int end = cell_begin_[level.first_cell + level.Cell(place.inverse_depth + level.reach) + 1];
+      const int end =
+          cell_begin_[level.first_cell + level.Cell(place.inverse_depth + level.reach) + 1];
       int i = cell_begin_[level.first_cell + level.Cell(place.inverse_depth - level.reach)];
       // What the last batch has beyond the end is compared like the rest.
       for (; i < end; i += kBatch) VisitBatch(i, place, visit);

@@ -1,0 +1,78 @@
+#include "colmap_ext/commands/ranks.h"
+
+#include <cstdlib>
+
+#include "limn/util/errors.h"
+
+#ifdef LIMN_WITH_MPI
+#include <memory>
+
+#include <boost/mpi/collectives.hpp>
+#include <boost/mpi/communicator.hpp>
+#include <boost/mpi/environment.hpp>
+#endif
+
+namespace limn::colmap_ext {
+namespace {
+
+// By Open MPI's mpirun, by others with PMI, or by srun.
+bool IsStartedByMpi() {
+  return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") ||
+         std::getenv("PMIX_RANK");
+}
+
+#ifdef LIMN_WITH_MPI
+std::unique_ptr<boost::mpi::environment>& Environment() {
+  static std::unique_ptr<boost::mpi::environment> environment;
+  return environment;
+}
+#endif
+
+}  // namespace
+
+#ifdef LIMN_WITH_MPI
+
+MpiSession::MpiSession() {
+  // Only the main thread speaks with other ranks. Exceptions are dealt with by main.
+  if (IsStartedByMpi()) {
+    Environment() = std::make_unique<boost::mpi::environment>(boost::mpi::threading::funneled,
+                                                              /*abort_on_exception=*/false);
+  }
+}
+MpiSession::~MpiSession() { Environment().reset(); }
+
+int Rank() { return Environment() ? boost::mpi::communicator().rank() : 0; }
+int NumRanks() { return Environment() ? boost::mpi::communicator().size() : 1; }
+
+void WaitForAllRanks() {
+  if (NumRanks() > 1) boost::mpi::communicator().barrier();
+}
+
+bool AsRankZero(bool value) {
+  if (NumRanks() > 1) boost::mpi::broadcast(boost::mpi::communicator(), value, 0);
+  return value;
+}
+
+void AbortRanks(int exit_code) {
+  if (NumRanks() > 1) boost::mpi::environment::abort(exit_code);
+}
+
+#else
+
+MpiSession::MpiSession() {
+  if (IsStartedByMpi()) {
+    throw OptionError("started by mpirun or srun, but built without MPI: build with "
+                      "-DLIMN_WITH_MPI=ON, or start shards (--shard i/n)");
+  }
+}
+MpiSession::~MpiSession() = default;
+
+int Rank() { return 0; }
+int NumRanks() { return 1; }
+void WaitForAllRanks() {}
+bool AsRankZero(bool value) { return value; }
+void AbortRanks(int) {}
+
+#endif
+
+}  // namespace limn::colmap_ext

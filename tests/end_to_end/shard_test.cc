@@ -1,0 +1,174 @@
+// The work of a run in parts: shards that know nothing of each other, and MPI processes.
+#include <filesystem>
+
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/output_lock.h"
+#include "end_to_end/limn_process.h"
+#include "end_to_end/run_limn.h"
+#include "end_to_end/small_scene.h"
+#include "limn/io/atomic_file.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using colmap_ext::LockMode;
+using colmap_ext::OutputLock;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+// All results but the options of the run, which name its folder.
+std::map<std::string, std::string> ResultsOfRun(const fs::path& folder) {
+  auto files = Results(folder);
+  EXPECT_EQ(files.erase("curves/project.ini"), 1u);
+  return files;
+}
+
+std::map<std::string, std::string> ResultsInOneGo() {
+  const SmallScene scene;
+  EXPECT_EQ(RunLimn(scene.Arguments()).exit_code, 0);
+  return ResultsOfRun(scene.output());
+}
+
+size_t NumFiles(const fs::path& folder) { return ReadTree(folder).size(); }
+
+TEST(Shards, SeveralAtOnceMakeWhatOneRunMakes) {
+  const SmallScene scene;
+  {
+    LimnProcess first(scene.Arguments({"--shard", "1/3"}));
+    LimnProcess second(scene.Arguments({"--shard", "2/3"}));
+    LimnProcess third(scene.Arguments({"--shard", "3/3"}));
+    for (LimnProcess* shard : {&first, &second, &third}) {
+      const auto end = shard->Wait();
+      EXPECT_EQ(end.exit_code, 0) << end.err;
+      EXPECT_THAT(end.out, HasSubstr("/3 is done, 2 of 6 images"));
+    }
+  }
+  EXPECT_FALSE(fs::exists(scene / "drawing.json"));
+  const LimnRun run = RunLimn(scene.Arguments());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("image curves of 6 images were taken from the cache"),
+                             HasSubstr("sketches of 6 views were taken from the cache")));
+  EXPECT_TRUE(ResultsOfRun(scene.output()) == ResultsInOneGo());
+}
+
+TEST(Shards, OneThatIsMissingCostsItsPart) {
+  const SmallScene scene;
+  ASSERT_EQ(RunLimn(scene.Arguments({"--shard", "2/3"})).exit_code, 0);
+  EXPECT_EQ(NumFiles(scene / "curves/cache/sketch"), 2u);
+  const LimnRun run = RunLimn(scene.Arguments());
+  EXPECT_THAT(run.out, HasSubstr("sketches of 2 views were taken from the cache"));
+  EXPECT_TRUE(ResultsOfRun(scene.output()) == ResultsInOneGo());
+}
+
+TEST(Shards, OfImageCurvesReadTheirOwnImagesOnly) {
+  const SmallScene scene;
+  auto arguments = scene.Arguments({"--shard", "4/4"});
+  arguments[0] = "curve_linker";
+  const LimnRun run = RunLimn(arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(NumFiles(scene / "curves/cache/fragments"), 2u);
+  // More shards than images: some have nothing to do.
+  arguments.back() = "1/7";
+  EXPECT_EQ(RunLimn(arguments).exit_code, 0);
+  EXPECT_EQ(NumFiles(scene / "curves/cache/fragments"), 2u);
+}
+
+TEST(Shards, ShareTheFolderWithShardsOnly) {
+  const SmallScene scene;
+  const OutputLock of_another_shard(scene / "curves", LockMode::kShared);
+  EXPECT_EQ(RunLimn(scene.Arguments({"--shard", "1/6"})).exit_code, 0);
+  const LimnRun whole = RunLimn(scene.Arguments());
+  EXPECT_EQ(whole.exit_code, 1);
+  EXPECT_THAT(whole.err, HasSubstr("in use by process"));
+}
+
+TEST(Shards, ResultsThatCannotBeKeptAreAnError) {
+  const SmallScene scene;
+  fs::create_directories(scene / "curves");
+  WriteFileAtomically(scene / "curves/cache", "in the way");
+  const LimnRun run = RunLimn(scene.Arguments({"--shard", "1/2"}));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("cannot keep results"));
+}
+
+TEST(Shards, TheOriginalSketchHasNone) {
+  const SmallScene scene;
+  const LimnRun run = RunLimn(scene.Arguments({"--shard", "1/2", "--mode", "original"}));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("mode = original"));
+}
+
+// Open MPI refuses root: as another user, in a folder that is open to all.
+class MpiRun : public ::testing::Test {
+ protected:
+  void SetUp() override {
+#ifndef LIMN_WITH_MPI
+    GTEST_SKIP() << "built without MPI";
+#endif
+    fs::permissions(dir_.path(), fs::perms::all);
+    fs::copy(LIMN_SAMPLE_DIR "/day", dir_ / "day", fs::copy_options::recursive);
+    fs::create_directories(dir_ / "out");
+    fs::permissions(dir_ / "out", fs::perms::all);
+    dir_.WriteFile("list.txt",
+                   "view_00.jpg\nview_01.jpg\nview_02.jpg\nview_03.jpg\nview_04.jpg\nview_05.jpg\n");
+    if (RunProgram("test", {"-x", LIMN_PROGRAM}, kAsNobody).exit_code != 0) {
+      GTEST_SKIP() << "the user nobody may not run " << LIMN_PROGRAM;
+    }
+  }
+
+  // A command of the shell that runs `mpirun -n 3 limn automatic_drawer` on the small scene.
+  std::string Command(const std::string& more = "") const {
+    return "mpirun --oversubscribe -n 3 " LIMN_PROGRAM " automatic_drawer --workspace_path " +
+           (dir_ / "day").string() + " --output_path " + (dir_ / "out").string() +
+           " --image_list_path " + (dir_ / "list.txt").string() +
+           " --quality low --max_image_size 320 --num_threads 2 " + more;
+  }
+
+  LimnRun RunShell(const std::string& command) const {
+    return RunProgram("sh", {"-c", command}, kAsNobody);
+  }
+
+  static constexpr RunConditions kAsNobody = {.as_nobody = true};
+  TempDir dir_;
+};
+
+TEST_F(MpiRun, MakesWhatOneProcessMakes) {
+  const LimnRun run = RunShell(Command());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("sketches of 6 views were taken from the cache"));
+  EXPECT_TRUE(ResultsOfRun(dir_ / "out") == ResultsInOneGo());
+}
+
+TEST_F(MpiRun, AProcessThatDiesIsToldAndWhatIsFinishedIsKept) {
+  const std::string cache = (dir_ / "out/curves/cache/fragments").string();
+  const LimnRun killed =
+      RunShell(Command() + " & mpirun=$!; until ls " + cache +
+               "/*.bin >/dev/null 2>&1; do sleep 0.01; done; pkill -KILL -P $mpirun -n; "
+               "wait $mpirun");
+  EXPECT_NE(killed.exit_code, 0);
+  EXPECT_THAT(killed.err + killed.out, HasSubstr("signal 9"));
+  EXPECT_FALSE(fs::exists(dir_ / "out/drawing.json"));
+  EXPECT_GE(NumFiles(cache), 1u);
+  const LimnRun again = RunShell(Command());
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_TRUE(ResultsOfRun(dir_ / "out") == ResultsInOneGo());
+}
+
+TEST_F(MpiRun, BadInputIsOneErrorOfOneProcess) {
+  const LimnRun run = RunShell(Command("--input_path /nowhere"));
+  EXPECT_NE(run.exit_code, 0);
+  const size_t first = run.err.find("ERROR: ");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(run.err.find("ERROR: ", first + 1), std::string::npos) << run.err;
+  EXPECT_THAT(RunShell("mpirun --oversubscribe -n 2 " LIMN_PROGRAM " drawing_viewer").err,
+              HasSubstr("only automatic_drawer runs in several MPI processes"));
+}
+
+}  // namespace
+}  // namespace limn::testing
