@@ -65,7 +65,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   Console console(options.num_threads, leads);
   const Project project(options, &console);
   if (!options.shard.empty()) {
-    DoShard(project, options, ShardStage::kSketches, &console);
+    DoShard(project, options, &console);
     return 0;
   }
   CheckRefinedFolder(project, options);

@@ -2,23 +2,18 @@
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/project.h"
 #include "colmap_ext/commands/run_options.h"
-#include "colmap_ext/commands/shard_run.h"
 
 namespace limn::colmap_ext {
 
 int RunCurveLinker(int argc, const char* const* argv) {
   RunOptions options;
   if (!ParseRunOptions("curve_linker", "find the curve fragments of all images, into the cache",
-                       {.linking = true, .shards = true}, argc, argv, &options)) {
+                       {.linking = true}, argc, argv, &options)) {
     return 0;
   }
   Console console(options.num_threads);
   const Project project(options, &console);
-  if (!options.shard.empty()) {
-    DoShard(project, options, ShardStage::kCurves, &console);
-  } else {
-    ExtractProjectCurves(project, options, &console);
-  }
+  ExtractProjectCurves(project, options, &console);
   return 0;
 }
 

@@ -3,7 +3,6 @@
 #include "colmap_ext/commands/project.h"
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
-#include "colmap_ext/commands/shard_run.h"
 #include "limn/pipeline/sketch_views.h"
 #include "limn/sketch/view_selection.h"
 
@@ -11,16 +10,11 @@ namespace limn::colmap_ext {
 
 int RunCurveSketcher(int argc, const char* const* argv) {
   RunOptions options;
-  const auto parser =
-      ParseRunOptions("curve_sketcher", "reconstruct 3D curves: the curve sketch",
-                      {.linking = true, .sketch = true, .shards = true}, argc, argv, &options);
+  const auto parser = ParseRunOptions("curve_sketcher", "reconstruct 3D curves: the curve sketch",
+                                      {.linking = true, .sketch = true}, argc, argv, &options);
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
-  if (!options.shard.empty()) {
-    DoShard(project, options, ShardStage::kSketches, &console);
-    return 0;
-  }
   CheckViews(project.views());
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
 

@@ -17,8 +17,7 @@ namespace {
 
 // By Open MPI's mpirun, by others with PMI, or by srun.
 bool IsStartedByMpi() {
-  return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") ||
-         std::getenv("PMIX_RANK");
+  return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMIX_RANK");
 }
 
 #ifdef LIMN_WITH_MPI
@@ -61,8 +60,9 @@ void AbortRanks(int exit_code) {
 
 MpiSession::MpiSession() {
   if (IsStartedByMpi()) {
-    throw OptionError("started by mpirun or srun, but built without MPI: build with "
-                      "-DLIMN_WITH_MPI=ON, or start shards (--shard i/n)");
+    throw OptionError(
+        "started by mpirun or srun, but built without MPI: build with "
+        "-DLIMN_WITH_MPI=ON, or start shards (--shard i/n)");
   }
 }
 MpiSession::~MpiSession() = default;

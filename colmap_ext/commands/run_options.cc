@@ -34,6 +34,9 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
   if (groups.shards) {
     parser->AddOption("shard", &options->shard,
                       "i/n: only keep the results of part i of n of the images, for a run without");
+    parser->AddOption("shard_stage", &options->shard_stage,
+                      {{"curves", ShardStage::kCurves}, {"sketches", ShardStage::kSketches}},
+                      "where a shard ends");
   }
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }

@@ -14,6 +14,9 @@
 
 namespace limn::colmap_ext {
 
+// How far a shard goes.
+enum class ShardStage { kCurves, kSketches };
+
 // What the commands that work on photographs have in common.
 struct RunOptions {
   LayoutOptions layout;
@@ -26,6 +29,7 @@ struct RunOptions {
   int num_threads = -1;
   // Do only this part of the views, "i/n", into the cache; empty = everything.
   std::string shard;
+  ShardStage shard_stage = ShardStage::kSketches;
   // Another process holds the lock of the output folder for this one. Not an option of users.
   bool is_led = false;
   // Replace a drawing that was made in another way.

@@ -4,12 +4,12 @@
 
 namespace limn::colmap_ext {
 
-void DoShard(const Project& project, const RunOptions& options, ShardStage stage,
-             Console* console) {
+void DoShard(const Project& project, const RunOptions& options, Console* console) {
   const Shard shard = ParseShard(options.shard);
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
                             ProjectBox(project, options), project.cache()};
-  const auto make = stage == ShardStage::kCurves ? MakeShardCurves : MakeShardSketches;
+  const auto make =
+      options.shard_stage == ShardStage::kCurves ? MakeShardCurves : MakeShardSketches;
   console->Report(make(input, options.pipeline, shard, console->context()));
   const size_t num_views = project.views().size();
   console->Say("Shard " + options.shard + " is done, " +

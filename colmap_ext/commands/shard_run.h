@@ -6,11 +6,8 @@
 
 namespace limn::colmap_ext {
 
-// How far a shard goes.
-enum class ShardStage { kCurves, kSketches };
-
 // Keep the results of the views of the options' shard in the project's cache, and say what was
 // done. Throws as MakeShardCurves and MakeShardSketches do.
-void DoShard(const Project& project, const RunOptions& options, ShardStage stage, Console* console);
+void DoShard(const Project& project, const RunOptions& options, Console* console);
 
 }  // namespace limn::colmap_ext

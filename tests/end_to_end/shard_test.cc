@@ -1,10 +1,9 @@
 // The work of a run in parts: shards that know nothing of each other, and MPI processes.
 #include <filesystem>
 
-#include <unistd.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/output_lock.h"
@@ -68,11 +67,10 @@ TEST(Shards, OneThatIsMissingCostsItsPart) {
 
 TEST(Shards, OfImageCurvesReadTheirOwnImagesOnly) {
   const SmallScene scene;
-  auto arguments = scene.Arguments({"--shard", "4/4"});
-  arguments[0] = "curve_linker";
+  auto arguments = scene.Arguments({"--shard_stage", "curves", "--shard", "4/4"});
   const LimnRun run = RunLimn(arguments);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(NumFiles(scene / "curves/cache/fragments"), 2u);
+  EXPECT_EQ(NumFiles(scene / "curves/cache"), 2u);
   // More shards than images: some have nothing to do.
   arguments.back() = "1/7";
   EXPECT_EQ(RunLimn(arguments).exit_code, 0);
@@ -115,8 +113,9 @@ class MpiRun : public ::testing::Test {
     fs::copy(LIMN_SAMPLE_DIR "/day", dir_ / "day", fs::copy_options::recursive);
     fs::create_directories(dir_ / "out");
     fs::permissions(dir_ / "out", fs::perms::all);
-    dir_.WriteFile("list.txt",
-                   "view_00.jpg\nview_01.jpg\nview_02.jpg\nview_03.jpg\nview_04.jpg\nview_05.jpg\n");
+    dir_.WriteFile(
+        "list.txt",
+        "view_00.jpg\nview_01.jpg\nview_02.jpg\nview_03.jpg\nview_04.jpg\nview_05.jpg\n");
     if (RunProgram("test", {"-x", LIMN_PROGRAM}, kAsNobody).exit_code != 0) {
       GTEST_SKIP() << "the user nobody may not run " << LIMN_PROGRAM;
     }
