@@ -1,7 +1,10 @@
 #include "limn/util/parallel.h"
 
 #include <mutex>
+#include <optional>
 
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -66,6 +69,11 @@ void ParallelFor(const RunContext& context, const char* stage, size_t count,
     const std::lock_guard lock(progress_mutex);
     context.progress(stage, ++done, count);
   };
+  // oneTBB runs no more threads than there are cores unless it is allowed to.
+  std::optional<tbb::global_control> allowed;
+  if (context.num_threads > tbb::info::default_concurrency()) {
+    allowed.emplace(tbb::global_control::max_allowed_parallelism, context.num_threads);
+  }
   tbb::task_arena arena(context.num_threads > 0 ? context.num_threads
                                                 : static_cast<int>(tbb::task_arena::automatic));
   arena.execute([&] {
