@@ -10,6 +10,4 @@ cmake --build --preset release
 ctest --preset release
 
 [[ ${1:-} == --sanitizers ]] || exit 0
-cmake --preset asan -DLIMN_WARNINGS_AS_ERRORS=OFF
-cmake --build --preset asan
-ctest --preset asan --label-exclude slow
+scripts/test_sanitizers.sh

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <system_error>
 #include <tuple>
@@ -152,11 +153,25 @@ std::optional<PointPixel> PixelOf(const SparseModel& model, const std::vector<Vi
   return PointPixel{id, *virtual_px, jacobian->inverse()};
 }
 
-void SortByView(std::vector<PointPixel>* pixels) {
-  std::stable_sort(pixels->begin(), pixels->end(),
-                   [](const PointPixel& a, const PointPixel& b) { return a.view < b.view; });
-  const auto same = [](const PointPixel& a, const PointPixel& b) { return a.view == b.view; };
-  pixels->erase(std::unique(pixels->begin(), pixels->end(), same), pixels->end());
+// Indices into model.points, sorted by id: COLMAP writes points in the order of a hash table.
+std::vector<int> PointsById(const SparseModel& model) {
+  std::vector<int> order(model.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return model.points[a].id < model.points[b].id; });
+  return order;
+}
+
+// The views that see a point and its observations there, ascending; a view may see it twice.
+std::vector<std::pair<ViewId, uint32_t>> Sights(
+    const ModelPoint& point, const std::unordered_map<uint32_t, ViewId>& view_of_image) {
+  std::vector<std::pair<ViewId, uint32_t>> sights;
+  for (const TrackElement& element : point.track) {
+    const auto view = view_of_image.find(element.image_id);
+    if (view != view_of_image.end()) sights.emplace_back(view->second, element.observation);
+  }
+  std::sort(sights.begin(), sights.end());
+  return sights;
 }
 
 SceneHints MakeHints(const SparseModel& model, const std::vector<View>& views) {
@@ -165,21 +180,16 @@ SceneHints MakeHints(const SparseModel& model, const std::vector<View>& views) {
     view_of_image[model.images[views[view].model_index].id] = static_cast<ViewId>(view);
   }
   SceneHints hints;
-  for (size_t p = 0; p < model.points.size(); ++p) {
+  for (const int p : PointsById(model)) {
     ScenePoint hint;
     hint.position_in_world = model.points[p].position;
-    hint.model_index = static_cast<int>(p);
-    for (const TrackElement& element : model.points[p].track) {
-      const auto view = view_of_image.find(element.image_id);
-      if (view == view_of_image.end()) continue;
-      hint.views.push_back(view->second);
-      const auto pixel =
-          PixelOf(model, views, view->second, model.points[p].id, element.observation);
+    hint.model_index = p;
+    for (const auto& [view, observation] : Sights(model.points[p], view_of_image)) {
+      if (hint.views.empty() || hint.views.back() != view) hint.views.push_back(view);
+      if (!hint.pixels.empty() && hint.pixels.back().view == view) continue;
+      const auto pixel = PixelOf(model, views, view, model.points[p].id, observation);
       if (pixel) hint.pixels.push_back(*pixel);
     }
-    SortByView(&hint.pixels);
-    std::sort(hint.views.begin(), hint.views.end());
-    hint.views.erase(std::unique(hint.views.begin(), hint.views.end()), hint.views.end());
     if (!hint.views.empty()) hints.points.push_back(std::move(hint));
   }
   return hints;

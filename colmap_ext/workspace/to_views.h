@@ -31,10 +31,11 @@ struct ViewOptions {
   void Check() const;
 };
 
-// Views and, per view at the same index, where its files are.
+// Views and, per view at the same index, where its files are. Only the indices into the model
+// depend on its order and on the ids of its images and cameras.
 struct ViewSet {
   std::vector<View> views;  // sorted by name; View::id is the index
-  SceneHints hints;
+  SceneHints hints;         // points sorted by id
   std::vector<std::string> image_paths;
   std::vector<std::string> mask_paths;  // empty string = no mask
   std::vector<ImageSize> stored_sizes;  // of the files, before max_image_size

@@ -75,28 +75,21 @@ double ResidualPx(const std::string& path) {
   return sum / static_cast<double>(graph.links.size());
 }
 
-TEST_F(SmallRun, AutomaticDrawerWritesEverythingWhateverTheThreads) {
-  Run("automatic_drawer", "one", {"--num_threads", "1"});
-  Run("automatic_drawer", "two", {"--num_threads", "2"});
-  const auto one = Results(dir_ / "one");
-  const auto two = Results(dir_ / "two");
+TEST_F(SmallRun, AutomaticDrawerWritesEverything) {
+  Run("automatic_drawer", "out");
   for (const char* name :
        {"drawing.ply", "drawing.json", "drawing.obj", "curves/swept-sketch.bin",
         "curves/swept-sketch.ply", "curves/tracks.txt", "curves/overlays/view_03.jpg.png",
         "curves/cache/fragments/view_03.jpg.bin"}) {
-    EXPECT_TRUE(one.contains(name)) << name;
-  }
-  ASSERT_EQ(one.size(), two.size());
-  for (const auto& [name, bytes] : one) {
-    EXPECT_TRUE(two.contains(name) && two.at(name) == bytes) << name << " differs";
+    EXPECT_TRUE(fs::exists(Output("out", name))) << name;
   }
 
   // ReadDrawingJson validates the graph.
-  const DrawingFile drawing = ReadDrawingJson(Output("one", "drawing.json").string());
+  const DrawingFile drawing = ReadDrawingJson(Output("out", "drawing.json").string());
   EXPECT_GT(drawing.graph.links.size(), 20u);
   EXPECT_EQ(drawing.metadata.view_names.size(), 8u);
   for (const char* name : {"drawing.ply", "drawing.obj"}) {
-    EXPECT_EQ(ReadCurves(Output("one", name).string()).polylines.size(), drawing.graph.links.size())
+    EXPECT_EQ(ReadCurves(Output("out", name).string()).polylines.size(), drawing.graph.links.size())
         << name;
   }
 }

@@ -1,5 +1,6 @@
 #include "colmap_ext/workspace/to_views.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -115,9 +116,10 @@ TEST_F(ToViewsTest, ImagesOfOneCameraShareItsLens) {
 TEST_F(ToViewsTest, PointsBecomeHintsInSelectedViews) {
   ViewSet set = Views();
   ASSERT_EQ(set.hints.points.size(), 2u);
-  EXPECT_EQ(set.hints.points[0].position_in_world, model_.points[0].position);
-  EXPECT_THAT(set.hints.points[0].views, ElementsAre(0, 1));
-  EXPECT_THAT(set.hints.points[1].views, ElementsAre(0));
+  // By id.
+  EXPECT_EQ(set.hints.points[0].position_in_world, model_.points[1].position);
+  EXPECT_THAT(set.hints.points[0].views, ElementsAre(0));
+  EXPECT_THAT(set.hints.points[1].views, ElementsAre(0, 1));
   model_.points[0].track = {{5, 0}, {5, 1}};
   model_.points[1].track = {};
   set = Views();
@@ -129,20 +131,42 @@ TEST_F(ToViewsTest, PointsBecomeHintsInSelectedViews) {
 TEST_F(ToViewsTest, HintsTellWhereViewsSeeThem) {
   WriteImage("c.png", 400, 300);
   const ViewSet set = Views();
-  const std::vector<PointPixel>& pixels = set.hints.points[0].pixels;
+  const std::vector<PointPixel>& pixels = set.hints.points[1].pixels;
   ASSERT_EQ(pixels.size(), 2u);
   EXPECT_EQ(pixels[0].view, 0);
   EXPECT_EQ(pixels[1].view, 1);
   EXPECT_LT((pixels[0].position_px - Eigen::Vector2d(32.5, 43.5)).norm(), 1e-12);
   // (10.25, 20.5) in an image of half the size.
   EXPECT_LT((pixels[1].position_px - Eigen::Vector2d(4.625, 9.75)).norm(), 1e-12);
-  EXPECT_EQ(set.hints.points[1].model_index, 1);
+  EXPECT_EQ(set.hints.points[1].model_index, 0);
+}
+
+TEST_F(ToViewsTest, HintsDoNotDependOnTheOrderInTheModel) {
+  model_.points[0].track = {{9, 0}, {5, 0}, {5, 1}};
+  model_.images[2].observations[1].point3D_id = 1000;
+  const ViewSet in_order = Views();
+  std::reverse(model_.images.begin(), model_.images.end());
+  std::reverse(model_.points.begin(), model_.points.end());
+  for (ModelPoint& point : model_.points) std::reverse(point.track.begin(), point.track.end());
+  const ViewSet reversed = Views();
+  ASSERT_EQ(reversed.hints.points.size(), in_order.hints.points.size());
+  for (size_t p = 0; p < in_order.hints.points.size(); ++p) {
+    const ScenePoint& expected = in_order.hints.points[p];
+    const ScenePoint& actual = reversed.hints.points[p];
+    EXPECT_EQ(actual.position_in_world, expected.position_in_world);
+    EXPECT_EQ(actual.views, expected.views);
+    ASSERT_EQ(actual.pixels.size(), expected.pixels.size());
+    for (size_t i = 0; i < expected.pixels.size(); ++i) {
+      EXPECT_EQ(actual.pixels[i].view, expected.pixels[i].view);
+      EXPECT_EQ(actual.pixels[i].position_px, expected.pixels[i].position_px);
+    }
+  }
 }
 
 TEST_F(ToViewsTest, HintsArePixelsOfTheVirtualImage) {
   SetCamera3(CameraModelId::kRadial);
   const ViewSet set = Views();
-  const Eigen::Vector2d& pixel = set.hints.points[0].pixels[0].position_px;
+  const Eigen::Vector2d& pixel = set.hints.points[1].pixels[0].position_px;
   const auto stored = set.views[0].StoredFromVirtual(pixel);
   ASSERT_TRUE(stored);
   EXPECT_LT((*stored - Eigen::Vector2d(32.5, 43.5)).norm(), 1e-6);
@@ -150,7 +174,7 @@ TEST_F(ToViewsTest, HintsArePixelsOfTheVirtualImage) {
   const Eigen::Vector2d step(0.1, -0.2);
   const auto ahead = set.views[0].StoredFromVirtual(pixel + step);
   ASSERT_TRUE(ahead);
-  const Eigen::Matrix2d& jacobian = set.hints.points[0].pixels[0].stored_from_virtual;
+  const Eigen::Matrix2d& jacobian = set.hints.points[1].pixels[0].stored_from_virtual;
   EXPECT_LT((*ahead - *stored - jacobian * step).norm(), 1e-3);
   EXPECT_GT((*ahead - *stored - step).norm(), 1e-3);
 }
@@ -158,15 +182,15 @@ TEST_F(ToViewsTest, HintsArePixelsOfTheVirtualImage) {
 TEST_F(ToViewsTest, ObservationsThatAreNotThereGiveNoPixel) {
   model_.points[0].track = {{9, 17}, {5, 0}};
   const ViewSet set = Views();
-  EXPECT_THAT(set.hints.points[0].views, ElementsAre(0, 1));
-  ASSERT_EQ(set.hints.points[0].pixels.size(), 1u);
-  EXPECT_EQ(set.hints.points[0].pixels[0].view, 0);
+  EXPECT_THAT(set.hints.points[1].views, ElementsAre(0, 1));
+  ASSERT_EQ(set.hints.points[1].pixels.size(), 1u);
+  EXPECT_EQ(set.hints.points[1].pixels[0].view, 0);
 }
 
 TEST_F(ToViewsTest, ObservationsThatAreNoNumbersGiveNoPixel) {
   model_.images[2].observations[0].position.x() = std::nan("");
   const ViewSet set = Views();
-  EXPECT_EQ(set.hints.points[0].pixels.size(), 1u);
+  EXPECT_EQ(set.hints.points[1].pixels.size(), 1u);
 }
 
 TEST_F(ToViewsTest, ViewsKnowTheirCamera) {

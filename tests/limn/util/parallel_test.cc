@@ -1,9 +1,13 @@
 #include "limn/util/parallel.h"
 
 #include <algorithm>
+#include <chrono>
+#include <mutex>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -37,6 +41,18 @@ TEST(ParallelFor, ResultsDoNotDependOnThreads) {
     return values;
   };
   EXPECT_EQ(compute(1), compute(2));
+}
+
+TEST(ParallelFor, RunsMoreThreadsThanThereAreCoresWhenAsked) {
+  const unsigned num_cores = std::thread::hardware_concurrency();
+  std::mutex mutex;
+  std::set<std::thread::id> threads;
+  ParallelFor(Threads(static_cast<int>(num_cores) + 6), "test", 200, [&](size_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const std::lock_guard lock(mutex);
+    threads.insert(std::this_thread::get_id());
+  });
+  EXPECT_GT(threads.size(), num_cores);
 }
 
 TEST(ParallelFor, ExceptionOfABodyComesOut) {

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Build with the address and undefined-behaviour sanitizers, into build/asan, and run tests:
+#   scripts/test_sanitizers.sh [test programs ...]
+# all but the slow ones, unless named.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+cmake --preset asan -DLIMN_WARNINGS_AS_ERRORS=OFF
+if (($# == 0)); then
+  cmake --build --preset asan
+  ctest --preset asan --label-exclude slow
+else
+  cmake --build --preset asan --target "$@"
+  names=$(IFS='|' && echo "$*")
+  ctest --preset asan --no-tests=error -R "^($names)\$"
+fi

@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Build the tests of what runs in parallel with the thread sanitizer, into build/tsan, and run them:
+#   scripts/test_threads.sh [test programs ...]
+# What is not to be reported, and why, is in tests/tsan_suppressions.txt.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+tests=("$@")
+if ((${#tests[@]} == 0)); then
+  tests=(limn_util_test edges_test linking_test limn_sketch_test limn_drawing_test limn_refinement_test
+    limn_pipeline_test end_to_end_determinism_test)
+fi
+cmake --preset tsan >/dev/null
+cmake --build --preset tsan --target "${tests[@]}"
+
+export TSAN_OPTIONS="suppressions=$PWD/tests/tsan_suppressions.txt halt_on_error=1"
+names=$(IFS='|' && echo "${tests[*]}")
+ctest --preset tsan --no-tests=error -R "^($names)\$"
