@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <flann/algorithms/dist.h>
 #include <flann/algorithms/kdtree_single_index.h>
@@ -34,6 +35,34 @@ class NearestResult : public flann::ResultSet<double> {
 
  private:
   Neighbor best_{-1, std::numeric_limits<double>::infinity()};
+};
+
+bool IsNearer(const Neighbor& a, const Neighbor& b) {
+  return std::pair(a.squared_distance, a.index) < std::pair(b.squared_distance, b.index);
+}
+
+class NearestOnesResult : public flann::ResultSet<double> {
+ public:
+  NearestOnesResult(size_t count, std::vector<Neighbor>* heap) : count_(count), heap_(heap) {}
+  bool full() const override { return heap_->size() == count_; }
+  void addPoint(double squared_distance, size_t index) override {
+    const Neighbor candidate{static_cast<int>(index), squared_distance};
+    if (full()) {
+      if (!IsNearer(candidate, heap_->front())) return;
+      std::pop_heap(heap_->begin(), heap_->end(), IsNearer);
+      heap_->pop_back();
+    }
+    heap_->push_back(candidate);
+    std::push_heap(heap_->begin(), heap_->end(), IsNearer);
+  }
+  double worstDist() const override {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return full() ? std::nextafter(heap_->front().squared_distance, infinity) : infinity;
+  }
+
+ private:
+  size_t count_;
+  std::vector<Neighbor>* heap_;  // farthest in front
 };
 
 class WithinResult : public flann::ResultSet<double> {
@@ -81,6 +110,15 @@ SpatialIndex::Neighbor SpatialIndex::Nearest(const Eigen::Vector3d& query) const
   NearestResult result;
   tree_->kd_tree.findNeighbors(result, query.data(), flann::SearchParams());
   return result.best();
+}
+
+void SpatialIndex::FindNearest(const Eigen::Vector3d& query, size_t count,
+                               std::vector<Neighbor>* found) const {
+  found->clear();
+  if (!tree_ || count == 0) return;
+  NearestOnesResult result(count, found);
+  tree_->kd_tree.findNeighbors(result, query.data(), flann::SearchParams());
+  std::sort_heap(found->begin(), found->end(), IsNearer);
 }
 
 void SpatialIndex::FindWithin(const Eigen::Vector3d& query, double radius,

@@ -28,6 +28,10 @@ class SpatialIndex {
   // The nearest point; the smallest index wins on ties. Precondition: size() > 0.
   Neighbor Nearest(const Eigen::Vector3d& query) const;
 
+  // The `count` nearest points, all if there are fewer, nearest first and the smaller index first
+  // on ties; `found` is cleared first.
+  void FindNearest(const Eigen::Vector3d& query, size_t count, std::vector<Neighbor>* found) const;
+
   // All points closer than `radius`, ascending by index; `found` is cleared first.
   void FindWithin(const Eigen::Vector3d& query, double radius, std::vector<Neighbor>* found) const;
 

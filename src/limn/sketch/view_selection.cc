@@ -4,68 +4,36 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
+#include "limn/sketch/view_neighbors.h"
 #include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
-constexpr int kGridCols = 4;
-constexpr int kGridRows = 3;
 constexpr int kNumDepths = 36;
-// Depths tried, in multiples of the median distance between the cameras' centres.
+// Depths tried, in multiples of the median distance between the centres of the camera and its
+// neighbors; those of points beyond are tried too.
 constexpr double kMinRelativeDepth = 0.05;
 constexpr double kMaxRelativeDepth = 100.0;
 // A view more alike an already chosen one than this many degrees (in parallax) adds little.
 constexpr double kSecondSpreadDeg = 8.0;
 constexpr double kConfirmationSpreadDeg = 4.0;
-constexpr double kDeg = M_PI / 180;
 
-// A point of the sampling grid of a primary view and how the other views see it.
-struct GridSample {
-  double depth = 0;
-  Eigen::Vector3d point_in_world;
-};
-
-std::vector<Eigen::Vector2d> GridPixels(const View& view) {
-  std::vector<Eigen::Vector2d> pixels;
-  const Eigen::Vector2d extent = view.region.max_px - view.region.min_px;
-  for (int row = 0; row < kGridRows; ++row) {
-    for (int col = 0; col < kGridCols; ++col) {
-      const Eigen::Vector2d pixel =
-          view.region.min_px +
-          extent.cwiseProduct(Eigen::Vector2d((col + 0.5) / kGridCols, (row + 0.5) / kGridRows));
-      if (view.region.Contains(pixel)) pixels.push_back(pixel);
-    }
-  }
-  return pixels;
-}
-
-double MedianCentreDistance(const std::vector<Eigen::Vector3d>& centres) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const auto& centre : centres) mean += centre / static_cast<double>(centres.size());
-  std::vector<double> distances;
-  for (const auto& centre : centres) distances.push_back((centre - mean).norm());
-  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
-  return 2 * distances[distances.size() / 2];
-}
-
-std::vector<GridSample> MakeGrid(const View& view, double scene_scale) {
-  std::vector<GridSample> samples;
-  const Rigid3d world_from_cam = Inverse(view.cam_from_world);
+// How the depths of a view are sampled, ascending.
+std::vector<double> SampledDepths(double scale, const std::optional<DepthSpan>& span) {
   const double ratio = std::pow(kMaxRelativeDepth / kMinRelativeDepth, 1.0 / (kNumDepths - 1));
-  for (const Eigen::Vector2d& pixel : GridPixels(view)) {
-    const Eigen::Vector3d ray = view.camera.RayFromPixel(pixel);
-    double depth = kMinRelativeDepth * scene_scale;
-    for (int k = 0; k < kNumDepths; ++k, depth *= ratio) {
-      samples.push_back({depth, world_from_cam * (depth * ray)});
-    }
+  std::vector<double> depths = {kMinRelativeDepth * scale};
+  if (span) {
+    while (depths.back() > span->near) depths.push_back(depths.back() / ratio);
+    std::reverse(depths.begin(), depths.end());
   }
-  return samples;
-}
-
-double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) / kDeg;
+  double depth = depths.back();
+  for (int k = 1; k < kNumDepths || (span && depth < span->far); ++k) {
+    depths.push_back(depth *= ratio);
+  }
+  return depths;
 }
 
 // 0 outside [low, high], 1 on the plateau, linear flanks.
@@ -106,27 +74,55 @@ std::vector<ViewId> PickSpread(const std::vector<CandidateView>& candidates,
   return picked;
 }
 
+std::vector<Eigen::Vector3d> Centres(const std::vector<View>& views) {
+  std::vector<Eigen::Vector3d> centres;
+  for (const View& view : views) centres.push_back(view.CenterInWorld());
+  return centres;
+}
+
+// Centres that differ by rounding only are one centre.
+bool IsExtended(double extent, const std::vector<Eigen::Vector3d>& centres) {
+  return extent > 1e-9 * centres.front().norm();
+}
+
+// The places in front of a primary view at which the choice is made, and how its neighbors see
+// them.
+struct SampledViewField {
+  std::vector<double> depths;
+  std::vector<Eigen::Vector3d> places;  // in world, pixel by pixel, depths in turn
+  std::vector<ViewId> neighbors;
+  // By neighbor, then place: angle at the place to the primary view, degrees; negative = not seen.
+  std::vector<double> angles_deg;
+
+  double DepthOf(size_t place) const { return depths[place % depths.size()]; }
+  const double* AnglesOf(size_t neighbor) const {
+    return angles_deg.data() + neighbor * places.size();
+  }
+};
+
 class PlanBuilder {
  public:
-  PlanBuilder(const std::vector<View>& views, const std::vector<Eigen::Vector3d>& centres,
-              double scene_scale, const ViewSelectionOptions& options)
-      : views_(views), centres_(centres), scene_scale_(scene_scale), options_(options) {}
+  PlanBuilder(const std::vector<View>& views, const ViewSelectionOptions& options)
+      : views_(views),
+        centres_(Centres(views)),
+        options_(options),
+        finder_(views, std::min(options.min_pair_angle_deg, options.min_confirmation_angle_deg),
+                std::max(options.max_pair_angle_deg, options.max_confirmation_angle_deg)) {}
 
-  ViewPlan Build(ViewId primary, std::vector<double> point_depths) const {
-    std::vector<GridSample> grid = MakeGrid(views_[primary], scene_scale_);
-    const std::vector<int> counts = CountViews(primary, grid);
+  ViewPlan Build(ViewId primary, const std::optional<DepthSpan>& point_depths) const {
+    const SampledViewField field = Sample(primary, point_depths);
+    const std::vector<int> counts = CountViews(field);
     ViewPlan plan;
     const int needed = std::min<int>(3, static_cast<int>(views_.size()) - 1);
-    std::vector<double> weights(grid.size(), 0);
-    for (size_t i = 0; i < grid.size(); ++i) {
+    std::vector<double> weights(counts.size(), 0);
+    for (size_t i = 0; i < counts.size(); ++i) {
       if (counts[i] < needed) continue;
-      weights[i] = counts[i];
-      if (plan.min_depth > plan.max_depth) plan.min_depth = plan.max_depth = grid[i].depth;
-      plan.min_depth = std::min(plan.min_depth, grid[i].depth);
-      plan.max_depth = std::max(plan.max_depth, grid[i].depth);
+      const double depth = field.DepthOf(i);
+      if (!point_depths || Contains(*point_depths, depth)) weights[i] = counts[i];
+      Include({depth, depth}, &plan);
     }
-    WidenByPoints(std::move(point_depths), &plan);
-    const std::vector<CandidateView> candidates = Score(primary, grid, weights);
+    if (point_depths) Include(*point_depths, &plan);
+    const std::vector<CandidateView> candidates = Score(primary, field, weights);
     plan.second_views = PickSpread(candidates, &CandidateView::second_score, kSecondSpreadDeg,
                                    options_.max_second_views);
     plan.confirmation_views = PickSpread(candidates, &CandidateView::confirmation_score,
@@ -135,57 +131,80 @@ class PlanBuilder {
   }
 
  private:
-  // Per sample, the views that contain it under an angle usable for confirmation.
-  std::vector<int> CountViews(ViewId primary, const std::vector<GridSample>& grid) const {
-    std::vector<int> counts(grid.size(), 0);
-    for (size_t v = 0; v < views_.size(); ++v) {
-      if (static_cast<ViewId>(v) == primary) continue;
-      for (size_t i = 0; i < grid.size(); ++i) {
-        if (!views_[v].Project(grid[i].point_in_world)) continue;
-        const double angle = AngleDeg(grid[i].point_in_world - centres_[primary],
-                                      grid[i].point_in_world - centres_[v]);
-        counts[i] += angle >= options_.min_confirmation_angle_deg &&
-                     angle <= options_.max_confirmation_angle_deg;
+  SampledViewField Sample(ViewId primary, const std::optional<DepthSpan>& point_depths) const {
+    SampledViewField field;
+    field.neighbors = finder_.Find(primary, point_depths);
+    field.depths = SampledDepths(Scale(primary, field.neighbors), point_depths);
+    field.places = PlacesInFront(views_[primary], field.depths);
+    for (const ViewId v : field.neighbors) {
+      for (const Eigen::Vector3d& place : field.places) {
+        const bool seen = views_[v].Project(place).has_value();
+        field.angles_deg.push_back(seen ? AngleDeg(place - centres_[primary], place - centres_[v])
+                                        : -1);
+      }
+    }
+    return field;
+  }
+
+  // Of the camera and its neighbors; of all cameras where those tell nothing.
+  double Scale(ViewId primary, const std::vector<ViewId>& neighbors) const {
+    std::vector<Eigen::Vector3d> centres;
+    for (const ViewId v : neighbors) centres.push_back(centres_[v]);
+    centres.insert(std::lower_bound(neighbors.begin(), neighbors.end(), primary) -
+                       neighbors.begin() + centres.begin(),
+                   centres_[primary]);
+    const double scale = Extent(centres);
+    return IsExtended(scale, centres) ? scale : Extent(centres_);
+  }
+
+  // Per place, the views that contain it under an angle usable for confirmation.
+  std::vector<int> CountViews(const SampledViewField& field) const {
+    std::vector<int> counts(field.places.size(), 0);
+    for (size_t n = 0; n < field.neighbors.size(); ++n) {
+      const double* angles = field.AnglesOf(n);
+      for (size_t i = 0; i < counts.size(); ++i) {
+        counts[i] += angles[i] >= options_.min_confirmation_angle_deg &&
+                     angles[i] <= options_.max_confirmation_angle_deg;
       }
     }
     return counts;
   }
 
-  void WidenByPoints(std::vector<double> depths, ViewPlan* plan) const {
-    if (static_cast<int>(depths.size()) < options_.min_points_for_depth) return;
-    std::sort(depths.begin(), depths.end());
-    const double near = depths[depths.size() / 100] / options_.points_depth_widening;
-    const double far =
-        depths[depths.size() - 1 - depths.size() / 100] * options_.points_depth_widening;
-    const bool geometry_is_empty = plan->min_depth > plan->max_depth;
-    plan->min_depth = geometry_is_empty ? near : std::min(plan->min_depth, near);
-    plan->max_depth = geometry_is_empty ? far : std::max(plan->max_depth, far);
+  static bool Contains(const DepthSpan& span, double depth) {
+    return span.near <= depth && depth <= span.far;
   }
 
-  std::vector<CandidateView> Score(ViewId primary, const std::vector<GridSample>& grid,
+  static void Include(const DepthSpan& span, ViewPlan* plan) {
+    const bool is_empty = plan->min_depth > plan->max_depth;
+    plan->min_depth = is_empty ? span.near : std::min(plan->min_depth, span.near);
+    plan->max_depth = is_empty ? span.far : std::max(plan->max_depth, span.far);
+  }
+
+  std::vector<CandidateView> Score(ViewId primary, const SampledViewField& field,
                                    const std::vector<double>& weights) const {
     const double total_weight = std::accumulate(weights.begin(), weights.end(), 0.0);
     std::vector<CandidateView> candidates;
     if (!(total_weight > 0)) return candidates;
     const Eigen::Matrix3d cam_from_world =
         views_[primary].cam_from_world.rotation.toRotationMatrix();
-    for (size_t v = 0; v < views_.size(); ++v) {
-      if (static_cast<ViewId>(v) == primary) continue;
+    for (size_t n = 0; n < field.neighbors.size(); ++n) {
       CandidateView candidate;
-      candidate.view = static_cast<ViewId>(v);
-      const Eigen::Vector3d baseline_in_cam = cam_from_world * (centres_[v] - centres_[primary]);
+      candidate.view = field.neighbors[n];
+      const double* angles = field.AnglesOf(n);
+      const Eigen::Vector3d baseline_in_cam =
+          cam_from_world * (centres_[candidate.view] - centres_[primary]);
       double common_weight = 0;
-      for (size_t i = 0; i < grid.size(); ++i) {
-        if (weights[i] == 0 || !views_[v].Project(grid[i].point_in_world)) continue;
-        const Eigen::Vector3d ray = grid[i].point_in_world - centres_[primary];
-        const double angle = AngleDeg(ray, grid[i].point_in_world - centres_[v]);
+      for (size_t i = 0; i < weights.size(); ++i) {
+        const double angle = angles[i];
+        if (weights[i] == 0 || angle < 0) continue;
         const double w = weights[i] / total_weight;
         candidate.second_score +=
             w * Trapezoid(angle, options_.min_pair_angle_deg, 8, 25, options_.max_pair_angle_deg);
         candidate.confirmation_score += w * Trapezoid(angle, options_.min_confirmation_angle_deg, 6,
                                                       40, options_.max_confirmation_angle_deg);
         // Epipolar direction at the ray: the baseline without its component along the ray.
-        const Eigen::Vector3d ray_in_cam = (cam_from_world * ray).normalized();
+        const Eigen::Vector3d ray_in_cam =
+            (cam_from_world * (field.places[i] - centres_[primary])).normalized();
         const Eigen::Vector3d lateral =
             baseline_in_cam - baseline_in_cam.dot(ray_in_cam) * ray_in_cam;
         if (lateral.head<2>().norm() > 0) {
@@ -200,9 +219,9 @@ class PlanBuilder {
   }
 
   const std::vector<View>& views_;
-  const std::vector<Eigen::Vector3d>& centres_;
-  double scene_scale_;
+  const std::vector<Eigen::Vector3d> centres_;
   const ViewSelectionOptions& options_;
+  const NeighborFinder finder_;
 };
 
 std::vector<std::vector<double>> PointDepths(const std::vector<View>& views,
@@ -217,10 +236,13 @@ std::vector<std::vector<double>> PointDepths(const std::vector<View>& views,
   return depths;
 }
 
-std::vector<Eigen::Vector3d> Centres(const std::vector<View>& views) {
-  std::vector<Eigen::Vector3d> centres;
-  for (const View& view : views) centres.push_back(view.CenterInWorld());
-  return centres;
+// What the points of a view tell, widened; nothing if they are too few.
+std::optional<DepthSpan> SpanOfPoints(std::vector<double> depths,
+                                      const ViewSelectionOptions& options) {
+  if (static_cast<int>(depths.size()) < options.min_points_for_depth) return std::nullopt;
+  std::sort(depths.begin(), depths.end());
+  return DepthSpan{depths[depths.size() / 100] / options.points_depth_widening,
+                   depths[depths.size() - 1 - depths.size() / 100] * options.points_depth_widening};
 }
 
 }  // namespace
@@ -243,8 +265,7 @@ void CheckViews(const std::vector<View>& views) {
                      std::to_string(views.size()));
   }
   const std::vector<Eigen::Vector3d> centres = Centres(views);
-  // Centres that differ by rounding only are one centre.
-  if (!(MedianCentreDistance(centres) > 1e-9 * centres.front().norm())) {
+  if (!IsExtended(Extent(centres), centres)) {
     throw InputError("the cameras are all at one centre: nothing can be triangulated");
   }
 }
@@ -253,13 +274,12 @@ std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHin
                                   const ViewSelectionOptions& options, const RunContext& context) {
   options.Check();
   CheckViews(views);
-  const std::vector<Eigen::Vector3d> centres = Centres(views);
-  const double scene_scale = MedianCentreDistance(centres);
   const auto point_depths = PointDepths(views, hints);
-  const PlanBuilder builder(views, centres, scene_scale, options);
+  const PlanBuilder builder(views, options);
   std::vector<ViewPlan> plans(views.size());
-  ParallelFor(context, "view selection", views.size(),
-              [&](size_t v) { plans[v] = builder.Build(static_cast<ViewId>(v), point_depths[v]); });
+  ParallelFor(context, "view selection", views.size(), [&](size_t v) {
+    plans[v] = builder.Build(static_cast<ViewId>(v), SpanOfPoints(point_depths[v], options));
+  });
   return plans;
 }
 

@@ -43,12 +43,13 @@ struct ViewPlan {
 void CheckViews(const std::vector<View>& views);
 
 // Choose for every view its depth range, second views and confirmation views from the frusta:
-// sample points on a grid of pixels and depths, keep the depths that enough other views see under
+// sample places on a grid of pixels and depths, keep the depths that enough other views see under
 // usable angles, score the views by how much of that they see, and pick greedily with spread in
-// angle and in epipolar direction. Points of the sparse model widen the depth range where there are
-// enough. At most max_second_views + max_confirmation_views per view, so the stages after it are
-// linear in the number of views; the choice itself looks at all pairs with some 500 projections
-// each.
+// angle and in epipolar direction. Depths tried are those at the scale of the view's neighborhood
+// (view_neighbors.h), which a scene of few views is as a whole, and those of the points of the
+// sparse model where there are enough; points widen the depth range, too. At most max_second_views
+// + max_confirmation_views per view, so the stages after it are linear in the number of views. Time
+// per view: some 500 projections for each of at most NeighborFinder::kMaxNeighbors others.
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
                                   const ViewSelectionOptions& options, const RunContext& context);
 

@@ -12,6 +12,8 @@ namespace limn {
 namespace {
 
 constexpr double kCellPx = 4;
+// Cells on a side of a tile.
+constexpr int kTileCells = 8;
 
 double VirtualPerStored(const Edgel& edgel) {
   const Eigen::Matrix2f inverse = edgel.stored_from_virtual.inverse();
@@ -36,13 +38,9 @@ EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable)
   origin_ = low;
   cols_ = static_cast<int>((high.x() - low.x()) / kCellPx) + 1;
   rows_ = static_cast<int>((high.y() - low.y()) / kCellPx) + 1;
-  const auto cell_of = [&](const Edgel& edgel) {
-    const Eigen::Vector2d cell = (edgel.position_px - origin_) / kCellPx;
-    return static_cast<int>(cell.y()) * cols_ + static_cast<int>(cell.x());
-  };
-  cell_begin_.assign(static_cast<size_t>(cols_) * rows_ + 1, 0);
+  MakeTiles(edge_map, usable);
   for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
-    if (usable[id]) ++cell_begin_[cell_of(edge_map.edgels[id]) + 1];
+    if (usable[id]) ++cell_begin_[CellOf(edge_map.edgels[id]) + 1];
   }
   for (size_t i = 1; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
   entries_.resize(cell_begin_.back());
@@ -53,11 +51,40 @@ EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable)
     const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
     const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
     const Eigen::Vector2d normal(tangent.y(), -tangent.x());
-    entries_[next[cell_of(edgel)]++] = {
+    entries_[next[CellOf(edgel)]++] = {
         edgel.position_px, (stored_from_virtual.transpose() * normal).cast<float>(),
         (stored_from_virtual.transpose() * tangent).cast<float>(),
         static_cast<float>(edgel.tangent_rad), static_cast<EdgelId>(id)};
   }
+}
+
+void EdgelIndex::MakeTiles(const EdgeMap& edge_map, const std::vector<bool>& usable) {
+  tile_cols_ = (cols_ + kTileCells - 1) / kTileCells;
+  const int tile_rows = (rows_ + kTileCells - 1) / kTileCells;
+  first_cell_.assign(static_cast<size_t>(tile_cols_) * tile_rows, -1);
+  for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
+    if (usable[id]) first_cell_[TileOf(CellAt(edge_map.edgels[id].position_px))] = 0;
+  }
+  int num_cells = 0;
+  for (int& first : first_cell_) {
+    if (first < 0) continue;
+    first = num_cells;
+    num_cells += kTileCells * kTileCells;
+  }
+  cell_begin_.assign(num_cells + 1, 0);
+}
+
+Eigen::Vector2i EdgelIndex::CellAt(const Eigen::Vector2d& position_px) const {
+  return ((position_px - origin_) / kCellPx).cast<int>();
+}
+
+size_t EdgelIndex::TileOf(const Eigen::Vector2i& cell) const {
+  return static_cast<size_t>(cell.y() / kTileCells) * tile_cols_ + cell.x() / kTileCells;
+}
+
+int EdgelIndex::CellOf(const Edgel& edgel) const {
+  const Eigen::Vector2i cell = CellAt(edgel.position_px);
+  return first_cell_[TileOf(cell)] + cell.y() % kTileCells * kTileCells + cell.x() % kTileCells;
 }
 
 template <typename Visit>
@@ -71,9 +98,17 @@ void EdgelIndex::VisitCells(const Eigen::Vector2d& position_px, double radius_px
   const int row_end = std::min(rows_ - 1, static_cast<int>(std::floor(centre.y() + radius)));
   if (col_begin > col_end) return;
   for (int row = row_begin; row <= row_end; ++row) {
-    // The cells of a row follow each other.
-    const int* begin = cell_begin_.data() + static_cast<size_t>(row) * cols_;
-    for (int i = begin[col_begin]; i < begin[col_end + 1]; ++i) visit(entries_[i]);
+    for (int col = col_begin; col <= col_end;) {
+      const int next_col = std::min(col_end + 1, (col / kTileCells + 1) * kTileCells);
+      const int first = first_cell_[TileOf({col, row})];
+      if (first >= 0) {
+        // The cells of a row of a tile follow each other.
+        const int* begin = cell_begin_.data() + first + row % kTileCells * kTileCells;
+        const int last = begin[(next_col - 1) % kTileCells + 1];
+        for (int i = begin[col % kTileCells]; i < last; ++i) visit(entries_[i]);
+      }
+      col = next_col;
+    }
   }
 }
 

@@ -45,10 +45,23 @@ OrientationMask::OrientationMask(const EdgeMap& edge_map, const std::vector<bool
   const Eigen::Vector2d extent = region.max_px - origin_;
   cols_ = std::max(1, static_cast<int>(std::ceil(extent.x())) + 1);
   rows_ = std::max(1, static_cast<int>(std::ceil(extent.y())) + 1);
-  bits_.assign(static_cast<size_t>(cols_) * rows_, 0);
+  tile_cols_ = (cols_ + kTilePx - 1) / kTilePx;
+  const int tile_rows = (rows_ + kTilePx - 1) / kTilePx;
+  tile_begin_.assign(static_cast<size_t>(tile_cols_) * tile_rows, 0);
+  bits_.assign(kTileSize, 0);
   for (size_t id = 0; id < edge_map.edgels.size(); ++id) {
     if (usable[id]) Draw(edge_map.edgels[id], gate);
   }
+  bits_.shrink_to_fit();
+}
+
+uint16_t& OrientationMask::BitsAt(int col, int row) {
+  uint32_t& begin = tile_begin_[TileOf(col, row)];
+  if (begin == 0) {
+    begin = static_cast<uint32_t>(bits_.size());
+    bits_.resize(bits_.size() + kTileSize, 0);
+  }
+  return bits_[begin + PlaceInTile(col, row)];
 }
 
 void OrientationMask::Draw(const Edgel& edgel, const SupportGate& gate) {
@@ -71,7 +84,7 @@ void OrientationMask::Draw(const Edgel& edgel, const SupportGate& gate) {
       if (std::abs(normal) > gate.normal_px || std::abs(tangent.dot(offset)) > gate.along_px) {
         continue;
       }
-      bits_[static_cast<size_t>(row) * cols_ + col] |= bins;
+      BitsAt(col, row) |= bins;
     }
   }
 }

@@ -1,7 +1,9 @@
 #include "limn/geometry/spatial_index.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -36,6 +38,27 @@ TEST(SpatialIndex, AgreesWithTryingEveryPoint) {
     ASSERT_EQ(found.size(), within.size());
     for (size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].index, within[i]);
   }
+}
+
+TEST(SpatialIndex, NearestOnesAreThoseOfSorting) {
+  std::vector<Eigen::Vector3d> points = RandomPoints(500, 3);
+  points.insert(points.end(), 40, points.front());  // ties
+  const SpatialIndex index(points);
+  std::vector<SpatialIndex::Neighbor> found;
+  for (const Eigen::Vector3d& query : {points.front(), Eigen::Vector3d(0.3, 2, 0)}) {
+    std::vector<std::pair<double, int>> sorted;
+    for (size_t i = 0; i < points.size(); ++i) {
+      sorted.push_back({(points[i] - query).squaredNorm(), static_cast<int>(i)});
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (const size_t count : {size_t{1}, size_t{20}, size_t{60}, size_t{1000}}) {
+      index.FindNearest(query, count, &found);
+      ASSERT_EQ(found.size(), std::min(count, points.size()));
+      for (size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].index, sorted[i].second);
+    }
+  }
+  index.FindNearest({0, 0, 0}, 0, &found);
+  EXPECT_TRUE(found.empty());
 }
 
 TEST(SpatialIndex, SmallestIndexWinsOnTies) {

@@ -182,6 +182,107 @@ TEST(ViewSelectionTest, PointsWidenTheDepthRange) {
   EXPECT_EQ(with[5].max_depth, without[5].max_depth);
 }
 
+// Cameras along x, `step` apart, that look at a facade `distance` away, by turns a little to the
+// left and to the right.
+std::vector<View> Street(int count, double step, double distance) {
+  std::vector<View> views;
+  for (int i = 0; i < count; ++i) {
+    const double x = step * i;
+    const double turn = 0.2 * distance * (i % 3 - 1);
+    views.push_back(LookAt({x, 0, 1.5 + 0.1 * (i % 4)}, {x + turn, distance, 3}));
+  }
+  return views;
+}
+
+// Every fifth metre of the facade, seen by the cameras in front of it.
+SceneHints FacadePoints(const std::vector<View>& views, double step, double distance) {
+  SceneHints hints;
+  for (int i = 0; i < 4 * static_cast<int>(views.size()); ++i) {
+    ScenePoint point{Vector3d(0.25 * step * i, distance + 0.3 * (i % 5), i % 7), {}};
+    for (int v = std::max(0, i / 4 - 12); v < std::min<int>(views.size(), i / 4 + 13); ++v) {
+      if (views[v].Project(point.position_in_world)) point.views.push_back(v);
+    }
+    hints.points.push_back(std::move(point));
+  }
+  return hints;
+}
+
+// Every plan reaches the facade and consists of views around its own, nearly as many as asked for.
+void ExpectFacadePlans(const std::vector<View>& views, const std::vector<ViewPlan>& plans,
+                       double distance, double reach, int min_usable) {
+  const ViewSelectionOptions options;
+  ExpectSound(plans, options);
+  const double end = views.back().CenterInWorld().x();
+  for (size_t v = 0; v < plans.size(); ++v) {
+    const ViewPlan& plan = plans[v];
+    const Vector3d center = views[v].CenterInWorld();
+    EXPECT_LT(plan.min_depth, 0.8 * distance) << "view " << v;
+    EXPECT_GT(plan.max_depth, 1.2 * distance) << "view " << v;
+    EXPECT_GE(plan.second_views.size(), 6u) << "view " << v;
+    EXPECT_GE(plan.confirmation_views.size(), 10u) << "view " << v;
+    int usable = 0;
+    for (const auto* chosen : {&plan.second_views, &plan.confirmation_views}) {
+      for (const ViewId other : *chosen) {
+        EXPECT_LT(std::abs(views[other].CenterInWorld().x() - center.x()), reach) << "view " << v;
+      }
+    }
+    // Partners on the facade itself: they see what the view sees in its middle.
+    const Vector3d middle = Inverse(views[v].cam_from_world) * Vector3d(0, 0, distance);
+    for (const ViewId other : plan.confirmation_views) {
+      usable += views[other].Project(middle).has_value();
+    }
+    const bool at_an_end = center.x() < distance || center.x() > end - distance;
+    EXPECT_GE(usable, at_an_end ? 2 : min_usable) << "view " << v;
+  }
+}
+
+TEST(ViewSelectionTest, StreetOfManyViewsIsMatchedAroundEachView) {
+  const std::vector<View> views = Street(600, 0.9, 11);
+  const SceneHints hints = FacadePoints(views, 0.9, 11);
+  ExpectFacadePlans(views, SelectViews(views, hints, ViewSelectionOptions(), {}), 11, 75, 5);
+}
+
+TEST(ViewSelectionTest, StreetOfManyViewsNeedsNoPoints) {
+  const std::vector<View> views = Street(600, 0.9, 11);
+  ExpectFacadePlans(views, SelectViews(views, kNoHints, ViewSelectionOptions(), {}), 11, 200, 2);
+}
+
+// What a view is matched with does not depend on how far the street goes on.
+TEST(ViewSelectionTest, FarPartsOfAStreetDoNotMatter) {
+  const std::vector<View> all = Street(500, 0.9, 11);
+  const std::vector<View> half(all.begin(), all.begin() + 350);
+  const auto of_all = SelectViews(all, FacadePoints(all, 0.9, 11), ViewSelectionOptions(), {});
+  const auto of_half = SelectViews(half, FacadePoints(half, 0.9, 11), ViewSelectionOptions(), {});
+  for (size_t v = 0; v < 200; ++v) {
+    EXPECT_EQ(of_all[v].second_views, of_half[v].second_views) << "view " << v;
+    EXPECT_EQ(of_all[v].confirmation_views, of_half[v].confirmation_views) << "view " << v;
+    EXPECT_EQ(of_all[v].max_depth, of_half[v].max_depth) << "view " << v;
+  }
+}
+
+// Thinning keeps partners at all usable angles.
+TEST(ViewSelectionTest, DenseVideoFindsTheFarPartners) {
+  const std::vector<View> views = Turntable(400);
+  SceneHints hints;
+  for (int i = 0; i < 60; ++i) {
+    const Vector3d position(0.5 * std::cos(i), 0.5 * std::sin(i), 0.02 * i - 0.6);
+    std::vector<ViewId> seeing;
+    for (int v = 0; v < 400; ++v) seeing.push_back(v);
+    hints.points.push_back({position, std::move(seeing)});
+  }
+  for (const SceneHints& with : {kNoHints, hints}) {
+    const auto plans = SelectViews(views, with, ViewSelectionOptions(), {});
+    ExpectSound(plans, ViewSelectionOptions());
+    for (const size_t v : {size_t{0}, size_t{177}, size_t{399}}) {
+      ASSERT_GE(plans[v].second_views.size(), 4u) << "view " << v;
+      EXPECT_GE(plans[v].confirmation_views.size(), 8u) << "view " << v;
+      const double best = AngleDeg(views[v], views[plans[v].second_views[0]]);
+      EXPECT_GE(best, 3) << "view " << v;
+      EXPECT_LE(best, 45) << "view " << v;
+    }
+  }
+}
+
 TEST(ViewSelectionTest, BadOptionsThrow) {
   ViewSelectionOptions options;
   options.max_confirmation_views = 33;

@@ -70,6 +70,26 @@ TEST_P(OrientationMaskTest, OutsideTheImageIsNoSupport) {
   EXPECT_FALSE(Supports(mask, {320, 1e6}, GetParam()));
 }
 
+// Also at the borders of the image, whose tiles it cuts.
+TEST(OrientationMaskTilesTest, EveryPixelHasItsOwnBits) {
+  const View view = testing::LookAt({5, 0, 0}, {0, 0, 0});
+  const int cols = static_cast<int>(view.region.max_px.x());
+  const int rows = static_cast<int>(view.region.max_px.y());
+  for (const Eigen::Vector2i& pixel :
+       {Eigen::Vector2i(2, 2), {cols, rows}, {7, 8}, {8, 7}, {303, 200}, {cols, 64}}) {
+    const EdgeMap edge_map =
+        testing::MakeEdgeMap(view, {testing::MakeEdgel(pixel.cast<double>(), 0.1)});
+    const SupportGate gate{0.4, 0.4, 0.26};
+    const OrientationMask mask(edge_map, {true}, view.region, gate);
+    int num_supported = 0;
+    for (int row = 2; row <= rows; ++row) {
+      for (int col = 2; col <= cols; ++col) num_supported += mask.Supports(col, row, 1, 0.1);
+    }
+    EXPECT_EQ(num_supported, 1) << pixel.transpose();
+    EXPECT_TRUE(mask.Supports(pixel.x(), pixel.y(), 1, 0.1)) << pixel.transpose();
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Angles, OrientationMaskTest,
                          ::testing::Values(0.0, 0.2, M_PI / 4, 1.1, M_PI / 2, 2.0, 2.6, -0.05));
 
