@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 scripts/setup.sh python3-numpy python3-opencv python3-ezdxf librsvg2-bin chromium
 cmake --preset release -DLIMN_WARNINGS_AS_ERRORS=ON
 cmake --build --preset release
-ctest --preset release
+ctest --preset release --parallel 2
 
 [[ ${1:-} == --sanitizers ]] || exit 0
 scripts/test_sanitizers.sh

@@ -42,6 +42,7 @@ TauResult Evaluate(const CurveSketch& sketch, double tau) {
   truth.polylines = testing::Polylines(testing::CubeEdges(kHalfSide));
   EvaluationOptions options;
   options.taus = {tau};
+  options.find_duplicates = false;
   const TauResult row =
       EvaluateCurvesInFootprints(ToCurveSet(sketch), truth, Views(), options).rows.at(0);
   ::testing::Test::RecordProperty("recall", std::to_string(row.recall.value()));
