@@ -30,7 +30,8 @@ THIRD_PARTY = {
     "flann/": ["src/limn/geometry/spatial_index.cc"],
     "tbb/": ["src/limn/util/parallel.cc"],
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
-    "boost/": ["colmap_ext/options/"],
+    "boost/program_options": ["colmap_ext/options/"],
+    "boost/mpi/": ["colmap_ext/commands/ranks.cc"],
     "tiny_gltf.h": ["src/limn/export/drawing_glb.cc"],
     # OpenCASCADE: its headers are in no folder.
     **{prefix: ["src/limn/export/drawing_step.cc", "src/limn/export/step_edges"]
