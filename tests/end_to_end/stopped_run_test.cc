@@ -87,7 +87,7 @@ void ExpectInterruptsToStop(const std::vector<std::string>& arguments, const fs:
 
 TEST(StoppedRun, InterruptsStopItSoonAndItGoesOn) {
   const SmallScene scene;
-  ExpectInterruptsToStop(scene.Arguments(), scene.output(), NumStops(8));
+  ExpectInterruptsToStop(scene.Arguments(), scene.output(), NumStops(5));
 }
 
 // Default options: single views and single steps that take seconds.
@@ -95,14 +95,14 @@ TEST(StoppedRun, InterruptsStopTheWholeSampleSceneSoon) {
   const TempDir dir;
   ExpectInterruptsToStop({"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day",
                           "--output_path", (dir / "out").string()},
-                         dir / "out", NumStops(8));
+                         dir / "out", NumStops(3));
 }
 
 TEST(StoppedRun, KillsLeaveNothingHalfWrittenAndItGoesOn) {
   const SmallScene scene;
   const WholeRun whole = RunUndisturbed(scene.Arguments(), scene.output());
   std::mt19937 random(1);
-  const int num_stops = NumStops(12);
+  const int num_stops = NumStops(8);
   int num_killed = 0;
   for (int i = 0; i < num_stops; ++i) {
     LimnProcess run(scene.Arguments());
