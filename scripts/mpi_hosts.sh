@@ -14,8 +14,13 @@ hosts=${1:-2}
 shift || true
 options=("$@")
 limn=$PWD/build/release/limn
+if [[ ! $hosts =~ ^[0-9]+$ || $EUID != 0 || ! -x $limn ]]; then
+  sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0" >&2
+  exit 1
+fi
 out=$PWD/build/mpi_hosts
 switch=limn-switch
+agent=
 names=()
 for ((i = 1; i <= hosts; ++i)); do names+=("limn-host$i"); done
 
@@ -67,9 +72,9 @@ draw() {
   echo automatic_drawer --workspace_path "$PWD/datasets/sample/day" --output_path "$out/$1" "${options[@]}"
 }
 
-write_agent
+ip netns add $switch  # fails if another run is at work
 trap remove_hosts EXIT
-ip netns add $switch
+write_agent
 ip -n $switch link add bridge type bridge
 ip -n $switch link set bridge up
 for ((i = 1; i <= hosts; ++i)); do add_host "${names[i - 1]}" "10.77.0.$i"; done
