@@ -137,12 +137,19 @@ class MpiRun : public ::testing::Test {
     }
   }
 
-  // A command of the shell that runs `mpirun -n 3 limn automatic_drawer` on the small scene.
+  // Open MPI leaves memory to the system when it ends, much of it by plug-ins that are unloaded by
+  // then and have no name that a suppression could give.
+  static std::string ThreeOf(const std::string& command) {
+    const std::string no_leaks = "export ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0; ";
+    return no_leaks + "mpirun --oversubscribe -n 3 " LIMN_PROGRAM " " + command;
+  }
+
+  // A command of the shell: the main job on the small scene, by three processes.
   std::string Command(const std::string& more = "") const {
-    return "mpirun --oversubscribe -n 3 " LIMN_PROGRAM " automatic_drawer --workspace_path " +
-           (dir_ / "day").string() + " --output_path " + (dir_ / "out").string() +
-           " --image_list_path " + (dir_ / "list.txt").string() +
-           " --quality low --max_image_size 320 --num_threads 2 " + more;
+    return ThreeOf("automatic_drawer --workspace_path ") + (dir_ / "day").string() +
+           " --output_path " + (dir_ / "out").string() + " --image_list_path " +
+           (dir_ / "list.txt").string() + " --quality low --max_image_size 320 --num_threads 2 " +
+           more;
   }
 
   std::string FragmentsFolder() const { return (dir_ / "out/curves/cache/fragments").string(); }
@@ -181,7 +188,7 @@ TEST_F(MpiRun, BadInputIsOneErrorOfOneProcess) {
   const LimnRun run = RunShell(Command("--input_path /nowhere"));
   EXPECT_NE(run.exit_code, 0);
   EXPECT_EQ(Count("ERROR: ", run.err), 1) << run.err;
-  const LimnRun viewer = RunShell("mpirun --oversubscribe -n 3 " LIMN_PROGRAM " drawing_viewer");
+  const LimnRun viewer = RunShell(ThreeOf("drawing_viewer"));
   EXPECT_THAT(viewer.err, HasSubstr("only automatic_drawer runs in several MPI processes"));
   EXPECT_EQ(Count("ERROR: ", viewer.err), 1) << viewer.err;
 }
