@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -55,14 +56,15 @@ std::string OneLine(std::string text) {
 // Throws what the command throws.
 int Run(int argc, const char* const* argv) {
   const std::string_view name = argv[1];
-  for (const Command& command : kCommands) {
-    if (command.name != name) continue;
-    if (NumRanks() > 1 && command.run != RunAutomaticDrawer) {
-      throw limn::OptionError(std::string(name) +
-                              ": only automatic_drawer runs in several MPI processes");
-    }
-    return command.run(argc - 1, argv + 1);
+  const auto command = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                    [&](const Command& c) { return c.name == name; });
+  const bool is_known = command != std::end(kCommands);
+  if (NumRanks() > 1 && !(is_known && command->run == RunAutomaticDrawer)) {
+    if (Rank() != 0) return 0;  // rank 0 says it
+    throw limn::OptionError(std::string(name) +
+                            ": only automatic_drawer runs in several MPI processes");
   }
+  if (is_known) return command->run(argc - 1, argv + 1);
   throw limn::OptionError("unknown command '" + std::string(name) +
                           "'; 'limn help' lists the commands");
 }

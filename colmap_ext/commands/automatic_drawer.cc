@@ -8,25 +8,10 @@
 #include "colmap_ext/commands/run_report.h"
 #include "colmap_ext/commands/shard_run.h"
 #include "limn/pipeline/pipeline.h"
-#include "limn/pipeline/shard.h"
 #include "limn/sketch/view_selection.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
-
-namespace {
-
-// With several ranks: all of them fill the cache, and rank 0 goes on with what it holds.
-void FillCacheByRanks(const PipelineInput& input, const PipelineOptions& options,
-                      Console* console) {
-  const Shard shard{Rank() + 1, NumRanks()};
-  for (const auto make : {MakeShardCurves, MakeShardSketches}) {
-    console->Report(make(input, options, shard, console->context()));
-    WaitForAllRanks();
-  }
-}
-
-}  // namespace
 
 int RunAutomaticDrawer(int argc, const char* const* argv) {
   // The others begin when rank 0 knows that there is work and holds the lock.
@@ -64,15 +49,15 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   truth.evaluation.region = BoxFromNumbers(options.box);
   Console console(options.num_threads, leads);
   const Project project(options, &console);
-  if (!options.shard.empty()) {
-    DoShard(project, options, &console);
-    return 0;
-  }
   CheckRefinedFolder(project, options);
   CheckReplaceable(project, options, "drawing.json", Provenance(options));
   CheckViews(project.views());
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
                             ProjectBox(project, options), project.cache()};
+  if (!options.shard.empty()) {
+    DoShard(input, options, &console);
+    return 0;
+  }
   if (NumRanks() > 1) {
     if (leads) AsRankZero(true);
     FillCacheByRanks(input, options.pipeline, &console);

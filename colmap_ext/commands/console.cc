@@ -89,7 +89,8 @@ Console::Console(int num_threads, bool speaks)
     : speaks_(speaks),
       is_terminal_(isatty(STDOUT_FILENO) == 1),
       stage_start_(Clock::now()),
-      interrupts_([this] {
+      interrupts_([this]() -> std::string {
+        if (!speaks_) return "";
         if (is_terminal_) std::printf("\r\033[K");
         std::fflush(stdout);
         return WhatIsKept();

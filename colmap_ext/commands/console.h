@@ -32,7 +32,7 @@ struct RunLog {
 // kept of it is said.
 class Console {
  public:
-  // One console at a time. One that does not speak writes nothing on standard output.
+  // One console at a time. One that does not speak writes nothing.
   explicit Console(int num_threads, bool speaks = true);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;

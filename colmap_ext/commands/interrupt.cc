@@ -1,6 +1,5 @@
 #include "colmap_ext/commands/interrupt.h"
 
-#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <exception>
@@ -26,6 +25,13 @@ sigset_t Signals() {
 
 }  // namespace
 
+InterruptsBlocked::InterruptsBlocked() {
+  const sigset_t signals = Signals();
+  pthread_sigmask(SIG_BLOCK, &signals, &before_);
+}
+
+InterruptsBlocked::~InterruptsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
 InterruptWatch::InterruptWatch(std::function<std::string()> last_words)
     : last_words_(std::move(last_words)), exceptions_before_(std::uncaught_exceptions()) {
   // Blocked here and in all threads to come; the watching thread takes them one by one.
@@ -49,7 +55,8 @@ void InterruptWatch::Watch() {
 
 void InterruptWatch::SayLastWords() {
   if (said_.exchange(true)) return;
-  std::fprintf(stderr, "%s\n", last_words_().c_str());
+  const std::string words = last_words_();
+  if (!words.empty()) std::fprintf(stderr, "%s\n", words.c_str());
 }
 
 InterruptWatch::~InterruptWatch() {

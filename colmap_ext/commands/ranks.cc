@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "colmap_ext/commands/interrupt.h"
 #include "limn/util/errors.h"
 
 #ifdef LIMN_WITH_MPI
@@ -34,6 +35,7 @@ std::unique_ptr<boost::mpi::environment>& Environment() {
 MpiSession::MpiSession() {
   // Only the main thread speaks with other ranks. Exceptions are dealt with by main.
   if (IsStartedByMpi()) {
+    const InterruptsBlocked in_its_threads;
     Environment() = std::make_unique<boost::mpi::environment>(boost::mpi::threading::funneled,
                                                               /*abort_on_exception=*/false);
   }

@@ -1,9 +1,11 @@
 #include "colmap_ext/workspace/output_lock.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -49,6 +51,23 @@ void WriteHolder(int file) {
   if (ftruncate(file, 0) == 0) (void)!pwrite(file, text.data(), text.size(), 0);
 }
 
+// 0, or why not.
+int LockOnce(int file, LockMode mode) {
+  const int operation = mode == LockMode::kExclusive ? LOCK_EX : LOCK_SH;
+  return flock(file, operation | LOCK_NB) == 0 ? 0 : errno;
+}
+
+// The same. One that ends and shared the lock has it for itself for a moment, to remove the file:
+// others that share it wait for that.
+int Lock(int file, LockMode mode) {
+  int reason = LockOnce(file, mode);
+  for (int i = 0; i < 100 && mode == LockMode::kShared && reason == EWOULDBLOCK; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    reason = LockOnce(file, mode);
+  }
+  return reason;
+}
+
 // Whether the open file is still the one at this path.
 bool IsAt(int file, const fs::path& path) {
   struct stat opened, found;
@@ -71,9 +90,8 @@ bool OutputLock::TryLock(LockMode mode) {
     if (errno == ENOENT) return false;  // the folder
     throw IoError(path_.string(), std::string("cannot write: ") + std::strerror(errno));
   }
-  const int operation = mode == LockMode::kExclusive ? LOCK_EX : LOCK_SH;
-  const bool locked = flock(file_, operation | LOCK_NB) == 0;
-  const int reason = errno;
+  const int reason = Lock(file_, mode);
+  const bool locked = reason == 0;
   if (locked && IsAt(file_, path_)) return true;
   const std::string holder = ReadHolder(file_);
   close(file_);

@@ -14,7 +14,7 @@ enum class LockMode { kExclusive, kShared };
 class OutputLock {
  public:
   // Makes the folder. Throws IoError, naming the file and the process that is at work, if the lock
-  // cannot be had at once.
+  // cannot be had at once (within a second where it is to be shared).
   OutputLock(const std::filesystem::path& folder, LockMode mode);
   // Removes the file if no other process holds it, and the folders that were made for it if they
   // are still empty.

@@ -15,12 +15,18 @@ void KeepFirst(const std::string& text, std::string* first) {
   if (first->empty() || text < *first) *first = text;
 }
 
+CacheUse NothingYet(CachedKind kind) {
+  CacheUse use;
+  use.what = kWhats[static_cast<int>(kind)];
+  use.items = kItems[static_cast<int>(kind)];
+  return use;
+}
+
 }  // namespace
 
 ResultCache::ResultCache(std::string dir) : dir_(std::move(dir)) {
   for (int kind = 0; kind < kNumCachedKinds; ++kind) {
-    use_[kind].what = kWhats[kind];
-    use_[kind].items = kItems[kind];
+    use_[kind] = NothingYet(static_cast<CachedKind>(kind));
   }
 }
 
@@ -36,6 +42,7 @@ bool ResultCache::Exists(const std::string& path) const {
 
 void ResultCache::Expect(CachedKind kind, size_t total) {
   const std::lock_guard lock(mutex_);
+  UseOf(kind) = NothingYet(kind);
   UseOf(kind).total = static_cast<int64_t>(total);
 }
 

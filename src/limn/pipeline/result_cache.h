@@ -15,11 +15,11 @@ namespace limn {
 enum class CachedKind { kEdges, kFragments, kSketch };
 constexpr int kNumCachedKinds = static_cast<int>(CachedKind::kSketch) + 1;
 
-// What became of the kept results of one kind in a run.
+// What became of the kept results of one kind in a stage.
 struct CacheUse {
   const char* what = "";   // in words: "image curves"
   const char* items = "";  // what there is one of them for: "images"
-  int64_t total = 0;       // how many the run needs
+  int64_t total = 0;       // how many the stage needs
   int64_t reused = 0;
   int64_t outdated = 0;  // made of something else, or by another version: made again
   int64_t damaged = 0;   // cannot be read: made again
@@ -42,7 +42,7 @@ class ResultCache {
   const std::string& dir() const { return dir_; }
   bool IsOn() const { return !dir_.empty(); }
 
-  // A stage begins that needs so many results of this kind.
+  // A stage begins that needs so many results of this kind: they are counted from here on.
   void Expect(CachedKind kind, size_t total);
 
   // `read(path)` reads a file; it returns nothing if it was made of something else, and throws

@@ -33,6 +33,11 @@ void CheckKept(const ResultCache& cache, CachedKind kind) {
   if (use.not_stored > 0) throw IoError(cache.dir(), "cannot keep results: " + use.write_error);
 }
 
+StageSummary OfShard(StageSummary summary, const Shard& shard) {
+  summary.stage += ", shard " + std::to_string(shard.index) + "/" + std::to_string(shard.count);
+  return summary;
+}
+
 }  // namespace
 
 Shard ParseShard(const std::string& text) {
@@ -63,7 +68,7 @@ StageSummary MakeShardCurves(const PipelineInput& input, const PipelineOptions& 
       ExtractCurves({input.views, input.images, input.cache, ViewsOf(shard, input.views.size())},
                     options.edges, options.linking, context);
   CheckKept(*input.cache, CachedKind::kFragments);
-  return result.summary;
+  return OfShard(result.summary, shard);
 }
 
 StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions& options,
@@ -82,7 +87,7 @@ StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions
       SketchViews(options.mode, {input.views, image_curves.curves, input.hints, input.box, views},
                   options.sketch, input.cache, context);
   CheckKept(*input.cache, CachedKind::kSketch);
-  return sketch.summary;
+  return OfShard(sketch.summary, shard);
 }
 
 }  // namespace limn

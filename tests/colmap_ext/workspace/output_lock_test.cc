@@ -1,6 +1,8 @@
 #include "colmap_ext/workspace/output_lock.h"
 
 #include <optional>
+#include <thread>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,6 +46,18 @@ TEST(OutputLock, ThoseThatShareItRunTogetherButNotWithOthers) {
   second.reset();
   EXPECT_FALSE(fs::exists(dir / ".lock"));
   EXPECT_EQ(Refusal(dir.path(), LockMode::kExclusive), "");
+}
+
+TEST(OutputLock, SharersComeAndGoWithoutHarm) {
+  const TempDir dir;
+  std::vector<std::thread> sharers;
+  for (int t = 0; t < 3; ++t) {
+    sharers.emplace_back([&] {
+      for (int i = 0; i < 1000; ++i) ASSERT_EQ(Refusal(dir / "curves", LockMode::kShared), "");
+    });
+  }
+  for (std::thread& sharer : sharers) sharer.join();
+  EXPECT_FALSE(fs::exists(dir / "curves/.lock"));
 }
 
 TEST(OutputLock, LeavesNothingBehind) {

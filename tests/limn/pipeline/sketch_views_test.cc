@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -132,6 +133,38 @@ TEST_F(SketchViewsTest, DamagedOnesAreMadeAgain) {
   EXPECT_EQ(use_.damaged, 1);
   EXPECT_EQ(use_.outdated, 1);
   EXPECT_EQ(use_.reused, 8);
+}
+
+TEST_F(SketchViewsTest, SomeViewsAreMadeFromTheCurvesOfTheirPlansOnly) {
+  options_.view_selection.max_second_views = 2;
+  options_.view_selection.max_confirmation_views = 4;
+  const std::string whole = Bytes(Sketch("").sketch);
+  const auto plans = SelectViews(views_, hints_, options_.view_selection, {});
+  const std::vector<ImageCurves> all_curves = curves_;
+  for (const std::vector<ViewId>& part : {std::vector<ViewId>{0, 1, 2}, {3, 4, 5, 6, 7, 8, 9}}) {
+    std::set<ViewId> needed(part.begin(), part.end());
+    for (const ViewId v : part) {
+      needed.insert(plans[v].second_views.begin(), plans[v].second_views.end());
+      needed.insert(plans[v].confirmation_views.begin(), plans[v].confirmation_views.end());
+    }
+    curves_.assign(views_.size(), {});
+    for (const ViewId v : needed) curves_[v] = all_curves[v];
+    ResultCache cache(Cache());
+    SketchViews(SketchMode::kSweep, {views_, curves_, hints_, box_, part}, options_, &cache, {});
+    EXPECT_EQ(cache.Use(CachedKind::kSketch).stored, static_cast<int64_t>(part.size()));
+  }
+  curves_ = all_curves;
+  EXPECT_TRUE(Bytes(Sketch(Cache()).sketch) == whole);
+  EXPECT_EQ(use_.reused, 10);
+}
+
+TEST_F(SketchViewsTest, CountsAreOfOneStage) {
+  ResultCache cache(Cache());
+  for (const int64_t reused : {0, 10, 10}) {
+    SketchViews(SketchMode::kSweep, {views_, curves_, hints_, box_}, options_, &cache, {});
+    EXPECT_EQ(cache.Use(CachedKind::kSketch).reused, reused);
+    EXPECT_EQ(cache.Use(CachedKind::kSketch).NumKept(), 10);
+  }
 }
 
 TEST_F(SketchViewsTest, AFolderThatCannotBeMadeCostsTheCacheOnly) {

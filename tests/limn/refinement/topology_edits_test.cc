@@ -49,7 +49,8 @@ Edited Edit(const std::vector<Polyline3d>& drawn, const std::vector<testing::Sce
     edgels.push_back(std::make_unique<EdgelIndex>(of_view.edge_map, LinkedEdgels(of_view)));
   }
   const std::vector<uint8_t> frozen(drawn.size(), 0);
-  GraphEditor editor(Views(), edgels, {}, frozen, &result.graph);
+  const RefinementOptions options;
+  GraphEditor editor(Views(), edgels, options, frozen, &result.graph);
   result.counts = EditTopology(&editor);
   EXPECT_TRUE(Validate(result.graph).empty()) << Validate(result.graph).front();
   return result;
