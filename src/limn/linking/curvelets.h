@@ -36,9 +36,10 @@ class CurveletBuilder {
   static bool Follow(const Neighbour& a, const Neighbour& b);
   // Fill neighbours_ with those that can be in a curvelet with the anchor, nearest first.
   void FindNeighbours(const Neighbour& anchor);
+  // Fill bundles_, and forget the neighbours that no arc meets.
+  void FindBundles(EdgelId anchor);
   // Fill members_ with the anchor, this neighbour and others that fit, and mark these as grouped.
-  // Returns whether there is an arc.
-  bool GroupFrom(size_t seed, const Neighbour& anchor, const ArcBundle& all_arcs);
+  void GroupFrom(size_t seed, const Neighbour& anchor);
   // Of members_.
   Curvelet InOrder();
 
