@@ -33,9 +33,12 @@ inline bool HasAvx2() { return __builtin_cpu_supports("avx2") != 0; }
 inline bool HasAvx2() { return false; }
 #endif
 
-// From any address: it need not be aligned.
+// From and to any address: it need not be aligned.
 LIMN_INLINE_KERNEL void Load8(const float* from, Float8* values) {
   std::memcpy(values, from, sizeof(*values));
+}
+LIMN_INLINE_KERNEL void Store8(const Float8& values, float* to) {
+  std::memcpy(to, &values, sizeof(values));
 }
 
 // Whether any element of a comparison holds.
