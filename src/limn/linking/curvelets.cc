@@ -57,7 +57,9 @@ void CurveletBuilder::GroupFrom(size_t seed, const Neighbour& anchor) {
   ArcBundle bundles[2];  // the one so far, where there is more than the seed, and a narrower one
   const ArcBundle* arcs = &bundles_[seed];
   int free = 0;
-  members_ = {anchor, neighbours_[seed]};
+  members_.clear();
+  members_.push_back(anchor);
+  members_.push_back(neighbours_[seed]);
   for (size_t j = 0; j < neighbours_.size(); ++j) {
     const Neighbour& candidate = neighbours_[j];
     const auto follows = [&](const Neighbour& member) { return Follow(member, candidate); };
@@ -70,32 +72,31 @@ void CurveletBuilder::GroupFrom(size_t seed, const Neighbour& anchor) {
   }
 }
 
-Curvelet CurveletBuilder::InOrder() {
+void CurveletBuilder::KeepMembers() {
+  if (members_.size() < 3) return;
   std::sort(members_.begin(), members_.end(),
             [](const Neighbour& a, const Neighbour& b) { return a.offset.x() < b.offset.x(); });
-  Curvelet curvelet;
-  curvelet.reserve(members_.size());
+  const double extent_px =
+      (samples_[members_.back().id].position - samples_[members_.front().id].position).norm();
+  if (extent_px < options_.min_curvelet_px) return;
+  if (num_curvelets_ == curvelets_.size()) curvelets_.emplace_back();
+  Curvelet& curvelet = curvelets_[num_curvelets_++];
+  curvelet.clear();
   for (const Neighbour& member : members_) curvelet.push_back(member.id);
-  return curvelet;
 }
 
-std::vector<Curvelet> CurveletBuilder::Around(EdgelId anchor_id) {
+std::span<const Curvelet> CurveletBuilder::Around(EdgelId anchor_id) {
   const Neighbour anchor{anchor_id, 0, {0, 0}};
   FindNeighbours(anchor);
   FindBundles(anchor_id);
   grouped_.assign(neighbours_.size(), 0);
-
-  std::vector<Curvelet> curvelets;
+  num_curvelets_ = 0;
   for (size_t seed = 0; seed < neighbours_.size(); ++seed) {
     if (grouped_[seed]) continue;
     GroupFrom(seed, anchor);
-    if (members_.size() < 3) continue;
-    Curvelet curvelet = InOrder();
-    const double extent_px =
-        (samples_[curvelet.back()].position - samples_[curvelet.front()].position).norm();
-    if (extent_px >= options_.min_curvelet_px) curvelets.push_back(std::move(curvelet));
+    KeepMembers();
   }
-  return curvelets;
+  return {curvelets_.data(), num_curvelets_};
 }
 
 }  // namespace limn
