@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 
 // A pixel up to 0.7 px beside the edge sees at least this share of its strength.
 constexpr double kGridStrengthShare = 0.85;
-constexpr double kSimilarDirectionRad = 0.6;
+const double kSimilarDirectionCosine = std::cos(0.6);
 
 // One channel prepared for detection.
 struct Channel {
@@ -127,7 +127,7 @@ void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& option
                           const std::vector<unsigned char>& usable, EdgelRaster* raster) {
   const double near_px = options.isoluminant_distance_px;
   const auto explained = [&](const Vector2d& position, const Vector2d& tangent) {
-    return raster->HasParallelNear(position, tangent, near_px, kSimilarDirectionRad);
+    return raster->HasParallelNear(position, tangent, near_px, kSimilarDirectionCosine);
   };
   std::vector<RefinedEdgel> of_channel[2];
   double total_strength[2] = {0, 0};

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace limn {
@@ -36,15 +37,32 @@ int NearestInt(double value) {
   return towards_zero - (towards_zero > value + 0.5);
 }
 
-// Indices of edgels, the strongest first, ties in the given order.
+// Indices of edgels, the strongest first, ties in the given order: sorted by eleven bits of their
+// strengths at a time, the lowest first.
 std::vector<uint32_t> ByStrength(const std::vector<RefinedEdgel>& edgels) {
-  // Bits of positive floats ascend with their values.
-  std::vector<uint64_t> keys(edgels.size());
+  struct Item {
+    uint32_t key;
+    uint32_t index;
+  };
+  std::vector<Item> items(edgels.size());
   for (size_t i = 0; i < edgels.size(); ++i) {
-    keys[i] = static_cast<uint64_t>(~std::bit_cast<uint32_t>(edgels[i].edgel.strength)) << 32 | i;
+    // Bits of positive floats ascend with their values.
+    items[i] = {~std::bit_cast<uint32_t>(edgels[i].edgel.strength), static_cast<uint32_t>(i)};
   }
-  std::sort(keys.begin(), keys.end());
-  return {keys.begin(), keys.end()};
+  constexpr int kBits = 11;
+  constexpr uint32_t kDigits = 1u << kBits;
+  std::vector<Item> sorted(items.size());
+  for (int shift = 0; shift < 32; shift += kBits) {
+    std::vector<uint32_t> begin(kDigits + 1, 0);
+    for (const Item& item : items) ++begin[(item.key >> shift) % kDigits + 1];
+    for (uint32_t digit = 1; digit < kDigits; ++digit) begin[digit] += begin[digit - 1];
+    for (const Item& item : items) sorted[begin[(item.key >> shift) % kDigits]++] = item;
+    items.swap(sorted);
+  }
+  std::vector<uint32_t> order;
+  order.reserve(items.size());
+  for (const Item& item : items) order.push_back(item.index);
+  return order;
 }
 
 }  // namespace
@@ -68,8 +86,28 @@ bool EdgelRaster::AnyInSquare(const Vector2d& center, double radius_px, const Te
 }
 
 void EdgelRaster::AddStrongestFirst(const std::vector<RefinedEdgel>& edgels) {
-  for (const uint32_t i : ByStrength(edgels)) TryAdd(edgels[i]);
-  Compact();
+  const int begin = static_cast<int>(edgels_.size());
+  edgels_.insert(edgels_.end(), edgels.begin(), edgels.end());
+  places_.reserve(edgels_.size());
+  for (const RefinedEdgel& refined : edgels) {
+    places_.push_back({refined.edgel.position_px, Vector2d::Zero()});
+  }
+  for (const uint32_t i : ByStrength(edgels)) TryHold(begin + static_cast<int>(i));
+}
+
+void EdgelRaster::TryHold(int index) {
+  const Vector2d position = places_[index].position;
+  const int x = NearestInt(position.x());
+  const int y = NearestInt(position.y());
+  if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
+  int& cell = index_of_pixel_[static_cast<size_t>(y) * width_ + x];
+  if (cell >= 0) return;
+  const bool taken = AnyInSquare(position, kMinDistancePx, [&](const EdgelPlace& other) {
+    return (other.position - position).squaredNorm() < kMinDistancePx * kMinDistancePx;
+  });
+  if (taken) return;
+  cell = index;
+  places_[index].tangent = edgels_[index].edgel.Tangent();
 }
 
 void EdgelRaster::Compact() {
@@ -87,29 +125,13 @@ void EdgelRaster::Compact() {
   places_ = std::move(places);
 }
 
-void EdgelRaster::TryAdd(const RefinedEdgel& refined) {
-  const Vector2d& position = refined.edgel.position_px;
-  const int x = NearestInt(position.x());
-  const int y = NearestInt(position.y());
-  if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
-  int& cell = index_of_pixel_[static_cast<size_t>(y) * width_ + x];
-  if (cell >= 0) return;
-  const bool taken = AnyInSquare(position, kMinDistancePx, [&](const EdgelPlace& other) {
-    return (other.position - position).squaredNorm() < kMinDistancePx * kMinDistancePx;
-  });
-  if (taken) return;
-  cell = static_cast<int>(edgels_.size());
-  edgels_.push_back(refined);
-  places_.push_back({position, refined.edgel.Tangent()});
-}
-
 bool EdgelRaster::HasParallelNear(const Vector2d& position, const Vector2d& direction,
-                                  double radius_px, double max_angle_rad) const {
+                                  double radius_px, double min_cosine) const {
   const double squared_radius = radius_px * radius_px;
-  const double min_cosine = std::cos(max_angle_rad) * direction.norm();
+  const double min_product = min_cosine * direction.norm();
   const auto parallel_near = [&](const EdgelPlace& other) {
     return (other.position - position).squaredNorm() <= squared_radius &&
-           std::abs(other.tangent.dot(direction)) >= min_cosine;
+           std::abs(other.tangent.dot(direction)) >= min_product;
   };
   // Mostly the nearest pixels tell.
   return AnyInSquare(position, std::min(1.0, radius_px), parallel_near) ||
@@ -142,20 +164,21 @@ UnionFind EdgelRaster::Runs() const {
 
 void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
   UnionFind runs = Runs();
-  const size_t count = places_.size();
-  std::vector<Vector2d> low(count);
-  std::vector<Vector2d> high(count);
-  for (size_t i = 0; i < count; ++i) {
-    // The representative is the smallest member, hence the first one seen.
-    const Vector2d& position = places_[i].position;
-    const size_t run = runs.Find(static_cast<int>(i));
-    low[run] = run == i ? position : Vector2d(low[run].cwiseMin(position));
-    high[run] = run == i ? position : Vector2d(high[run].cwiseMax(position));
+  struct Box {
+    Vector2d low = Vector2d::Constant(std::numeric_limits<double>::max());
+    Vector2d high = -low;
+  };
+  std::vector<Box> box_of(edgels_.size());  // of a run, by its representative
+  for (const int cell : index_of_pixel_) {
+    if (cell < 0) continue;
+    Box& box = box_of[runs.Find(cell)];
+    box.low = box.low.cwiseMin(places_[cell].position);
+    box.high = box.high.cwiseMax(places_[cell].position);
   }
   for (int& cell : index_of_pixel_) {
     if (cell < 0 || edgels_[cell].significance >= strong_ratio) continue;
-    const int run = runs.Find(cell);
-    if ((high[run] - low[run]).norm() < min_run_px) cell = -1;
+    const Box& box = box_of[runs.Find(cell)];
+    if ((box.high - box.low).norm() < min_run_px) cell = -1;
   }
   Compact();
 }
@@ -163,7 +186,9 @@ void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
 std::vector<Edgel> EdgelRaster::Edgels() const {
   std::vector<Edgel> edgels;
   edgels.reserve(edgels_.size());
-  for (const RefinedEdgel& refined : edgels_) edgels.push_back(refined.edgel);
+  for (const int cell : index_of_pixel_) {
+    if (cell >= 0) edgels.push_back(edgels_[cell].edgel);
+  }
   return edgels;
 }
 

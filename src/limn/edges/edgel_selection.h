@@ -22,10 +22,10 @@ class EdgelRaster {
   // ties in the given order.
   void AddStrongestFirst(const std::vector<RefinedEdgel>& edgels);
 
-  // Is there an edgel within `radius_px` of a position whose tangent is within `max_angle_rad` of
-  // parallel to `direction`, which has any length?
+  // Is there an edgel within `radius_px` of a position whose tangent is so near to parallel to
+  // `direction`, which has any length, that the cosine between them is at least `min_cosine`?
   bool HasParallelNear(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
-                       double radius_px, double max_angle_rad) const;
+                       double radius_px, double min_cosine) const;
 
   // Drop edgels less significant than `strong_ratio` in runs that extend over less than
   // `min_run_px`. A run is a set of edgels connected by steps of at most 2 px that follow the
@@ -36,7 +36,8 @@ class EdgelRaster {
   std::vector<Edgel> Edgels() const;
 
  private:
-  void TryAdd(const RefinedEdgel& edgel);
+  // Let a pixel hold the edgel of this index, if it is free and there is none too near.
+  void TryHold(int index);
   // Forget the edgels that no pixel holds and bring the others in row-major order.
   void Compact();
   // Whether `test(place of an edgel)` holds for any in pixels overlapping the square of half-size
@@ -49,7 +50,8 @@ class EdgelRaster {
   int width_;
   int height_;
   std::vector<int> index_of_pixel_;  // -1: none
-  // In row-major order of their pixels, so that look-ups nearby are near in memory.
+  // Those that a pixel holds and some that none does. About in row-major order, so that look-ups
+  // nearby are near in memory.
   std::vector<RefinedEdgel> edgels_;
   std::vector<EdgelPlace> places_;  // of edgels_
 };

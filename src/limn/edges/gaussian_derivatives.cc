@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "limn/util/float4.h"
+#include "limn/util/float8.h"
 
 namespace limn {
 namespace {
@@ -42,35 +43,58 @@ HalfKernels GridKernels(double sigma_px) {
   return kernels;
 }
 
-void StoreUpTo(int count, Float4 values, float* to) {
-  std::memcpy(to, &values, sizeof(float) * std::clamp(count, 0, 4));
+// What a filter reads and writes. Rows are read up to kBlock - 1 values beyond the count.
+struct FilterRows {
+  const float* const* centre;  // row k of the input is centre[k]
+  int count;                   // values of a row
+  float* even;
+  float* odd;  // or null
+};
+
+LIMN_INLINE_KERNEL void StoreUpTo(int count, const Float8& values, float* to) {
+  if (count >= kBlock) {
+    Store8(values, to);
+  } else {
+    std::memcpy(to, &values, sizeof(float) * count);
+  }
 }
 
-// even[x] = sum over k of kernels.even[|k|] row_at(k)[x], and so odd, unless it is null. Rows are
-// read up to kBlock - 1 values beyond `count`.
+// even[x] = sum over k of kernels.even[|k|] centre[k][x], and so odd.
+LIMN_INLINE_KERNEL void Filter(const HalfKernels& kernels, const FilterRows& rows) {
+  const int half = static_cast<int>(kernels.even.size()) - 1;
+  const float* even_taps = kernels.even.data();
+  const float* odd_taps = kernels.odd.data();
+  for (int x = 0; x < rows.count; x += kBlock) {
+    Float8 here, before, after;
+    Load8(rows.centre[0] + x, &here);
+    Float8 even = even_taps[0] * here;
+    Float8 odd = {};
+    for (int k = 1; k <= half; ++k) {
+      Load8(rows.centre[k] + x, &after);
+      Load8(rows.centre[-k] + x, &before);
+      even += even_taps[k] * (after + before);
+      if (rows.odd) odd += odd_taps[k] * (after - before);
+    }
+    StoreUpTo(rows.count - x, even, rows.even + x);
+    if (rows.odd) StoreUpTo(rows.count - x, odd, rows.odd + x);
+  }
+}
+
+LIMN_FOR_AVX2 void FilterByAvx2(const HalfKernels& kernels, const FilterRows& rows) {
+  Filter(kernels, rows);
+}
+
+void FilterBySse2(const HalfKernels& kernels, const FilterRows& rows) { Filter(kernels, rows); }
+
+// `row_at(k)`: row k of the input.
 template <typename RowAt>
 void FilterAcross(const HalfKernels& kernels, int count, const RowAt& row_at, float* even,
                   float* odd) {
   const int half = static_cast<int>(kernels.even.size()) - 1;
-  for (int x = 0; x < count; x += kBlock) {
-    Float4 even_sum[2];
-    Float4 odd_sum[2] = {Splat4(0), Splat4(0)};
-    for (int v = 0; v < 2; ++v) even_sum[v] = kernels.even[0] * Load4(row_at(0) + x + 4 * v);
-    for (int k = 1; k <= half; ++k) {
-      const float* after = row_at(k) + x;
-      const float* before = row_at(-k) + x;
-      for (int v = 0; v < 2; ++v) {
-        const Float4 a = Load4(after + 4 * v);
-        const Float4 b = Load4(before + 4 * v);
-        even_sum[v] += kernels.even[k] * (a + b);
-        if (odd) odd_sum[v] += kernels.odd[k] * (a - b);
-      }
-    }
-    for (int v = 0; v < 2; ++v) {
-      StoreUpTo(count - x - 4 * v, even_sum[v], even + x + 4 * v);
-      if (odd) StoreUpTo(count - x - 4 * v, odd_sum[v], odd + x + 4 * v);
-    }
-  }
+  std::vector<const float*> rows;
+  for (int k = -half; k <= half; ++k) rows.push_back(row_at(k));
+  const FilterRows filter_rows{rows.data() + half, count, even, odd};
+  HasAvx2() ? FilterByAvx2(kernels, filter_rows) : FilterBySse2(kernels, filter_rows);
 }
 
 // The last rows of a plane, filtered along x: what the filter across them needs.
@@ -163,37 +187,67 @@ const float* SubpixelDerivatives::KernelAt(double fraction) const {
   return kernels_.data() + static_cast<size_t>(node) * 4 * row_size_;
 }
 
-Jet SubpixelDerivatives::At(double x, double y) const {
-  const int column = static_cast<int>(x + 0.5);
-  const int row = static_cast<int>(y + 0.5);
-  const float* kernel_x = KernelAt(x - column);
-  const float* kernel_y = KernelAt(y - row);
-  const int taps = 2 * half_size_ + 1;
+namespace {
 
-  // Truncated, shifted derivative kernels do not sum to zero exactly; subtracting the level of the
-  // centre pixel keeps a bright plane from leaking into the derivatives.
-  const float level = plane_.Row(row)[column];
-  // sums[a][b]: derived a times along y, b times along x.
-  Float4 sums[4][4] = {};
-  for (int i = 0; i < row_size_; i += kBlock) {
+// Where a jet is taken: the taps of the kernels along x and y and the values below them.
+struct JetPlace {
+  const float* kernel_x;
+  const float* kernel_y;
+  const float* values;  // of the first tap
+  int taps;
+  int row_size;
+  int stride;
+  float level;
+};
+
+// sums[a][b]: derived a times along y, b times along x, of values less the level.
+LIMN_INLINE_KERNEL void JetSums(const JetPlace& place, Float4 (&sums)[4][4]) {
+  for (int i = 0; i < place.row_size; i += kBlock) {
     // Down the columns first, a block of them at a time, which stays in registers.
-    const float* values = plane_.Row(row - half_size_) + column - half_size_ + i;
-    Float4 down[4][2] = {};
-    for (int j = 0; j < taps; ++j, values += plane_.stride) {
-      const Float4 here[2] = {Load4(values) - level, Load4(values + 4) - level};
-      for (int a = 0; a < 4; ++a) {
-        const float tap = kernel_y[a * row_size_ + j];
-        down[a][0] += tap * here[0];
-        down[a][1] += tap * here[1];
-      }
+    const float* values = place.values + i;
+    Float8 down[4] = {};
+    for (int j = 0; j < place.taps; ++j, values += place.stride) {
+      Float8 here;
+      Load8(values, &here);
+      here -= place.level;
+      for (int a = 0; a < 4; ++a) down[a] += place.kernel_y[a * place.row_size + j] * here;
     }
     for (int a = 0; a < 4; ++a) {
       for (int b = 0; a + b < 4; ++b) {
-        const float* along = kernel_x + b * row_size_ + i;
-        sums[a][b] += down[a][0] * Load4(along) + down[a][1] * Load4(along + 4);
+        Float8 along;
+        Load8(place.kernel_x + b * place.row_size + i, &along);
+        along *= down[a];
+        Float4 halves[2];
+        std::memcpy(halves, &along, sizeof(along));
+        sums[a][b] += halves[0] + halves[1];
       }
     }
   }
+}
+
+LIMN_FOR_AVX2 void JetSumsByAvx2(const JetPlace& place, Float4 (&sums)[4][4]) {
+  JetSums(place, sums);
+}
+
+void JetSumsBySse2(const JetPlace& place, Float4 (&sums)[4][4]) { JetSums(place, sums); }
+
+}  // namespace
+
+Jet SubpixelDerivatives::At(double x, double y) const {
+  const int column = static_cast<int>(x + 0.5);
+  const int row = static_cast<int>(y + 0.5);
+  // Truncated, shifted derivative kernels do not sum to zero exactly; subtracting the level of the
+  // centre pixel keeps a bright plane from leaking into the derivatives.
+  const float level = plane_.Row(row)[column];
+  const JetPlace place{KernelAt(x - column),
+                       KernelAt(y - row),
+                       plane_.Row(row - half_size_) + column - half_size_,
+                       2 * half_size_ + 1,
+                       row_size_,
+                       plane_.stride,
+                       level};
+  Float4 sums[4][4] = {};
+  HasAvx2() ? JetSumsByAvx2(place, sums) : JetSumsBySse2(place, sums);
   Jet jet;
   jet.value = Sum4(sums[0][0]) + level;
   jet.x = Sum4(sums[0][1]);

@@ -33,6 +33,87 @@ double AngleTolerance(const Edgel& edgel, const LinkingOptions& options) {
   return std::clamp<double>(edgel.position_sigma_px, angle, 2 * angle);
 }
 
+// What a neighbour demands of the arcs, in the anchor's frame.
+struct ArcTarget {
+  Vector2f offset;
+  float sign;  // of what is ahead: -1 if the neighbour is behind
+  Vector2f lowest;
+  Vector2f highest;  // limits of its direction
+  float tolerance_px;
+  float max_curvature;
+};
+
+// An arc of curvature k through the origin along t misses d by w (towards its left normal n) if
+// k (|d|^2 - w^2) / 2 = d.n - w, and has direction f at d if k = sin(f - t) / (d.f), because f is
+// perpendicular to the line to the centre. A cell moves the origin by its shift along n.
+LIMN_INLINE_KERNEL bool BundleTo(const ArcTarget& target, const ArcCells& cells,
+                                 ArcBundle* bundle) {
+  const Vector2f& offset = target.offset;
+  const float lowest_run = offset.dot(target.lowest);
+  const float highest_run = offset.dot(target.highest);
+  const float miss = target.tolerance_px;
+  const Float8 zero = {};
+  const Float8 max_curvature = zero + target.max_curvature;
+  const Float8 c = cells.turn_cos;
+  const Float8 s = cells.turn_sin;
+  const Float8 along = offset.x() * c + offset.y() * s;
+  const Float8 across_centre = offset.y() * c - offset.x() * s;
+  const Float8 squared = along * along - miss * miss;
+  const Float8 lowest_sin = target.lowest.y() * c - target.lowest.x() * s;
+  const Float8 highest_sin = target.highest.y() * c - target.highest.x() * s;
+  const Mask8 ahead = target.sign * along > zero;
+  Mask8 any = {};
+  for (int i = 0; i < ArcBundle::kShifts; ++i) {
+    const float shift = cells.shift_px[i];
+    const Float8 across = across_centre - shift;
+    const Float8 half = 0.5f * (squared + across * across);
+    // Inside the tolerance of the anchor itself both limits lie far out.
+    const Float8 per_half = 1.0f / (half > kMinDenominator ? half : zero + kMinDenominator);
+    // Distances run along the limits of the direction; the formulas need them to be forward.
+    const Float8 from_lowest = lowest_run - shift * lowest_sin;
+    const Float8 from_highest = highest_run - shift * highest_sin;
+    const Mask8 forward = ahead & (from_lowest > zero) & (from_highest > zero);
+    const Float8 turned_low = lowest_sin / from_lowest;
+    const Float8 turned_high = highest_sin / from_highest;
+    const Float8 missed_low = (across - miss) * per_half;
+    const Float8 missed_high = (across + miss) * per_half;
+    const Float8 low = turned_low > missed_low ? turned_low : missed_low;
+    const Float8 high = turned_high < missed_high ? turned_high : missed_high;
+    const Float8 low_in_reach = low > -max_curvature ? low : -max_curvature;
+    bundle->low[i] = forward ? low_in_reach : zero + kEmpty;
+    bundle->high[i] = high < max_curvature ? high : max_curvature;
+    any |= bundle->high[i] > bundle->low[i];
+  }
+  return Any8(any);
+}
+
+LIMN_FOR_AVX2 bool BundleToByAvx2(const ArcTarget& target, const ArcCells& cells,
+                                  ArcBundle* bundle) {
+  return BundleTo(target, cells, bundle);
+}
+
+bool BundleToBySse2(const ArcTarget& target, const ArcCells& cells, ArcBundle* bundle) {
+  return BundleTo(target, cells, bundle);
+}
+
+LIMN_INLINE_KERNEL bool CommonArcs(const ArcBundle& a, const ArcBundle& b, ArcBundle* both) {
+  Mask8 any = {};
+  for (int i = 0; i < ArcBundle::kShifts; ++i) {
+    both->low[i] = a.low[i] > b.low[i] ? a.low[i] : b.low[i];
+    both->high[i] = a.high[i] < b.high[i] ? a.high[i] : b.high[i];
+    any |= both->high[i] > both->low[i];
+  }
+  return Any8(any);
+}
+
+LIMN_FOR_AVX2 bool CommonArcsByAvx2(const ArcBundle& a, const ArcBundle& b, ArcBundle* both) {
+  return CommonArcs(a, b, both);
+}
+
+bool CommonArcsBySse2(const ArcBundle& a, const ArcBundle& b, ArcBundle* both) {
+  return CommonArcs(a, b, both);
+}
+
 }  // namespace
 
 ArcSample MakeArcSample(const Edgel& edgel, const LinkingOptions& options) {
@@ -54,80 +135,32 @@ ArcSample MakeArcSample(const Edgel& edgel, const LinkingOptions& options) {
 ArcAnchor::ArcAnchor(const ArcSample& sample, double max_curvature)
     : tangent_(sample.tangent), max_curvature_(static_cast<float>(max_curvature)) {
   for (int i = 0; i < ArcBundle::kShifts; ++i) {
-    shift_px_[i] = sample.tolerance_px * (2.0f * i / (ArcBundle::kShifts - 1) - 1);
+    cells_.shift_px[i] = sample.tolerance_px * (2.0f * i / (ArcBundle::kShifts - 1) - 1);
   }
   const Vector2f one = sample.turn_step;
   const Vector2f two = Turned(one, one);
   const Vector2f three = Turned(two, one);
-  turn_cos_[0] = Float4{three.x(), two.x(), one.x(), 1};
-  turn_sin_[0] = Float4{-three.y(), -two.y(), -one.y(), 0};
-  turn_cos_[1] = Float4{one.x(), two.x(), three.x(), three.x()};
-  turn_sin_[1] = Float4{one.y(), two.y(), three.y(), three.y()};
+  cells_.turn_cos = Float8{three.x(), two.x(), one.x(), 1, one.x(), two.x(), three.x(), three.x()};
+  cells_.turn_sin =
+      Float8{-three.y(), -two.y(), -one.y(), 0, one.y(), two.y(), three.y(), three.y()};
 }
 
-ArcBundle ArcAnchor::AllArcs() const {
-  ArcBundle bundle;
-  for (int i = 0; i < ArcBundle::kShifts; ++i) {
-    for (int v = 0; v < ArcBundle::kTurnVectors; ++v) {
-      bundle.low[i][v] = Splat4(-max_curvature_);
-      bundle.high[i][v] = Splat4(max_curvature_);
-    }
-  }
-  return bundle;
-}
-
-// An arc of curvature k through the origin along t misses d by w (towards its left normal n) if
-// k (|d|^2 - w^2) / 2 = d.n - w, and has direction f at d if k = sin(f - t) / (d.f), because f is
-// perpendicular to the line to the centre. A cell moves the origin by its shift along n.
-ArcBundle ArcAnchor::ArcsTo(const ArcSample& other, const Vector2f& offset) const {
+bool ArcAnchor::ArcsTo(const ArcSample& other, const Vector2f& offset, ArcBundle* bundle) const {
   // What is behind is ahead of the reversed anchor. Its limits of direction change places.
-  const float sign = offset.x() > 0 ? 1.f : -1.f;
-  const Vector2f to_frame = sign * Reverse(tangent_);
-  const Vector2f lowest = Turned(sign > 0 ? other.turned_right : other.turned_left, to_frame);
-  const Vector2f highest = Turned(sign > 0 ? other.turned_left : other.turned_right, to_frame);
-  const float lowest_run = offset.dot(lowest);
-  const float highest_run = offset.dot(highest);
-  const float miss = other.tolerance_px;
-  const Float4 zero = Splat4(0);
-
-  ArcBundle bundle;
-  for (int v = 0; v < ArcBundle::kTurnVectors; ++v) {
-    const Float4 c = turn_cos_[v];
-    const Float4 s = turn_sin_[v];
-    const Float4 along = offset.x() * c + offset.y() * s;
-    const Float4 across_centre = offset.y() * c - offset.x() * s;
-    const Float4 squared = along * along - miss * miss;
-    const Float4 lowest_sin = lowest.y() * c - lowest.x() * s;
-    const Float4 highest_sin = highest.y() * c - highest.x() * s;
-    const auto ahead = sign * along > zero;
-    for (int i = 0; i < ArcBundle::kShifts; ++i) {
-      const float shift = shift_px_[i];
-      const Float4 across = across_centre - shift;
-      const Float4 half = 0.5f * (squared + across * across);
-      // Inside the tolerance of the anchor itself both limits lie far out.
-      const Float4 per_half = 1.0f / Max4(half, Splat4(kMinDenominator));
-      // Distances run along the limits of the direction; the formulas need them to be forward.
-      const Float4 from_lowest = lowest_run - shift * lowest_sin;
-      const Float4 from_highest = highest_run - shift * highest_sin;
-      const auto forward = ahead & (Min4(from_lowest, from_highest) > zero);
-      const Float4 low = Max4(lowest_sin / from_lowest, (across - miss) * per_half);
-      bundle.low[i][v] = forward ? low : Splat4(kEmpty);
-      bundle.high[i][v] = Min4(highest_sin / from_highest, (across + miss) * per_half);
-    }
-  }
-  return bundle;
+  ArcTarget target;
+  target.offset = offset;
+  target.sign = offset.x() > 0 ? 1.f : -1.f;
+  const Vector2f to_frame = target.sign * Reverse(tangent_);
+  target.lowest = Turned(target.sign > 0 ? other.turned_right : other.turned_left, to_frame);
+  target.highest = Turned(target.sign > 0 ? other.turned_left : other.turned_right, to_frame);
+  target.tolerance_px = other.tolerance_px;
+  target.max_curvature = max_curvature_;
+  return HasAvx2() ? BundleToByAvx2(target, cells_, bundle)
+                   : BundleToBySse2(target, cells_, bundle);
 }
 
 bool Intersect(const ArcBundle& a, const ArcBundle& b, ArcBundle* both) {
-  auto any = Splat4(0) > Splat4(0);
-  for (int i = 0; i < ArcBundle::kShifts; ++i) {
-    for (int v = 0; v < ArcBundle::kTurnVectors; ++v) {
-      both->low[i][v] = Max4(a.low[i][v], b.low[i][v]);
-      both->high[i][v] = Min4(a.high[i][v], b.high[i][v]);
-      any |= both->high[i][v] > both->low[i][v];
-    }
-  }
-  return (any[0] | any[1] | any[2] | any[3]) != 0;
+  return HasAvx2() ? CommonArcsByAvx2(a, b, both) : CommonArcsBySse2(a, b, both);
 }
 
 }  // namespace limn

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "limn/linking/linking.h"
-#include "limn/util/float4.h"
+#include "limn/util/float8.h"
 
 namespace limn {
 
@@ -25,11 +25,16 @@ ArcSample MakeArcSample(const Edgel& edgel, const LinkingOptions& options);
 // across the curve times its direction. Empty where low >= high.
 struct ArcBundle {
   static constexpr int kShifts = 9;
-  // Seven, of which the last is there twice, to make two vectors of four.
-  static constexpr int kTurnVectors = 2;
+  // Seven turns, of which the last is there twice.
+  Float8 low[kShifts];
+  Float8 high[kShifts];
+};
 
-  Float4 low[kShifts][kTurnVectors];
-  Float4 high[kShifts][kTurnVectors];
+// The perturbations of an anchor.
+struct ArcCells {
+  float shift_px[ArcBundle::kShifts];
+  Float8 turn_cos;
+  Float8 turn_sin;
 };
 
 // Arcs through an anchor, in its frame: x along its tangent, y across, towards the left with y up.
@@ -37,18 +42,14 @@ class ArcAnchor {
  public:
   ArcAnchor(const ArcSample& sample, double max_curvature);
 
-  // All arcs that are not too sharp.
-  ArcBundle AllArcs() const;
-  // Those that meet another sample, which is at `offset` in the anchor's frame, whatever their
-  // curvature.
-  ArcBundle ArcsTo(const ArcSample& other, const Eigen::Vector2f& offset) const;
+  // Those that are not too sharp and meet another sample, which is at `offset` in the anchor's
+  // frame. Returns whether there are any.
+  bool ArcsTo(const ArcSample& other, const Eigen::Vector2f& offset, ArcBundle* bundle) const;
 
  private:
   Eigen::Vector2f tangent_;
   float max_curvature_;
-  float shift_px_[ArcBundle::kShifts];
-  Float4 turn_cos_[ArcBundle::kTurnVectors];
-  Float4 turn_sin_[ArcBundle::kTurnVectors];
+  ArcCells cells_;
 };
 
 // The arcs in both bundles. Returns whether there are any.

@@ -42,54 +42,61 @@ void CurveletBuilder::FindNeighbours(const Neighbour& anchor) {
   });
 }
 
-bool CurveletBuilder::GroupFrom(size_t seed, const Neighbour& anchor, const ArcBundle& all_arcs) {
-  ArcBundle bundles[2];  // the one so far, and a narrower one
-  ArcBundle* arcs = &bundles[0];
-  ArcBundle* narrower = &bundles[1];
-  if (!Intersect(all_arcs, bundles_[seed], arcs)) return false;
-  members_ = {anchor, neighbours_[seed]};
+void CurveletBuilder::FindBundles(EdgelId anchor) {
+  const ArcAnchor arcs(samples_[anchor], options_.max_curvature);
+  bundles_.resize(neighbours_.size());
+  size_t count = 0;
+  for (const Neighbour& neighbour : neighbours_) {
+    if (!arcs.ArcsTo(samples_[neighbour.id], neighbour.offset, &bundles_[count])) continue;
+    neighbours_[count++] = neighbour;
+  }
+  neighbours_.resize(count);
+}
+
+void CurveletBuilder::GroupFrom(size_t seed, const Neighbour& anchor) {
+  ArcBundle bundles[2];  // the one so far, where there is more than the seed, and a narrower one
+  const ArcBundle* arcs = &bundles_[seed];
+  int free = 0;
+  members_.clear();
+  members_.push_back(anchor);
+  members_.push_back(neighbours_[seed]);
   for (size_t j = 0; j < neighbours_.size(); ++j) {
     const Neighbour& candidate = neighbours_[j];
     const auto follows = [&](const Neighbour& member) { return Follow(member, candidate); };
     if (j == seed || !std::all_of(members_.begin(), members_.end(), follows)) continue;
-    if (!Intersect(*arcs, bundles_[j], narrower)) continue;
-    std::swap(arcs, narrower);
+    if (!Intersect(*arcs, bundles_[j], &bundles[free])) continue;
+    arcs = &bundles[free];
+    free = 1 - free;
     members_.push_back(candidate);
     grouped_[j] = 1;
   }
-  return true;
 }
 
-Curvelet CurveletBuilder::InOrder() {
+void CurveletBuilder::KeepMembers() {
+  if (members_.size() < 3) return;
   std::sort(members_.begin(), members_.end(),
             [](const Neighbour& a, const Neighbour& b) { return a.offset.x() < b.offset.x(); });
-  Curvelet curvelet;
-  curvelet.reserve(members_.size());
+  const double extent_px =
+      (samples_[members_.back().id].position - samples_[members_.front().id].position).norm();
+  if (extent_px < options_.min_curvelet_px) return;
+  if (num_curvelets_ == curvelets_.size()) curvelets_.emplace_back();
+  Curvelet& curvelet = curvelets_[num_curvelets_++];
+  curvelet.clear();
   for (const Neighbour& member : members_) curvelet.push_back(member.id);
-  return curvelet;
 }
 
-std::vector<Curvelet> CurveletBuilder::Around(EdgelId anchor_id) {
+std::span<const Curvelet> CurveletBuilder::Around(EdgelId anchor_id) {
   const Neighbour anchor{anchor_id, 0, {0, 0}};
-  const ArcAnchor arcs(samples_[anchor_id], options_.max_curvature);
-  const ArcBundle all_arcs = arcs.AllArcs();
   FindNeighbours(anchor);
-  bundles_.clear();
-  for (const Neighbour& neighbour : neighbours_) {
-    bundles_.push_back(arcs.ArcsTo(samples_[neighbour.id], neighbour.offset));
-  }
+  FindBundles(anchor_id);
   grouped_.assign(neighbours_.size(), 0);
-
-  std::vector<Curvelet> curvelets;
+  num_curvelets_ = 0;
   for (size_t seed = 0; seed < neighbours_.size(); ++seed) {
-    if (grouped_[seed] || !GroupFrom(seed, anchor, all_arcs)) continue;
-    if (members_.size() < 3) continue;
-    Curvelet curvelet = InOrder();
-    const double extent_px =
-        (samples_[curvelet.back()].position - samples_[curvelet.front()].position).norm();
-    if (extent_px >= options_.min_curvelet_px) curvelets.push_back(std::move(curvelet));
+    if (grouped_[seed]) continue;
+    GroupFrom(seed, anchor);
+    KeepMembers();
   }
-  return curvelets;
+  return {curvelets_.data(), num_curvelets_};
 }
 
 }  // namespace limn

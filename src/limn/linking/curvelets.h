@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "limn/linking/arc_bundle.h"
@@ -23,8 +24,9 @@ class CurveletBuilder {
   // `options` must outlive the builder.
   CurveletBuilder(const std::vector<Edgel>& edgels, const LinkingOptions& options);
 
-  // Not from several threads at once: what is collected on the way is kept to be filled again.
-  std::vector<Curvelet> Around(EdgelId anchor);
+  // Valid until the next call. Not from several threads at once: what is collected on the way is
+  // kept to be filled again.
+  std::span<const Curvelet> Around(EdgelId anchor);
 
  private:
   // An edgel in the anchor's frame.
@@ -36,11 +38,12 @@ class CurveletBuilder {
   static bool Follow(const Neighbour& a, const Neighbour& b);
   // Fill neighbours_ with those that can be in a curvelet with the anchor, nearest first.
   void FindNeighbours(const Neighbour& anchor);
+  // Fill bundles_, and forget the neighbours that no arc meets.
+  void FindBundles(EdgelId anchor);
   // Fill members_ with the anchor, this neighbour and others that fit, and mark these as grouped.
-  // Returns whether there is an arc.
-  bool GroupFrom(size_t seed, const Neighbour& anchor, const ArcBundle& all_arcs);
-  // Of members_.
-  Curvelet InOrder();
+  void GroupFrom(size_t seed, const Neighbour& anchor);
+  // Add members_ to the curvelets, if these are enough.
+  void KeepMembers();
 
   const LinkingOptions& options_;
   EdgelGrid grid_;
@@ -50,6 +53,8 @@ class CurveletBuilder {
   std::vector<ArcBundle> bundles_;  // of neighbours_
   std::vector<uint8_t> grouped_;    // of neighbours_
   std::vector<Neighbour> members_;
+  std::vector<Curvelet> curvelets_;  // and emptied ones
+  size_t num_curvelets_ = 0;
 };
 
 }  // namespace limn

@@ -29,17 +29,35 @@ double AngleBetween(const Vector2d& a, const Vector2d& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
-// Turning between the arms on both sides of each vertex; -1 near the ends of an open chain.
-std::vector<double> TurningAngles(const FragmentPath& path, double arm_px) {
-  std::vector<double> turning(path.size(), -1);
-  for (int i = 0; i < path.size(); ++i) {
-    const auto back = path.ArmAt(i, -1, kCornerRadiusPx, kCornerRadiusPx + arm_px);
-    const auto front = path.ArmAt(i, 1, kCornerRadiusPx, kCornerRadiusPx + arm_px);
-    if (std::min(back.reach_px, front.reach_px) < kCornerRadiusPx + 0.5 * arm_px) continue;
-    turning[i] = AngleBetween(-back.direction, front.direction);
+// Turning between the arms on both sides of each vertex. Angles are made when they are asked for:
+// most vertices plainly do not turn enough.
+class Turning {
+ public:
+  Turning(const FragmentPath& path, double arm_px) : turned_(path.size(), kUnknown) {
+    for (int i = 0; i < path.size(); ++i) {
+      const auto back = path.ArmAt(i, -1, kCornerRadiusPx, kCornerRadiusPx + arm_px);
+      if (back.reach_px < kCornerRadiusPx + 0.5 * arm_px) continue;
+      const auto front = path.ArmAt(i, 1, kCornerRadiusPx, kCornerRadiusPx + arm_px);
+      if (front.reach_px < kCornerRadiusPx + 0.5 * arm_px) continue;
+      const Vector2d along = -back.direction;
+      turned_[i] = {along.dot(front.direction),
+                    along.x() * front.direction.y() - along.y() * front.direction.x()};
+    }
   }
-  return turning;
-}
+
+  // False only if At(i) is below the angle of this cosine.
+  bool MayReach(int i, double cosine) const { return turned_[i].x() <= cosine + 1e-9; }
+  // -1 near the ends of an open chain.
+  double At(int i) const {
+    if (turned_[i] == kUnknown) return -1;
+    return std::abs(std::atan2(turned_[i].y(), turned_[i].x()));
+  }
+
+ private:
+  // No cosine is as large.
+  inline static const Vector2d kUnknown{2, 0};
+  std::vector<Vector2d> turned_;  // cosine and sine
+};
 
 // One and a half standard deviations of the turning of a straight chain of edgels like this one: a
 // line fitted to n points over the arm errs by sqrt(12 / n) sigma / arm, neighbouring edgels share
@@ -50,26 +68,26 @@ double TurningNoise(const Edgel& edgel, double arm_px) {
 
 // Turning beside vertex i, one arm away: the mean of both sides, or the one side where the chain
 // goes on far enough to tell.
-double TurningBeside(const FragmentPath& path, const std::vector<double>& turning, int i,
-                     double arm_px) {
+double TurningBeside(const FragmentPath& path, const Turning& turning, int i, double arm_px) {
   double sum = 0;
   int sides = 0;
   for (const int direction : {-1, 1}) {
     int last = i;
     path.Walk(i, direction, kCornerRadiusPx + arm_px, [&](int j, double) { last = j; });
-    if (last == i || turning[last] < 0) continue;
-    sum += turning[last];
+    if (last == i || turning.At(last) < 0) continue;
+    sum += turning.At(last);
     ++sides;
   }
   return sides > 0 ? sum / sides : 0;
 }
 
-bool IsLargestWithin(const FragmentPath& path, const std::vector<double>& turning, int i,
-                     double reach_px) {
+bool IsLargestWithin(const FragmentPath& path, const Turning& turning, int i, double reach_px) {
+  const double here = turning.At(i);
   bool largest = true;
   for (const int direction : {-1, 1}) {
     path.Walk(i, direction, reach_px, [&](int j, double) {
-      if (turning[j] > turning[i] || (turning[j] == turning[i] && j < i)) largest = false;
+      const double there = turning.At(j);
+      if (there > here || (there == here && j < i)) largest = false;
     });
   }
   return largest;
@@ -190,21 +208,29 @@ EdgelId BarOfStem(const std::vector<Edgel>& edgels, const LinkingOptions& option
 }  // namespace
 
 int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
-                   Chaining* chaining) {
+                   SmoothChains* known, Chaining* chaining) {
   const double arm = options.corner_arm_px;
   const double min_turning = Radians(options.corner_angle_deg);
+  const double cosine = std::cos(min_turning);
+  known->last_of.resize(edgels.size(), kInvalidEdgel);
   int breaks = 0;
   for (const CurveFragment& chain : TraceChains(*chaining)) {
+    EdgelId& smooth_until = known->last_of[chain.edgel_ids.front()];
+    if (!chain.closed && smooth_until == chain.edgel_ids.back()) continue;
     const FragmentPath path(edgels, chain);
     if (path.Length() < arm) continue;
-    const std::vector<double> turning = TurningAngles(path, arm);
+    const Turning turning(path, arm);
+    const int breaks_before = breaks;
     for (int i = 0; i < path.size(); ++i) {
+      if (!turning.MayReach(i, cosine)) continue;
+      const double here = turning.At(i);
       const double noise = TurningNoise(edgels[chain.edgel_ids[i]], arm);
-      if (turning[i] < min_turning + noise || !IsLargestWithin(path, turning, i, arm)) continue;
-      if (turning[i] - TurningBeside(path, turning, i, arm) < kMinCornerExcessRad + noise) continue;
+      if (here < min_turning + noise || !IsLargestWithin(path, turning, i, arm)) continue;
+      if (here - TurningBeside(path, turning, i, arm) < kMinCornerExcessRad + noise) continue;
       chaining->BreakAfter(chain.edgel_ids[i]);
       ++breaks;
     }
+    if (!chain.closed && breaks == breaks_before) smooth_until = chain.edgel_ids.back();
   }
   return breaks;
 }

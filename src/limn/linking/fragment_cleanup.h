@@ -10,9 +10,13 @@ namespace limn {
 // The geometric clean-up of chains. Each returns the number of changes it made.
 
 // Break chains at corners: vertices where the arms turn by more than the corner angle and more
-// sharply than the curve turns beside them (so that small circles stay whole).
+// sharply than the curve turns beside them (so that small circles stay whole). `known` remembers
+// the chains without corners, which are not looked at again.
+struct SmoothChains {
+  std::vector<EdgelId> last_of;  // by first edgel; kInvalidEdgel: no open chain known to be smooth
+};
 int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
-                   Chaining* chaining);
+                   SmoothChains* known, Chaining* chaining);
 
 // Join the end of a chain to the beginning of another one (or its own: a closed curve) where the
 // gap is short and the continuation smooth; shortest and smoothest first.

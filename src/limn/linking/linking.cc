@@ -73,9 +73,10 @@ LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options) {
   result.curves.link_graph = BuildLinkGraph(edgels, options, &stats.curvelets);
   stats.graph_links = static_cast<int64_t>(result.curves.link_graph.size());
   Chaining chaining = ChainMutualBest(edgels, result.curves.link_graph);
-  stats.corner_breaks = BreakAtCorners(edgels, options, &chaining);
+  SmoothChains smooth;
+  stats.corner_breaks = BreakAtCorners(edgels, options, &smooth, &chaining);
   stats.bridged_gaps = BridgeGaps(edgels, options, &chaining);
-  stats.corner_breaks += BreakAtCorners(edgels, options, &chaining);
+  stats.corner_breaks += BreakAtCorners(edgels, options, &smooth, &chaining);
   stats.junction_breaks = BreakAtJunctions(edgels, options, &chaining);
 
   KeepLongChains(TraceChains(chaining), options.min_length_px, &result);

@@ -59,7 +59,8 @@ TEST(CurveletBuilder, BranchesMakeTwoCurvelets) {
     }
   }
   const LinkingOptions options;
-  const auto curvelets = CurveletBuilder(edgels, options).Around(3);
+  CurveletBuilder builder(edgels, options);
+  const auto curvelets = builder.Around(3);
   EXPECT_EQ(curvelets.size(), 2u);
   for (const Curvelet& curvelet : curvelets) {
     EXPECT_TRUE(std::find(curvelet.begin(), curvelet.end(), 3) != curvelet.end());
