@@ -58,14 +58,23 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
     DoShard(input, options, &console);
     return 0;
   }
+  RunContext context = console.context();
+  RankTeam team;
+  const auto report = [&](const StageSummary& summary) { console.Report(summary); };
   if (NumRanks() > 1) {
     if (leads) AsRankZero(true);
     FillCacheByRanks(input, options.pipeline, &console);
-    if (!leads) return 0;
+    context.team = &team;
   }
-  const PipelineResult result =
-      DrawScene(input, options.pipeline, console.context(),
-                [&](const StageSummary& summary) { console.Report(summary); });
+  if (!leads) {
+    DrawUnrefined(input, options.pipeline, context, report);
+    return 0;
+  }
+  const PipelineResult result = DrawScene(input, options.pipeline, context, report);
+  if (NumRanks() > 1) {
+    console.Say("For the drawing the processes sent each other " +
+                std::to_string(team.bytes_exchanged() >> 20) + " MB");
+  }
   CheckGraph(result.graph);
   WriteSketchResults(project, SketchFileName(options.pipeline.mode), result.curves, result.sketch,
                      Provenance(options), console.context());

@@ -7,8 +7,10 @@
 
 #ifdef LIMN_WITH_MPI
 #include <memory>
+#include <numeric>
 
 #include <boost/mpi/collectives.hpp>
+#include <boost/mpi/collectives/all_gatherv.hpp>
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
 #endif
@@ -54,6 +56,21 @@ bool AsRankZero(bool value) {
   return value;
 }
 
+std::vector<std::string> RankTeam::Exchange(const std::string& mine) {
+  const boost::mpi::communicator ranks;
+  std::vector<int> sizes;
+  boost::mpi::all_gather(ranks, static_cast<int>(mine.size()), sizes);
+  std::string all(std::accumulate(sizes.begin(), sizes.end(), size_t{0}), '\0');
+  boost::mpi::all_gatherv(ranks, mine.data(), all.data(), sizes);
+  bytes_exchanged_ += all.size() * (sizes.size() - 1);
+  std::vector<std::string> of_ranks;
+  for (size_t begin = 0; const int size : sizes) {
+    of_ranks.push_back(all.substr(begin, size));
+    begin += size;
+  }
+  return of_ranks;
+}
+
 void AbortRanks(int exit_code) {
   if (NumRanks() > 1) boost::mpi::environment::abort(exit_code);
 }
@@ -73,8 +90,12 @@ int Rank() { return 0; }
 int NumRanks() { return 1; }
 void WaitForAllRanks() {}
 bool AsRankZero(bool value) { return value; }
+std::vector<std::string> RankTeam::Exchange(const std::string& mine) { return {mine}; }
 void AbortRanks(int) {}
 
 #endif
+
+int RankTeam::Rank() const { return colmap_ext::Rank(); }
+int RankTeam::Size() const { return NumRanks(); }
 
 }  // namespace limn::colmap_ext

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "limn/util/team.h"
+
 namespace limn {
 namespace {
 
@@ -85,22 +87,39 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
 int AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
                   const RunContext& context, SampleSet* samples) {
   if (samples->NumCurves() == 0) return 0;
+  std::vector<int> averaged;
+  for (int c = 0; c < samples->NumCurves(); ++c) {
+    if (!network.overlaps[c].empty()) averaged.push_back(c);
+  }
+  const auto begin_of = [&](size_t i) { return samples->curve_begin[averaged[i]]; };
+  const auto end_of = [&](size_t i) { return samples->curve_begin[averaged[i] + 1]; };
   std::vector<Eigen::Vector3d> next = samples->position;
   for (int round = 1; round <= options.max_averaging_rounds; ++round) {
-    std::vector<double> moved(samples->NumCurves(), 0);
-    ParallelFor(context, "averaging", moved.size(), [&](size_t c) {
-      if (network.overlaps[c].empty()) return;
-      for (int k = 0; k < samples->Size(static_cast<int>(c)); ++k) {
-        const int s = samples->curve_begin[c] + k;
-        next[s] = Average(*samples, network.overlaps[c], s, k, options);
-        moved[c] =
-            std::max(moved[c], (next[s] - samples->position[s]).norm() / samples->footprint[s]);
-      }
-    });
+    std::vector<double> moved(averaged.size(), 0);
+    TeamFor(
+        context, "averaging", averaged.size(),
+        [&](size_t i) {
+          const int c = averaged[i];
+          for (int k = 0; k < samples->Size(c); ++k) {
+            const int s = begin_of(i) + k;
+            next[s] = Average(*samples, network.overlaps[c], s, k, options);
+            moved[i] =
+                std::max(moved[i], (next[s] - samples->position[s]).norm() / samples->footprint[s]);
+          }
+        },
+        [&](size_t i, ByteWriter* out) {
+          out->Put(moved[i]);
+          for (int s = begin_of(i); s < end_of(i); ++s) out->PutArray(next[s].data(), 3);
+        },
+        [&](size_t i, ByteReader* in) {
+          moved[i] = in->Get<double>();
+          for (int s = begin_of(i); s < end_of(i); ++s) in->GetArray(next[s].data(), 3);
+        });
     samples->position = next;
-    if (*std::max_element(moved.begin(), moved.end()) <= options.averaging_tolerance_px) {
-      return round;
-    }
+    const auto is_small = [&](double distance) {
+      return distance <= options.averaging_tolerance_px;
+    };
+    if (std::all_of(moved.begin(), moved.end(), is_small)) return round;
   }
   return options.max_averaging_rounds;
 }

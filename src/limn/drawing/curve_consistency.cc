@@ -94,7 +94,7 @@ CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalCons
         continue;
       }
       components.Union(c, other);
-      result.overlaps[c].push_back({other, overlap.partner});
+      result.overlaps[c].push_back({other, std::move(overlap.partner)});
     }
   }
   for (int c = 0; c < num_curves; ++c) result.cluster.push_back(components.Find(c));

@@ -34,12 +34,12 @@ int64_t RemoveDoubtfulLinks(const std::vector<uint8_t>& believed, Draft* draft) 
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context) {
   options.Check();
-  const auto evidence = BuildEvidence(input.views, input.curves, options.Gate(), context);
+  const auto evidence = BuildEvidence(input.curves, context);
   RetriangulationStats retriangulation;
   SampleSet samples = Retriangulate(input.sketch, input.views, input.curves, evidence, options,
                                     context, &retriangulation);
-  const LocalConsistency local = BuildLocalConsistency(samples, input.curves, options, context);
-  const CurveConsistency network = BuildCurveConsistency(samples, local, options, context);
+  const CurveConsistency network = BuildCurveConsistency(
+      samples, BuildLocalConsistency(samples, input.curves, options, context), options, context);
   const std::vector<int> agreeing_views = CountAgreeingViews(samples, network);
   const int rounds = AverageCurves(network, options, context, &samples);
   const MergedCurves merged = MergeCurves(samples, network, input.views, options);

@@ -7,6 +7,7 @@
 #include "limn/drawing/occluding_contours.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/util/team.h"
 
 namespace limn {
 namespace {
@@ -163,10 +164,22 @@ std::vector<uint8_t> BelievedLinks(const LinkJudgementInput& input, const Drawin
   std::vector<Belief> belief(draft.links.size());
   std::vector<std::vector<ViewId>> near(draft.links.size());  // views that may contain the link
   const ViewFinder finder(input.views);
-  ParallelFor(context, "link agreement", belief.size(), [&](size_t l) {
-    near[l] = finder.NearAnyOf(draft.links[l].position);
-    belief[l] = FirstBelief(input, options, draft.links[l], near[l]);
-  });
+  TeamFor(
+      context, "link agreement", belief.size(),
+      [&](size_t l) {
+        near[l] = finder.NearAnyOf(draft.links[l].position);
+        belief[l] = FirstBelief(input, options, draft.links[l], near[l]);
+      },
+      [&](size_t l, ByteWriter* out) {
+        out->PutCount(near[l].size());
+        out->PutArray(near[l].data(), near[l].size());
+        out->Put<uint8_t>(belief[l]);
+      },
+      [&](size_t l, ByteReader* in) {
+        near[l].resize(in->GetCount(sizeof(ViewId)));
+        in->GetArray(near[l].data(), near[l].size());
+        belief[l] = static_cast<Belief>(in->Get<uint8_t>());
+      });
   Claims claims(input, options);
   std::vector<std::vector<size_t>> certain_in(input.views.size());
   for (size_t l = 0; l < belief.size(); ++l) {
@@ -177,14 +190,18 @@ std::vector<uint8_t> BelievedLinks(const LinkJudgementInput& input, const Drawin
     for (const size_t l : certain_in[v]) claims.Add(v, draft.links[l]);
   });
   std::vector<uint8_t> believed(belief.size(), 0);
-  ParallelFor(context, "link evidence", belief.size(), [&](size_t l) {
-    believed[l] = belief[l] == kCertain;
-    if (belief[l] != kUncertain) return;
-    const double required =
-        std::clamp(options.own_views_share * MeanContaining(draft.links[l], near[l], input.views),
-                   options.min_own_views, options.max_own_views);
-    believed[l] = claims.OwnViews(draft.links[l], near[l]) >= required;
-  });
+  TeamFor(
+      context, "link evidence", belief.size(),
+      [&](size_t l) {
+        believed[l] = belief[l] == kCertain;
+        if (belief[l] != kUncertain) return;
+        const double required = std::clamp(
+            options.own_views_share * MeanContaining(draft.links[l], near[l], input.views),
+            options.min_own_views, options.max_own_views);
+        believed[l] = claims.OwnViews(draft.links[l], near[l]) >= required;
+      },
+      [&](size_t l, ByteWriter* out) { out->Put(believed[l]); },
+      [&](size_t l, ByteReader* in) { believed[l] = in->Get<uint8_t>(); });
   return believed;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limn/util/team.h"
+
 namespace limn {
 namespace {
 
@@ -11,7 +13,7 @@ constexpr double kSideBySidePx = 1;
 
 // Per view, the samples that each edgel supports, back to back.
 struct EdgelClaims {
-  std::vector<size_t> begin;
+  std::vector<uint32_t> begin;
   std::vector<int> samples;
 };
 
@@ -26,10 +28,11 @@ std::vector<EdgelClaims> CollectClaims(const SampleSet& samples,
     for (size_t i = 1; i < of_view.begin.size(); ++i) of_view.begin[i] += of_view.begin[i - 1];
     of_view.samples.resize(of_view.begin.back());
   }
-  auto next = claims;
+  std::vector<std::vector<uint32_t>> next;
+  for (const EdgelClaims& of_view : claims) next.push_back(of_view.begin);
   for (int s = 0; s < samples.NumSamples(); ++s) {
     for (const EdgelRef& ref : samples.support.Of(s)) {
-      claims[ref.view].samples[next[ref.view].begin[ref.edgel]++] = s;
+      claims[ref.view].samples[next[ref.view][ref.edgel]++] = s;
     }
   }
   return claims;
@@ -120,6 +123,50 @@ class LinkFinder {
   double min_cosine_;
 };
 
+void Append(const std::vector<SampleLink>& links, LocalConsistency* network) {
+  network->links.insert(network->links.end(), links.begin(), links.end());
+  network->begin.push_back(network->links.size());
+}
+
+void Put(const LocalConsistency& network, ByteWriter* out) {
+  out->PutCount(network.begin.size());
+  out->PutArray(network.begin.data(), network.begin.size());
+  for (const SampleLink& link : network.links) {
+    out->Put<int32_t>(link.other);
+    out->Put<int32_t>(link.votes);
+  }
+}
+
+void Get(ByteReader* in, LocalConsistency* network) {
+  network->begin.resize(in->GetCount(sizeof(size_t)));
+  in->GetArray(network->begin.data(), network->begin.size());
+  network->links.resize(network->begin.back());
+  for (SampleLink& link : network->links) {
+    link.other = in->Get<int32_t>();
+    link.votes = in->Get<int32_t>();
+  }
+}
+
+// The networks of consecutive samples as one.
+LocalConsistency Joined(std::vector<LocalConsistency> parts) {
+  LocalConsistency whole;
+  size_t num_samples = 0;
+  size_t num_links = 0;
+  for (const LocalConsistency& part : parts) {
+    num_samples += part.begin.size() - 1;
+    num_links += part.links.size();
+  }
+  whole.begin.reserve(num_samples + 1);
+  whole.links.reserve(num_links);
+  for (LocalConsistency& part : parts) {
+    const size_t before = whole.links.size();
+    for (size_t s = 1; s < part.begin.size(); ++s) whole.begin.push_back(before + part.begin[s]);
+    whole.links.insert(whole.links.end(), part.links.begin(), part.links.end());
+    part = {};
+  }
+  return whole;
+}
+
 }  // namespace
 
 LocalConsistency BuildLocalConsistency(const SampleSet& samples,
@@ -127,21 +174,17 @@ LocalConsistency BuildLocalConsistency(const SampleSet& samples,
                                        const DrawingOptions& options, const RunContext& context) {
   const auto claims = CollectClaims(samples, curves);
   const LinkFinder finder(samples, curves, claims, options);
-  std::vector<std::vector<std::vector<SampleLink>>> by_curve(samples.NumCurves());
-  ParallelFor(context, "local consistency", by_curve.size(), [&](size_t c) {
-    for (int s = samples.curve_begin[c]; s < samples.curve_begin[c + 1]; ++s) {
-      by_curve[c].push_back(finder.LinksOf(s));
-    }
-  });
-  LocalConsistency network;
-  network.begin.push_back(0);
-  for (const auto& of_curve : by_curve) {
-    for (const auto& links : of_curve) {
-      network.links.insert(network.links.end(), links.begin(), links.end());
-      network.begin.push_back(network.links.size());
-    }
-  }
-  return network;
+  std::vector<LocalConsistency> by_curve(samples.NumCurves());
+  TeamFor(
+      context, "local consistency", by_curve.size(),
+      [&](size_t c) {
+        for (int s = samples.curve_begin[c]; s < samples.curve_begin[c + 1]; ++s) {
+          Append(finder.LinksOf(s), &by_curve[c]);
+        }
+      },
+      [&](size_t c, ByteWriter* out) { Put(by_curve[c], out); },
+      [&](size_t c, ByteReader* in) { Get(in, &by_curve[c]); });
+  return Joined(std::move(by_curve));
 }
 
 }  // namespace limn

@@ -19,7 +19,7 @@ struct SampleLink {
 struct LocalConsistency {
   // Links of sample s: links[begin[s] .. begin[s + 1]), one per other curve, ascending by curve;
   // only dense ones, that is with at least dense_link_views votes.
-  std::vector<size_t> begin;
+  std::vector<size_t> begin = {0};
   std::vector<SampleLink> links;
 };
 

@@ -6,31 +6,22 @@
 #include <Eigen/LU>
 
 #include "limn/drawing/curve_smoothing.h"
+#include "limn/drawing/working_curve.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/support/required_views.h"
+#include "limn/util/team.h"
 
 namespace limn {
 namespace {
 
 constexpr int kRounds = 3;
+// Curves whose working copies are in memory at once.
+constexpr size_t kBlock = 4096;
 constexpr int kGaussNewtonSteps = 3;
 // Standard deviation of the pull back to where a step began, px: decides nothing but what the
 // edgels leave open.
 constexpr double kPriorSigmaPx = 3;
-
-// One curve on its way.
-struct WorkingCurve {
-  std::vector<Eigen::Vector3d> position;
-  std::vector<Eigen::Vector3d> tangent;
-  std::vector<Eigen::Matrix3d> information;
-  std::vector<double> footprint;
-  std::vector<std::vector<EdgelRef>> support;
-  std::vector<uint8_t> supported;  // by enough views, in the end
-  bool closed = false;
-
-  int size() const { return static_cast<int>(position.size()); }
-};
 
 class CurveRetriangulation {
  public:
@@ -194,8 +185,17 @@ class CurveRetriangulation {
 
 class SampleCollector {
  public:
-  SampleCollector(const DrawingOptions& options, RetriangulationStats* stats)
-      : options_(options), stats_(stats) {}
+  SampleCollector(const CurveSketch& sketch, const DrawingOptions& options,
+                  RetriangulationStats* stats)
+      : options_(options), stats_(stats) {
+    size_t num_samples = 0;
+    size_t num_edgels = 0;
+    for (const Curve3D& curve : sketch.curves) {
+      num_samples += curve.size();
+      num_edgels += curve.support.edgels.size();
+    }
+    Reserve(num_samples, num_edgels, &samples_);
+  }
 
   void Add(const WorkingCurve& working, int sketch_curve, ViewId anchor_view) {
     const int size = working.size();
@@ -254,12 +254,17 @@ SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& view
                         const DrawingOptions& options, const RunContext& context,
                         RetriangulationStats* stats) {
   const CurveRetriangulation retriangulation(views, curves, evidence, options);
-  std::vector<WorkingCurve> working(sketch.curves.size());
-  ParallelFor(context, "re-triangulation", sketch.curves.size(),
-              [&](size_t c) { working[c] = retriangulation.Run(sketch.curves[c]); });
-  SampleCollector collector(options, stats);
-  for (size_t c = 0; c < working.size(); ++c) {
-    collector.Add(working[c], static_cast<int>(c), sketch.curves[c].anchor.view);
+  SampleCollector collector(sketch, options, stats);
+  for (size_t begin = 0; begin < sketch.curves.size(); begin += kBlock) {
+    std::vector<WorkingCurve> working(std::min(kBlock, sketch.curves.size() - begin));
+    TeamFor(
+        PartOf(context, begin, sketch.curves.size()), "re-triangulation", working.size(),
+        [&](size_t c) { working[c] = retriangulation.Run(sketch.curves[begin + c]); },
+        [&](size_t c, ByteWriter* out) { Put(working[c], out); },
+        [&](size_t c, ByteReader* in) { Get(in, &working[c]); });
+    for (size_t c = begin; c < begin + working.size(); ++c) {
+      collector.Add(working[c - begin], static_cast<int>(c), sketch.curves[c].anchor.view);
+    }
   }
   return collector.Take();
 }

@@ -4,6 +4,16 @@
 
 namespace limn {
 
+void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples) {
+  samples->curve_of.reserve(num_samples);
+  samples->position.reserve(num_samples);
+  samples->tangent.reserve(num_samples);
+  samples->information.reserve(num_samples);
+  samples->footprint.reserve(num_samples);
+  samples->support.offsets.reserve(num_samples + 1);
+  samples->support.edgels.reserve(num_edgels);
+}
+
 std::vector<double> ArcPx(const SampleSet& samples, int curve) {
   const int begin = samples.curve_begin[curve];
   std::vector<double> arc(samples.Size(curve), 0.0);

@@ -35,6 +35,9 @@ struct SampleSet {
   int Size(int curve) const { return curve_begin[curve + 1] - curve_begin[curve]; }
 };
 
+// Room for what is coming, without which growing arrays take up to three times their size.
+void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples);
+
 // Arc length of each sample from the first of its curve, in footprints (px).
 std::vector<double> ArcPx(const SampleSet& samples, int curve);
 

@@ -59,7 +59,7 @@ CurveVisibility::CurveVisibility(const std::vector<SupportedCurve>& curves,
       gate_{options.shown_distance_px, kSpacingPx, options.shown_angle_deg * kRadiansPerDegree},
       min_cosine_(std::cos(options.max_viewing_angle_deg * kRadiansPerDegree)),
       samples_(SampleByPixels(curves, views)),
-      evidence_(BuildEvidence(views, image_curves, gate_, context)) {}
+      evidence_(BuildEvidence(image_curves, context)) {}
 
 bool CurveVisibility::Shows(ViewId view, int sample) const {
   const auto& supporting = curves_[samples_.CurveOf(sample)].supporting_views;

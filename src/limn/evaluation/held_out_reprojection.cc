@@ -89,10 +89,10 @@ HeldOutReport MeasureHeldOut(const std::vector<SupportedCurve>& curves, const He
   for (size_t v = 0; v < input.held_out_views.size(); ++v) {
     const View& view = input.held_out_views[v];
     const ImageCurves& image = input.held_out_curves[v];
-    const ViewEvidence evidence(view, image, {});
+    const EdgelIndex index(image.edge_map, LinkedEdgels(image));
     const auto [sure, possible] = visibility.Foretell(view, context);
     const EdgelIndex possible_index(possible, std::vector<bool>(possible.edgels.size(), true));
-    AppendDistances(sure, image.edge_map, evidence.edgels, options, context, &there);
+    AppendDistances(sure, image.edge_map, index, options, context, &there);
     AppendDistances(EdgelsOfLongFragments(image, options.min_fragment_length_px), possible,
                     possible_index, options, context, &back);
   }

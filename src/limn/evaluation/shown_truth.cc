@@ -40,7 +40,7 @@ CurveSet ShownTruth(const CurveSet& truth, const std::vector<View>& views,
                     const RunContext& context) {
   options.Check();
   const SupportGate gate{options.max_distance_px, 1.0, options.max_angle_deg * M_PI / 180};
-  const auto evidence = BuildEvidence(views, curves, gate, context);
+  const auto evidence = BuildEvidence(curves, context);
   const CurveSamples samples(truth, [&](const Polyline3d& polyline) {
     return kSpacingPx * FootprintOfCurve(views, polyline);
   });

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "limn/io/byte_stream.h"
 #include "limn/model/curve3d.h"
+#include "limn/util/byte_stream.h"
 
 namespace limn {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "limn/io/byte_stream.h"
 #include "limn/io/stage_file.h"
+#include "limn/util/byte_stream.h"
 
 namespace limn {
 namespace {

@@ -3,8 +3,8 @@
 #include <zlib.h>
 
 #include "limn/io/atomic_file.h"
-#include "limn/io/byte_stream.h"
 #include "limn/io/whole_file.h"
+#include "limn/util/byte_stream.h"
 
 namespace limn {
 namespace {

@@ -1,8 +1,8 @@
 #include "limn/io/view_sketch_file.h"
 
-#include "limn/io/byte_stream.h"
 #include "limn/io/curve3d_bytes.h"
 #include "limn/io/stage_file.h"
+#include "limn/util/byte_stream.h"
 
 namespace limn {
 

@@ -6,8 +6,8 @@
 
 namespace limn {
 
-PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
-                         const RunContext& context, const StageObserver& on_stage_end) {
+UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& options,
+                             const RunContext& context, const StageObserver& on_stage_end) {
   options.Check();
 
   CurvesResult image_curves = ExtractCurves({input.views, input.images, input.cache}, options.edges,
@@ -22,6 +22,12 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
   DrawingResult drawing = BuildDrawing({input.views, image_curves.curves, sketch.sketch, input.box},
                                        options.drawing, context);
   on_stage_end(drawing.summary);
+  return {std::move(image_curves), std::move(sketch), std::move(drawing)};
+}
+
+PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
+                         const RunContext& context, const StageObserver& on_stage_end) {
+  auto [image_curves, sketch, drawing] = DrawUnrefined(input, options, context, on_stage_end);
 
   RefinementResult refined =
       RefineDrawing({input.views, image_curves.curves, drawing.graph, &input.hints.points},

@@ -39,6 +39,18 @@ struct PipelineResult {
 // Hears of every stage when it has ended.
 using StageObserver = std::function<void(const StageSummary& summary)>;
 
+// What comes before the refinement.
+struct UnrefinedScene {
+  CurvesResult image_curves;
+  SketchResult sketch;
+  DrawingResult drawing;
+};
+
+// DrawScene up to the refinement: what the processes of the context's team do together, each of
+// them on all of the input. What it throws, too.
+UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& options,
+                             const RunContext& context, const StageObserver& on_stage_end);
+
 // The whole way from photographs to the drawing (ECCV 2016): edges and fragments of every image,
 // the sketch, the drawing graph, its refinement, its primitives. Throws OptionError, InputError,
 // what `images` throws, and Cancelled.

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <numeric>
-#include <set>
 #include <string_view>
 
 #include "limn/pipeline/sketch_views.h"
@@ -15,17 +14,6 @@ bool ReadNumber(std::string_view text, int* number) {
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, *number);
   return error == std::errc() && rest == end;
-}
-
-// The views and those that they are compared with.
-std::vector<ViewId> WithTheirPlans(const std::vector<ViewId>& views,
-                                   const std::vector<ViewPlan>& plans) {
-  std::set<ViewId> all(views.begin(), views.end());
-  for (const ViewId v : views) {
-    all.insert(plans[v].second_views.begin(), plans[v].second_views.end());
-    all.insert(plans[v].confirmation_views.begin(), plans[v].confirmation_views.end());
-  }
-  return {all.begin(), all.end()};
 }
 
 void CheckKept(const ResultCache& cache, CachedKind kind) {
@@ -81,7 +69,7 @@ StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions
   const std::vector<ViewId> views = ViewsOf(shard, input.views.size());
   const auto plans = SelectViews(input.views, input.hints, options.sketch.view_selection, context);
   const CurvesResult image_curves =
-      ExtractCurves({input.views, input.images, input.cache, WithTheirPlans(views, plans)},
+      ExtractCurves({input.views, input.images, input.cache, WithPartners(views, plans)},
                     options.edges, options.linking, context);
   const SketchResult sketch =
       SketchViews(options.mode, {input.views, image_curves.curves, input.hints, input.box, views},

@@ -40,7 +40,7 @@ void SmoothAlongCurve(uint32_t bit, const FragmentRays& fragment, const CurveHyp
 
 ConfirmationViews::ConfirmationViews(ViewId primary, const std::vector<ViewId>& confirmation_views,
                                      const std::vector<View>& views,
-                                     const std::vector<std::unique_ptr<ViewEvidence>>& evidence) {
+                                     const std::vector<std::unique_ptr<OrientationMask>>& masks) {
   const View& from = views[primary];
   for (const ViewId id : confirmation_views) {
     const View& to = views[id];
@@ -48,7 +48,7 @@ ConfirmationViews::ConfirmationViews(ViewId primary, const std::vector<ViewId>& 
     views_.push_back(
         {id, MakeRelativeProjection(from.camera, from.cam_from_world, to.camera, to.cam_from_world),
          to.camera.Calibration() * to_from.rotation.toRotationMatrix(),
-         Inverse(to_from).translation, &to.region, &evidence[id]->mask});
+         Inverse(to_from).translation, &to.region, masks[id].get()});
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "limn/geometry/epipolar.h"
 #include "limn/sketch/hypotheses.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/orientation_mask.h"
 
 namespace limn {
 
@@ -36,7 +36,7 @@ class ConfirmationViews {
  public:
   ConfirmationViews(ViewId primary, const std::vector<ViewId>& confirmation_views,
                     const std::vector<View>& views,
-                    const std::vector<std::unique_ptr<ViewEvidence>>& evidence);
+                    const std::vector<std::unique_ptr<OrientationMask>>& masks);
 
   // Support of a hypothesis made with `second`, which does not confirm itself. Nothing if the first
   // views, which are the most diverse ones, do not support it anywhere.

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kNarrowSupportDeg = 15;
 constexpr double kWideViewsDeg = 30;
+// Views sketched between two changes of what evidence is held.
+constexpr size_t kBlock = 64;
 
 std::vector<ViewId> AllViewsOf(const ViewPlan& plan) {
   std::set<ViewId> all(plan.second_views.begin(), plan.second_views.end());
@@ -53,8 +55,8 @@ class ViewSketcher {
       Curve3D curve = MakeCurve(View(), fragment, depths, run);
       curve.anchor.view = primary_.id;
       curve.anchor.fragment = fragment_id;
-      CollectSupport(primary_.input.views, primary_.input.curves, primary_.evidence, support_views_,
-                     options.Gate(), &curve);
+      CollectSupport(primary_.input.views, primary_.input.curves, primary_.evidence.views,
+                     support_views_, options.Gate(), &curve);
       curves_.push_back(std::move(curve));
     }
   }
@@ -129,14 +131,13 @@ ViewSketch SketchOneView(const PrimaryView& primary, DepthFinder depths,
 }  // namespace
 
 PrimaryView::PrimaryView(const SketchInput& sketch_input, ViewId view, const ViewPlan& view_plan,
-                         const std::vector<std::unique_ptr<ViewEvidence>>& view_evidence,
-                         const SketchOptions& sketch_options)
+                         const SketchEvidence& sketch_evidence, const SketchOptions& sketch_options)
     : input(sketch_input),
       id(view),
       plan(view_plan),
-      evidence(view_evidence),
+      evidence(sketch_evidence),
       options(sketch_options),
-      confirmation(view, plan.confirmation_views, input.views, evidence),
+      confirmation(view, plan.confirmation_views, input.views, evidence.masks),
       world_from_cam(Inverse(input.views[view].cam_from_world)) {}
 
 PrimaryView::Verdict PrimaryView::Judge(const HypothesisSupport& support, size_t j,
@@ -163,16 +164,18 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
   for (const ViewId v : ids) {
     if (!by_view[v]) missing.push_back(v);
   }
-  std::vector<std::unique_ptr<ViewEvidence>> evidence;
-  if (!missing.empty()) {
-    evidence = BuildEvidence(input.views, input.curves, options.Gate(), context);
+  SketchEvidence evidence(input.views.size());
+  for (size_t begin = 0; begin < missing.size(); begin += kBlock) {
+    const std::vector<ViewId> block(missing.begin() + begin,
+                                    missing.begin() + std::min(begin + kBlock, missing.size()));
+    HoldViews(WithPartners(block, plans), input, options.Gate(), context, &evidence);
+    ParallelFor(PartOf(context, begin, missing.size()), stage, block.size(), [&](size_t b) {
+      const ViewId v = block[b];
+      const PrimaryView primary(input, v, plans[v], evidence, options);
+      by_view[v] = SketchOneView(primary, make_finder(primary), context);
+      if (store) store->save(v, plans[v], *by_view[v]);
+    });
   }
-  ParallelFor(context, stage, missing.size(), [&](size_t m) {
-    const ViewId v = missing[m];
-    const PrimaryView primary(input, v, plans[v], evidence, options);
-    by_view[v] = SketchOneView(primary, make_finder(primary), context);
-    if (store) store->save(v, plans[v], *by_view[v]);
-  });
   SketchResult result;
   result.fates.resize(input.views.size());
   for (const ViewId v : ids) {

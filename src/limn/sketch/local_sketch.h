@@ -1,21 +1,20 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "limn/model/edgel_fate.h"
 #include "limn/sketch/confirmation.h"
 #include "limn/sketch/depth_fusion.h"
 #include "limn/sketch/sketch.h"
+#include "limn/sketch/sketch_evidence.h"
 
 namespace limn {
 
 // What a generator of depths knows of its primary view. Holds references.
 struct PrimaryView {
   PrimaryView(const SketchInput& input, ViewId id, const ViewPlan& plan,
-              const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
-              const SketchOptions& options);
+              const SketchEvidence& evidence, const SketchOptions& options);
 
   // Whether sample j of a hypothesis, at this point, is supported: by enough of the views that
   // contain it, in the box, and not only within a narrow angle where views from wider ones look on
@@ -31,7 +30,7 @@ struct PrimaryView {
   const SketchInput& input;
   ViewId id;
   const ViewPlan& plan;
-  const std::vector<std::unique_ptr<ViewEvidence>>& evidence;
+  const SketchEvidence& evidence;
   const SketchOptions& options;
   ConfirmationViews confirmation;
   Rigid3d world_from_cam;
@@ -52,7 +51,7 @@ struct DepthFinder {
 // The sketch whose depths come from local support: for every view a finder is made, asked for every
 // fragment that is long enough, and what it finds becomes curves with their support. `stage` names
 // the result. Calls for different views run in parallel. Views that the store (may be null) has are
-// taken from it; the evidence of all views is only built if one is missing.
+// taken from it; the others are sketched in blocks, whose evidence is all that is held.
 SketchResult SketchFragments(const char* stage, const SketchInput& input,
                              const SketchOptions& options, const RunContext& context,
                              const ViewSketchStore* store,

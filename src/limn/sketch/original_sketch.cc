@@ -5,6 +5,7 @@
 
 #include "limn/sketch/confirmation.h"
 #include "limn/sketch/sketch.h"
+#include "limn/sketch/sketch_evidence.h"
 #include "limn/sketch/sketch_pieces.h"
 
 namespace limn {
@@ -83,14 +84,13 @@ std::vector<FusedDepth> AsDepths(const FragmentRays& fragment, const CurveHypoth
 class PairMatcher {
  public:
   PairMatcher(const SketchInput& input, ViewId primary, const ViewPlan& plan,
-              const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
-              const SketchOptions& options)
+              const SketchEvidence& evidence, const SketchOptions& options)
       : input_(input),
         primary_(primary),
         plan_(plan),
         evidence_(evidence),
         options_(options),
-        confirmation_(primary, plan.confirmation_views, input.views, evidence) {
+        confirmation_(primary, plan.confirmation_views, input.views, evidence.masks) {
     for (const ViewId second : plan.second_views) {
       chords_.emplace_back(input.views[primary], input.views[second], input.curves[second]);
     }
@@ -163,14 +163,15 @@ class PairMatcher {
     curve.anchor = {primary_, fragment_id, begin};
     std::vector<ViewId> support_views = plan_.confirmation_views;
     std::sort(support_views.begin(), support_views.end());
-    CollectSupport(input_.views, input_.curves, evidence_, support_views, options_.Gate(), &curve);
+    CollectSupport(input_.views, input_.curves, evidence_.views, support_views, options_.Gate(),
+                   &curve);
     sketch->curves.push_back(std::move(curve));
   }
 
   const SketchInput& input_;
   ViewId primary_;
   const ViewPlan& plan_;
-  const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
+  const SketchEvidence& evidence_;
   const SketchOptions& options_;
   ConfirmationViews confirmation_;
   std::vector<EpipolarChords> chords_;  // per second view
@@ -182,7 +183,8 @@ SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& 
                                  const RunContext& context) {
   options.Check();
   const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
-  const auto evidence = BuildEvidence(input.views, input.curves, options.Gate(), context);
+  SketchEvidence evidence(input.views.size());
+  HoldViews(IdsOf({}, input.views.size()), input, options.Gate(), context, &evidence);
   std::vector<PrimaryCurves> by_view(input.views.size());
   ParallelFor(context, "original sketch", input.views.size(), [&](size_t v) {
     const PairMatcher matcher(input, static_cast<ViewId>(v), plans[v], evidence, options);

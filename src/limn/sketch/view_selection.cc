@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "limn/sketch/view_neighbors.h"
 #include "limn/util/errors.h"
@@ -281,6 +282,16 @@ std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHin
     plans[v] = builder.Build(static_cast<ViewId>(v), SpanOfPoints(point_depths[v], options));
   });
   return plans;
+}
+
+std::vector<ViewId> WithPartners(const std::vector<ViewId>& views,
+                                 const std::vector<ViewPlan>& plans) {
+  std::set<ViewId> all(views.begin(), views.end());
+  for (const ViewId v : views) {
+    all.insert(plans[v].second_views.begin(), plans[v].second_views.end());
+    all.insert(plans[v].confirmation_views.begin(), plans[v].confirmation_views.end());
+  }
+  return {all.begin(), all.end()};
 }
 
 }  // namespace limn

@@ -13,19 +13,14 @@ std::vector<int> FragmentOfEdgels(const ImageCurves& curves) {
 
 }  // namespace
 
-ViewEvidence::ViewEvidence(const View& view, const ImageCurves& curves, const SupportGate& gate)
-    : fragment_of(FragmentOfEdgels(curves)),
-      edgels(curves.edge_map, LinkedEdgels(curves)),
-      mask(curves.edge_map, LinkedEdgels(curves), view.region, gate) {}
+ViewEvidence::ViewEvidence(const ImageCurves& curves)
+    : fragment_of(FragmentOfEdgels(curves)), edgels(curves.edge_map, LinkedEdgels(curves)) {}
 
-std::vector<std::unique_ptr<ViewEvidence>> BuildEvidence(const std::vector<View>& views,
-                                                         const std::vector<ImageCurves>& curves,
-                                                         const SupportGate& gate,
+std::vector<std::unique_ptr<ViewEvidence>> BuildEvidence(const std::vector<ImageCurves>& curves,
                                                          const RunContext& context) {
-  std::vector<std::unique_ptr<ViewEvidence>> evidence(views.size());
-  ParallelFor(context, "evidence", views.size(), [&](size_t i) {
-    evidence[i] = std::make_unique<ViewEvidence>(views[i], curves[i], gate);
-  });
+  std::vector<std::unique_ptr<ViewEvidence>> evidence(curves.size());
+  ParallelFor(context, "evidence", curves.size(),
+              [&](size_t v) { evidence[v] = std::make_unique<ViewEvidence>(curves[v]); });
   return evidence;
 }
 

@@ -4,9 +4,7 @@
 #include <vector>
 
 #include "limn/model/curve_fragment.h"
-#include "limn/model/view.h"
 #include "limn/support/edgel_index.h"
-#include "limn/support/orientation_mask.h"
 #include "limn/util/parallel.h"
 
 namespace limn {
@@ -14,17 +12,14 @@ namespace limn {
 // Everything the multi-view stages ask of the edges of one view. Only edgels that belong to a
 // fragment are evidence: a lone edgel is as likely noise.
 struct ViewEvidence {
-  ViewEvidence(const View& view, const ImageCurves& curves, const SupportGate& gate);
+  explicit ViewEvidence(const ImageCurves& curves);
 
   std::vector<int> fragment_of;  // per edgel: its fragment, or -1
   EdgelIndex edgels;
-  OrientationMask mask;
 };
 
-// One per view; the arguments must outlive the result.
-std::vector<std::unique_ptr<ViewEvidence>> BuildEvidence(const std::vector<View>& views,
-                                                         const std::vector<ImageCurves>& curves,
-                                                         const SupportGate& gate,
+// One per view; the curves must outlive the result.
+std::vector<std::unique_ptr<ViewEvidence>> BuildEvidence(const std::vector<ImageCurves>& curves,
                                                          const RunContext& context);
 
 }  // namespace limn

@@ -52,6 +52,17 @@ class LoopOrder {
 
 }  // namespace
 
+RunContext PartOf(const RunContext& context, size_t begin, size_t total) {
+  RunContext part = context;
+  if (context.progress) {
+    part.progress = [progress = context.progress, begin, total](const char* stage, size_t done,
+                                                                size_t) {
+      progress(stage, begin + done, total);
+    };
+  }
+  return part;
+}
+
 void ThrowIfCancelled(const RunContext& context) {
   if (context.cancelled && context.cancelled->load(std::memory_order_relaxed)) throw Cancelled();
 }

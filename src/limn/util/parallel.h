@@ -6,6 +6,8 @@
 
 namespace limn {
 
+class Team;
+
 // How a stage runs: its threads, who hears of its progress, who may stop it. Never changes a
 // result.
 struct RunContext {
@@ -15,7 +17,13 @@ struct RunContext {
   std::function<void(const char* stage, size_t done, size_t total)> progress;
   // When set and true, ThrowIfCancelled throws.
   const std::atomic<bool>* cancelled = nullptr;
+  // When set, the processes that share out the loops that are run with TeamFor (team.h).
+  Team* team = nullptr;
 };
+
+// The context of a loop over items [begin, ...) of a longer one of `total`, which is what its
+// progress tells of.
+RunContext PartOf(const RunContext& context, size_t begin, size_t total);
 
 // Throws Cancelled if the run is to stop: for long loops that are not parallel, and inside of long
 // items.

@@ -113,7 +113,7 @@ TEST(SegmentEvidenceTest, SeesTrueEdgesAndNoOthers) {
   const auto edges = testing::CubeEdges(kHalfSide);
   const auto curves = testing::ProjectCurves(Views(), edges);
   const SupportGate gate{1.5, 1.5, 0.4};
-  const auto views = BuildEvidence(Views(), curves, gate, {});
+  const auto views = BuildEvidence(curves, {});
   const EdgelEvidence evidence = IndexEdgels(curves, views, SampleSet(), Draft());
   const Eigen::Vector3d from = edges.front().points.front();
   const Eigen::Vector3d to = edges.front().points.back();

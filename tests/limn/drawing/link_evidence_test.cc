@@ -38,7 +38,7 @@ struct Scene {
 
   std::vector<uint8_t> Believed() const {
     const DrawingOptions options;
-    const auto evidence = BuildEvidence(views, curves, options.Gate(), {});
+    const auto evidence = BuildEvidence(curves, {});
     return BelievedLinks({samples, agreeing_views, views, curves, evidence}, options, draft, {});
   }
 };

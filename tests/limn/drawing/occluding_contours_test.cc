@@ -60,7 +60,7 @@ bool IsContour(const DraftLink& link, const std::vector<View>& views,
                const std::vector<ImageCurves>& curves) {
   const SupportGate gate = DrawingOptions().Gate();
   return IsOccludingContour(link, ViewFinder(views).NearAnyOf(link.position), views, curves,
-                            BuildEvidence(views, curves, gate, {}), gate);
+                            BuildEvidence(curves, {}), gate);
 }
 
 // An upright arc on the side of the ball, as the view in the middle sees its outline.

@@ -28,6 +28,12 @@ class ByteWriter {
     PutCount(text.size());
     bytes_.append(text);
   }
+  // Without their count.
+  template <typename T>
+  void PutArray(const T* values, size_t count) {
+    static_assert(std::is_arithmetic_v<T>);
+    bytes_.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+  }
   const std::string& bytes() const { return bytes_; }
 
  private:
@@ -54,6 +60,11 @@ class ByteReader {
       Fail("count " + std::to_string(count) + " exceeds the file");
     }
     return count;
+  }
+  template <typename T>
+  void GetArray(T* values, size_t count) {
+    static_assert(std::is_arithmetic_v<T>);
+    std::memcpy(values, Take(count * sizeof(T)).data(), count * sizeof(T));
   }
   std::string GetString() { return std::string(Take(GetCount(1))); }
   std::string_view Take(size_t count) {

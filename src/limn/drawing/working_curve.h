@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/curve3d.h"
+#include "limn/util/byte_stream.h"
+
+namespace limn {
+
+// A curve of the sketch on its way to where its edgels agree. One entry per sample.
+struct WorkingCurve {
+  std::vector<Eigen::Vector3d> position;
+  std::vector<Eigen::Vector3d> tangent;
+  std::vector<Eigen::Matrix3d> information;
+  std::vector<double> footprint;
+  std::vector<std::vector<EdgelRef>> support;
+  std::vector<uint8_t> supported;  // by enough views, in the end
+  bool closed = false;
+
+  int size() const { return static_cast<int>(position.size()); }
+};
+
+// As bytes, for other processes.
+void Put(const WorkingCurve& curve, ByteWriter* out);
+void Get(ByteReader* in, WorkingCurve* curve);
+
+}  // namespace limn

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "limn/sketch/sketch.h"
+#include "limn/support/orientation_mask.h"
+#include "limn/support/view_evidence.h"
+
+namespace limn {
+
+// What a sketch asks of the edges of the views: only of those it works on, so that its memory does
+// not grow with the scene. Per view, null for the others.
+struct SketchEvidence {
+  explicit SketchEvidence(size_t num_views) : views(num_views), masks(num_views) {}
+
+  std::vector<std::unique_ptr<ViewEvidence>> views;
+  std::vector<std::unique_ptr<OrientationMask>> masks;
+};
+
+// Forget all views but these, ascending, and make what is missing of theirs. The image curves must
+// outlive the evidence.
+void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const SupportGate& gate,
+               const RunContext& context, SketchEvidence* evidence);
+
+}  // namespace limn
