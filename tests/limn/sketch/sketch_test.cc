@@ -132,8 +132,8 @@ TEST_P(LocalSketchTest, ReconstructsOnlyInsideTheBox) {
 // More views than whose evidence is held at once; the last ones by themselves are fewer.
 TEST_P(LocalSketchTest, ViewsInSeveralBlocksMakeWhatTheyMakeInOne) {
   const auto views = testing::DomeViews(70, 5);
-  const auto curves = testing::ProjectCurves(
-      views, {testing::Segment({-0.8, -0.3, 0.1}, {0.7, 0.4, -0.2})});
+  const auto curves =
+      testing::ProjectCurves(views, {testing::Segment({-0.8, -0.3, 0.1}, {0.7, 0.4, -0.2})});
   const SceneHints no_hints;
   SketchInput input{views, curves, no_hints, std::nullopt};
   const CurveSketch all = BuildSketch(GetParam(), input, SketchOptions(), {}).sketch;
@@ -143,12 +143,11 @@ TEST_P(LocalSketchTest, ViewsInSeveralBlocksMakeWhatTheyMakeInOne) {
   ASSERT_GE(all.curves.size(), last.curves.size());
   const auto first = all.curves.end() - static_cast<std::ptrdiff_t>(last.curves.size());
   EXPECT_LT((first - 1)->anchor.view, 62);
-  EXPECT_TRUE(std::equal(last.curves.begin(), last.curves.end(), first,
-                         [](const Curve3D& a, const Curve3D& b) {
-                           return a.anchor.view == b.anchor.view &&
-                                  a.points_in_world == b.points_in_world &&
-                                  a.support.edgels == b.support.edgels;
-                         }));
+  EXPECT_TRUE(std::equal(
+      last.curves.begin(), last.curves.end(), first, [](const Curve3D& a, const Curve3D& b) {
+        return a.anchor.view == b.anchor.view && a.points_in_world == b.points_in_world &&
+               a.support.edgels == b.support.edgels;
+      }));
 }
 
 TEST_P(LocalSketchTest, ThreadsDoNotMatter) {
