@@ -32,6 +32,7 @@ THIRD_PARTY = {
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
     "boost/program_options": ["colmap_ext/options/"],
     "boost/mpi/": ["colmap_ext/commands/ranks.cc"],
+    "boost/sort/": ["src/limn/edges/edgel_selection.cc"],
     "tiny_gltf.h": ["src/limn/export/drawing_glb.cc"],
     # OpenCASCADE: its headers are in no folder.
     **{prefix: ["src/limn/export/drawing_step.cc", "src/limn/export/step_edges"]

@@ -1,3 +1,6 @@
+#include <optional>
+#include <string>
+
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/commands/project.h"
@@ -12,6 +15,31 @@
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
+
+namespace {
+
+// By this process, or together with the other ranks: those that only help get nothing.
+std::optional<PipelineResult> Draw(const PipelineInput& input, const PipelineOptions& options,
+                                   Console* console) {
+  const auto report = [&](const StageSummary& summary) { console->Report(summary); };
+  if (NumRanks() == 1) return DrawScene(input, options, console->context(), report);
+  const bool leads = Rank() == 0;
+  if (leads) AsRankZero(true);
+  FillCacheByRanks(input, options, console);
+  RankTeam team;
+  RunContext context = console->context();
+  context.team = &team;
+  if (!leads) {
+    DrawUnrefined(input, options, context, report);
+    return std::nullopt;
+  }
+  PipelineResult result = DrawScene(input, options, context, report);
+  console->Say("For the drawing the processes sent each other " +
+               std::to_string(team.bytes_exchanged() >> 20) + " MB");
+  return result;
+}
+
+}  // namespace
 
 int RunAutomaticDrawer(int argc, const char* const* argv) {
   // The others begin when rank 0 knows that there is work and holds the lock.
@@ -58,23 +86,9 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
     DoShard(input, options, &console);
     return 0;
   }
-  RunContext context = console.context();
-  RankTeam team;
-  const auto report = [&](const StageSummary& summary) { console.Report(summary); };
-  if (NumRanks() > 1) {
-    if (leads) AsRankZero(true);
-    FillCacheByRanks(input, options.pipeline, &console);
-    context.team = &team;
-  }
-  if (!leads) {
-    DrawUnrefined(input, options.pipeline, context, report);
-    return 0;
-  }
-  const PipelineResult result = DrawScene(input, options.pipeline, context, report);
-  if (NumRanks() > 1) {
-    console.Say("For the drawing the processes sent each other " +
-                std::to_string(team.bytes_exchanged() >> 20) + " MB");
-  }
+  const std::optional<PipelineResult> drawn = Draw(input, options.pipeline, &console);
+  if (!drawn) return 0;
+  const PipelineResult& result = *drawn;
   CheckGraph(result.graph);
   WriteSketchResults(project, SketchFileName(options.pipeline.mode), result.curves, result.sketch,
                      Provenance(options), console.context());

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 namespace limn {
 namespace {
 
@@ -37,32 +39,15 @@ int NearestInt(double value) {
   return towards_zero - (towards_zero > value + 0.5);
 }
 
-// Indices of edgels, the strongest first, ties in the given order: sorted by eleven bits of their
-// strengths at a time, the lowest first.
+// Indices of edgels, the strongest first, ties in the given order.
 std::vector<uint32_t> ByStrength(const std::vector<RefinedEdgel>& edgels) {
-  struct Item {
-    uint32_t key;
-    uint32_t index;
-  };
-  std::vector<Item> items(edgels.size());
+  // Bits of positive floats ascend with their values.
+  std::vector<uint64_t> keys(edgels.size());
   for (size_t i = 0; i < edgels.size(); ++i) {
-    // Bits of positive floats ascend with their values.
-    items[i] = {~std::bit_cast<uint32_t>(edgels[i].edgel.strength), static_cast<uint32_t>(i)};
+    keys[i] = static_cast<uint64_t>(~std::bit_cast<uint32_t>(edgels[i].edgel.strength)) << 32 | i;
   }
-  constexpr int kBits = 11;
-  constexpr uint32_t kDigits = 1u << kBits;
-  std::vector<Item> sorted(items.size());
-  for (int shift = 0; shift < 32; shift += kBits) {
-    std::vector<uint32_t> begin(kDigits + 1, 0);
-    for (const Item& item : items) ++begin[(item.key >> shift) % kDigits + 1];
-    for (uint32_t digit = 1; digit < kDigits; ++digit) begin[digit] += begin[digit - 1];
-    for (const Item& item : items) sorted[begin[(item.key >> shift) % kDigits]++] = item;
-    items.swap(sorted);
-  }
-  std::vector<uint32_t> order;
-  order.reserve(items.size());
-  for (const Item& item : items) order.push_back(item.index);
-  return order;
+  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+  return {keys.begin(), keys.end()};
 }
 
 }  // namespace

@@ -9,12 +9,14 @@ namespace limn {
 
 // The geometric clean-up of chains. Each returns the number of changes it made.
 
-// Break chains at corners: vertices where the arms turn by more than the corner angle and more
-// sharply than the curve turns beside them (so that small circles stay whole). `known` remembers
-// the chains without corners, which are not looked at again.
+// Open chains that are known to have no corner.
 struct SmoothChains {
-  std::vector<EdgelId> last_of;  // by first edgel; kInvalidEdgel: no open chain known to be smooth
+  std::vector<EdgelId> last_of;  // their last edgels by their first; kInvalidEdgel = none
 };
+
+// Break chains at corners: vertices where the arms turn by more than the corner angle and more
+// sharply than the curve turns beside them (so that small circles stay whole). Chains in `known`
+// are not looked at again; those found to have no corner are added.
 int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
                    SmoothChains* known, Chaining* chaining);
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <iterator>
-#include <set>
 
 #include "limn/sketch/sketch_pieces.h"
 
@@ -16,18 +15,12 @@ constexpr double kWideViewsDeg = 30;
 // Views sketched between two changes of what evidence is held.
 constexpr size_t kBlock = 64;
 
-std::vector<ViewId> AllViewsOf(const ViewPlan& plan) {
-  std::set<ViewId> all(plan.second_views.begin(), plan.second_views.end());
-  all.insert(plan.confirmation_views.begin(), plan.confirmation_views.end());
-  return {all.begin(), all.end()};
-}
-
 class ViewSketcher {
  public:
   ViewSketcher(const PrimaryView& primary, DepthFinder depths)
       : primary_(primary),
         depths_(std::move(depths)),
-        support_views_(AllViewsOf(primary.plan)),
+        support_views_(PartnersIn(primary.plan)),
         fates_(Curves().edge_map.edgels.size(), EdgelFate::kNotLinked) {}
 
   void Reconstruct(int fragment_id) {

@@ -284,12 +284,18 @@ std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHin
   return plans;
 }
 
+std::vector<ViewId> PartnersIn(const ViewPlan& plan) {
+  std::set<ViewId> all(plan.second_views.begin(), plan.second_views.end());
+  all.insert(plan.confirmation_views.begin(), plan.confirmation_views.end());
+  return {all.begin(), all.end()};
+}
+
 std::vector<ViewId> WithPartners(const std::vector<ViewId>& views,
                                  const std::vector<ViewPlan>& plans) {
   std::set<ViewId> all(views.begin(), views.end());
   for (const ViewId v : views) {
-    all.insert(plans[v].second_views.begin(), plans[v].second_views.end());
-    all.insert(plans[v].confirmation_views.begin(), plans[v].confirmation_views.end());
+    const std::vector<ViewId> partners = PartnersIn(plans[v]);
+    all.insert(partners.begin(), partners.end());
   }
   return {all.begin(), all.end()};
 }

@@ -53,6 +53,9 @@ void CheckViews(const std::vector<View>& views);
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
                                   const ViewSelectionOptions& options, const RunContext& context);
 
+// The views of a plan, ascending.
+std::vector<ViewId> PartnersIn(const ViewPlan& plan);
+
 // These views and those in their plans, ascending.
 std::vector<ViewId> WithPartners(const std::vector<ViewId>& views,
                                  const std::vector<ViewPlan>& plans);
