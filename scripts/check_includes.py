@@ -16,7 +16,7 @@ LAYERS = [
     ["geometry"],
     ["model"],
     ["support", "visibility"],
-    ["edges", "linking", "sketch", "drawing", "refinement", "primitives", "dense"],
+    ["edges", "linking", "sketch", "drawing", "refinement", "primitives", "dense", "tiles"],
     ["io"],
     ["export"],
     ["pictures", "evaluation", "viewer"],

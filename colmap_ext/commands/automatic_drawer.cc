@@ -1,5 +1,6 @@
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/commands/console.h"
@@ -18,14 +19,23 @@ namespace limn::colmap_ext {
 
 namespace {
 
-// By this process, or together with the other ranks: those that only help get nothing.
-std::optional<PipelineResult> Draw(const PipelineInput& input, const PipelineOptions& options,
-                                   Console* console) {
+// By this process, or together with the other ranks: those that only help get nothing. Of a scene
+// in tiles there is only the graph.
+std::optional<PipelineResult> Draw(const PipelineInput& input, const std::vector<Tile>& tiles,
+                                   const PipelineOptions& options, Console* console) {
   const auto report = [&](const StageSummary& summary) { console->Report(summary); };
-  if (NumRanks() == 1) return DrawScene(input, options, console->context(), report);
   const bool leads = Rank() == 0;
-  if (leads) AsRankZero(true);
-  FillCacheByRanks(input, options, console);
+  if (NumRanks() > 1) {
+    if (leads) AsRankZero(true);
+    FillCacheByRanks(input, tiles, options, console);
+  }
+  if (tiles.size() > 1) {
+    if (!leads) return std::nullopt;
+    PipelineResult result;
+    result.graph = DrawProjectTiles(input, tiles, options, console);
+    return result;
+  }
+  if (NumRanks() == 1) return DrawScene(input, options, console->context(), report);
   RankTeam team;
   RunContext context = console->context();
   context.team = &team;
@@ -37,6 +47,15 @@ std::optional<PipelineResult> Draw(const PipelineInput& input, const PipelineOpt
   console->Say("For the drawing the processes sent each other " +
                std::to_string(team.bytes_exchanged() >> 20) + " MB");
   return result;
+}
+
+// What takes all of a scene together is refused before work starts.
+void PrepareTiles(size_t num_tiles, const PipelineOptions& options, bool account,
+                  Console* console) {
+  CheckTiled(options);
+  const std::string in_tiles = "the scene is drawn in " + std::to_string(num_tiles) + " tiles";
+  if (account) throw OptionError("account = 1: " + in_tiles + ", which keep no account");
+  console->Say("Views are many: " + in_tiles + ", and there will be no file of its sketch");
 }
 
 }  // namespace
@@ -55,6 +74,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
                        .sketch = true,
                        .drawing = true,
                        .refinement = true,
+                       .tiles = true,
                        .shards = true,
                        .writes_drawing = true},
                       argc, argv, &options, [&](OptionParser* more) {
@@ -82,16 +102,22 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   CheckViews(project.views());
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
                             ProjectBox(project, options), project.cache()};
+  const std::vector<Tile> tiles =
+      PlanTiles(input.views, input.hints, input.box, options.pipeline.tiles);
+  const bool in_tiles = tiles.size() > 1;
+  if (in_tiles) PrepareTiles(tiles.size(), options.pipeline, account, &console);
   if (!options.shard.empty()) {
-    DoShard(input, options, &console);
+    DoShard(input, tiles, options, &console);
     return 0;
   }
-  const std::optional<PipelineResult> drawn = Draw(input, options.pipeline, &console);
+  const std::optional<PipelineResult> drawn = Draw(input, tiles, options.pipeline, &console);
   if (!drawn) return 0;
   const PipelineResult& result = *drawn;
   CheckGraph(result.graph);
-  WriteSketchResults(project, SketchFileName(options.pipeline.mode), result.curves, result.sketch,
-                     Provenance(options), console.context());
+  if (!in_tiles) {
+    WriteSketchResults(project, SketchFileName(options.pipeline.mode), result.curves, result.sketch,
+                       Provenance(options), console.context());
+  }
   WriteRefinedModel(project, result.cameras, &console);
   const std::vector<View>& views = ViewsOfDrawing(project, result.cameras);
   WriteDrawingResults(project, views, result.graph, Provenance(options), &console);

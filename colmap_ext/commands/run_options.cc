@@ -36,7 +36,7 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
                       "i/n: only keep the results of part i of n of the images, for a run without");
     parser->AddOption("shard_stage", &options->shard_stage,
                       {{"curves", ShardStage::kCurves}, {"sketches", ShardStage::kSketches}},
-                      "where a shard ends");
+                      "where a shard ends; of a scene in tiles, sketches means their drawings");
   }
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }
@@ -70,6 +70,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
   if (groups.drawing) AddGroup("Drawing", &pipeline.drawing, parser);
   if (groups.refinement) AddGroup("DrawingRefinement", &pipeline.refinement, parser);
   if (groups.refinement) AddGroup("Primitives", &pipeline.primitives, parser);
+  if (groups.tiles) AddGroup("Tiles", &pipeline.tiles, parser);
   if (groups.dense) AddGroup("DenseFusion", &options->dense, parser);
 }
 

@@ -46,6 +46,7 @@ struct OptionGroups {
   bool drawing = false;
   bool refinement = false;
   bool dense = false;
+  bool tiles = false;
   // It can do a part of its work, and has --shard.
   bool shards = false;
   // It writes a drawing, and has --overwrite.

@@ -16,6 +16,8 @@
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/io/atomic_file.h"
+#include "limn/model/view_subset.h"
+#include "limn/pipeline/tiled_scene.h"
 
 namespace limn::bench {
 namespace {
@@ -25,6 +27,7 @@ struct Options {
   std::string output_path;
   std::string commit;
   bool accuracy = true;
+  int tile_views = 0;
   int num_threads = -1;
 };
 
@@ -34,6 +37,9 @@ void AddOptions(Options* options, OptionParser* parser) {
   parser->AddOption("noise_px", &options->street.noise_px, "noise of the edgels, px");
   parser->AddOption("seed", &options->street.seed, "of the scene");
   parser->AddOption("accuracy", &options->accuracy, "compare with the truth");
+  parser->AddOption("tile_views", &options->tile_views,
+                    "draw in tiles of so many views, whose image curves are made for each; 0 = in "
+                    "one piece");
   parser->AddOption("output_path", &options->output_path, "folder of report.json; empty = none");
   parser->AddOption("commit", &options->commit, "what is measured, for the report");
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
@@ -48,6 +54,39 @@ Json MeasureTruth(const Street& street, const CurveSet& made, const std::vector<
   std::ostringstream text;
   WriteReportJson(EvaluateCurves(made, street.truth, options, {}, context), text);
   return {{"all", Json::parse(text.str())}};
+}
+
+std::vector<ImageCurves> CurvesOf(const Street& street, const std::vector<ViewId>& ids,
+                                  const RunContext& context) {
+  std::vector<ImageCurves> curves(ids.size());
+  ParallelFor(context, "street", ids.size(),
+              [&](size_t i) { curves[i] = street.curves_of(ids[i]); });
+  return curves;
+}
+
+// Each tile's image curves are made when it is drawn, as those of photographs are read then.
+void RunTiles(const Street& street, int tile_views, const RunContext& context,
+              const StageListener& on_stage_end) {
+  PipelineOptions options;
+  options.tiles.max_views = tile_views;
+  const Scene& scene = street.scene;
+  const std::vector<Tile> tiles = PlanTiles(scene.views, scene.hints, std::nullopt, options.tiles);
+  for (const Tile& tile : tiles) std::cout << tile.views.size() << " ";
+  std::cout << "views in " << tiles.size() << " tiles" << std::endl;
+  ResultCache none("");
+  const auto curves_of = [&](const SceneSubset& part) {
+    return CurvesResult{CurvesOf(street, part.ids, context), {}};
+  };
+  const StageMeter meter;
+  const DrawingGraph graph =
+      DrawTiles({scene.views, scene.hints, std::nullopt, &none, tiles, curves_of}, options, context,
+                [&](const StageSummary& summary) {
+                  std::cout << summary.stage << ':';
+                  for (const auto& [what, count] : summary.kept)
+                    std::cout << ' ' << count << ' ' << what;
+                  std::cout << std::endl;
+                });
+  on_stage_end(meter.Finish("tiles"), ToCurveSet(graph));
 }
 
 size_t CountEdgels(const Scene& scene) {
@@ -70,21 +109,27 @@ Json MeasureStreet(const Options& options, const colmap_ext::Console& console) {
   const StreetOptions& size = options.street;
   const RunContext& context = console.context();
   const StageMeter meter;
-  const Street street = MakeStreet(size, context);
+  Street street = MakeStreet(size);
   const std::vector<double> taus = {street.footprint, 2 * street.footprint};
   Json set = NewStageSet(
       "street-" + std::to_string(size.num_views) + "-" + std::to_string(size.num_edgels),
       street.scene.views.size(), "world", taus);
-  const StageCost made_scene = meter.Finish("scene");
-  std::cout << CountEdgels(street.scene) / street.scene.views.size()
-            << " edgels per view in the mean; the scene took " << made_scene.times.seconds
-            << " s and " << made_scene.peak_mb << " MB\n";
-  RunStages(street.scene, {}, context, [&](const StageCost& cost, const CurveSet& made) {
+  const auto on_stage_end = [&](const StageCost& cost, const CurveSet& made) {
     AddCost(cost, options.accuracy ? MeasureTruth(street, made, taus, context) : Json(nullptr),
             &set);
     std::cout << cost.stage << ": " << cost.times.seconds << " s, " << made.polylines.size()
               << " curves" << std::endl;
-  });
+  };
+  if (options.tile_views > 0) {
+    RunTiles(street, options.tile_views, context, on_stage_end);
+  } else {
+    street.scene.curves = CurvesOf(street, IdsOf(std::nullopt, street.scene.views.size()), context);
+    const StageCost made_scene = meter.Finish("scene");
+    std::cout << CountEdgels(street.scene) / street.scene.views.size()
+              << " edgels per view in the mean; the scene took " << made_scene.times.seconds
+              << " s and " << made_scene.peak_mb << " MB\n";
+    RunStages(street.scene, {}, context, on_stage_end);
+  }
   AddTotal(&set);
   return set;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
 
@@ -153,19 +154,20 @@ void StreetOptions::Check() const {
   LIMN_CHECK_OPTION(noise_px, >= 0);
 }
 
-Street MakeStreet(const StreetOptions& options, const RunContext& context) {
+Street MakeStreet(const StreetOptions& options) {
   options.Check();
   std::mt19937 random(static_cast<unsigned>(options.seed));
   const double street_m = kStepM * options.num_views;
-  const auto curves = MakeCurves(street_m, CurvesPerMetre(options), &random);
+  const auto curves = std::make_shared<const std::vector<SceneCurve>>(
+      MakeCurves(street_m, CurvesPerMetre(options), &random));
   Street street;
   street.footprint = kDistanceM / kFocalPx;
   Scene& scene = street.scene;
   for (int i = 0; i < options.num_views; ++i) scene.views.push_back(MakeView(i, &random));
-  scene.curves.resize(scene.views.size());
-  ParallelFor(context, "street", scene.views.size(),
-              [&](size_t v) { scene.curves[v] = CurvesOf(scene.views[v], curves, options); });
-  for (const SceneCurve& curve : curves) {
+  street.curves_of = [curves, options, views = scene.views](ViewId v) {
+    return CurvesOf(views[v], *curves, options);
+  };
+  for (const SceneCurve& curve : *curves) {
     AddHints(curve, scene.views, &scene.hints);
     for (Polyline3d& part : SeenParts(curve, scene.views)) {
       street.truth.polylines.push_back(std::move(part));

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <functional>
+
 #include "bench/scene.h"
 #include "limn/model/curve_set.h"
-#include "limn/util/parallel.h"
 
 namespace limn::bench {
 
@@ -20,7 +21,9 @@ struct StreetOptions {
 
 // A scene whose size grows with the number of views.
 struct Street {
-  Scene scene;
+  Scene scene;  // without image curves
+  // Makes the image curves of a view; several threads may.
+  std::function<ImageCurves(ViewId)> curves_of;
   // The parts of the curves that at least 4 views contain.
   CurveSet truth;
   // Of a pixel, metres, in the middle of the curves.
@@ -32,6 +35,6 @@ struct Street {
 // sees with some 30 others, whatever the length of the street. Edgels are those of the curves,
 // exact but for the noise; nothing hides anything; the hints are three points of each curve. Linear
 // in views times edgels.
-Street MakeStreet(const StreetOptions& options, const RunContext& context);
+Street MakeStreet(const StreetOptions& options);
 
 }  // namespace limn::bench

@@ -1,4 +1,4 @@
-// The work of a run in parts: shards that know nothing of each other, and MPI processes.
+// The work of a run in parts: shards that know nothing of each other, tiles, and MPI processes.
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -10,7 +10,9 @@
 #include "end_to_end/limn_process.h"
 #include "end_to_end/run_limn.h"
 #include "end_to_end/small_scene.h"
+#include "limn/geometry/polyline.h"
 #include "limn/io/atomic_file.h"
+#include "limn/io/drawing_json_reader.h"
 
 namespace limn::testing {
 namespace {
@@ -20,6 +22,7 @@ using colmap_ext::LockMode;
 using colmap_ext::OutputLock;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // All results but the options of the run, which name its folder.
 std::map<std::string, std::string> ResultsOfRun(const fs::path& folder) {
@@ -118,6 +121,76 @@ TEST(Shards, TheOriginalSketchHasNone) {
   EXPECT_THAT(run.err, HasSubstr("mode = original"));
 }
 
+// Many small tiles.
+const std::vector<std::string> kTiles = {"--Tiles.max_views", "5", "--Tiles.reach_px", "20"};
+
+std::vector<std::string> TilesAnd(std::vector<std::string> more) {
+  more.insert(more.end(), kTiles.begin(), kTiles.end());
+  return more;
+}
+
+double LengthOf(const fs::path& drawing) {
+  double length = 0;
+  for (const DrawingLink& link : ReadDrawingJson(drawing).graph.links) {
+    length += Length(link.points_in_world);
+  }
+  return length;
+}
+
+TEST(Tiles, MakeOneDrawing) {
+  const SmallScene scene;
+  const LimnRun run = RunLimn(scene.Arguments(kTiles));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("the scene is drawn in "), HasSubstr("drawing, tile 2/"),
+                             HasSubstr("joining tiles"), HasSubstr("primitives")));
+  EXPECT_FALSE(fs::exists(scene / "curves/swept-sketch.bin"));
+  const SmallScene in_one_piece;
+  ASSERT_EQ(RunLimn(in_one_piece.Arguments()).exit_code, 0);
+  EXPECT_GT(LengthOf(scene / "drawing.json"), 0.6 * LengthOf(in_one_piece / "drawing.json"));
+  EXPECT_LT(LengthOf(scene / "drawing.json"), 1.2 * LengthOf(in_one_piece / "drawing.json"));
+}
+
+TEST(Tiles, ThatAreKeptAreNotDrawnAgain) {
+  const SmallScene scene;
+  ASSERT_EQ(RunLimn(scene.Arguments(kTiles)).exit_code, 0);
+  const auto first = ResultsOfRun(scene.output());
+  const LimnRun again = RunLimn(scene.Arguments(kTiles));
+  EXPECT_THAT(again.out, HasSubstr(" tiles were taken from the cache"));
+  EXPECT_THAT(again.out, Not(HasSubstr("drawing, tile 1/")));
+  EXPECT_TRUE(ResultsOfRun(scene.output()) == first);
+  // Damaged, one is drawn again.
+  const fs::path kept = scene / "curves/cache/drawing/tile-1.bin";
+  fs::resize_file(kept, fs::file_size(kept) / 2);
+  const LimnRun mended = RunLimn(scene.Arguments(kTiles));
+  EXPECT_THAT(mended.out, AllOf(HasSubstr("tiles in the cache could not be used"),
+                                HasSubstr("drawing, tile 1/"), Not(HasSubstr("drawing, tile 2/"))));
+  EXPECT_TRUE(ResultsOfRun(scene.output()) == first);
+}
+
+TEST(Tiles, AreSharedOutToShards) {
+  const SmallScene scene;
+  for (const char* shard : {"2/2", "1/2"}) {
+    const LimnRun run = RunLimn(scene.Arguments(TilesAnd({"--shard", shard})));
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr(" tiles. When all shards are"));
+  }
+  const LimnRun run = RunLimn(scene.Arguments(kTiles));
+  EXPECT_THAT(run.out, Not(HasSubstr("drawing, tile")));
+  const SmallScene in_one_go;
+  ASSERT_EQ(RunLimn(in_one_go.Arguments(kTiles)).exit_code, 0);
+  EXPECT_TRUE(ResultsOfRun(scene.output()) == ResultsOfRun(in_one_go.output()));
+}
+
+TEST(Tiles, RefuseWhatTakesTheWholeScene) {
+  const SmallScene scene;
+  for (const char* option : {"--account", "--DrawingRefinement.refine_poses"}) {
+    const LimnRun run = RunLimn(scene.Arguments(TilesAnd({option, "1"})));
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, HasSubstr("tiles"));
+  }
+  EXPECT_EQ(NumFiles(scene.output()), 0u);
+}
+
 // Open MPI refuses root: as another user, in a folder that is open to all.
 class MpiRun : public ::testing::Test {
  protected:
@@ -167,6 +240,14 @@ TEST_F(MpiRun, MakesWhatOneProcessMakes) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("sketches of 6 views were taken from the cache"));
   EXPECT_TRUE(ResultsOfRun(dir_ / "out") == ResultsInOneGo());
+}
+
+TEST_F(MpiRun, DrawsTilesTogether) {
+  const LimnRun run = RunShell(Command("--Tiles.max_views 5 --Tiles.reach_px 20"));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const SmallScene scene;
+  ASSERT_EQ(RunLimn(scene.Arguments(kTiles)).exit_code, 0);
+  EXPECT_TRUE(ResultsOfRun(dir_ / "out") == ResultsOfRun(scene.output()));
 }
 
 TEST_F(MpiRun, AProcessThatDiesIsToldAndWhatIsFinishedIsKept) {

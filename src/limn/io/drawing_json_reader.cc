@@ -143,15 +143,18 @@ DrawingFile ToDrawingFile(const Json& json) {
 
 }  // namespace
 
-DrawingFile ReadDrawingJson(const std::string& path) {
-  const std::string text = ReadWholeFile(path);
+DrawingFile ParseDrawingJson(const std::string& name, const std::string& text) {
   try {
-    return ToDrawingFile(ParseJson(path, text));
+    return ToDrawingFile(ParseJson(name, text));
   } catch (const Json::exception& error) {
-    throw IoError(path, error.what());
+    throw IoError(name, error.what());
   } catch (const InputError& error) {
-    throw IoError(path, error.what());
+    throw IoError(name, error.what());
   }
+}
+
+DrawingFile ReadDrawingJson(const std::string& path) {
+  return ParseDrawingJson(path, ReadWholeFile(path));
 }
 
 }  // namespace limn

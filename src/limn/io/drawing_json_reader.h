@@ -27,4 +27,7 @@ constexpr int kDrawingJsonVersion = 1;
 // of the invariants of Validate.
 DrawingFile ReadDrawingJson(const std::string& path);
 
+// The same of the text of one, which messages call `name`.
+DrawingFile ParseDrawingJson(const std::string& name, const std::string& text);
+
 }  // namespace limn

@@ -7,7 +7,12 @@
 
 namespace limn {
 
-enum class StageKind : uint32_t { kImageCurves = 1, kCurveSketch = 2, kViewSketch = 3 };
+enum class StageKind : uint32_t {
+  kImageCurves = 1,
+  kCurveSketch = 2,
+  kViewSketch = 3,
+  kDrawing = 4
+};
 
 // The result of a stage on disk, all numbers little endian:
 //   char[8] "limnfile" | u32 format version | u32 kind | u64 n, char[n] identity |

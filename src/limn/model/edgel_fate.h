@@ -8,6 +8,7 @@ namespace limn {
 // How far an edgel came as a sample of its own view's curves, and what stopped it.
 enum class EdgelFate : uint8_t {
   kNotLinked,         // in no fragment
+  kNotSketched,       // in a view that only confirms the curves of others
   kFragmentTooShort,  // in a fragment too short to be matched
   kNoPartner,         // no curve of another view fits it at any depth
   kTooFewViews,       // at no depth do enough views support it

@@ -45,6 +45,7 @@ bool Supports(ViewId view, const DrawingLink& link) {
 Color ColorOf(EdgelFate fate) {
   switch (fate) {
     case EdgelFate::kNotLinked:
+    case EdgelFate::kNotSketched:
       return {128, 128, 128};
     case EdgelFate::kFragmentTooShort:
       return {70, 110, 255};

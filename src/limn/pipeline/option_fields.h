@@ -50,6 +50,8 @@ template <typename Visit>
 void VisitFields(ViewSelectionOptions& o, Visit&& visit) {
   visit("max_second_views", o.max_second_views, "views that a view is paired with");
   visit("max_confirmation_views", o.max_confirmation_views, "views that confirm its curves");
+  visit("enough_primary_views", o.enough_primary_views,
+        "a place that more views see is sketched from about so many");
   visit("min_pair_angle_deg", o.min_pair_angle_deg, "least triangulation angle of a pair, deg");
   visit("max_pair_angle_deg", o.max_pair_angle_deg, "largest triangulation angle of a pair, deg");
   visit("min_confirmation_angle_deg", o.min_confirmation_angle_deg,
@@ -170,6 +172,12 @@ void VisitFields(PrimitiveOptions& o, Visit&& visit) {
 }
 
 template <typename Visit>
+void VisitFields(TileOptions& o, Visit&& visit) {
+  visit("max_views", o.max_views, "scenes of more views are drawn in tiles of so many, 0 = never");
+  visit("reach_px", o.reach_px, "how far a tile is drawn beyond its borders, px");
+}
+
+template <typename Visit>
 void VisitFields(DenseOptions& o, Visit&& visit) {
   visit("depth_tolerance_px", o.depth_tolerance_px,
         "a curve this near in depth is on the surface, footprints");
@@ -194,6 +202,7 @@ void VisitGroups(PipelineOptions& options, Visit&& visit) {
   visit("Drawing", options.drawing);
   visit("DrawingRefinement", options.refinement);
   visit("Primitives", options.primitives);
+  visit("Tiles", options.tiles);
 }
 
 }  // namespace limn

@@ -6,28 +6,35 @@
 
 namespace limn {
 
+DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
+                       const RunContext& context, const StageObserver& on_stage_end) {
+  SketchResult sketch =
+      SketchViews(options.mode, {scene.views, scene.curves, scene.hints, scene.box}, options.sketch,
+                  scene.cache, context, scene.part);
+  on_stage_end(sketch.summary);
+
+  DrawingResult drawing =
+      BuildDrawing({scene.views, scene.curves, sketch.sketch, scene.box}, options.drawing, context);
+  on_stage_end(drawing.summary);
+  return {std::move(sketch), std::move(drawing)};
+}
+
 UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& options,
                              const RunContext& context, const StageObserver& on_stage_end) {
   options.Check();
-
   CurvesResult image_curves = ExtractCurves({input.views, input.images, input.cache}, options.edges,
                                             options.linking, context);
   on_stage_end(image_curves.summary);
-
-  SketchResult sketch =
-      SketchViews(options.mode, {input.views, image_curves.curves, input.hints, input.box},
-                  options.sketch, input.cache, context);
-  on_stage_end(sketch.summary);
-
-  DrawingResult drawing = BuildDrawing({input.views, image_curves.curves, sketch.sketch, input.box},
-                                       options.drawing, context);
-  on_stage_end(drawing.summary);
-  return {std::move(image_curves), std::move(sketch), std::move(drawing)};
+  DrawnCurves drawn =
+      DrawCurves({input.views, input.hints, image_curves.curves, input.box, input.cache}, options,
+                 context, on_stage_end);
+  return {std::move(image_curves), std::move(drawn)};
 }
 
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end) {
-  auto [image_curves, sketch, drawing] = DrawUnrefined(input, options, context, on_stage_end);
+  auto [image_curves, drawn] = DrawUnrefined(input, options, context, on_stage_end);
+  auto& [sketch, drawing] = drawn;
 
   RefinementResult refined =
       RefineDrawing({input.views, image_curves.curves, drawing.graph, &input.hints.points},

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -39,11 +40,29 @@ struct PipelineResult {
 // Hears of every stage when it has ended.
 using StageObserver = std::function<void(const StageSummary& summary)>;
 
+// A scene whose image curves are there.
+struct CurvesScene {
+  const std::vector<View>& views;
+  const SceneHints& hints;
+  const std::vector<ImageCurves>& curves;  // per view
+  std::optional<Eigen::AlignedBox3d> box;
+  ResultCache* cache;
+  std::string part = "";  // see SketchViews
+};
+
+struct DrawnCurves {
+  SketchResult sketch;
+  DrawingResult drawing;
+};
+
+// Sketch and drawing of the image curves. What DrawScene throws.
+DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
+                       const RunContext& context, const StageObserver& on_stage_end);
+
 // What comes before the refinement.
 struct UnrefinedScene {
   CurvesResult image_curves;
-  SketchResult sketch;
-  DrawingResult drawing;
+  DrawnCurves drawn;
 };
 
 // DrawScene up to the refinement: what the processes of the context's team do together, each of

@@ -9,6 +9,7 @@
 #include "limn/primitives/primitive_options.h"
 #include "limn/refinement/refinement_options.h"
 #include "limn/sketch/sketch.h"
+#include "limn/tiles/tile_options.h"
 
 namespace limn {
 
@@ -21,6 +22,7 @@ struct PipelineOptions {
   DrawingOptions drawing;
   RefinementOptions refinement;
   PrimitiveOptions primitives;
+  TileOptions tiles;
 
   // Throws OptionError naming group and option.
   void Check() const;

@@ -6,9 +6,10 @@
 namespace limn {
 namespace {
 
-constexpr const char* kFolders[kNumCachedKinds] = {"edges", "fragments", "sketch"};
-constexpr const char* kWhats[kNumCachedKinds] = {"edge maps", "image curves", "sketches"};
-constexpr const char* kItems[kNumCachedKinds] = {"images", "images", "views"};
+constexpr const char* kFolders[kNumCachedKinds] = {"edges", "fragments", "sketch", "drawing"};
+constexpr const char* kWhats[kNumCachedKinds] = {"edge maps", "image curves", "sketches",
+                                                 "drawings"};
+constexpr const char* kItems[kNumCachedKinds] = {"images", "images", "views", "tiles"};
 
 // Which is first must not depend on the threads.
 void KeepFirst(const std::string& text, std::string* first) {
@@ -30,9 +31,9 @@ ResultCache::ResultCache(std::string dir) : dir_(std::move(dir)) {
   }
 }
 
-std::string ResultCache::PathOf(CachedKind kind, const std::string& view_name) const {
+std::string ResultCache::PathOf(CachedKind kind, const std::string& name) const {
   const char* folder = kFolders[static_cast<int>(kind)];
-  return (std::filesystem::path(dir_) / folder / (view_name + ".bin")).string();
+  return (std::filesystem::path(dir_) / folder / (name + ".bin")).string();
 }
 
 bool ResultCache::Exists(const std::string& path) const {
@@ -57,11 +58,11 @@ void ResultCache::CountDamaged(CachedKind kind, const std::string& damage) {
   KeepFirst(damage, &UseOf(kind).damage);
 }
 
-void ResultCache::Store(CachedKind kind, const std::string& view_name,
+void ResultCache::Store(CachedKind kind, const std::string& name,
                         const std::function<void(const std::string&)>& write) {
   if (!IsOn()) return;
   try {
-    write(PathOf(kind, view_name));
+    write(PathOf(kind, name));
     const std::lock_guard lock(mutex_);
     ++UseOf(kind).stored;
   } catch (const IoError& error) {

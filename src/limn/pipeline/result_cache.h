@@ -11,9 +11,9 @@
 
 namespace limn {
 
-// What is kept per view between runs.
-enum class CachedKind { kEdges, kFragments, kSketch };
-constexpr int kNumCachedKinds = static_cast<int>(CachedKind::kSketch) + 1;
+// What is kept between runs: per view, and drawings per tile.
+enum class CachedKind { kEdges, kFragments, kSketch, kDrawing };
+constexpr int kNumCachedKinds = static_cast<int>(CachedKind::kDrawing) + 1;
 
 // What became of the kept results of one kind in a stage.
 struct CacheUse {
@@ -31,7 +31,7 @@ struct CacheUse {
   int64_t NumKept() const { return reused + stored; }
 };
 
-// Results of earlier runs, <dir>/<kind>/<view name>.bin, found again by what they were made of. A
+// Results of earlier runs, <dir>/<kind>/<name>.bin, found again by what they were made of. A
 // damaged file and one that cannot be written cost time, never the run: they are counted. All
 // functions may be called from several threads.
 class ResultCache {
@@ -48,9 +48,9 @@ class ResultCache {
   // `read(path)` reads a file; it returns nothing if it was made of something else, and throws
   // IoError if it is damaged. Nothing if there is no good one.
   template <typename Result>
-  std::optional<Result> Find(CachedKind kind, const std::string& view_name,
+  std::optional<Result> Find(CachedKind kind, const std::string& name,
                              const std::function<std::optional<Result>(const std::string&)>& read) {
-    const std::string path = PathOf(kind, view_name);
+    const std::string path = PathOf(kind, name);
     if (!Exists(path)) return std::nullopt;
     try {
       std::optional<Result> found = read(path);
@@ -63,13 +63,13 @@ class ResultCache {
   }
 
   // `write(path)` writes a file and throws IoError if it cannot.
-  void Store(CachedKind kind, const std::string& view_name,
+  void Store(CachedKind kind, const std::string& name,
              const std::function<void(const std::string&)>& write);
 
   CacheUse Use(CachedKind kind) const;
 
  private:
-  std::string PathOf(CachedKind kind, const std::string& view_name) const;
+  std::string PathOf(CachedKind kind, const std::string& name) const;
   bool Exists(const std::string& path) const;
   void CountRead(CachedKind kind, bool is_good);
   void CountDamaged(CachedKind kind, const std::string& damage);

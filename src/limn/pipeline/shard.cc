@@ -16,11 +16,6 @@ bool ReadNumber(std::string_view text, int* number) {
   return error == std::errc() && rest == end;
 }
 
-void CheckKept(const ResultCache& cache, CachedKind kind) {
-  const CacheUse use = cache.Use(kind);
-  if (use.not_stored > 0) throw IoError(cache.dir(), "cannot keep results: " + use.write_error);
-}
-
 StageSummary OfShard(StageSummary summary, const Shard& shard) {
   summary.stage += ", shard " + std::to_string(shard.index) + "/" + std::to_string(shard.count);
   return summary;
@@ -40,20 +35,25 @@ Shard ParseShard(const std::string& text) {
   return shard;
 }
 
-std::vector<ViewId> ViewsOf(const Shard& shard, size_t num_views) {
+std::vector<ViewId> ItemsOf(const Shard& shard, size_t num_items) {
   const auto begin_of = [&](int index) {
-    return static_cast<ViewId>(num_views * static_cast<size_t>(index - 1) / shard.count);
+    return static_cast<ViewId>(num_items * static_cast<size_t>(index - 1) / shard.count);
   };
-  std::vector<ViewId> views(begin_of(shard.index + 1) - begin_of(shard.index));
-  std::iota(views.begin(), views.end(), begin_of(shard.index));
-  return views;
+  std::vector<ViewId> items(begin_of(shard.index + 1) - begin_of(shard.index));
+  std::iota(items.begin(), items.end(), begin_of(shard.index));
+  return items;
+}
+
+void CheckKept(const ResultCache& cache, CachedKind kind) {
+  const CacheUse use = cache.Use(kind);
+  if (use.not_stored > 0) throw IoError(cache.dir(), "cannot keep results: " + use.write_error);
 }
 
 StageSummary MakeShardCurves(const PipelineInput& input, const PipelineOptions& options,
                              const Shard& shard, const RunContext& context) {
   options.Check();
   const CurvesResult result =
-      ExtractCurves({input.views, input.images, input.cache, ViewsOf(shard, input.views.size())},
+      ExtractCurves({input.views, input.images, input.cache, ItemsOf(shard, input.views.size())},
                     options.edges, options.linking, context);
   CheckKept(*input.cache, CachedKind::kFragments);
   return OfShard(result.summary, shard);
@@ -66,7 +66,7 @@ StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions
     throw OptionError("mode = " + std::string(SketchModeName(options.mode)) +
                       ": this sketch is not made view by view, and has no shards");
   }
-  const std::vector<ViewId> views = ViewsOf(shard, input.views.size());
+  const std::vector<ViewId> views = ItemsOf(shard, input.views.size());
   const auto plans = SelectViews(input.views, input.hints, options.sketch.view_selection, context);
   const CurvesResult image_curves =
       ExtractCurves({input.views, input.images, input.cache, WithPartners(views, plans)},

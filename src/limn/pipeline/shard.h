@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// Part `index` (from 1) of `count` parts of the views of a scene: as many views each, but for one,
-// that follow one another, so that most of the views which a part looks at are its own.
+// Part `index` (from 1) of `count` parts of the views or tiles of a scene: as many each, but for
+// one, that follow one another, so that most of the views which a part looks at are its own.
 struct Shard {
   int index = 1;
   int count = 1;
@@ -17,8 +17,8 @@ struct Shard {
 // Of a text such as "2/8". Throws OptionError.
 Shard ParseShard(const std::string& text);
 
-// Ascending; none if there are fewer views than shards.
-std::vector<ViewId> ViewsOf(const Shard& shard, size_t num_views);
+// The views or tiles of a shard, ascending; none if there are fewer of them than shards.
+std::vector<ViewId> ItemsOf(const Shard& shard, size_t num_items);
 
 // What processes that know nothing of each other do of DrawScene, which then finds the results of
 // all shards in the cache. A process that ends early has kept what it finished, and whatever is
@@ -34,5 +34,8 @@ StageSummary MakeShardCurves(const PipelineInput& input, const PipelineOptions& 
 // made view by view.
 StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions& options,
                                const Shard& shard, const RunContext& context);
+
+// Throws IoError if a result of this kind could not be kept.
+void CheckKept(const ResultCache& cache, CachedKind kind);
 
 }  // namespace limn

@@ -12,7 +12,7 @@ namespace limn {
 namespace {
 
 // To be raised whenever the sketch of the same input changes, so that kept ones are made again.
-constexpr int kSketchVersion = 2;
+constexpr int kSketchVersion = 3;
 
 std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box) {
   ContentHash hash;
@@ -51,25 +51,27 @@ std::string PlanKey(ViewId view, const ViewPlan& plan, const std::vector<std::st
 }  // namespace
 
 SketchResult SketchViews(SketchMode mode, const SketchInput& input, const SketchOptions& options,
-                         ResultCache* cache, const RunContext& context) {
+                         ResultCache* cache, const RunContext& context, const std::string& part) {
   if (!cache->IsOn() || mode == SketchMode::kOriginal) {
     return BuildSketch(mode, input, options, context);
   }
-  cache->Expect(CachedKind::kSketch, IdsOf(input.only, input.views.size()).size());
   const std::string common_key = CommonKey(mode, input, options);
   const std::vector<std::string> view_keys = ViewKeys(input.views, input.curves, context);
   const auto key = [&](ViewId v, const ViewPlan& plan) {
     return common_key + PlanKey(v, plan, view_keys);
   };
+  const auto name = [&](ViewId v) {
+    return part.empty() ? input.views[v].name : part + "/" + input.views[v].name;
+  };
   ViewSketchStore store;
+  store.expect = [&](size_t num_views) { cache->Expect(CachedKind::kSketch, num_views); };
   store.load = [&](ViewId v, const ViewPlan& plan) {
-    return cache->Find<ViewSketch>(
-        CachedKind::kSketch, input.views[v].name, [&](const std::string& path) {
-          return ReadViewSketch(path, static_cast<int>(input.views.size()), key(v, plan));
-        });
+    return cache->Find<ViewSketch>(CachedKind::kSketch, name(v), [&](const std::string& path) {
+      return ReadViewSketch(path, static_cast<int>(input.views.size()), key(v, plan));
+    });
   };
   store.save = [&](ViewId v, const ViewPlan& plan, const ViewSketch& sketch) {
-    cache->Store(CachedKind::kSketch, input.views[v].name,
+    cache->Store(CachedKind::kSketch, name(v),
                  [&](const std::string& path) { WriteViewSketch(path, sketch, key(v, plan)); });
   };
   return BuildSketch(mode, input, options, context, &store);

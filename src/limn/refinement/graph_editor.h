@@ -9,8 +9,8 @@
 #include <Eigen/Core>
 
 #include "limn/model/drawing_graph.h"
+#include "limn/model/graph_edits.h"
 #include "limn/model/view.h"
-#include "limn/refinement/graph_edits.h"
 #include "limn/refinement/refinement_options.h"
 #include "limn/support/edgel_index.h"
 #include "limn/support/segment_evidence.h"

@@ -5,10 +5,10 @@
 #include <limits>
 #include <map>
 
+#include "limn/model/graph_edits.h"
 #include "limn/refinement/covered_links.h"
 #include "limn/refinement/curve_fit.h"
 #include "limn/refinement/gauge.h"
-#include "limn/refinement/graph_edits.h"
 #include "limn/refinement/pose_fit.h"
 #include "limn/refinement/topology_edits.h"
 #include "limn/refinement/variance_factors.h"

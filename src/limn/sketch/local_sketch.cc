@@ -70,6 +70,14 @@ class ViewSketcher {
   std::vector<EdgelFate> fates_;
 };
 
+std::vector<EdgelFate> FatesOfUnsketched(const ImageCurves& curves) {
+  std::vector<EdgelFate> fates(curves.edge_map.edgels.size(), EdgelFate::kNotLinked);
+  for (const CurveFragment& fragment : curves.fragments) {
+    for (const EdgelId id : fragment.edgel_ids) fates[id] = EdgelFate::kNotSketched;
+  }
+  return fates;
+}
+
 StageSummary Summarize(const char* stage, const SketchResult& result,
                        const std::vector<ImageCurves>& curves, const std::vector<ViewId>& ids) {
   std::array<int64_t, kNumEdgelFates> counts{};
@@ -89,6 +97,7 @@ StageSummary Summarize(const char* stage, const SketchResult& result,
   summary.kept = {{"edgels", count(EdgelFate::kSketched)},
                   {"curves", static_cast<int64_t>(result.sketch.curves.size())}};
   summary.dropped = {
+      {"edgels: view only confirms", count(EdgelFate::kNotSketched)},
       {"edgels: fragment too short", count(EdgelFate::kFragmentTooShort)},
       {"edgels: no partner in another view", count(EdgelFate::kNoPartner)},
       {"edgels: too few supporting views", count(EdgelFate::kTooFewViews)},
@@ -152,9 +161,14 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
   options.Check();
   const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
   const std::vector<ViewId> ids = IdsOf(input.only, input.views.size());
-  std::vector<std::optional<ViewSketch>> by_view = LoadSketches(ids, plans, context, store);
-  std::vector<ViewId> missing;
+  std::vector<ViewId> primaries;
   for (const ViewId v : ids) {
+    if (plans[v].is_primary) primaries.push_back(v);
+  }
+  if (store) store->expect(primaries.size());
+  std::vector<std::optional<ViewSketch>> by_view = LoadSketches(primaries, plans, context, store);
+  std::vector<ViewId> missing;
+  for (const ViewId v : primaries) {
     if (!by_view[v]) missing.push_back(v);
   }
   SketchEvidence evidence(input.views.size());
@@ -172,6 +186,9 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
   SketchResult result;
   result.fates.resize(input.views.size());
   for (const ViewId v : ids) {
+    result.fates[v] = FatesOfUnsketched(input.curves[v]);
+  }
+  for (const ViewId v : primaries) {
     std::move(by_view[v]->curves.begin(), by_view[v]->curves.end(),
               std::back_inserter(result.sketch.curves));
     result.fates[v] = std::move(by_view[v]->fates);

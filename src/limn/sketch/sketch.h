@@ -26,8 +26,8 @@ struct SketchInput {
   const SceneHints& hints;
   // Only what lies in this box is reconstructed.
   std::optional<Eigen::AlignedBox3d> box;
-  // Views that are sketched; of the others only the curves of those in their plans matter. The
-  // original sketch is made of all views.
+  // Views that are sketched if they are primary; of the others only the curves of those in their
+  // plans matter. The original sketch is made of all views.
   ViewSubset only = std::nullopt;
 };
 
@@ -43,8 +43,10 @@ enum class SketchMode { kOriginal, kEnhanced, kSweep };
 
 // Where the sketches of views are kept between runs. What a view's sketch depends on is its mode,
 // options and box, its plan, and cameras, poses, regions and image curves of the view and of the
-// views in its plan. Both functions are called from several threads.
+// views in its plan. `load` and `save` are called from several threads.
 struct ViewSketchStore {
+  // So many views are to be sketched.
+  std::function<void(size_t)> expect;
   // Nothing if there is none that was made of the same.
   std::function<std::optional<ViewSketch>(ViewId, const ViewPlan&)> load;
   std::function<void(ViewId, const ViewPlan&, const ViewSketch&)> save;

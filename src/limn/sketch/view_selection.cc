@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "limn/sketch/view_neighbors.h"
 #include "limn/util/errors.h"
@@ -110,7 +111,13 @@ class PlanBuilder {
         finder_(views, std::min(options.min_pair_angle_deg, options.min_confirmation_angle_deg),
                 std::max(options.max_pair_angle_deg, options.max_confirmation_angle_deg)) {}
 
-  ViewPlan Build(ViewId primary, const std::optional<DepthSpan>& point_depths) const {
+  struct Choice {
+    ViewPlan plan;
+    // Of views that see what this one sees, those that suffice to sketch it.
+    double primary_share = 1;
+  };
+
+  Choice Build(ViewId primary, const std::optional<DepthSpan>& point_depths) const {
     const SampledViewField field = Sample(primary, point_depths);
     const std::vector<int> counts = CountViews(field);
     ViewPlan plan;
@@ -128,7 +135,7 @@ class PlanBuilder {
                                    options_.max_second_views);
     plan.confirmation_views = PickSpread(candidates, &CandidateView::confirmation_score,
                                          kConfirmationSpreadDeg, options_.max_confirmation_views);
-    return plan;
+    return {std::move(plan), PrimaryShare(counts, weights)};
   }
 
  private:
@@ -169,6 +176,16 @@ class PlanBuilder {
       }
     }
     return counts;
+  }
+
+  double PrimaryShare(const std::vector<int>& counts, const std::vector<double>& weights) const {
+    double sum = 0;
+    double enough = 0;
+    for (size_t i = 0; i < counts.size(); ++i) {
+      sum += weights[i];
+      enough += weights[i] * std::min(1.0, options_.enough_primary_views / (1.0 + counts[i]));
+    }
+    return sum > 0 ? enough / sum : 1;
   }
 
   static bool Contains(const DepthSpan& span, double depth) {
@@ -225,6 +242,20 @@ class PlanBuilder {
   const NeighborFinder finder_;
 };
 
+// Views are primary as often as their shares say, evenly spread: what a view is more or less than
+// its share goes to the next.
+std::vector<ViewPlan> WithPrimaries(std::vector<PlanBuilder::Choice> choices) {
+  std::vector<ViewPlan> plans;
+  double owed = 0.5;
+  for (PlanBuilder::Choice& choice : choices) {
+    owed += choice.primary_share;
+    choice.plan.is_primary = owed >= 1;
+    owed -= choice.plan.is_primary;
+    plans.push_back(std::move(choice.plan));
+  }
+  return plans;
+}
+
 std::vector<std::vector<double>> PointDepths(const std::vector<View>& views,
                                              const SceneHints& hints) {
   std::vector<std::vector<double>> depths(views.size());
@@ -252,6 +283,7 @@ void ViewSelectionOptions::Check() const {
   LIMN_CHECK_OPTION(max_second_views, >= 1);
   LIMN_CHECK_OPTION(max_confirmation_views, >= 1);
   LIMN_CHECK_OPTION(max_confirmation_views, <= 32);
+  LIMN_CHECK_OPTION(enough_primary_views, >= 1);
   LIMN_CHECK_OPTION(min_pair_angle_deg, > 0);
   LIMN_CHECK_OPTION(max_pair_angle_deg, > min_pair_angle_deg);
   LIMN_CHECK_OPTION(min_confirmation_angle_deg, > 0);
@@ -277,11 +309,11 @@ std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHin
   CheckViews(views);
   const auto point_depths = PointDepths(views, hints);
   const PlanBuilder builder(views, options);
-  std::vector<ViewPlan> plans(views.size());
+  std::vector<PlanBuilder::Choice> choices(views.size());
   ParallelFor(context, "view selection", views.size(), [&](size_t v) {
-    plans[v] = builder.Build(static_cast<ViewId>(v), SpanOfPoints(point_depths[v], options));
+    choices[v] = builder.Build(static_cast<ViewId>(v), SpanOfPoints(point_depths[v], options));
   });
-  return plans;
+  return WithPrimaries(std::move(choices));
 }
 
 std::vector<ViewId> PartnersIn(const ViewPlan& plan) {

@@ -13,6 +13,9 @@ struct ViewSelectionOptions {
   int max_second_views = 10;
   // Views that confirm the hypotheses of a primary view. More raises precision and time.
   int max_confirmation_views = 24;
+  // A place that more views see is sketched from some of them only, about this many; the others
+  // confirm. On 100 views of one scene this raises precision by two points and halves the time.
+  int enough_primary_views = 20;
   // Triangulation angles between primary and second view, degrees: below the smaller one depth is
   // unreliable, above the larger one the views no longer show the same edges.
   double min_pair_angle_deg = 3.0;
@@ -34,6 +37,8 @@ struct ViewPlan {
   // overlaps.
   double min_depth = 1;
   double max_depth = 0;
+  // Whether the view is sketched; else it only confirms what others see.
+  bool is_primary = true;
   std::vector<ViewId> second_views;        // best first
   std::vector<ViewId> confirmation_views;  // most useful and diverse first
 };
@@ -47,7 +52,9 @@ void CheckViews(const std::vector<View>& views);
 // usable angles, score the views by how much of that they see, and pick greedily with spread in
 // angle and in epipolar direction. Depths tried are those at the scale of the view's neighborhood
 // (view_neighbors.h), which a scene of few views is as a whole, and those of the points of the
-// sparse model where there are enough; points widen the depth range, too. At most max_second_views
+// sparse model where there are enough; points widen the depth range, too. Where more than
+// enough_primary_views see the same places, as many of them are primary, evenly spread over the
+// order of the views. At most max_second_views
 // + max_confirmation_views per view, so the stages after it are linear in the number of views. Time
 // per view: some 500 projections for each of at most NeighborFinder::kMaxNeighbors others.
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,

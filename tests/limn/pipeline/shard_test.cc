@@ -24,7 +24,7 @@ TEST(Shard, EveryViewIsInOne) {
     for (int count : {1, 2, 3, 7, 40}) {
       std::vector<ViewId> views;
       for (int index = 1; index <= count; ++index) {
-        const auto part = ViewsOf({index, count}, num_views);
+        const auto part = ItemsOf({index, count}, num_views);
         EXPECT_LE(part.size(), (num_views + count - 1) / count);
         EXPECT_GE(part.size(), num_views / count);
         views.insert(views.end(), part.begin(), part.end());

@@ -1,6 +1,7 @@
 #include "limn/sketch/sketch.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -136,9 +137,11 @@ TEST_P(LocalSketchTest, ViewsInSeveralBlocksMakeWhatTheyMakeInOne) {
       testing::ProjectCurves(views, {testing::Segment({-0.8, -0.3, 0.1}, {0.7, 0.4, -0.2})});
   const SceneHints no_hints;
   SketchInput input{views, curves, no_hints, std::nullopt};
-  const CurveSketch all = BuildSketch(GetParam(), input, SketchOptions(), {}).sketch;
+  SketchOptions options;
+  options.view_selection.enough_primary_views = 70;
+  const CurveSketch all = BuildSketch(GetParam(), input, options, {}).sketch;
   input.only = {62, 63, 64, 65, 66, 67, 68, 69};
-  const CurveSketch last = BuildSketch(GetParam(), input, SketchOptions(), {}).sketch;
+  const CurveSketch last = BuildSketch(GetParam(), input, options, {}).sketch;
   ASSERT_GE(last.curves.size(), input.only->size());
   ASSERT_GE(all.curves.size(), last.curves.size());
   const auto first = all.curves.end() - static_cast<std::ptrdiff_t>(last.curves.size());
@@ -148,6 +151,36 @@ TEST_P(LocalSketchTest, ViewsInSeveralBlocksMakeWhatTheyMakeInOne) {
         return a.anchor.view == b.anchor.view && a.points_in_world == b.points_in_world &&
                a.support.edgels == b.support.edgels;
       }));
+}
+
+TEST_P(LocalSketchTest, SomeOfManyViewsOfOnePlaceAreSketched) {
+  const auto views = testing::DomeViews(60, 5);
+  const auto curves =
+      testing::ProjectCurves(views, {testing::Segment({-0.8, -0.3, 0.1}, {0.7, 0.4, -0.2})});
+  const SceneHints no_hints;
+  SketchOptions options;
+  options.view_selection.enough_primary_views = 10;
+  const SketchResult result =
+      BuildSketch(GetParam(), {views, curves, no_hints, std::nullopt}, options, {});
+  std::set<ViewId> sketched;
+  for (const Curve3D& curve : result.sketch.curves) sketched.insert(curve.anchor.view);
+  EXPECT_GE(sketched.size(), 8u);
+  EXPECT_LE(sketched.size(), 30u);
+  int64_t num_edgels = 0;
+  int64_t num_not_sketched = 0;
+  for (ViewId v = 0; v < 60; ++v) {
+    for (const EdgelFate fate : result.fates[v]) {
+      ++num_edgels;
+      num_not_sketched += fate == EdgelFate::kNotSketched;
+      EXPECT_TRUE(fate != EdgelFate::kNotSketched || !sketched.contains(v));
+    }
+  }
+  EXPECT_GT(num_not_sketched, num_edgels / 2);
+  const StageSummary& summary = result.summary;
+  EXPECT_EQ(summary.in[1].second, num_edgels);
+  int64_t accounted = summary.kept[0].second;
+  for (const auto& [reason, count] : summary.dropped) accounted += count;
+  EXPECT_EQ(accounted, num_edgels);
 }
 
 TEST_P(LocalSketchTest, ThreadsDoNotMatter) {

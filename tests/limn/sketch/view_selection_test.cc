@@ -283,6 +283,37 @@ TEST(ViewSelectionTest, DenseVideoFindsTheFarPartners) {
   }
 }
 
+std::vector<ViewId> Primaries(const std::vector<ViewPlan>& plans) {
+  std::vector<ViewId> primaries;
+  for (size_t v = 0; v < plans.size(); ++v) {
+    if (plans[v].is_primary) primaries.push_back(static_cast<ViewId>(v));
+  }
+  return primaries;
+}
+
+TEST(ViewSelectionTest, FewViewsAreAllPrimary) {
+  EXPECT_EQ(Primaries(SelectViews(Turntable(20), kNoHints, {}, {})).size(), 20u);
+  ViewSelectionOptions options;
+  options.enough_primary_views = 200;
+  EXPECT_EQ(Primaries(SelectViews(Turntable(150), kNoHints, options, {})).size(), 150u);
+}
+
+TEST(ViewSelectionTest, OfManyViewsOfOnePlaceSomeAreSpreadEvenly) {
+  // Some 60 of 150 views see the middle under usable angles, fewer what lies before and behind.
+  const auto primaries = Primaries(SelectViews(Turntable(150), kNoHints, {}, {}));
+  EXPECT_GE(primaries.size(), 40u);
+  EXPECT_LE(primaries.size(), 90u);
+  for (size_t i = 1; i < primaries.size(); ++i) EXPECT_LE(primaries[i] - primaries[i - 1], 4);
+}
+
+TEST(ViewSelectionTest, APlaceOfFewViewsKeepsThemAll) {
+  std::vector<View> views = Turntable(150);
+  for (int i = 0; i < 8; ++i) views.push_back(LookAt({500. + i, -8, 1}, {500. + i, 0, 1}));
+  const auto primaries = Primaries(SelectViews(views, kNoHints, {}, {}));
+  EXPECT_GE(primaries.end() - std::lower_bound(primaries.begin(), primaries.end(), 150), 7);
+  EXPECT_LE(primaries.size(), 98u);
+}
+
 TEST(ViewSelectionTest, BadOptionsThrow) {
   ViewSelectionOptions options;
   options.max_confirmation_views = 33;

@@ -1,4 +1,4 @@
-#include "limn/refinement/graph_edits.h"
+#include "limn/model/graph_edits.h"
 
 #include <algorithm>
 #include <utility>

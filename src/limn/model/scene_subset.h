@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/model/scene_hints.h"
+#include "limn/model/view.h"
+
+namespace limn {
+
+// Some of the views of a scene as a scene of their own.
+struct SceneSubset {
+  std::vector<ViewId> ids;  // per view, in the whole scene
+  std::vector<View> views;
+  SceneHints hints;  // that name these views only, and no others
+};
+
+// `ids` ascend. Linear in the size of the hints.
+SceneSubset SubsetOf(const std::vector<View>& views, const SceneHints& hints,
+                     const std::vector<ViewId>& ids);
+
+}  // namespace limn

@@ -1,0 +1,194 @@
+#include "limn/pipeline/tiled_scene.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "limn/export/drawing_json.h"
+#include "limn/io/drawing_json_reader.h"
+#include "limn/io/stage_file.h"
+#include "limn/pipeline/content_hash.h"
+#include "limn/pipeline/curves_key.h"
+#include "limn/tiles/tile_joining.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+// To be raised whenever the drawing of the same tile changes, so that kept ones are made again.
+constexpr int kTileVersion = 1;
+
+std::string TileName(size_t index) { return "tile-" + std::to_string(index + 1); }
+
+std::string HintsKey(const SceneHints& hints) {
+  ContentHash hash;
+  hash.AddNumber(hints.points.size());
+  for (const ScenePoint& point : hints.points) {
+    for (const double value : point.position_in_world) hash.AddNumber(value);
+    hash.AddNumbers(point.views);
+  }
+  return hash.Hex();
+}
+
+std::string TileKey(const SceneSubset& scene, const std::vector<ImageCurves>& curves,
+                    const Eigen::AlignedBox3d& reach, const PipelineOptions& options,
+                    const RunContext& context) {
+  ContentHash box;
+  for (const double value : reach.min()) box.AddNumber(value);
+  for (const double value : reach.max()) box.AddNumber(value);
+  return "tile, version " + std::to_string(kTileVersion) + "\n" + OptionsAsJson(options) +
+         "\nhints " + HintsKey(scene.hints) + "\nbox " + box.Hex() + "\n" +
+         CurvesKey(scene.views, curves, context);
+}
+
+std::vector<std::string> NamesOf(const std::vector<View>& views) {
+  std::vector<std::string> names;
+  for (const View& view : views) names.push_back(view.name);
+  return names;
+}
+
+class TileDrawer {
+ public:
+  TileDrawer(const TiledInput& input, const PipelineOptions& options, const RunContext& context,
+             const StageObserver& on_stage_end)
+      : input_(input), options_(options), context_(context), on_stage_end_(on_stage_end) {
+    options.Check();
+    CheckTiled(options);
+  }
+
+  // Supporting views are ids in the whole scene.
+  DrawingGraph Draw(size_t index) const {
+    const SceneSubset scene = SubsetOf(input_.views, input_.hints, input_.tiles[index].views);
+    DrawingGraph graph = DrawSubset(index, scene);
+    for (DrawingLink& link : graph.links) {
+      for (ViewId& view : link.supporting_views) view = scene.ids[view];
+    }
+    return graph;
+  }
+
+ private:
+  DrawingGraph DrawSubset(size_t index, const SceneSubset& scene) const {
+    const auto report = [&](StageSummary summary) {
+      summary.stage +=
+          ", tile " + std::to_string(index + 1) + "/" + std::to_string(input_.tiles.size());
+      on_stage_end_(summary);
+    };
+    const CurvesResult image_curves = input_.curves_of(scene);
+    report(image_curves.summary);
+    const Eigen::AlignedBox3d& reach = input_.tiles[index].reach;
+    const std::string key = TileKey(scene, image_curves.curves, reach, options_, context_);
+    if (auto kept = Find(index, scene, key)) return *std::move(kept);
+    const DrawnCurves drawn =
+        DrawCurves({scene.views, scene.hints, image_curves.curves, reach, input_.cache,
+                    TileName(index)},
+                   options_, context_, report);
+    RefinementResult refined =
+        RefineDrawing({scene.views, image_curves.curves, drawn.drawing.graph}, options_.refinement,
+                      context_);
+    report(refined.summary);
+    Keep(index, scene, key, refined.graph);
+    return std::move(refined.graph);
+  }
+
+  std::optional<DrawingGraph> Find(size_t index, const SceneSubset& scene,
+                                   const std::string& key) const {
+    return input_.cache->Find<DrawingGraph>(
+        CachedKind::kDrawing, TileName(index),
+        [&](const std::string& path) -> std::optional<DrawingGraph> {
+          const auto text = ReadStageFile(path, StageKind::kDrawing, key);
+          if (!text) return std::nullopt;
+          DrawingFile file = ParseDrawingJson(path, *text);
+          if (file.metadata.view_names != NamesOf(scene.views)) return std::nullopt;
+          return std::move(file.graph);
+        });
+  }
+
+  void Keep(size_t index, const SceneSubset& scene, const std::string& key,
+            const DrawingGraph& graph) const {
+    input_.cache->Store(CachedKind::kDrawing, TileName(index), [&](const std::string& path) {
+      std::ostringstream text;
+      WriteDrawingJson(graph, {NamesOf(scene.views)}, text);
+      WriteStageFile(path, StageKind::kDrawing, key, text.str());
+    });
+  }
+
+  const TiledInput& input_;
+  const PipelineOptions& options_;
+  const RunContext& context_;
+  const StageObserver& on_stage_end_;
+};
+
+StageSummary Summarize(const TiledInput& input, const JoinedTiles& joined, int64_t links_in) {
+  std::vector<uint8_t> is_used(input.views.size(), 0);
+  for (const Tile& tile : input.tiles) {
+    for (const ViewId view : tile.views) is_used[view] = 1;
+  }
+  const auto num_used = static_cast<int64_t>(std::count(is_used.begin(), is_used.end(), 1));
+  const auto num_links = static_cast<int64_t>(joined.graph.links.size());
+  StageSummary summary;
+  summary.stage = "joining tiles";
+  summary.in = {{"tiles", static_cast<int64_t>(input.tiles.size())},
+                {"views", static_cast<int64_t>(input.views.size())},
+                {"links of the tiles", links_in}};
+  summary.kept = {{"views", num_used},
+                  {"links", num_links},
+                  {"links joined at borders", joined.joined},
+                  {"links left open at borders", joined.left_open}};
+  summary.dropped = {
+      {"views: not needed by any tile", static_cast<int64_t>(input.views.size()) - num_used}};
+  return summary;
+}
+
+}  // namespace
+
+std::function<CurvesResult(const SceneSubset&)> CurvesFromImages(const PipelineInput& input,
+                                                                 const PipelineOptions& options,
+                                                                 const RunContext& context) {
+  return [input, &options, &context](const SceneSubset& scene) {
+    const ImageSource images = {
+        [&](ViewId view) { return input.images.read(scene.ids[view]); },
+        [&](ViewId view) { return input.images.identity(scene.ids[view]); }};
+    return ExtractCurves({scene.views, images, input.cache}, options.edges, options.linking,
+                         context);
+  };
+}
+
+void CheckTiled(const PipelineOptions& options) {
+  if (options.refinement.refine_poses) {
+    throw OptionError(
+        "DrawingRefinement.refine_poses = 1: takes all views together, but a scene of more than "
+        "Tiles.max_views = " +
+        std::to_string(options.tiles.max_views) + " is drawn in tiles");
+  }
+}
+
+DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,
+                       const RunContext& context, const StageObserver& on_stage_end) {
+  const TileDrawer drawer(input, options, context, on_stage_end);
+  input.cache->Expect(CachedKind::kDrawing, input.tiles.size());
+  std::vector<TileDrawing> drawings;
+  int64_t num_links = 0;
+  for (size_t i = 0; i < input.tiles.size(); ++i) {
+    drawings.push_back({input.tiles[i].core, drawer.Draw(i)});
+    num_links += static_cast<int64_t>(drawings.back().graph.links.size());
+  }
+  JoinedTiles joined = JoinTiles(std::move(drawings), input.views);
+  on_stage_end(Summarize(input, joined, num_links));
+  PrimitiveResult primitives =
+      FitPrimitives(joined.graph, input.views, options.primitives, context);
+  on_stage_end(primitives.summary);
+  return std::move(primitives.graph);
+}
+
+void MakeShardTiles(const TiledInput& input, const PipelineOptions& options, const Shard& shard,
+                    const RunContext& context, const StageObserver& on_stage_end) {
+  const TileDrawer drawer(input, options, context, on_stage_end);
+  const std::vector<int> tiles = ItemsOf(shard, input.tiles.size());
+  input.cache->Expect(CachedKind::kDrawing, tiles.size());
+  for (const int tile : tiles) drawer.Draw(tile);
+  CheckKept(*input.cache, CachedKind::kDrawing);
+}
+
+}  // namespace limn

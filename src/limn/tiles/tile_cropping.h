@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// Remove what lies outside of the core of a tile. Links that leave it are cut, and end exactly on
+// its border. Linear in the number of points.
+void CropDrawing(const Eigen::AlignedBox3d& core, DrawingGraph* graph);
+
+// Is this point, as CropDrawing makes them, on the border?
+bool IsOnBorder(const Eigen::AlignedBox3d& core, const Eigen::Vector3d& point);
+
+}  // namespace limn

@@ -1,0 +1,229 @@
+#include "limn/tiles/tile_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "limn/support/edgel_residual.h"
+
+namespace limn {
+namespace {
+
+// A view with a smaller share of its points in a tile is not of the tile.
+constexpr double kMinShare = 0.02;
+// Tiles are cut for so many views, as a share of max_views: views at borders are of two tiles.
+constexpr double kFill = 0.75;
+// Cutting does not help where the views of a tile have less than this share of their points in it.
+constexpr double kMinMeanShare = 0.4;
+constexpr size_t kMinPoints = 50;
+// The plane is sought among these shares of the points to either side of where it should be.
+constexpr double kPlaneSlack = 0.1;
+constexpr int kNumPlanes = 41;
+// A point that so many chosen views see asks for no more.
+constexpr int kEnoughViews = 20;
+
+Eigen::AlignedBox3d AllSpace() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {Eigen::Vector3d::Constant(-infinity), Eigen::Vector3d::Constant(infinity)};
+}
+
+double MedianOf(std::vector<double>* values) {
+  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
+  std::nth_element(values->begin(), middle, values->end());
+  return *middle;
+}
+
+class TilePlanner {
+ public:
+  TilePlanner(const std::vector<View>& views, const SceneHints& hints, const TileOptions& options)
+      : points_(hints.points), options_(options), num_points_(views.size(), 0) {
+    for (const ScenePoint& point : points_) {
+      std::vector<double> footprints;
+      for (const ViewId v : point.views) {
+        ++num_points_[v];
+        if (const auto footprint = Footprint(views[v], point.position_in_world)) {
+          footprints.push_back(*footprint);
+        }
+      }
+      footprints_.push_back(footprints.empty() ? 0 : MedianOf(&footprints));
+    }
+  }
+
+  std::vector<Tile> Plan(const Eigen::AlignedBox3d& space) {
+    std::vector<int> all(points_.size());
+    std::iota(all.begin(), all.end(), 0);
+    Cut(space, space, all);
+    return std::move(tiles_);
+  }
+
+ private:
+  // `near` are points that hold all those in the reach.
+  void Cut(const Eigen::AlignedBox3d& core, const Eigen::AlignedBox3d& widest_reach,
+           const std::vector<int>& near) {
+    const std::vector<int> inside = In(core, near);
+    if (inside.size() < kMinPoints) return AddTile(core, widest_reach, near);
+    const double margin = options_.reach_px * FootprintOf(inside);
+    Eigen::AlignedBox3d reach(core.min().array() - margin, core.max().array() + margin);
+    reach = reach.intersection(widest_reach);
+    const std::vector<int> reached = In(reach, near);
+    const double num_parts = std::ceil(WeightOf(reached) / (kFill * options_.max_views));
+    const int num_views = static_cast<int>(ViewsOf(reached).size());
+    int axis = 0;
+    const double extent = LongestExtent(inside, &axis);
+    const bool is_fine = num_views <= options_.max_views || extent < 4 * margin ||
+                         WeightOf(reached) < kMinMeanShare * options_.max_views;
+    if (is_fine) return AddTile(core, reach, reached);
+    const double share = std::floor(std::max(num_parts, 2.0) / 2) / std::max(num_parts, 2.0);
+    const double plane = PlaneAt(inside, axis, share, margin / 8);
+    Eigen::AlignedBox3d below = core, above = core;
+    below.max()[axis] = above.min()[axis] = plane;
+    Cut(below, reach, reached);
+    Cut(above, reach, reached);
+  }
+
+  std::vector<int> In(const Eigen::AlignedBox3d& box, const std::vector<int>& points) const {
+    std::vector<int> inside;
+    for (const int p : points) {
+      if (box.contains(points_[p].position_in_world)) inside.push_back(p);
+    }
+    return inside;
+  }
+
+  double FootprintOf(const std::vector<int>& points) const {
+    std::vector<double> footprints;
+    for (const int p : points) footprints.push_back(footprints_[p]);
+    return MedianOf(&footprints);
+  }
+
+  std::vector<int> CountByView(const std::vector<int>& points) const {
+    std::vector<int> counts(num_points_.size(), 0);
+    for (const int p : points) {
+      for (const ViewId v : points_[p].views) ++counts[v];
+    }
+    return counts;
+  }
+
+  // Views, each counted by the share of its points that are among these.
+  double WeightOf(const std::vector<int>& points) const {
+    double weight = 0;
+    const std::vector<int> counts = CountByView(points);
+    for (size_t v = 0; v < counts.size(); ++v) {
+      if (counts[v] > 0) weight += static_cast<double>(counts[v]) / num_points_[v];
+    }
+    return weight;
+  }
+
+  std::vector<ViewId> ViewsOf(const std::vector<int>& points) const {
+    std::vector<ViewId> views;
+    const std::vector<int> counts = CountByView(points);
+    for (size_t v = 0; v < counts.size(); ++v) {
+      if (counts[v] > kMinShare * num_points_[v]) views.push_back(static_cast<ViewId>(v));
+    }
+    return views;
+  }
+
+  std::vector<double> Sorted(const std::vector<int>& points, int axis) const {
+    std::vector<double> places;
+    for (const int p : points) places.push_back(points_[p].position_in_world[axis]);
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
+  // Of nearly all points.
+  double LongestExtent(const std::vector<int>& points, int* longest_axis) const {
+    double longest = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::vector<double> places = Sorted(points, axis);
+      const size_t skip = places.size() / 20;
+      const double extent = places[places.size() - 1 - skip] - places[skip];
+      if (extent > longest) {
+        longest = extent;
+        *longest_axis = axis;
+      }
+    }
+    return longest;
+  }
+
+  // Near the place that this share of the points is below, where few points are within `width`.
+  double PlaneAt(const std::vector<int>& points, int axis, double share, double width) const {
+    const std::vector<double> places = Sorted(points, axis);
+    const auto quantile = [&](double q) {
+      return places[static_cast<size_t>(std::clamp(q, 0.0, 1.0) *
+                                        static_cast<double>(places.size() - 1))];
+    };
+    const double low = quantile(share - kPlaneSlack), high = quantile(share + kPlaneSlack);
+    double best = quantile(share);
+    auto fewest = std::numeric_limits<std::ptrdiff_t>::max();
+    for (int i = 0; i < kNumPlanes; ++i) {
+      const double place = low + (high - low) * i / (kNumPlanes - 1);
+      const auto count = std::upper_bound(places.begin(), places.end(), place + width) -
+                         std::lower_bound(places.begin(), places.end(), place - width);
+      if (count < fewest) {
+        fewest = count;
+        best = place;
+      }
+    }
+    return best;
+  }
+
+  // As many as are allowed: always the view that sees most points which still ask for more.
+  std::vector<ViewId> Choose(const std::vector<ViewId>& views,
+                             const std::vector<int>& points) const {
+    std::vector<int> times_seen(points_.size(), 0);
+    std::vector<uint8_t> left(num_points_.size(), 0);
+    for (const ViewId v : views) left[v] = 1;
+    std::vector<ViewId> chosen;
+    while (static_cast<int>(chosen.size()) < options_.max_views) {
+      std::vector<int> gains(num_points_.size(), 0);
+      for (const int p : points) {
+        if (times_seen[p] >= kEnoughViews) continue;
+        for (const ViewId v : points_[p].views) gains[v] += left[v];
+      }
+      const auto best = std::max_element(gains.begin(), gains.end());
+      if (*best == 0) break;
+      chosen.push_back(static_cast<ViewId>(best - gains.begin()));
+      left[chosen.back()] = 0;
+      for (const int p : points) {
+        times_seen[p] += std::binary_search(points_[p].views.begin(), points_[p].views.end(),
+                                            chosen.back());
+      }
+    }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+  }
+
+  void AddTile(const Eigen::AlignedBox3d& core, const Eigen::AlignedBox3d& reach,
+               const std::vector<int>& reached) {
+    Tile tile{core, reach, ViewsOf(reached)};
+    if (static_cast<int>(tile.views.size()) > options_.max_views) {
+      tile.views = Choose(tile.views, reached);
+    }
+    tiles_.push_back(std::move(tile));
+  }
+
+  const std::vector<ScenePoint>& points_;
+  const TileOptions& options_;
+  std::vector<int> num_points_;     // per view
+  std::vector<double> footprints_;  // per point; 0 = not seen
+  std::vector<Tile> tiles_;
+};
+
+}  // namespace
+
+std::vector<Tile> PlanTiles(const std::vector<View>& views, const SceneHints& hints,
+                            const std::optional<Eigen::AlignedBox3d>& box,
+                            const TileOptions& options) {
+  options.Check();
+  const Eigen::AlignedBox3d space = box.value_or(AllSpace());
+  const auto num_views = static_cast<int>(views.size());
+  if (options.max_views == 0 || num_views <= options.max_views ||
+      hints.points.size() < kMinPoints) {
+    std::vector<ViewId> all(views.size());
+    std::iota(all.begin(), all.end(), 0);
+    return {{space, space, std::move(all)}};
+  }
+  return TilePlanner(views, hints, options).Plan(space);
+}
+
+}  // namespace limn

@@ -1,0 +1,130 @@
+#include "limn/tiles/tile_joining.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/synthetic_scene.h"
+#include "limn/tiles/tile_graphs.h"
+
+namespace limn {
+namespace {
+
+using testing::AddLink;
+using testing::LengthOf;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFootprint = 5 / 600.;  // of the views of the origin
+
+Eigen::AlignedBox3d Between(double low_x, double high_x) {
+  return {Eigen::Vector3d(low_x, -kInfinity, -kInfinity),
+          Eigen::Vector3d(high_x, kInfinity, kInfinity)};
+}
+
+class TileJoiningTest : public ::testing::Test {
+ protected:
+  // The same drawing in tiles cut at these planes, each `offset_px` off its neighbours.
+  JoinedTiles Join(const DrawingGraph& graph, const std::vector<double>& planes,
+                   double offset_px) const {
+    std::vector<TileDrawing> tiles;
+    for (size_t i = 0; i + 1 < planes.size(); ++i) {
+      tiles.push_back({Between(planes[i], planes[i + 1]), graph});
+      const double offset = (i % 2 ? offset_px : 0) * kFootprint;
+      for (DrawingLink& link : tiles.back().graph.links) {
+        for (Eigen::Vector3d& point : link.points_in_world) point.y() += offset;
+      }
+      for (DrawingNode& node : tiles.back().graph.nodes) node.position_in_world.y() += offset;
+    }
+    JoinedTiles joined = JoinTiles(std::move(tiles), views_);
+    EXPECT_THAT(Validate(joined.graph), IsEmpty());
+    return joined;
+  }
+
+  std::vector<View> views_ = testing::DomeViews(6, 5);
+};
+
+TEST_F(TileJoiningTest, ALineThroughManyTilesIsOneLink) {
+  DrawingGraph graph;
+  AddLink(testing::Segment({-1, 0, 0}, {1, 0.2, 0}).points, false, &graph);
+  for (const double offset_px : {0.0, 0.4, 1.5}) {
+    SCOPED_TRACE(offset_px);
+    const JoinedTiles joined = Join(graph, {-kInfinity, -0.6, -0.1, 0.3, kInfinity}, offset_px);
+    EXPECT_EQ(joined.joined, 3);
+    EXPECT_EQ(joined.left_open, 0);
+    ASSERT_THAT(joined.graph.links, SizeIs(1));
+    EXPECT_THAT(joined.graph.nodes, SizeIs(2));
+    EXPECT_NEAR(LengthOf(joined.graph), LengthOf(graph), 0.002);
+    const auto& points = joined.graph.links[0].points_in_world;
+    for (size_t k = 1; k < points.size(); ++k) {
+      const Eigen::Vector3d step = points[k] - points[k - 1];
+      EXPECT_GT(step.norm(), 0);
+      EXPECT_LT(std::abs(std::atan2(step.y(), step.x()) - std::atan2(0.2, 2)), 0.12);
+    }
+  }
+}
+
+TEST_F(TileJoiningTest, ACircleIsClosedAgain) {
+  DrawingGraph graph;
+  AddLink(testing::Circle({0, 0, 0}, 0.8).points, true, &graph);
+  const JoinedTiles joined = Join(graph, {-kInfinity, -0.5, 0.1, kInfinity}, 0.5);
+  EXPECT_EQ(joined.joined, 4);
+  ASSERT_THAT(joined.graph.links, SizeIs(1));
+  EXPECT_TRUE(joined.graph.links[0].closed);
+  EXPECT_NEAR(LengthOf(joined.graph), 1.6 * M_PI, 0.01);
+}
+
+TEST_F(TileJoiningTest, WhatTheOtherTileDoesNotHaveEndsAtTheBorder) {
+  DrawingGraph with, without;
+  AddLink(testing::Segment({-1, 0, 0}, {1, 0, 0}).points, false, &with);
+  AddLink(testing::Segment({-1, 0.5, 0}, {1, 0.5, 0}).points, false, &without);
+  AddLink(testing::Segment({-0.05, 0.7, 0}, {1, 0.7, 0}).points, false, &with);
+  const JoinedTiles joined = JoinTiles(
+      {{Between(-kInfinity, 0), with}, {Between(0, kInfinity), without}}, views_);
+  EXPECT_THAT(Validate(joined.graph), IsEmpty());
+  EXPECT_EQ(joined.joined, 0);
+  EXPECT_EQ(joined.left_open, 3);
+  EXPECT_EQ(joined.stubs, 1);
+  EXPECT_THAT(joined.graph.links, SizeIs(2));
+}
+
+TEST_F(TileJoiningTest, LinesSideBySideKeepApart) {
+  DrawingGraph graph;
+  for (const double px : {0.0, 4.0, 8.0}) {
+    AddLink(testing::Segment({-1, px * kFootprint, 0}, {1, px * kFootprint, 0}).points, false,
+            &graph);
+  }
+  const JoinedTiles joined = Join(graph, {-kInfinity, 0, kInfinity}, 0.5);
+  ASSERT_THAT(joined.graph.links, SizeIs(3));
+  for (const DrawingLink& link : joined.graph.links) {
+    const double across = link.points_in_world.front().y() - link.points_in_world.back().y();
+    EXPECT_LT(std::abs(across), kFootprint);
+  }
+}
+
+TEST_F(TileJoiningTest, ACrossingIsJoinedAlongBothLines) {
+  DrawingGraph graph;
+  AddLink(testing::Segment({-1, -0.5, 0}, {1, 0.5, 0}).points, false, &graph);
+  AddLink(testing::Segment({-1, 0.5, 0}, {1, -0.5, 0}).points, false, &graph);
+  const JoinedTiles joined = Join(graph, {-kInfinity, 0, kInfinity}, 0);
+  ASSERT_THAT(joined.graph.links, SizeIs(2));
+  for (const DrawingLink& link : joined.graph.links) {
+    EXPECT_NEAR(
+        (link.points_in_world.front() - link.points_in_world.back()).norm(), std::hypot(2, 1),
+        1e-9);
+  }
+}
+
+TEST_F(TileJoiningTest, OneTileIsItself) {
+  DrawingGraph graph;
+  AddLink(testing::Circle({0, 0, 0}, 0.8).points, true, &graph);
+  const JoinedTiles joined = Join(graph, {-kInfinity, kInfinity}, 0);
+  ASSERT_THAT(joined.graph.links, SizeIs(1));
+  EXPECT_EQ(joined.graph.links[0].points_in_world, graph.links[0].points_in_world);
+}
+
+}  // namespace
+}  // namespace limn
