@@ -29,7 +29,7 @@ std::optional<PipelineResult> Draw(const PipelineInput& input, const std::vector
     if (leads) AsRankZero(true);
     FillCacheByRanks(input, tiles, options, console);
   }
-  if (tiles.size() > 1) {
+  if (IsInTiles(tiles, input.views)) {
     if (!leads) return std::nullopt;
     PipelineResult result;
     result.graph = DrawProjectTiles(input, tiles, options, console);
@@ -104,7 +104,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
                             ProjectBox(project, options), project.cache()};
   const std::vector<Tile> tiles =
       PlanTiles(input.views, input.hints, input.box, options.pipeline.tiles);
-  const bool in_tiles = tiles.size() > 1;
+  const bool in_tiles = IsInTiles(tiles, input.views);
   if (in_tiles) PrepareTiles(tiles.size(), options.pipeline, account, &console);
   if (!options.shard.empty()) {
     DoShard(input, tiles, options, &console);

@@ -107,7 +107,7 @@ Console::~Console() { ClearProgressLine(); }
 void Console::SetCache(std::shared_ptr<const ResultCache> cache) {
   const std::lock_guard lock(cache_mutex_);
   cache_ = std::move(cache);
-  reported_kinds_.clear();
+  reported_rounds_.clear();
 }
 
 std::string Console::WhatIsKept() const {
@@ -186,7 +186,8 @@ void Console::ReportCache() {
   for (int k = 0; cache_ && k < kNumCachedKinds; ++k) {
     const CacheUse use = cache_->Use(static_cast<CachedKind>(k));
     if (use.reused + use.outdated + use.damaged + use.not_stored == 0) continue;
-    if (!reported_kinds_.insert(static_cast<CachedKind>(k)).second) continue;
+    if (!use.IsComplete()) continue;
+    if (!reported_rounds_.insert({static_cast<CachedKind>(k), use.round}).second) continue;
     const std::string of = std::string(use.what) + " of ";
     if (use.reused > 0) {
       Say(of + WithCommas(use.reused) + " " + use.items + " were taken from the cache");

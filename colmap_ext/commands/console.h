@@ -6,6 +6,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "colmap_ext/commands/interrupt.h"
@@ -66,7 +67,7 @@ class Console {
   RunLog log_;
   mutable std::mutex cache_mutex_;
   std::shared_ptr<const ResultCache> cache_;
-  std::set<CachedKind> reported_kinds_;
+  std::set<std::pair<CachedKind, int>> reported_rounds_;
   bool is_terminal_ = false;
   bool has_progress_line_ = false;
   std::string progress_stage_;

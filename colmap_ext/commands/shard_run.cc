@@ -14,8 +14,8 @@ StageObserver ReportTo(Console* console) {
 
 TiledInput TiledProject(const PipelineInput& input, const std::vector<Tile>& tiles,
                         const PipelineOptions& options, const Console& console) {
-  return {input.views, input.hints, input.box,
-          input.cache, tiles,       CurvesFromImages(input, options, console.context())};
+  return {input.views, input.hints, input.cache, tiles,
+          CurvesFromImages(input, options, console.context())};
 }
 
 void MakeTiles(const PipelineInput& input, const std::vector<Tile>& tiles,
@@ -30,7 +30,7 @@ void DoShard(const PipelineInput& input, const std::vector<Tile>& tiles, const R
              Console* console) {
   const Shard shard = ParseShard(options.shard);
   const bool curves_only = options.shard_stage == ShardStage::kCurves;
-  const bool in_tiles = !curves_only && tiles.size() > 1;
+  const bool in_tiles = !curves_only && IsInTiles(tiles, input.views);
   if (in_tiles) {
     MakeTiles(input, tiles, options.pipeline, shard, console);
   } else {
@@ -49,7 +49,7 @@ void FillCacheByRanks(const PipelineInput& input, const std::vector<Tile>& tiles
   const Shard shard{Rank() + 1, NumRanks()};
   console->Report(MakeShardCurves(input, options, shard, console->context()));
   WaitForAllRanks();
-  if (tiles.size() > 1) {
+  if (IsInTiles(tiles, input.views)) {
     MakeTiles(input, tiles, options, shard, console);
     WaitForAllRanks();
     return;

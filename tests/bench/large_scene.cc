@@ -78,14 +78,13 @@ void RunTiles(const Street& street, int tile_views, const RunContext& context,
     return CurvesResult{CurvesOf(street, part.ids, context), {}};
   };
   const StageMeter meter;
-  const DrawingGraph graph =
-      DrawTiles({scene.views, scene.hints, std::nullopt, &none, tiles, curves_of}, options, context,
-                [&](const StageSummary& summary) {
-                  std::cout << summary.stage << ':';
-                  for (const auto& [what, count] : summary.kept)
-                    std::cout << ' ' << count << ' ' << what;
-                  std::cout << std::endl;
-                });
+  const DrawingGraph graph = DrawTiles({scene.views, scene.hints, &none, tiles, curves_of}, options,
+                                       context, [&](const StageSummary& summary) {
+                                         std::cout << summary.stage << ':';
+                                         for (const auto& [what, count] : summary.kept)
+                                           std::cout << ' ' << count << ' ' << what;
+                                         std::cout << std::endl;
+                                       });
   on_stage_end(meter.Finish("tiles"), ToCurveSet(graph));
 }
 

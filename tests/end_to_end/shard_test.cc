@@ -159,11 +159,11 @@ TEST(Tiles, ThatAreKeptAreNotDrawnAgain) {
   EXPECT_THAT(again.out, Not(HasSubstr("drawing, tile 1/")));
   EXPECT_TRUE(ResultsOfRun(scene.output()) == first);
   // Damaged, one is drawn again.
-  const fs::path kept = scene / "curves/cache/drawing/tile-1.bin";
+  const fs::path kept = scene / "curves/cache/drawing/tile-2.bin";
   fs::resize_file(kept, fs::file_size(kept) / 2);
   const LimnRun mended = RunLimn(scene.Arguments(kTiles));
   EXPECT_THAT(mended.out, AllOf(HasSubstr("tiles in the cache could not be used"),
-                                HasSubstr("drawing, tile 1/"), Not(HasSubstr("drawing, tile 2/"))));
+                                HasSubstr("drawing, tile 2/"), Not(HasSubstr("drawing, tile 1/"))));
   EXPECT_TRUE(ResultsOfRun(scene.output()) == first);
 }
 

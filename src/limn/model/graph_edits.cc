@@ -11,12 +11,11 @@ namespace {
 constexpr double kTipSkipPx = 2;
 constexpr double kTipLengthPx = 10;
 
-void ForEachContinuation(DrawingGraph* graph, const auto& visit) {
-  for (DrawingNode& node : graph->nodes) {
-    for (auto& [first, second] : node.continuations) {
-      visit(&first);
-      visit(&second);
-    }
+// In the continuations of a node.
+void RenameEnd(const LinkEnd& from, const LinkEnd& to, DrawingNode* node) {
+  for (auto& [first, second] : node->continuations) {
+    if (first == from) first = to;
+    if (second == from) second = to;
   }
 }
 
@@ -91,15 +90,13 @@ NodeId SplitLink(LinkId id, int index, DrawingGraph* graph) {
   DrawingLink& first = graph->links[id];
   first.points_in_world.resize(index + 1);
   first.sigma.resize(index + 1);
+  RenameEnd({id, 1}, {second_id, 1}, &graph->nodes[first.node1]);
   first.node1 = node;
   second.points_in_world.erase(second.points_in_world.begin(),
                                second.points_in_world.begin() + index);
   second.sigma.erase(second.sigma.begin(), second.sigma.begin() + index);
   second.node0 = node;
   graph->links.push_back(std::move(second));
-  ForEachContinuation(graph, [&](LinkEnd* end) {
-    if (*end == LinkEnd{id, 1}) end->link = second_id;
-  });
   return node;
 }
 
@@ -144,9 +141,14 @@ void JoinEnds(const LinkEnd& a, const LinkEnd& b, DrawingGraph* graph) {
   first.residual_px = std::max(first.residual_px, second.residual_px);
   first.node1 = far;
   if (a.end == 0) Reverse(&first);
-  ForEachContinuation(graph, [&](LinkEnd* end) {
-    if (*end == LinkEnd{b.link, 1 - b.end}) *end = a;
-  });
+  RenameEnd({b.link, 1 - b.end}, a, &graph->nodes[far]);
 }
+
+LinkEnd EndMoves::Now(LinkEnd end) const {
+  for (auto it = moved_.find(end); it != moved_.end(); it = moved_.find(end)) end = it->second;
+  return end;
+}
+
+void EndMoves::Joined(const LinkEnd& a, const LinkEnd& b) { moved_[{b.link, 1 - b.end}] = a; }
 
 }  // namespace limn

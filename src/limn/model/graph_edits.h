@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+
 #include <Eigen/Core>
 
 #include "limn/model/drawing_graph.h"
@@ -29,5 +31,16 @@ void EndLinkAt(const LinkEnd& end, NodeId node, DrawingGraph* graph);
 // Two free ends become one: the link of `b` is appended to that of `a` and keeps nothing; it must
 // be removed. If both are of one link it is closed then.
 void JoinEnds(const LinkEnd& a, const LinkEnd& b, DrawingGraph* graph);
+
+// Where ends are after links were appended to others.
+class EndMoves {
+ public:
+  LinkEnd Now(LinkEnd end) const;
+  // After JoinEnds of two links.
+  void Joined(const LinkEnd& a, const LinkEnd& b);
+
+ private:
+  std::map<LinkEnd, LinkEnd> moved_;
+};
 
 }  // namespace limn

@@ -43,7 +43,9 @@ bool ResultCache::Exists(const std::string& path) const {
 
 void ResultCache::Expect(CachedKind kind, size_t total) {
   const std::lock_guard lock(mutex_);
+  const int round = UseOf(kind).round + 1;
   UseOf(kind) = NothingYet(kind);
+  UseOf(kind).round = round;
   UseOf(kind).total = static_cast<int64_t>(total);
 }
 

@@ -19,6 +19,7 @@ constexpr int kNumCachedKinds = static_cast<int>(CachedKind::kDrawing) + 1;
 struct CacheUse {
   const char* what = "";   // in words: "image curves"
   const char* items = "";  // what there is one of them for: "images"
+  int round = 0;           // how many stages have needed some
   int64_t total = 0;       // how many the stage needs
   int64_t reused = 0;
   int64_t outdated = 0;  // made of something else, or by another version: made again
@@ -28,6 +29,7 @@ struct CacheUse {
   std::string damage;       // file and reason of the first that was damaged, by path
   std::string write_error;  // the same of the first that could not be written
 
+  bool IsComplete() const { return NumKept() + not_stored >= total; }
   int64_t NumKept() const { return reused + stored; }
 };
 

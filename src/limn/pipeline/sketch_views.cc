@@ -11,9 +11,6 @@
 namespace limn {
 namespace {
 
-// To be raised whenever the sketch of the same input changes, so that kept ones are made again.
-constexpr int kSketchVersion = 3;
-
 std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box) {
   ContentHash hash;
   if (box) {

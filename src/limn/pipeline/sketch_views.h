@@ -7,6 +7,9 @@
 
 namespace limn {
 
+// To be raised whenever the sketch of the same input changes, so that kept ones are made again.
+constexpr int kSketchVersion = 3;
+
 // BuildSketch by way of the cache (never null), which keeps the sketch of every view: a run that
 // was stopped goes on where it was, and after a change of images or cameras only the views that it
 // touches are sketched again. Results are the same bytes as without. The original sketch is not

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "limn/io/stage_file.h"
 #include "limn/pipeline/content_hash.h"
 #include "limn/pipeline/curves_key.h"
+#include "limn/pipeline/sketch_views.h"
 #include "limn/tiles/tile_joining.h"
 #include "limn/util/errors.h"
 
@@ -33,14 +35,17 @@ std::string HintsKey(const SceneHints& hints) {
 }
 
 std::string TileKey(const SceneSubset& scene, const std::vector<ImageCurves>& curves,
-                    const Eigen::AlignedBox3d& reach, const PipelineOptions& options,
+                    const Eigen::AlignedBox3d& reach, PipelineOptions options,
                     const RunContext& context) {
+  // What comes after the tiles, and what views and reach tell already.
+  options.primitives = {};
+  options.tiles = {};
   ContentHash box;
   for (const double value : reach.min()) box.AddNumber(value);
   for (const double value : reach.max()) box.AddNumber(value);
-  return "tile, version " + std::to_string(kTileVersion) + "\n" + OptionsAsJson(options) +
-         "\nhints " + HintsKey(scene.hints) + "\nbox " + box.Hex() + "\n" +
-         CurvesKey(scene.views, curves, context);
+  return "tile, version " + std::to_string(kTileVersion) + "." + std::to_string(kSketchVersion) +
+         "\n" + OptionsAsJson(options) + "\nhints " + HintsKey(scene.hints) + "\nbox " + box.Hex() +
+         "\n" + CurvesKey(scene.views, curves, context);
 }
 
 std::vector<std::string> NamesOf(const std::vector<View>& views) {
@@ -75,18 +80,17 @@ class TileDrawer {
           ", tile " + std::to_string(index + 1) + "/" + std::to_string(input_.tiles.size());
       on_stage_end_(summary);
     };
+    if (!WhyNothingIsTriangulated(scene.views).empty()) return {};
     const CurvesResult image_curves = input_.curves_of(scene);
     report(image_curves.summary);
     const Eigen::AlignedBox3d& reach = input_.tiles[index].reach;
     const std::string key = TileKey(scene, image_curves.curves, reach, options_, context_);
     if (auto kept = Find(index, scene, key)) return *std::move(kept);
-    const DrawnCurves drawn =
-        DrawCurves({scene.views, scene.hints, image_curves.curves, reach, input_.cache,
-                    TileName(index)},
-                   options_, context_, report);
-    RefinementResult refined =
-        RefineDrawing({scene.views, image_curves.curves, drawn.drawing.graph}, options_.refinement,
-                      context_);
+    const DrawnCurves drawn = DrawCurves(
+        {scene.views, scene.hints, image_curves.curves, reach, input_.cache, TileName(index)},
+        options_, context_, report);
+    RefinementResult refined = RefineDrawing(
+        {scene.views, image_curves.curves, drawn.drawing.graph}, options_.refinement, context_);
     report(refined.summary);
     Keep(index, scene, key, refined.graph);
     return std::move(refined.graph);
@@ -135,9 +139,10 @@ StageSummary Summarize(const TiledInput& input, const JoinedTiles& joined, int64
   summary.kept = {{"views", num_used},
                   {"links", num_links},
                   {"links joined at borders", joined.joined},
-                  {"links left open at borders", joined.left_open}};
+                  {"ends left open at borders", joined.open_ends}};
   summary.dropped = {
-      {"views: not needed by any tile", static_cast<int64_t>(input.views.size()) - num_used}};
+      {"views: not needed by any tile", static_cast<int64_t>(input.views.size()) - num_used},
+      {"links: short, and open at a border", joined.stubs}};
   return summary;
 }
 

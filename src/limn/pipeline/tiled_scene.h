@@ -1,10 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 #include "limn/model/scene_subset.h"
 #include "limn/pipeline/pipeline.h"
@@ -17,10 +14,9 @@ namespace limn {
 struct TiledInput {
   const std::vector<View>& views;
   const SceneHints& hints;
-  std::optional<Eigen::AlignedBox3d> box;
   // Sketches and drawings of tiles of earlier runs; what is made is kept there. Never null.
   ResultCache* cache;
-  const std::vector<Tile>& tiles;  // PlanTiles of all this
+  const std::vector<Tile>& tiles;  // of PlanTiles
   // Makes the image curves of some views, or gets them from where they are kept.
   std::function<CurvesResult(const SceneSubset&)> curves_of;
 };
@@ -30,8 +26,8 @@ std::function<CurvesResult(const SceneSubset&)> CurvesFromImages(const PipelineI
                                                                  const PipelineOptions& options,
                                                                  const RunContext& context);
 
-// Throws OptionError for options that ask for what tiles cannot do: poses are refined with all views
-// together.
+// Throws OptionError for options that ask for what tiles cannot do: poses are refined with all
+// views together.
 void CheckTiled(const PipelineOptions& options);
 
 // Like DrawScene, but every tile is drawn for itself, up to the refinement, and then the tiles are

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 
 #include "limn/geometry/spatial_index.h"
@@ -67,19 +66,13 @@ class EndJoining {
   }
 
   void Join(int i, int j) {
-    const LinkEnd a = Now(ends_[i]);
-    const LinkEnd b = Now(ends_[j]);
+    const LinkEnd a = moves_.Now(ends_[i]);
+    const LinkEnd b = moves_.Now(ends_[j]);
     DropOvershoot(a, points_[j]);
     JoinEnds(a, b, &editor_->graph());
     if (a.link == b.link) return;
     keep_[b.link] = 0;
-    moved_[{b.link, 1 - b.end}] = a;
-  }
-
-  // Where an end is, now that links were appended to others.
-  LinkEnd Now(LinkEnd end) const {
-    for (auto it = moved_.find(end); it != moved_.end(); it = moved_.find(end)) end = it->second;
-    return end;
+    moves_.Joined(a, b);
   }
 
   // Points of an end beyond the place, seen along the end.
@@ -101,7 +94,7 @@ class EndJoining {
   std::vector<LinkEnd> ends_;
   std::vector<LinkTip> tips_;
   std::vector<Eigen::Vector3d> points_;
-  std::map<LinkEnd, LinkEnd> moved_;
+  EndMoves moves_;
   std::vector<uint8_t> keep_;
 };
 

@@ -48,6 +48,7 @@ double Trapezoid(double value, double low, double plateau_begin, double plateau_
 
 struct CandidateView {
   ViewId view = -1;
+  double common_share = 0;  // of the primary view's places, those that it sees
   double second_score = 0;
   double confirmation_score = 0;
   // Mean parallax of the common samples: angle (degrees) times epipolar direction in the primary
@@ -115,6 +116,8 @@ class PlanBuilder {
     ViewPlan plan;
     // Of views that see what this one sees, those that suffice to sketch it.
     double primary_share = 1;
+    // The next view in the list that sees much of the same; -1 if none does.
+    ViewId next = -1;
   };
 
   Choice Build(ViewId primary, const std::optional<DepthSpan>& point_depths) const {
@@ -135,7 +138,7 @@ class PlanBuilder {
                                    options_.max_second_views);
     plan.confirmation_views = PickSpread(candidates, &CandidateView::confirmation_score,
                                          kConfirmationSpreadDeg, options_.max_confirmation_views);
-    return {std::move(plan), PrimaryShare(counts, weights)};
+    return {std::move(plan), PrimaryShare(counts, weights), NextAlike(primary, candidates)};
   }
 
  private:
@@ -176,6 +179,13 @@ class PlanBuilder {
       }
     }
     return counts;
+  }
+
+  static ViewId NextAlike(ViewId primary, const std::vector<CandidateView>& candidates) {
+    for (const CandidateView& candidate : candidates) {  // ascending
+      if (candidate.view > primary && candidate.common_share >= 0.5) return candidate.view;
+    }
+    return -1;
   }
 
   double PrimaryShare(const std::vector<int>& counts, const std::vector<double>& weights) const {
@@ -231,6 +241,7 @@ class PlanBuilder {
         common_weight += w;
       }
       if (common_weight > 0) candidate.parallax_deg /= common_weight;
+      candidate.common_share = common_weight;
       candidates.push_back(candidate);
     }
     return candidates;
@@ -243,14 +254,14 @@ class PlanBuilder {
 };
 
 // Views are primary as often as their shares say, evenly spread: what a view is more or less than
-// its share goes to the next.
+// its share goes to the next that sees the same.
 std::vector<ViewPlan> WithPrimaries(std::vector<PlanBuilder::Choice> choices) {
   std::vector<ViewPlan> plans;
-  double owed = 0.5;
+  std::vector<double> owed(choices.size(), 0);
   for (PlanBuilder::Choice& choice : choices) {
-    owed += choice.primary_share;
-    choice.plan.is_primary = owed >= 1;
-    owed -= choice.plan.is_primary;
+    const double share = owed[plans.size()] + choice.primary_share;
+    choice.plan.is_primary = share >= 0.5;
+    if (choice.next >= 0) owed[choice.next] += share - choice.plan.is_primary;
     plans.push_back(std::move(choice.plan));
   }
   return plans;
@@ -292,15 +303,20 @@ void ViewSelectionOptions::Check() const {
   LIMN_CHECK_OPTION(points_depth_widening, >= 1);
 }
 
-void CheckViews(const std::vector<View>& views) {
+std::string WhyNothingIsTriangulated(const std::vector<View>& views) {
   if (views.size() < 3) {
-    throw InputError("at least 3 registered images are needed, got " +
-                     std::to_string(views.size()));
+    return "at least 3 registered images are needed, got " + std::to_string(views.size());
   }
   const std::vector<Eigen::Vector3d> centres = Centres(views);
   if (!IsExtended(Extent(centres), centres)) {
-    throw InputError("the cameras are all at one centre: nothing can be triangulated");
+    return "the cameras are all at one centre: nothing can be triangulated";
   }
+  return "";
+}
+
+void CheckViews(const std::vector<View>& views) {
+  const std::string reason = WhyNothingIsTriangulated(views);
+  if (!reason.empty()) throw InputError(reason);
 }
 
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
@@ -326,6 +342,7 @@ std::vector<ViewId> WithPartners(const std::vector<ViewId>& views,
                                  const std::vector<ViewPlan>& plans) {
   std::set<ViewId> all(views.begin(), views.end());
   for (const ViewId v : views) {
+    if (!plans[v].is_primary) continue;
     const std::vector<ViewId> partners = PartnersIn(plans[v]);
     all.insert(partners.begin(), partners.end());
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "limn/model/scene_hints.h"
@@ -43,8 +44,11 @@ struct ViewPlan {
   std::vector<ViewId> confirmation_views;  // most useful and diverse first
 };
 
-// Throws InputError if nothing can be triangulated: fewer than 3 views, or all cameras at one
-// centre. SelectViews does it too; to be called before edges are looked for.
+// Fewer than 3 views, or all cameras at one centre, in words; empty if there is nothing to say.
+std::string WhyNothingIsTriangulated(const std::vector<View>& views);
+
+// Throws InputError if nothing can be triangulated. SelectViews does it too; to be called before
+// edges are looked for.
 void CheckViews(const std::vector<View>& views);
 
 // Choose for every view its depth range, second views and confirmation views from the frusta:
@@ -53,8 +57,9 @@ void CheckViews(const std::vector<View>& views);
 // angle and in epipolar direction. Depths tried are those at the scale of the view's neighborhood
 // (view_neighbors.h), which a scene of few views is as a whole, and those of the points of the
 // sparse model where there are enough; points widen the depth range, too. Where more than
-// enough_primary_views see the same places, as many of them are primary, evenly spread over the
-// order of the views. At most max_second_views
+// enough_primary_views see the same places, about as many of them are primary, evenly spread over
+// the order of the views (but one view in eight, as neighbors are thinned). At most
+// max_second_views
 // + max_confirmation_views per view, so the stages after it are linear in the number of views. Time
 // per view: some 500 projections for each of at most NeighborFinder::kMaxNeighbors others.
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
@@ -63,7 +68,7 @@ std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHin
 // The views of a plan, ascending.
 std::vector<ViewId> PartnersIn(const ViewPlan& plan);
 
-// These views and those in their plans, ascending.
+// These views and those in the plans of the primary ones among them, ascending.
 std::vector<ViewId> WithPartners(const std::vector<ViewId>& views,
                                  const std::vector<ViewPlan>& plans);
 

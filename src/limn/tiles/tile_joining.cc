@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 #include <utility>
 
@@ -22,6 +21,8 @@ constexpr double kMinCosine = 0.94;  // 20 degrees
 constexpr double kBlendPx = 15;
 // A link that another tile does not go on with is kept from this length on, px.
 constexpr double kMinOpenPx = 15;
+// And one that closes itself from this length on, px.
+constexpr double kMinLoopPx = 12;
 
 // An end on the border of its tile.
 struct CutEnd {
@@ -66,23 +67,23 @@ class TileJoiner {
   }
 
   JoinedTiles Run() {
-    RebuildIncidence(&graph_);
     keep_.assign(graph_.links.size(), 1);
     std::vector<uint8_t> used(cuts_.size(), 0);
     JoinedTiles result;
     for (const auto& [px, i, j] : FindPairs()) {
-      if (used[i] || used[j]) continue;
+      if (used[i] || used[j] || !Join(cuts_[i], cuts_[j])) continue;
       used[i] = used[j] = 1;
-      Join(cuts_[i], cuts_[j]);
       ++result.joined;
     }
     for (size_t i = 0; i < cuts_.size(); ++i) {
       if (used[i]) continue;
-      ++result.left_open;
-      const LinkId link = Now(cuts_[i].end).link;
-      if (!keep_[link] || LengthPx(link, cuts_[i].footprint) >= kMinOpenPx) continue;
-      keep_[link] = 0;
-      ++result.stubs;
+      const LinkId link = moves_.Now(cuts_[i].end).link;
+      if (LengthPx(link, cuts_[i].footprint) >= kMinOpenPx) {
+        ++result.open_ends;
+      } else {
+        result.stubs += keep_[link];
+        keep_[link] = 0;
+      }
     }
     RemoveLinks(keep_, &graph_);
     result.graph = std::move(graph_);
@@ -129,14 +130,10 @@ class TileJoiner {
     return Length(graph_.links[link].points_in_world) / footprint;
   }
 
-  // Where an end is, now that links were appended to others.
-  LinkEnd Now(LinkEnd end) const {
-    for (auto it = moved_.find(end); it != moved_.end(); it = moved_.find(end)) end = it->second;
-    return end;
-  }
-
-  void Join(const CutEnd& cut_a, const CutEnd& cut_b) {
-    const LinkEnd a = Now(cut_a.end), b = Now(cut_b.end);
+  // False if the two are the ends of what is shorter than a loop.
+  bool Join(const CutEnd& cut_a, const CutEnd& cut_b) {
+    const LinkEnd a = moves_.Now(cut_a.end), b = moves_.Now(cut_b.end);
+    if (a.link == b.link && LengthPx(a.link, cut_a.footprint) < kMinLoopPx) return false;
     const Eigen::Vector3d middle = (cut_a.position + cut_b.position) / 2;
     Bend(a, middle - cut_a.position, kBlendPx * cut_a.footprint);
     Bend(b, middle - cut_b.position, kBlendPx * cut_b.footprint);
@@ -145,10 +142,11 @@ class TileJoiner {
     if (a.link == b.link) {
       const DrawingLink& loop = graph_.links[a.link];
       graph_.nodes[loop.node0].position_in_world = loop.points_in_world.front();
-      return;
+      return true;
     }
     keep_[b.link] = 0;
-    moved_[{b.link, 1 - b.end}] = a;
+    moves_.Joined(a, b);
+    return true;
   }
 
   // Move an end, and less and less what is up to `reach` away along the link, but not its other
@@ -184,7 +182,7 @@ class TileJoiner {
   std::vector<CutEnd> cuts_;
   int num_tiles_ = 0;
   std::vector<uint8_t> keep_;
-  std::map<LinkEnd, LinkEnd> moved_;
+  EndMoves moves_;
 };
 
 }  // namespace

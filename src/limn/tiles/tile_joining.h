@@ -19,9 +19,9 @@ struct TileDrawing {
 
 struct JoinedTiles {
   DrawingGraph graph;
-  int64_t joined = 0;      // links of two tiles that became one
-  int64_t left_open = 0;   // links that end at a border because the other tile does not have them
-  int64_t stubs = 0;       // of these, too short to be kept
+  int64_t joined = 0;     // pairs of ends of two tiles that became one
+  int64_t open_ends = 0;  // ends at a border, because the other tile does not have the curve
+  int64_t stubs = 0;      // links removed because they have such an end and are short
 };
 
 // One drawing of all tiles, whose cores do not overlap. Each is cut at its border, and where a link

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "limn/support/edgel_residual.h"
 
@@ -48,12 +49,19 @@ class TilePlanner {
       }
       footprints_.push_back(footprints.empty() ? 0 : MedianOf(&footprints));
     }
+    for (const ScenePoint& point : points_) {
+      double weight = 0;
+      for (const ViewId v : point.views) weight += 1.0 / num_points_[v];
+      weights_.push_back(weight);
+    }
   }
 
-  std::vector<Tile> Plan(const Eigen::AlignedBox3d& space) {
+  // Empty if there are hardly any points to cut by.
+  std::vector<Tile> Plan(const Eigen::AlignedBox3d& box) {
     std::vector<int> all(points_.size());
     std::iota(all.begin(), all.end(), 0);
-    Cut(space, space, all);
+    const std::vector<int> near = In(box, all);
+    if (near.size() >= kMinPoints) Cut(AllSpace(), box, near);
     return std::move(tiles_);
   }
 
@@ -62,20 +70,22 @@ class TilePlanner {
   void Cut(const Eigen::AlignedBox3d& core, const Eigen::AlignedBox3d& widest_reach,
            const std::vector<int>& near) {
     const std::vector<int> inside = In(core, near);
-    if (inside.size() < kMinPoints) return AddTile(core, widest_reach, near);
-    const double margin = options_.reach_px * FootprintOf(inside);
+    const double margin = options_.reach_px * FootprintOf(inside.empty() ? near : inside);
     Eigen::AlignedBox3d reach(core.min().array() - margin, core.max().array() + margin);
     reach = reach.intersection(widest_reach);
     const std::vector<int> reached = In(reach, near);
     const double num_parts = std::ceil(WeightOf(reached) / (kFill * options_.max_views));
     const int num_views = static_cast<int>(ViewsOf(reached).size());
+    if (num_views <= options_.max_views || inside.size() < kMinPoints ||
+        WeightOf(reached) < kMinMeanShare * options_.max_views) {
+      return AddTile(core, reach, reached);
+    }
     int axis = 0;
     const double extent = LongestExtent(inside, &axis);
-    const bool is_fine = num_views <= options_.max_views || extent < 4 * margin ||
-                         WeightOf(reached) < kMinMeanShare * options_.max_views;
-    if (is_fine) return AddTile(core, reach, reached);
     const double share = std::floor(std::max(num_parts, 2.0) / 2) / std::max(num_parts, 2.0);
     const double plane = PlaneAt(inside, axis, share, margin / 8);
+    const bool is_inside = core.min()[axis] < plane && plane < core.max()[axis];
+    if (extent < 4 * margin || !is_inside) return AddTile(core, reach, reached);
     Eigen::AlignedBox3d below = core, above = core;
     below.max()[axis] = above.min()[axis] = plane;
     Cut(below, reach, reached);
@@ -123,20 +133,39 @@ class TilePlanner {
     return views;
   }
 
-  std::vector<double> Sorted(const std::vector<int>& points, int axis) const {
-    std::vector<double> places;
-    for (const int p : points) places.push_back(points_[p].position_in_world[axis]);
-    std::sort(places.begin(), places.end());
+  // The places of points along an axis, ascending, each with the weight of the points up to it.
+  struct Places {
+    std::vector<double> at;
+    std::vector<double> weight;
+
+    // The place that this share of the weight is up to.
+    double Quantile(double share) const {
+      const auto it = std::lower_bound(weight.begin(), weight.end(), share * weight.back());
+      return at[std::min<size_t>(it - weight.begin(), at.size() - 1)];
+    }
+  };
+
+  Places PlacesAlong(const std::vector<int>& points, int axis) const {
+    std::vector<std::pair<double, double>> sorted;
+    for (const int p : points) {
+      sorted.push_back({points_[p].position_in_world[axis], weights_[p]});
+    }
+    std::sort(sorted.begin(), sorted.end());
+    Places places;
+    double sum = 0;
+    for (const auto& [at, weight] : sorted) {
+      places.at.push_back(at);
+      places.weight.push_back(sum += weight);
+    }
     return places;
   }
 
-  // Of nearly all points.
+  // Of nearly all points, by their weight.
   double LongestExtent(const std::vector<int>& points, int* longest_axis) const {
     double longest = -1;
     for (int axis = 0; axis < 3; ++axis) {
-      const std::vector<double> places = Sorted(points, axis);
-      const size_t skip = places.size() / 20;
-      const double extent = places[places.size() - 1 - skip] - places[skip];
+      const Places places = PlacesAlong(points, axis);
+      const double extent = places.Quantile(0.95) - places.Quantile(0.05);
       if (extent > longest) {
         longest = extent;
         *longest_axis = axis;
@@ -145,20 +174,17 @@ class TilePlanner {
     return longest;
   }
 
-  // Near the place that this share of the points is below, where few points are within `width`.
+  // Near the place that this share of the weight is below, where few points are within `width`.
   double PlaneAt(const std::vector<int>& points, int axis, double share, double width) const {
-    const std::vector<double> places = Sorted(points, axis);
-    const auto quantile = [&](double q) {
-      return places[static_cast<size_t>(std::clamp(q, 0.0, 1.0) *
-                                        static_cast<double>(places.size() - 1))];
-    };
-    const double low = quantile(share - kPlaneSlack), high = quantile(share + kPlaneSlack);
-    double best = quantile(share);
+    const Places places = PlacesAlong(points, axis);
+    const double low = places.Quantile(share - kPlaneSlack);
+    const double high = places.Quantile(share + kPlaneSlack);
+    double best = low;
     auto fewest = std::numeric_limits<std::ptrdiff_t>::max();
     for (int i = 0; i < kNumPlanes; ++i) {
       const double place = low + (high - low) * i / (kNumPlanes - 1);
-      const auto count = std::upper_bound(places.begin(), places.end(), place + width) -
-                         std::lower_bound(places.begin(), places.end(), place - width);
+      const auto count = std::upper_bound(places.at.begin(), places.at.end(), place + width) -
+                         std::lower_bound(places.at.begin(), places.at.end(), place - width);
       if (count < fewest) {
         fewest = count;
         best = place;
@@ -185,8 +211,8 @@ class TilePlanner {
       chosen.push_back(static_cast<ViewId>(best - gains.begin()));
       left[chosen.back()] = 0;
       for (const int p : points) {
-        times_seen[p] += std::binary_search(points_[p].views.begin(), points_[p].views.end(),
-                                            chosen.back());
+        times_seen[p] +=
+            std::binary_search(points_[p].views.begin(), points_[p].views.end(), chosen.back());
       }
     }
     std::sort(chosen.begin(), chosen.end());
@@ -206,6 +232,7 @@ class TilePlanner {
   const TileOptions& options_;
   std::vector<int> num_points_;     // per view
   std::vector<double> footprints_;  // per point; 0 = not seen
+  std::vector<double> weights_;     // per point: the views that see it, by their share of points
   std::vector<Tile> tiles_;
 };
 
@@ -217,13 +244,18 @@ std::vector<Tile> PlanTiles(const std::vector<View>& views, const SceneHints& hi
   options.Check();
   const Eigen::AlignedBox3d space = box.value_or(AllSpace());
   const auto num_views = static_cast<int>(views.size());
-  if (options.max_views == 0 || num_views <= options.max_views ||
-      hints.points.size() < kMinPoints) {
-    std::vector<ViewId> all(views.size());
-    std::iota(all.begin(), all.end(), 0);
-    return {{space, space, std::move(all)}};
+  std::vector<Tile> tiles;
+  if (options.max_views > 0 && num_views > options.max_views) {
+    tiles = TilePlanner(views, hints, options).Plan(space);
   }
-  return TilePlanner(views, hints, options).Plan(space);
+  if (!tiles.empty()) return tiles;
+  std::vector<ViewId> all(views.size());
+  std::iota(all.begin(), all.end(), 0);
+  return {{AllSpace(), space, std::move(all)}};
+}
+
+bool IsInTiles(const std::vector<Tile>& tiles, const std::vector<View>& views) {
+  return tiles.size() > 1 || tiles.front().views.size() < views.size();
 }
 
 }  // namespace limn

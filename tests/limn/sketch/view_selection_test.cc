@@ -306,6 +306,23 @@ TEST(ViewSelectionTest, OfManyViewsOfOnePlaceSomeAreSpreadEvenly) {
   for (size_t i = 1; i < primaries.size(); ++i) EXPECT_LE(primaries[i] - primaries[i - 1], 4);
 }
 
+// The cameras of a rig that looks to both sides, named in turn.
+TEST(ViewSelectionTest, PrimaryViewsAreSpreadOverEveryPlace) {
+  const std::vector<View> left = Turntable(100);
+  std::vector<View> views;
+  for (const View& view : left) {
+    views.push_back(view);
+    const Vector3d there(300, 0, 0);
+    views.push_back(LookAt(view.CenterInWorld() + there, there));
+  }
+  const auto primaries = Primaries(SelectViews(views, kNoHints, {}, {}));
+  const auto num_left =
+      std::count_if(primaries.begin(), primaries.end(), [](ViewId v) { return v % 2 == 0; });
+  EXPECT_GE(num_left, 30);
+  EXPECT_GE(static_cast<int>(primaries.size()) - num_left, 30);
+  EXPECT_LE(primaries.size(), 140u);
+}
+
 TEST(ViewSelectionTest, APlaceOfFewViewsKeepsThemAll) {
   std::vector<View> views = Turntable(150);
   for (int i = 0; i < 8; ++i) views.push_back(LookAt({500. + i, -8, 1}, {500. + i, 0, 1}));

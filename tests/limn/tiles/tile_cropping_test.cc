@@ -6,15 +6,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/synthetic_scene.h"
 #include "limn/tiles/tile_graphs.h"
+#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
 
 using testing::AddLink;
-using testing::LengthOf;
 using ::testing::IsEmpty;
+using testing::LengthOf;
 using ::testing::SizeIs;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -79,8 +79,8 @@ TEST(TileCropping, AClosedLinkBecomesItsPartsInside) {
 TEST(TileCropping, PointsOnTheBorderAreCutThereWithoutPiecesOfNoLength) {
   DrawingGraph graph;
   AddLink({{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}}, false, &graph);
-  AddLink({{0.5, 1, 0}, {1, 1, 0}}, false, &graph);              // begins on it and leaves
-  AddLink({{0, 2, 0}, {0.5, 2, 0}, {0, 2.5, 0}}, false, &graph); // touches it
+  AddLink({{0.5, 1, 0}, {1, 1, 0}}, false, &graph);               // begins on it and leaves
+  AddLink({{0, 2, 0}, {0.5, 2, 0}, {0, 2.5, 0}}, false, &graph);  // touches it
   CropDrawing(HalfSpace(), &graph);
   EXPECT_THAT(Validate(graph), IsEmpty());
   ASSERT_THAT(graph.links, SizeIs(2));

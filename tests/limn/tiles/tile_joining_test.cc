@@ -2,19 +2,20 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/synthetic_scene.h"
 #include "limn/tiles/tile_graphs.h"
+#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
 
 using testing::AddLink;
-using testing::LengthOf;
 using ::testing::IsEmpty;
+using testing::LengthOf;
 using ::testing::SizeIs;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -54,7 +55,7 @@ TEST_F(TileJoiningTest, ALineThroughManyTilesIsOneLink) {
     SCOPED_TRACE(offset_px);
     const JoinedTiles joined = Join(graph, {-kInfinity, -0.6, -0.1, 0.3, kInfinity}, offset_px);
     EXPECT_EQ(joined.joined, 3);
-    EXPECT_EQ(joined.left_open, 0);
+    EXPECT_EQ(joined.open_ends, 0);
     ASSERT_THAT(joined.graph.links, SizeIs(1));
     EXPECT_THAT(joined.graph.nodes, SizeIs(2));
     EXPECT_NEAR(LengthOf(joined.graph), LengthOf(graph), 0.002);
@@ -82,11 +83,11 @@ TEST_F(TileJoiningTest, WhatTheOtherTileDoesNotHaveEndsAtTheBorder) {
   AddLink(testing::Segment({-1, 0, 0}, {1, 0, 0}).points, false, &with);
   AddLink(testing::Segment({-1, 0.5, 0}, {1, 0.5, 0}).points, false, &without);
   AddLink(testing::Segment({-0.05, 0.7, 0}, {1, 0.7, 0}).points, false, &with);
-  const JoinedTiles joined = JoinTiles(
-      {{Between(-kInfinity, 0), with}, {Between(0, kInfinity), without}}, views_);
+  const JoinedTiles joined =
+      JoinTiles({{Between(-kInfinity, 0), with}, {Between(0, kInfinity), without}}, views_);
   EXPECT_THAT(Validate(joined.graph), IsEmpty());
   EXPECT_EQ(joined.joined, 0);
-  EXPECT_EQ(joined.left_open, 3);
+  EXPECT_EQ(joined.open_ends, 2);
   EXPECT_EQ(joined.stubs, 1);
   EXPECT_THAT(joined.graph.links, SizeIs(2));
 }
@@ -112,10 +113,23 @@ TEST_F(TileJoiningTest, ACrossingIsJoinedAlongBothLines) {
   const JoinedTiles joined = Join(graph, {-kInfinity, 0, kInfinity}, 0);
   ASSERT_THAT(joined.graph.links, SizeIs(2));
   for (const DrawingLink& link : joined.graph.links) {
-    EXPECT_NEAR(
-        (link.points_in_world.front() - link.points_in_world.back()).norm(), std::hypot(2, 1),
-        1e-9);
+    EXPECT_NEAR((link.points_in_world.front() - link.points_in_world.back()).norm(),
+                std::hypot(2, 1), 1e-9);
   }
+}
+
+// A curve shorter than the gaps that are closed, open at both ends, does not close itself.
+TEST_F(TileJoiningTest, WhatIsTinyIsNoLoop) {
+  DrawingGraph graph;
+  AddLink(testing::Segment({-0.05, 0, 0}, {0.05, 0, 0}).points, false, &graph);
+  std::vector<TileDrawing> tiles;
+  const double px = kFootprint;
+  for (const auto& [low, high] : {std::pair(-px, 0.0), std::pair(0.0, px)}) {
+    tiles.push_back({Between(low, high), graph});
+  }
+  const JoinedTiles joined = JoinTiles(std::move(tiles), views_);
+  EXPECT_THAT(Validate(joined.graph), IsEmpty());
+  EXPECT_THAT(joined.graph.links, IsEmpty());
 }
 
 TEST_F(TileJoiningTest, OneTileIsItself) {
