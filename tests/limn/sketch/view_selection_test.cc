@@ -308,19 +308,29 @@ TEST(ViewSelectionTest, OfManyViewsOfOnePlaceSomeAreSpreadEvenly) {
 
 // The cameras of a rig that looks to both sides, named in turn.
 TEST(ViewSelectionTest, PrimaryViewsAreSpreadOverEveryPlace) {
-  const std::vector<View> left = Turntable(100);
+  const Vector3d there(300, 0, 0);
   std::vector<View> views;
-  for (const View& view : left) {
+  std::vector<ViewId> here_ids, there_ids;
+  for (const View& view : Turntable(100)) {
+    here_ids.push_back(static_cast<ViewId>(views.size()));
     views.push_back(view);
-    const Vector3d there(300, 0, 0);
+    there_ids.push_back(static_cast<ViewId>(views.size()));
     views.push_back(LookAt(view.CenterInWorld() + there, there));
   }
-  const auto primaries = Primaries(SelectViews(views, kNoHints, {}, {}));
-  const auto num_left =
+  SceneHints hints;
+  for (int i = 0; i < 60; ++i) {
+    const Vector3d position(0.5 * std::cos(i), 0.5 * std::sin(i), 0.02 * i - 0.6);
+    hints.points.push_back({position, here_ids});
+    hints.points.push_back({there + position, there_ids});
+  }
+  const auto primaries = Primaries(SelectViews(views, hints, {}, {}));
+  const auto num_here =
       std::count_if(primaries.begin(), primaries.end(), [](ViewId v) { return v % 2 == 0; });
-  EXPECT_GE(num_left, 30);
-  EXPECT_GE(static_cast<int>(primaries.size()) - num_left, 30);
-  EXPECT_LE(primaries.size(), 140u);
+  const auto num_there = static_cast<std::ptrdiff_t>(primaries.size()) - num_here;
+  for (const auto count : {num_here, num_there}) {
+    EXPECT_GE(count, 35);
+    EXPECT_LE(count, 75);
+  }
 }
 
 TEST(ViewSelectionTest, APlaceOfFewViewsKeepsThemAll) {
