@@ -129,7 +129,8 @@ TEST(CorpusRuns, Case36_RunningTwice) {
   ASSERT_EQ(second.exit_code, 0) << second.err;
   EXPECT_THAT(second.out, HasSubstr("6 images were taken from the cache"));
   const auto after_second = Results(w.path());
-  EXPECT_EQ(after_second, after_first);
+  EXPECT_EQ(after_second.size(), after_first.size());
+  for (const auto& [name, bytes] : after_first) EXPECT_TRUE(after_second.at(name) == bytes) << name;
   for (const auto& [name, bytes] : given) EXPECT_EQ(after_second.at(name), bytes) << name;
 
   // What another run has made is kept, unless it may be replaced.

@@ -15,7 +15,8 @@ struct ViewSelectionOptions {
   // Views that confirm the hypotheses of a primary view. More raises precision and time.
   int max_confirmation_views = 24;
   // A place that more views see is sketched from some of them only, about this many; the others
-  // confirm. On 100 views of one scene this raises precision by two points and halves the time.
+  // confirm. On 100 views of one scene this raises precision by two points and takes a third off
+  // the time.
   int enough_primary_views = 20;
   // Triangulation angles between primary and second view, degrees: below the smaller one depth is
   // unreliable, above the larger one the views no longer show the same edges.
