@@ -80,7 +80,8 @@ class PullCost : public ceres::CostFunction {
   double robust_px_;
 };
 
-// Links that hang together by their nodes, with the unknowns and bends among them.
+// Links that hang together by nodes or bends, with the unknowns and bends among them: they share
+// no unknown with others, which are fitted at the same time.
 struct Component {
   std::vector<int> links;
   std::vector<int> points;  // ascending
@@ -166,6 +167,15 @@ std::vector<Component> FindComponents(const CurveFitInput& input, const ControlG
       unknown[point] = 1;
     }
   }
+  // Bends hold together what a frozen link is between.
+  std::vector<Triple> bends;
+  for (const Triple& bend : control.bends) {
+    const bool fitted = unknown[bend[0]] && unknown[bend[1]] && unknown[bend[2]];
+    if (!fitted) continue;
+    bends.push_back(bend);
+    sets.Union(bend[0], bend[1]);
+    sets.Union(bend[1], bend[2]);
+  }
   std::map<int, Component> by_root;
   for (size_t l = 0; l < control.links.size(); ++l) {
     if (input.frozen[l]) continue;
@@ -175,10 +185,7 @@ std::vector<Component> FindComponents(const CurveFitInput& input, const ControlG
     const int point = static_cast<int>(p);
     if (unknown[p]) by_root[sets.Find(point)].points.push_back(point);
   }
-  for (const Triple& bend : control.bends) {
-    const bool fitted = unknown[bend[0]] && unknown[bend[1]] && unknown[bend[2]];
-    if (fitted) by_root[sets.Find(bend[1])].bends.push_back(bend);
-  }
+  for (const Triple& bend : bends) by_root[sets.Find(bend[1])].bends.push_back(bend);
   std::vector<Component> components;
   for (auto& [root, component] : by_root) components.push_back(std::move(component));
   return components;
