@@ -35,6 +35,15 @@ void AddEdgel(const Edgel& edgel, ContentHash* hash) {
 
 }  // namespace
 
+std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box) {
+  ContentHash hash;
+  if (box) {
+    for (const double value : box->min()) hash.AddNumber(value);
+    for (const double value : box->max()) hash.AddNumber(value);
+  }
+  return hash.Hex();
+}
+
 std::string ViewKey(const View& view, const ImageCurves& curves) {
   ContentHash hash;
   AddView(view, &hash);

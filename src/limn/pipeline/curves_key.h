@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "limn/model/curve_fragment.h"
 #include "limn/model/view.h"
@@ -10,6 +13,9 @@
 namespace limn {
 
 // Texts that differ whenever something differs that results are made from; see ContentHash.
+
+// A box, or that there is none.
+std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box);
 
 // Name, camera, pose and region of a view, all of its edgels, and its fragments. Linear in the
 // number of edgels.

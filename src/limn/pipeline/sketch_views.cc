@@ -11,15 +11,6 @@
 namespace limn {
 namespace {
 
-std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box) {
-  ContentHash hash;
-  if (box) {
-    for (const double value : box->min()) hash.AddNumber(value);
-    for (const double value : box->max()) hash.AddNumber(value);
-  }
-  return hash.Hex();
-}
-
 // What the sketches of all views depend on.
 std::string CommonKey(SketchMode mode, const SketchInput& input, const SketchOptions& options) {
   return std::string(SketchModeName(mode)) + " sketch, version " + std::to_string(kSketchVersion) +

@@ -40,12 +40,9 @@ std::string TileKey(const SceneSubset& scene, const std::vector<ImageCurves>& cu
   // What comes after the tiles, and what views and reach tell already.
   options.primitives = {};
   options.tiles = {};
-  ContentHash box;
-  for (const double value : reach.min()) box.AddNumber(value);
-  for (const double value : reach.max()) box.AddNumber(value);
   return "tile, version " + std::to_string(kTileVersion) + "." + std::to_string(kSketchVersion) +
-         "\n" + OptionsAsJson(options) + "\nhints " + HintsKey(scene.hints) + "\nbox " + box.Hex() +
-         "\n" + CurvesKey(scene.views, curves, context);
+         "\n" + OptionsAsJson(options) + "\nhints " + HintsKey(scene.hints) + "\nbox " +
+         BoxKey(reach) + "\n" + CurvesKey(scene.views, curves, context);
 }
 
 std::vector<std::string> NamesOf(const std::vector<View>& views) {

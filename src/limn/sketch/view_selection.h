@@ -59,10 +59,10 @@ void CheckViews(const std::vector<View>& views);
 // (view_neighbors.h), which a scene of few views is as a whole, and those of the points of the
 // sparse model where there are enough; points widen the depth range, too. Where more than
 // enough_primary_views see the same places, about as many of them are primary, evenly spread over
-// the order of the views (but one view in eight, as neighbors are thinned). At most
-// max_second_views
-// + max_confirmation_views per view, so the stages after it are linear in the number of views. Time
-// per view: some 500 projections for each of at most NeighborFinder::kMaxNeighbors others.
+// the order of the views; in scenes whose neighbors are thinned, at least one in eight. At most
+// max_second_views + max_confirmation_views per view, so the stages after it are linear in the
+// number of views. Time per view: some 500 projections for each of at most
+// NeighborFinder::kMaxNeighbors others.
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
                                   const ViewSelectionOptions& options, const RunContext& context);
 

@@ -74,15 +74,16 @@ class TilePlanner {
     Eigen::AlignedBox3d reach(core.min().array() - margin, core.max().array() + margin);
     reach = reach.intersection(widest_reach);
     const std::vector<int> reached = In(reach, near);
-    const double num_parts = std::ceil(WeightOf(reached) / (kFill * options_.max_views));
+    const double weight = WeightOf(reached);
     const int num_views = static_cast<int>(ViewsOf(reached).size());
     if (num_views <= options_.max_views || inside.size() < kMinPoints ||
-        WeightOf(reached) < kMinMeanShare * options_.max_views) {
+        weight < kMinMeanShare * options_.max_views) {
       return AddTile(core, reach, reached);
     }
     int axis = 0;
     const double extent = LongestExtent(inside, &axis);
-    const double share = std::floor(std::max(num_parts, 2.0) / 2) / std::max(num_parts, 2.0);
+    const double num_parts = std::max(std::ceil(weight / (kFill * options_.max_views)), 2.0);
+    const double share = std::floor(num_parts / 2) / num_parts;
     const double plane = PlaneAt(inside, axis, share, margin / 8);
     const bool is_inside = core.min()[axis] < plane && plane < core.max()[axis];
     if (extent < 4 * margin || !is_inside) return AddTile(core, reach, reached);

@@ -1,7 +1,6 @@
 #include "limn/tiles/tile_cropping.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,15 +13,11 @@ namespace {
 
 using testing::AddLink;
 using ::testing::IsEmpty;
+using testing::kInfinity;
 using testing::LengthOf;
 using ::testing::SizeIs;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// x < 0.5
-Eigen::AlignedBox3d HalfSpace() {
-  return {Eigen::Vector3d::Constant(-kInfinity), Eigen::Vector3d(0.5, kInfinity, kInfinity)};
-}
+Eigen::AlignedBox3d HalfSpace() { return testing::Between(-kInfinity, 0.5); }
 
 Polyline3d Line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return testing::Segment(from, to).points;

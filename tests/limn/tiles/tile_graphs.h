@@ -1,11 +1,22 @@
 #pragma once
 
+#include <limits>
+#include <utility>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "limn/geometry/polyline.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn::testing {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+inline Eigen::AlignedBox3d Between(double low_x, double high_x) {
+  return {Eigen::Vector3d(low_x, -kInfinity, -kInfinity),
+          Eigen::Vector3d(high_x, kInfinity, kInfinity)};
+}
 
 // A link with nodes of its own; a closed one does not repeat its first point here.
 inline LinkId AddLink(Polyline3d points, bool closed, DrawingGraph* graph) {

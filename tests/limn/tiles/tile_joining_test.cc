@@ -1,7 +1,6 @@
 #include "limn/tiles/tile_joining.h"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -14,17 +13,13 @@ namespace limn {
 namespace {
 
 using testing::AddLink;
+using testing::Between;
 using ::testing::IsEmpty;
+using testing::kInfinity;
 using testing::LengthOf;
 using ::testing::SizeIs;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFootprint = 5 / 600.;  // of the views of the origin
-
-Eigen::AlignedBox3d Between(double low_x, double high_x) {
-  return {Eigen::Vector3d(low_x, -kInfinity, -kInfinity),
-          Eigen::Vector3d(high_x, kInfinity, kInfinity)};
-}
 
 class TileJoiningTest : public ::testing::Test {
  protected:
