@@ -85,7 +85,7 @@ double LogChance(int k, int n, double p) {
   if (n == 0 || k <= n * p) return 0;
   const double share = static_cast<double>(k) / n;
   const double rest = share < 1 ? (1 - share) * std::log((1 - share) / (1 - p)) : 0;
-  return -n * (share * std::log(share / p) + rest);
+  return -std::min(n, kIndependentViews) * (share * std::log(share / p) + rest);
 }
 
 }  // namespace limn

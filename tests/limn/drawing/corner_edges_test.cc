@@ -138,15 +138,18 @@ double BinomialTail(int k, int n, double p) {
 }
 
 TEST(SegmentEvidenceTest, LogChanceBoundsTheBinomialTail) {
+  const int n = kIndependentViews;
   for (const double p : {0.02, 0.1, 0.3}) {
-    for (int k = 1; k <= 20; ++k) {
-      EXPECT_GE(LogChance(k, 20, p), std::log(BinomialTail(k, 20, p)) - 1e-9) << k << " " << p;
-      EXPECT_LE(LogChance(k, 20, p), LogChance(k - 1, 20, p));
+    for (int k = 1; k <= n; ++k) {
+      EXPECT_GE(LogChance(k, n, p), std::log(BinomialTail(k, n, p)) - 1e-9) << k << " " << p;
+      EXPECT_LE(LogChance(k, n, p), LogChance(k - 1, n, p));
     }
   }
-  EXPECT_EQ(LogChance(2, 20, 0.1), 0);
-  EXPECT_NEAR(LogChance(20, 20, 0.1), 20 * std::log(0.1), 1e-9);
+  EXPECT_EQ(LogChance(1, n, 0.1), 0);
+  EXPECT_NEAR(LogChance(n, n, 0.1), n * std::log(0.1), 1e-9);
   EXPECT_EQ(LogChance(0, 0, 0.1), 0);
+  // More views say no more, at the same share.
+  EXPECT_EQ(LogChance(n / 2, n, 0.1), LogChance(5 * n, 10 * n, 0.1));
 }
 
 }  // namespace
