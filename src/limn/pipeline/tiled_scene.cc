@@ -51,6 +51,16 @@ std::vector<std::string> NamesOf(const std::vector<View>& views) {
   return names;
 }
 
+// Of those with these indices, the tiles whose views can triangulate something.
+std::vector<int> Drawable(const TiledInput& input, std::vector<int> tiles) {
+  std::erase_if(tiles, [&](int index) {
+    std::vector<View> views;
+    for (const ViewId view : input.tiles[index].views) views.push_back(input.views[view]);
+    return !WhyNothingIsTriangulated(views).empty();
+  });
+  return tiles;
+}
+
 class TileDrawer {
  public:
   TileDrawer(const TiledInput& input, const PipelineOptions& options, const RunContext& context,
@@ -60,7 +70,7 @@ class TileDrawer {
     CheckTiled(options);
   }
 
-  // Supporting views are ids in the whole scene.
+  // Supporting views are ids in the whole scene. Throws InputError if the tile is not drawable.
   DrawingGraph Draw(size_t index) const {
     const SceneSubset scene = SubsetOf(input_.views, input_.hints, input_.tiles[index].views);
     DrawingGraph graph = DrawSubset(index, scene);
@@ -77,7 +87,6 @@ class TileDrawer {
           ", tile " + std::to_string(index + 1) + "/" + std::to_string(input_.tiles.size());
       on_stage_end_(summary);
     };
-    if (!WhyNothingIsTriangulated(scene.views).empty()) return {};
     const CurvesResult image_curves = input_.curves_of(scene);
     report(image_curves.summary);
     const Eigen::AlignedBox3d& reach = input_.tiles[index].reach;
@@ -121,7 +130,8 @@ class TileDrawer {
   const StageObserver& on_stage_end_;
 };
 
-StageSummary Summarize(const TiledInput& input, const JoinedTiles& joined, int64_t links_in) {
+StageSummary Summarize(const TiledInput& input, size_t num_drawn, const JoinedTiles& joined,
+                       int64_t links_in) {
   std::vector<uint8_t> is_used(input.views.size(), 0);
   for (const Tile& tile : input.tiles) {
     for (const ViewId view : tile.views) is_used[view] = 1;
@@ -138,6 +148,7 @@ StageSummary Summarize(const TiledInput& input, const JoinedTiles& joined, int64
                   {"links joined at borders", joined.joined},
                   {"ends left open at borders", joined.open_ends}};
   summary.dropped = {
+      {"tiles: nothing to triangulate", static_cast<int64_t>(input.tiles.size() - num_drawn)},
       {"views: not needed by any tile", static_cast<int64_t>(input.views.size()) - num_used},
       {"links: short, and open at a border", joined.stubs}};
   return summary;
@@ -169,15 +180,16 @@ void CheckTiled(const PipelineOptions& options) {
 DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end) {
   const TileDrawer drawer(input, options, context, on_stage_end);
-  input.cache->Expect(CachedKind::kDrawing, input.tiles.size());
+  const std::vector<int> tiles = Drawable(input, ItemsOf({}, input.tiles.size()));
+  input.cache->Expect(CachedKind::kDrawing, tiles.size());
   std::vector<TileDrawing> drawings;
   int64_t num_links = 0;
-  for (size_t i = 0; i < input.tiles.size(); ++i) {
-    drawings.push_back({input.tiles[i].core, drawer.Draw(i)});
+  for (const int tile : tiles) {
+    drawings.push_back({input.tiles[tile].core, drawer.Draw(tile)});
     num_links += static_cast<int64_t>(drawings.back().graph.links.size());
   }
   JoinedTiles joined = JoinTiles(std::move(drawings), input.views);
-  on_stage_end(Summarize(input, joined, num_links));
+  on_stage_end(Summarize(input, tiles.size(), joined, num_links));
   PrimitiveResult primitives =
       FitPrimitives(joined.graph, input.views, options.primitives, context);
   on_stage_end(primitives.summary);
@@ -187,7 +199,7 @@ DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,
 void MakeShardTiles(const TiledInput& input, const PipelineOptions& options, const Shard& shard,
                     const RunContext& context, const StageObserver& on_stage_end) {
   const TileDrawer drawer(input, options, context, on_stage_end);
-  const std::vector<int> tiles = ItemsOf(shard, input.tiles.size());
+  const std::vector<int> tiles = Drawable(input, ItemsOf(shard, input.tiles.size()));
   input.cache->Expect(CachedKind::kDrawing, tiles.size());
   for (const int tile : tiles) drawer.Draw(tile);
   CheckKept(*input.cache, CachedKind::kDrawing);

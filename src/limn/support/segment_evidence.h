@@ -43,9 +43,9 @@ bool IsSeen(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
             const EdgelIndexes& edgels, const SupportGate& gate);
 
 // Bound (Hoeffding) on the natural logarithm of the chance that k or more of n views show by
-// accident what each of them shows with probability p. 0 when that is what one expects. Neighbouring
-// views are no independent trials, an accident lasts while the camera moves on: whatever their
-// number, they say no more than kIndependentViews would with the same share of k.
+// accident what each of them shows with probability p. 0 when that is what one expects.
+// Neighbouring views are no independent trials, an accident lasts while the camera moves on:
+// whatever their number, they say no more than kIndependentViews would with the same share of k.
 constexpr int kIndependentViews = 18;
 double LogChance(int k, int n, double p);
 
