@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -73,35 +74,52 @@ class EdgeGrowth {
     }
   }
 
-  int64_t Run() {
+  int64_t Run(const RunContext& context) {
+    // Most joints have nothing to grow: this is found out for all at once. What grows elsewhere
+    // since then may have taken a direction.
+    std::vector<std::optional<CornerDirection>> first(joints_.size());
+    std::vector<size_t> num_leaving(joints_.size());
+    ParallelFor(context, "corner edges", joints_.size(), [&](size_t i) {
+      first[i] = DirectionAt(joints_[i]);
+      num_leaving[i] = joints_[i].leaving.size();
+    });
     int64_t added = 0;
     for (size_t i = 0; i < joints_.size(); ++i) {
-      while (GrowOne(static_cast<int>(i))) ++added;
+      ThrowIfCancelled(context);
+      const bool is_current = joints_[i].leaving.size() == num_leaving[i];
+      auto direction = is_current ? std::move(first[i]) : DirectionAt(joints_[i]);
+      while (direction && Grow(static_cast<int>(i), *std::move(direction))) {
+        ++added;
+        direction = DirectionAt(joints_[i]);
+      }
     }
     return added;
   }
 
  private:
-  bool GrowOne(int id) {
+  std::optional<CornerDirection> DirectionAt(const Joint& joint) const {
+    return FindCornerDirection(joint, views_, curves_, evidence_.all, kMinViews);
+  }
+
+  // Whether a link was added.
+  bool Grow(int id, CornerDirection direction) {
     Joint& joint = joints_[id];
-    auto direction = FindCornerDirection(joint, views_, curves_, evidence_.all, kMinViews);
-    if (!direction) return false;
-    const double length_px = Grow(joint, &*direction);
+    const double length_px = LengthAlong(joint, &direction);
     if (length_px < kMinLengthPx) return false;
-    Eigen::Vector3d end = joint.position + length_px * joint.footprint * direction->unit;
+    Eigen::Vector3d end = joint.position + length_px * joint.footprint * direction.unit;
     if (!IsBelieved(joint, end)) return false;
-    const int target = JointNear(id, end, direction->unit);
+    const int target = JointNear(id, end, direction.unit);
     if (target >= 0) end = joints_[target].position;
     const Eigen::Vector3d course = (end - joint.position).normalized();
     if (IsTaken(joint, course, kTakenRad)) return false;
     if (target >= 0 && IsTaken(joints_[target], -course, kTakenRad)) return false;
-    links_.Add(end, direction->views, &joint, target >= 0 ? &joints_[target] : nullptr);
+    links_.Add(end, direction.views, &joint, target >= 0 ? &joints_[target] : nullptr);
     return true;
   }
 
   // How far the edge goes, px; its direction is fitted to the edgels on the way. A view that loses
   // the edge is not asked again.
-  double Grow(const Joint& joint, CornerDirection* direction) const {
+  double LengthAlong(const Joint& joint, CornerDirection* direction) const {
     std::vector<ViewId> active = direction->views;
     const size_t needed = std::max<size_t>(options_.min_junction_views, (active.size() + 1) / 2);
     std::vector<double> seen_at(views_.size(), kBeginPx);
@@ -205,43 +223,64 @@ bool CanHaveSegment(const Joint& a, const Joint& b, const DrawingOptions& option
   return !IsTaken(a, direction, kTakenRad) && !IsTaken(b, -direction, kTakenRad);
 }
 
+// Those from joint i to later ones that the images show.
+std::vector<Segment> SegmentsFrom(int i, const std::vector<Joint>& joints, const VertexGrid& grid,
+                                  const std::vector<View>& views, const EdgelEvidence& evidence,
+                                  const DrawingOptions& options) {
+  std::vector<int> near;
+  grid.ForEachNear(joints[i].position, joints[i].footprint, [&](int j) {
+    if (j > i && CanHaveSegment(joints[i], joints[j], options)) near.push_back(j);
+  });
+  std::sort(near.begin(), near.end());
+  std::vector<Segment> found;
+  for (const int j : near) {
+    std::vector<uint8_t> visible = joints[i].visible;
+    for (size_t v = 0; v < visible.size(); ++v) visible[v] &= joints[j].visible[v];
+    SegmentEvidence seen = FindEvidence(joints[i].position, joints[j].position, visible, views,
+                                        evidence.all, CornerGate());
+    const double chance = LogChanceOf(seen);
+    if (chance <= std::log(kMaxSegmentChance / static_cast<double>(near.size())) &&
+        IsNew(joints[i].position, joints[j].position, visible, views, evidence)) {
+      found.push_back({chance, i, j, std::move(seen.seen_in)});
+    }
+  }
+  return found;
+}
+
+std::vector<Segment> FindSegments(const std::vector<Joint>& joints, const std::vector<View>& views,
+                                  const EdgelEvidence& evidence, const DrawingOptions& options,
+                                  const RunContext& context) {
+  VertexGrid grid(options.max_short_edge_px);
+  for (size_t i = 0; i < joints.size(); ++i) {
+    grid.Add(static_cast<int>(i), joints[i].position, joints[i].footprint);
+  }
+  std::vector<std::vector<Segment>> of_joint(joints.size());
+  ParallelFor(context, "short edges", joints.size(), [&](size_t i) {
+    of_joint[i] = SegmentsFrom(static_cast<int>(i), joints, grid, views, evidence, options);
+  });
+  std::vector<Segment> found;
+  for (auto& segments : of_joint) {
+    std::move(segments.begin(), segments.end(), std::back_inserter(found));
+  }
+  return found;
+}
+
 }  // namespace
 
 int64_t GrowCornerEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                         const EdgelEvidence& evidence,
                         const std::optional<Eigen::AlignedBox3d>& box,
-                        const DrawingOptions& options, SampleSet* samples, Draft* draft) {
-  return EdgeGrowth(views, curves, evidence, box, options, samples, draft).Run();
+                        const DrawingOptions& options, const RunContext& context,
+                        SampleSet* samples, Draft* draft) {
+  return EdgeGrowth(views, curves, evidence, box, options, samples, draft).Run(context);
 }
 
 int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                       const EdgelEvidence& evidence, const DrawingOptions& options,
-                      SampleSet* samples, Draft* draft) {
+                      const RunContext& context, SampleSet* samples, Draft* draft) {
   if (options.max_short_edge_px < kMinSegmentPx) return 0;
   std::vector<Joint> joints = CollectJoints(*samples, views.size(), *draft);
-  VertexGrid grid(options.max_short_edge_px);
-  for (size_t i = 0; i < joints.size(); ++i) {
-    grid.Add(static_cast<int>(i), joints[i].position, joints[i].footprint);
-  }
-  std::vector<Segment> found;
-  for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
-    std::vector<int> near;
-    grid.ForEachNear(joints[i].position, joints[i].footprint, [&](int j) {
-      if (j > i && CanHaveSegment(joints[i], joints[j], options)) near.push_back(j);
-    });
-    std::sort(near.begin(), near.end());
-    for (const int j : near) {
-      std::vector<uint8_t> visible = joints[i].visible;
-      for (size_t v = 0; v < visible.size(); ++v) visible[v] &= joints[j].visible[v];
-      SegmentEvidence seen = FindEvidence(joints[i].position, joints[j].position, visible, views,
-                                          evidence.all, CornerGate());
-      const double chance = LogChanceOf(seen);
-      if (chance <= std::log(kMaxSegmentChance / static_cast<double>(near.size())) &&
-          IsNew(joints[i].position, joints[j].position, visible, views, evidence)) {
-        found.push_back({chance, i, j, std::move(seen.seen_in)});
-      }
-    }
-  }
+  std::vector<Segment> found = FindSegments(joints, views, evidence, options, context);
   std::sort(found.begin(), found.end());
   StraightLinks links(views, curves, evidence.all, samples, draft);
   int64_t added = 0;

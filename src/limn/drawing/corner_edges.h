@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/drawing/joints.h"
+#include "limn/util/parallel.h"
 
 namespace limn {
 
@@ -16,17 +17,18 @@ namespace limn {
 // joint that it reaches. It is kept if edgels run along it (FindEvidence) in so many views that
 // chance is no explanation, in one of them edgels that no link has yet; then the next direction is
 // tried. Nothing grows out of the box, unless to a joint there. Ours; not in the paper. Returns the
-// number of links added. Time per joint: pairs of rays times views.
+// number of links added. Time per joint: see FindCornerDirection.
 int64_t GrowCornerEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                         const EdgelEvidence& evidence,
                         const std::optional<Eigen::AlignedBox3d>& box,
-                        const DrawingOptions& options, SampleSet* samples, Draft* draft);
+                        const DrawingOptions& options, const RunContext& context,
+                        SampleSet* samples, Draft* draft);
 
 // Edges of which both ends are joints already, at most max_short_edge_px apart, with no link
 // leaving either in that direction: straight links where edgels run along the segment in enough
 // views, as above. Returns the number of links added.
 int64_t AddShortEdges(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                       const EdgelEvidence& evidence, const DrawingOptions& options,
-                      SampleSet* samples, Draft* draft);
+                      const RunContext& context, SampleSet* samples, Draft* draft);
 
 }  // namespace limn

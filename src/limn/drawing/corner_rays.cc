@@ -33,6 +33,8 @@ constexpr double kMinProbePx = 2;
 constexpr double kMinPlaneAngleRad = 8 * kDeg;
 // Rays that a view without any is thought to have, on the long run.
 constexpr double kMinNumRays = 0.3;
+// Rays of at most so many views, evenly spread, propose directions; all vote on them.
+constexpr size_t kProposingViews = 24;
 // Number of directions that rays of this width tell apart, and the false alarms expected when as
 // many are tried. More than one: this only proposes, and the whole edge is judged later.
 constexpr double kNumDirections = 130;
@@ -167,9 +169,10 @@ class DirectionFinder {
   std::optional<CornerDirection> Find() const {
     std::optional<CornerDirection> best;
     double best_chance = std::log(kMaxFalseAlarms / kNumDirections);
-    for (size_t i = 0; i < rays_.size(); ++i) {
-      for (size_t j = i + 1; j < rays_.size(); ++j) {
-        const auto start = DirectionOf(rays_[i], rays_[j]);
+    const std::vector<size_t> proposing = ProposingRays();
+    for (size_t i = 0; i < proposing.size(); ++i) {
+      for (size_t j = i + 1; j < proposing.size(); ++j) {
+        const auto start = DirectionOf(rays_[proposing[i]], rays_[proposing[j]]);
         if (!start) continue;
         Vote vote = VotesFor(*start);
         if (vote.rays.size() < min_views_ || vote.LogChance() >= best_chance) continue;
@@ -197,6 +200,20 @@ class DirectionFinder {
       return limn::LogChance(static_cast<int>(rays.size()), num_views, background);
     }
   };
+
+  std::vector<size_t> ProposingRays() const {
+    const size_t num_views = seen_in_.size();
+    const size_t num_proposing = std::min(num_views, kProposingViews);
+    std::vector<size_t> rays;
+    size_t begin = 0;
+    for (size_t i = 0; i < num_views; ++i) {
+      const size_t end = seen_in_[i].rays_end;
+      const bool proposes = i * num_proposing / num_views != (i + 1) * num_proposing / num_views;
+      for (size_t r = begin; proposes && r < end; ++r) rays.push_back(r);
+      begin = end;
+    }
+    return rays;
+  }
 
   bool PointsAlong(const Ray& ray, const Eigen::Vector3d& direction) const {
     const auto angle = ImageDirection(views_[ray.view], joint_, direction);

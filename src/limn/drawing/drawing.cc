@@ -55,11 +55,11 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   JoinLinks(samples, input.views, evidence, options, &draft, &junctions);
   const int64_t grown = GrowCornerEdges(input.views, input.curves,
                                         IndexEdgels(input.curves, evidence, samples, draft),
-                                        input.box, options, &samples, &draft);
+                                        input.box, options, context, &samples, &draft);
   JoinLinks(samples, input.views, evidence, options, &draft, &junctions);  // ends that grew
   const int64_t short_edges =
       AddShortEdges(input.views, input.curves, IndexEdgels(input.curves, evidence, samples, draft),
-                    options, &samples, &draft);
+                    options, context, &samples, &draft);
   const CleanupCounts cleanup = CleanUp(options, &draft);
   ledger.Update(draft, EdgelFate::kPrunedLink);
 
