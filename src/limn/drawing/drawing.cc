@@ -42,7 +42,7 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
       samples, BuildLocalConsistency(samples, input.curves, options, context), options, context);
   const std::vector<int> agreeing_views = CountAgreeingViews(samples, network);
   const int rounds = AverageCurves(network, options, context, &samples);
-  const MergedCurves merged = MergeCurves(samples, network, input.views, options);
+  const MergedCurves merged = MergeCurves(samples, network, input.views, options, context);
   Draft draft = FitLinks(samples, merged, options);
   SampleLedger ledger(samples);
   ledger.Update(draft, EdgelFate::kPrunedLink);

@@ -28,8 +28,11 @@ class CurveMerger {
         home_(samples.NumSamples(), -1),
         min_cosine_(std::cos(options.max_link_angle_deg * M_PI / 180)) {}
 
-  MergedCurves Run() {
-    for (const int curve : LongestFirst()) MergeCurve(curve);
+  MergedCurves Run(const RunContext& context) {
+    for (const int curve : LongestFirst()) {
+      ThrowIfCancelled(context);
+      MergeCurve(curve);
+    }
     MergedCurves merged;
     for (int& vertex : home_) {
       if (vertex >= 0) vertex = builder_.Resolve(vertex);
@@ -232,8 +235,9 @@ class CurveMerger {
 }  // namespace
 
 MergedCurves MergeCurves(const SampleSet& samples, const CurveConsistency& network,
-                         const std::vector<View>& views, const DrawingOptions& options) {
-  return CurveMerger(samples, network, views, options).Run();
+                         const std::vector<View>& views, const DrawingOptions& options,
+                         const RunContext& context) {
+  return CurveMerger(samples, network, views, options).Run(context);
 }
 
 }  // namespace limn

@@ -6,6 +6,7 @@
 #include "limn/drawing/curve_consistency.h"
 #include "limn/drawing/link_builder.h"
 #include "limn/model/view.h"
+#include "limn/util/parallel.h"
 
 namespace limn {
 
@@ -26,6 +27,7 @@ struct MergedCurves {
 // and at either end where the curve goes on along an existing link the fitting primitive joins them
 // (LinkBuilder). Every sample ends up in a link or in a stub.
 MergedCurves MergeCurves(const SampleSet& samples, const CurveConsistency& network,
-                         const std::vector<View>& views, const DrawingOptions& options);
+                         const std::vector<View>& views, const DrawingOptions& options,
+                         const RunContext& context);
 
 }  // namespace limn

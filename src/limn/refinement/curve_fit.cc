@@ -8,6 +8,7 @@
 
 #include "limn/refinement/curve_terms.h"
 #include "limn/refinement/selected_inverse.h"
+#include "limn/refinement/stop_if_cancelled.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/util/union_find.h"
 
@@ -101,8 +102,10 @@ class ComponentFit {
     for (const Triple& bend : component.bends) AddBend(bend, options, control, &problem_);
   }
 
-  void Solve() {
+  void Solve(const RunContext& context) {
+    StopIfCancelled stop(context);
     ceres::Solver::Options solver;
+    solver.callbacks = {&stop};
     solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
     // Without BLAS: the same bits whatever runs beside it.
     solver.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
@@ -115,6 +118,7 @@ class ComponentFit {
     solver.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem_, &summary);
+    ThrowIfCancelled(context);
   }
 
   // Into the places of the component's points. None if the normal matrix is singular, which the
@@ -200,7 +204,7 @@ void FitCurves(const CurveFitInput& input, const RefinementOptions& options,
   if (covariances) covariances->assign(before.size(), std::nullopt);
   ParallelFor(context, "fitting curves", components.size(), [&](size_t c) {
     ComponentFit fit(input, options, components[c], control);
-    fit.Solve();
+    fit.Solve(context);
     if (covariances) fit.FindCovariances(covariances);
   });
   FollowNodes(input.frozen, before, control);

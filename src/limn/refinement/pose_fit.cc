@@ -9,6 +9,7 @@
 #include <ceres/rotation.h>
 
 #include "limn/refinement/curve_terms.h"
+#include "limn/refinement/stop_if_cancelled.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/util/errors.h"
 
@@ -105,19 +106,6 @@ bool HasParallax(const std::vector<View>& views, const std::vector<const PointPi
     return ray(pixel).dot(mean) < std::cos(kMinHalfParallaxDeg * M_PI / 180);
   });
 }
-
-class StopIfCancelled : public ceres::IterationCallback {
- public:
-  explicit StopIfCancelled(const RunContext& context) : context_(context) {}
-
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    const bool stop = context_.cancelled && context_.cancelled->load(std::memory_order_relaxed);
-    return stop ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const RunContext& context_;
-};
 
 class PoseProblem {
  public:
