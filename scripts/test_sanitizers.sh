@@ -5,6 +5,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# Leaks of libraries that are not to be reported, and why.
+export LSAN_OPTIONS="suppressions=$PWD/tests/lsan_suppressions.txt"
 cmake --preset asan -DLIMN_WARNINGS_AS_ERRORS=OFF
 if (($# == 0)); then
   cmake --build --preset asan

@@ -1,5 +1,6 @@
 #include "limn/viewer/viewer_page.h"
 
+#include <cstdint>
 #include <cstring>
 #include <sstream>
 
@@ -138,7 +139,7 @@ TEST(ViewerPacking, Base64OfTheStandard) {
 
 TEST(ViewerPacking, GzipIsUnpackedByZlib) {
   std::string bytes;
-  for (int i = 0; i < 1000000; ++i) bytes += static_cast<char>(i * i >> 7);
+  for (int i = 0; i < 1000000; ++i) bytes += static_cast<char>(int64_t{i} * i >> 7);
   for (const std::string& original : {std::string(), bytes}) {
     const std::string packed = Gzip(original);
     EXPECT_EQ(packed, Gzip(original));
