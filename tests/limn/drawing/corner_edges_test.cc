@@ -139,13 +139,16 @@ double BinomialTail(int k, int n, double p) {
 
 TEST(SegmentEvidenceTest, LogChanceBoundsTheBinomialTail) {
   const int n = kIndependentViews;
-  for (const double p : {0.02, 0.1, 0.3}) {
-    for (int k = 1; k <= n; ++k) {
-      EXPECT_GE(LogChance(k, n, p), std::log(BinomialTail(k, n, p)) - 1e-9) << k << " " << p;
-      EXPECT_LE(LogChance(k, n, p), LogChance(k - 1, n, p));
+  for (const int num_views : {n, 20}) {
+    for (const double p : {0.02, 0.1, 0.3}) {
+      for (int k = 1; k <= num_views; ++k) {
+        EXPECT_GE(LogChance(k, num_views, p), std::log(BinomialTail(k, num_views, p)) - 1e-9)
+            << k << " " << p;
+        EXPECT_LE(LogChance(k, num_views, p), LogChance(k - 1, num_views, p));
+      }
     }
   }
-  EXPECT_EQ(LogChance(1, n, 0.1), 0);
+  EXPECT_EQ(LogChance(2, 20, 0.1), 0);
   EXPECT_NEAR(LogChance(n, n, 0.1), n * std::log(0.1), 1e-9);
   EXPECT_EQ(LogChance(0, 0, 0.1), 0);
   // More views say no more, at the same share.

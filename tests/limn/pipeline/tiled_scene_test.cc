@@ -1,24 +1,23 @@
 #include "limn/pipeline/tiled_scene.h"
 
-#include <limits>
 #include <map>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
+#include "limn/tiles/tile_graphs.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
 
-// The half of space below or above z = 0.
-Eigen::AlignedBox3d Half(bool above) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  const Eigen::Vector3d low(-kFar, -kFar, above ? 0 : -kFar);
-  const Eigen::Vector3d high(kFar, kFar, above ? kFar : 0);
-  return {low, high};
-}
+using testing::Between;
+using testing::kInfinity;
+using testing::LengthOf;
+
+const Eigen::AlignedBox3d kLeft = Between(-kInfinity, 0);
+const Eigen::AlignedBox3d kRight = Between(0, kInfinity);
 
 // A cube in ten views.
 class TiledSceneTest : public ::testing::Test {
@@ -46,12 +45,6 @@ class TiledSceneTest : public ::testing::Test {
     for (const auto& [what, count] : summary.kept) kept_[what] = count;
   }
 
-  static double LengthOf(const DrawingGraph& graph) {
-    double sum = 0;
-    for (const DrawingLink& link : graph.links) sum += Length(link.points_in_world);
-    return sum;
-  }
-
   const std::vector<View> views_;
   const std::vector<ImageCurves> curves_;
   std::vector<ViewId> all_;
@@ -60,26 +53,24 @@ class TiledSceneTest : public ::testing::Test {
 };
 
 TEST_F(TiledSceneTest, TwoTilesGiveTheWholeCube) {
-  const Eigen::AlignedBox3d below(Half(false).min(), Eigen::Vector3d(9, 9, 0.3));
-  const Eigen::AlignedBox3d above(Eigen::Vector3d(-9, -9, -0.3), Half(true).max());
-  const DrawingGraph graph = Draw({{Half(false), below, all_}, {Half(true), above, all_}});
+  const DrawingGraph graph =
+      Draw({{kLeft, Between(-kInfinity, 0.3), all_}, {kRight, Between(-0.3, kInfinity), all_}});
   EXPECT_NEAR(LengthOf(graph), 12 * 1.6, 0.5);
   EXPECT_EQ(kept_["links joined at borders"], 4);
   EXPECT_EQ(dropped_["tiles: nothing to triangulate"], 0);
 }
 
 TEST_F(TiledSceneTest, TilesThatCannotBeDrawnAreTold) {
-  const DrawingGraph graph =
-      Draw({{Half(false), Half(false), {3}}, {Half(true), Half(true), all_}});
+  const DrawingGraph graph = Draw({{kLeft, kLeft, {3}}, {kRight, kRight, all_}});
   EXPECT_GT(LengthOf(graph), 4 * 1.6);
   EXPECT_EQ(dropped_["tiles: nothing to triangulate"], 1);
-  EXPECT_TRUE(Draw({{Half(false), Half(false), {}}}).links.empty());
+  EXPECT_TRUE(Draw({{kLeft, kLeft, {}}}).links.empty());
 }
 
 TEST_F(TiledSceneTest, PosesAreNotRefined) {
   PipelineOptions options;
   options.refinement.refine_poses = true;
-  EXPECT_THROW(Draw({{Half(true), Half(true), all_}}, options), OptionError);
+  EXPECT_THROW(Draw({{kRight, kRight, all_}}, options), OptionError);
 }
 
 }  // namespace
