@@ -16,6 +16,7 @@ LAYERS = [
     ["geometry"],
     ["model"],
     ["support", "visibility"],
+    ["topology"],
     ["edges", "linking", "sketch", "drawing", "refinement", "primitives", "dense", "tiles"],
     ["io"],
     ["export"],

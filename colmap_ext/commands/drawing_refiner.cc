@@ -31,7 +31,7 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
   const RefinementResult result = RefineDrawing(
       {project.views(), image_curves.curves, drawing.graph, &project.view_set().hints.points},
-      options.pipeline.refinement, console.context());
+      options.pipeline.refinement, options.pipeline.drawing.topology, console.context());
   console.Report(result.summary);
   const std::vector<View>& views = ViewsOfDrawing(project, result.cameras);
   const PrimitiveResult primitives =

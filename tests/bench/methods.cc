@@ -26,7 +26,8 @@ Reconstruction DrawAndRefine(const Scene& scene, const CurveSketch& sketch,
   const DrawingGraph drawing =
       BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph;
   return OfDrawing(
-      RefineDrawing({scene.views, scene.curves, drawing}, options.refinement, context).graph);
+      RefineDrawing({scene.views, scene.curves, drawing}, options.refinement,
+                     options.drawing.topology, context).graph);
 }
 
 void SetTotalInliers(int inliers, PipelineOptions* options) {

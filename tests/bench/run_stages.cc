@@ -37,7 +37,7 @@ void RunStages(const Scene& scene, const PipelineOptions& options, const RunCont
   const RefinementResult refined = Measure(
       [&] {
         return RefineDrawing({scene.views, scene.curves, drawing.graph, &scene.hints.points},
-                             options.refinement, context);
+                             options.refinement, options.drawing.topology, context);
       },
       of_graph, on_stage_end);
   Measure([&] { return FitPrimitives(refined.graph, scene.views, options.primitives, context); },

@@ -41,7 +41,7 @@ RefinementResult Refine(const SampleStudy& study, const std::vector<View>& views
   RefinementOptions options;
   options.refine_poses = refine_poses;
   return RefineDrawing({views, study.scene.curves, graph, &study.scene.hints.points}, options,
-                       context);
+                       {}, context);
 }
 
 Json MeasureAligned(const SampleStudy& study, const std::vector<View>& views,

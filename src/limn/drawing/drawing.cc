@@ -1,16 +1,14 @@
 #include "limn/drawing/drawing.h"
 
+#include <algorithm>
 #include <set>
 
-#include "limn/drawing/corner_edges.h"
 #include "limn/drawing/curve_averaging.h"
 #include "limn/drawing/curve_consistency.h"
-#include "limn/drawing/graph_assembly.h"
-#include "limn/drawing/junctions.h"
-#include "limn/drawing/link_evidence.h"
+#include "limn/drawing/link_fitting.h"
 #include "limn/drawing/merging.h"
 #include "limn/drawing/retriangulation.h"
-#include "limn/drawing/sample_fates.h"
+#include "limn/topology/edit_topology.h"
 
 namespace limn {
 namespace {
@@ -19,14 +17,75 @@ int64_t NumClusters(const CurveConsistency& network) {
   return static_cast<int64_t>(std::set<int>(network.cluster.begin(), network.cluster.end()).size());
 }
 
-// Returns the number of samples in the links removed.
-int64_t RemoveDoubtfulLinks(const std::vector<uint8_t>& believed, Draft* draft) {
-  int64_t num_samples = 0;
-  for (size_t l = 0; l < believed.size(); ++l) {
-    if (!believed[l]) num_samples += draft->NumSketchSamples(draft->links[l]);
+// The paper's drawing, and what was counted on the way to it.
+struct MergedSketch {
+  DrawingGraph graph;
+  RetriangulationStats retriangulation;
+  int64_t num_clusters = 0;
+  int averaging_rounds = 0;
+  MergingCounts merging;
+};
+
+MergedSketch MergeSketch(const DrawingInput& input, const TopologyInput& images,
+                         const DrawingOptions& options, const RunContext& context) {
+  MergedSketch result;
+  SampleSet samples = Retriangulate(input.sketch, input.views, input.curves, images.edgels, options,
+                                    context, &result.retriangulation);
+  const CurveConsistency network = BuildCurveConsistency(
+      samples, BuildLocalConsistency(samples, input.curves, options, context), options, context);
+  result.num_clusters = NumClusters(network);
+  const std::vector<int> agreeing_views = CountAgreeingViews(samples, network);
+  result.averaging_rounds = AverageCurves(network, options, context, &samples);
+  MergedCurves merged = MergeCurves(samples, network, input.views, options, context);
+  result.merging = merged.counts;
+  result.graph = std::move(merged.graph);
+  FitLinks(samples, agreeing_views, options, &result.graph);
+  return result;
+}
+
+StageSummary Summarize(const DrawingInput& input, const MergedSketch& merged,
+                       const CompletionCounts& completion, const DrawingGraph& graph) {
+  int64_t samples_in_links = 0;
+  for (const DrawingLink& link : graph.links) {
+    for (const LinkMember& member : link.members) samples_in_links += member.end - member.begin;
   }
-  KeepLinks(believed, draft);
-  return num_samples;
+  const auto num_junctions =
+      std::count_if(graph.nodes.begin(), graph.nodes.end(),
+                    [](const DrawingNode& node) { return node.kind == NodeKind::kJunction; });
+  const MergingCounts& merging = merged.merging;
+  const MeetingCounts& meetings = completion.meetings;
+  StageSummary summary;
+  summary.stage = "drawing";
+  summary.in = {{"curves", static_cast<int64_t>(input.sketch.curves.size())},
+                {"samples", merged.retriangulation.samples_in},
+                {"clusters", merged.num_clusters},
+                {"averaging rounds", merged.averaging_rounds}};
+  summary.kept = {{"samples", samples_in_links},
+                  {"links", static_cast<int64_t>(graph.links.size())},
+                  {"nodes", static_cast<int64_t>(graph.nodes.size())},
+                  {"junctions", num_junctions},
+                  {"runs released", merging.released},
+                  {"elongations", merging.elongated},
+                  {"branchings", merging.branched},
+                  {"bridges", merging.bridged},
+                  {"rejoinings", merging.rejoined},
+                  {"multi-attachments", merging.multi_attached},
+                  {"continuations", meetings.joined},
+                  {"corners", meetings.corners},
+                  {"T junctions", meetings.to_links},
+                  {"ends joined to nodes", meetings.to_nodes},
+                  {"edges grown from corners", completion.grown},
+                  {"short edges between nodes", completion.short_edges},
+                  {"forks cut", completion.tidy.forks_cut},
+                  {"dissolved nodes", completion.tidy.dissolved_nodes}};
+  summary.dropped = {
+      {"samples: too few views after re-triangulation", merged.retriangulation.too_few_views},
+      {"samples: piece too short after re-triangulation", merged.retriangulation.piece_too_short},
+      {"samples: in links with too little support", completion.samples_doubtful},
+      {"samples: in short links", completion.tidy.samples_short},
+      {"samples: in links that run along others", completion.tidy.samples_covered},
+      {"meetings that the images do not show", meetings.refused}};
+  return summary;
 }
 
 }  // namespace
@@ -34,77 +93,15 @@ int64_t RemoveDoubtfulLinks(const std::vector<uint8_t>& believed, Draft* draft) 
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context) {
   options.Check();
-  const auto evidence = BuildEvidence(input.curves, context);
-  RetriangulationStats retriangulation;
-  SampleSet samples = Retriangulate(input.sketch, input.views, input.curves, evidence, options,
-                                    context, &retriangulation);
-  const CurveConsistency network = BuildCurveConsistency(
-      samples, BuildLocalConsistency(samples, input.curves, options, context), options, context);
-  const std::vector<int> agreeing_views = CountAgreeingViews(samples, network);
-  const int rounds = AverageCurves(network, options, context, &samples);
-  const MergedCurves merged = MergeCurves(samples, network, input.views, options, context);
-  Draft draft = FitLinks(samples, merged, options);
-  SampleLedger ledger(samples);
-  ledger.Update(draft, EdgelFate::kPrunedLink);
-  const int64_t doubtful = RemoveDoubtfulLinks(
-      BelievedLinks({samples, agreeing_views, input.views, input.curves, evidence}, options, draft,
-                    context),
-      &draft);
-  ledger.Update(draft, EdgelFate::kDoubtfulLink);
-  JunctionCounts junctions;
-  JoinLinks(samples, input.views, evidence, options, &draft, &junctions);
-  const int64_t grown = GrowCornerEdges(input.views, input.curves,
-                                        IndexEdgels(input.curves, evidence, samples, draft),
-                                        input.box, options, context, &samples, &draft);
-  JoinLinks(samples, input.views, evidence, options, &draft, &junctions);  // ends that grew
-  const int64_t short_edges =
-      AddShortEdges(input.views, input.curves, IndexEdgels(input.curves, evidence, samples, draft),
-                    options, context, &samples, &draft);
-  const CleanupCounts cleanup = CleanUp(options, &draft);
-  ledger.Update(draft, EdgelFate::kPrunedLink);
-
+  const auto edgels = BuildEvidence(input.curves, context);
+  const TopologyInput images = {input.views, input.curves, edgels, options.Gate()};
+  MergedSketch merged = MergeSketch(input, images, options, context);
   DrawingResult result;
-  result.fates = ledger.ForSketch(samples, input.sketch);
-  result.graph = AssembleGraph(samples, input.views, input.curves, options, draft);
-  int64_t in_links = 0;
-  for (const DrawingLink& link : result.graph.links) {
-    for (const LinkMember& member : link.members) in_links += member.end - member.begin;
-  }
-  int64_t num_junctions = 0;
-  for (const DrawingNode& node : result.graph.nodes) {
-    num_junctions += node.kind == NodeKind::kJunction;
-  }
-  StageSummary& summary = result.summary;
-  summary.stage = "drawing";
-  summary.in = {{"curves", static_cast<int64_t>(input.sketch.curves.size())},
-                {"samples", retriangulation.samples_in},
-                {"clusters", NumClusters(network)},
-                {"averaging rounds", rounds}};
-  summary.kept = {{"samples", in_links},
-                  {"links", static_cast<int64_t>(result.graph.links.size())},
-                  {"nodes", static_cast<int64_t>(result.graph.nodes.size())},
-                  {"junctions", num_junctions},
-                  {"runs released", merged.counts.released},
-                  {"elongations", merged.counts.elongated},
-                  {"branchings", merged.counts.branched},
-                  {"bridges", merged.counts.bridged},
-                  {"rejoinings", merged.counts.rejoined},
-                  {"multi-attachments", merged.counts.multi_attached},
-                  {"continuations", junctions.continued},
-                  {"corners", junctions.corners},
-                  {"T junctions", junctions.t_junctions},
-                  {"ends joined to nodes", junctions.joined_nodes},
-                  {"edges grown from corners", grown},
-                  {"short edges between nodes", short_edges},
-                  {"forks cut", cleanup.forks_cut},
-                  {"dissolved nodes", cleanup.dissolved_nodes}};
-  summary.dropped = {
-      {"samples: too few views after re-triangulation", retriangulation.too_few_views},
-      {"samples: piece too short after re-triangulation", retriangulation.piece_too_short},
-      {"samples: in links with too little evidence", doubtful},
-      {"samples: in short links", cleanup.samples_pruned},
-      {"samples: in links that run along others", cleanup.samples_covered},
-      {"meetings without image evidence", junctions.without_image_evidence}};
+  result.graph = std::move(merged.graph);
+  CompletionCounts completion =
+      CompleteDrawing(images, input.sketch, options.topology, input.box, context, &result.graph);
+  result.summary = Summarize(input, merged, completion, result.graph);
+  result.fates = std::move(completion.fates);
   return result;
 }
 

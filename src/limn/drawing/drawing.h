@@ -29,10 +29,10 @@ struct DrawingResult {
   StageSummary summary;
 };
 
-// The 3D drawing (ECCV 2016, sections 4 and 5): re-triangulate the samples of the sketch from all
-// their edgels, build the local and the curve-level consistency network, average the curves of each
-// cluster, merge them into links, find corners and T junctions across clusters, and grow from
-// joints and free ends what else the images show. The graph passes Validate().
+// The 3D drawing (ECCV 2016, section 3): re-triangulate the samples of the sketch from all their
+// edgels (ours), build the local and the curve-level consistency network, average the curves of
+// each cluster, and merge them into links; then complete the drawing by what is ours
+// (CompleteDrawing). The graph passes Validate().
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "limn/drawing/vertex_grid.h"
 #include "limn/support/edgel_residual.h"
@@ -23,7 +24,7 @@ class CurveMerger {
         network_(network),
         views_(views),
         options_(options),
-        builder_(samples, options),
+        primitives_(samples, options, &merged_.graph),
         grid_(kSearchPx),
         home_(samples.NumSamples(), -1),
         min_cosine_(std::cos(options.max_link_angle_deg * M_PI / 180)) {}
@@ -33,18 +34,9 @@ class CurveMerger {
       ThrowIfCancelled(context);
       MergeCurve(curve);
     }
-    MergedCurves merged;
-    for (int& vertex : home_) {
-      if (vertex >= 0) vertex = builder_.Resolve(vertex);
-    }
-    merged.links = builder_.links();
-    for (int v = 0; v < builder_.num_vertices(); ++v) {
-      merged.vertex_sample.push_back(builder_.SampleOf(v));
-    }
-    merged.home = std::move(home_);
-    merged.num_nodes = builder_.num_nodes();
-    merged.counts = builder_.counts();
-    return merged;
+    primitives_.MergeSamples(home_);
+    merged_.counts = primitives_.counts();
+    return std::move(merged_);
   }
 
  private:
@@ -85,11 +77,10 @@ class CurveMerger {
   };
 
   void Consider(int sample, int vertex, Best* best) const {
-    vertex = builder_.Resolve(vertex);
-    const int other = builder_.SampleOf(vertex);
-    const double squared = (samples_.position[other] - samples_.position[sample]).squaredNorm();
+    vertex = primitives_.Resolve(vertex);
+    const double squared = (samples_.position[vertex] - samples_.position[sample]).squaredNorm();
     if (squared > best->squared || (squared == best->squared && vertex >= best->vertex)) return;
-    if (std::abs(samples_.tangent[other].dot(samples_.tangent[sample])) < min_cosine_) return;
+    if (std::abs(samples_.tangent[vertex].dot(samples_.tangent[sample])) < min_cosine_) return;
     *best = {vertex, squared};
   }
 
@@ -109,7 +100,7 @@ class CurveMerger {
   }
 
   bool Covers(int sample, const Best& best) const {
-    const int other = builder_.SampleOf(best.vertex);
+    const int other = best.vertex;
     const double footprint = samples_.footprint[sample];
     if (best.squared > std::pow(kSearchPx * footprint, 2)) return false;
     // Along the curve a vertex speaks for its neighbourhood only.
@@ -159,17 +150,14 @@ class CurveMerger {
     }
   }
 
-  int AddRun(int curve, int begin, int end, bool closed) {
-    std::vector<int> run;
-    for (int k = begin; k < end; ++k) run.push_back(samples_.curve_begin[curve] + k);
-    const int first_vertex = builder_.num_vertices();
-    const int link = builder_.AddLink(run, closed);
-    for (size_t i = 0; i < run.size(); ++i) {
-      const int vertex = first_vertex + static_cast<int>(i);
-      home_[run[i]] = vertex;
-      grid_.Add(vertex, samples_.position[run[i]], samples_.footprint[run[i]]);
+  LinkId AddRun(int curve, int begin, int end, bool closed) {
+    std::vector<int> run(end - begin);
+    std::iota(run.begin(), run.end(), samples_.curve_begin[curve] + begin);
+    for (const int sample : run) {
+      home_[sample] = sample;
+      grid_.Add(sample, samples_.position[sample], samples_.footprint[sample]);
     }
-    return link;
+    return primitives_.AddRun(run, closed);
   }
 
   // `before` and `after`: the vertices at which the curve comes from and goes on along existing
@@ -181,7 +169,7 @@ class CurveMerger {
       length_px += (samples_.position[s] - samples_.position[s - 1]).norm() / samples_.footprint[s];
     }
     if (before < 0 && after < 0) {
-      ++builder_.counts().released;
+      ++primitives_.counts().released;
       AddRun(curve, begin, end, false);
       return;
     }
@@ -192,43 +180,34 @@ class CurveMerger {
       }
       return;
     }
+    MergingCounts& counts = primitives_.counts();
     if (before >= 0 && after >= 0) {
-      ++(builder_.LinkOf(before) == builder_.LinkOf(after) ? builder_.counts().rejoined
-                                                           : builder_.counts().bridged);
+      ++(primitives_.LinkOf(before) == primitives_.LinkOf(after) ? counts.rejoined
+                                                                 : counts.bridged);
     }
-    int link = AddRun(curve, begin, end, false);
-    const int first = home_[samples_.curve_begin[curve] + begin];
-    const int last = home_[samples_.curve_begin[curve] + end - 1];
-    if (before >= 0) builder_.Attach(link, EndOf(first, link), before);
-    if (after >= 0) {
-      link = builder_.LinkOf(last);
-      const int last_end = EndOf(last, link);
-      if (last_end >= 0) builder_.Attach(link, last_end, after);
-    }
+    const LinkId link = AddRun(curve, begin, end, false);
+    if (before >= 0) primitives_.Attach(link, 0, before);
+    if (after < 0) return;
+    const int last = samples_.curve_begin[curve] + end - 1;
+    const int last_end = primitives_.EndOf(last);
+    if (last_end >= 0) primitives_.Attach(primitives_.LinkOf(last), last_end, after);
   }
 
   bool Near(int vertex_a, int vertex_b) const {
-    const int a = builder_.SampleOf(builder_.Resolve(vertex_a));
-    const int b = builder_.SampleOf(builder_.Resolve(vertex_b));
+    const int a = primitives_.Resolve(vertex_a);
+    const int b = primitives_.Resolve(vertex_b);
     return (samples_.position[a] - samples_.position[b]).norm() <=
            options_.min_branch_length_px * samples_.footprint[a];
-  }
-
-  // Which end of the link a vertex is, -1 if neither.
-  int EndOf(int vertex, int link) const {
-    const auto& vertices = builder_.links()[link].vertices;
-    if (vertices.back() == vertex && vertices.size() > 1) return 1;
-    if (vertices.front() == vertex) return 0;
-    return -1;
   }
 
   const SampleSet& samples_;
   const CurveConsistency& network_;
   const std::vector<View>& views_;
   const DrawingOptions& options_;
-  LinkBuilder builder_;
+  MergedCurves merged_;
+  MergingPrimitives primitives_;
   VertexGrid grid_;
-  std::vector<int> home_;
+  std::vector<int> home_;  // per sample: the vertex it is merged into, -1 if none
   double min_cosine_;
 };
 

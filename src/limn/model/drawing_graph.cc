@@ -48,6 +48,9 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
   if (link.sigma.size() != link.points_in_world.size()) {
     violations->Add("link", id, "as many sigmas as points needed");
   }
+  if (!link.vertices.empty() && link.vertices.size() != link.points_in_world.size()) {
+    violations->Add("link", id, "as many vertices as points needed");
+  }
   if (link.points_in_world.front() != graph.nodes[link.node0].position_in_world ||
       link.points_in_world.back() != graph.nodes[link.node1].position_in_world) {
     violations->Add("link", id, "ends are not at its nodes");

@@ -80,11 +80,34 @@ struct LinkPrimitive {
   double max_px = 0;
 };
 
+// A sample of a curve of the sketch.
+struct SketchSample {
+  int curve = -1;
+  int sample = -1;
+
+  auto operator<=>(const SketchSample&) const = default;
+};
+
+// What is known of a point of a link while the drawing is built.
+struct LinkVertex {
+  // Inverse covariance of the position across the curve, world units.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  double footprint = 0;  // world units per px
+  // Primary views whose curves agree here; 0 where the sketch has no curve.
+  int agreeing_views = 0;
+  // Edgels that support the point, ascending, and the samples that were merged into it. Both are
+  // empty at a point that was added to reach a node.
+  std::vector<EdgelRef> support;
+  std::vector<SketchSample> samples;
+};
+
 struct DrawingLink {
   // First and last point are the positions of node0 and node1.
   std::vector<Eigen::Vector3d> points_in_world;
   // Isotropic standard deviation across the curve per point, world units.
   std::vector<double> sigma;
+  // As many as points while the drawing is built, otherwise empty.
+  std::vector<LinkVertex> vertices;
   NodeId node0 = -1;
   NodeId node1 = -1;
   // node0 == node1 is a loop anchor: the polyline returns to its first point.
@@ -98,6 +121,9 @@ struct DrawingLink {
   std::optional<LinkDense> dense = std::nullopt;
   // As the points; absent in drawings of earlier versions.
   std::optional<LinkPrimitive> primitive = std::nullopt;
+
+  int size() const { return static_cast<int>(points_in_world.size()); }
+  NodeId NodeAt(int end) const { return end == 0 ? node0 : node1; }
 };
 
 // The 3D drawing: curves (links) that meet at nodes.
@@ -108,8 +134,9 @@ struct DrawingGraph {
 
 // Broken invariants in words, empty if there are none: ids in range, incidence symmetric, link ends
 // at their nodes' positions, all numbers finite, links of at least two points, no link of zero
-// length, primitives that ValidateShape accepts, junction <=> degree >= 3, loop anchors have
-// exactly the two ends of one closed link. Linear time.
+// length, as many sigmas as points, and vertices if there are any, primitives that ValidateShape
+// accepts, junction <=> degree >= 3, loop anchors have exactly the two ends of one closed link.
+// Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // Recompute `incident` and `kind` of every node from the links' node0, node1 and closed.

@@ -101,6 +101,31 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
         "original mode: support of the best match over that of the next");
 }
 
+// In the group of the drawing, which they belong to for a user.
+template <typename Visit>
+void VisitFields(TopologyOptions& o, Visit&& visit) {
+  visit("primary_views_share", o.primary_views_share,
+        "share of the views containing a link that must have made it in the mean");
+  visit("min_primary_views", o.min_primary_views, "but at least these");
+  visit("max_primary_views", o.max_primary_views, "and at most these");
+  visit("own_views_share", o.own_views_share,
+        "share of them with edgels of its own, beyond chance, that makes up for this");
+  visit("min_own_views", o.min_own_views, "at least so many views");
+  visit("max_own_views", o.max_own_views, "never asked for more than so many");
+  visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
+  visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
+  visit("max_junction_miss_px", o.max_junction_miss_px,
+        "how near their tangent lines must pass, px");
+  visit("covered_share", o.covered_share,
+        "a link that others run along over this share of its length is dropped");
+  visit("max_short_edge_px", o.max_short_edge_px, "longest edge found from its two ends alone, px");
+  visit("min_junction_views", o.min_junction_views, "images that must show the meeting");
+  visit("min_junction_angle_deg", o.min_junction_angle_deg,
+        "links that leave a node nearer to each other do not meet there, deg");
+  visit("max_continuation_angle_deg", o.max_continuation_angle_deg,
+        "two links that turn by less are one, deg");
+}
+
 template <typename Visit>
 void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("max_support_distance_px", o.max_support_distance_px,
@@ -123,26 +148,9 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("averaging_tolerance_px", o.averaging_tolerance_px, "averaging stops below it, px");
   visit("max_averaging_rounds", o.max_averaging_rounds, "or after so many rounds");
   visit("merge_distance_px", o.merge_distance_px, "samples this near to a link belong to it, px");
-  visit("primary_views_share", o.primary_views_share,
-        "share of the views containing a link that must have made it in the mean");
-  visit("min_primary_views", o.min_primary_views, "but at least these");
-  visit("max_primary_views", o.max_primary_views, "and at most these");
-  visit("own_views_share", o.own_views_share,
-        "share of them with edgels of its own, beyond chance, that makes up for this");
-  visit("min_own_views", o.min_own_views, "at least so many views");
-  visit("max_own_views", o.max_own_views, "never asked for more than so many");
   visit("min_branch_length_px", o.min_branch_length_px, "shorter stubs are no branches, px");
-  visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
   visit("junction_distance_px", o.junction_distance_px, "ends this near meet in a node, px");
-  visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
-  visit("max_junction_miss_px", o.max_junction_miss_px,
-        "how near their tangent lines must pass, px");
-  visit("max_short_edge_px", o.max_short_edge_px, "longest edge found from its two ends alone, px");
-  visit("min_junction_views", o.min_junction_views, "images that must show the meeting");
-  visit("min_junction_angle_deg", o.min_junction_angle_deg,
-        "links that leave a node nearer to each other do not meet there, deg");
-  visit("max_continuation_angle_deg", o.max_continuation_angle_deg,
-        "two links that turn by less are one, deg");
+  VisitFields(o.topology, visit);
 }
 
 template <typename Visit>

@@ -38,7 +38,7 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
 
   RefinementResult refined =
       RefineDrawing({input.views, image_curves.curves, drawing.graph, &input.hints.points},
-                    options.refinement, context);
+                    options.refinement, options.drawing.topology, context);
   on_stage_end(refined.summary);
 
   PrimitiveResult primitives =

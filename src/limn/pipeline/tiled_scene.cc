@@ -95,8 +95,9 @@ class TileDrawer {
     const DrawnCurves drawn = DrawCurves(
         {scene.views, scene.hints, image_curves.curves, reach, input_.cache, TileName(index)},
         options_, context_, report);
-    RefinementResult refined = RefineDrawing(
-        {scene.views, image_curves.curves, drawn.drawing.graph}, options_.refinement, context_);
+    RefinementResult refined =
+        RefineDrawing({scene.views, image_curves.curves, drawn.drawing.graph}, options_.refinement,
+                      options_.drawing.topology, context_);
     report(refined.summary);
     Keep(index, scene, key, refined.graph);
     return std::move(refined.graph);

@@ -119,7 +119,7 @@ class LinkMatcher {
     const auto seen = SightOf(id, place);
     if (!seen) return {};
     const auto& [pixel, direction] = *seen;
-    Answer answer = {true, input_.edgels[id]->Best(pixel, direction, gate_), pixel, false};
+    Answer answer = {true, input_.edgels[id]->edgels.Best(pixel, direction, gate_), pixel, false};
     if (answer.match) {
       const Edgel& edgel = input_.curves[id].edge_map.edgels[answer.match->edgel];
       answer.bright_left = std::cos(edgel.tangent_rad - direction) > 0;

@@ -5,13 +5,13 @@
 #include <limits>
 #include <map>
 
-#include "limn/model/graph_edits.h"
-#include "limn/refinement/covered_links.h"
 #include "limn/refinement/curve_fit.h"
+#include "limn/refinement/fitted_vertices.h"
 #include "limn/refinement/gauge.h"
 #include "limn/refinement/pose_fit.h"
-#include "limn/refinement/topology_edits.h"
 #include "limn/refinement/variance_factors.h"
+#include "limn/topology/covered_links.h"
+#include "limn/topology/edit_topology.h"
 
 namespace limn {
 namespace {
@@ -24,15 +24,6 @@ constexpr int kMinSupportedSamples = 3;
 // Rounds in which the cameras move: reach of the edgels, multiples of max_distance_px. The first
 // ones must reach over the errors of the cameras.
 constexpr double kPoseRoundReach[] = {3, 3, 2, 1.5, 1, 1};
-
-std::vector<std::unique_ptr<EdgelIndex>> IndexEdgels(const std::vector<ImageCurves>& curves,
-                                                     const RunContext& context) {
-  std::vector<std::unique_ptr<EdgelIndex>> indexes(curves.size());
-  ParallelFor(context, "indexing edgels", curves.size(), [&](size_t v) {
-    indexes[v] = std::make_unique<EdgelIndex>(curves[v].edge_map, LinkedEdgels(curves[v]));
-  });
-  return indexes;
-}
 
 // Samples that enough views show.
 int NumShown(const LinkMatches& matches) {
@@ -102,13 +93,15 @@ void FollowEnds(const Eigen::Vector3d& first, const Eigen::Vector3d& last,
 
 class Refiner {
  public:
-  Refiner(const RefinementInput& input, const RefinementOptions& options, const RunContext& context)
+  Refiner(const RefinementInput& input, const RefinementOptions& options,
+          const TopologyOptions& topology, const RunContext& context)
       : input_(input),
         options_(options),
+        topology_(topology),
         context_(context),
         views_(input.views),
         graph_(input.graph),
-        edgels_(IndexEdgels(input.curves, context)) {
+        edgels_(BuildEvidence(input.curves, context)) {
     TakeGraph();
   }
 
@@ -123,8 +116,8 @@ class Refiner {
     Match(1);
     ScaleCovariances();
     SetGeometry();
-    UpdateEvidence();
-    RemoveCoveredLinks();
+    UpdateSupport();
+    RemoveCoveredLinks(WithVertices());
     result.summary = Summary();
     result.graph = std::move(graph_);
     return result;
@@ -138,27 +131,46 @@ class Refiner {
     for (const DrawingLink& link : graph_.links) asked_.push_back(link.supporting_views);
   }
 
+  SupportGate Gate(double reach) const {
+    return {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
+  }
+
   void ChangeTopology() {
     SetGeometry();
-    RemoveCoveredLinks();
-    GraphEditor editor(views_, edgels_, options_, frozen_, &graph_);
-    edits_ = EditTopology(&editor);
+    graph_ = WithVertices();
+    RemoveCoveredLinks(graph_);
+    for (size_t l = 0; l < graph_.links.size(); ++l) {
+      if (frozen_[l]) graph_.links[l].vertices.clear();
+    }
+    repairs_ = RepairTopology({views_, input_.curves, edgels_, Gate(1)}, topology_, &graph_);
+    for (DrawingLink& link : graph_.links) link.vertices.clear();
     TakeGraph();
   }
 
-  void RemoveCoveredLinks() {
-    const std::vector<uint8_t> keep = FindUncoveredLinks(control_);
+  DrawingGraph WithVertices() const {
+    DrawingGraph graph = graph_;
+    for (size_t l = 0; l < graph.links.size(); ++l) {
+      GiveVertices(views_, frozen_[l] ? LinkMatches() : matches_[l], &graph.links[l]);
+    }
+    return graph;
+  }
+
+  // From a graph whose links have vertices, as `graph_` may not.
+  void RemoveCoveredLinks(const DrawingGraph& dense) {
+    const std::vector<uint8_t> keep = FindUncoveredLinks(topology_, dense);
     RemoveLinks(keep, &graph_);
-    num_covered_ += std::count(keep.begin(), keep.end(), uint8_t{0});
-    std::erase_if(frozen_, [&](const uint8_t& flag) { return !keep[&flag - frozen_.data()]; });
+    std::vector<uint8_t> frozen;
+    for (size_t l = 0; l < keep.size(); ++l) {
+      if (keep[l]) frozen.push_back(frozen_[l]);
+    }
+    num_covered_ += static_cast<int64_t>(frozen_.size() - frozen.size());
+    frozen_ = std::move(frozen);
   }
 
   // `reach`: multiple of max_distance_px.
   void Match(double reach) {
-    const SupportGate gate = {reach * options_.max_distance_px, 1.0,
-                              options_.max_angle_deg * M_PI / 180};
-    matches_ =
-        MatchEdgels({views_, input_.curves, edgels_, asked_}, control_, gate, options_, context_);
+    matches_ = MatchEdgels({views_, input_.curves, edgels_, asked_}, control_, Gate(reach),
+                           options_, context_);
   }
 
   RefinedCameras RefineCameras() {
@@ -289,7 +301,7 @@ class Refiner {
     }
   }
 
-  void UpdateEvidence() {
+  void UpdateSupport() {
     for (size_t l = 0; l < graph_.links.size(); ++l) {
       if (frozen_[l]) continue;
       graph_.links[l].supporting_views = SupportingViews(matches_[l]);
@@ -308,11 +320,11 @@ class Refiner {
     summary.kept = {{"links", num_links(graph_)},
                     {"links not fitted: too few views", num_frozen},
                     {"control points", static_cast<int64_t>(control_.position.size())},
-                    {"ends cut back from other links", edits_.trimmed},
-                    {"ends joined", edits_.joined},
-                    {"ends taken to nodes", edits_.to_nodes},
-                    {"ends taken to links", edits_.to_links},
-                    {"links cut at corners", edits_.corners}};
+                    {"ends cut back from other links", repairs_.trimmed},
+                    {"ends joined", repairs_.meetings.joined},
+                    {"ends taken to nodes", repairs_.meetings.to_nodes},
+                    {"ends taken to links", repairs_.meetings.to_links},
+                    {"links cut at corners", repairs_.corners}};
     summary.dropped = {{"links: others run along them", num_covered_}};
     if (num_failed_pose_rounds_ > 0) {
       summary.warnings.push_back(std::to_string(num_failed_pose_rounds_) + " of " +
@@ -324,16 +336,17 @@ class Refiner {
 
   const RefinementInput& input_;
   const RefinementOptions& options_;
+  const TopologyOptions& topology_;
   const RunContext& context_;
   std::vector<View> views_;  // with refined cameras
   DrawingGraph graph_;
-  std::vector<std::unique_ptr<EdgelIndex>> edgels_;
+  std::vector<std::unique_ptr<ViewEvidence>> edgels_;
   ControlGraph control_;
   std::vector<std::vector<ViewId>> asked_;
   std::vector<LinkMatches> matches_;
   std::vector<uint8_t> frozen_;
   Covariances covariances_;
-  TopologyEditCounts edits_;
+  RepairCounts repairs_;
   int64_t num_covered_ = 0;
   int num_failed_pose_rounds_ = 0;
 };
@@ -341,15 +354,16 @@ class Refiner {
 }  // namespace
 
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
-                               const RunContext& context) {
+                               const TopologyOptions& topology, const RunContext& context) {
   options.Check();
+  topology.Check();
   if (options.num_rounds == 0) {
     RefinementResult unchanged;
     unchanged.graph = input.graph;
     unchanged.summary.stage = "refinement";
     return unchanged;
   }
-  return Refiner(input, options, context).Run();
+  return Refiner(input, options, topology, context).Run();
 }
 
 }  // namespace limn

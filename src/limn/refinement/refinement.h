@@ -10,6 +10,7 @@
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
 #include "limn/refinement/refinement_options.h"
+#include "limn/topology/topology_options.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
 
@@ -50,15 +51,15 @@ struct RefinementResult {
 // supporting views are asked, and edgels whose brighter side is not that of nearly all others are
 // left out: they belong to the other side of a thin bar. Views in which two links run so near to
 // each other that their edges blur are not heard where enough others are (crowding.h). Half of the
-// way the topology is edited (topology_edits.h): ends cut back, joined and taken to what they meet,
-// links cut at corners, and links removed that others cover. The sigmas come from the inverse of
-// the normal matrix, scaled by how well the views agree (variance_factors.h). Links that too few
-// views show keep their shape, with sigmas of at least max_distance_px. The parts of a link that
-// was cut share its members. With `refine_poses` rounds go before in which the cameras move too,
-// together with curves and points (pose_fit.h), after which place, orientation and scale of the
-// whole are those of the given cameras again (gauge.h). The result passes Validate(). Throws
-// OptionError and Cancelled. Time: rounds times length of all links in px times views.
+// way links that others cover are removed and the topology is repaired (RepairTopology). The sigmas
+// come from the inverse of the normal matrix, scaled by how well the views agree
+// (variance_factors.h). Links that too few views show keep their shape, with sigmas of at least
+// max_distance_px. The parts of a link that was cut share its members. With `refine_poses` rounds
+// go before in which the cameras move too, together with curves and points (pose_fit.h), after
+// which place, orientation and scale of the whole are those of the given cameras again (gauge.h).
+// The result passes Validate(). Throws OptionError and Cancelled. Time: rounds times length of all
+// links in px times views.
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
-                               const RunContext& context);
+                               const TopologyOptions& topology, const RunContext& context);
 
 }  // namespace limn

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "limn/model/graph_edits.h"
+#include "limn/topology/graph_editor.h"
 
 namespace limn {
 namespace {
@@ -92,15 +92,14 @@ std::vector<int> AddCrossings(const Eigen::AlignedBox3d& core, DrawingLink* link
 }
 
 // Cut a link at its crossings; the parts are the link itself and the last links.
-void CutAtBorder(const Eigen::AlignedBox3d& core, LinkId id, DrawingGraph* graph) {
-  std::vector<int> crossings = AddCrossings(core, &graph->links[id]);
-  if (!crossings.empty() && graph->links[id].closed) {
+void CutAtBorder(LinkId id, std::vector<int> crossings, GraphEditor* editor) {
+  if (!crossings.empty() && editor->link(id).closed) {
     const int start = crossings.front();
-    SplitLink(id, start, graph);
+    editor->Open(id, start);
     crossings.erase(crossings.begin());
     for (int& crossing : crossings) crossing -= start;
   }
-  for (auto it = crossings.rbegin(); it != crossings.rend(); ++it) SplitLink(id, *it, graph);
+  for (auto it = crossings.rbegin(); it != crossings.rend(); ++it) editor->Split(id, *it);
 }
 
 // Of a link that does not cross the border but at its ends.
@@ -112,11 +111,15 @@ bool IsInside(const Eigen::AlignedBox3d& core, const DrawingLink& link) {
 }  // namespace
 
 void CropDrawing(const Eigen::AlignedBox3d& core, DrawingGraph* graph) {
-  const auto num_links = static_cast<LinkId>(graph->links.size());
-  for (LinkId l = 0; l < num_links; ++l) CutAtBorder(core, l, graph);
+  std::vector<std::vector<int>> crossings;
+  for (DrawingLink& link : graph->links) crossings.push_back(AddCrossings(core, &link));
+  GraphEditor editor(graph);
+  for (size_t l = 0; l < crossings.size(); ++l) {
+    CutAtBorder(static_cast<LinkId>(l), crossings[l], &editor);
+  }
   std::vector<uint8_t> keep;
   for (const DrawingLink& link : graph->links) keep.push_back(IsInside(core, link));
-  RemoveLinks(keep, graph);
+  editor.Keep(keep);
 }
 
 bool IsOnBorder(const Eigen::AlignedBox3d& core, const Eigen::Vector3d& point) {

@@ -7,9 +7,11 @@
 
 #include "limn/geometry/polyline.h"
 #include "limn/geometry/spatial_index.h"
-#include "limn/model/graph_edits.h"
 #include "limn/support/link_footprint.h"
 #include "limn/tiles/tile_cropping.h"
+#include "limn/topology/graph_editor.h"
+#include "limn/topology/join_ends.h"
+#include "limn/topology/link_geometry.h"
 
 namespace limn {
 namespace {
@@ -21,8 +23,6 @@ constexpr double kMinCosine = 0.94;  // 20 degrees
 constexpr double kBlendPx = 15;
 // A link that another tile does not go on with is kept from this length on, px.
 constexpr double kMinOpenPx = 15;
-// And one that closes itself from this length on, px.
-constexpr double kMinLoopPx = 12;
 
 // An end on the border of its tile.
 struct CutEnd {
@@ -67,25 +67,26 @@ class TileJoiner {
   }
 
   JoinedTiles Run() {
-    keep_.assign(graph_.links.size(), 1);
+    GraphEditor editor(&graph_);
     std::vector<uint8_t> used(cuts_.size(), 0);
     JoinedTiles result;
     for (const auto& [px, i, j] : FindPairs()) {
-      if (used[i] || used[j] || !Join(cuts_[i], cuts_[j])) continue;
+      if (used[i] || used[j] || !Join(cuts_[i], cuts_[j], px, &editor)) continue;
       used[i] = used[j] = 1;
       ++result.joined;
     }
     for (size_t i = 0; i < cuts_.size(); ++i) {
       if (used[i]) continue;
-      const LinkId link = moves_.Now(cuts_[i].end).link;
-      if (LengthPx(link, cuts_[i].footprint) >= kMinOpenPx) {
+      const LinkId id = editor.Now(cuts_[i].end).link;
+      if (!editor.IsLink(id)) continue;
+      if (Length(editor.link(id).points_in_world) >= kMinOpenPx * cuts_[i].footprint) {
         ++result.open_ends;
       } else {
-        result.stubs += keep_[link];
-        keep_[link] = 0;
+        ++result.stubs;
+        editor.Remove(id);
       }
     }
-    RemoveLinks(keep_, &graph_);
+    editor.Compact();
     result.graph = std::move(graph_);
     return result;
   }
@@ -126,63 +127,42 @@ class TileJoiner {
     return pairs;
   }
 
-  double LengthPx(LinkId link, double footprint) const {
-    return Length(graph_.links[link].points_in_world) / footprint;
-  }
-
   // False if the two are the ends of what is shorter than a loop.
-  bool Join(const CutEnd& cut_a, const CutEnd& cut_b) {
-    const LinkEnd a = moves_.Now(cut_a.end), b = moves_.Now(cut_b.end);
-    if (a.link == b.link && LengthPx(a.link, cut_a.footprint) < kMinLoopPx) return false;
+  static bool Join(const CutEnd& cut_a, const CutEnd& cut_b, double gap_px, GraphEditor* editor) {
+    const LinkEnd a = editor->Now(cut_a.end), b = editor->Now(cut_b.end);
+    const double length = Length(editor->link(a.link).points_in_world);
+    if (a.link == b.link && !MayClose(length / cut_a.footprint, gap_px)) return false;
     const Eigen::Vector3d middle = (cut_a.position + cut_b.position) / 2;
-    Bend(a, middle - cut_a.position, kBlendPx * cut_a.footprint);
-    Bend(b, middle - cut_b.position, kBlendPx * cut_b.footprint);
-    DropEnd(a);  // the other link has it, too
-    JoinEnds(a, b, &graph_);
-    if (a.link == b.link) {
-      const DrawingLink& loop = graph_.links[a.link];
-      graph_.nodes[loop.node0].position_in_world = loop.points_in_world.front();
-      return true;
-    }
-    keep_[b.link] = 0;
-    moves_.Joined(a, b);
+    Bend(a, middle, kBlendPx * cut_a.footprint, editor);
+    Bend(b, middle, kBlendPx * cut_b.footprint, editor);
+    editor->Join(a, b);
     return true;
   }
 
   // Move an end, and less and less what is up to `reach` away along the link, but not its other
   // end.
-  void Bend(const LinkEnd& end, const Eigen::Vector3d& offset, double reach) {
-    std::vector<Eigen::Vector3d>& points = graph_.links[end.link].points_in_world;
+  static void Bend(const LinkEnd& end, const Eigen::Vector3d& to, double reach,
+                   GraphEditor* editor) {
+    const std::vector<Eigen::Vector3d>& points = editor->link(end.link).points_in_world;
+    const Eigen::Vector3d offset = to - EndPoint(editor->link(end.link), end.end);
     reach = std::min(reach, Length(points));
     const int size = static_cast<int>(points.size());
-    const auto at = [&](int k) -> Eigen::Vector3d& {
-      return points[end.end == 0 ? k : size - 1 - k];
-    };
+    const auto index = [&](int k) { return end.end == 0 ? k : size - 1 - k; };
     double arc = 0;
-    Eigen::Vector3d before = at(0);
-    for (int k = 0; k + 1 < size && arc < reach; ++k) {
-      const Eigen::Vector3d point = at(k);
+    Eigen::Vector3d before = points[index(0)];
+    for (int k = 1; k + 1 < size && arc < reach; ++k) {
+      const Eigen::Vector3d point = points[index(k)];
       arc += (point - before).norm();
-      if (arc < reach) at(k) += (1 - arc / reach) * offset;
+      if (arc < reach) editor->MovePoint(end.link, index(k), point + (1 - arc / reach) * offset);
       before = point;
     }
-  }
-
-  void DropEnd(const LinkEnd& end) {
-    DrawingLink& link = graph_.links[end.link];
-    const auto drop = [&](auto* values) {
-      values->erase(end.end == 0 ? values->begin() : values->end() - 1);
-    };
-    drop(&link.points_in_world);
-    drop(&link.sigma);
+    editor->MoveNode(editor->NodeAt(end), to);
   }
 
   const std::vector<View>& views_;
   DrawingGraph graph_;
   std::vector<CutEnd> cuts_;
   int num_tiles_ = 0;
-  std::vector<uint8_t> keep_;
-  EndMoves moves_;
 };
 
 }  // namespace

@@ -1,0 +1,135 @@
+#include "limn/topology/covered_links.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "limn/geometry/spatial_index.h"
+#include "limn/topology/link_geometry.h"
+#include "limn/topology/meetings.h"
+
+namespace limn {
+namespace {
+
+// Links nearer than this lie side by side, px; and up to the second distance where the point is
+// known to be uncertain in that direction. Chosen on the sample scene, pavilion and vase.
+constexpr double kBesidePx = 1;
+constexpr double kMaxUncertainPx = 1.4;
+constexpr double kMaxChiSquared = 9;
+// What is left of a link that was cut back must be longer, px.
+constexpr double kMinRestPx = 6;
+
+// Finds which points of links have another link beside them.
+class SideBySide {
+ public:
+  SideBySide(const TopologyOptions& options, const DrawingGraph& graph)
+      : graph_(graph),
+        min_cosine_(std::cos(options.min_junction_angle_deg * M_PI / 180)),
+        places_(CollectPlaces(graph)),
+        index_(places_.position) {}
+
+  // Whether at a point of a link another link, for which counts(link, index), lies beside it.
+  template <typename Counts>
+  bool At(LinkId id, int k, Counts&& counts) {
+    const DrawingLink& link = graph_.links[id];
+    const LinkVertex& vertex = link.vertices[k];
+    const Eigen::Vector3d direction = TangentAt(link, k);
+    // A point of the other link is no farther along it than half of the spacing.
+    const double radius = std::hypot(kMaxUncertainPx, kHalfSpacingPx) * vertex.footprint;
+    index_.FindWithin(link.points_in_world[k], radius, &near_);
+    return std::any_of(near_.begin(), near_.end(), [&](const SpatialIndex::Neighbor& neighbor) {
+      const auto& [other, at] = places_.point[neighbor.index];
+      if (other == id || !counts(other, at)) return false;
+      const Eigen::Vector3d offset = places_.position[neighbor.index] - link.points_in_world[k];
+      return IsNear(offset - offset.dot(direction) * direction, vertex) &&
+             std::abs(TangentAt(graph_.links[other], at).dot(direction)) > min_cosine_;
+    });
+  }
+
+ private:
+  // Points of links are up to 2 px apart.
+  static constexpr double kHalfSpacingPx = 1.2;
+
+  static bool IsNear(const Eigen::Vector3d& across, const LinkVertex& vertex) {
+    const double distance_px = across.norm() / vertex.footprint;
+    return distance_px <= kBesidePx ||
+           (distance_px <= kMaxUncertainPx && vertex.information.trace() > 0 &&
+            across.dot(vertex.information * across) < kMaxChiSquared);
+  }
+
+  const DrawingGraph& graph_;
+  double min_cosine_;
+  Places places_;
+  SpatialIndex index_;
+  std::vector<SpatialIndex::Neighbor> near_;
+};
+
+// What is left of a link's points: [begin, end).
+struct Rest {
+  int begin = 0;
+  int end = 0;
+
+  bool Contains(int k) const { return k >= begin && k < end; }
+};
+
+}  // namespace
+
+int64_t TrimEnds(const TopologyOptions& options, GraphEditor* editor) {
+  const std::vector<LinkEnd> free_ends = editor->FreeEnds();
+  if (free_ends.empty()) return 0;
+  SideBySide beside(options, editor->graph());
+  std::vector<Rest> rest;
+  for (LinkId id = 0; id < editor->NumLinks(); ++id) rest.push_back({0, editor->link(id).size()});
+  int64_t num_trimmed = 0;
+  for (const LinkEnd& free : free_ends) {
+    if (editor->link(free.link).vertices.empty()) continue;
+    Rest& own = rest[free.link];
+    const auto is_covered = [&](int k) {
+      return beside.At(free.link, k,
+                       [&](LinkId other, int at) { return rest[other].Contains(at); });
+    };
+    const Rest before = own;
+    if (free.end == 0) {
+      while (own.begin < own.end && is_covered(own.begin)) ++own.begin;
+    } else {
+      while (own.begin < own.end && is_covered(own.end - 1)) --own.end;
+    }
+    if (own.begin == before.begin && own.end == before.end) continue;
+    ++num_trimmed;
+    const bool is_little = own.end - own.begin < 2 ||
+                           ArcPx(editor->link(free.link), own.begin, own.end - 1) <= kMinRestPx;
+    if (is_little) own = {0, 0};
+  }
+  for (LinkId id = 0; id < static_cast<LinkId>(rest.size()); ++id) {
+    if (rest[id].end == 0) {
+      editor->Remove(id);
+    } else {
+      editor->CutTo(id, rest[id].begin, rest[id].end);
+    }
+  }
+  editor->Compact();
+  return num_trimmed;
+}
+
+std::vector<uint8_t> FindUncoveredLinks(const TopologyOptions& options, const DrawingGraph& graph) {
+  std::vector<uint8_t> keep(graph.links.size(), 1);
+  std::vector<std::pair<double, LinkId>> by_length;  // px
+  for (size_t l = 0; l < keep.size(); ++l) {
+    if (graph.links[l].vertices.empty()) continue;
+    by_length.push_back({LengthPx(graph.links[l]), static_cast<LinkId>(l)});
+  }
+  if (by_length.empty()) return keep;
+  SideBySide beside(options, graph);
+  std::sort(by_length.begin(), by_length.end());
+  for (const auto& [length, id] : by_length) {
+    int covered = 0;
+    const int size = graph.links[id].size();
+    for (int k = 0; k < size; ++k) {
+      covered += beside.At(id, k, [&](LinkId other, int) { return keep[other] != 0; });
+    }
+    keep[id] = covered < options.covered_share * size;
+  }
+  return keep;
+}
+
+}  // namespace limn

@@ -1,0 +1,74 @@
+#include "limn/topology/edit_topology.h"
+
+#include "limn/topology/covered_links.h"
+#include "limn/topology/finish_links.h"
+#include "limn/topology/grow_edges.h"
+#include "limn/topology/join_ends.h"
+#include "limn/topology/sample_fates.h"
+#include "limn/topology/snap_ends.h"
+#include "limn/topology/split_corners.h"
+#include "limn/topology/verify_links.h"
+
+namespace limn {
+namespace {
+
+void MeetEnds(const TopologyInput& input, const TopologyOptions& options, GraphEditor* editor,
+              MeetingCounts* counts) {
+  const Reach reach = Reach::Drawn(options);
+  counts->refused = 0;
+  JoinFacingEnds(input, options, reach, editor, counts);
+  JoinCorners(input, options, reach, editor, counts);
+  SnapEnds(input, options, reach, editor, counts);
+}
+
+// Returns the number of samples of the sketch in the links removed.
+int64_t RemoveDoubtfulLinks(const TopologyInput& input, const CurveSketch& sketch,
+                            const TopologyOptions& options, const RunContext& context,
+                            GraphEditor* editor) {
+  const std::vector<uint8_t> keep = VerifyLinks(input, sketch, options, editor->graph(), context);
+  int64_t num_samples = 0;
+  for (size_t l = 0; l < keep.size(); ++l) {
+    if (!keep[l]) num_samples += NumSketchSamples(editor->link(static_cast<LinkId>(l)));
+  }
+  editor->Keep(keep);
+  return num_samples;
+}
+
+}  // namespace
+
+CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,
+                                 const TopologyOptions& options,
+                                 const std::optional<Eigen::AlignedBox3d>& box,
+                                 const RunContext& context, DrawingGraph* graph) {
+  CompletionCounts counts;
+  GraphEditor editor(graph);
+  SampleLedger ledger(sketch, *graph);
+  counts.samples_doubtful = RemoveDoubtfulLinks(input, sketch, options, context, &editor);
+  ledger.Update(*graph, EdgelFate::kDoubtfulLink);
+  MeetEnds(input, options, &editor, &counts.meetings);
+  counts.grown = GrowEdges(input, options, box, context, &editor);
+  MeetEnds(input, options, &editor, &counts.meetings);  // ends that grew
+  counts.short_edges = AddShortEdges(input, options, context, &editor);
+  counts.tidy = Tidy(options, &editor);
+  ledger.Update(*graph, EdgelFate::kPrunedLink);
+  counts.fates = ledger.fates();
+  FinishLinks(input, options, graph);
+  return counts;
+}
+
+RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& options,
+                            DrawingGraph* graph) {
+  RepairCounts counts;
+  GraphEditor editor(graph);
+  const Reach reach = Reach::Fitted(options);
+  counts.trimmed = TrimEnds(options, &editor);
+  JoinFacingEnds(input, options, reach, &editor, &counts.meetings);
+  SnapEnds(input, options, reach, &editor, &counts.meetings);
+  counts.corners = SplitAtCorners(&editor);
+  for (NodeId id = 0; id < static_cast<NodeId>(graph->nodes.size()); ++id) {
+    PairContinuations(options, id, graph);
+  }
+  return counts;
+}
+
+}  // namespace limn

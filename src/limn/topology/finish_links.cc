@@ -1,0 +1,102 @@
+#include "limn/topology/finish_links.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "limn/support/edgel_residual.h"
+#include "limn/topology/meetings.h"
+
+namespace limn {
+namespace {
+
+// Points nearer to each other than this are thinned out, px.
+constexpr double kMinSpacingPx = 0.5;
+// A view supports a link along at least this much of it, in points.
+constexpr int kMinSupportedPoints = 3;
+
+std::vector<LinkMember> Members(const DrawingLink& link) {
+  std::vector<SketchSample> all;
+  for (const LinkVertex& vertex : link.vertices) {
+    all.insert(all.end(), vertex.samples.begin(), vertex.samples.end());
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<LinkMember> members;
+  for (const SketchSample& from : all) {
+    if (!members.empty() && members.back().curve == from.curve &&
+        members.back().end == from.sample) {
+      ++members.back().end;
+    } else {
+      members.push_back({from.curve, from.sample, from.sample + 1});
+    }
+  }
+  return members;
+}
+
+std::vector<ViewId> SupportingViews(const DrawingLink& link) {
+  std::map<ViewId, int> num_points;
+  for (const LinkVertex& vertex : link.vertices) {
+    ViewId last = -1;
+    for (const EdgelRef& ref : vertex.support) {
+      num_points[ref.view] += ref.view != last;
+      last = ref.view;
+    }
+  }
+  std::vector<ViewId> views;
+  for (const auto& [view, count] : num_points) {
+    if (count >= kMinSupportedPoints) views.push_back(view);
+  }
+  return views;
+}
+
+double MedianResidualPx(const TopologyInput& input, const DrawingLink& link) {
+  std::vector<double> residuals;
+  for (int k = 0; k < link.size(); ++k) {
+    for (const EdgelRef& ref : link.vertices[k].support) {
+      const auto residual =
+          ResidualToEdgel(input.views[ref.view], input.curves[ref.view].edge_map.edgels[ref.edgel],
+                          link.points_in_world[k]);
+      if (residual) residuals.push_back(std::abs(residual->residual_px));
+    }
+  }
+  if (residuals.empty()) return 0;
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  return *middle;
+}
+
+void ThinOut(DrawingLink* link) {
+  const int last = link->size() - 1;
+  const Eigen::Vector3d end = link->points_in_world.back();
+  std::vector<Eigen::Vector3d> points = {link->points_in_world.front()};
+  std::vector<double> sigma = {link->sigma.front()};
+  for (int k = 1; k < last; ++k) {
+    const Eigen::Vector3d& point = link->points_in_world[k];
+    const double spacing = kMinSpacingPx * link->vertices[k].footprint;
+    if ((point - points.back()).norm() < spacing) continue;
+    if ((point - end).norm() < spacing && last - k < 3) continue;
+    points.push_back(point);
+    sigma.push_back(link->sigma[k]);
+  }
+  points.push_back(end);
+  sigma.push_back(link->sigma.back());
+  link->points_in_world = std::move(points);
+  link->sigma = std::move(sigma);
+}
+
+}  // namespace
+
+void FinishLinks(const TopologyInput& input, const TopologyOptions& options, DrawingGraph* graph) {
+  for (NodeId id = 0; id < static_cast<NodeId>(graph->nodes.size()); ++id) {
+    PairContinuations(options, id, graph);
+  }
+  for (DrawingLink& link : graph->links) {
+    link.members = Members(link);
+    link.supporting_views = SupportingViews(link);
+    link.residual_px = MedianResidualPx(input, link);
+    ThinOut(&link);
+    link.vertices = {};
+  }
+}
+
+}  // namespace limn

@@ -1,0 +1,213 @@
+#include "limn/topology/join_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include <Eigen/LU>
+
+#include "limn/geometry/spatial_index.h"
+#include "limn/util/union_find.h"
+
+namespace limn {
+namespace {
+
+constexpr double kDeg = M_PI / 180;
+// The shortest loop, px.
+constexpr double kMinLoopPx = 16;
+constexpr double kLoopOverGap = 4;
+
+// The free ends of a drawing, with their lines.
+struct FreeTips {
+  explicit FreeTips(const GraphEditor& editor) : ends(editor.FreeEnds()) {
+    for (const LinkEnd& end : ends) {
+      tips.push_back(TipOf(editor.link(end.link), end.end));
+      points.push_back(tips.back().point);
+    }
+  }
+
+  // Pairs i < j no farther apart than so many px.
+  std::vector<std::pair<int, int>> NearPairs(double radius_px) const {
+    std::vector<std::pair<int, int>> pairs;
+    if (ends.empty()) return pairs;
+    const SpatialIndex index(points);
+    std::vector<SpatialIndex::Neighbor> near;
+    for (int i = 0; i < static_cast<int>(ends.size()); ++i) {
+      index.FindWithin(points[i], radius_px * tips[i].footprint, &near);
+      for (const SpatialIndex::Neighbor& neighbor : near) {
+        if (neighbor.index > i) pairs.push_back({i, neighbor.index});
+      }
+    }
+    return pairs;
+  }
+
+  std::vector<LinkEnd> ends;
+  std::vector<LinkTip> tips;
+  std::vector<Eigen::Vector3d> points;
+};
+
+// The point nearest to a set of lines; nothing if they are parallel.
+std::optional<Eigen::Vector3d> IntersectLines(const std::vector<LinkTip>& lines) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const LinkTip& line : lines) {
+    const Eigen::Matrix3d across =
+        Eigen::Matrix3d::Identity() - line.outward * line.outward.transpose();
+    sum += across;
+    right += across * line.point;
+  }
+  const Eigen::FullPivLU<Eigen::Matrix3d> solver(sum);
+  if (!(std::abs(solver.determinant()) > 1e-4)) return std::nullopt;
+  return solver.solve(right);
+}
+
+class CornerJoiner {
+ public:
+  CornerJoiner(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
+               GraphEditor* editor, MeetingCounts* counts)
+      : input_(input),
+        options_(options),
+        reach_(reach),
+        editor_(editor),
+        counts_(counts),
+        free_(*editor) {}
+
+  void Run() {
+    UnionFind sets(static_cast<int>(free_.ends.size()));
+    std::vector<std::vector<int>> members(free_.ends.size());
+    for (size_t i = 0; i < members.size(); ++i) members[i] = {static_cast<int>(i)};
+    for (const auto& [cost, i, j] : Candidates()) {
+      const int a = sets.Find(i);
+      const int b = sets.Find(j);
+      if (a == b) continue;
+      std::vector<int> together = members[a];
+      together.insert(together.end(), members[b].begin(), members[b].end());
+      const auto point = CornerOf(together);
+      if (!point) continue;
+      if (!ImagesAgree(input_, *point, FragmentsOf(i), FragmentsOf(j),
+                       options_.min_junction_views)) {
+        ++counts_->refused;
+        continue;
+      }
+      sets.Union(a, b);
+      members[a].clear();
+      members[b].clear();
+      std::sort(together.begin(), together.end());
+      members[sets.Find(a)] = std::move(together);
+    }
+    for (const std::vector<int>& group : members) {
+      if (group.size() > 1) MakeCorner(group);
+    }
+  }
+
+ private:
+  using Candidate = std::tuple<double, int, int>;  // cost, px, and two ends
+
+  std::vector<Candidate> Candidates() const {
+    std::vector<Candidate> candidates;
+    const double max_cosine = std::cos(options_.max_continuation_angle_deg * kDeg);
+    for (const auto& [i, j] : free_.NearPairs(2 * reach_.Radius())) {
+      const LinkTip& a = free_.tips[i];
+      const LinkTip& b = free_.tips[j];
+      if (free_.ends[i].link == free_.ends[j].link) continue;
+      if (std::abs(a.outward.dot(b.outward)) > max_cosine) continue;
+      const auto point = CornerOf({i, j});
+      if (!point) continue;
+      const auto from_a = reach_.To(a, *point);
+      const auto from_b = reach_.To(b, *point);
+      candidates.push_back({std::abs(from_a->along_px) + std::abs(from_b->along_px) +
+                                from_a->miss_px + from_b->miss_px,
+                            i, j});
+    }
+    std::sort(candidates.begin(), candidates.end());
+    return candidates;
+  }
+
+  FragmentsByView FragmentsOf(int i) const {
+    return FragmentsAtEnd(input_, editor_->link(free_.ends[i].link), free_.ends[i].end);
+  }
+
+  // The common corner of a set of ends, if all their lines pass it near enough, each with another
+  // link.
+  std::optional<Eigen::Vector3d> CornerOf(const std::vector<int>& group) const {
+    std::vector<LinkTip> lines;
+    std::set<LinkId> links;
+    for (const int i : group) {
+      lines.push_back(free_.tips[i]);
+      links.insert(free_.ends[i].link);
+    }
+    if (links.size() != group.size()) return std::nullopt;
+    const auto point = IntersectLines(lines);
+    const bool reached = point && std::all_of(lines.begin(), lines.end(), [&](const LinkTip& line) {
+                           return reach_.To(line, *point).has_value();
+                         });
+    return reached ? point : std::nullopt;
+  }
+
+  void MakeCorner(const std::vector<int>& group) {
+    const NodeId node = editor_->AddNode(*CornerOf(group));
+    for (const int i : group) editor_->EndAt(free_.ends[i], node);
+    ++counts_->corners;
+  }
+
+  const TopologyInput& input_;
+  const TopologyOptions& options_;
+  const Reach& reach_;
+  GraphEditor* editor_;
+  MeetingCounts* counts_;
+  FreeTips free_;
+};
+
+}  // namespace
+
+bool MayClose(double length_px, double gap_px) {
+  return length_px >= std::max(kMinLoopPx, kLoopOverGap * gap_px);
+}
+
+void JoinFacingEnds(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
+                    GraphEditor* editor, MeetingCounts* counts) {
+  const FreeTips free(*editor);
+  std::vector<std::tuple<double, int, int>> candidates;  // gap, px, and two ends
+  for (const auto& [i, j] : free.NearPairs(reach.Radius())) {
+    const LinkTip& a = free.tips[i];
+    const LinkTip& b = free.tips[j];
+    const double turn = AngleBetween(a.outward, -b.outward);
+    if (turn > options.max_continuation_angle_deg * kDeg) continue;
+    if (!reach.To(a, b.point, turn) || !reach.To(b, a.point, turn)) continue;
+    const double gap_px = (b.point - a.point).norm() / a.footprint;
+    candidates.push_back({gap_px, i, j});
+  }
+  std::sort(candidates.begin(), candidates.end());
+  std::vector<uint8_t> used(free.ends.size(), 0);
+  for (const auto& [gap_px, i, j] : candidates) {
+    if (used[i] || used[j]) continue;
+    const LinkEnd a = editor->Now(free.ends[i]);
+    const LinkEnd b = editor->Now(free.ends[j]);
+    const DrawingLink& link_a = editor->link(a.link);
+    const DrawingLink& link_b = editor->link(b.link);
+    if (a.link == b.link && !MayClose(LengthPx(link_a), gap_px)) continue;
+    if (gap_px > kSmallGapPx &&
+        !ImagesAgree(input, 0.5 * (free.points[i] + free.points[j]),
+                     FragmentsAtEnd(input, link_a, a.end), FragmentsAtEnd(input, link_b, b.end),
+                     options.min_junction_views)) {
+      ++counts->refused;
+      continue;
+    }
+    used[i] = used[j] = 1;
+    const Eigen::Vector3d joint = EndPoint(link_b, b.end);
+    editor->DropOvershoot(a, joint);
+    editor->Join(a, b);
+    ++counts->joined;
+  }
+  editor->Compact();
+}
+
+void JoinCorners(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
+                 GraphEditor* editor, MeetingCounts* counts) {
+  CornerJoiner(input, options, reach, editor, counts).Run();
+  editor->Compact();
+}
+
+}  // namespace limn

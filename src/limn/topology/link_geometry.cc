@@ -1,0 +1,111 @@
+#include "limn/topology/link_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace limn {
+namespace {
+
+constexpr double kTipSkipPx = 2;
+constexpr double kTipLengthPx = 12;
+// Nothing is known worse than this, px.
+constexpr double kWeakSigmaPx = 30;
+
+}  // namespace
+
+const Eigen::Vector3d& EndPoint(const DrawingLink& link, int end) {
+  return end == 0 ? link.points_in_world.front() : link.points_in_world.back();
+}
+
+LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
+  const std::vector<Eigen::Vector3d>& points = link.points_in_world;
+  const int size = link.size();
+  const auto at = [&](int k) -> const Eigen::Vector3d& {
+    return points[end == 0 ? k : size - 1 - k];
+  };
+  LinkTip tip;
+  tip.point = at(0);
+  tip.footprint = footprint;
+  std::vector<Eigen::Vector3d> used;
+  double arc_px = 0;
+  for (int k = 0; k < size && arc_px <= kTipSkipPx + kTipLengthPx; ++k) {
+    if (k > 0) arc_px += (at(k) - at(k - 1)).norm() / footprint;
+    if (arc_px >= kTipSkipPx) used.push_back(at(k));
+  }
+  // Of a short link all of it.
+  if (arc_px < kTipSkipPx + kTipLengthPx) {
+    used.clear();
+    for (int k = 0; k < size; ++k) used.push_back(at(k));
+  }
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : used) mean += point / static_cast<double>(used.size());
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& point : used) {
+    scatter += (point - mean) * (point - mean).transpose();
+  }
+  Eigen::Vector3d direction =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
+  const Eigen::Vector3d outwards = used.front() - used.back();
+  if (!(outwards.norm() > 0)) return tip;
+  if (direction.dot(outwards) < 0) direction = -direction;
+  tip.outward = direction;
+  tip.point = mean + direction * direction.dot(tip.point - mean);
+  return tip;
+}
+
+LinkTip TipOf(const DrawingLink& link, int end) {
+  return TipOf(link, end, (end == 0 ? link.vertices.front() : link.vertices.back()).footprint);
+}
+
+double ArcPx(const DrawingLink& link, int from, int to) {
+  double arc = 0;
+  for (int i = from; i < to; ++i) {
+    arc +=
+        (link.points_in_world[i + 1] - link.points_in_world[i]).norm() / link.vertices[i].footprint;
+  }
+  return arc;
+}
+
+double LengthPx(const DrawingLink& link) { return ArcPx(link, 0, link.size() - 1); }
+
+Eigen::Vector3d TangentAt(const DrawingLink& link, int index) {
+  const int last = link.size() - 1;
+  return (link.points_in_world[std::min(index + 1, last)] -
+          link.points_in_world[std::max(index - 1, 0)])
+      .stableNormalized();
+}
+
+std::vector<int> ProbePoints(const DrawingLink& link, int count) {
+  const int step = std::max(1, (link.size() + count - 1) / count);
+  std::vector<int> points;
+  for (int k = 0; k < link.size(); k += step) points.push_back(k);
+  return points;
+}
+
+double SigmaAcross(const Eigen::Matrix3d& information, double footprint) {
+  const Eigen::Vector3d values =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information, Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  const double weak = 1 / std::pow(kWeakSigmaPx * footprint, 2);
+  return std::sqrt(0.5 * (1 / std::max(values[1], weak) + 1 / std::max(values[2], weak)));
+}
+
+int64_t NumSketchSamples(const DrawingLink& link) {
+  int64_t count = 0;
+  for (const LinkVertex& vertex : link.vertices) {
+    count += static_cast<int64_t>(vertex.samples.size());
+  }
+  return count;
+}
+
+double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
+}
+
+double LineAngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::acos(std::min(std::abs(a.dot(b)), 1.0));
+}
+
+}  // namespace limn

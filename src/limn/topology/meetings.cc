@@ -1,0 +1,129 @@
+#include "limn/topology/meetings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace limn {
+namespace {
+
+// Of the gap that is allowed: how far ends may overshoot what they meet.
+constexpr double kOvershootShare = 0.5;
+// What of overshoot and miss is left to links that were fitted. Chosen on the sample scene,
+// pavilion and vase.
+constexpr double kFittedOvershoot = 0.5;
+constexpr double kFittedMiss = 0.375;
+// Image curves must come this near to a projected meeting, px.
+constexpr double kNearPx = 6;
+// Stretch of a link that speaks for its end, px.
+constexpr double kEndStretchPx = 12;
+
+void CollectFragments(const TopologyInput& input, const LinkVertex& vertex,
+                      FragmentsByView* fragments) {
+  for (const EdgelRef& ref : vertex.support) {
+    (*fragments)[ref.view].insert(input.edgels[ref.view]->fragment_of[ref.edgel]);
+  }
+}
+
+}  // namespace
+
+Reach Reach::Drawn(const TopologyOptions& options) {
+  return {options.max_junction_gap_px, kOvershootShare * options.max_junction_gap_px,
+          options.max_junction_miss_px};
+}
+
+Reach Reach::Fitted(const TopologyOptions& options) {
+  Reach reach = Drawn(options);
+  reach.overshoot_px *= kFittedOvershoot;
+  reach.miss_px *= kFittedMiss;
+  return reach;
+}
+
+std::optional<Reach::Offset> Reach::To(const LinkTip& tip, const Eigen::Vector3d& place,
+                                       double turn_rad) const {
+  const Eigen::Vector3d offset = (place - tip.point) / tip.footprint;
+  const double along = offset.dot(tip.outward);
+  const double miss = (offset - along * tip.outward).norm();
+  if (along > gap_px || along < -overshoot_px) return std::nullopt;
+  if (miss > miss_px + 0.5 * turn_rad * std::abs(along)) return std::nullopt;
+  return Offset{along, miss};
+}
+
+Places CollectPlaces(const DrawingGraph& graph) {
+  Places places;
+  for (LinkId id = 0; id < static_cast<LinkId>(graph.links.size()); ++id) {
+    const DrawingLink& link = graph.links[id];
+    if (link.vertices.empty()) continue;
+    for (int k = 0; k < link.size(); ++k) {
+      places.position.push_back(link.points_in_world[k]);
+      places.point.push_back({id, k});
+    }
+  }
+  return places;
+}
+
+FragmentsByView FragmentsAround(const TopologyInput& input, const DrawingLink& link, int index) {
+  FragmentsByView fragments;
+  double arc_px = 0;
+  for (int k = index; k >= 0 && arc_px <= kEndStretchPx; --k) {
+    CollectFragments(input, link.vertices[k], &fragments);
+    if (k > 0) arc_px += ArcPx(link, k - 1, k);
+  }
+  arc_px = 0;
+  for (int k = index + 1; k < link.size() && arc_px <= kEndStretchPx; ++k) {
+    CollectFragments(input, link.vertices[k], &fragments);
+    arc_px += ArcPx(link, k - 1, k);
+  }
+  return fragments;
+}
+
+FragmentsByView FragmentsAtEnd(const TopologyInput& input, const DrawingLink& link, int end) {
+  return FragmentsAround(input, link, end == 0 ? 0 : link.size() - 1);
+}
+
+bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const FragmentsByView& a,
+                 const FragmentsByView& b, int min_views) {
+  int count = 0;
+  for (const auto& [view, fragments_a] : a) {
+    const auto found = b.find(view);
+    if (found == b.end()) continue;
+    const auto pixel = input.views[view].Project(point);
+    if (!pixel) continue;
+    bool near_a = false;
+    bool near_b = false;
+    const ViewEvidence& edgels = *input.edgels[view];
+    edgels.edgels.ForEachWithin(*pixel, kNearPx, [&](EdgelId id) {
+      const int fragment = edgels.fragment_of[id];
+      near_a |= fragments_a.count(fragment) > 0;
+      near_b |= found->second.count(fragment) > 0;
+    });
+    count += near_a && near_b;
+  }
+  return count >= min_views;
+}
+
+void PairContinuations(const TopologyOptions& options, NodeId id, DrawingGraph* graph) {
+  DrawingNode& node = graph->nodes[id];
+  std::vector<Eigen::Vector3d> outward;
+  for (const LinkEnd& end : node.incident) {
+    outward.push_back(TipOf(graph->links[end.link], end.end).outward);
+  }
+  const double max_cosine = -std::cos(options.max_continuation_angle_deg * M_PI / 180);
+  std::vector<std::tuple<double, size_t, size_t>> pairs;
+  for (size_t i = 0; i < outward.size(); ++i) {
+    for (size_t j = i + 1; j < outward.size(); ++j) {
+      const double cosine = outward[i].dot(outward[j]);
+      if (cosine < max_cosine) pairs.push_back({cosine, i, j});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<uint8_t> used(outward.size(), 0);
+  node.continuations.clear();
+  for (const auto& [cosine, i, j] : pairs) {
+    if (used[i] || used[j]) continue;
+    used[i] = used[j] = 1;
+    node.continuations.push_back({node.incident[i], node.incident[j]});
+  }
+}
+
+}  // namespace limn

@@ -1,0 +1,181 @@
+#include "limn/topology/snap_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "limn/geometry/spatial_index.h"
+#include "limn/topology/join_ends.h"
+
+namespace limn {
+namespace {
+
+// A node this much farther away than a place on a link is still preferred, px; nearer to a node
+// than this a link is not cut.
+constexpr double kNodePreferencePx = 3;
+
+class EndSnapper {
+ public:
+  EndSnapper(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
+             GraphEditor* editor, MeetingCounts* counts)
+      : input_(input),
+        options_(options),
+        reach_(reach),
+        min_parting_rad_(options.min_junction_angle_deg * M_PI / 180),
+        editor_(editor),
+        counts_(counts),
+        places_(CollectPlaces(editor->graph())),
+        index_(places_.position) {}
+
+  void Run() {
+    Choose();
+    CutLinks();
+    for (const auto& [from, to] : moves_) {
+      editor_->EndAt(editor_->node(from).incident.front(), to);
+    }
+    editor_->Compact();
+  }
+
+ private:
+  struct Target {
+    double cost_px = std::numeric_limits<double>::infinity();
+    NodeId node = -1;  // else inside a link
+    LinkId link = -1;
+    int index = -1;
+  };
+
+  // Which free node goes where. Nodes are the same whatever happens to their links.
+  void Choose() {
+    std::vector<uint8_t> leaves(editor_->graph().nodes.size(), 0);
+    std::vector<uint8_t> stays(editor_->graph().nodes.size(), 0);
+    std::vector<uint8_t> opened(editor_->NumLinks(), 0);
+    for (const LinkEnd& free : editor_->FreeEnds()) {
+      const NodeId from = editor_->NodeAt(free);
+      if (stays[from]) continue;
+      const Target target = FindTarget(free);
+      if (target.node >= 0) {
+        if (leaves[target.node]) continue;
+        stays[target.node] = 1;
+        moves_.push_back({from, target.node});
+        ++counts_->to_nodes;
+      } else if (target.link >= 0) {
+        // The indices of a loop change when it is cut: once is enough.
+        if (std::exchange(opened[target.link], editor_->link(target.link).closed)) continue;
+        cuts_.push_back({target.link, target.index, from});
+        ++counts_->to_links;
+      } else {
+        continue;
+      }
+      leaves[from] = 1;
+    }
+  }
+
+  Target FindTarget(const LinkEnd& free) {
+    Target best;
+    bool was_refused = false;
+    const LinkTip tip = TipOf(editor_->link(free.link), free.end);
+    index_.FindWithin(tip.point, reach_.Radius() * tip.footprint, &near_);
+    for (const SpatialIndex::Neighbor& neighbor : near_) {
+      const auto& [other, at] = places_.point[neighbor.index];
+      const Eigen::Vector3d& place = places_.position[neighbor.index];
+      const auto offset = reach_.To(tip, place);
+      if (!offset) continue;
+      const DrawingLink& link = editor_->link(other);
+      const int last = link.size() - 1;
+      const bool is_node = !link.closed && (at == 0 || at == last);
+      const double cost_px =
+          std::abs(offset->along_px) + 2 * offset->miss_px - (is_node ? kNodePreferencePx : 0);
+      if (cost_px >= best.cost_px) continue;
+      const NodeId node = is_node ? link.NodeAt(at == 0 ? 0 : 1) : -1;
+      if (is_node ? !PartsFromAll(free, tip, node) : !Crosses(free, tip, other, at)) continue;
+      if (std::hypot(offset->along_px, offset->miss_px) > kSmallGapPx &&
+          !ImagesShow(free, place, other, at)) {
+        was_refused = true;
+        continue;
+      }
+      best = is_node ? Target{cost_px, node, -1, -1} : Target{cost_px, -1, other, at};
+    }
+    counts_->refused += was_refused && best.node < 0 && best.link < 0;
+    return best;
+  }
+
+  // At the node the link would not run along another one; if it is its own, it would be a loop.
+  bool PartsFromAll(const LinkEnd& free, const LinkTip& tip, NodeId id) const {
+    const DrawingLink& own = editor_->link(free.link);
+    const auto& incident = editor_->node(id).incident;
+    return std::all_of(incident.begin(), incident.end(), [&](const LinkEnd& end) {
+      if (end == free) return false;
+      if (end.link == free.link && !MayClose(LengthPx(own), reach_.gap_px)) return false;
+      return AngleBetween(TipOf(editor_->link(end.link), end.end).outward, tip.outward) >
+             min_parting_rad_;
+    });
+  }
+
+  // The place is inside of another link, which does not run along the end.
+  bool Crosses(const LinkEnd& free, const LinkTip& tip, LinkId other, int at) const {
+    const DrawingLink& link = editor_->link(other);
+    if (other == free.link) return false;
+    if (!link.closed &&
+        std::min(ArcPx(link, 0, at), ArcPx(link, at, link.size() - 1)) < kNodePreferencePx) {
+      return false;
+    }
+    return LineAngleBetween(tip.outward, TangentAt(link, at)) > min_parting_rad_;
+  }
+
+  bool ImagesShow(const LinkEnd& free, const Eigen::Vector3d& place, LinkId other, int at) const {
+    return ImagesAgree(input_, place, FragmentsAtEnd(input_, editor_->link(free.link), free.end),
+                       FragmentsAround(input_, editor_->link(other), at),
+                       options_.min_junction_views);
+  }
+
+  // From the back of each link, so that indices before the cut stay. Places near each other get one
+  // node.
+  void CutLinks() {
+    std::sort(cuts_.rbegin(), cuts_.rend());
+    LinkId last_link = -1;
+    int last_index = 0;
+    NodeId node = -1;
+    for (const auto& [link, index, from] : cuts_) {
+      const bool is_near =
+          link == last_link && (index == last_index ||
+                                ArcPx(editor_->link(link), index, last_index) < kNodePreferencePx);
+      if (!is_near) {
+        node = editor_->Split(link, index);
+        last_link = link;
+        last_index = index;
+      }
+      moves_.push_back({from, node});
+    }
+  }
+
+  struct Cut {
+    LinkId link = -1;
+    int index = -1;
+    NodeId from = -1;
+
+    auto operator<=>(const Cut&) const = default;
+  };
+
+  const TopologyInput& input_;
+  const TopologyOptions& options_;
+  const Reach& reach_;
+  double min_parting_rad_;
+  GraphEditor* editor_;
+  MeetingCounts* counts_;
+  Places places_;
+  SpatialIndex index_;
+  std::vector<SpatialIndex::Neighbor> near_;
+  std::vector<std::pair<NodeId, NodeId>> moves_;  // free node, where it goes
+  std::vector<Cut> cuts_;
+};
+
+}  // namespace
+
+void SnapEnds(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
+              GraphEditor* editor, MeetingCounts* counts) {
+  if (editor->FreeEnds().empty()) return;
+  EndSnapper(input, options, reach, editor, counts).Run();
+}
+
+}  // namespace limn

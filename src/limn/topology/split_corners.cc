@@ -1,0 +1,70 @@
+#include "limn/topology/split_corners.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limn/topology/link_geometry.h"
+
+namespace limn {
+namespace {
+
+// The arms of a corner, px from it: what is nearer is rounded by the smoothing.
+constexpr int kArmBeginPx = 3;
+constexpr int kArmMiddlePx = 7;
+constexpr int kArmEndPx = 11;
+// Smallest turn from arm to arm, rad, and the largest share of it that is allowed within an arm: on
+// an arc of a circle it would be a quarter.
+constexpr double kMinCornerRad = 0.6;
+constexpr double kMaxArmShare = 0.15;
+// Corners of a link are at least this far apart, px.
+constexpr int kApartPx = 8;
+
+bool IsCorner(const std::vector<Eigen::Vector3d>& points, int k) {
+  if (k < kArmEndPx || k + kArmEndPx >= static_cast<int>(points.size())) return false;
+  const auto turn = [&](int a, int b, int c, int d) {
+    return AngleBetween((points[k + b] - points[k + a]).normalized(),
+                        (points[k + d] - points[k + c]).normalized());
+  };
+  const double whole = turn(-kArmEndPx, -kArmBeginPx, kArmBeginPx, kArmEndPx);
+  if (whole < kMinCornerRad) return false;
+  const double before = turn(-kArmEndPx, -kArmMiddlePx, -kArmMiddlePx, -kArmBeginPx);
+  const double after = turn(kArmBeginPx, kArmMiddlePx, kArmMiddlePx, kArmEndPx);
+  return std::max(before, after) < kMaxArmShare * whole;
+}
+
+// Indices, descending.
+std::vector<int> FindCorners(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<std::pair<double, int>> sharpest_first;
+  for (int k = 0; k < static_cast<int>(points.size()); ++k) {
+    if (!IsCorner(points, k)) continue;
+    // Of the points about a corner the one that sticks out most.
+    const Eigen::Vector3d between = 0.5 * (points[k - kArmBeginPx] + points[k + kArmBeginPx]);
+    sharpest_first.push_back({-(points[k] - between).norm(), k});
+  }
+  std::sort(sharpest_first.begin(), sharpest_first.end());
+  std::vector<int> corners;
+  for (const auto& [height, k] : sharpest_first) {
+    const bool apart = std::all_of(corners.begin(), corners.end(),
+                                   [&](int other) { return std::abs(other - k) >= kApartPx; });
+    if (apart) corners.push_back(k);
+  }
+  std::sort(corners.rbegin(), corners.rend());
+  return corners;
+}
+
+}  // namespace
+
+int64_t SplitAtCorners(GraphEditor* editor) {
+  int64_t num_corners = 0;
+  const LinkId num_links = editor->NumLinks();
+  for (LinkId id = 0; id < num_links; ++id) {
+    if (editor->link(id).closed || editor->link(id).vertices.empty()) continue;
+    for (const int index : FindCorners(editor->link(id).points_in_world)) {
+      editor->Split(id, index);
+      ++num_corners;
+    }
+  }
+  return num_corners;
+}
+
+}  // namespace limn

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "limn/model/curve_fragment.h"
+#include "limn/model/view.h"
+#include "limn/support/edgel_index.h"
+#include "limn/support/view_evidence.h"
+
+namespace limn {
+
+// What the images say, for all that cuts and joins links. `curves[v]` and `edgels[v]` belong to
+// `views[v]`.
+struct TopologyInput {
+  const std::vector<View>& views;
+  const std::vector<ImageCurves>& curves;
+  const std::vector<std::unique_ptr<ViewEvidence>>& edgels;
+  // How near an edgel must be to a curve to support it.
+  SupportGate gate;
+};
+
+}  // namespace limn
