@@ -1,0 +1,39 @@
+# Headers of the standard library, Eigen, nlohmann/json and GoogleTest, read once for all targets with the same
+# flags. None of ours is among them: a change would compile everything anew. Sources include what they use
+# all the same: a build without precompiled headers (LIMN_PRECOMPILED_HEADERS=OFF, sanitizers, clang) must work.
+set(compiler_precompiles OFF)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT LIMN_SANITIZE)
+  set(compiler_precompiles ON)
+endif()
+option(LIMN_PRECOMPILED_HEADERS "Precompile the headers that most files include" ${compiler_precompiles})
+
+# ccache and GCC: what is precompiled counts by its content.
+if(LIMN_PRECOMPILED_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-fpch-preprocess)
+endif()
+
+set(LIMN_HEADERS_OF_LIBRARIES
+  <algorithm> <array> <charconv> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map>
+  <memory> <numeric> <optional> <ostream> <set> <span> <sstream> <stdexcept> <string> <string_view> <system_error>
+  <tuple> <unordered_map> <utility> <vector>
+  <Eigen/Core> <Eigen/Geometry> <Eigen/LU> <nlohmann/json.hpp>)
+set(LIMN_HEADERS_OF_TESTS ${LIMN_HEADERS_OF_LIBRARIES} <random> <gtest/gtest.h> <gmock/gmock.h>)
+
+# limn_precompile(<name> HEADERS <headers...> LINKS <targets...> [OPTIONS <flags...>]): headers for
+# limn_use_precompiled(<target> <name>), whose flags must be the same.
+function(limn_precompile name)
+  cmake_parse_arguments(ARG "" "" "HEADERS;LINKS;OPTIONS" ${ARGN})
+  if(LIMN_PRECOMPILED_HEADERS)
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cc CONTENT "")
+    add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cc)
+    target_link_libraries(${name} PRIVATE ${ARG_LINKS})
+    target_compile_options(${name} PRIVATE ${ARG_OPTIONS})
+    target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
+  endif()
+endfunction()
+
+function(limn_use_precompiled target name)
+  if(LIMN_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} REUSE_FROM ${name})
+  endif()
+endfunction()
