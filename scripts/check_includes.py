@@ -17,8 +17,7 @@ LAYERS = [
     ["model"],
     ["support", "visibility"],
     ["edges", "linking", "sketch", "drawing", "refinement", "primitives", "dense", "tiles"],
-    ["io"],
-    ["export"],
+    ["formats"],
     ["pictures", "evaluation", "viewer"],
     ["pipeline"],
 ]
@@ -33,9 +32,9 @@ THIRD_PARTY = {
     "boost/program_options": ["colmap_ext/options/"],
     "boost/mpi/": ["colmap_ext/commands/ranks.cc"],
     "boost/sort/": ["src/limn/edges/edgel_selection.cc"],
-    "tiny_gltf.h": ["src/limn/export/drawing_glb.cc"],
+    "tiny_gltf.h": ["src/limn/formats/glb_drawing_writer.cc"],
     # OpenCASCADE: its headers are in no folder.
-    **{prefix: ["src/limn/export/drawing_step.cc", "src/limn/export/step_edges"]
+    **{prefix: ["src/limn/formats/step_drawing_writer.cc", "src/limn/formats/step_edges"]
        for prefix in ("Step", "STEP", "Geom", "gp_", "TCol", "Standard_", "Interface_", "APIHeader", "TopoDS", "BRep")},
 }
 

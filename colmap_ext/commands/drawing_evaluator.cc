@@ -8,9 +8,9 @@
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/evaluation/report_writers.h"
-#include "limn/io/atomic_file.h"
-#include "limn/io/drawing_json_reader.h"
-#include "limn/io/read_curves.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/read_curves.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -4,9 +4,9 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/commands/svg_source.h"
 #include "colmap_ext/options/option_parser.h"
-#include "limn/export/write_drawing.h"
-#include "limn/io/drawing_json_reader.h"
-#include "limn/io/ply_points.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/ply_points_reader.h"
+#include "limn/formats/write_drawing.h"
 #include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
 

@@ -9,8 +9,8 @@
 #include "colmap_ext/commands/results.h"
 #include "colmap_ext/commands/run_options.h"
 #include "colmap_ext/commands/viewer_results.h"
-#include "limn/io/json_text.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/json_text.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 #include "limn/viewer/viewer_page.h"
 

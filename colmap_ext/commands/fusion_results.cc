@@ -16,9 +16,9 @@
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/model_writer.h"
 #include "colmap_ext/workspace/pmvs_model.h"
-#include "limn/export/write_drawing.h"
-#include "limn/io/atomic_file.h"
-#include "limn/io/mesh_reader.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/mesh_reader.h"
+#include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -10,7 +10,7 @@
 #include "colmap_ext/dense/dense_cloud.h"
 #include "colmap_ext/dense/products.h"
 #include "limn/dense/fuse_drawing.h"
-#include "limn/io/drawing_json_reader.h"
+#include "limn/formats/json_drawing_reader.h"
 
 namespace limn::colmap_ext {
 

@@ -8,7 +8,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 
 namespace limn::colmap_ext {
 namespace {

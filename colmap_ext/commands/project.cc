@@ -9,7 +9,7 @@
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/scene_origin.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/pipeline/content_hash.h"
 #include "limn/util/errors.h"
 

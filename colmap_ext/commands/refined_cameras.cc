@@ -6,7 +6,7 @@
 #include "colmap_ext/commands/world_shift.h"
 #include "colmap_ext/workspace/model_writer.h"
 #include "colmap_ext/workspace/refined_model.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

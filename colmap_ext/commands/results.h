@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "colmap_ext/commands/project.h"
-#include "limn/io/curve_sketch_file.h"
+#include "limn/formats/curve_sketch_file.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"

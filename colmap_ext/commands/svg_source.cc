@@ -8,9 +8,9 @@
 #include "colmap_ext/commands/fusion_results.h"
 #include "colmap_ext/commands/project.h"
 #include "colmap_ext/commands/world_shift.h"
+#include "limn/formats/mesh_reader.h"
+#include "limn/formats/ply_points_reader.h"
 #include "limn/geometry/point_spacing.h"
-#include "limn/io/mesh_reader.h"
-#include "limn/io/ply_points.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

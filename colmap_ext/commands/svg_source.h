@@ -5,7 +5,7 @@
 #include "colmap_ext/dense/products.h"
 #include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/workspace/layout.h"
-#include "limn/export/write_drawing.h"
+#include "limn/formats/write_drawing.h"
 
 namespace limn::colmap_ext {
 

@@ -7,11 +7,11 @@
 #include "colmap_ext/commands/run_options.h"
 #include "limn/evaluation/sharp_edges.h"
 #include "limn/evaluation/truth_extraction.h"
-#include "limn/export/curves_ply.h"
-#include "limn/io/atomic_file.h"
-#include "limn/io/mesh_reader.h"
-#include "limn/io/read_curves.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/mesh_reader.h"
+#include "limn/formats/ply_curves_writer.h"
+#include "limn/formats/read_curves.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -1,7 +1,7 @@
 #include "colmap_ext/commands/truth_input.h"
 
-#include "limn/io/junctions_reader.h"
-#include "limn/io/read_curves.h"
+#include "limn/formats/json_junctions_reader.h"
+#include "limn/formats/read_curves.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

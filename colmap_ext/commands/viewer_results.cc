@@ -7,7 +7,7 @@
 #include "colmap_ext/dense/dense_cloud.h"
 #include "colmap_ext/dense/products.h"
 #include "colmap_ext/workspace/model.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/pictures/thumbnail.h"
 #include "limn/util/errors.h"
 #include "limn/viewer/viewer_page.h"

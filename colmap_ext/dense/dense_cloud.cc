@@ -10,7 +10,7 @@
 #include "colmap_ext/dense/patch_file.h"
 #include "colmap_ext/workspace/byte_reader.h"
 #include "colmap_ext/workspace/pmvs_model.h"
-#include "limn/io/ply_points.h"
+#include "limn/formats/ply_points_reader.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -3,9 +3,9 @@
 #include <fstream>
 #include <system_error>
 
-#include "limn/export/ply_output.h"
-#include "limn/io/atomic_file.h"
-#include "limn/io/ply_points.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/ply_output.h"
+#include "limn/formats/ply_points_reader.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

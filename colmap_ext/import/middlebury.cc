@@ -1,8 +1,8 @@
 #include "colmap_ext/import/middlebury.h"
 
 #include "colmap_ext/import/calibration.h"
-#include "limn/io/text_scanner.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/text_scanner.h"
+#include "limn/formats/whole_file.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "colmap_ext/import/measurement_distortion.h"
-#include "limn/io/text_scanner.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/text_scanner.h"
+#include "limn/formats/whole_file.h"
 
 namespace limn::colmap_ext {
 namespace {

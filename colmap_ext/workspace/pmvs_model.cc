@@ -14,7 +14,7 @@
 #include "colmap_ext/workspace/line_reader.h"
 #include "colmap_ext/workspace/model_builder.h"
 #include "colmap_ext/workspace/tracked_points.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

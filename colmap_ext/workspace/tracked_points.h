@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "colmap_ext/workspace/model.h"
-#include "limn/io/text_scanner.h"
+#include "limn/formats/text_scanner.h"
 
 namespace limn::colmap_ext {
 

@@ -15,7 +15,7 @@
 #include "colmap_ext/options/option_parser.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/report_writers.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/model/view_subset.h"
 #include "limn/pipeline/tiled_scene.h"
 

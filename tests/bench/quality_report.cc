@@ -12,7 +12,7 @@
 #include "bench/report_tables.h"
 #include "colmap_ext/commands/console.h"
 #include "colmap_ext/options/option_parser.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::bench {

@@ -15,7 +15,7 @@
 #include "colmap_ext/commands/project.h"
 #include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/temp_dir.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::bench {

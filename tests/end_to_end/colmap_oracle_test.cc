@@ -7,7 +7,7 @@
 #include "colmap_ext/workspace/model.h"
 #include "colmap_ext/workspace/test_model.h"
 #include "end_to_end/run_limn.h"
-#include "limn/io/drawing_json_reader.h"
+#include "limn/formats/json_drawing_reader.h"
 
 namespace limn::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "colmap_ext/workspace/model_writer.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 
 namespace limn::testing {
 

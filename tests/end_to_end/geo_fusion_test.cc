@@ -11,7 +11,7 @@
 #include "colmap_ext/workspace/scene_origin.h"
 #include "end_to_end/fusion_scene.h"
 #include "end_to_end/run_limn.h"
-#include "limn/io/drawing_json_reader.h"
+#include "limn/formats/json_drawing_reader.h"
 
 namespace limn::testing {
 namespace {

@@ -8,9 +8,9 @@
 #include "colmap_ext/workspace/model_writer.h"
 #include "colmap_ext/workspace/scene_origin.h"
 #include "end_to_end/run_limn.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/read_curves.h"
 #include "limn/geometry/polyline.h"
-#include "limn/io/drawing_json_reader.h"
-#include "limn/io/read_curves.h"
 
 namespace limn::testing {
 namespace {

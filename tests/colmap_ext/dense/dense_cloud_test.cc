@@ -9,7 +9,7 @@
 #include "colmap_ext/dense/patch_file.h"
 #include "colmap_ext/dense/pmvs_with_curves.h"
 #include "colmap_ext/temp_dir.h"
-#include "limn/io/ply_points.h"
+#include "limn/formats/ply_points_reader.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 
