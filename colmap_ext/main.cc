@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/interrupt.h"
-#include "colmap_ext/commands/ranks.h"
+#include "colmap_ext/run/interrupt.h"
+#include "colmap_ext/run/ranks.h"
 #include "limn/util/errors.h"
 
 namespace {

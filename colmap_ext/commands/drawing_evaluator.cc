@@ -1,11 +1,11 @@
 #include <iostream>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/run_options.h"
-#include "colmap_ext/commands/truth_input.h"
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/run/truth_input.h"
 #include "colmap_ext/workspace/layout.h"
-#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/formats/atomic_file.h"

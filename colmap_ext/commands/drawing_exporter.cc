@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/svg_source.h"
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/svg_source.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/formats/write_drawing.h"

@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/console.h"
-#include "colmap_ext/commands/fusion_results.h"
-#include "colmap_ext/commands/project.h"
-#include "colmap_ext/commands/results.h"
-#include "colmap_ext/commands/run_options.h"
-#include "colmap_ext/commands/viewer_results.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/fusion_results.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/results.h"
+#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/run/viewer_results.h"
 #include "limn/formats/json_text.h"
 #include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"

@@ -2,9 +2,9 @@
 #include <filesystem>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/console.h"
-#include "colmap_ext/commands/project.h"
-#include "colmap_ext/commands/run_options.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/run_options.h"
 #include "limn/evaluation/sharp_edges.h"
 #include "limn/evaluation/truth_extraction.h"
 #include "limn/formats/atomic_file.h"

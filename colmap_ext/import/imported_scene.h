@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "colmap_ext/workspace/model.h"
-#include "colmap_ext/workspace/tracked_points.h"
+#include "colmap_ext/model/model.h"
+#include "colmap_ext/model/tracked_points.h"
 
 namespace limn::colmap_ext {
 

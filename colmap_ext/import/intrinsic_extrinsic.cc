@@ -60,7 +60,7 @@ ImportedScene ReadIntrinsicExtrinsic(const ImportInput& input) {
     if (matches.names[i].empty()) continue;
     ImportedImage image;
     image.path = files[i].string();
-    const Place place{image.path, "line", 1};
+    const FilePlace place{image.path, "line", 1};
     const auto found = input.images->Find(matches.names[i], {}, place);
     if (!found) continue;
     CheckWholeImage(files[i]);

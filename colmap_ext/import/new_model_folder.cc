@@ -2,7 +2,8 @@
 
 #include <system_error>
 
-#include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/model/model.h"
 
 namespace limn::colmap_ext {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "colmap_ext/model/model.h"
 #include "colmap_ext/workspace/image_reader.h"
-#include "colmap_ext/workspace/model.h"
 #include "limn/model/image.h"
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"

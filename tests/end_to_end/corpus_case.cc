@@ -6,7 +6,8 @@
 
 #include <gmock/gmock.h>
 
-#include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "limn/formats/atomic_file.h"
 
 namespace limn::testing {

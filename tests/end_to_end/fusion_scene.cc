@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "colmap_ext/dense/patch_file.h"
+#include "colmap_ext/dense_files/patch_file.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/write_drawing.h"
 

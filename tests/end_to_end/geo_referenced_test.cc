@@ -4,9 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/model_writer.h"
-#include "colmap_ext/workspace/scene_origin.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "end_to_end/run_limn.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/read_curves.h"

@@ -5,7 +5,7 @@
 
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/layout.h"
-#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "end_to_end/run_limn.h"
 #include "end_to_end/true_shapes.h"

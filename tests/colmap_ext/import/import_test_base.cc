@@ -10,8 +10,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "colmap_ext/import/new_model_folder.h"
-#include "colmap_ext/workspace/camera_projection.h"
-#include "colmap_ext/workspace/test_model.h"
+#include "colmap_ext/model/camera_projection.h"
+#include "colmap_ext/model/test_model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -1,7 +1,8 @@
 #include "colmap_ext/import/nvm.h"
 
 #include "colmap_ext/import/import_test_base.h"
-#include "colmap_ext/workspace/test_model.h"
+#include "colmap_ext/model/test_model.h"
+#include "colmap_ext/workspace/model_folder.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -9,9 +9,9 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_ext/model/camera_projection.h"
+#include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/camera_projection.h"
-#include "colmap_ext/workspace/test_model.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
