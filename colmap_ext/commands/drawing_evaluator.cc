@@ -31,7 +31,7 @@ void AddOptions(EvaluatorOptions* options, OptionParser* parser) {
   parser->AddOption("box", &options->box, "only what is inside counts: x0,x1,y0,y1,z0,z1");
   parser->AddOption(
       "workspace_path", &options->layout.workspace_path,
-      "COLMAP project whose pixels are the unit footprint; with it saw-teeth and the normalised "
+      "COLMAP project whose pixels are the unit footprint; with it saw-teeth and the normalized "
       "errors of a drawing.json are told too");
   parser->AddOption("image_path", &options->layout.image_path, "its images");
   parser->AddOption("model_index", &options->layout.model_index, "which of its models");

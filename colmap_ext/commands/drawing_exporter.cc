@@ -49,9 +49,9 @@ void AddOptions(ExporterOptions* options, OptionParser* parser) {
                     "DXF, GLB and SVG: junctions as points on their own layer");
   parser->AddOption("unit", &options->format.unit,
                     {{"none", LengthUnit::kNone},
-                     {"mm", LengthUnit::kMillimetre},
-                     {"cm", LengthUnit::kCentimetre},
-                     {"m", LengthUnit::kMetre},
+                     {"mm", LengthUnit::kMillimeter},
+                     {"cm", LengthUnit::kCentimeter},
+                     {"m", LengthUnit::kMeter},
                      {"in", LengthUnit::kInch},
                      {"ft", LengthUnit::kFoot}},
                     "DXF and STEP: what one unit is after scaling");

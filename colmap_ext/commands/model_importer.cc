@@ -15,7 +15,7 @@ enum class PixelCentersOption { kOfTheFormat, kInteger, kHalf };
 struct ImporterOptions {
   std::string input_path, image_path, output_path, list_path;
   std::string input_type = "auto";
-  ModelFlavour output_type = ModelFlavour::kBinary;
+  ModelFlavor output_type = ModelFlavor::kBinary;
   PixelCentersOption pixel_centers = PixelCentersOption::kOfTheFormat;
   double share_cameras_px = SparseModelOptions().share_cameras_px;
   bool skip_missing_images = false;
@@ -27,13 +27,13 @@ void AddOptions(ImporterOptions* options, OptionParser* parser) {
   for (const ImportFormat& format : ImportFormats()) types.emplace_back(format.name);
   parser->AddOption("input_path", &options->input_path, "cameras: a file, or the folder of them");
   parser->AddOption("input_type", &options->input_type, types,
-                    "format of the cameras; auto = recognise it");
+                    "format of the cameras; auto = recognize it");
   parser->AddOption("image_path", &options->image_path,
                     "folder of the images; default: the folder of the cameras");
   parser->AddOption("output_path", &options->output_path,
                     "folder for the model, new or empty, e.g. my_project/sparse/0");
   parser->AddOption("output_type", &options->output_type,
-                    {{"bin", ModelFlavour::kBinary}, {"txt", ModelFlavour::kText}},
+                    {{"bin", ModelFlavor::kBinary}, {"txt", ModelFlavor::kText}},
                     "binary or text files");
   parser->AddOption("list_path", &options->list_path,
                     "text file with the image names in the order of the cameras, for bundler, "
@@ -42,7 +42,7 @@ void AddOptions(ImporterOptions* options, OptionParser* parser) {
                     {{"auto", PixelCentersOption::kOfTheFormat},
                      {"integer", PixelCentersOption::kInteger},
                      {"half", PixelCentersOption::kHalf}},
-                    "the centre of the top-left pixel is (0, 0) or (0.5, 0.5) in the input; auto = "
+                    "the center of the top-left pixel is (0, 0) or (0.5, 0.5) in the input; auto = "
                     "integer for projection_matrices, intrinsic_extrinsic and middlebury, else "
                     "half");
   parser->AddOption("share_cameras_px", &options->share_cameras_px,
@@ -88,14 +88,14 @@ int RunModelImporter(int argc, const char* const* argv) {
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   Check(options);
   CheckNewModelFolder(options.output_path);
-  const ImportFormat& format = options.input_type == "auto" ? RecogniseFormat(options.input_path)
+  const ImportFormat& format = options.input_type == "auto" ? RecognizeFormat(options.input_path)
                                                             : *FindImportFormat(options.input_type);
   ImageFolder images(ImagePath(options), options.skip_missing_images);
   ImportedScene scene =
       format.read({options.input_path, &images, options.list_path, options.model_index});
   if (scene.images.empty()) throw IoError(options.input_path, "no image with a camera");
   const PixelCenters pixel_centers = PixelCentersOf(format, options.pixel_centers);
-  std::cout << "Format " << format.name << ", centre of the top-left pixel at "
+  std::cout << "Format " << format.name << ", center of the top-left pixel at "
             << (pixel_centers == PixelCenters::kInteger ? "(0, 0)" : "(0.5, 0.5)") << "\n";
   for (const std::string& note : scene.notes) std::cout << note << "\n";
   SayMissing(images.missing());

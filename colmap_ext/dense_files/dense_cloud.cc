@@ -70,9 +70,9 @@ Eigen::Vector3d UnitOrZero(const Eigen::Vector3d& vector) {
 }
 
 using Colors = std::vector<std::array<uint8_t, 3>>;
-constexpr std::array<uint8_t, 3> kGrey = {128, 128, 128};
+constexpr std::array<uint8_t, 3> kGray = {128, 128, 128};
 
-// PMVS writes the same points with colours to a .ply file. Empty if there is none.
+// PMVS writes the same points with colors to a .ply file. Empty if there is none.
 Colors ColorsBeside(std::filesystem::path patches, uint64_t num_patches) {
   const std::string path = patches.replace_extension(".ply").string();
   std::error_code ignored;
@@ -146,7 +146,7 @@ DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<V
   cloud.points = [=](const DensePointVisitor& visit) {
     DensePoint point;
     point.views_known = true;
-    point.color = kGrey;
+    point.color = kGray;
     uint64_t index = 0;
     ReadPatchFile(path.string(), [&](const Patch& patch) {
       point.position = patch.position;

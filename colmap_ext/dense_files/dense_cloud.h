@@ -25,8 +25,8 @@ struct DenseCloud {
 DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<View>& views,
                         size_t num_model_images);
 
-// PMVS's patches. Images that are not among the views are left out. Colours are those of the .ply
-// file of the same name beside it, as PMVS writes it, or grey without one.
+// PMVS's patches. Images that are not among the views are left out. Colors are those of the .ply
+// file of the same name beside it, as PMVS writes it, or gray without one.
 // Throws IoError, also for image numbers that neither the list of images nor, without one, the
 // model has.
 DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views,

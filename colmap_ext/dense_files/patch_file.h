@@ -18,7 +18,7 @@ namespace limn::colmap_ext {
 struct Patch {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double photometric_score = 0;           // mean normalised cross correlation
+  double photometric_score = 0;           // mean normalized cross correlation
   std::array<double, 2> scales = {1, 1};  // of PMVS's search for depth and angle
   // PMVS numbers of the images that see it, the reference image first, and that may see it.
   std::vector<int> images;

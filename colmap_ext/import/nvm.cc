@@ -51,7 +51,7 @@ NvmCamera ReadCamera(const std::string& path, TextScanner* scanner) {
   TextScanner numbers(path, line.substr(begin), camera.line);
   camera.focal = numbers.FiniteNumber("focal length");
   for (double& q : camera.quaternion) q = numbers.FiniteNumber("quaternion");
-  for (double& c : camera.center) c = numbers.FiniteNumber("camera centre");
+  for (double& c : camera.center) c = numbers.FiniteNumber("camera center");
   camera.distortion = numbers.FiniteNumber("radial distortion");
   if (!(camera.focal > 0)) numbers.Fail("the focal length is not positive");
   return camera;

@@ -3,7 +3,7 @@
 namespace limn::colmap_ext {
 namespace {
 
-// COLMAP's origin is the corner of the top-left pixel, Limn's its centre.
+// COLMAP's origin is the corner of the top-left pixel, Limn's its center.
 const Eigen::Vector2d kHalfPixel(0.5, 0.5);
 
 }  // namespace

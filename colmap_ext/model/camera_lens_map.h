@@ -9,7 +9,7 @@
 namespace limn::colmap_ext {
 
 // The virtual pinhole of a COLMAP camera: its focal lengths and principal point, the latter moved
-// to Limn's pixels (centre of the top-left pixel at (0, 0)).
+// to Limn's pixels (center of the top-left pixel at (0, 0)).
 PinholeCamera VirtualPinhole(const Intrinsics& intrinsics, int width, int height);
 
 // The lens of a COLMAP camera between the stored image and its virtual pinhole.

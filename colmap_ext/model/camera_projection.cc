@@ -21,15 +21,15 @@ constexpr int kNumDirections = 32;
 constexpr int kMaxIterations = 50;
 constexpr double kTolerance = 1e-12;
 
-struct Linearised {
+struct Linearized {
   Eigen::Vector2d value;
   Eigen::Matrix2d jacobian;
 };
 
-Linearised DistortWithJacobian(const Intrinsics& intrinsics, const Eigen::Vector2d& ray) {
+Linearized DistortWithJacobian(const Intrinsics& intrinsics, const Eigen::Vector2d& ray) {
   const distortion::Point<Dual> p = {Dual(ray.x(), 2, 0), Dual(ray.y(), 2, 1)};
   const auto q = distortion::Distort(intrinsics, p);
-  Linearised result;
+  Linearized result;
   result.value = {q.u.value(), q.v.value()};
   result.jacobian.row(0) = q.u.derivatives().transpose();
   result.jacobian.row(1) = q.v.derivatives().transpose();
@@ -43,7 +43,7 @@ bool InvertibleAtRadius(const Intrinsics& intrinsics, double radius) {
   for (int i = 0; i < kNumDirections; ++i) {
     const double angle = 2 * std::numbers::pi * i / kNumDirections;
     const Eigen::Vector2d ray(radius * std::cos(angle), radius * std::sin(angle));
-    const Linearised at = DistortWithJacobian(intrinsics, ray);
+    const Linearized at = DistortWithJacobian(intrinsics, ray);
     if (!(at.jacobian.determinant() > 0 && at.value.allFinite())) return false;
   }
   return true;
@@ -95,7 +95,7 @@ std::optional<Eigen::Vector2d> CameraProjection::RayFromPixel(const Eigen::Vecto
                                   (pixel.y() - intrinsics_.cy) / intrinsics_.fy);
   Eigen::Vector2d ray = StartFor(distorted);
   for (int i = 0; i < kMaxIterations; ++i) {
-    const Linearised at = DistortWithJacobian(intrinsics_, ray);
+    const Linearized at = DistortWithJacobian(intrinsics_, ray);
     const Eigen::Vector2d residual = at.value - distorted;
     if (residual.norm() <= kTolerance * (1 + distorted.norm())) {
       if (!(ray.norm() <= max_radius_)) return std::nullopt;

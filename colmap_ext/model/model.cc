@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 using ReadFile = void (*)(std::istream&, const std::string&, ModelBuilder*);
 
-struct Flavour {
+struct Flavor {
   const char* extension;
   ReadFile cameras;
   ReadFile images;
@@ -27,22 +27,22 @@ struct Flavour {
   std::vector<Frame> (*frames)(std::istream&, const std::string&);
 };
 
-constexpr Flavour kBinary = {".bin",           ReadCamerasBinary, ReadImagesBinary,
-                             ReadPointsBinary, ReadRigsBinary,    ReadFramesBinary};
-constexpr Flavour kText = {".txt",         ReadCamerasText, ReadImagesText,
-                           ReadPointsText, ReadRigsText,    ReadFramesText};
+constexpr Flavor kBinary = {".bin",           ReadCamerasBinary, ReadImagesBinary,
+                            ReadPointsBinary, ReadRigsBinary,    ReadFramesBinary};
+constexpr Flavor kText = {".txt",         ReadCamerasText, ReadImagesText,
+                          ReadPointsText, ReadRigsText,    ReadFramesText};
 
 bool IsFile(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
 }
 
-fs::path FileOf(const fs::path& folder, const char* stem, const Flavour& flavour) {
-  return folder / (std::string(stem) + flavour.extension);
+fs::path FileOf(const fs::path& folder, const char* stem, const Flavor& flavor) {
+  return folder / (std::string(stem) + flavor.extension);
 }
 
-bool IsComplete(const fs::path& folder, const Flavour& flavour) {
-  return IsFile(FileOf(folder, "cameras", flavour)) && IsFile(FileOf(folder, "images", flavour));
+bool IsComplete(const fs::path& folder, const Flavor& flavor) {
+  return IsFile(FileOf(folder, "cameras", flavor)) && IsFile(FileOf(folder, "images", flavor));
 }
 
 [[noreturn]] void FailIncomplete(const fs::path& folder) {
@@ -56,10 +56,10 @@ bool IsComplete(const fs::path& folder, const Flavour& flavour) {
 }
 
 // As COLMAP, which asks for all three files; then whatever has poses.
-const Flavour& FlavourOf(const fs::path& folder) {
-  for (const Flavour* flavour : {&kBinary, &kText}) {
-    if (IsComplete(folder, *flavour) && IsFile(FileOf(folder, "points3D", *flavour))) {
-      return *flavour;
+const Flavor& FlavorOf(const fs::path& folder) {
+  for (const Flavor* flavor : {&kBinary, &kText}) {
+    if (IsComplete(folder, *flavor) && IsFile(FileOf(folder, "points3D", *flavor))) {
+      return *flavor;
     }
   }
   if (IsComplete(folder, kBinary)) return kBinary;
@@ -80,9 +80,9 @@ void Read(ReadFile read, const fs::path& path, ModelBuilder* builder) {
 }
 
 // Rigs and frames say something only together.
-void ReadRigsAndFrames(const fs::path& folder, const Flavour& flavour, SparseModel* model) {
-  const fs::path rigs_path = FileOf(folder, "rigs", flavour);
-  const fs::path frames_path = FileOf(folder, "frames", flavour);
+void ReadRigsAndFrames(const fs::path& folder, const Flavor& flavor, SparseModel* model) {
+  const fs::path rigs_path = FileOf(folder, "rigs", flavor);
+  const fs::path frames_path = FileOf(folder, "frames", flavor);
   if (IsFile(rigs_path) != IsFile(frames_path)) {
     model->warnings.push_back((IsFile(rigs_path) ? frames_path : rigs_path).string() +
                               " is missing: going on with the poses of the images file");
@@ -90,13 +90,13 @@ void ReadRigsAndFrames(const fs::path& folder, const Flavour& flavour, SparseMod
   if (!IsFile(rigs_path) || !IsFile(frames_path)) return;
   std::ifstream rigs = Open(rigs_path);
   std::ifstream frames = Open(frames_path);
-  const std::vector<Rig> all_rigs = flavour.rigs(rigs, rigs_path.string());
+  const std::vector<Rig> all_rigs = flavor.rigs(rigs, rigs_path.string());
   model->has_rigs = std::any_of(all_rigs.begin(), all_rigs.end(),
                                 [](const Rig& rig) { return rig.cameras.size() > 1; });
-  ApplyRigs(all_rigs, flavour.frames(frames, frames_path.string()), model);
+  ApplyRigs(all_rigs, flavor.frames(frames, frames_path.string()), model);
 }
 
-void WarnAboutSecondFlavour(const fs::path& folder, ModelBuilder* builder) {
+void WarnAboutSecondFlavor(const fs::path& folder, ModelBuilder* builder) {
   if (!IsComplete(folder, kBinary) || !IsComplete(folder, kText)) return;
   std::error_code ignored;
   const bool newer_text = fs::last_write_time(FileOf(folder, "images", kText), ignored) >
@@ -121,9 +121,9 @@ bool HoldsColmapModel(const fs::path& folder) {
 
 std::string MissingColmapFile(const fs::path& folder) {
   if (HoldsColmapModel(folder)) return "";
-  for (const Flavour* flavour : {&kText, &kBinary}) {
-    const std::string cameras = FileOf("", "cameras", *flavour).string();
-    const std::string images = FileOf("", "images", *flavour).string();
+  for (const Flavor* flavor : {&kText, &kBinary}) {
+    const std::string cameras = FileOf("", "cameras", *flavor).string();
+    const std::string images = FileOf("", "images", *flavor).string();
     if (IsFile(folder / cameras)) return images + " is missing beside " + cameras;
     if (IsFile(folder / images)) return cameras + " is missing beside " + images;
   }
@@ -131,10 +131,10 @@ std::string MissingColmapFile(const fs::path& folder) {
 }
 
 uint64_t CountColmapImages(const fs::path& folder) {
-  const Flavour& flavour = FlavourOf(folder);
-  const fs::path path = FileOf(folder, "images", flavour);
+  const Flavor& flavor = FlavorOf(folder);
+  const fs::path path = FileOf(folder, "images", flavor);
   std::ifstream in = Open(path);
-  if (&flavour == &kBinary) {
+  if (&flavor == &kBinary) {
     ByteReader reader(path.string(), in);
     return ReadCount(reader, "number of images", 73);
   }
@@ -145,20 +145,20 @@ uint64_t CountColmapImages(const fs::path& folder) {
 }
 
 SparseModel ReadColmapModel(const fs::path& folder) {
-  const Flavour& flavour = FlavourOf(folder);
+  const Flavor& flavor = FlavorOf(folder);
   ModelBuilder builder;
-  WarnAboutSecondFlavour(folder, &builder);
-  Read(flavour.cameras, FileOf(folder, "cameras", flavour), &builder);
-  Read(flavour.images, FileOf(folder, "images", flavour), &builder);
-  const fs::path points = FileOf(folder, "points3D", flavour);
+  WarnAboutSecondFlavor(folder, &builder);
+  Read(flavor.cameras, FileOf(folder, "cameras", flavor), &builder);
+  Read(flavor.images, FileOf(folder, "images", flavor), &builder);
+  const fs::path points = FileOf(folder, "points3D", flavor);
   if (IsFile(points)) {
-    Read(flavour.points, points, &builder);
+    Read(flavor.points, points, &builder);
   } else {
     builder.Warn(points.string() + " is missing: going on with the poses alone");
   }
   SparseModel model = builder.Finish();
   model.folder = folder;
-  ReadRigsAndFrames(folder, flavour, &model);
+  ReadRigsAndFrames(folder, flavor, &model);
   return model;
 }
 

@@ -27,7 +27,7 @@ struct Observation {
 // A registered image.
 struct ModelImage {
   uint32_t id = 0;
-  // The quaternion is normalised on reading.
+  // The quaternion is normalized on reading.
   Rigid3d cam_from_world;
   uint32_t camera_id = 0;
   // Relative to the image folder, '/' between folders.

@@ -103,7 +103,7 @@ SparseModel ModelBuilder::Finish() {
   const auto warn_if = [this](int64_t count, const std::string& text) {
     if (count > 0) Warn(std::to_string(count) + " " + text);
   };
-  warn_if(num_odd_quaternions_, "image rotations were not unit quaternions; normalised");
+  warn_if(num_odd_quaternions_, "image rotations were not unit quaternions; normalized");
   warn_if(num_odd_principal_points_, "cameras have their principal point outside the image");
   warn_if(num_bad_points_, "3D points left out: not finite or defined twice");
   warn_if(num_bad_track_elements_, "elements of point tracks left out: no such image");

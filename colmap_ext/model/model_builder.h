@@ -13,7 +13,7 @@
 
 namespace limn::colmap_ext {
 
-// Collects the records of both file flavours and guards what every model must satisfy (see
+// Collects the records of both file flavors and guards what every model must satisfy (see
 // ReadModel for the list). Order of the calls: all cameras, all images, all points.
 class ModelBuilder {
  public:
@@ -41,7 +41,7 @@ class ModelBuilder {
   int64_t num_odd_track_elements_ = 0;
 };
 
-// Checks a pose as stored and returns it normalised. Throws via `place`.
+// Checks a pose as stored and returns it normalized. Throws via `place`.
 Rigid3d MakePose(const std::array<double, 4>& quaternion, const Eigen::Vector3d& translation,
                  const std::string& what, const FilePlace& place);
 

@@ -7,7 +7,7 @@
 
 namespace limn::colmap_ext {
 
-// The three files of a model in both flavours, from a stream; `path` is for messages. Layouts:
+// The three files of a model in both flavors, from a stream; `path` is for messages. Layouts:
 // COLMAP's documentation, "Output format". Each throws IoError (see ReadModel) with byte or line.
 // Call in the order cameras, images, points3D on one builder.
 

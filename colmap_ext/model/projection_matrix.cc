@@ -54,7 +54,7 @@ DecomposedProjection Decompose(const ProjectionMatrix& projection) {
   DecomposeRq(left / scale, &result.intrinsics, &rotation);
   result.intrinsics /= result.intrinsics(2, 2);
   result.cam_from_world.rotation = Eigen::Quaterniond(rotation).normalized();
-  // t = K^-1 p4, and from the centre it is -R C: the same, but with this rotation.
+  // t = K^-1 p4, and from the center it is -R C: the same, but with this rotation.
   const Eigen::Vector3d center = -left.partialPivLu().solve(projection.col(3));
   result.cam_from_world.translation = -(result.cam_from_world.rotation * center);
   return result;

@@ -35,7 +35,7 @@ Eigen::Vector3d SceneOrigin(const SparseModel& model) {
   std::transform(centers.begin(), centers.end(), values.begin(),
                  [&](const Eigen::Vector3d& center) { return (center - middle).norm(); });
   const double extent = Median(values);
-  // Centres that differ by rounding only are one centre, which CheckViews must see.
+  // Centers that differ by rounding only are one center, which CheckViews must see.
   const bool is_one_center = !(extent > 1e-9 * middle.norm());
   if (is_one_center || middle.norm() <= kFarAway * extent) return Eigen::Vector3d::Zero();
   const double step = std::pow(10, std::ceil(std::log10(extent)));

@@ -8,8 +8,8 @@ namespace limn::colmap_ext {
 namespace {
 
 uint8_t ReadColor(TextScanner* scanner) {
-  const double value = scanner->Number("colour");
-  if (!(value >= 0 && value <= 255)) scanner->Fail("colour outside 0 to 255");
+  const double value = scanner->Number("color");
+  if (!(value >= 0 && value <= 255)) scanner->Fail("color outside 0 to 255");
   return static_cast<uint8_t>(std::lround(value));
 }
 

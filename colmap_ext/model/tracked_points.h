@@ -18,9 +18,9 @@ struct TrackedPoints {
   std::vector<std::vector<Observation>> observations;
 };
 
-// Read points as Bundler and VisualSFM write them: position, colour, then the number of
+// Read points as Bundler and VisualSFM write them: position, color, then the number of
 // measurements and for each camera index, feature index, x and y. Measurements of cameras that are
-// left out are dropped. Throws IoError with the line: missing or non-finite numbers, colours
+// left out are dropped. Throws IoError with the line: missing or non-finite numbers, colors
 // outside 0..255, a camera index that is none.
 TrackedPoints ReadTrackedPoints(int count, const ImageOfCamera& image_of_camera,
                                 TextScanner* scanner);

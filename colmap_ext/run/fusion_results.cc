@@ -32,7 +32,7 @@ std::string Number(double value) {
   return text;
 }
 
-// The colour at a pixel, grey or RGB.
+// The color at a pixel, gray or RGB.
 std::array<uint8_t, 3> ColorAt(const Image& image, const Eigen::Vector2d& pixel) {
   const int column = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, image.width - 1);
   const int row = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, image.height - 1);
@@ -195,7 +195,7 @@ void ColorCurvePoints(const Project& project, const RunContext& context,
                       std::vector<CurvePoint>* points) {
   std::vector<std::vector<size_t>> of_view(project.views().size());
   for (size_t p = 0; p < points->size(); ++p) of_view[(*points)[p].views.front()].push_back(p);
-  ParallelFor(context, "reading colours", of_view.size(), [&](size_t v) {
+  ParallelFor(context, "reading colors", of_view.size(), [&](size_t v) {
     if (of_view[v].empty()) return;
     const View& view = project.views()[v];
     const Image image = ReadViewImage(project.view_set(), static_cast<ViewId>(v));

@@ -50,7 +50,7 @@ DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
 // Length of the drawing by class, and what it adds to the dense results.
 void SayLengths(const FusionResult& result, const DenseOptions& options, Console* console);
 
-// Every point gets its colour from the photograph of the first of its views.
+// Every point gets its color from the photograph of the first of its views.
 void ColorCurvePoints(const Project& project, const RunContext& context,
                       std::vector<CurvePoint>* points);
 

@@ -99,10 +99,10 @@ void SvgSource::AddOptions(OptionParser* parser) {
                      {"link", SvgColors::kLink},
                      {"primitive", SvgColors::kPrimitive},
                      {"class", SvgColors::kClass}},
-                    "SVG: what colours stand for");
+                    "SVG: what colors stand for");
   parser->AddOption("line_width_px", &style.line_width_px, "SVG: width of lines, px");
   parser->AddOption("sheet_scale", &sheet.scale_denominator,
-                    "SVG: n of 1:n for units of a metre, 0 = the largest that fits on A3");
+                    "SVG: n of 1:n for units of a meter, 0 = the largest that fits on A3");
   parser->AddOption("azimuth_deg", &sheet.azimuth_deg, "SVG: axonometric, from where");
   parser->AddOption("elevation_deg", &sheet.elevation_deg, "SVG: axonometric, from how high");
 }

@@ -24,7 +24,7 @@ struct ViewOptions {
   // -1 = as stored.
   int max_image_size = -1;
   // Width of the strip along the image borders that is left out, pixels: lenses are at their worst
-  // there and filters see no neighbourhood.
+  // there and filters see no neighborhood.
   double border_margin_px = 8;
 
   // Throws OptionError.

@@ -10,7 +10,7 @@ struct Color {
   uint8_t blue = 0;
 };
 
-// A bright, saturated colour for a curve; always the same for the same id, and well apart for ids
+// A bright, saturated color for a curve; always the same for the same id, and well apart for ids
 // that follow each other.
 Color ColorOfCurve(int id);
 

@@ -22,11 +22,11 @@ int UnitCode(LengthUnit unit) {
       return 1;
     case LengthUnit::kFoot:
       return 2;
-    case LengthUnit::kMillimetre:
+    case LengthUnit::kMillimeter:
       return 4;
-    case LengthUnit::kCentimetre:
+    case LengthUnit::kCentimeter:
       return 5;
-    case LengthUnit::kMetre:
+    case LengthUnit::kMeter:
       return 6;
   }
   return 0;

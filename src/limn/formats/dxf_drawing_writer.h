@@ -27,7 +27,7 @@ struct DxfOptions {
 // A drawing as ASCII DXF of AutoCAD 2000 (AC1015): per link a LINE, ARC, CIRCLE, SPLINE of degree
 // 3, or a 3D POLYLINE where it has no primitive. Arcs and circles are in their object coordinate
 // system (arbitrary axis algorithm). Every entity has extended data of the application LIMN: the id
-// of its link (code 1071), or of its node at points. Colours are those of the layers.
+// of its link (code 1071), or of its node at points. Colors are those of the layers.
 void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, LengthUnit unit,
                      std::ostream& out);
 

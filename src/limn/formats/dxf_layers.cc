@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kForeground = 7;  // black on white, white on black
 
-// Colours 10, 20, ... 240 are the hues of the colour wheel; + 2, 4, 6 the same darker.
+// Colors 10, 20, ... 240 are the hues of the color wheel; + 2, 4, 6 the same darker.
 int ColorOfClass(const std::string& primitive, DenseClass dense_class) {
   static const std::map<std::string, int> hues = {
       {"line", 40}, {"arc", 10}, {"circle", 210}, {"spline", 150}, {"polyline", 90}};
   return hues.at(primitive) + 2 * static_cast<int>(dense_class);
 }
 
-// Hues of neighbouring numbers are far apart: 7 and 24 have no common divisor.
+// Hues of neighboring numbers are far apart: 7 and 24 have no common divisor.
 int ColorOfComponent(int component) { return 10 + 10 * (component * 7 % 24); }
 
 DxfLayer LayerOfClass(const DrawingLink& link) {

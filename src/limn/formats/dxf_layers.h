@@ -10,7 +10,7 @@ namespace limn {
 
 struct DxfLayer {
   std::string name;
-  int color = 7;  // AutoCAD's colour index
+  int color = 7;  // AutoCAD's color index
 };
 
 // The layers that have something on them, and where things go.

@@ -10,7 +10,7 @@ namespace limn {
 // Edge maps of the VXL tools, text (`.edg`, also gzipped): a version line, the keys WIDTH, HEIGHT
 // and EDGE_COUNT, then one edgel per line:
 //   [ix, iy]  idir iconf  [x, y]  dir conf uncertainty        (the last number is absent before v3)
-// Edgel ids are the order of the lines. Pixels have the centre of the top-left one at (0, 0), as
+// Edgel ids are the order of the lines. Pixels have the center of the top-left one at (0, 0), as
 // here. Which of the two directions along the edge `dir` means is taken as it is. Reading fills
 // position_px and stored_px alike; throws IoError.
 EdgeMap ReadEdg(const std::string& path);

@@ -3,17 +3,17 @@
 namespace limn {
 
 // What one unit of a file's coordinates is. Models have no unit of their own.
-enum class LengthUnit { kNone, kMillimetre, kCentimetre, kMetre, kInch, kFoot };
+enum class LengthUnit { kNone, kMillimeter, kCentimeter, kMeter, kInch, kFoot };
 
 // 1 for kNone.
-inline double Millimetres(LengthUnit unit) {
+inline double Millimeters(LengthUnit unit) {
   switch (unit) {
     case LengthUnit::kNone:
-    case LengthUnit::kMillimetre:
+    case LengthUnit::kMillimeter:
       return 1;
-    case LengthUnit::kCentimetre:
+    case LengthUnit::kCentimeter:
       return 10;
-    case LengthUnit::kMetre:
+    case LengthUnit::kMeter:
       return 1000;
     case LengthUnit::kInch:
       return 25.4;

@@ -113,7 +113,7 @@ class PointReader {
       if (Has(3)) point.normal[axis] = values[column_[3 + axis]];
       if (Has(6)) {
         const double color = values[column_[6 + axis]];
-        if (std::isnan(color)) Fail(unit, place, "colour is not a number");
+        if (std::isnan(color)) Fail(unit, place, "color is not a number");
         point.color[axis] = static_cast<uint8_t>(std::clamp(color, 0.0, 255.0));
       }
     }

@@ -15,7 +15,7 @@ struct PlyPoint {
   std::array<uint8_t, 3> color = {};
 };
 
-// The vertices of a PLY file one after the other, however many there are: ascii or binary, colours
+// The vertices of a PLY file one after the other, however many there are: ascii or binary, colors
 // named red or diffuse_red. The vertices must be the file's first element and have no lists.
 struct PlyPointsInfo {
   uint64_t count = 0;

@@ -117,7 +117,7 @@ void WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& 
   constexpr double kLeastUncertaintyMm = 1e-7;
   if (graph.links.empty()) throw InputError("a drawing without links cannot be a STEP file");
   const DrawingGraph in_mm =
-      Transformed(graph, Millimetres(unit), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
+      Transformed(graph, Millimeters(unit), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
   STEPControl_Controller::Init();
   handle<StepData_StepModel> model = new StepData_StepModel;
   model->SetProtocol(STEPEdit::Protocol());

@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// A drawing as STEP AP214, an edge-based wireframe in millimetres (units without a name are taken
+// A drawing as STEP AP214, an edge-based wireframe in millimeters (units without a name are taken
 // for these): a connected edge set "path_<i>" per path (PathsOf), which readers make a wire of,
 // with an edge "link_<id>" per link: a line, a circle, a cubic B-spline, or a B-spline of degree 1
 // through the points of a link without a primitive. Edges that meet at a node share its vertex.

@@ -18,7 +18,7 @@ struct StepEdges {
 };
 
 // Every link as its path walks it: where that is against its curve, the edge says so. Coordinates
-// in millimetres. Throws InputError where OpenCASCADE does not take a curve.
+// in millimeters. Throws InputError where OpenCASCADE does not take a curve.
 StepEdges MakeStepEdges(const DrawingGraph& graph, const std::vector<DrawingPath>& paths);
 
 }  // namespace limn

@@ -28,7 +28,7 @@ CurveSample Border(const std::function<Eigen::Vector3d(double)>& point_at,
   return {0.5 * (first.t + second.t), 0.5 * (first.length_px + second.length_px)};
 }
 
-// Neighbours of the same kind become one.
+// Neighbors of the same kind become one.
 std::vector<Run> Joined(const std::vector<Run>& runs) {
   std::vector<Run> joined;
   for (const Run& run : runs) {

@@ -11,7 +11,7 @@
 namespace limn {
 namespace {
 
-// The centre of the top-left pixel in SVG.
+// The center of the top-left pixel in SVG.
 constexpr double kSvgFromOurs = 0.5;
 
 // A polyline by arc length.

@@ -29,7 +29,7 @@ struct LinkPath {
   bool end_is_open[2] = {true, true};
 };
 
-// In a photograph, in stored pixels; the corner of the picture is (0, 0), the centre of its
+// In a photograph, in stored pixels; the corner of the picture is (0, 0), the center of its
 // top-left pixel (0.5, 0.5). Lines and cubic curves within the tolerance.
 LinkPath DrawLink(const View& view, const DrawingLink& link, const IsHidden& is_hidden,
                   const LinkPathOptions& options);

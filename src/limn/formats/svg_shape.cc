@@ -11,7 +11,7 @@
 namespace limn {
 namespace {
 
-// Longer arcs are drawn in parts: near half a turn their centre would depend on the rounding of
+// Longer arcs are drawn in parts: near half a turn their center would depend on the rounding of
 // their ends.
 constexpr double kMaxTurn = 2 * M_PI / 3;
 

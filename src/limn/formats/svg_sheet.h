@@ -19,12 +19,12 @@ enum class SvgProjection {
 
 struct SheetOptions {
   SvgProjection projection = SvgProjection::kTop;
-  // Where the eye of an axonometric projection is: its direction turned about z from +x towards +y,
+  // Where the eye of an axonometric projection is: its direction turned about z from +x toward +y,
   // and above the plane z = 0, in [-90, 90]. The default is isometric, from the front right: the
   // three axes are shortened alike, to 0.816.
   double azimuth_deg = -45;
   double elevation_deg = 35.264389682754654;
-  // n of 1:n, where a model unit is a metre. 0: the largest of 1, 2 and 5 times a power of ten
+  // n of 1:n, where a model unit is a meter. 0: the largest of 1, 2 and 5 times a power of ten
   // that fits on a sheet of A3.
   double scale_denominator = 0;
   // Of empty paper around the drawing.
@@ -52,7 +52,7 @@ struct SvgSheet {
   // There is room for one in the lower margin.
   bool has_legend = false;
 
-  // Model units of a millimetre of paper, and of a pixel (1/96 inch).
+  // Model units of a millimeter of paper, and of a pixel (1/96 inch).
   double mm() const { return scale_denominator / 1000; }
   double px() const { return 25.4 / 96 * mm(); }
   Eigen::Vector2d PaperMm() const { return (paper_max - paper_min) / mm(); }

@@ -98,7 +98,7 @@ void PutCoordinate(std::ostream& out, double value) {
 
 void PutTrack(LinkId link, const std::vector<Eigen::Vector2d>& run, const std::string& name,
               std::ostream& out) {
-  // COLMAP's centre of the top-left pixel is (0.5, 0.5), ours is (0, 0).
+  // COLMAP's center of the top-left pixel is (0.5, 0.5), ours is (0, 0).
   constexpr double kColmapFromOurs = 0.5;
   out << link << ' ' << run.size();
   for (const Eigen::Vector2d& pixel : run) {

@@ -111,7 +111,7 @@ TEST(DenseCloud, DamagedCloudIsTold) {
               HasSubstr("the first element is not vertex"));
 }
 
-TEST(PlyPoints, ColoursOfAnyType) {
+TEST(PlyPoints, ColorsOfAnyType) {
   const TempDir dir;
   const auto color_of = [&](const std::string& line) {
     const std::string path = dir.WriteFile(
@@ -126,7 +126,7 @@ TEST(PlyPoints, ColoursOfAnyType) {
   };
   EXPECT_THAT(color_of("1 2 3 -1 inf 7.9\n"), ElementsAre(0, 255, 7));
   EXPECT_THAT(ErrorText<IoError>([&] { color_of("1 2 3 1 nan 3\n"); }),
-              HasSubstr("line 11: colour is not a number"));
+              HasSubstr("line 11: color is not a number"));
 }
 
 TEST(PlyPoints, BinaryOfBothByteOrders) {
@@ -208,7 +208,7 @@ TEST(PatchFile, ImagesAreFoundByTheListOfNames) {
   EXPECT_THAT(ReadAll(OpenClouds({path}, ThreeViews(), 4))[0].views, ElementsAre(0, 1));
 }
 
-TEST(PatchFile, ClustersAreOneCloudWithTheColoursBesideThem) {
+TEST(PatchFile, ClustersAreOneCloudWithTheColorsBesideThem) {
   const TempDir dir;
   const std::string first =
       dir.WriteFile("models/option-0000.patch", PatchText({MakePatch(), MakePatch()}));

@@ -22,7 +22,7 @@ std::string CameraLine(const SparseModel& model, const ModelImage& image,
          " 0\n";
 }
 
-// Measurements from the centre of the image, unless the origin is moved.
+// Measurements from the center of the image, unless the origin is moved.
 std::string ModelText(const SparseModel& model, const std::string& distortion = "0",
                       const Eigen::Vector2d& origin = {320, 240}) {
   std::string text = std::to_string(model.images.size()) + "\n";

@@ -160,7 +160,7 @@ TEST(BinaryModel, PosesThatAreNoPosesAreRefused) {
   EXPECT_THAT(ErrorOf(files), HasSubstr("the pose is not finite"));
 }
 
-TEST(BinaryModel, RotationsAreNormalised) {
+TEST(BinaryModel, RotationsAreNormalized) {
   SparseModel model = MakeModel();
   const Eigen::Quaterniond unit = model.images[0].cam_from_world.rotation;
   model.images[0].cam_from_world.rotation.coeffs() *= 3;

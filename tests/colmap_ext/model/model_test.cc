@@ -24,7 +24,7 @@ std::string ErrorOf(const fs::path& folder) {
   return ErrorText<IoError>([&] { ReadColmapModel(folder); });
 }
 
-TEST(Model, BothFlavoursAreReadFromAFolder) {
+TEST(Model, BothFlavorsAreReadFromAFolder) {
   const TempDir binary;
   const TempDir text;
   WriteModelBinary(MakeModel(), binary.path());

@@ -33,7 +33,7 @@ TEST(SceneOrigin, HasRoundCoordinates) {
   EXPECT_EQ(origin, (origin.array() * 10).round().matrix() / 10);
 }
 
-TEST(SceneOrigin, CamerasAtOneCentreStayWhereTheyAre) {
+TEST(SceneOrigin, CamerasAtOneCenterStayWhereTheyAre) {
   SparseModel model = MakeModel();
   for (ModelImage& image : model.images) {
     image.cam_from_world.translation = -(image.cam_from_world.rotation * kFar);
@@ -41,7 +41,7 @@ TEST(SceneOrigin, CamerasAtOneCentreStayWhereTheyAre) {
   EXPECT_EQ(SceneOrigin(model), Eigen::Vector3d(0, 0, 0));
 }
 
-TEST(MoveModel, MovesCentresAndPoints) {
+TEST(MoveModel, MovesCentersAndPoints) {
   const SparseModel before = MakeModel();
   SparseModel after = before;
   MoveModel(kFar, &after);

@@ -11,7 +11,7 @@ namespace limn::colmap_ext {
 // about 500.
 Camera MakeCamera(CameraModelId model, uint32_t id);
 
-// Two PINHOLE cameras (800 x 600, principal point at the centre), three images in an order that is
+// Two PINHOLE cameras (800 x 600, principal point at the center), three images in an order that is
 // neither that of their ids nor of their names ("c.png", "sub/a b.png", "b.png"), one of them
 // without 2D points, and two points with tracks.
 SparseModel MakeModel();

@@ -172,13 +172,13 @@ TEST_F(DrawingStep, EdgesOfAWireFollowEachOther) {
   EXPECT_LT((At(start) - builder.graph().nodes[3].position_in_world).norm(), 1e-12);
 }
 
-TEST_F(DrawingStep, UnitsBecomeMillimetres) {
+TEST_F(DrawingStep, UnitsBecomeMillimeters) {
   PrimitiveDrawingBuilder builder;
   builder.AddShape(LineSegment{{1, 2, 3}, {1, 2, 5}});
   RebuildIncidence(&builder.graph());
   const std::map<LengthUnit, double> lengths = {
-      {LengthUnit::kNone, 2},     {LengthUnit::kMillimetre, 2}, {LengthUnit::kCentimetre, 20},
-      {LengthUnit::kMetre, 2000}, {LengthUnit::kInch, 50.8},    {LengthUnit::kFoot, 609.6}};
+      {LengthUnit::kNone, 2},     {LengthUnit::kMillimeter, 2}, {LengthUnit::kCentimeter, 20},
+      {LengthUnit::kMeter, 2000}, {LengthUnit::kInch, 50.8},    {LengthUnit::kFoot, 609.6}};
   for (const auto& [unit, length] : lengths) {
     const TopoDS_Shape read = WriteAndRead(builder.graph(), unit);
     const BRepAdaptor_Curve curve(TopoDS::Edge(TopExp_Explorer(read, TopAbs_EDGE).Current()));
@@ -211,7 +211,7 @@ TEST_F(DrawingStep, WiresHoldWherePrimitivesEndBesideTheirNodes) {
   std::get<LineSegment>(graph.links[0].primitive->shape).end += Eigen::Vector3d(1e-6, -1e-6, 2e-6);
   std::get<CircularArc>(graph.links[1].primitive->shape).center += Eigen::Vector3d(0, 1e-6, 0);
   graph = Transformed(graph, 1, Eigen::Matrix3d::Identity(), {4.5e5, 5.1e6, 300});
-  const TopoDS_Shape read = WriteAndRead(graph, LengthUnit::kMetre);
+  const TopoDS_Shape read = WriteAndRead(graph, LengthUnit::kMeter);
   EXPECT_EQ(Children(read, TopAbs_WIRE).size(), PathsOf(graph).size());
   EXPECT_EQ(CountDistinct(read, TopAbs_EDGE), static_cast<int>(graph.links.size()));
   EXPECT_EQ(CountDistinct(read, TopAbs_VERTEX), static_cast<int>(graph.nodes.size()));

@@ -238,7 +238,7 @@ TEST(WriteDrawingSvg, RefusesOptionsOutOfRange) {
   sheet.elevation_deg = 91;
   EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);
   sheet = {};
-  sheet.scale_denominator = 0.001;  // four kilometres of paper
+  sheet.scale_denominator = 0.001;  // four kilometers of paper
   EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);
   sheet.scale_denominator = -1;
   EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);

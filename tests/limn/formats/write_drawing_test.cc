@@ -192,7 +192,7 @@ TEST(WriteSketch, CurvesComeBack) {
   EXPECT_EQ(read.polylines, expected.polylines);
 }
 
-TEST(ColorOfCurve, NeighbouringIdsAreFarApartAndNeverDark) {
+TEST(ColorOfCurve, NeighboringIdsAreFarApartAndNeverDark) {
   for (int id = 0; id < 1000; ++id) {
     const Color a = ColorOfCurve(id);
     const Color b = ColorOfCurve(id + 1);
