@@ -17,7 +17,8 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
       {.linking = true, .refinement = true, .writes_drawing = true}, argc, argv, &options,
       [&](OptionParser* more) {
         more->AddOption("drawing_path", &drawing_path,
-                        "drawing.json to start from, instead of the one in the output folder");
+                        BasicOption("drawing.json to start from, instead of the one in the "
+                                    "output folder"));
       });
   if (!parser) return 0;
   Console console(options.num_threads);

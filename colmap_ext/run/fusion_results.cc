@@ -116,6 +116,20 @@ void WarnWithoutImageNames(const fs::path& pmvs_cloud, Console* console) {
 
 }  // namespace
 
+void FuserOptions::AddOptions(OptionParser* parser) {
+  parser->AddOption("drawing_path", &drawing_path,
+                    BasicOption("drawing.json to fuse, instead of the one in the output folder"));
+  parser->AddOption("dense_type", &paths.dense_type,
+                    {"auto", "depth_maps", "fused", "pmvs", "mesh"},
+                    BasicOption("which dense results"));
+  parser->AddOption("dense_path", &paths.dense_path,
+                    BasicOption("their file or folder, instead of those found beside the model"));
+  parser->AddOption("remove_occluded", &remove_occluded,
+                    BasicOption("leave out links behind the surface, instead of marking them"));
+  parser->AddOption("sparse_spacing_px", &sparse_spacing_px,
+                    "distance of the curves' points in sparse-with-curves, px");
+}
+
 void FuserOptions::Check() const {
   paths.Check();
   LIMN_CHECK_OPTION(sparse_spacing_px, >= 1);

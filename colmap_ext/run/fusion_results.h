@@ -21,6 +21,7 @@ struct FuserOptions {
   bool remove_occluded = false;
   int sparse_spacing_px = 4;
 
+  void AddOptions(OptionParser* parser);
   // Throws OptionError.
   void Check() const;
 };

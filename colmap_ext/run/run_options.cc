@@ -12,24 +12,26 @@ namespace {
 void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParser* parser) {
   LayoutOptions& layout = options->layout;
   ViewOptions& view = options->view;
-  parser->AddOption("workspace_path", &layout.workspace_path, "folder of the COLMAP project");
-  parser->AddOption("input_path", &layout.input_path, "sparse model instead of the one found");
-  parser->AddOption("image_path", &layout.image_path, "images instead of those found");
-  parser->AddOption("output_path", &layout.output_path, groups.output_help);
+  parser->AddOption("workspace_path", &layout.workspace_path,
+                    BasicOption("folder of the COLMAP project"));
+  parser->AddOption("input_path", &layout.input_path,
+                    BasicOption("sparse model instead of the one found"));
+  parser->AddOption("image_path", &layout.image_path, BasicOption("images instead of those found"));
+  parser->AddOption("output_path", &layout.output_path, BasicOption(groups.output_help));
   parser->AddOption("model_index", &layout.model_index,
                     "which of several models, -1 = the one with most images");
   parser->AddOption("image_list_path", &view.image_list_path,
                     "file with the names of the images to use");
-  parser->AddOption("mask_path", &view.mask_path, "folder of masks, <image name>.png");
+  parser->AddOption("mask_path", &view.mask_path, BasicOption("folder of masks, <image name>.png"));
   parser->AddOption("max_image_size", &view.max_image_size,
-                    "shrink images to this longer side, px, -1 = do not");
+                    BasicOption("shrink images to this longer side, px, -1 = do not"));
   parser->AddOption(
       "quality", &options->quality,
       {{"low", Quality::kLow}, {"medium", Quality::kMedium}, {"high", Quality::kHigh}},
-      "defaults of the other options");
+      BasicOption("defaults of the other options"));
   if (groups.writes_drawing) {
     parser->AddOption("overwrite", &options->overwrite,
-                      "replace a drawing made with other options or of other images");
+                      BasicOption("replace a drawing made with other options or of other images"));
   }
   if (groups.shards) {
     parser->AddOption("shard", &options->shard,
@@ -38,11 +40,12 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
                       {{"curves", ShardStage::kCurves}, {"sketches", ShardStage::kSketches}},
                       "where a shard ends; of a scene in tiles, sketches means their drawings");
   }
-  parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
+  parser->AddOption("num_threads", &options->num_threads,
+                    BasicOption("processor cores to use, -1 = all"));
 }
 
 void AddGroup(const std::string& group, auto* fields, OptionParser* parser) {
-  VisitFields(*fields, [&](const std::string& name, auto& field, const char* help) {
+  VisitFields(*fields, [&](const std::string& name, auto& field, const OptionHelp& help) {
     parser->AddOption(group + "." + name, &field, help);
   });
 }
@@ -51,7 +54,8 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
   AddPathOptions(groups, options, parser);
   PipelineOptions& pipeline = options->pipeline;
   if (groups.sketch) {
-    parser->AddOption("box", &options->box, "reconstruct only inside x0,x1,y0,y1,z0,z1");
+    parser->AddOption("box", &options->box,
+                      BasicOption("reconstruct only inside x0,x1,y0,y1,z0,z1"));
   }
   if (groups.sketch || groups.drawing) {
     std::vector<std::pair<std::string, SketchMode>> modes;
@@ -59,7 +63,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
          {SketchMode::kOriginal, SketchMode::kEnhanced, SketchMode::kSweep}) {
       modes.push_back({SketchModeName(mode), mode});
     }
-    parser->AddOption("mode", &pipeline.mode, modes, "how the sketch is made");
+    parser->AddOption("mode", &pipeline.mode, modes, BasicOption("how the sketch is made"));
   }
   AddGroup("EdgeDetection", &pipeline.edges, parser);
   if (groups.linking) AddGroup("Linking", &pipeline.linking, parser);

@@ -80,12 +80,14 @@ std::string RelativeTo(const fs::path& picture, const fs::path& photo) {
 
 void SvgSource::AddOptions(OptionParser* parser) {
   parser->AddOption("view", &view,
-                    "SVG: top, front, side or axonometric to scale, or the name of an image");
-  parser->AddOption("workspace_path", &layout.workspace_path, "SVG of an image: its project");
+                    BasicOption("SVG: top, front, side or axonometric to scale, or the name of an "
+                                "image"));
+  parser->AddOption("workspace_path", &layout.workspace_path,
+                    BasicOption("SVG of an image: its project"));
   parser->AddOption("image_path", &layout.image_path, "SVG of an image: images of the project");
   parser->AddOption("model_index", &layout.model_index, "SVG of an image: which of its models");
   parser->AddOption("dense_path", &dense.dense_path,
-                    "SVG: what hides parts; for sheets a mesh or a cloud");
+                    BasicOption("SVG: what hides parts; for sheets a mesh or a cloud"));
   parser->AddOption("dense_type", &dense.dense_type,
                     {"auto", "depth_maps", "fused", "pmvs", "mesh"},
                     "SVG of an image: which dense results, as in drawing_fuser");
@@ -93,16 +95,18 @@ void SvgSource::AddOptions(OptionParser* parser) {
                     {{"removed", SvgHiddenParts::kRemoved}, {"dashed", SvgHiddenParts::kDashed}},
                     "SVG: hidden parts, where depth is there");
   parser->AddOption("show_hidden", &show_hidden, "SVG: do not look for hidden parts");
-  parser->AddOption("photo", &photo, "SVG of an image: the photograph beneath the drawing");
+  parser->AddOption("photo", &photo,
+                    BasicOption("SVG of an image: the photograph beneath the drawing"));
   parser->AddOption("colors", &style.colors,
                     {{"black", SvgColors::kBlack},
                      {"link", SvgColors::kLink},
                      {"primitive", SvgColors::kPrimitive},
                      {"class", SvgColors::kClass}},
-                    "SVG: what colors stand for");
+                    BasicOption("SVG: what colors stand for"));
   parser->AddOption("line_width_px", &style.line_width_px, "SVG: width of lines, px");
   parser->AddOption("sheet_scale", &sheet.scale_denominator,
-                    "SVG: n of 1:n for units of a meter, 0 = the largest that fits on A3");
+                    BasicOption("SVG: n of 1:n for units of a meter, 0 = the largest that fits on "
+                                "A3"));
   parser->AddOption("azimuth_deg", &sheet.azimuth_deg, "SVG: axonometric, from where");
   parser->AddOption("elevation_deg", &sheet.elevation_deg, "SVG: axonometric, from how high");
 }

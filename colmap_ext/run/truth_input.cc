@@ -6,18 +6,19 @@
 
 namespace limn::colmap_ext {
 
-void TruthInput::AddOptions(OptionParser* parser) {
-  parser->AddOption("truth_path", &truth_path, "true curves or points");
+void TruthInput::AddOptions(bool are_basic, OptionParser* parser) {
+  const auto help = [&](const char* text) { return OptionHelp(text, are_basic); };
+  parser->AddOption("truth_path", &truth_path, help("true curves or points"));
   parser->AddOption("truth_edges_path", &truth_edges_path,
-                    "edges between the points of a .txt truth");
+                    help("edges between the points of a .txt truth"));
   parser->AddOption(
       "junctions_path", &junctions_path,
-      "JSON file of the truth's junctions: {\"junctions\": [{\"position\": [x, y, z], "
-      "\"degree\": n}, ...]}");
-  parser->AddOption("dont_care_path", &dont_care_path, "curves near which nothing counts");
-  parser->AddOption("taus", &evaluation.taus, "distances at which a curve counts as found");
+      help("JSON file of the truth's junctions: {\"junctions\": [{\"position\": [x, y, "
+           "z], \"degree\": n}, ...]}"));
+  parser->AddOption("dont_care_path", &dont_care_path, help("curves near which nothing counts"));
+  parser->AddOption("taus", &evaluation.taus, help("distances at which a curve counts as found"));
   parser->AddOption("unit", &unit, {{"world", Unit::kWorld}, {"footprint", Unit::kFootprint}},
-                    "unit of taus: the model's, or the size of a pixel there");
+                    help("unit of taus: the model's, or the size of a pixel there"));
   parser->AddOption("dont_care_taus", &evaluation.dont_care_taus,
                     "reach of don't-care curves, taus");
   parser->AddOption("junction_taus", &evaluation.junction_taus, "reach of a junction, taus");

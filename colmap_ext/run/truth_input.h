@@ -17,7 +17,8 @@ struct TruthInput {
   Unit unit = Unit::kWorld;
 
   bool IsGiven() const { return !truth_path.empty(); }
-  void AddOptions(OptionParser* parser);
+  // `are_basic`: the command is there to judge.
+  void AddOptions(bool are_basic, OptionParser* parser);
   // Of a truth that is given. Throws OptionError.
   void Check() const;
 };

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
+
 #include "colmap_ext/dense_files/dense_cloud.h"
 #include "colmap_ext/dense_files/products.h"
+#include "colmap_ext/run/fusion_results.h"
 #include "colmap_ext/run/world_shift.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "limn/formats/atomic_file.h"
+#include "limn/formats/json_text.h"
+#include "limn/formats/whole_file.h"
 #include "limn/pictures/thumbnail.h"
 #include "limn/util/errors.h"
 #include "limn/viewer/viewer_page.h"
@@ -87,11 +92,43 @@ std::vector<ViewerThumbnail> Thumbnails(const Project& project, int size, Consol
 
 }  // namespace
 
+void ViewerOptions::AddOptions(OptionParser* parser) {
+  parser->AddOption("drawing_path", &drawing_path,
+                    BasicOption("drawing to show, instead of the newer of drawing.json and "
+                                "drawing-fused.json in the output folder"));
+  parser->AddOption("report_path", &report_path,
+                    "JSON file with a report of the run, for the tab Report");
+  parser->AddOption("cloud", &cloud, {"auto", "sparse", "dense", "none"},
+                    BasicOption("which points to show; auto = dense where there are some"));
+  parser->AddOption("max_points", &max_points, BasicOption("thin the points to so many"));
+  parser->AddOption("thumbnail_size", &thumbnail_size,
+                    BasicOption("longer side of the photographs in the page, px"));
+}
+
 void ViewerOptions::Check() const {
   LIMN_CHECK_OPTION(max_points, >= 0);
   LIMN_CHECK_OPTION(max_points, <= 10000000);
   LIMN_CHECK_OPTION(thumbnail_size, >= 16);
   LIMN_CHECK_OPTION(thumbnail_size, <= 4096);
+}
+
+std::string DrawingToView(const Project& project, const ViewerOptions& options) {
+  if (!options.drawing_path.empty()) return options.drawing_path;
+  const std::string drawing = project.DrawingPath("drawing.json");
+  const std::string fused = project.DrawingPath(kFusedDrawing);
+  if (!fs::exists(fused)) return drawing;
+  const bool is_newer =
+      !fs::exists(drawing) || fs::last_write_time(fused) >= fs::last_write_time(drawing);
+  return is_newer ? fused : drawing;
+}
+
+std::string ReadReport(const ViewerOptions& options) {
+  if (options.report_path.empty()) return "";
+  const std::string report = ReadWholeFile(options.report_path);
+  if (!report.empty() && !ParseJson(options.report_path, report).is_object()) {
+    throw IoError(options.report_path, "must be a JSON object");
+  }
+  return report;
 }
 
 void WriteViewerResult(const Project& project, const std::string& workspace_path,
