@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/interrupt.h"
-#include "colmap_ext/commands/ranks.h"
+#include "colmap_ext/run/interrupt.h"
+#include "colmap_ext/run/ranks.h"
 #include "limn/util/errors.h"
 
 namespace {
@@ -24,8 +24,8 @@ constexpr Command kCommands[] = {
     {"automatic_drawer", RunAutomaticDrawer, "the main job: the 3D drawing of a COLMAP project"},
     {"edge_extractor", RunEdgeExtractor, "find the edgels of all images"},
     {"curve_linker", RunCurveLinker, "link them to curve fragments"},
-    {"curve_sketcher", RunCurveSketcher, "reconstruct a sketch of 3D curves, original or enhanced"},
-    {"curve_drawer", RunCurveDrawer, "make the drawing from a stored enhanced sketch"},
+    {"curve_sketcher", RunCurveSketcher, "reconstruct a sketch: unconnected 3D curves"},
+    {"curve_drawer", RunCurveDrawer, "make the drawing from a stored sketch"},
     {"drawing_refiner", RunDrawingRefiner, "fit a stored drawing to all images"},
     {"drawing_fuser", RunDrawingFuser, "compare a drawing with dense results and combine the two"},
     {"drawing_exporter", RunDrawingExporter, "write a drawing for CAD, Blender or as a graph"},
@@ -39,7 +39,8 @@ void PrintUsage() {
   std::printf(
       "limn: 3D drawings from COLMAP projects\n\n"
       "  limn automatic_drawer --workspace_path my_project\n"
-      "  limn <command> -h          the options of a command\n\nCommands:\n");
+      "  limn <command> -h          the basic options of a command\n"
+      "  limn <command> --help_all  all of its options\n\nCommands:\n");
   for (const Command& command : kCommands) {
     std::printf("  %-20.*s %s\n", static_cast<int>(command.name.size()), command.name.data(),
                 command.summary);

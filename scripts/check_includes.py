@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Check the layer rule: an include points down or to its own module, never up or sideways.
 
-The layers are those of src/README.md. Every module of src/limn must have a layer here, and
-the order of src/limn/CMakeLists.txt must follow the layers.
+The layers of src/limn are those of src/README.md, the layers of colmap_ext those of
+colmap_ext/README.md. Every module must have a layer here, and the order of the CMakeLists.txt
+beside the modules must follow the layers.
 Third-party libraries stay where the table at the end allows them.
 """
 
@@ -11,18 +12,26 @@ import sys
 from pathlib import Path
 
 # Modules of one layer do not see each other.
-LAYERS = [
+LIMN_LAYERS = [
     ["util"],
     ["geometry"],
     ["model"],
     ["support", "visibility"],
     ["topology"],
     ["edges", "linking", "sketch", "drawing", "refinement", "primitives", "dense", "tiles"],
-    ["io"],
-    ["export"],
+    ["formats"],
     ["pictures", "evaluation", "viewer"],
     ["pipeline"],
 ]
+COLMAP_EXT_LAYERS = [
+    ["options", "model"],
+    ["workspace"],
+    ["dense_files", "import"],
+    ["run"],
+    ["commands"],
+]
+# Folder of modules -> its layers. src/limn never includes colmap_ext.
+LAYERS = {"src/limn": LIMN_LAYERS, "colmap_ext": COLMAP_EXT_LAYERS}
 
 # Prefix of an include in angle brackets -> where it may stand: folders, or single files.
 THIRD_PARTY = {
@@ -32,19 +41,19 @@ THIRD_PARTY = {
     "tbb/": ["src/limn/util/parallel.cc"],
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
     "boost/program_options": ["colmap_ext/options/"],
-    "boost/mpi/": ["colmap_ext/commands/ranks.cc"],
+    "boost/mpi/": ["colmap_ext/run/ranks.cc"],
     "boost/sort/": ["src/limn/edges/edgel_selection.cc"],
-    "tiny_gltf.h": ["src/limn/export/drawing_glb.cc"],
+    "tiny_gltf.h": ["src/limn/formats/glb_drawing_writer.cc"],
     # OpenCASCADE: its headers are in no folder.
-    **{prefix: ["src/limn/export/drawing_step.cc", "src/limn/export/step_edges"]
+    **{prefix: ["src/limn/formats/step_drawing_writer.cc", "src/limn/formats/step_edges"]
        for prefix in ("Step", "STEP", "Geom", "gp_", "TCol", "Standard_", "Interface_", "APIHeader", "TopoDS", "BRep")},
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
-def layer_of(module):
-    for layer, modules in enumerate(LAYERS):
+def layer_of(folder, module):
+    for layer, modules in enumerate(LAYERS[folder]):
         if module in modules:
             return layer
     return None
@@ -58,19 +67,26 @@ def third_party_problem(path, target):
 
 
 def module_problem(path, target):
-    """Of an include of a file of Limn's, seen from a file in src/limn."""
-    if target.startswith("colmap_ext/"):
-        return "src/ never includes colmap_ext/"
+    """Of an include of a file of Limn's."""
+    folder = "src/limn" if path.startswith("src/") else "colmap_ext"
+    if not target.startswith(("limn/", "colmap_ext/")):
+        return f'"{target}" is of neither limn/ nor colmap_ext/'
+    if not target.startswith(folder.split("/")[-1] + "/"):
+        return "src/ never includes colmap_ext/" if folder == "src/limn" else None
     parts = target.split("/")
-    if parts[0] != "limn" or len(parts) < 3:
-        return f'"{target}" is not of the form "limn/<module>/<file>"'
-    own, other = path.split("/")[2], parts[1]
+    if len(parts) < 3:
+        return f'"{target}" is not of the form "{parts[0]}/<module>/<file>"'
+    own_parts = path.removeprefix(folder + "/").split("/")
+    if len(own_parts) == 1:  # main.cc
+        return None
+    own, other = own_parts[0], parts[1]
     if own == other:
         return None
-    if layer_of(own) is None or layer_of(other) is None:
-        return f"module {own if layer_of(own) is None else other} has no layer in this script"
-    if layer_of(other) >= layer_of(own):
-        return f"{own} (layer {layer_of(own)}) must not include {other} (layer {layer_of(other)})"
+    own_layer, other_layer = layer_of(folder, own), layer_of(folder, other)
+    if own_layer is None or other_layer is None:
+        return f"module {own if own_layer is None else other} has no layer in this script"
+    if other_layer >= own_layer:
+        return f"{own} (layer {own_layer}) must not include {other} (layer {other_layer})"
     return None
 
 
@@ -81,28 +97,24 @@ def problems_of_file(root, file):
         if not match:
             continue
         bracket, target = match.groups()
-        if bracket == "<":
-            problem = third_party_problem(path, target)
-        elif path.startswith("src/"):
-            problem = module_problem(path, target)
-        else:
-            problem = None
+        check = third_party_problem if bracket == "<" else module_problem
+        problem = check(path, target)
         if problem:
             yield f"{path}:{number}: {problem}"
 
 
-def problems_of_build_order(root):
-    """The order of src/limn/CMakeLists.txt must be bottom to top."""
-    listed = re.findall(r"^add_subdirectory\((\w+)\)",
-                        (root / "src/limn/CMakeLists.txt").read_text(encoding="utf-8"), re.M)
+def problems_of_build_order(root, folder):
+    """The order of the folder's CMakeLists.txt must be bottom to top."""
+    path = f"{folder}/CMakeLists.txt"
+    listed = re.findall(r"^add_subdirectory\((\w+)\)", (root / path).read_text(encoding="utf-8"), re.M)
     previous = 0
     for module in listed:
-        layer = layer_of(module)
+        layer = layer_of(folder, module)
         if layer is None:
-            yield f"src/limn/CMakeLists.txt: module {module} has no layer in this script"
+            yield f"{path}: module {module} has no layer in this script"
             continue
         if layer < previous:
-            yield f"src/limn/CMakeLists.txt: {module} stands above its layer"
+            yield f"{path}: {module} stands above its layer"
         previous = layer
 
 
@@ -110,7 +122,7 @@ def main():
     root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent).resolve()
     files = sorted(file for folder in ("src", "colmap_ext") for file in (root / folder).rglob("*")
                    if file.suffix in (".h", ".cc"))
-    problems = list(problems_of_build_order(root))
+    problems = [problem for folder in LAYERS for problem in problems_of_build_order(root, folder)]
     for file in files:
         problems.extend(problems_of_file(root, file))
     for problem in problems:

@@ -1,9 +1,9 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/console.h"
-#include "colmap_ext/commands/project.h"
-#include "colmap_ext/commands/refined_cameras.h"
-#include "colmap_ext/commands/results.h"
-#include "colmap_ext/commands/run_options.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/refined_cameras.h"
+#include "colmap_ext/run/results.h"
+#include "colmap_ext/run/run_options.h"
 #include "limn/drawing/drawing.h"
 
 namespace limn::colmap_ext {

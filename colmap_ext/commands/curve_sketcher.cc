@@ -1,8 +1,8 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/console.h"
-#include "colmap_ext/commands/project.h"
-#include "colmap_ext/commands/results.h"
-#include "colmap_ext/commands/run_options.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/results.h"
+#include "colmap_ext/run/run_options.h"
 #include "limn/pipeline/sketch_views.h"
 #include "limn/sketch/view_selection.h"
 

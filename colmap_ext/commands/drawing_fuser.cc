@@ -1,29 +1,13 @@
 #include <optional>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/console.h"
-#include "colmap_ext/commands/fusion_results.h"
-#include "colmap_ext/commands/project.h"
-#include "colmap_ext/commands/results.h"
-#include "colmap_ext/commands/run_options.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/fusion_results.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/results.h"
+#include "colmap_ext/run/run_options.h"
 
 namespace limn::colmap_ext {
-namespace {
-
-void AddFusionOptions(FuserOptions* options, OptionParser* more) {
-  more->AddOption("drawing_path", &options->drawing_path,
-                  "drawing.json to fuse, instead of the one in the output folder");
-  more->AddOption("dense_type", &options->paths.dense_type,
-                  {"auto", "depth_maps", "fused", "pmvs", "mesh"}, "which dense results");
-  more->AddOption("dense_path", &options->paths.dense_path,
-                  "their file or folder, instead of those found beside the model");
-  more->AddOption("remove_occluded", &options->remove_occluded,
-                  "leave out links behind the surface, instead of marking them");
-  more->AddOption("sparse_spacing_px", &options->sparse_spacing_px,
-                  "distance of the curves' points in sparse-with-curves, px");
-}
-
-}  // namespace
 
 int RunDrawingFuser(int argc, const char* const* argv) {
   RunOptions options;
@@ -31,7 +15,7 @@ int RunDrawingFuser(int argc, const char* const* argv) {
   const auto parser = ParseRunOptions(
       "drawing_fuser", "compare a stored drawing with dense results and combine the two",
       {.dense = true, .writes_drawing = true}, argc, argv, &options,
-      [&](OptionParser* more) { AddFusionOptions(&fuser, more); });
+      [&](OptionParser* more) { fuser.AddOptions(more); });
   if (!parser) return 0;
   fuser.Check();
   Console console(options.num_threads);

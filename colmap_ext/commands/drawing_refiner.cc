@@ -1,9 +1,9 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/console.h"
-#include "colmap_ext/commands/project.h"
-#include "colmap_ext/commands/refined_cameras.h"
-#include "colmap_ext/commands/results.h"
-#include "colmap_ext/commands/run_options.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/refined_cameras.h"
+#include "colmap_ext/run/results.h"
+#include "colmap_ext/run/run_options.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
 
@@ -17,7 +17,8 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
       {.linking = true, .refinement = true, .writes_drawing = true}, argc, argv, &options,
       [&](OptionParser* more) {
         more->AddOption("drawing_path", &drawing_path,
-                        "drawing.json to start from, instead of the one in the output folder");
+                        BasicOption("drawing.json to start from, instead of the one in the "
+                                    "output folder"));
       });
   if (!parser) return 0;
   Console console(options.num_threads);

@@ -1,7 +1,7 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/console.h"
-#include "colmap_ext/commands/project.h"
-#include "colmap_ext/commands/run_options.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/run_options.h"
 
 namespace limn::colmap_ext {
 

@@ -1,116 +1,12 @@
-#include <cstdio>
-#include <filesystem>
-
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/commands/console.h"
-#include "colmap_ext/commands/project.h"
-#include "colmap_ext/commands/run_options.h"
-#include "limn/evaluation/sharp_edges.h"
-#include "limn/evaluation/truth_extraction.h"
-#include "limn/export/curves_ply.h"
-#include "limn/io/atomic_file.h"
-#include "limn/io/mesh_reader.h"
-#include "limn/io/read_curves.h"
-#include "limn/io/whole_file.h"
-#include "limn/util/errors.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/run/truth_run.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/ply_curves_writer.h"
 
 namespace limn::colmap_ext {
-namespace {
-
-struct ExtractorOptions {
-  std::string mesh_path, cloud_path;
-  SharpEdgeOptions sharp_edges;
-  TruthOptions truth;
-};
-
-void AddOptions(ExtractorOptions* options, OptionParser* parser) {
-  TruthOptions& truth = options->truth;
-  parser->AddOption("mesh_path", &options->mesh_path, "surface, .ply or .obj: its sharp edges");
-  parser->AddOption("cloud_path", &options->cloud_path,
-                    "or a dense cloud, .ply: its points near image edges");
-  parser->AddOption("min_dihedral_deg", &options->sharp_edges.min_dihedral_deg,
-                    "least angle by which the surface bends at a sharp edge");
-  parser->AddOption("min_corner_deg", &options->sharp_edges.min_corner_deg,
-                    "curves end where they turn by more");
-  parser->AddOption("min_views", &truth.min_views, "so many views must show what is kept");
-  parser->AddOption("require_edges", &truth.require_edges,
-                    "a view shows what has edgels along it; 0 = whatever is visible");
-  parser->AddOption("max_distance_px", &truth.max_distance_px, "farthest edgel, px");
-  parser->AddOption("max_angle_deg", &truth.max_angle_deg, "most different direction of an edgel");
-  parser->AddOption("occlusion_px", &truth.occlusion_px,
-                    "visible points may be so far behind the surface, pixel footprints");
-  parser->AddOption("max_gap_px", &truth.max_gap_px, "shorter gaps of curves are closed, px");
-  parser->AddOption("min_length_px", &truth.min_length_px, "shorter runs are dropped, px");
-  parser->AddOption("splat_px", &truth.splat_px,
-                    "a point of the cloud hides a disc of this radius, px");
-  parser->AddOption("max_chance", &truth.max_chance,
-                    "most likely that chance alone puts so many edgels near a point of the cloud");
-}
-
-// The truth is one file; what is kept of the images goes to curves/cache beside it, where
-// automatic_drawer has it too when it writes there. Returns the file.
-std::string TakeOutputPath(LayoutOptions* layout) {
-  std::string path = std::move(layout->output_path);
-  if (path.empty()) throw OptionError("--output_path must be given");
-  if (FileExtension(path) != ".ply" || path.ends_with(".gz")) {
-    throw OptionError("output_path = " + path + ": must be a file .ply");
-  }
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  layout->output_path = folder.empty() ? "." : folder.string();
-  return path;
-}
-
-void Check(const ExtractorOptions& options) {
-  if (options.mesh_path.empty() == options.cloud_path.empty()) {
-    throw OptionError("one of --mesh_path and --cloud_path must be given, and not both");
-  }
-  options.sharp_edges.Check();
-  options.truth.Check();
-}
-
-// What the truth is looked for in: a surface with its sharp edges, or points.
-struct Source {
-  TriangleMesh mesh;
-  std::vector<Polyline3d> edges;
-  std::vector<Eigen::Vector3d> cloud;
-};
-
-Source ReadSource(const ExtractorOptions& options, Console* console) {
-  Source source;
-  if (!options.cloud_path.empty()) {
-    CurveSet set = ReadCurves(options.cloud_path);
-    if (set.points.empty()) throw IoError(options.cloud_path, "has no points");
-    source.cloud = std::move(set.points);
-    return source;
-  }
-  source.mesh = ReadMesh(options.mesh_path);
-  const TriangleMesh& mesh = source.mesh;
-  console->Say(options.mesh_path + ": " + std::to_string(mesh.polygons.size()) + " faces, " +
-               std::to_string(mesh.vertices.size()) + " vertices");
-  if (mesh.num_degenerate > 0 || mesh.num_copies > 0) {
-    console->Say("WARNING: left out " + std::to_string(mesh.num_degenerate) +
-                 " faces without area and " + std::to_string(mesh.num_copies) + " copies of faces");
-  }
-  source.edges = FindSharpEdges(mesh, options.sharp_edges);
-  if (source.edges.empty()) {
-    throw IoError(options.mesh_path, "has no edge as sharp as min_dihedral_deg and no border");
-  }
-  return source;
-}
-
-void Say(const TruthAccount& account, int min_views, bool is_cloud, Console* console) {
-  char line[240];
-  std::snprintf(line, sizeof(line),
-                is_cloud
-                    ? "points: %.0f found, %.0f visible in %d or more images, %.0f shown by so "
-                      "many, %.0f written"
-                    : "length of curves in units of the model: %.6g found, %.6g visible in %d "
-                      "or more images, %.6g shown by so many, %.6g written",
-                account.found, account.visible, min_views, account.shown, account.kept);
-  console->Say(line);
-}
-
-}  // namespace
 
 int RunTruthExtractor(int argc, const char* const* argv) {
   RunOptions options;
@@ -118,26 +14,16 @@ int RunTruthExtractor(int argc, const char* const* argv) {
   if (!ParseRunOptions("truth_extractor",
                        "ground truth from a surface or a dense cloud: what the images show of it",
                        {.linking = true, .output_help = "file of the truth, .ply"}, argc, argv,
-                       &options, [&](OptionParser* parser) { AddOptions(&extractor, parser); })) {
+                       &options, [&](OptionParser* more) { extractor.AddOptions(more); })) {
     return 0;
   }
-  Check(extractor);
-  const std::string output_path = TakeOutputPath(&options.layout);
+  extractor.Check();
+  const std::string output_path = TakeTruthPath(&options.layout);
   Console console(options.num_threads);
-  const Source source = ReadSource(extractor, &console);
+  const TruthSource source = ReadTruthSource(extractor, &console);
   const Project project(options, &console);
-  CurvesResult image_curves;
-  if (extractor.truth.require_edges) {
-    image_curves = ExtractProjectCurves(project, options, &console);
-  }
-  const bool is_cloud = !source.cloud.empty();
   const ExtractedTruth truth =
-      is_cloud ? ExtractTruthPoints(source.cloud, project.views(), image_curves.curves,
-                                    extractor.truth, console.context())
-               : ExtractTruthCurves(source.edges, source.mesh, project.views(), image_curves.curves,
-                                    extractor.truth, console.context());
-  Say(truth.account, extractor.truth.min_views, is_cloud, &console);
-  if (!(truth.account.kept > 0)) throw InputError("nothing of the truth is shown by the images");
+      ExtractProjectTruth(project, options, source, extractor.truth, &console);
   WriteFileAtomically(output_path, [&](std::ostream& out) { WriteCurvesPly(truth.set, out); });
   console.Say("wrote " + output_path);
   return 0;

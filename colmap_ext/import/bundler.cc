@@ -1,8 +1,8 @@
 #include "colmap_ext/import/bundler.h"
 
 #include "colmap_ext/import/calibration.h"
-#include "limn/io/text_scanner.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/text_scanner.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -89,7 +89,7 @@ ImageOfCamera ReadCameras(const std::vector<std::string>& names, const fs::path&
     ImportedImage image;
     image.path = path;
     image.number = static_cast<uint64_t>(camera.line);
-    const Place place{image.path, "line", image.number};
+    const FilePlace place{image.path, "line", image.number};
     const auto found = input.images->Find(names[i], list_folder, place);
     if (!found) continue;
     image.name = found->name;

@@ -21,7 +21,7 @@ std::string Text(double value) {
 }  // namespace
 
 Camera CameraFromCalibration(const Eigen::Matrix3d& calibration, const ImageSize& size,
-                             const Place& place) {
+                             const FilePlace& place) {
   if (!calibration.allFinite()) place.Fail("the calibration matrix is not finite");
   const double scale = calibration(2, 2);
   if (scale == 0) place.Fail("the last element of the calibration matrix is zero");
@@ -46,7 +46,7 @@ Camera CameraFromCalibration(const Eigen::Matrix3d& calibration, const ImageSize
   return camera;
 }
 
-Eigen::Quaterniond RotationFromMatrix(const Eigen::Matrix3d& matrix, const Place& place) {
+Eigen::Quaterniond RotationFromMatrix(const Eigen::Matrix3d& matrix, const FilePlace& place) {
   if (!matrix.allFinite()) place.Fail("the rotation is not finite");
   const double error = (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).norm();
   if (!(error <= kMaxRotationError)) {

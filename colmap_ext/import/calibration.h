@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "colmap_ext/workspace/camera_model.h"
+#include "colmap_ext/model/camera_model.h"
+#include "colmap_ext/model/model_builder.h"
 #include "colmap_ext/workspace/image_reader.h"
-#include "colmap_ext/workspace/model_builder.h"
 
 namespace limn::colmap_ext {
 
@@ -16,10 +16,10 @@ namespace limn::colmap_ext {
 // this size. Skew that moves nothing in the image by more than 0.05 px is dropped, more is refused,
 // for COLMAP has no camera with skew; so are matrices that are not finite or not of this form.
 Camera CameraFromCalibration(const Eigen::Matrix3d& calibration, const ImageSize& size,
-                             const Place& place);
+                             const FilePlace& place);
 
 // The rotation nearest to a matrix whose columns are orthogonal and of unit length within 1e-3
 // (files with few digits); anything else, mirrors too, is refused.
-Eigen::Quaterniond RotationFromMatrix(const Eigen::Matrix3d& matrix, const Place& place);
+Eigen::Quaterniond RotationFromMatrix(const Eigen::Matrix3d& matrix, const FilePlace& place);
 
 }  // namespace limn::colmap_ext

@@ -31,18 +31,18 @@ const ImportFormat* FindImportFormat(const std::string& name) {
   return nullptr;
 }
 
-const ImportFormat& RecogniseFormat(const std::filesystem::path& path) {
+const ImportFormat& RecognizeFormat(const std::filesystem::path& path) {
   const ImportFormat* found = nullptr;
   std::string names;
   for (const ImportFormat& format : ImportFormats()) {
-    if (!format.recognise(path)) continue;
+    if (!format.recognize(path)) continue;
     names += (found ? ", " : "") + std::string(format.name);
     if (!found) found = &format;
   }
   if (!found) {
     std::error_code ignored;
     const bool exists = std::filesystem::exists(path, ignored);
-    throw IoError(path.string(), exists ? "no format of cameras recognised; give an --input_type"
+    throw IoError(path.string(), exists ? "no format of cameras recognized; give an --input_type"
                                         : "no such file or folder");
   }
   if (names != found->name) {

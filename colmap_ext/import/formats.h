@@ -11,7 +11,7 @@ namespace limn::colmap_ext {
 struct ImportFormat {
   const char* name;  // of --input_type
   PixelCenters pixel_centers;
-  bool (*recognise)(const std::filesystem::path& path);
+  bool (*recognize)(const std::filesystem::path& path);
   ImportedScene (*read)(const ImportInput& input);
 };
 
@@ -20,7 +20,7 @@ const std::vector<ImportFormat>& ImportFormats();
 // The format of this name; null if there is none.
 const ImportFormat* FindImportFormat(const std::string& name);
 
-// The only format that recognises the path. Throws IoError if none does, or several.
-const ImportFormat& RecogniseFormat(const std::filesystem::path& path);
+// The only format that recognizes the path. Throws IoError if none does, or several.
+const ImportFormat& RecognizeFormat(const std::filesystem::path& path);
 
 }  // namespace limn::colmap_ext

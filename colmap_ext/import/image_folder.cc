@@ -59,7 +59,7 @@ std::vector<std::string> ImageFolder::Names() const {
 }
 
 std::optional<FoundImage> ImageFolder::Find(const std::string& name, const fs::path& base,
-                                            const Place& place) {
+                                            const FilePlace& place) {
   std::string slashed = name;
   std::replace(slashed.begin(), slashed.end(), '\\', '/');
   for (const fs::path& candidate :

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "colmap_ext/model/model_builder.h"
 #include "colmap_ext/workspace/image_reader.h"
-#include "colmap_ext/workspace/model_builder.h"
 
 namespace limn::colmap_ext {
 
@@ -36,7 +36,7 @@ class ImageFolder {
   // Throws IoError via `place` if there is none, and IoError if its size cannot be read. Nothing if
   // it is missing and missing images are skipped; they are kept count of.
   std::optional<FoundImage> Find(const std::string& name, const std::filesystem::path& base,
-                                 const Place& place);
+                                 const FilePlace& place);
 
   // Names that were looked for in vain.
   const std::vector<std::string>& missing() const { return missing_; }

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "colmap_ext/workspace/line_reader.h"
+#include "colmap_ext/model/line_reader.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "colmap_ext/workspace/model_builder.h"
+#include "colmap_ext/model/model_builder.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -55,7 +55,7 @@ std::vector<const ImportedImage*> NumberCameras(std::vector<ImportedImage>* imag
   return first_images;
 }
 
-Place PlaceOf(const ImportedImage& image) { return {image.path, image.unit, image.number}; }
+FilePlace PlaceOf(const ImportedImage& image) { return {image.path, image.unit, image.number}; }
 
 }  // namespace
 

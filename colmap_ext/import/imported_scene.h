@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "colmap_ext/workspace/model.h"
-#include "colmap_ext/workspace/tracked_points.h"
+#include "colmap_ext/model/model.h"
+#include "colmap_ext/model/tracked_points.h"
 
 namespace limn::colmap_ext {
 
-// Where a format has the centres of pixels.
+// Where a format has the centers of pixels.
 enum class PixelCenters {
-  kInteger,  // the centre of the top-left pixel is (0, 0): half a pixel is added for COLMAP
+  kInteger,  // the center of the top-left pixel is (0, 0): half a pixel is added for COLMAP
   kHalf,     // it is (0.5, 0.5), as in COLMAP
 };
 

@@ -2,8 +2,8 @@
 
 #include "colmap_ext/import/calibration.h"
 #include "colmap_ext/import/file_matching.h"
-#include "limn/io/text_scanner.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/text_scanner.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -60,7 +60,7 @@ ImportedScene ReadIntrinsicExtrinsic(const ImportInput& input) {
     if (matches.names[i].empty()) continue;
     ImportedImage image;
     image.path = files[i].string();
-    const Place place{image.path, "line", 1};
+    const FilePlace place{image.path, "line", 1};
     const auto found = input.images->Find(matches.names[i], {}, place);
     if (!found) continue;
     CheckWholeImage(files[i]);

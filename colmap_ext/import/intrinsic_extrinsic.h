@@ -5,10 +5,10 @@
 namespace limn::colmap_ext {
 
 // A folder in the format of the Kimia lab: <frame>.extrinsic per image, with the rows of the
-// rotation R and then, as the last row, the camera centre C (no translation): x ~ K R (X - C). K,
+// rotation R and then, as the last row, the camera center C (no translation): x ~ K R (X - C). K,
 // 3x3, is in <frame>.intrinsic or, for all frames without one, in calib.intrinsic.
 //
-// Pixel centres: integer coordinates, as in VXL.
+// Pixel centers: integer coordinates, as in VXL.
 
 // Whether the folder has *.extrinsic.
 bool HoldsIntrinsicExtrinsic(const std::filesystem::path& path);

@@ -1,8 +1,8 @@
 #include "colmap_ext/import/middlebury.h"
 
 #include "colmap_ext/import/calibration.h"
-#include "limn/io/text_scanner.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/text_scanner.h"
+#include "limn/formats/whole_file.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -33,7 +33,7 @@ ImportedScene ReadMiddlebury(const ImportInput& input) {
     const std::string name(scanner.Word("the line of every image"));
     image.path = path;
     image.number = static_cast<uint64_t>(scanner.line());
-    const Place place{image.path, "line", image.number};
+    const FilePlace place{image.path, "line", image.number};
     const Eigen::Matrix3d calibration = ReadMatrix("element of K", &scanner);
     const Eigen::Matrix3d rotation = ReadMatrix("element of R", &scanner);
     for (double& t : image.cam_from_world.translation) t = scanner.FiniteNumber("element of t");

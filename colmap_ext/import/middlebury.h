@@ -7,7 +7,7 @@ namespace limn::colmap_ext {
 // <name>_par.txt of the Middlebury multi-view benchmark: the number of images, then one line each:
 // name k11 k12 ... k33 r11 r12 ... r33 t1 t2 t3, with x ~ K (R X + t). Names hold no white space.
 //
-// Pixel centres: integer coordinates.
+// Pixel centers: integer coordinates.
 
 bool HoldsMiddlebury(const std::filesystem::path& path);
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/import/calibration.h"
-#include "limn/io/json_text.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/json_text.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -46,7 +46,7 @@ class Entries {
   const Json& file_;
 };
 
-void CheckSize(const Entries& entries, const FoundImage& image, const Place& place) {
+void CheckSize(const Entries& entries, const FoundImage& image, const FilePlace& place) {
   const double width = entries.NumberOr("w", image.size.width);
   const double height = entries.NumberOr("h", image.size.height);
   if (width == image.size.width && height == image.size.height) return;
@@ -63,7 +63,7 @@ std::optional<double> Focal(const Entries& entries, const char* focal_key, const
   return 0.5 * size / std::tan(0.5 * *angle);
 }
 
-bool IsFisheye(const Entries& entries, const Place& place) {
+bool IsFisheye(const Entries& entries, const FilePlace& place) {
   const Json* fisheye = entries.Find("is_fisheye");
   if (fisheye && fisheye->get<bool>()) return true;
   const Json* model = entries.Find("camera_model");
@@ -77,7 +77,7 @@ bool IsFisheye(const Entries& entries, const Place& place) {
 }
 
 // Model and extra parameters.
-void SetDistortion(const Entries& entries, const Place& place, Camera* camera) {
+void SetDistortion(const Entries& entries, const FilePlace& place, Camera* camera) {
   const auto k = [&](const char* key) { return entries.NumberOr(key, 0); };
   const double k1 = k("k1"), k2 = k("k2"), k3 = k("k3"), k4 = k("k4"), p1 = k("p1"), p2 = k("p2");
   std::vector<double> extra;
@@ -97,7 +97,7 @@ void SetDistortion(const Entries& entries, const Place& place, Camera* camera) {
   camera->params.insert(camera->params.end(), extra.begin(), extra.end());
 }
 
-Camera ReadCamera(const Entries& entries, const FoundImage& image, const Place& place) {
+Camera ReadCamera(const Entries& entries, const FoundImage& image, const FilePlace& place) {
   CheckSize(entries, image, place);
   Camera camera;
   camera.width = static_cast<uint64_t>(image.size.width);
@@ -111,7 +111,7 @@ Camera ReadCamera(const Entries& entries, const FoundImage& image, const Place& 
   return camera;
 }
 
-Rigid3d ReadPose(const Json& matrix, const Place& place) {
+Rigid3d ReadPose(const Json& matrix, const FilePlace& place) {
   if (matrix.size() != 3 && matrix.size() != 4) place.Fail("transform_matrix must be 4 x 4");
   Eigen::Matrix4d world_from_cam = Eigen::Matrix4d::Identity();
   for (int row = 0; row < static_cast<int>(matrix.size()); ++row) {
@@ -133,7 +133,7 @@ std::string ImageName(const Json& frame) {
   return fs::path(name).has_extension() ? name : name + ".png";
 }
 
-std::optional<ImportedImage> ReadFrame(const Json& frame, const Json& file, const Place& place,
+std::optional<ImportedImage> ReadFrame(const Json& frame, const Json& file, const FilePlace& place,
                                        ImageFolder* images) {
   const auto found = images->Find(ImageName(frame), fs::path(place.path).parent_path(), place);
   if (!found) return std::nullopt;
@@ -176,7 +176,7 @@ ImportedScene ReadNerfTransforms(const ImportInput& input) {
   if (file.contains("ply_file_path")) scene.notes.push_back("The points of its .ply are not read");
   uint64_t number = 0;
   for (const Json& frame : file.at("frames")) {
-    const Place place{path, "frame", number++};
+    const FilePlace place{path, "frame", number++};
     try {
       auto image = ReadFrame(frame, file, place, input.images);
       if (image) scene.images.push_back(std::move(*image));

@@ -8,13 +8,13 @@ namespace limn::colmap_ext {
 // (a name without extension means .png), and transform_matrix, which takes the camera's axes of
 // OpenGL (x right, y up, z backwards) to the world. At the top or per frame: focal lengths fl_x and
 // fl_y, or camera_angle_x and camera_angle_y (full angles, rad; without one for y, pixels are
-// square); cx and cy (default: the centre of the image); w and h; k1 k2 k3 k4 p1 p2; camera_model,
+// square); cx and cy (default: the center of the image); w and h; k1 k2 k3 k4 p1 p2; camera_model,
 // is_fisheye.
 //
 // Cameras become PINHOLE without distortion, OPENCV with it, FULL_OPENCV with a k3, OPENCV_FISHEYE
 // when the file says so. Points in other files (ply_file_path) are not read.
 //
-// Pixel centres: half; these tools take cx and cy over from COLMAP.
+// Pixel centers: half; these tools take cx and cy over from COLMAP.
 
 // Whether it is a .json file, or a folder with transforms*.json.
 bool HoldsNerfTransforms(const std::filesystem::path& path);

@@ -2,7 +2,8 @@
 
 #include <system_error>
 
-#include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -55,11 +56,11 @@ void CheckNewModelFolder(const fs::path& folder) {
   }
 }
 
-void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavour flavour) {
+void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavor flavor) {
   CheckNewModelFolder(folder);
   const fs::path path = Plain(folder);
   const TemporaryFolder temporary(path.string() + ".tmp");
-  if (flavour == ModelFlavour::kText) {
+  if (flavor == ModelFlavor::kText) {
     WriteModelText(model, temporary.path());
   } else {
     WriteModelBinary(model, temporary.path());

@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
-#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/model/model.h"
 
 namespace limn::colmap_ext {
 
-enum class ModelFlavour { kBinary, kText };
+enum class ModelFlavor { kBinary, kText };
 
 // Throws IoError unless there is no such folder yet, or an empty one.
 void CheckNewModelFolder(const std::filesystem::path& folder);
@@ -15,6 +15,6 @@ void CheckNewModelFolder(const std::filesystem::path& folder);
 // files appear together or none: they are written to "<folder>.tmp", which is then renamed. Missing
 // parent folders are made. Throws IoError; then nothing is left but parent folders.
 void WriteNewModel(const SparseModel& model, const std::filesystem::path& folder,
-                   ModelFlavour flavour);
+                   ModelFlavor flavor);
 
 }  // namespace limn::colmap_ext

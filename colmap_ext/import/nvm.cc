@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "colmap_ext/import/measurement_distortion.h"
-#include "limn/io/text_scanner.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/text_scanner.h"
+#include "limn/formats/whole_file.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -51,7 +51,7 @@ NvmCamera ReadCamera(const std::string& path, TextScanner* scanner) {
   TextScanner numbers(path, line.substr(begin), camera.line);
   camera.focal = numbers.FiniteNumber("focal length");
   for (double& q : camera.quaternion) q = numbers.FiniteNumber("quaternion");
-  for (double& c : camera.center) c = numbers.FiniteNumber("camera centre");
+  for (double& c : camera.center) c = numbers.FiniteNumber("camera center");
   camera.distortion = numbers.FiniteNumber("radial distortion");
   if (!(camera.focal > 0)) numbers.Fail("the focal length is not positive");
   return camera;
@@ -81,7 +81,7 @@ std::vector<NvmModel> ReadModels(const std::string& path, TextScanner* scanner) 
 
 // The model of unregistered images that VisualSFM may append has no points: it counts least.
 size_t ChooseModel(const std::vector<NvmModel>& models, int index, const std::string& path) {
-  const Place place{path, "model", static_cast<uint64_t>(std::max(index, 0))};
+  const FilePlace place{path, "model", static_cast<uint64_t>(std::max(index, 0))};
   if (models.empty()) place.Fail("the file holds no model");
   if (index >= static_cast<int>(models.size())) {
     place.Fail("there are only " + std::to_string(models.size()) + " models, counted from 0");
@@ -96,7 +96,7 @@ size_t ChooseModel(const std::vector<NvmModel>& models, int index, const std::st
   return static_cast<size_t>(best - models.begin());
 }
 
-Camera ToCamera(const NvmCamera& nvm, const ImageSize& size, const Place& place) {
+Camera ToCamera(const NvmCamera& nvm, const ImageSize& size, const FilePlace& place) {
   Camera camera;
   camera.width = static_cast<uint64_t>(size.width);
   camera.height = static_cast<uint64_t>(size.height);
@@ -126,7 +126,7 @@ ImageOfCamera AddImages(const std::vector<NvmCamera>& cameras, const std::string
     ImportedImage image;
     image.path = path;
     image.number = static_cast<uint64_t>(camera.line);
-    const Place place{image.path, "line", image.number};
+    const FilePlace place{image.path, "line", image.number};
     const auto found = images->Find(camera.name, fs::path(path).parent_path(), place);
     if (!found) continue;
     image.name = found->name;

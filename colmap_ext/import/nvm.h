@@ -4,11 +4,11 @@
 
 namespace limn::colmap_ext {
 
-// A VisualSFM file, NVM_V3: cameras (name, focal length, quaternion w x y z, camera centre, radial
+// A VisualSFM file, NVM_V3: cameras (name, focal length, quaternion w x y z, camera center, radial
 // distortion, 0) and points with their measurements. Of several models in a file the one with most
 // images is read, or number model_index. Double quotes in names stand for blanks.
 //
-// The principal point is the centre of the image. VisualSFM has its measurements relative to it;
+// The principal point is the center of the image. VisualSFM has its measurements relative to it;
 // COLMAP's exporter writes them from the corner of the image. A file without any negative one is
 // taken for the latter, which is said.
 //
@@ -16,7 +16,7 @@ namespace limn::colmap_ext {
 // than those of COLMAP (see measurement_distortion.h); it becomes FULL_OPENCV, with less than 0.001
 // px of error at any place of the image, or is refused.
 //
-// Pixel centres: half, that is, the centre of the image lies w/2 pixels from its left border.
+// Pixel centers: half, that is, the center of the image lies w/2 pixels from its left border.
 
 bool HoldsNvm(const std::filesystem::path& path);
 

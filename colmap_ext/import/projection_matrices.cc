@@ -2,9 +2,9 @@
 
 #include "colmap_ext/import/calibration.h"
 #include "colmap_ext/import/file_matching.h"
-#include "colmap_ext/workspace/projection_matrix.h"
-#include "limn/io/text_scanner.h"
-#include "limn/io/whole_file.h"
+#include "colmap_ext/model/projection_matrix.h"
+#include "limn/formats/text_scanner.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -46,7 +46,7 @@ bool IsMatrixFile(const fs::path& path) {
   }
 }
 
-DecomposedProjection DecomposeAt(const ProjectionMatrix& projection, const Place& place) {
+DecomposedProjection DecomposeAt(const ProjectionMatrix& projection, const FilePlace& place) {
   try {
     return Decompose(projection);
   } catch (const InputError& error) {
@@ -74,7 +74,7 @@ ImportedScene ReadProjectionMatrices(const ImportInput& input) {
     if (matches.names[i].empty()) continue;
     ImportedImage image;
     image.path = files[i].string();
-    const Place place{image.path, "line", 1};
+    const FilePlace place{image.path, "line", 1};
     const auto found = input.images->Find(matches.names[i], {}, place);
     if (!found) continue;
     const DecomposedProjection pose = DecomposeAt(ReadMatrix(image.path), place);

@@ -8,7 +8,7 @@ namespace limn::colmap_ext {
 // *.projmatrix if there are any (the Barcelona Pavilion and DTU Vase data sets), else all *.txt,
 // with or without the line CONTOUR at the top (PMVS). x ~ P X; P is decomposed to K [R | t].
 //
-// Pixel centres: integer coordinates, as PMVS and MATLAB-like tools sample. But matrices written by
+// Pixel centers: integer coordinates, as PMVS and MATLAB-like tools sample. But matrices written by
 // COLMAP's image_undistorter, and those made from a Blender camera as w/2, h/2, have them at half.
 
 // Whether the folder looks like that.

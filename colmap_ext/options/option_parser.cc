@@ -11,7 +11,7 @@
 #include <boost/program_options.hpp>
 
 #include "colmap_ext/options/ini_file.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -20,6 +20,7 @@ namespace {
 namespace po = boost::program_options;
 
 constexpr char kProjectPath[] = "project_path";
+constexpr char kHelpAll[] = "help_all";
 constexpr unsigned kHelpColumns = 100;
 
 template <typename Number>
@@ -88,13 +89,15 @@ OptionParser::OptionParser(std::string command, std::string summary)
     : command_(std::move(command)), summary_(std::move(summary)) {}
 
 void OptionParser::Add(Option option) {
-  if (Find(option.name) || option.name == kProjectPath || option.name == "help") {
+  const bool is_taken =
+      option.name == kProjectPath || option.name == "help" || option.name == kHelpAll;
+  if (is_taken || Find(option.name)) {
     throw std::logic_error("option " + option.name + " is declared twice");
   }
   options_.push_back(std::move(option));
 }
 
-void OptionParser::AddOption(const std::string& name, double* value, const std::string& help) {
+void OptionParser::AddOption(const std::string& name, double* value, const OptionHelp& help) {
   const auto set = [value](const std::string& text) -> std::string {
     const auto parsed = ParseDouble(text);
     if (!parsed) return "a number";
@@ -104,7 +107,7 @@ void OptionParser::AddOption(const std::string& name, double* value, const std::
   Add({name, help, set, [value] { return FormatDouble(*value); }});
 }
 
-void OptionParser::AddOption(const std::string& name, int* value, const std::string& help) {
+void OptionParser::AddOption(const std::string& name, int* value, const OptionHelp& help) {
   const auto set = [value](const std::string& text) -> std::string {
     const auto parsed = ParseNumber<int>(text);
     if (!parsed) return "a whole number";
@@ -114,7 +117,7 @@ void OptionParser::AddOption(const std::string& name, int* value, const std::str
   Add({name, help, set, [value] { return std::to_string(*value); }});
 }
 
-void OptionParser::AddOption(const std::string& name, bool* value, const std::string& help) {
+void OptionParser::AddOption(const std::string& name, bool* value, const OptionHelp& help) {
   const auto set = [value](const std::string& text) -> std::string {
     *value = text == "1" || text == "true";
     return *value || text == "0" || text == "false" ? "" : "0, 1, true or false";
@@ -122,7 +125,7 @@ void OptionParser::AddOption(const std::string& name, bool* value, const std::st
   Add({name, help, set, [value] { return std::string(*value ? "1" : "0"); }});
 }
 
-void OptionParser::AddOption(const std::string& name, std::string* value, const std::string& help) {
+void OptionParser::AddOption(const std::string& name, std::string* value, const OptionHelp& help) {
   const auto set = [value](const std::string& text) -> std::string {
     *value = text;
     return "";
@@ -131,7 +134,7 @@ void OptionParser::AddOption(const std::string& name, std::string* value, const 
 }
 
 void OptionParser::AddOption(const std::string& name, std::vector<double>* value,
-                             const std::string& help) {
+                             const OptionHelp& help) {
   const auto set = [value](const std::string& text) -> std::string {
     const auto parsed = ParseDoubles(text);
     if (!parsed) return "numbers separated by commas";
@@ -142,7 +145,7 @@ void OptionParser::AddOption(const std::string& name, std::vector<double>* value
 }
 
 void OptionParser::AddOption(const std::string& name, std::string* value,
-                             std::vector<std::string> allowed, const std::string& help) {
+                             std::vector<std::string> allowed, const OptionHelp& help) {
   const auto get = [value, allowed] {
     return static_cast<size_t>(std::find(allowed.begin(), allowed.end(), *value) - allowed.begin());
   };
@@ -150,7 +153,7 @@ void OptionParser::AddOption(const std::string& name, std::string* value,
       name, help, allowed, [value, allowed](size_t word) { *value = allowed[word]; }, get);
 }
 
-void OptionParser::AddWords(const std::string& name, const std::string& help,
+void OptionParser::AddWords(const std::string& name, const OptionHelp& help,
                             std::vector<std::string> words, std::function<void(size_t)> set,
                             std::function<size_t()> get) {
   std::string list;
@@ -164,7 +167,9 @@ void OptionParser::AddWords(const std::string& name, const std::string& help,
     set(found - words.begin());
     return "";
   };
-  Add({name, help + " " + list, set_text, [words, get] { return words[get()]; }});
+  Add({name, {help.text + " " + list, help.is_basic}, set_text, [words, get] {
+         return words[get()];
+       }});
 }
 
 OptionParser::Option* OptionParser::Find(const std::string& name) {
@@ -204,6 +209,7 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
                                           std::ostream& help_out) {
   po::options_description known;
   known.add_options()("help,h", "");
+  known.add_options()(kHelpAll, "");
   known.add_options()(kProjectPath, po::value<std::string>(), "");
   for (const Option& option : options_) {
     known.add_options()(option.name.c_str(), po::value<std::string>(), "");
@@ -213,8 +219,8 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
   std::set<std::string> seen;
   std::string project_path;
   for (const po::option& option : given) {
-    if (option.string_key == "help") {
-      PrintHelp(help_out);
+    if (option.string_key == "help" || option.string_key == kHelpAll) {
+      PrintHelp(option.string_key == kHelpAll, help_out);
       return Outcome::kHelp;
     }
     if (option.position_key >= 0 || option.string_key.empty()) {
@@ -232,18 +238,27 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
   return Outcome::kRun;
 }
 
-void OptionParser::PrintHelp(std::ostream& out) const {
+void OptionParser::PrintHelp(bool all, std::ostream& out) const {
   po::options_description table(kHelpColumns, kHelpColumns / 2);
-  table.add_options()("help,h", "Print this text.");
+  table.add_options()("help,h", "Print the basic options.");
+  table.add_options()(kHelpAll, "Print all options.");
   table.add_options()(kProjectPath, po::value<std::string>(),
                       "Read options from this ini file; the command line overrides it.");
+  size_t num_hidden = 0;
   for (const Option& option : options_) {
+    if (!all && !option.help.is_basic) {
+      ++num_hidden;
+      continue;
+    }
     const std::string value = option.get();
     auto* semantic = po::value<std::string>();
     if (!value.empty()) semantic->default_value(value);
-    table.add_options()(option.name.c_str(), semantic, option.help.c_str());
+    table.add_options()(option.name.c_str(), semantic, option.help.text.c_str());
   }
   out << "limn " << command_ << ": " << summary_ << "\n\n" << table;
+  if (num_hidden > 0) {
+    out << "\n" << num_hidden << " more options: limn " << command_ << " --" << kHelpAll << "\n";
+  }
 }
 
 void OptionParser::WriteIni(std::ostream& out) const {

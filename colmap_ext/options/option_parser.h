@@ -6,13 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "limn/util/option_help.h"
+
 namespace limn {
 
 // The options of a command in COLMAP's dialect:
 //
 //   --workspace_path my_project --Linking.min_length_px 8 --Drawing.refine=0
 //   --project_path file.ini     options from a file; the command line overrides it (unlike COLMAP)
-//   -h, --help                  every option with its default
+//   -h, --help                  the basic options with their defaults
+//   --help_all                  every option
 //
 // Each option is bound to a variable, whose value at the time of AddOption is the default. Names
 // are written out in full; an option may be given once. Bools are 0, 1, true or false.
@@ -24,20 +27,20 @@ class OptionParser {
   OptionParser(std::string command, std::string summary);
 
   // The variable must outlive the parser. A name is `snake_case`, or `Group.snake_case` for an
-  // option of an algorithm.
-  void AddOption(const std::string& name, double* value, const std::string& help);
-  void AddOption(const std::string& name, int* value, const std::string& help);
-  void AddOption(const std::string& name, bool* value, const std::string& help);
-  void AddOption(const std::string& name, std::string* value, const std::string& help);
+  // option of an algorithm. An option is basic if its help says so (BasicOption).
+  void AddOption(const std::string& name, double* value, const OptionHelp& help);
+  void AddOption(const std::string& name, int* value, const OptionHelp& help);
+  void AddOption(const std::string& name, bool* value, const OptionHelp& help);
+  void AddOption(const std::string& name, std::string* value, const OptionHelp& help);
   // Numbers separated by commas.
-  void AddOption(const std::string& name, std::vector<double>* value, const std::string& help);
+  void AddOption(const std::string& name, std::vector<double>* value, const OptionHelp& help);
   // One of a list of words; the help text names them.
   void AddOption(const std::string& name, std::string* value, std::vector<std::string> allowed,
-                 const std::string& help);
+                 const OptionHelp& help);
   // An enum by its words.
   template <typename Enum>
   void AddOption(const std::string& name, Enum* value,
-                 const std::vector<std::pair<std::string, Enum>>& words, const std::string& help);
+                 const std::vector<std::pair<std::string, Enum>>& words, const OptionHelp& help);
 
   // Sets the variables. Throws OptionError (one line, naming option and value) for unknown,
   // repeated or incomplete options and bad values, IoError for an ini file that cannot be read. The
@@ -56,7 +59,7 @@ class OptionParser {
  private:
   struct Option {
     std::string name;
-    std::string help;
+    OptionHelp help;
     // Returns what the value must be, or an empty string if it was set.
     std::function<std::string(const std::string& text)> set;
     std::function<std::string()> get;
@@ -64,9 +67,9 @@ class OptionParser {
   };
 
   void Add(Option option);
-  void AddWords(const std::string& name, const std::string& help, std::vector<std::string> words,
+  void AddWords(const std::string& name, const OptionHelp& help, std::vector<std::string> words,
                 std::function<void(size_t)> set, std::function<size_t()> get);
-  void PrintHelp(std::ostream& out) const;
+  void PrintHelp(bool all, std::ostream& out) const;
   Option* Find(const std::string& name);
   void Set(const std::string& name, const std::string& text, const std::string& origin);
   void ReadIni(const std::string& path);
@@ -79,7 +82,7 @@ class OptionParser {
 template <typename Enum>
 void OptionParser::AddOption(const std::string& name, Enum* value,
                              const std::vector<std::pair<std::string, Enum>>& words,
-                             const std::string& help) {
+                             const OptionHelp& help) {
   std::vector<std::string> texts;
   std::vector<Enum> values;
   for (const auto& [text, word_value] : words) {

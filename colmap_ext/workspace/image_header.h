@@ -14,7 +14,7 @@ std::optional<ImageSize> ReadSizeFromHeader(std::istream& in);
 std::optional<ImageSize> ReadSizeFromHeader(const std::filesystem::path& path);
 
 // Whether a PNG or JPEG file ends before its pixels do: no IEND chunk, no end-of-image marker after
-// the first scan. Decoders fill the missing part with grey. False for other formats.
+// the first scan. Decoders fill the missing part with gray. False for other formats.
 bool IsTruncated(std::istream& in);
 bool IsTruncated(const std::filesystem::path& path);
 

@@ -22,8 +22,8 @@ ImageSize ReadImageSize(const std::filesystem::path& path);
 // is -1, else the longer side becomes max_image_size and the other is rounded.
 ImageSize ShrunkSize(ImageSize size, int max_image_size);
 
-// Decode a photograph: 8 or 16 bits per channel, grey or colour (alpha is dropped), EXIF rotation
-// ignored; values in grey levels 0..255, colour as RGB. Shrunk by an area filter to ShrunkSize.
+// Decode a photograph: 8 or 16 bits per channel, gray or color (alpha is dropped), EXIF rotation
+// ignored; values in gray levels 0..255, color as RGB. Shrunk by an area filter to ShrunkSize.
 // Throws IoError if the file is missing, cannot be decoded, or has another depth.
 Image ReadImage(const std::filesystem::path& path, int max_image_size = -1);
 

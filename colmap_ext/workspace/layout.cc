@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/pmvs_model.h"
 #include "limn/util/errors.h"
 

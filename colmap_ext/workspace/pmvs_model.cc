@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "colmap_ext/model/line_reader.h"
+#include "colmap_ext/model/model_builder.h"
+#include "colmap_ext/model/tracked_points.h"
 #include "colmap_ext/workspace/image_reader.h"
-#include "colmap_ext/workspace/line_reader.h"
-#include "colmap_ext/workspace/model_builder.h"
-#include "colmap_ext/workspace/tracked_points.h"
-#include "limn/io/whole_file.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -123,7 +123,7 @@ void AddImage(const fs::path& folder, size_t index, const std::string& name,
               std::vector<Observation> observations, ModelBuilder* builder) {
   const fs::path path = folder / "txt" / Numbered(index, ".txt");
   const std::string text_path = path.string();
-  const Place place{text_path, "line", 1};
+  const FilePlace place{text_path, "line", 1};
   const DecomposedProjection parts = ReadProjection(path);
   ModelImage image;
   image.id = static_cast<uint32_t>(index + 1);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "colmap_ext/workspace/model.h"
-#include "colmap_ext/workspace/projection_matrix.h"
+#include "colmap_ext/model/model.h"
+#include "colmap_ext/model/projection_matrix.h"
 
 namespace limn::colmap_ext {
 

@@ -14,8 +14,8 @@
 
 #include <Eigen/LU>
 
-#include "colmap_ext/workspace/camera_lens_map.h"
-#include "colmap_ext/workspace/image_name.h"
+#include "colmap_ext/model/camera_lens_map.h"
+#include "colmap_ext/model/image_name.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
 

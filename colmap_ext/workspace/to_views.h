@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "colmap_ext/model/model.h"
 #include "colmap_ext/workspace/image_reader.h"
-#include "colmap_ext/workspace/model.h"
 #include "limn/model/image.h"
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
@@ -24,7 +24,7 @@ struct ViewOptions {
   // -1 = as stored.
   int max_image_size = -1;
   // Width of the strip along the image borders that is left out, pixels: lenses are at their worst
-  // there and filters see no neighbourhood.
+  // there and filters see no neighborhood.
   double border_margin_px = 8;
 
   // Throws OptionError.

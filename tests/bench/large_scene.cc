@@ -11,11 +11,11 @@
 #include "bench/run_stages.h"
 #include "bench/stage_table.h"
 #include "bench/street_scene.h"
-#include "colmap_ext/commands/console.h"
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/console.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/report_writers.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/model/view_subset.h"
 #include "limn/pipeline/tiled_scene.h"
 

@@ -8,8 +8,8 @@
 #include "limn/evaluation/report_writers.h"
 #include "limn/evaluation/saw_teeth.h"
 #include "limn/evaluation/shown_truth.h"
-#include "limn/io/junctions_reader.h"
-#include "limn/io/read_curves.h"
+#include "limn/formats/json_junctions_reader.h"
+#include "limn/formats/read_curves.h"
 
 namespace limn::bench {
 namespace {

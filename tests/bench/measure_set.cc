@@ -9,9 +9,9 @@
 #include "bench/scene.h"
 #include "bench/side_by_side.h"
 #include "bench/stopwatch.h"
-#include "colmap_ext/commands/project.h"
-#include "limn/export/write_drawing.h"
-#include "limn/io/read_curves.h"
+#include "colmap_ext/run/project.h"
+#include "limn/formats/read_curves.h"
+#include "limn/formats/write_drawing.h"
 #include "limn/pictures/picture.h"
 
 namespace limn::bench {

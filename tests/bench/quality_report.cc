@@ -10,9 +10,9 @@
 #include "bench/data_sets.h"
 #include "bench/measure_set.h"
 #include "bench/report_tables.h"
-#include "colmap_ext/commands/console.h"
 #include "colmap_ext/options/option_parser.h"
-#include "limn/io/atomic_file.h"
+#include "colmap_ext/run/console.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::bench {

@@ -12,10 +12,10 @@
 #include "bench/run_stages.h"
 #include "bench/stage_costs.h"
 #include "bench/stage_table.h"
-#include "colmap_ext/commands/project.h"
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/project.h"
 #include "colmap_ext/temp_dir.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::bench {

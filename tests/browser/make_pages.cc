@@ -14,9 +14,9 @@
 
 #include "browser/wire_scene.h"
 #include "end_to_end/run_limn.h"
-#include "limn/export/write_drawing.h"
-#include "limn/io/atomic_file.h"
-#include "limn/io/read_curves.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/read_curves.h"
+#include "limn/formats/write_drawing.h"
 #include "limn/viewer/viewer_page.h"
 
 namespace limn::testing {

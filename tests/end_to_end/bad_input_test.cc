@@ -96,6 +96,7 @@ TEST(Commands, UnknownCommandIsRefused) {
 TEST(Commands, AllAreListedAndHaveHelp) {
   const LimnRun help = RunLimn({"help"});
   EXPECT_EQ(help.exit_code, 0);
+  EXPECT_THAT(help.out, AllOf(HasSubstr("-h "), HasSubstr("--help_all")));
   for (const char* command :
        {"automatic_drawer", "edge_extractor", "curve_linker", "curve_sketcher", "curve_drawer",
         "drawing_exporter", "drawing_viewer", "model_importer", "drawing_fuser",

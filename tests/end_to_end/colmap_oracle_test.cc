@@ -1,13 +1,13 @@
 // The `colmap` program as an oracle: photographs to drawing by COLMAP's own commands. That its
-// model_converter writes what is read here in both flavours is in colmap_ext/workspace/model_test.
+// model_converter writes what is read here in both flavours is in colmap_ext/model/model_test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/model.h"
-#include "colmap_ext/workspace/test_model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "end_to_end/run_limn.h"
-#include "limn/io/drawing_json_reader.h"
+#include "limn/formats/json_drawing_reader.h"
 
 namespace limn::testing {
 namespace {

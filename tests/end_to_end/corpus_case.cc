@@ -6,8 +6,9 @@
 
 #include <gmock/gmock.h>
 
-#include "colmap_ext/workspace/model_writer.h"
-#include "limn/io/atomic_file.h"
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "limn/formats/atomic_file.h"
 
 namespace limn::testing {
 

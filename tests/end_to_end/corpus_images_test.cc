@@ -149,7 +149,7 @@ const CorpusCase kCases[] = {
            w.Poke("sparse/images.bin", 8 + 4, doubled);
          },
      .outcome = Outcome::kAccepted,
-     .said = {"WARNING: 1 image rotations were not unit quaternions; normalised"}},
+     .said = {"WARNING: 1 image rotations were not unit quaternions; normalized"}},
     {.name = "Case21_SpacesAndSubFolders",
      .spoil = [](const W& w) { RenameImage(w, "left camera/day 1/view 02.jpg"); },
      .outcome = Outcome::kAccepted,

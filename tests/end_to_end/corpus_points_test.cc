@@ -1,6 +1,6 @@
 // Section 6 of docs/colmap.md, points: cases 29 and 30. geo_referenced_test shows that such a
 // model gives the same drawing.
-#include "colmap_ext/workspace/scene_origin.h"
+#include "colmap_ext/model/scene_origin.h"
 #include "end_to_end/corpus_case.h"
 
 namespace limn::testing {

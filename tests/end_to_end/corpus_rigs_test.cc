@@ -1,6 +1,6 @@
 // Section 6 of docs/colmap.md, rigs and frames: case 28. The six
 // images are of camera 1.
-#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/model/model.h"
 #include "end_to_end/corpus_case.h"
 
 namespace limn::testing {

@@ -10,13 +10,13 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/model.h"
-#include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "end_to_end/run_limn.h"
 #include "limn/evaluation/evaluate_curves.h"
-#include "limn/io/drawing_json_reader.h"
-#include "limn/io/read_curves.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/read_curves.h"
 #include "limn/model/curve_set.h"
 
 namespace limn::testing {

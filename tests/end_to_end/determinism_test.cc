@@ -10,8 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "end_to_end/run_limn.h"
 
 namespace limn::testing {

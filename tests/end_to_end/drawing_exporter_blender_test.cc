@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "end_to_end/exported_drawing.h"
-#include "limn/export/primitive_drawing.h"
+#include "limn/formats/primitive_drawing.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/drawing_transform.h"
 

@@ -1,5 +1,5 @@
 // `limn drawing_exporter` to SVG: which picture is made, and what is refused. What is in the
-// pictures is tested in limn/export and scripts/svg_pictures_test.py.
+// pictures is tested in limn/formats and scripts/svg_pictures_test.py.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

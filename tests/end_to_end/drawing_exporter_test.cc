@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "end_to_end/exported_drawing.h"
-#include "limn/export/primitive_drawing.h"
-#include "limn/export/write_drawing.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/primitive_drawing.h"
+#include "limn/formats/write_drawing.h"
 #include "limn/geometry/polyline.h"
-#include "limn/io/drawing_json_reader.h"
 
 namespace limn::testing {
 namespace {
@@ -101,7 +101,7 @@ TEST(DrawingExporter, GlbWithACloud) {
   EXPECT_THAT(refused.err, HasSubstr("only .glb files hold a cloud"));
 }
 
-// STEP by the command; what is in the file is tested in limn/export.
+// STEP by the command; what is in the file is tested in limn/formats.
 TEST(DrawingExporter, StepWhereItIsBuilt) {
   const ExportedDrawing exported(PrimitiveDrawing());
   const std::vector<std::string> formats = DrawingFormats();

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/export/write_drawing.h"
+#include "limn/formats/write_drawing.h"
 #include "limn/geometry/polyline.h"
 
 namespace limn::testing {

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "colmap_ext/dense/patch_file.h"
-#include "limn/export/write_drawing.h"
-#include "limn/io/drawing_json_reader.h"
+#include "colmap_ext/dense_files/patch_file.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/write_drawing.h"
 
 namespace limn::testing {
 namespace {

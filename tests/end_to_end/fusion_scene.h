@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "colmap_ext/workspace/depth_map.h"
-#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/dense_files/depth_map.h"
+#include "colmap_ext/model/model.h"
 #include "limn/model/drawing_graph.h"
 
 // Dense results of a scene that is nothing but the plane z = 0, and a drawing of it, for models

@@ -12,16 +12,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "colmap_ext/dense/patch_file.h"
+#include "colmap_ext/dense_files/patch_file.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "end_to_end/run_limn.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/mesh_reader.h"
+#include "limn/formats/ply_points_reader.h"
+#include "limn/formats/read_curves.h"
 #include "limn/geometry/polyline.h"
 #include "limn/geometry/spatial_index.h"
-#include "limn/io/drawing_json_reader.h"
-#include "limn/io/mesh_reader.h"
-#include "limn/io/ply_points.h"
-#include "limn/io/read_curves.h"
 
 namespace limn::testing {
 namespace {

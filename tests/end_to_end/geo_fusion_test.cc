@@ -5,13 +5,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "colmap_ext/dense/patch_file.h"
+#include "colmap_ext/dense_files/patch_file.h"
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/model_writer.h"
-#include "colmap_ext/workspace/scene_origin.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "end_to_end/fusion_scene.h"
 #include "end_to_end/run_limn.h"
-#include "limn/io/drawing_json_reader.h"
+#include "limn/formats/json_drawing_reader.h"
 
 namespace limn::testing {
 namespace {

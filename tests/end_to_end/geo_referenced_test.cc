@@ -4,13 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/model_writer.h"
-#include "colmap_ext/workspace/scene_origin.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "end_to_end/run_limn.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/read_curves.h"
 #include "limn/geometry/polyline.h"
-#include "limn/io/drawing_json_reader.h"
-#include "limn/io/read_curves.h"
 
 namespace limn::testing {
 namespace {

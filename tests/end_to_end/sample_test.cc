@@ -5,14 +5,14 @@
 
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/layout.h"
-#include "colmap_ext/workspace/model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "end_to_end/run_limn.h"
 #include "end_to_end/true_shapes.h"
 #include "limn/evaluation/evaluate_curves.h"
-#include "limn/io/drawing_json_reader.h"
-#include "limn/io/junctions_reader.h"
-#include "limn/io/read_curves.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/json_junctions_reader.h"
+#include "limn/formats/read_curves.h"
 #include "limn/model/curve_set.h"
 
 namespace limn::testing {

@@ -10,9 +10,9 @@
 #include "end_to_end/limn_process.h"
 #include "end_to_end/run_limn.h"
 #include "end_to_end/small_scene.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/json_drawing_reader.h"
 #include "limn/geometry/polyline.h"
-#include "limn/io/atomic_file.h"
-#include "limn/io/drawing_json_reader.h"
 
 namespace limn::testing {
 namespace {

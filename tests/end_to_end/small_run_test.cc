@@ -7,11 +7,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/model_writer.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "end_to_end/run_limn.h"
-#include "limn/io/drawing_json_reader.h"
-#include "limn/io/read_curves.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/read_curves.h"
 #include "limn/viewer/viewer_page.h"
 
 namespace limn::testing {

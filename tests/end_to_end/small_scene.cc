@@ -1,7 +1,7 @@
 #include "end_to_end/small_scene.h"
 
 #include "end_to_end/run_limn.h"
-#include "limn/io/atomic_file.h"
+#include "limn/formats/atomic_file.h"
 
 namespace limn::testing {
 

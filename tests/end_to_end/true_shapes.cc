@@ -9,9 +9,9 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/formats/read_curves.h"
 #include "limn/geometry/polyline.h"
 #include "limn/geometry/spatial_index.h"
-#include "limn/io/read_curves.h"
 
 namespace limn::testing {
 namespace {

@@ -14,9 +14,9 @@
 #include "limn/evaluation/curve_samples.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/sharp_edges.h"
-#include "limn/export/curves_ply.h"
-#include "limn/io/mesh_reader.h"
-#include "limn/io/read_curves.h"
+#include "limn/formats/mesh_reader.h"
+#include "limn/formats/ply_curves_writer.h"
+#include "limn/formats/read_curves.h"
 
 namespace limn::testing {
 namespace {

@@ -1,4 +1,4 @@
-#include "colmap_ext/workspace/depth_map.h"
+#include "colmap_ext/dense_files/depth_map.h"
 
 #include "fuzz/fuzz_target.h"
 

@@ -1,6 +1,6 @@
 // Lists of images: as importers read them, as the list of a PMVS folder, and as a choice among its
 // images.
-#include "colmap_ext/dense/patch_file.h"
+#include "colmap_ext/dense_files/patch_file.h"
 #include "colmap_ext/import/import_input.h"
 #include "colmap_ext/workspace/pmvs_model.h"
 #include "colmap_ext/workspace/to_views.h"

@@ -1,6 +1,6 @@
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
-#include "limn/io/mesh_reader.h"
+#include "limn/formats/mesh_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string path = limn::fuzz::WriteScratch("mesh.obj", limn::fuzz::Text(data, size));

@@ -1,6 +1,6 @@
 #include "fuzz/model_targets.h"
 
-#include "colmap_ext/workspace/camera_lens_map.h"
+#include "colmap_ext/model/camera_lens_map.h"
 
 namespace limn::fuzz {
 namespace {

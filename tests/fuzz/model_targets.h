@@ -1,6 +1,6 @@
 #pragma once
 
-#include "colmap_ext/workspace/model_files.h"
+#include "colmap_ext/model/model_files.h"
 #include "fuzz/fuzz_target.h"
 
 namespace limn::fuzz {

@@ -1,4 +1,4 @@
-#include "colmap_ext/dense/patch_file.h"
+#include "colmap_ext/dense_files/patch_file.h"
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
 

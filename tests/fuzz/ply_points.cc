@@ -1,7 +1,6 @@
-#include "limn/io/ply_points.h"
-
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
+#include "limn/formats/ply_points_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const limn::fuzz::MemoryFile file(limn::fuzz::Text(data, size));

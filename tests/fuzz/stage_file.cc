@@ -1,6 +1,6 @@
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
-#include "limn/io/curve_sketch_file.h"
+#include "limn/formats/curve_sketch_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const limn::fuzz::MemoryFile file(limn::fuzz::Text(data, size));

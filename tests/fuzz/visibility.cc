@@ -1,5 +1,5 @@
 // The .vis beside a cloud of three points; the model has three images, of which two are views.
-#include "colmap_ext/dense/dense_cloud.h"
+#include "colmap_ext/dense_files/dense_cloud.h"
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
 

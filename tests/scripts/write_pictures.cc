@@ -14,9 +14,9 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "limn/export/drawing_glb.h"
-#include "limn/export/drawing_svg.h"
-#include "limn/export/picture_scene.h"
+#include "limn/formats/glb_drawing_writer.h"
+#include "limn/formats/picture_scene.h"
+#include "limn/formats/svg_drawing_writer.h"
 #include "limn/visibility/render_depth.h"
 
 namespace limn {

@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/formats/curve_chains.h"
 #include "limn/geometry/polygon_triangulation.h"
-#include "limn/io/curve_chains.h"
 #include "limn/util/errors.h"
 
 namespace limn {

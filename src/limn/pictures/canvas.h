@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "limn/export/colors.h"
+#include "limn/formats/colors.h"
 #include "limn/model/image.h"
 #include "limn/pictures/picture.h"
 

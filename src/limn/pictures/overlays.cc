@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "limn/export/tracks.h"
+#include "limn/formats/tracks_writer.h"
 #include "limn/pictures/canvas.h"
 #include "limn/pictures/draw_node.h"
 #include "limn/util/errors.h"

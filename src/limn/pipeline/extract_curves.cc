@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "limn/io/image_curves_file.h"
+#include "limn/formats/image_curves_file.h"
 #include "limn/pipeline/pipeline_options.h"
 
 namespace limn {

@@ -2,19 +2,21 @@
 
 #include "limn/dense/dense_options.h"
 #include "limn/pipeline/pipeline_options.h"
+#include "limn/util/option_help.h"
 
 namespace limn {
 
 // The fields of every options struct, in order: visit(name, field, help). `field` is a reference to
-// a double, int, bool or std::string. The one list that command line, ini files, cache keys and
-// provenance are made from. Nested structs are groups of their own: see VisitGroups.
+// a double, int, bool or std::string, `help` an OptionHelp or its text. The one list that command
+// line, ini files, cache keys and provenance are made from. Nested structs are groups of their own:
+// see VisitGroups.
 
 template <typename Visit>
 void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
   visit("channel", o.channel, "channel of positions and directions: green or luminance");
   visit("sigma_px", o.sigma_px, "scale of the Gaussian derivatives, px");
   visit("noise_factor", o.noise_factor, "weakest edge in multiples of the image's gradient noise");
-  visit("min_strength", o.min_strength, "weakest edge, grey levels per px");
+  visit("min_strength", o.min_strength, BasicOption("weakest edge, gray levels per px"));
   visit("min_run_px", o.min_run_px, "weak edgels need a run of edgels of this length, px");
   visit("strong_ratio", o.strong_ratio, "multiple of the threshold from which they need none");
   visit("find_isoluminant", o.find_isoluminant, "also find edges in red or blue only");
@@ -27,7 +29,7 @@ void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
 
 template <typename Visit>
 void VisitFields(LinkingOptions& o, Visit&& visit) {
-  visit("neighbour_radius_px", o.neighbour_radius_px, "neighbourhood of a curvelet, px");
+  visit("neighbour_radius_px", o.neighbour_radius_px, "neighborhood of a curvelet, px");
   visit("position_tolerance_px", o.position_tolerance_px, "curvelets: tolerance across, px");
   visit("max_position_tolerance_px", o.max_position_tolerance_px,
         "upper limit of the tolerance for uncertain edgels, px");
@@ -112,7 +114,8 @@ void VisitFields(TopologyOptions& o, Visit&& visit) {
         "share of them with edgels of its own, beyond chance, that makes up for this");
   visit("min_own_views", o.min_own_views, "at least so many views");
   visit("max_own_views", o.max_own_views, "never asked for more than so many");
-  visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
+  visit("min_link_length_px", o.min_link_length_px,
+        BasicOption("shorter loose links are dropped, px"));
   visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
   visit("max_junction_miss_px", o.max_junction_miss_px,
         "how near their tangent lines must pass, px");
@@ -136,7 +139,8 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
         "allowed change of direction between samples; smaller is smoother, px");
   visit("supporting_views_share", o.supporting_views_share,
         "share of the views that contain a sample which must support it");
-  visit("min_supporting_views", o.min_supporting_views, "at least so many views");
+  visit("min_supporting_views", o.min_supporting_views,
+        BasicOption("what fewer views support is not drawn"));
   visit("max_supporting_views", o.max_supporting_views, "never asked for more than so many");
   visit("strong_link_views", o.strong_link_views, "views with common edgels of a strong link");
   visit("dense_link_views", o.dense_link_views, "the same of a dense link");
@@ -167,7 +171,7 @@ void VisitFields(RefinementOptions& o, Visit&& visit) {
   visit("robust_residual_px", o.robust_residual_px, "much larger residuals hardly count, px");
   visit("correlation_px", o.correlation_px, "edgels of an image this near err together, px");
   visit("bending_sigma", o.bending_sigma, "allowed change of direction over one px, rad");
-  visit("refine_poses", o.refine_poses, "refine camera poses and focal lengths too");
+  visit("refine_poses", o.refine_poses, BasicOption("refine camera poses and focal lengths too"));
 }
 
 template <typename Visit>
@@ -188,7 +192,7 @@ void VisitFields(TileOptions& o, Visit&& visit) {
 template <typename Visit>
 void VisitFields(DenseOptions& o, Visit&& visit) {
   visit("depth_tolerance_px", o.depth_tolerance_px,
-        "a curve this near in depth is on the surface, footprints");
+        BasicOption("a curve this near in depth is on the surface, footprints"));
   visit("side_offset_px", o.side_offset_px, "where the surface beside a curve is looked at, px");
   visit("near_px", o.near_px, "a dense point this near is of the same place, footprints");
   visit("sample_spacing_px", o.sample_spacing_px,

@@ -15,7 +15,7 @@ template <typename Options>
 Json FieldsAsJson(Options options) {
   Json json = Json::object();
   VisitFields(options,
-              [&](const char* name, const auto& value, const char*) { json[name] = value; });
+              [&](const char* name, const auto& value, const OptionHelp&) { json[name] = value; });
   return json;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "limn/io/view_sketch_file.h"
+#include "limn/formats/view_sketch_file.h"
 #include "limn/pipeline/content_hash.h"
 #include "limn/pipeline/curves_key.h"
 #include "limn/pipeline/pipeline_options.h"

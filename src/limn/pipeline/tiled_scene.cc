@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "limn/export/drawing_json.h"
-#include "limn/io/drawing_json_reader.h"
-#include "limn/io/stage_file.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/json_drawing_writer.h"
+#include "limn/formats/stage_file.h"
 #include "limn/pipeline/content_hash.h"
 #include "limn/pipeline/curves_key.h"
 #include "limn/pipeline/sketch_views.h"

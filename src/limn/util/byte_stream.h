@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -40,54 +41,74 @@ class ByteWriter {
   std::string bytes_;
 };
 
-// Reads what a ByteWriter wrote and never beyond the end: throws IoError with path and byte.
+// Reads packed little-endian values from memory or from a file, and never beyond the end. Every
+// failure is an IoError with the path and the byte. `what` names a value in the message.
 class ByteReader {
  public:
-  // The bytes must outlive the reader.
-  ByteReader(std::string path, std::string_view bytes) : path_(std::move(path)), bytes_(bytes) {}
+  // The bytes must outlive the reader. `path` is for messages.
+  ByteReader(std::string path, std::string_view bytes);
+  // From the present position of a seekable stream, which must outlive the reader. The stream is
+  // read in blocks, ahead of what has been asked for.
+  ByteReader(std::string path, std::istream& in);
+  ByteReader(const ByteReader&) = delete;
+  ByteReader& operator=(const ByteReader&) = delete;
 
   template <typename T>
-  T Get() {
-    static_assert(std::is_arithmetic_v<T>);
+  T Get(const char* what = "a value") {
+    static_assert(std::is_trivially_copyable_v<T>);
     T value;
-    std::memcpy(&value, Take(sizeof(T)).data(), sizeof(T));
+    CopyTo(&value, sizeof(T), what);
     return value;
   }
-  // A count of items of at least `item_bytes` each, which the rest of the bytes can hold.
-  size_t GetCount(size_t item_bytes) {
-    const uint64_t count = Get<uint64_t>();
-    if (count > (bytes_.size() - at_) / item_bytes) {
-      Fail("count " + std::to_string(count) + " exceeds the file");
-    }
-    return count;
-  }
+  // A count of items of at least `item_bytes` each, which the rest of the bytes can hold: it is
+  // safe to reserve memory for them.
+  size_t GetCount(size_t item_bytes);
   template <typename T>
-  void GetArray(T* values, size_t count) {
-    static_assert(std::is_arithmetic_v<T>);
-    std::memcpy(values, Take(count * sizeof(T)).data(), count * sizeof(T));
+  void GetArray(T* values, size_t count, const char* what = "an array") {
+    static_assert(std::is_trivially_copyable_v<T>);
+    CopyTo(values, count * sizeof(T), what);
   }
   std::string GetString() { return std::string(Take(GetCount(1))); }
-  std::string_view Take(size_t count) {
-    if (count > bytes_.size() - at_) Fail("the file ends too early");
-    at_ += count;
-    return bytes_.substr(at_ - count, count);
-  }
-  size_t at() const { return at_; }
+  // The next bytes; until the next call to the reader, of a stream.
+  std::string_view Take(size_t count);
+
+  // Bytes read so far, and left.
+  uint64_t at() const { return at_; }
+  uint64_t Remaining() const { return size_ - at_; }
   // Throws unless everything has been read.
-  void ExpectEnd() const {
-    if (at_ != bytes_.size()) Fail("bytes left over");
-  }
-  [[noreturn]] void Fail(const std::string& reason) const {
-    throw IoError(path_, "byte " + std::to_string(at_), reason);
-  }
+  void ExpectEnd() const;
+
+  FilePlace Here() const { return At(at_); }
+  FilePlace At(uint64_t byte) const { return {path_, "byte", byte}; }
+  [[noreturn]] void Fail(const std::string& reason) const { Here().Fail(reason); }
   void Check(bool ok, const char* reason) const {
     if (!ok) Fail(reason);
   }
 
  private:
+  void CopyTo(void* out, size_t count, const char* what) {
+    if (count == 0) return;
+    if (count > window_.size()) return CopyAcross(out, count, what);
+    std::memcpy(out, window_.data(), count);
+    Advance(count);
+  }
+  // The same where it takes more than the window holds.
+  void CopyAcross(void* out, size_t count, const char* what);
+  void Advance(size_t count) {
+    window_.remove_prefix(count);
+    at_ += count;
+  }
+  void ExpectBytes(uint64_t count, const char* what) const;
+  // Makes the window hold `count` bytes of the stream, which has them.
+  void Refill(size_t count, const char* what);
+  void ReadStream(char* out, size_t count, const char* what);
+
   std::string path_;
-  std::string_view bytes_;
-  size_t at_ = 0;
+  std::istream* in_ = nullptr;  // none: all bytes are in the window
+  std::string buffer_;          // what the window shows of the stream
+  std::string_view window_;     // what comes next
+  uint64_t at_ = 0;
+  uint64_t size_ = 0;
 };
 
 }  // namespace limn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -13,13 +14,23 @@ class IoError : public std::runtime_error {
   IoError(const std::string& path, const std::string& place, const std::string& reason);
 };
 
+// Where in a file something was found, for messages.
+struct FilePlace {
+  const std::string& path;
+  const char* unit;  // "byte" or "line"
+  uint64_t number;
+
+  // Throws IoError "<path>: <unit> <number>: <reason>".
+  [[noreturn]] void Fail(const std::string& reason) const;
+};
+
 // An option or argument outside its allowed range. The text names option, value and constraint.
 class OptionError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-// Input that is well-formed but that nothing can be computed from, e.g. all cameras at one centre.
+// Input that is well-formed but that nothing can be computed from, e.g. all cameras at one center.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "limn/export/colors.h"
+#include "limn/formats/colors.h"
 #include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
 #include "limn/viewer/payload_arrays.h"

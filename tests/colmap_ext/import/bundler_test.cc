@@ -1,7 +1,8 @@
 #include "colmap_ext/import/bundler.h"
 
 #include "colmap_ext/import/import_test_base.h"
-#include "colmap_ext/workspace/test_model.h"
+#include "colmap_ext/model/test_model.h"
+#include "colmap_ext/workspace/model_folder.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -13,7 +14,7 @@ using ::testing::IsEmpty;
 
 constexpr char kFormat[] = "bundler";
 
-// The model as a Bundler file: origin at the image centre, y up, camera along -z.
+// The model as a Bundler file: origin at the image center, y up, camera along -z.
 std::string Cameras(const SparseModel& model) {
   std::string text;
   for (const ModelImage& image : model.images) {
@@ -116,7 +117,7 @@ TEST_F(Bundler, BadFilesAreRefused) {
   EXPECT_THAT(ErrorWith("3 1", cameras + "nan 0 0\n0 0 0\n0\n"), HasSubstr("line 12: coordinate"));
   EXPECT_THAT(ErrorWith("3 1", cameras + "0 0 0\n0 0 0\n1 3 0 1 1\n"),
               HasSubstr("line 14: camera index 3, but there are only 3 cameras"));
-  EXPECT_THAT(ErrorWith("3 1", cameras + "0 0 0\n0 0 256\n0\n"), HasSubstr("line 13: colour"));
+  EXPECT_THAT(ErrorWith("3 1", cameras + "0 0 0\n0 0 256\n0\n"), HasSubstr("line 13: color"));
   EXPECT_THAT(ErrorWith("3 1", cameras + "0 0 0\n0 0 0\n1 0 0 inf 1\n"),
               HasSubstr("line 14: x of a measurement is not finite"));
   EXPECT_THAT(ErrorWith("3 0", "600 0 0\n1 0 0\n0 1 0\n0 0 0\n0 0 0\n" + cameras),
@@ -137,7 +138,7 @@ TEST_F(Bundler, ReadsWhatColmapWrites) {
                         dir_ / "log"));
   images_ = day / "images";
   const SparseModel model = Import(kFormat, dir_ / "day.bundle.out");
-  // It is (316, 244), the centre (320, 240).
+  // It is (316, 244), the center (320, 240).
   ExpectSameAfterExport(model, ReadModel(day / "sparse"), {4, -4}, Repeats::kAll);
 }
 

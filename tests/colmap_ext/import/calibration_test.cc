@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 
 TEST(Calibration, SkewIsDroppedOnlyIfNegligible) {
   const std::string path = "k.txt";
-  const Place place{path, "line", 3};
+  const FilePlace place{path, "line", 3};
   Eigen::Matrix3d k;
   k << 600, 0.1, 320, 0, 500, 240, 0, 0, 1;
   EXPECT_EQ(CameraFromCalibration(2 * k, {640, 480}, place).params,
@@ -27,7 +27,7 @@ TEST(Calibration, SkewIsDroppedOnlyIfNegligible) {
 
 TEST(Calibration, ARotationWithFewDigitsIsMadeOne) {
   const std::string path = "r.txt";
-  const Place place{path, "line", 1};
+  const FilePlace place{path, "line", 1};
   const Eigen::Matrix3d exact =
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
   const Eigen::Matrix3d rounded = (exact * 1e4).array().round() / 1e4;

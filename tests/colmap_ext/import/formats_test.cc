@@ -14,14 +14,14 @@ using ::testing::StrEq;
 
 constexpr char kMatrix[] = "600 0 320 0\n0 600 240 0\n0 0 1 5\n";
 
-TEST(Formats, AreRecognisedByWhatIsThere) {
+TEST(Formats, AreRecognizedByWhatIsThere) {
   const TempDir dir;
   const auto expect = [&](const std::string& file, const std::string& text, const char* name,
                           bool file_alone) {
     const std::string path = dir.WriteFile(std::string(name) + "/" + file, text);
-    EXPECT_THAT(RecogniseFormat(dir / name).name, StrEq(name));
+    EXPECT_THAT(RecognizeFormat(dir / name).name, StrEq(name));
     if (file_alone) {
-      EXPECT_THAT(RecogniseFormat(path).name, StrEq(name));
+      EXPECT_THAT(RecognizeFormat(path).name, StrEq(name));
     }
   };
   expect("001.projmatrix", kMatrix, "projection_matrices", false);
@@ -32,21 +32,21 @@ TEST(Formats, AreRecognisedByWhatIsThere) {
   expect("transforms.json", "{}", "nerf_transforms", true);
 }
 
-TEST(Formats, TextFilesOfMatricesAreRecognised) {
+TEST(Formats, TextFilesOfMatricesAreRecognized) {
   const TempDir dir;
   dir.WriteFile("pmvs/00000000.txt", std::string("CONTOUR\n") + kMatrix);
   dir.WriteFile("dtu/pos_001.txt", kMatrix);
-  EXPECT_THAT(RecogniseFormat(dir / "pmvs").name, StrEq("projection_matrices"));
-  EXPECT_THAT(RecogniseFormat(dir / "dtu").name, StrEq("projection_matrices"));
+  EXPECT_THAT(RecognizeFormat(dir / "pmvs").name, StrEq("projection_matrices"));
+  EXPECT_THAT(RecognizeFormat(dir / "dtu").name, StrEq("projection_matrices"));
 }
 
 TEST(Formats, NoneAndSeveralAreRefused) {
   const TempDir dir;
   const auto error = [&](const std::string& name) {
-    return ErrorText<IoError>([&] { RecogniseFormat(dir / name); });
+    return ErrorText<IoError>([&] { RecognizeFormat(dir / name); });
   };
   dir.WriteFile("text/notes.txt", "nothing of the kind\n");
-  EXPECT_THAT(error("text"), HasSubstr("no format of cameras recognised"));
+  EXPECT_THAT(error("text"), HasSubstr("no format of cameras recognized"));
   EXPECT_THAT(error("nowhere"), HasSubstr("nowhere: no such file or folder"));
   dir.WriteFile("both/a.nvm", "NVM_V3\n");
   dir.WriteFile("both/transforms.json", "{}");

@@ -10,8 +10,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "colmap_ext/import/new_model_folder.h"
-#include "colmap_ext/workspace/camera_projection.h"
-#include "colmap_ext/workspace/test_model.h"
+#include "colmap_ext/model/camera_projection.h"
+#include "colmap_ext/model/test_model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -222,8 +223,8 @@ SparseModel ImportTest::Import(const std::string& format, const fs::path& path,
   options.pixel_centers = arguments.pixel_centers;
   const SparseModel model = ToSparseModel(std::move(scene), options);
   const TempDir output;
-  WriteNewModel(model, output / "bin", ModelFlavour::kBinary);
-  WriteNewModel(model, output / "txt", ModelFlavour::kText);
+  WriteNewModel(model, output / "bin", ModelFlavor::kBinary);
+  WriteNewModel(model, output / "txt", ModelFlavor::kText);
   SparseModel read = ReadModel(output / "bin");
   ExpectSameModel(ReadModel(output / "txt"), read);
   warnings_ = read.warnings;

@@ -14,11 +14,11 @@
 namespace limn::colmap_ext {
 
 // Three images of 640 x 480, PINHOLE with unequal focal lengths and the principal point off the
-// centre, that see the cube [-1, 1]^3 from different sides: img_1.png, img_2.png, img_10.png. In
+// center, that see the cube [-1, 1]^3 from different sides: img_1.png, img_2.png, img_10.png. In
 // COLMAP's pixels, without points.
 SparseModel KnownModel();
 
-// The same poses; SIMPLE_PINHOLE with the principal point at the centre, or RADIAL if k1 or k2 is
+// The same poses; SIMPLE_PINHOLE with the principal point at the center, or RADIAL if k1 or k2 is
 // not zero. With points in the cube, measured exactly by the images (the last point by two only).
 SparseModel CenteredModel(double k1 = 0, double k2 = 0);
 
@@ -61,7 +61,7 @@ class ImportTest : public ::testing::Test {
     bool skip_missing = false;
   };
 
-  // Read with the format's own pixel centres.
+  // Read with the format's own pixel centers.
   SparseModel Import(const std::string& format, const std::filesystem::path& path);
   // Read, make a model, write it as binary and as text, and read both again; they are the same.
   // The warnings of reading go to warnings_.

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/import/import_test_base.h"
-#include "colmap_ext/workspace/test_model.h"
+#include "colmap_ext/model/test_model.h"
 
 namespace limn::colmap_ext {
 namespace {

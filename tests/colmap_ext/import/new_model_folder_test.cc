@@ -3,8 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/test_model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -18,7 +19,7 @@ TEST(NewModelFolder, NewAndEmptyFoldersAreFilled) {
   fs::create_directories(dir / "empty");
   fs::create_directory_symlink(dir / "empty", dir / "link");
   for (const char* name : {"link", "new/sparse/0", "slash/"}) {
-    WriteNewModel(MakeModel(), dir / name, ModelFlavour::kBinary);
+    WriteNewModel(MakeModel(), dir / name, ModelFlavor::kBinary);
     ExpectSameModel(ReadModel(dir / name), MakeModel());
   }
   EXPECT_TRUE(fs::exists(dir / "empty" / "images.bin"));
@@ -29,9 +30,9 @@ TEST(NewModelFolder, NewAndEmptyFoldersAreFilled) {
 TEST(NewModelFolder, OthersAreLeftAlone) {
   const TempDir dir;
   const auto error = [&](const char* name) {
-    return ErrorText<IoError>([&] { WriteNewModel(MakeModel(), dir / name, ModelFlavour::kText); });
+    return ErrorText<IoError>([&] { WriteNewModel(MakeModel(), dir / name, ModelFlavor::kText); });
   };
-  WriteNewModel(MakeModel(), dir / "model", ModelFlavour::kBinary);
+  WriteNewModel(MakeModel(), dir / "model", ModelFlavor::kBinary);
   EXPECT_THAT(error("model"), HasSubstr("model: holds a model already"));
   EXPECT_FALSE(fs::exists(dir / "model" / "images.txt"));
   dir.WriteFile("full/points3D.bin", "");

@@ -1,7 +1,8 @@
 #include "colmap_ext/import/nvm.h"
 
 #include "colmap_ext/import/import_test_base.h"
-#include "colmap_ext/workspace/test_model.h"
+#include "colmap_ext/model/test_model.h"
+#include "colmap_ext/workspace/model_folder.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -21,7 +22,7 @@ std::string CameraLine(const SparseModel& model, const ModelImage& image,
          " 0\n";
 }
 
-// Measurements from the centre of the image, unless the origin is moved.
+// Measurements from the center of the image, unless the origin is moved.
 std::string ModelText(const SparseModel& model, const std::string& distortion = "0",
                       const Eigen::Vector2d& origin = {320, 240}) {
   std::string text = std::to_string(model.images.size()) + "\n";

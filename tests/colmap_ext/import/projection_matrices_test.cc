@@ -1,6 +1,7 @@
 #include "colmap_ext/import/projection_matrices.h"
 
 #include "colmap_ext/import/import_test_base.h"
+#include "colmap_ext/workspace/model_folder.h"
 
 namespace limn::colmap_ext {
 namespace {

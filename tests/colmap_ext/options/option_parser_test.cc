@@ -15,6 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 enum class Mode { kOriginal, kEnhanced };
 
@@ -31,11 +32,11 @@ struct Values {
 class OptionParserTest : public testing::Test {
  protected:
   OptionParserTest() : parser_("curve_drawer", "Draws curves.") {
-    parser_.AddOption("path", &values_.path, "A path.");
+    parser_.AddOption("path", &values_.path, BasicOption("A path."));
     parser_.AddOption("quality", &values_.quality, {"low", "medium", "high"}, "How well.");
     parser_.AddOption<Mode>("Sketch.mode", &values_.mode,
                             {{"original", Mode::kOriginal}, {"enhanced", Mode::kEnhanced}},
-                            "Which.");
+                            BasicOption("Which."));
     parser_.AddOption("Linking.length_px", &values_.length_px, "A length.");
     parser_.AddOption("Linking.count", &values_.count, "A count.");
     parser_.AddOption("Sketch.refine", &values_.refine, "Whether.");
@@ -122,16 +123,31 @@ TEST_F(OptionParserTest, WrongUseIsOneLine) {
   EXPECT_THAT(ErrorOf({"--path", "a", "--path", "b"}), HasSubstr("'--path' is given twice"));
 }
 
-TEST_F(OptionParserTest, HelpShowsEveryOptionWithItsDefault) {
+TEST_F(OptionParserTest, HelpShowsTheBasicOptionsWithTheirDefaults) {
   for (const char* flag : {"-h", "--help"}) {
     help_.str("");
     EXPECT_EQ(Parse({"--Linking.count", "3", flag}), OptionParser::Outcome::kHelp);
     EXPECT_THAT(help_.str(), AllOf(HasSubstr("curve_drawer"), HasSubstr("Draws curves.")));
-    EXPECT_THAT(help_.str(), HasSubstr("--Linking.length_px arg (=5.5)"));
+    EXPECT_THAT(help_.str(), AllOf(HasSubstr("--path"), HasSubstr("--project_path")));
     EXPECT_THAT(help_.str(), AllOf(HasSubstr("--Sketch.mode arg (=enhanced)"),
                                    HasSubstr("{original, enhanced}")));
-    EXPECT_THAT(help_.str(), AllOf(HasSubstr("--taus arg (=0.01,2)"), HasSubstr("--project_path")));
+    for (const char* other : {"--Linking", "--Sketch.refine", "--taus", "--quality"}) {
+      EXPECT_THAT(help_.str(), Not(HasSubstr(other)));
+    }
+    EXPECT_THAT(help_.str(), HasSubstr("5 more options: limn curve_drawer --help_all"));
   }
+  EXPECT_EQ(values_.count, -1);
+}
+
+TEST_F(OptionParserTest, HelpAllShowsEveryOptionWithItsDefault) {
+  EXPECT_EQ(Parse({"--Linking.count", "3", "--help_all"}), OptionParser::Outcome::kHelp);
+  EXPECT_THAT(help_.str(), AllOf(HasSubstr("--path"), HasSubstr("--project_path"),
+                                 HasSubstr("--Sketch.mode arg (=enhanced)")));
+  EXPECT_THAT(help_.str(), AllOf(HasSubstr("--Linking.length_px arg (=5.5)"),
+                                 HasSubstr("--Linking.count arg (=-1)")));
+  EXPECT_THAT(help_.str(), AllOf(HasSubstr("--taus arg (=0.01,2)"), HasSubstr("--Sketch.refine"),
+                                 HasSubstr("--quality arg (=medium)")));
+  EXPECT_THAT(help_.str(), Not(HasSubstr("more options")));
   EXPECT_EQ(values_.count, -1);
 }
 
@@ -193,6 +209,7 @@ TEST_F(OptionParserTest, UnwritableIniIsAnError) {
 TEST_F(OptionParserTest, DeclaringAnOptionTwiceIsAProgrammingError) {
   EXPECT_THROW(parser_.AddOption("taus", &values_.count, ""), std::logic_error);
   EXPECT_THROW(parser_.AddOption("project_path", &values_.path, ""), std::logic_error);
+  EXPECT_THROW(parser_.AddOption("help_all", &values_.refine, ""), std::logic_error);
   EXPECT_THROW(parser_.AddOption("other", &values_.path, {"a", "b"}, ""), std::logic_error);
 }
 

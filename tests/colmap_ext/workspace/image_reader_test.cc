@@ -47,7 +47,7 @@ std::string Content(const std::string& path) {
   return content.str();
 }
 
-TEST_F(ImageReader, ColourIsRgb) {
+TEST_F(ImageReader, ColorIsRgb) {
   const Image image = ReadImage(Write("a.png", cv::Mat(2, 3, CV_8UC3, cv::Scalar(10, 20, 30))));
   EXPECT_EQ(image.width, 3);
   EXPECT_EQ(image.height, 2);
@@ -60,19 +60,19 @@ TEST_F(ImageReader, ColourIsRgb) {
 }
 
 TEST_F(ImageReader, RowsComeInOrder) {
-  cv::Mat grey(2, 3, CV_8UC1);
-  for (int i = 0; i < 6; ++i) grey.at<uchar>(i / 3, i % 3) = static_cast<uchar>(i);
-  const Image image = ReadImage(Write("grey.png", grey));
+  cv::Mat gray(2, 3, CV_8UC1);
+  for (int i = 0; i < 6; ++i) gray.at<uchar>(i / 3, i % 3) = static_cast<uchar>(i);
+  const Image image = ReadImage(Write("gray.png", gray));
   EXPECT_EQ(image.channels, 1);
   EXPECT_THAT(image.data, testing::ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
-TEST_F(ImageReader, SixteenBitsBecomeGreyLevels) {
+TEST_F(ImageReader, SixteenBitsBecomeGrayLevels) {
   const Image image = ReadImage(Write("deep.png", cv::Mat(2, 2, CV_16UC1, cv::Scalar(65535))));
   EXPECT_EQ(image.data.at(0), 255);
-  const Image colour =
+  const Image color =
       ReadImage(Write("deep3.png", cv::Mat(2, 2, CV_16UC3, cv::Scalar(0, 257, 514))));
-  EXPECT_EQ(colour.data.at(0), 2);
+  EXPECT_EQ(color.data.at(0), 2);
 }
 
 TEST_F(ImageReader, AlphaIsDropped) {
@@ -138,19 +138,19 @@ TEST_F(ImageReader, LongerSideIsLimited) {
 }
 
 TEST_F(ImageReader, ShrinkingAverages) {
-  cv::Mat grey(2, 4, CV_8UC1, cv::Scalar(0));
-  grey.at<uchar>(0, 0) = 100;
-  grey.at<uchar>(1, 3) = 40;
-  const Image image = ReadImage(Write("grey.png", grey), 2);
+  cv::Mat gray(2, 4, CV_8UC1, cv::Scalar(0));
+  gray.at<uchar>(0, 0) = 100;
+  gray.at<uchar>(1, 3) = 40;
+  const Image image = ReadImage(Write("gray.png", gray), 2);
   EXPECT_EQ(image.width, 2);
   EXPECT_EQ(image.height, 1);
   EXPECT_THAT(image.data, testing::ElementsAre(25, 10));
 }
 
 TEST_F(ImageReader, MaskCountsOnlyPixelsThatAreWholeInside) {
-  cv::Mat grey(2, 4, CV_8UC1, cv::Scalar(1));
-  grey.at<uchar>(1, 3) = 0;
-  const std::string path = Write("mask.png", grey);
+  cv::Mat gray(2, 4, CV_8UC1, cv::Scalar(1));
+  gray.at<uchar>(1, 3) = 0;
+  const std::string path = Write("mask.png", gray);
   EXPECT_THAT(ReadMask(path, {4, 2}), testing::ElementsAre(1, 1, 1, 1, 1, 1, 1, 0));
   EXPECT_THAT(ReadMask(path, {4, 2}, 2), testing::ElementsAre(1, 0));
   EXPECT_THAT(ErrorText<IoError>([&] {

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/model_writer.h"
-#include "colmap_ext/workspace/test_model.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

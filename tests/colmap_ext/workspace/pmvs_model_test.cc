@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/test_model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -7,9 +7,9 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_ext/model/camera_projection.h"
+#include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/camera_projection.h"
-#include "colmap_ext/workspace/test_model.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/edges/edge_detection.h"
 #include "support/synthetic_image.h"
@@ -26,7 +26,7 @@ const Eigen::Vector3d kB(0.9, 0.65, 2.2);
 limn::testing::Shape ProjectedSide(const CameraProjection& projection, double scale) {
   const Eigen::Vector3d normal = kA.cross(kB);
   return [&projection, normal, scale](const Eigen::Vector2d& pixel) {
-    // Pixel (0, 0) of Limn is the centre of the pixel that COLMAP has at (0.5, 0.5).
+    // Pixel (0, 0) of Limn is the center of the pixel that COLMAP has at (0.5, 0.5).
     const auto side = [&](double dx, double dy) {
       const Eigen::Vector2d colmap_px = (pixel + Eigen::Vector2d(dx + 0.5, dy + 0.5)) / scale;
       const auto ray = projection.RayFromPixel(colmap_px);

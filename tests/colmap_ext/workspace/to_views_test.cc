@@ -9,9 +9,9 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_ext/model/camera_projection.h"
+#include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/workspace/camera_projection.h"
-#include "colmap_ext/workspace/test_model.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -67,7 +67,7 @@ TEST_F(ToViewsTest, ViewsAreSortedByNameAndKeepTheirFileOrder) {
 
 TEST_F(ToViewsTest, PrincipalPointMovesByHalfAPixel) {
   const View view =
-      Views().views[1];  // camera 3: PINHOLE, principal point at the centre (w/2, h/2)
+      Views().views[1];  // camera 3: PINHOLE, principal point at the center (w/2, h/2)
   EXPECT_EQ(view.camera.cx, 800 / 2 - 0.5);
   EXPECT_EQ(view.camera.cy, 600 / 2 - 0.5);
   EXPECT_EQ(view.camera.fx, 503);

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limn/export/primitive_drawing.h"
+#include "limn/formats/primitive_drawing.h"
 #include "limn/geometry/polyline.h"
 
 namespace limn {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "limn/export/colors.h"
-#include "limn/export/small_drawing.h"
-#include "limn/io/temporary_folder.h"
+#include "limn/formats/colors.h"
+#include "limn/formats/small_drawing.h"
+#include "limn/formats/temporary_folder.h"
 #include "limn/pictures/render_drawing.h"
 #include "limn/util/errors.h"
 

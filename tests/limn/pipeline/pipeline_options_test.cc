@@ -24,13 +24,13 @@ void ExpectAllFieldsAreVisited(size_t begin) {
   const char* base = reinterpret_cast<const char*>(&options);
   size_t end = begin;
   std::set<std::string> names;
-  VisitFields(options, [&](const std::string& name, auto& field, const std::string& help) {
+  VisitFields(options, [&](const std::string& name, auto& field, const OptionHelp& help) {
     const size_t alignment = alignof(std::remove_reference_t<decltype(field)>);
     const size_t expected = (end + alignment - 1) / alignment * alignment;
     const size_t offset = reinterpret_cast<const char*>(&field) - base;
     EXPECT_EQ(offset, expected) << "a field before " << name << " is not visited";
     EXPECT_TRUE(names.insert(name).second) << name << " is visited twice";
-    EXPECT_FALSE(help.empty()) << name;
+    EXPECT_FALSE(help.text.empty()) << name;
     end = offset + sizeof(field);
   });
   const size_t alignment = alignof(Options);

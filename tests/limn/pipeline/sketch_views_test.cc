@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/io/curve_sketch_file.h"
-#include "limn/io/temporary_folder.h"
+#include "limn/formats/curve_sketch_file.h"
+#include "limn/formats/temporary_folder.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
-#include "limn/export/small_drawing.h"
+#include "limn/formats/small_drawing.h"
 #include "limn/util/errors.h"
 #include "limn/viewer/packing.h"
 #include "limn/viewer/payload.h"

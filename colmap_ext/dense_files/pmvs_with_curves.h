@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "colmap_ext/dense_files/dense_cloud.h"
+#include "limn/dense/curve_points.h"
+#include "limn/model/view.h"
+
+namespace limn::colmap_ext {
+
+// For PMVS's tools: <base>.patch, one oriented patch per sample of the curves with the images that
+// see it (see PmvsNumbers), after those of the `files`, if these are .patch files; and
+// <base>.ply, all points of these files, open as `cloud`, and the curves in PMVS's own PLY format.
+// Throws IoError.
+void WritePmvsWithCurves(const std::filesystem::path& base,
+                         const std::vector<std::filesystem::path>& files, const DenseCloud& cloud,
+                         const std::vector<CurvePoint>& points, const std::vector<View>& views);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "colmap_ext/import/imported_scene.h"
+#include "colmap_ext/import/new_model_folder.h"
+#include "colmap_ext/options/option_parser.h"
+
+namespace limn::colmap_ext {
+
+enum class PixelCentersOption { kOfTheFormat, kInteger, kHalf };
+
+// The options of model_importer.
+struct ImporterOptions {
+  std::string input_path, image_path, output_path, list_path;
+  std::string input_type = "auto";
+  ModelFlavor output_type = ModelFlavor::kBinary;
+  PixelCentersOption pixel_centers = PixelCentersOption::kOfTheFormat;
+  double share_cameras_px = SparseModelOptions().share_cameras_px;
+  bool skip_missing_images = false;
+  int model_index = -1;
+
+  void AddOptions(OptionParser* parser);
+  // Throws OptionError.
+  void Check() const;
+};
+
+// Reads cameras in the format that was named, or that the path shows, and writes what the user
+// should know of them to `notes`, a line each. Throws IoError.
+SparseModel ImportModel(const ImporterOptions& options, std::ostream& notes);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,86 @@
+#include "colmap_ext/model/image_name.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMaxNameBytes = 4096;
+
+// Number of bytes of the code point that begins with this one; 0 if none does.
+size_t SequenceLength(unsigned char first) {
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return 2;
+  if (first >= 0xE0 && first <= 0xEF) return 3;
+  if (first >= 0xF0 && first <= 0xF4) return 4;
+  return 0;
+}
+
+// RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF.
+bool IsUtf8(std::string_view text) {
+  for (size_t i = 0; i < text.size();) {
+    const auto byte = [&](size_t k) { return static_cast<unsigned char>(text[i + k]); };
+    const size_t length = SequenceLength(byte(0));
+    if (length == 0 || length > text.size() - i) return false;
+    for (size_t k = 1; k < length; ++k) {
+      if ((byte(k) & 0xC0) != 0x80) return false;
+    }
+    if (length > 2) {
+      const unsigned two = byte(0) << 8 | byte(1);
+      const bool overlong = (two >= 0xE080 && two < 0xE0A0) || (two >= 0xF080 && two < 0xF090);
+      const bool surrogate = two >= 0xEDA0 && two <= 0xEDBF;
+      if (overlong || surrogate || two > 0xF48F) return false;
+    }
+    i += length;
+  }
+  return true;
+}
+
+// What is the same in names that were changed by accident.
+std::string Essence(std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  std::string stem = fs::path(name).stem().string();
+  std::transform(stem.begin(), stem.end(), stem.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return stem;
+}
+
+}  // namespace
+
+std::string ProblemOfName(const std::string& name) {
+  if (name.empty()) return "the image has no name";
+  if (name.size() > kMaxNameBytes) {
+    return "the image name is longer than " + std::to_string(kMaxNameBytes) + " bytes";
+  }
+  if (name.find('\0') != std::string::npos) return "the image name contains a NUL character";
+  if (!IsUtf8(name)) return "the image name is not UTF-8: rename the image";
+  const fs::path path(name);
+  const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
+  if (path.is_absolute() || climbs) {
+    return "image name \"" + name + "\" leads out of the image folder";
+  }
+  return "";
+}
+
+std::string HintForMissing(const fs::path& image_dir, const std::string& name) {
+  std::string with_slashes = name;
+  std::replace(with_slashes.begin(), with_slashes.end(), '\\', '/');
+  const fs::path folder = (image_dir / with_slashes).parent_path();
+  const std::string essence = Essence(name);
+  std::string similar;  // the first in alphabetical order
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const std::string candidate = it->path().string();
+    if (Essence(it->path().filename().string()) != essence) continue;
+    if (similar.empty() || candidate < similar) similar = candidate;
+  }
+  return similar.empty() ? "" : "; " + similar + " is there";
+}
+
+}  // namespace limn::colmap_ext

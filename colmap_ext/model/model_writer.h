@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+
+#include "colmap_ext/model/model.h"
+
+namespace limn::colmap_ext {
+
+// The files of a model as COLMAP 3.8 writes them, in the order of the model's vectors. Numbers in
+// text are the shortest that read back the same. Preconditions are those a model that was read
+// satisfies.
+void WriteCamerasBinary(const SparseModel& model, std::ostream& out);
+void WriteImagesBinary(const SparseModel& model, std::ostream& out);
+void WritePointsBinary(const SparseModel& model, std::ostream& out);
+void WriteCamerasText(const SparseModel& model, std::ostream& out);
+void WriteImagesText(const SparseModel& model, std::ostream& out);
+void WritePointsText(const SparseModel& model, std::ostream& out);
+
+// Writes cameras, images and points3D into an existing folder. Throws IoError.
+void WriteModelBinary(const SparseModel& model, const std::filesystem::path& folder);
+void WriteModelText(const SparseModel& model, const std::filesystem::path& folder);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "colmap_ext/model/model.h"
+#include "limn/model/scene_hints.h"
+#include "limn/model/view.h"
+
+namespace limn::colmap_ext {
+
+// Cameras after and before refinement, and where the hints' points are now.
+struct RefinedScene {
+  const std::vector<View>& views;
+  const std::vector<View>& given_views;
+  const SceneHints& hints;
+  const std::vector<Eigen::Vector3d>& points;
+};
+
+// Put refined cameras into the model that the given views and hints were made from. Focal lengths
+// are multiplied by the factor that those of the views have changed by; distortion and principal
+// points stay, images without a view keep their poses. The errors of the points are no longer
+// known. Throws IoError, and changes nothing, if this is another model.
+void ApplyRefinement(const RefinedScene& refined, SparseModel* model);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,41 @@
+#include "colmap_ext/run/drawer_options.h"
+
+#include "colmap_ext/run/ranks.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+
+void DrawerOptions::Check() const {
+  if (!run.shard.empty() && NumRanks() > 1) {
+    throw OptionError("shard = " + run.shard + ": MPI processes make their own shards");
+  }
+  if (account && run.pipeline.mode == SketchMode::kOriginal) {
+    throw OptionError("account = 1: the original sketch judges whole curves, not edgels");
+  }
+  if (truth.IsGiven()) truth.Check();
+}
+
+std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv,
+                                               DrawerOptions* options) {
+  const OptionGroups groups = {.linking = true,
+                               .sketch = true,
+                               .drawing = true,
+                               .refinement = true,
+                               .tiles = true,
+                               .shards = true,
+                               .writes_drawing = true};
+  auto parser = ParseRunOptions("automatic_drawer", "make the 3D drawing of a COLMAP project",
+                                groups, argc, argv, &options->run, [&](OptionParser* more) {
+                                  more->AddOption("account", &options->account,
+                                                  BasicOption("tell what became of every edgel"));
+                                  more->AddOption("page", &options->page,
+                                                  BasicOption("write drawing.html, with a report"));
+                                  options->truth.AddOptions(/*are_basic=*/false, more);
+                                });
+  if (!parser) return std::nullopt;
+  options->Check();
+  options->truth.evaluation.region = BoxFromNumbers(options->run.box);
+  return parser;
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/run/truth_input.h"
+
+namespace limn::colmap_ext {
+
+// The options of automatic_drawer.
+struct DrawerOptions {
+  RunOptions run;
+  // Tell what became of every edgel.
+  bool account = false;
+  // Write drawing.html with a report, judged by this truth if there is one.
+  bool page = true;
+  TruthInput truth;
+
+  // Throws OptionError.
+  void Check() const;
+};
+
+// As ParseRunOptions.
+std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv,
+                                               DrawerOptions* options);
+
+}  // namespace limn::colmap_ext

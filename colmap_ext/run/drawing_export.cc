@@ -1,0 +1,105 @@
+#include "colmap_ext/run/drawing_export.h"
+
+#include <utility>
+
+#include "limn/formats/ply_points_reader.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+std::string FormatName(const ExporterOptions& options) {
+  return DrawingFormatOf(options.output_path, options.format);
+}
+
+// Scaled and turned as the drawing is.
+std::vector<GlbPoint> ReadCloud(const ExporterOptions& options) {
+  std::vector<GlbPoint> cloud;
+  const Eigen::Matrix3d z_up = ZUpFrom(options.up_axis);
+  ReadPlyPoints(options.cloud_path, [&](const PlyPoint& point) {
+    const auto& [red, green, blue] = point.color;
+    cloud.push_back({options.scale * (z_up * point.position), {red, green, blue}});
+  });
+  return cloud;
+}
+
+// What an SVG picture shows of the graph.
+SvgScene SceneOf(const ExporterOptions& options, const DrawingGraph& graph) {
+  SvgSource source = options.svg;
+  source.style.junctions = options.junctions;
+  return source.IsSheet() ? SceneOnSheet(source, graph, ZUpFrom(options.up_axis), options.scale)
+                          : SceneInImage(source, graph, options.output_path);
+}
+
+void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
+  parser->AddOption("layers", &format->dxf.layers,
+                    {{"class", DxfLayers::kClass},
+                     {"component", DxfLayers::kComponent},
+                     {"single", DxfLayers::kSingle}},
+                    "DXF: what makes a layer, the kind of curve or the connected component");
+  parser->AddOption("unit", &format->unit,
+                    {{"none", LengthUnit::kNone},
+                     {"mm", LengthUnit::kMillimeter},
+                     {"cm", LengthUnit::kCentimeter},
+                     {"m", LengthUnit::kMeter},
+                     {"in", LengthUnit::kInch},
+                     {"ft", LengthUnit::kFoot}},
+                    BasicOption("DXF and STEP: what one unit is after scaling"));
+}
+
+}  // namespace
+
+void ExporterOptions::AddOptions(OptionParser* parser) {
+  std::vector<std::string> formats = DrawingFormats();
+  formats.insert(formats.begin(), kAutoFormat);
+  parser->AddOption("input_path", &input_path, BasicOption("the drawing.json"));
+  parser->AddOption("output_path", &output_path, BasicOption("the file to write"));
+  parser->AddOption("output_type", &format.format, formats,
+                    BasicOption("its format; auto = by its extension"));
+  parser->AddOption("scale", &scale, BasicOption("what coordinates are multiplied by"));
+  parser->AddOption("up_axis", &up_axis,
+                    {{"x", SignedAxis::kX},
+                     {"y", SignedAxis::kY},
+                     {"z", SignedAxis::kZ},
+                     {"-x", SignedAxis::kMinusX},
+                     {"-y", SignedAxis::kMinusY},
+                     {"-z", SignedAxis::kMinusZ}},
+                    BasicOption("the axis of the model that points up, often -y; it becomes z"));
+  parser->AddOption("junctions", &junctions,
+                    BasicOption("DXF, GLB and SVG: junctions as points on their own layer"));
+  AddFormatOptions(&format, parser);
+  parser->AddOption("cloud_path", &cloud_path, BasicOption("GLB: a cloud to go with it, .ply"));
+  svg.AddOptions(parser);
+}
+
+void ExporterOptions::Check() const {
+  if (input_path.empty()) throw OptionError("--input_path must be given");
+  if (output_path.empty()) throw OptionError("--output_path must be given");
+  CheckOption(scale > 0, "scale", scale, "> 0");
+  if (!cloud_path.empty() && FormatName(*this) != "glb") {
+    throw OptionError("cloud_path: only .glb files hold a cloud");
+  }
+  if (FormatName(*this) != "svg") return;
+  svg.Check();
+  if (!svg.IsSheet() && (scale != 1 || up_axis != SignedAxis::kZ)) {
+    throw OptionError("scale and up_axis: the picture of an image is in its pixels");
+  }
+}
+
+ExportedDrawing PrepareExport(const ExporterOptions& options) {
+  ExportedDrawing exported = {ReadDrawingJson(options.input_path), options.format};
+  DrawingGraph& graph = exported.drawing.graph;
+  DrawingFormatOptions& format = exported.format;
+  graph = Transformed(std::move(graph), options.scale, ZUpFrom(options.up_axis),
+                      Eigen::Vector3d::Zero());
+  format.dxf.junctions = format.glb.junctions = options.junctions;
+  if (!options.cloud_path.empty()) format.glb.cloud = ReadCloud(options);
+  if (FormatName(options) == "svg") {
+    SvgScene scene = SceneOf(options, graph);
+    format.svg = std::move(scene.picture);
+    graph = std::move(scene.graph);
+  }
+  return exported;
+}
+
+}  // namespace limn::colmap_ext

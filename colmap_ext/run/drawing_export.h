@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/svg_source.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/write_drawing.h"
+#include "limn/model/drawing_transform.h"
+
+namespace limn::colmap_ext {
+
+// The options of drawing_exporter.
+struct ExporterOptions {
+  std::string input_path, output_path;
+  bool junctions = true;
+  std::string cloud_path;
+  DrawingFormatOptions format;
+  double scale = 1;
+  SignedAxis up_axis = SignedAxis::kZ;
+  SvgSource svg;
+
+  void AddOptions(OptionParser* parser);
+  // Throws OptionError.
+  void Check() const;
+};
+
+// A drawing as its file will show it, and how it is written.
+struct ExportedDrawing {
+  DrawingFile drawing;
+  DrawingFormatOptions format;
+};
+
+// Reads the drawing and what goes with it, scaled and turned. Throws IoError, and OptionError for a
+// view that there is not.
+ExportedDrawing PrepareExport(const ExporterOptions& options);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,84 @@
+#include "colmap_ext/run/evaluation_run.h"
+
+#include <iostream>
+
+#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/to_views.h"
+#include "limn/evaluation/report_writers.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/read_curves.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& context) {
+  const WorkspaceLayout layout = ResolveLayout(options.layout);
+  return ToViews(ReadModel(layout.model_dir), layout.image_dir, {}, context).views;
+}
+
+}  // namespace
+
+void EvaluatorOptions::AddOptions(OptionParser* parser) {
+  parser->AddOption("input_path", &input_path, BasicOption("curves or points to judge"));
+  truth.AddOptions(/*are_basic=*/true, parser);
+  parser->AddOption("box", &box, BasicOption("only what is inside counts: x0,x1,y0,y1,z0,z1"));
+  parser->AddOption("workspace_path", &layout.workspace_path,
+                    BasicOption("COLMAP project whose pixels are the unit footprint; with it "
+                                "saw-teeth and the normalized errors of a drawing.json are told "
+                                "too"));
+  parser->AddOption("image_path", &layout.image_path, "its images");
+  parser->AddOption("model_index", &layout.model_index, "which of its models");
+  parser->AddOption("output_csv", &output_csv, BasicOption("also write the table to this file"));
+  parser->AddOption("output_json", &output_json,
+                    BasicOption("also write all figures to this file"));
+  parser->AddOption("num_threads", &num_threads, BasicOption("processor cores to use, -1 = all"));
+}
+
+void EvaluatorOptions::Check() const {
+  const auto require = [](const std::string& value, const char* name) {
+    if (value.empty()) throw OptionError(std::string("--") + name + " must be given");
+  };
+  require(input_path, "input_path");
+  require(truth.truth_path, "truth_path");
+  truth.Check();
+  if (truth.unit == TruthInput::Unit::kFootprint) require(layout.workspace_path, "workspace_path");
+  CheckOption(num_threads == -1 || num_threads >= 1, "num_threads", num_threads, "-1 or >= 1");
+}
+
+EvaluationReport EvaluateFile(const EvaluatorOptions& options) {
+  RunContext context;
+  context.num_threads = options.num_threads;
+  TruthInput input = options.truth;
+  input.evaluation.region = BoxFromNumbers(options.box);
+  const CurveSet reconstruction = ReadCurves(options.input_path);
+  const Truth truth = ReadTruth(input);
+  const bool has_views = !options.layout.workspace_path.empty();
+  const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
+  EvaluationReport report = Evaluate(reconstruction, truth, input, views, context);
+  if (!has_views) return report;
+  report.saw_teeth = MeasureSawTeeth(reconstruction.polylines, views);
+  if (options.input_path.ends_with(".json")) {
+    NormalisedErrorOptions of_sigmas;
+    of_sigmas.region = input.evaluation.region;
+    report.normalised_errors = MeasureNormalisedErrors(
+        ReadDrawingJson(options.input_path).graph, truth.curves, truth.dont_care, views, of_sigmas);
+  }
+  return report;
+}
+
+void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options) {
+  PrintReport(report, std::cout);
+  if (!options.output_csv.empty()) {
+    WriteFileAtomically(options.output_csv,
+                        [&](std::ostream& out) { WriteReportCsv(report, out); });
+  }
+  if (!options.output_json.empty()) {
+    WriteFileAtomically(options.output_json,
+                        [&](std::ostream& out) { WriteReportJson(report, out); });
+  }
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "colmap_ext/run/truth_input.h"
+#include "colmap_ext/workspace/layout.h"
+
+namespace limn::colmap_ext {
+
+// The options of drawing_evaluator.
+struct EvaluatorOptions {
+  std::string input_path;
+  TruthInput truth;
+  std::vector<double> box;
+  LayoutOptions layout;
+  std::string output_csv, output_json;
+  int num_threads = -1;
+
+  void AddOptions(OptionParser* parser);
+  // Throws OptionError.
+  void Check() const;
+};
+
+// Judges the file of the options; with a workspace saw-teeth too, and the errors of a drawing over
+// its sigmas. Throws IoError and InputError.
+EvaluationReport EvaluateFile(const EvaluatorOptions& options);
+
+// To standard output and to the files that were asked for. Throws IoError.
+void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options);
+
+}  // namespace limn::colmap_ext

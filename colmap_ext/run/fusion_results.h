@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "colmap_ext/dense_files/dense_cloud.h"
+#include "colmap_ext/dense_files/products.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/project.h"
+#include "limn/dense/fuse_drawing.h"
+#include "limn/formats/json_drawing_reader.h"
+
+namespace limn::colmap_ext {
+
+// The options of drawing_fuser beside paths and selection.
+struct FuserOptions {
+  std::string drawing_path;
+  DenseOptionsPaths paths;
+  bool remove_occluded = false;
+  int sparse_spacing_px = 4;
+
+  void AddOptions(OptionParser* parser);
+  // Throws OptionError.
+  void Check() const;
+};
+
+constexpr const char* kFusedDrawing = "drawing-fused.json";
+
+// Of a drawing fused with these options that says in `drawing_provenance` how it was made.
+std::string FusionProvenance(const RunOptions& options, const FuserOptions& fuser,
+                             const std::string& drawing_provenance);
+
+// The dense results, open.
+struct DenseInput {
+  DenseProducts products;
+  DepthSource depths;
+  // Of PMVS or fused.ply; with depth maps the fused cloud beside them, if there is one.
+  std::optional<DenseCloud> cloud;
+  // Its points around the project's origin.
+  DensePointStream points;
+  // fused.ply, if it is there and has normals as meshers need them; else empty.
+  std::filesystem::path for_meshers;
+};
+
+// Finds and opens them and says what was chosen. Throws IoError, also when no view has a depth map.
+DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
+                          const std::string& workspace_path, Console* console);
+
+// Length of the drawing by class, and what it adds to the dense results.
+void SayLengths(const FusionResult& result, const DenseOptions& options, Console* console);
+
+// Every point gets its color from the photograph of the first of its views.
+void ColorCurvePoints(const Project& project, const RunContext& context,
+                      std::vector<CurvePoint>* points);
+
+// Writes drawing-fused.{ply,json,obj} and, as far as the dense results allow, with-curves/,
+// pmvs-with-curves.{patch,ply} and sparse-with-curves/; says what meshers to call.
+void WriteFusionResults(const Project& project, const RunOptions& options,
+                        const FuserOptions& fuser, const DenseInput& dense,
+                        const DrawingMetadata& metadata, const FusionResult& result,
+                        Console* console);
+
+}  // namespace limn::colmap_ext

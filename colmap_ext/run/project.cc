@@ -1,0 +1,121 @@
+#include "colmap_ext/run/project.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "colmap_ext/model/scene_origin.h"
+#include "colmap_ext/run/world_shift.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/output_check.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/pipeline/content_hash.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Size and hash of a file's bytes; its name and time do not matter.
+std::string FileIdentity(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw IoError(path, "cannot be opened");
+  ContentHash hash;
+  std::vector<char> block(1 << 20);
+  uint64_t size = 0;
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+    hash.Add(std::string_view(block.data(), static_cast<size_t>(in.gcount())));
+    size += static_cast<uint64_t>(in.gcount());
+  }
+  if (in.bad()) throw IoError(path, "cannot be read");
+  return std::to_string(size) + " " + hash.Hex();
+}
+
+std::string ImageIdentity(const ViewSet& set, ViewId view) {
+  std::string identity = "image " + FileIdentity(set.image_paths[view]);
+  const std::string& mask_path = set.mask_paths[view];
+  if (!mask_path.empty()) identity += "\nmask " + FileIdentity(mask_path);
+  const PinholeCamera& camera = set.views[view].camera;
+  return identity + "\nsize " + std::to_string(camera.width) + " " + std::to_string(camera.height);
+}
+
+std::string TextOf(const Eigen::Vector3d& point) {
+  char text[100];
+  std::snprintf(text, sizeof(text), "(%.10g, %.10g, %.10g)", point.x(), point.y(), point.z());
+  return text;
+}
+
+void RemoveTemporaryFilesIn(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().filename().string().ends_with(kTemporarySuffix)) {
+      fs::remove(entry.path(), ignored);
+    }
+  }
+}
+
+// Those that a killed run has left behind. Only while no other run writes here.
+void RemoveTemporaryFiles(const OutputLayout& output) {
+  std::error_code ignored;
+  for (const char* folder : {"", "refined", "with-curves", "sparse-with-curves"}) {
+    RemoveTemporaryFilesIn(output.drawing_dir / folder);
+  }
+  RemoveTemporaryFilesIn(output.curves_dir);
+  for (const auto& entry : fs::recursive_directory_iterator(output.curves_dir, ignored)) {
+    if (entry.is_directory(ignored)) RemoveTemporaryFilesIn(entry.path());
+  }
+}
+
+}  // namespace
+
+Project::Project(const RunOptions& options, Console* console)
+    : layout_(ResolveLayout(options.layout)) {
+  console->Say(layout_.description);
+  CheckWritable(layout_.output.drawing_dir);
+  CheckWritable(layout_.output.curves_dir);
+  if (!options.is_led) {
+    const bool is_alone = options.shard.empty();
+    lock_.emplace(layout_.output.curves_dir, is_alone ? LockMode::kExclusive : LockMode::kShared);
+    if (is_alone) RemoveTemporaryFiles(layout_.output);
+  }
+  cache_ = std::make_shared<ResultCache>(CurvesPath("cache"));
+  console->SetCache(cache_);
+  SparseModel model = ReadModel(layout_.model_dir);
+  origin_ = SceneOrigin(model);
+  MoveModel(-origin_, &model);
+  view_set_ = ToViews(model, layout_.image_dir, options.view, console->context());
+  for (const std::string& warning : view_set_.warnings) console->Say("WARNING: " + warning);
+  console->Say(std::to_string(views().size()) + " images, " +
+               std::to_string(view_set_.hints.points.size()) + " 3D points");
+  if (!origin_.isZero()) {
+    console->Say("Coordinates are large: working around " + TextOf(origin_) +
+                 ", all files keep the model's coordinates");
+  }
+  images_.read = [this](ViewId view) { return ReadViewImage(view_set_, view); };
+  images_.identity = [this](ViewId view) { return ImageIdentity(view_set_, view); };
+}
+
+std::string Project::DrawingPath(const std::string& name) const {
+  return (layout_.output.drawing_dir / name).string();
+}
+
+std::string Project::CurvesPath(const std::string& name) const {
+  return (layout_.output.curves_dir / name).string();
+}
+
+std::optional<Eigen::AlignedBox3d> ProjectBox(const Project& project, const RunOptions& options) {
+  return Moved(BoxFromNumbers(options.box), -project.origin());
+}
+
+CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
+                                  Console* console) {
+  CurvesResult result =
+      ExtractCurves({project.views(), project.images(), project.cache()}, options.pipeline.edges,
+                    options.pipeline.linking, console->context());
+  console->Report(result.summary);
+  return result;
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,189 @@
+#include "colmap_ext/run/results.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "colmap_ext/run/refined_cameras.h"
+#include "colmap_ext/run/world_shift.h"
+#include "limn/evaluation/edgel_account.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/write_drawing.h"
+#include "limn/pictures/overlays.h"
+#include "limn/pipeline/curves_key.h"
+#include "limn/primitives/fit_primitives.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+DrawingMetadata Metadata(const Project& project, const std::string& provenance) {
+  DrawingMetadata metadata;
+  for (const View& view : project.views()) metadata.view_names.push_back(view.name);
+  metadata.options_json = provenance;
+  return metadata;
+}
+
+// A picture per photograph; one photograph per thread is in memory.
+void WritePictures(const Project& project, const std::string& folder, const RunContext& context,
+                   const std::function<Picture(ViewId)>& draw) {
+  ParallelFor(context, folder.c_str(), project.views().size(), [&](size_t v) {
+    WritePng(PicturePath(project.CurvesPath(folder), project.views()[v].name),
+             draw(static_cast<ViewId>(v)));
+  });
+}
+
+// Share of the length by primitive, how far they are, and how much shorter they tell the drawing.
+void SayPrimitives(const DrawingGraph& graph, Console* console) {
+  const PrimitiveStatistics primitives = Describe(graph);
+  double whole = 0;
+  for (const auto& kind : primitives.kinds) whole += kind.length;
+  if (primitives.numbers_after == 0) return;  // none yet
+  std::string line = "primitives, shares of the length:";
+  char text[120];
+  for (const auto& kind : primitives.kinds) {
+    std::snprintf(text, sizeof(text), " %s %.1f %%,", kind.name, 100 * kind.length / whole);
+    line += text;
+  }
+  std::snprintf(text, sizeof(text), " %.2f px from the links (at most %.2f), %zu numbers for %zu",
+                primitives.rms_px, primitives.max_px, primitives.numbers_after,
+                primitives.numbers_before);
+  console->Say(line + text);
+}
+
+}  // namespace
+
+void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
+                      const std::string& provenance) {
+  const std::string path = project.DrawingPath(name);
+  std::error_code ignored;
+  if (options.overwrite || !std::filesystem::exists(path, ignored)) return;
+  const auto refuse = [&](const std::string& what) {
+    throw IoError(path, what + ": --overwrite 1 replaces it, --output_path writes elsewhere");
+  };
+  DrawingMetadata metadata;
+  try {
+    metadata = ReadDrawingJson(path).metadata;
+  } catch (const IoError&) {
+    refuse("exists, and is no drawing of this version of limn");
+  }
+  if (metadata.view_names != Metadata(project, "{}").view_names) {
+    refuse("is a drawing of other images");
+  }
+  const Json old_options = Json::parse(metadata.options_json);
+  const Json new_options = Json::parse(provenance);
+  if (old_options != new_options) {
+    const Json difference = Json::diff(old_options, new_options);
+    refuse("was drawn with other options (" + difference.front().value("path", "") + ")");
+  }
+}
+
+std::string SketchFileName(SketchMode mode) {
+  switch (mode) {
+    case SketchMode::kOriginal:
+      return "sketch";
+    case SketchMode::kEnhanced:
+      return "enhanced-sketch";
+    case SketchMode::kSweep:
+      return "swept-sketch";
+  }
+  return "";
+}
+
+void CheckGraph(const DrawingGraph& graph) {
+  const std::vector<std::string> broken = Validate(graph);
+  if (broken.empty()) return;
+  throw InputError("the drawing is not written, it breaks " + std::to_string(broken.size()) +
+                   " invariants; the first: " + broken.front());
+}
+
+std::string Provenance(const RunOptions& options) {
+  Json json = Json::parse(OptionsAsJson(options.pipeline));
+  json["max_image_size"] = options.view.max_image_size;
+  json["box"] = options.box;
+  return json.dump();
+}
+
+std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance) {
+  Json json = Json::parse(sketch_provenance);
+  json["Drawing"] = Json::parse(OptionsAsJson(options.pipeline))["Drawing"];
+  json["DrawingRefinement"] = nullptr;
+  json["Primitives"] = nullptr;
+  return json.dump();
+}
+
+std::string RefinementProvenance(const RunOptions& options, const std::string& drawing_provenance) {
+  Json json = Json::parse(drawing_provenance);
+  const Json now = Json::parse(OptionsAsJson(options.pipeline));
+  json["DrawingRefinement"] = now["DrawingRefinement"];
+  json["Primitives"] = now["Primitives"];
+  return json.dump();
+}
+
+void WriteSketchResults(const Project& project, const std::string& name,
+                        const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
+                        const std::string& provenance, const RunContext& context) {
+  WriteCurveSketch(project.CurvesPath(name + ".bin"), sketch, Metadata(project, provenance),
+                   CurvesKey(project.views(), curves, context));
+  WriteSketch(project.CurvesPath(name + ".ply"), Moved(sketch, project.origin()));
+}
+
+StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
+                                   const std::vector<ImageCurves>& curves,
+                                   const RunContext& context) {
+  const std::string path = project.CurvesPath(name + ".bin");
+  auto stored = ReadCurveSketch(path, CurvesKey(project.views(), curves, context));
+  if (!stored) {
+    throw IoError(path,
+                  "was made from other images, cameras or options of edges and linking, or "
+                  "by another version of limn: run curve_sketcher again");
+  }
+  return std::move(*stored);
+}
+
+DrawingFile ReadDrawingResult(const Project& project, const std::string& path) {
+  DrawingFile drawing = ReadDrawingJson(path);
+  if (drawing.metadata.view_names != Metadata(project, "{}").view_names) {
+    throw IoError(path, "is a drawing of other images than those of the model");
+  }
+  drawing.graph = Moved(std::move(drawing.graph), -project.origin());
+  return drawing;
+}
+
+void WriteDrawingResults(const Project& project, const std::vector<View>& views,
+                         const DrawingGraph& graph, const std::string& provenance,
+                         Console* console) {
+  const DrawingMetadata metadata = Metadata(project, provenance);
+  const DrawingGraph in_model = Moved(graph, project.origin());
+  for (const char* name : {"drawing.ply", "drawing.json", "drawing.obj"}) {
+    WriteDrawing(project.DrawingPath(name), in_model, metadata);
+  }
+  WriteTracks(project.CurvesPath("tracks.txt"), graph, views);
+  WritePictures(project, "overlays", console->context(), [&](ViewId v) {
+    return DrawOverlay(project.images().read(v), views[v], v, graph);
+  });
+  SayPrimitives(graph, console);
+  console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +
+               project.CurvesPath("tracks.txt") + ", " + project.CurvesPath("overlays"));
+}
+
+void WriteAccount(const Project& project, const PipelineResult& result, Console* console) {
+  const EdgelFates fates =
+      AccountEdgels({ViewsOfDrawing(project, result.cameras), result.curves, result.sketch_fates,
+                     result.sketch, result.sample_fates, result.graph},
+                    console->context());
+  WriteFileAtomically(project.CurvesPath("account.csv"),
+                      [&](std::ostream& out) { WriteAccountCsv(project.views(), fates, out); });
+  WritePictures(project, "account", console->context(), [&](ViewId v) {
+    return DrawAccount(project.images().read(v), result.curves[v], fates[v]);
+  });
+  console->Say("Written: " + project.CurvesPath("account.csv") + ", " +
+               project.CurvesPath("account"));
+}
+
+}  // namespace limn::colmap_ext

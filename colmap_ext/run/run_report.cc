@@ -1,0 +1,130 @@
+#include "colmap_ext/run/run_report.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "colmap_ext/run/results.h"
+#include "colmap_ext/run/viewer_results.h"
+#include "colmap_ext/run/world_shift.h"
+#include "limn/viewer/viewer_page.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Links of more views are rare.
+constexpr size_t kMaxSupportOfCurves = 12;
+
+Json ToJson(const StageSummary::Counts& counts) {
+  Json json = Json::object();
+  for (const auto& [what, count] : counts) json[what] = count;
+  return json;
+}
+
+Json StagesAsJson(const RunLog& log) {
+  Json stages = Json::array();
+  for (const RunLog::Stage& stage : log.stages) {
+    stages.push_back({{"stage", stage.summary.stage},
+                      {"seconds", stage.seconds},
+                      {"peak_mb", stage.peak_memory_mb},
+                      {"in", ToJson(stage.summary.in)},
+                      {"kept", ToJson(stage.summary.kept)},
+                      {"dropped", ToJson(stage.summary.dropped)}});
+  }
+  return stages;
+}
+
+// {"Group.option": value} of what differs.
+Json ChangedOptions(const Json& options, const Json& defaults, const std::string& prefix = "") {
+  Json changed = Json::object();
+  for (const auto& [name, value] : options.items()) {
+    const Json normal = defaults.value(name, Json());
+    if (value.is_object() && normal.is_object()) {
+      changed.update(ChangedOptions(value, normal, prefix + name + "."));
+    } else if (value != normal) {
+      changed[prefix + name] = value;
+    }
+  }
+  return changed;
+}
+
+Json SupportHistogram(const DrawingGraph& graph) {
+  std::vector<int> counts;
+  for (const DrawingLink& link : graph.links) {
+    counts.resize(std::max(counts.size(), link.supporting_views.size() + 1));
+    ++counts[link.supporting_views.size()];
+  }
+  return counts;
+}
+
+CurveSet LinksOfViews(const DrawingGraph& graph, size_t min_views) {
+  CurveSet set;
+  for (const DrawingLink& link : graph.links) {
+    if (link.supporting_views.size() >= min_views) set.polylines.push_back(link.points_in_world);
+  }
+  return set;
+}
+
+Json OrNull(const std::optional<double>& share) { return share ? Json(*share) : Json(); }
+
+void AddEvaluation(const DrawingGraph& graph, const std::vector<View>& views,
+                   const TruthInput& input, const RunContext& context, Json* report) {
+  const Truth truth = ReadTruth(input);
+  const bool in_footprints = input.unit == TruthInput::Unit::kFootprint;
+  for (const TauResult& row : Evaluate(ToCurveSet(graph), truth, input, views, context).rows) {
+    (*report)["evaluation"].push_back({{"tau", row.tau},
+                                       {"unit", in_footprints ? "px" : ""},
+                                       {"precision", OrNull(row.precision)},
+                                       {"recall", OrNull(row.recall)},
+                                       {"f", OrNull(row.f)}});
+  }
+  TruthInput quick = input;
+  quick.evaluation.find_duplicates = false;
+  Json& curves = (*report)["pr_curves"];
+  for (const double tau : input.evaluation.taus) {
+    curves.push_back({{"name", "within " + Json(tau).dump() + (in_footprints ? " px" : "")},
+                      {"points", Json::array()}});
+  }
+  for (size_t min_views = 2; min_views <= kMaxSupportOfCurves; ++min_views) {
+    const CurveSet kept = LinksOfViews(graph, min_views);
+    if (kept.polylines.empty()) break;
+    const EvaluationReport at = Evaluate(kept, truth, quick, views, context);
+    for (size_t t = 0; t < at.rows.size(); ++t) {
+      const TauResult& row = at.rows[t];
+      if (!row.precision || !row.recall) continue;
+      curves[t]["points"].push_back({*row.recall, *row.precision});
+    }
+  }
+}
+
+std::string RunReportJson(const Project& project, const RunOptions& options,
+                          const DrawingGraph& graph, const std::vector<View>& views,
+                          const TruthInput& truth, const Console& console) {
+  Json report = {{"workspace", project.layout().description},
+                 {"stages", StagesAsJson(console.log())},
+                 {"warnings", console.log().warnings},
+                 {"options_changed", ChangedOptions(Json::parse(Provenance(options)),
+                                                    Json::parse(Provenance(RunOptions())))},
+                 {"support_histogram", SupportHistogram(graph)}};
+  if (truth.IsGiven()) AddEvaluation(graph, views, truth, console.context(), &report);
+  return report.dump();
+}
+
+}  // namespace
+
+void WritePageWithReport(const Project& project, const RunOptions& options,
+                         const std::vector<View>& views, const DrawingGraph& graph,
+                         const TruthInput& truth, Console* console) {
+  if (!HasViewerPage()) {
+    console->Say("drawing.html is not written: this limn was built without the viewer");
+    return;
+  }
+  // Truth files are in the model's coordinates.
+  const std::string report = RunReportJson(project, options, Moved(graph, project.origin()),
+                                           Moved(views, project.origin()), truth, *console);
+  WriteViewerResult(project, options.layout.workspace_path, views, graph, {}, report, console);
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,154 @@
+#include "colmap_ext/run/viewer_results.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "colmap_ext/dense_files/dense_cloud.h"
+#include "colmap_ext/dense_files/products.h"
+#include "colmap_ext/run/fusion_results.h"
+#include "colmap_ext/run/world_shift.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/json_text.h"
+#include "limn/formats/whole_file.h"
+#include "limn/pictures/thumbnail.h"
+#include "limn/util/errors.h"
+#include "limn/viewer/viewer_page.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+using Points = std::vector<ViewerPoint>;
+
+// Which of `count` things stay when at most `budget` may: as many, evenly spread.
+class Thinning {
+ public:
+  Thinning(uint64_t count, int budget)
+      : count_(count), budget_(std::min<uint64_t>(count, static_cast<uint64_t>(budget))) {}
+
+  // To be asked once for each, in order.
+  bool Keeps() {
+    place_ += budget_;
+    if (place_ < count_) return false;
+    place_ -= count_;
+    return true;
+  }
+
+ private:
+  uint64_t count_, budget_, place_ = 0;
+};
+
+// In the model's coordinates, as its file holds them.
+Points SparsePoints(const Project& project, int budget) {
+  const SparseModel model = ReadModel(project.layout().model_dir);
+  Thinning thinning(model.points.size(), budget);
+  Points points;
+  for (const ModelPoint& point : model.points) {
+    if (thinning.Keeps()) points.push_back({point.position, point.color});
+  }
+  return points;
+}
+
+Points DensePoints(const Project& project, const std::vector<fs::path>& files, int budget) {
+  const size_t num_images = CountRegisteredImages(project.layout().model_dir);
+  const DenseCloud cloud = OpenClouds(files, project.views(), num_images);
+  Thinning thinning(cloud.num_points, budget);
+  Points points;
+  cloud.points([&](const DensePoint& point) {
+    if (thinning.Keeps()) points.push_back({point.position, point.color});
+  });
+  return points;
+}
+
+Points CloudOf(const Project& project, const std::string& workspace_path,
+               const ViewerOptions& options, Console* console) {
+  if (options.cloud == "none") return {};
+  if (options.cloud != "sparse") {
+    const std::vector<fs::path> files = FindDenseCloud(workspace_path, project.layout().dense_dir);
+    if (!files.empty()) {
+      console->Say("cloud: " + files.front().string());
+      return DensePoints(project, files, options.max_points);
+    }
+    if (options.cloud == "dense") {
+      throw IoError(workspace_path, "no dense cloud found (looked for fused.ply and pmvs/models)");
+    }
+  }
+  console->Say("cloud: the points of the model");
+  return SparsePoints(project, options.max_points);
+}
+
+std::vector<ViewerThumbnail> Thumbnails(const Project& project, int size, Console* console) {
+  std::vector<ViewerThumbnail> thumbnails(project.views().size());
+  ParallelFor(console->context(), "thumbnails", thumbnails.size(), [&](size_t v) {
+    const Image photo = project.images().read(static_cast<ViewId>(v));
+    Thumbnail made = MakeThumbnail(photo, project.views()[v], size);
+    thumbnails[v] = {made.min_px, made.max_px, std::move(made.jpeg)};
+  });
+  return thumbnails;
+}
+
+}  // namespace
+
+void ViewerOptions::AddOptions(OptionParser* parser) {
+  parser->AddOption("drawing_path", &drawing_path,
+                    BasicOption("drawing to show, instead of the newer of drawing.json and "
+                                "drawing-fused.json in the output folder"));
+  parser->AddOption("report_path", &report_path,
+                    "JSON file with a report of the run, for the tab Report");
+  parser->AddOption("cloud", &cloud, {"auto", "sparse", "dense", "none"},
+                    BasicOption("which points to show; auto = dense where there are some"));
+  parser->AddOption("max_points", &max_points, BasicOption("thin the points to so many"));
+  parser->AddOption("thumbnail_size", &thumbnail_size,
+                    BasicOption("longer side of the photographs in the page, px"));
+}
+
+void ViewerOptions::Check() const {
+  LIMN_CHECK_OPTION(max_points, >= 0);
+  LIMN_CHECK_OPTION(max_points, <= 10000000);
+  LIMN_CHECK_OPTION(thumbnail_size, >= 16);
+  LIMN_CHECK_OPTION(thumbnail_size, <= 4096);
+}
+
+std::string DrawingToView(const Project& project, const ViewerOptions& options) {
+  if (!options.drawing_path.empty()) return options.drawing_path;
+  const std::string drawing = project.DrawingPath("drawing.json");
+  const std::string fused = project.DrawingPath(kFusedDrawing);
+  if (!fs::exists(fused)) return drawing;
+  const bool is_newer =
+      !fs::exists(drawing) || fs::last_write_time(fused) >= fs::last_write_time(drawing);
+  return is_newer ? fused : drawing;
+}
+
+std::string ReadReport(const ViewerOptions& options) {
+  if (options.report_path.empty()) return "";
+  const std::string report = ReadWholeFile(options.report_path);
+  if (!report.empty() && !ParseJson(options.report_path, report).is_object()) {
+    throw IoError(options.report_path, "must be a JSON object");
+  }
+  return report;
+}
+
+void WriteViewerResult(const Project& project, const std::string& workspace_path,
+                       const std::vector<View>& views, const DrawingGraph& graph,
+                       const ViewerOptions& options, const std::string& report_json,
+                       Console* console) {
+  ViewerScene scene;
+  const fs::path folder = fs::absolute(project.DrawingPath("")).lexically_normal();
+  scene.title = folder.parent_path().filename().string();
+  scene.graph = Moved(graph, project.origin());
+  scene.views = Moved(views, project.origin());
+  scene.cloud = CloudOf(project, workspace_path, options, console);
+  scene.thumbnails = Thumbnails(project, options.thumbnail_size, console);
+  scene.report_json = report_json;
+  const std::string path = project.DrawingPath(kViewerPage);
+  WriteFileAtomically(path, [&](std::ostream& out) { WriteViewerPage(scene, out); });
+  console->Say("wrote " + path + ": " + std::to_string(scene.graph.links.size()) + " links, " +
+               std::to_string(scene.views.size()) + " photographs, " +
+               std::to_string(scene.cloud.size()) + " points, " +
+               std::to_string((fs::file_size(path) + 500000) / 1000000) + " MB");
+}
+
+}  // namespace limn::colmap_ext

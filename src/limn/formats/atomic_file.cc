@@ -1,0 +1,115 @@
+#include "limn/formats/atomic_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <random>
+#include <set>
+
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The temporary files of all writes that go on.
+struct OpenWrites {
+  std::mutex mutex;
+  std::set<fs::path> files;
+};
+
+OpenWrites& Writes() {
+  // Never destroyed: a thread may write while the process ends.
+  static OpenWrites* const writes = new OpenWrites;
+  return *writes;
+}
+
+// Several processes may write the same file at the same time, on several hosts.
+std::string RandomName() {
+  thread_local std::random_device device;
+  std::string name;
+  for (int i = 0; i < 2; ++i) {
+    for (unsigned rest = device(), k = 0; k < 8; ++k, rest >>= 4) {
+      name += "0123456789abcdef"[rest & 15];
+    }
+  }
+  return name;
+}
+
+// Removes the temporary file unless it has been renamed.
+class TemporaryFile {
+ public:
+  // Beside `path`. Its name does not contain that of `path`, which may be as long as names can be.
+  explicit TemporaryFile(const fs::path& path)
+      : path_(path.parent_path() / (RandomName() + std::string(kTemporarySuffix))) {
+    const std::lock_guard lock(Writes().mutex);
+    Writes().files.insert(path_);
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    if (!renamed_) fs::remove(path_, ignored);
+    const std::lock_guard lock(Writes().mutex);
+    Writes().files.erase(path_);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+  void RenameTo(const std::string& path) {
+    std::error_code error;
+    fs::rename(path_, path, error);
+    if (error) throw IoError(path, "cannot write: " + error.message());
+    renamed_ = true;
+  }
+
+ private:
+  fs::path path_;
+  bool renamed_ = false;
+};
+
+void MakeParentFolder(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  if (folder.empty()) return;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder.string(), "cannot create the folder: " + error.message());
+}
+
+}  // namespace
+
+void WriteFileAtomically(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  MakeParentFolder(path);
+  TemporaryFile temporary(path);
+  std::ofstream out;
+  // An exception at the first byte that cannot be written: the reason is still in errno, and the
+  // rest is not made in vain.
+  out.exceptions(std::ios::failbit | std::ios::badbit);
+  try {
+    errno = 0;
+    out.open(temporary.path(), std::ios::binary | std::ios::trunc);
+    write(out);
+    out.close();
+  } catch (const std::ios_base::failure&) {
+    throw IoError(path, std::string("cannot write: ") + std::strerror(errno));
+  }
+  temporary.RenameTo(path);
+}
+
+void WriteFileAtomically(const std::string& path, std::string_view bytes) {
+  WriteFileAtomically(path, [&](std::ostream& out) {
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  });
+}
+
+void AbandonWrites() {
+  // Locked for good: no write may begin or end any more.
+  Writes().mutex.lock();
+  std::error_code ignored;
+  for (const fs::path& path : Writes().files) fs::remove(path, ignored);
+}
+
+}  // namespace limn

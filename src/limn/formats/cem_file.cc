@@ -1,0 +1,121 @@
+#include "limn/formats/cem_file.h"
+
+#include <charconv>
+#include <cmath>
+#include <ostream>
+
+#include "limn/formats/text_scanner.h"
+#include "limn/formats/whole_file.h"
+
+namespace limn {
+namespace {
+
+// Brackets and '=' are decoration: blanks instead make every line plain words.
+std::string WithoutDecoration(std::string text) {
+  for (char& c : text) {
+    if (c == '[' || c == ']' || c == '(' || c == ')' || c == '=') c = ' ';
+  }
+  return text;
+}
+
+void Expect(TextScanner* scanner, const char* word) {
+  if (scanner->Word(word) != word) scanner->Fail(std::string("expected ") + word);
+}
+
+Edgel ReadEdgel(TextScanner* scanner) {
+  Edgel edgel;
+  edgel.position_px.x() = scanner->Number("x");
+  edgel.position_px.y() = scanner->Number("y");
+  edgel.tangent_rad = std::remainder(scanner->Number("direction"), 2 * M_PI);
+  edgel.strength = static_cast<float>(scanner->Number("strength"));
+  scanner->Number("second derivative");
+  if (!edgel.position_px.allFinite() || !std::isfinite(edgel.tangent_rad) ||
+      !std::isfinite(edgel.strength)) {
+    scanner->Fail("edgel not finite");
+  }
+  edgel.stored_px = edgel.position_px.cast<float>();
+  return edgel;
+}
+
+CurveFragment ReadFragment(TextScanner* scanner, int num_edgels) {
+  CurveFragment fragment;
+  if (scanner->AtEnd()) scanner->Fail("the file ends before its last contour");
+  while (!scanner->AtEndOfLine()) {
+    const int id = scanner->Count("edgel id");
+    if (id >= num_edgels) scanner->Fail("edgel id out of range");
+    fragment.edgel_ids.push_back(id);
+  }
+  if (fragment.edgel_ids.size() > 2 && fragment.edgel_ids.front() == fragment.edgel_ids.back()) {
+    fragment.closed = true;
+    fragment.edgel_ids.pop_back();
+  }
+  return fragment;
+}
+
+template <typename T>
+void PutNumber(std::ostream& out, T value) {
+  char text[32];
+  const auto [end, error] = std::to_chars(text, text + sizeof(text), value);
+  out.write(text, end - text);
+}
+
+double MeanStrength(const ImageCurves& curves, const CurveFragment& fragment) {
+  double sum = 0;
+  for (const EdgelId id : fragment.edgel_ids) sum += curves.edge_map.edgels[id].strength;
+  return fragment.edgel_ids.empty() ? 0 : sum / static_cast<double>(fragment.edgel_ids.size());
+}
+
+}  // namespace
+
+ImageCurves ReadCem(const std::string& path) {
+  const std::string text = WithoutDecoration(ReadWholeFile(path));
+  TextScanner scanner(path, text);
+  Expect(&scanner, ".CEM");
+  Expect(&scanner, "v2.0");
+  ImageCurves curves;
+  Expect(&scanner, "size");
+  curves.edge_map.width = scanner.Count("width");
+  curves.edge_map.height = scanner.Count("height");
+  Expect(&scanner, "Edgemap");
+  Expect(&scanner, "count");
+  const int num_edgels = scanner.Count("number of edgels");
+  for (int i = 0; i < num_edgels; ++i) curves.edge_map.edgels.push_back(ReadEdgel(&scanner));
+  Expect(&scanner, "Contours");
+  Expect(&scanner, "count");
+  const int num_fragments = scanner.Count("number of contours");
+  for (int i = 0; i < num_fragments; ++i) {
+    curves.fragments.push_back(ReadFragment(&scanner, num_edgels));
+  }
+  // Without this a file cut within its last contour would look whole.
+  Expect(&scanner, "Contour");
+  Expect(&scanner, "Properties");
+  return curves;
+}
+
+void WriteCem(const ImageCurves& curves, std::ostream& out) {
+  out << ".CEM v2.0\nsize=[" << curves.edge_map.width << ' ' << curves.edge_map.height
+      << "]\n[Edgemap]\ncount=" << curves.edge_map.edgels.size() << '\n';
+  for (const Edgel& edgel : curves.edge_map.edgels) {
+    PutNumber(out << '(', edgel.position_px.x());
+    PutNumber(out << ", ", edgel.position_px.y());
+    PutNumber(out << ")\t", edgel.tangent_rad);
+    PutNumber(out << '\t', edgel.strength);
+    out << "\t0\n";
+  }
+  out << "[Contours]\ncount=" << curves.fragments.size() << '\n';
+  for (const CurveFragment& fragment : curves.fragments) {
+    out << '[';
+    for (const EdgelId id : fragment.edgel_ids) out << id << ' ';
+    if (fragment.closed && !fragment.edgel_ids.empty()) out << fragment.edgel_ids.front() << ' ';
+    out << "]\n";
+  }
+  out << "[Contour Properties]\n"
+         "# <len> <avg. str> <mean con> <Lstd> <Rstd> <avg. d2f> <avg. k> <max k>\n";
+  for (const CurveFragment& fragment : curves.fragments) {
+    out << fragment.edgel_ids.size() << ' ';
+    PutNumber(out, MeanStrength(curves, fragment));
+    out << " 0 0 0 0 0 0\n";
+  }
+}
+
+}  // namespace limn

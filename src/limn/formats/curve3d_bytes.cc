@@ -1,0 +1,95 @@
+#include "limn/formats/curve3d_bytes.h"
+
+#include <vector>
+
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+constexpr size_t kSampleBytes = 7 * sizeof(double) + 1 + sizeof(uint32_t);
+
+void PutVector(const Eigen::Vector3d& vector, ByteWriter* out) {
+  for (int axis = 0; axis < 3; ++axis) out->Put(vector[axis]);
+}
+
+Eigen::Vector3d GetVector(ByteReader* in) {
+  Eigen::Vector3d vector;
+  for (int axis = 0; axis < 3; ++axis) vector[axis] = in->Get<double>();
+  in->Check(vector.allFinite(), "coordinate not finite");
+  return vector;
+}
+
+bool GetFlag(ByteReader* in) {
+  const uint8_t flag = in->Get<uint8_t>();
+  in->Check(flag <= 1, "a flag is neither 0 nor 1");
+  return flag == 1;
+}
+
+void GetSupport(ByteReader* in, int num_views, std::vector<EdgelRef>* of_sample) {
+  of_sample->clear();
+  const uint32_t count = in->Get<uint32_t>();
+  for (uint32_t i = 0; i < count; ++i) {
+    EdgelRef edgel;
+    edgel.view = in->Get<int32_t>();
+    edgel.edgel = in->Get<int32_t>();
+    in->Check(edgel.view >= 0 && edgel.view < num_views, "view out of range");
+    in->Check(edgel.edgel >= 0, "edgel id out of range");
+    in->Check(of_sample->empty() || of_sample->back().view < edgel.view,
+              "support not sorted by view");
+    of_sample->push_back(edgel);
+  }
+}
+
+void CheckSizes(const Curve3D& curve) {
+  const size_t count = curve.size();
+  if (curve.tangents_in_world.size() != count || curve.depth_sigma.size() != count ||
+      curve.certain.size() != count || curve.support.NumSamples() != count) {
+    throw InputError("curve sketch: a curve's lists differ in length");
+  }
+}
+
+}  // namespace
+
+void PutCurve3d(const Curve3D& curve, ByteWriter* out) {
+  CheckSizes(curve);
+  out->Put<int32_t>(curve.anchor.view);
+  out->Put<int32_t>(curve.anchor.fragment);
+  out->Put<int32_t>(curve.anchor.begin);
+  out->Put<uint8_t>(curve.closed);
+  out->PutCount(curve.size());
+  for (size_t i = 0; i < curve.size(); ++i) {
+    PutVector(curve.points_in_world[i], out);
+    PutVector(curve.tangents_in_world[i], out);
+    out->Put(curve.depth_sigma[i]);
+    out->Put<uint8_t>(curve.certain[i] != 0);
+    out->Put<uint32_t>(static_cast<uint32_t>(curve.support.Of(i).size()));
+    for (const EdgelRef& edgel : curve.support.Of(i)) {
+      out->Put<int32_t>(edgel.view);
+      out->Put<int32_t>(edgel.edgel);
+    }
+  }
+}
+
+Curve3D GetCurve3d(ByteReader* in, int num_views) {
+  Curve3D curve;
+  curve.anchor.view = in->Get<int32_t>();
+  curve.anchor.fragment = in->Get<int32_t>();
+  curve.anchor.begin = in->Get<int32_t>();
+  in->Check(curve.anchor.view >= -1 && curve.anchor.view < num_views, "view out of range");
+  curve.closed = GetFlag(in);
+  const size_t count = in->GetCount(kSampleBytes);
+  std::vector<EdgelRef> support;
+  for (size_t i = 0; i < count; ++i) {
+    curve.points_in_world.push_back(GetVector(in));
+    curve.tangents_in_world.push_back(GetVector(in));
+    curve.depth_sigma.push_back(in->Get<double>());
+    in->Check(curve.depth_sigma.back() >= 0, "sigma is no positive number");
+    curve.certain.push_back(GetFlag(in));
+    GetSupport(in, num_views, &support);
+    curve.support.Append(support);
+  }
+  return curve;
+}
+
+}  // namespace limn

@@ -1,0 +1,122 @@
+#include "limn/formats/curve_chains.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "limn/geometry/weld.h"
+
+namespace limn {
+namespace {
+
+struct Edge {
+  int label = 0;
+  int a = 0;
+  int b = 0;
+};
+
+std::vector<Edge> CleanEdges(const EdgeSoup& soup, const std::vector<int>& weld) {
+  std::vector<Edge> edges;
+  std::set<std::tuple<int, int, int>> seen;
+  for (size_t i = 0; i < soup.edges.size(); ++i) {
+    const auto [v0, v1] = soup.edges[i];
+    const int label = soup.labels.empty() ? 0 : soup.labels[i];
+    if (weld[v0] == weld[v1]) continue;
+    const auto pair = soup.merge_copies ? std::minmax(weld[v0], weld[v1]) : std::minmax(v0, v1);
+    if (seen.insert({label, pair.first, pair.second}).second) {
+      edges.push_back({label, weld[v0], weld[v1]});
+    }
+  }
+  return edges;
+}
+
+// Walks along edges; keeps per (label, vertex) the edges that end there.
+class Chainer {
+ public:
+  Chainer(const std::vector<Eigen::Vector3d>& vertices, std::vector<Edge> edges)
+      : vertices_(vertices), edges_(std::move(edges)), used_(edges_.size(), false) {
+    for (size_t e = 0; e < edges_.size(); ++e) {
+      ends_.push_back({edges_[e].label, edges_[e].a, static_cast<int>(e)});
+      ends_.push_back({edges_[e].label, edges_[e].b, static_cast<int>(e)});
+    }
+    std::sort(ends_.begin(), ends_.end());
+  }
+
+  std::vector<Polyline3d> Run() {
+    std::vector<std::pair<int, Polyline3d>> chains;
+    for (size_t e = 0; e < edges_.size(); ++e) {
+      for (const int vertex : {edges_[e].a, edges_[e].b}) {
+        if (!used_[e] && Degree(edges_[e].label, vertex) != 2) {
+          chains.push_back(Walk(static_cast<int>(e), vertex));
+        }
+      }
+    }
+    // What is left are cycles.
+    for (size_t e = 0; e < edges_.size(); ++e) {
+      if (!used_[e]) chains.push_back(Walk(static_cast<int>(e), edges_[e].a));
+    }
+    std::sort(chains.begin(), chains.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Polyline3d> polylines;
+    for (auto& chain : chains) polylines.push_back(std::move(chain.second));
+    return polylines;
+  }
+
+ private:
+  using End = std::tuple<int, int, int>;  // label, vertex, edge
+
+  std::pair<const End*, const End*> EndsAt(int label, int vertex) const {
+    const auto begin = std::lower_bound(ends_.begin(), ends_.end(), End{label, vertex, -1});
+    const auto end = std::lower_bound(begin, ends_.end(), End{label, vertex + 1, -1});
+    return {ends_.data() + (begin - ends_.begin()), ends_.data() + (end - ends_.begin())};
+  }
+
+  int Degree(int label, int vertex) const {
+    const auto [begin, end] = EndsAt(label, vertex);
+    return static_cast<int>(end - begin);
+  }
+
+  // The chain from `vertex` along `edge`, with the smallest edge index in it.
+  std::pair<int, Polyline3d> Walk(int edge, int vertex) {
+    int first_edge = edge;
+    Polyline3d polyline = {vertices_[vertex]};
+    while (edge >= 0) {
+      used_[edge] = true;
+      first_edge = std::min(first_edge, edge);
+      vertex = edges_[edge].a == vertex ? edges_[edge].b : edges_[edge].a;
+      polyline.push_back(vertices_[vertex]);
+      edge = NextEdge(edges_[edge].label, vertex);
+    }
+    return {first_edge, std::move(polyline)};
+  }
+
+  int NextEdge(int label, int vertex) const {
+    const auto [begin, end] = EndsAt(label, vertex);
+    if (end - begin != 2) return -1;
+    for (const End* candidate = begin; candidate != end; ++candidate) {
+      if (!used_[std::get<2>(*candidate)]) return std::get<2>(*candidate);
+    }
+    return -1;
+  }
+
+  const std::vector<Eigen::Vector3d>& vertices_;
+  std::vector<Edge> edges_;
+  std::vector<bool> used_;
+  std::vector<End> ends_;
+};
+
+}  // namespace
+
+CurveSet ChainEdges(const EdgeSoup& soup) {
+  CurveSet set;
+  std::vector<bool> in_edge(soup.vertices.size(), false);
+  for (const auto& [a, b] : soup.edges) in_edge[a] = in_edge[b] = true;
+  for (size_t i = 0; i < soup.vertices.size(); ++i) {
+    if (!in_edge[i]) set.points.push_back(soup.vertices[i]);
+  }
+  const std::vector<int> weld = WeldPoints(soup.vertices);
+  set.polylines = Chainer(soup.vertices, CleanEdges(soup, weld)).Run();
+  return set;
+}
+
+}  // namespace limn

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/model/curve3d.h"
+
+namespace limn {
+
+struct StoredCurveSketch {
+  CurveSketch sketch;
+  // Names of the views the sketch's view ids are indices of, and the options it was made with.
+  DrawingMetadata metadata;
+};
+
+// A curve sketch with its per-sample support on disk (see stage_file.h for the container and
+// `identity`).
+void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
+                      const DrawingMetadata& metadata, const std::string& identity);
+
+// Nothing if the file was made from another input or by another version of limn: make it anew.
+// An empty `identity` accepts any. Everything read is checked (ids in range, sizes agree, numbers
+// finite but for unknown sigmas); throws IoError.
+std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
+                                                 const std::string& identity);
+
+}  // namespace limn

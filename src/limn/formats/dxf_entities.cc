@@ -1,0 +1,149 @@
+#include "limn/formats/dxf_entities.h"
+
+#include <cmath>
+#include <variant>
+
+#include <Eigen/Geometry>
+
+namespace limn {
+namespace {
+
+// X and y axis of the object coordinate system of a plane, by the arbitrary axis algorithm of the
+// DXF reference; the rows of the matrix are the axes.
+Eigen::Matrix3d ObjectFromWorld(const Eigen::Vector3d& normal) {
+  const bool is_near_z = std::abs(normal.x()) < 1.0 / 64 && std::abs(normal.y()) < 1.0 / 64;
+  const Eigen::Vector3d reference = is_near_z ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d x_axis = reference.cross(normal).normalized();
+  Eigen::Matrix3d rows;
+  rows << x_axis.transpose(), normal.cross(x_axis).normalized().transpose(), normal.transpose();
+  return rows;
+}
+
+double DegreesWithinATurn(double rad) {
+  const double degrees = std::fmod(rad * 180 / M_PI, 360.0);
+  return degrees < 0 ? degrees + 360 : degrees;
+}
+
+class EntityWriter {
+ public:
+  EntityWriter(const DxfLayerPlan& plan, int model_space, int* next_handle, DxfWriter* writer)
+      : plan_(plan), model_space_(model_space), next_handle_(next_handle), writer_(*writer) {}
+
+  void PutLink(const DrawingLink& link, LinkId id) {
+    layer_ = plan_.layers[plan_.of_link[id]].name;
+    id_ = id;
+    if (link.primitive) {
+      std::visit([this](const auto& shape) { Put(shape); }, link.primitive->shape);
+    } else {
+      PutPolyline(link);
+    }
+  }
+
+  void PutJunction(const DrawingNode& node, NodeId id) {
+    layer_ = plan_.layers[plan_.of_junctions].name;
+    id_ = id;
+    Begin("POINT", "AcDbPoint", model_space_);
+    writer_.PutPoint(10, node.position_in_world);
+    PutId();
+  }
+
+ private:
+  // Returns the handle.
+  int Begin(const char* type, const char* subclass, int owner) {
+    const int handle = (*next_handle_)++;
+    writer_.Put(0, type);
+    writer_.PutHandle(5, handle);
+    writer_.PutHandle(330, owner);
+    writer_.Put(100, "AcDbEntity");
+    writer_.Put(8, layer_);
+    if (subclass) writer_.Put(100, subclass);
+    return handle;
+  }
+
+  void PutId() {
+    writer_.Put(1001, kDxfApplication);
+    writer_.Put(1071, id_);
+  }
+
+  void Put(const LineSegment& line) {
+    Begin("LINE", "AcDbLine", model_space_);
+    writer_.PutPoint(10, line.start);
+    writer_.PutPoint(11, line.end);
+    PutId();
+  }
+
+  void Put(const CircularArc& arc) {
+    const Eigen::Vector3d normal = arc.Normal().normalized();
+    const Eigen::Matrix3d object_from_world = ObjectFromWorld(normal);
+    Begin(arc.IsCircle() ? "CIRCLE" : "ARC", "AcDbCircle", model_space_);
+    writer_.PutPoint(10, object_from_world * arc.center);
+    writer_.Put(40, arc.radius);
+    writer_.PutPoint(210, normal);
+    if (!arc.IsCircle()) {
+      // Arcs run counter-clockwise about the normal, as ours do.
+      const Eigen::Vector3d start = object_from_world * arc.x_axis;
+      const double start_rad = std::atan2(start.y(), start.x());
+      writer_.Put(100, "AcDbArc");
+      writer_.Put(50, DegreesWithinATurn(start_rad));
+      writer_.Put(51, DegreesWithinATurn(start_rad + arc.sweep_rad));
+    }
+    PutId();
+  }
+
+  void Put(const CubicBSpline& spline) {
+    constexpr double kTolerance = 1e-10;
+    Begin("SPLINE", "AcDbSpline", model_space_);
+    writer_.Put(70, 0);  // not periodic, not rational, not known to be flat
+    writer_.Put(71, 3);
+    writer_.Put(72, static_cast<int>(spline.knots.size()));
+    writer_.Put(73, static_cast<int>(spline.control_points.size()));
+    writer_.Put(74, 0);
+    writer_.Put(42, kTolerance);
+    writer_.Put(43, kTolerance);
+    for (const double knot : spline.knots) writer_.Put(40, knot);
+    for (const Eigen::Vector3d& point : spline.control_points) writer_.PutPoint(10, point);
+    PutId();
+  }
+
+  void PutPolyline(const DrawingLink& link) {
+    const bool closed = link.node0 == link.node1;
+    const int polyline = Begin("POLYLINE", "AcDb3dPolyline", model_space_);
+    writer_.Put(66, 1);
+    writer_.PutPoint(10, Eigen::Vector3d::Zero());
+    writer_.Put(70, closed ? 8 + 1 : 8);
+    PutId();
+    // A closed one returns to its first vertex by itself.
+    const size_t count = link.points_in_world.size() - (closed ? 1 : 0);
+    for (size_t i = 0; i < count; ++i) {
+      Begin("VERTEX", "AcDbVertex", polyline);
+      writer_.Put(100, "AcDb3dPolylineVertex");
+      writer_.PutPoint(10, link.points_in_world[i]);
+      writer_.Put(70, 32);
+    }
+    Begin("SEQEND", nullptr, polyline);
+  }
+
+  const DxfLayerPlan& plan_;
+  int model_space_;
+  int* next_handle_;
+  DxfWriter& writer_;
+  std::string layer_;
+  int id_ = 0;
+};
+
+}  // namespace
+
+void PutDxfEntities(const DrawingGraph& graph, const DxfLayerPlan& plan, int model_space,
+                    int* next_handle, DxfWriter* writer) {
+  EntityWriter entities(plan, model_space, next_handle, writer);
+  for (size_t id = 0; id < graph.links.size(); ++id) {
+    entities.PutLink(graph.links[id], static_cast<LinkId>(id));
+  }
+  if (plan.of_junctions < 0) return;
+  for (size_t id = 0; id < graph.nodes.size(); ++id) {
+    if (graph.nodes[id].kind != NodeKind::kJunction) continue;
+    entities.PutJunction(graph.nodes[id], static_cast<NodeId>(id));
+  }
+}
+
+}  // namespace limn

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "limn/formats/dxf_layers.h"
+#include "limn/formats/dxf_writer.h"
+
+namespace limn {
+
+// The block records that own what is in model and paper space.
+struct DxfSpaces {
+  int model = 0;
+  int paper = 0;
+};
+
+// The section TABLES: what AutoCAD asks for, the layers, and a view from above of all of `extent`
+// (which may be empty). Handles are taken from `*next_handle` on.
+DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::AlignedBox3d& extent,
+                       int* next_handle, DxfWriter* writer);
+
+// The sections BLOCKS and OBJECTS, which hold the empty blocks of the two spaces and the dictionary
+// that every file must have.
+void PutDxfBlocks(const DxfSpaces& spaces, int* next_handle, DxfWriter* writer);
+void PutDxfObjects(int* next_handle, DxfWriter* writer);
+
+}  // namespace limn

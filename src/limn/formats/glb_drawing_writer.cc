@@ -1,0 +1,240 @@
+#include "limn/formats/glb_drawing_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <ostream>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#include <tiny_gltf.h>
+
+#include "limn/geometry/polyline.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+using Value = tinygltf::Value;
+
+// A vertex's bytes in each of the buffer views, and an index's.
+constexpr size_t kPositionBytes = 3 * sizeof(float);
+constexpr size_t kColorBytes = 4 * sizeof(uint16_t);
+constexpr size_t kIndexBytes = sizeof(uint32_t);
+// Room for the JSON beside the buffer in a file of at most 4 GB.
+constexpr size_t kMaxBufferBytes = 3'500'000'000;
+
+uint16_t LinearFromSrgb(uint8_t channel) {
+  const double value = channel / 255.0;
+  const double linear = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  return static_cast<uint16_t>(std::lround(65535 * linear));
+}
+
+Eigen::Vector3d YUp(const Eigen::Vector3d& point) { return {point.x(), point.z(), -point.y()}; }
+
+Eigen::Vector3d MiddleOf(const DrawingGraph& graph) {
+  Eigen::AlignedBox3d box;
+  for (const DrawingLink& link : graph.links) {
+    for (const Eigen::Vector3d& point : link.points_in_world) box.extend(point);
+  }
+  return box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(box.center());
+}
+
+// Collects vertices and what refers to them.
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(const Eigen::Vector3d& origin) : origin_(origin) {
+    model_.asset.version = "2.0";
+    model_.asset.generator = "limn " LIMN_VERSION;
+    tinygltf::Material material;
+    material.name = "curves and points";
+    material.extensions["KHR_materials_unlit"] = Value(Value::Object());
+    model_.materials.push_back(material);
+    model_.extensionsUsed = {"KHR_materials_unlit"};
+    tinygltf::Node root;
+    root.name = "drawing";
+    const Eigen::Vector3d at = YUp(origin);
+    root.translation = {at.x(), at.y(), at.z()};
+    model_.nodes.push_back(root);
+    model_.scenes.resize(1);
+    model_.scenes[0].nodes = {0};
+    model_.defaultScene = 0;
+  }
+
+  // Vertices are added, then made a child of the drawing.
+  void AddVertex(const Eigen::Vector3d& point, const Color& color) {
+    const Eigen::Vector3f place = YUp(point - origin_).cast<float>();
+    if (!place.allFinite()) throw InputError("coordinates are too large for a .glb file");
+    positions_.insert(positions_.end(), place.data(), place.data() + 3);
+    for (const uint8_t channel : {color.red, color.green, color.blue}) {
+      colors_.push_back(LinearFromSrgb(channel));
+    }
+    colors_.push_back(std::numeric_limits<uint16_t>::max());
+  }
+
+  // The vertices since the last child, as points or as a strip; a ring returns to its first.
+  void AddChild(const std::string& name, int mode, bool is_ring, Value::Object extras) {
+    const size_t count = positions_.size() / 3 - first_vertex_;
+    tinygltf::Primitive primitive;
+    primitive.mode = mode;
+    primitive.material = 0;
+    primitive.attributes["POSITION"] = AddPositions(count);
+    primitive.attributes["COLOR_0"] = AddColors(count);
+    if (is_ring) primitive.indices = AddRing(count);
+    first_vertex_ += count;
+    tinygltf::Mesh mesh;
+    mesh.name = name;
+    mesh.primitives.push_back(primitive);
+    model_.meshes.push_back(mesh);
+    tinygltf::Node node;
+    node.name = name;
+    node.mesh = static_cast<int>(model_.meshes.size()) - 1;
+    if (!extras.empty()) node.extras = Value(std::move(extras));
+    model_.nodes[0].children.push_back(static_cast<int>(model_.nodes.size()));
+    model_.nodes.push_back(node);
+  }
+
+  void Write(std::ostream& out) {
+    if (NumBytes() > kMaxBufferBytes) {
+      throw InputError("the drawing and its cloud are too large for a .glb file");
+    }
+    if (NumBytes() > 0) AddBuffer();
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, out, /*prettyPrint=*/false,
+                                                     /*writeBinary=*/true)) {
+      throw InputError("the scene cannot be written");
+    }
+  }
+
+ private:
+  enum ViewIndex { kPositions, kColors, kIndices };
+
+  size_t NumBytes() const {
+    return sizeof(float) * positions_.size() + sizeof(uint16_t) * colors_.size() +
+           kIndexBytes * indices_.size();
+  }
+
+  int AddAccessor(const tinygltf::Accessor& accessor) {
+    model_.accessors.push_back(accessor);
+    return static_cast<int>(model_.accessors.size()) - 1;
+  }
+
+  int AddPositions(size_t count) {
+    tinygltf::Accessor accessor;
+    accessor.bufferView = kPositions;
+    accessor.byteOffset = kPositionBytes * first_vertex_;
+    accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
+    accessor.type = TINYGLTF_TYPE_VEC3;
+    accessor.count = count;
+    for (int axis = 0; axis < 3; ++axis) {
+      float lowest = std::numeric_limits<float>::infinity();
+      float highest = -lowest;
+      for (size_t i = 3 * first_vertex_ + axis; i < positions_.size(); i += 3) {
+        lowest = std::min(lowest, positions_[i]);
+        highest = std::max(highest, positions_[i]);
+      }
+      accessor.minValues.push_back(lowest);
+      accessor.maxValues.push_back(highest);
+    }
+    return AddAccessor(accessor);
+  }
+
+  int AddColors(size_t count) {
+    tinygltf::Accessor accessor;
+    accessor.bufferView = kColors;
+    accessor.byteOffset = kColorBytes * first_vertex_;
+    accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+    accessor.normalized = true;
+    accessor.type = TINYGLTF_TYPE_VEC4;
+    accessor.count = count;
+    return AddAccessor(accessor);
+  }
+
+  int AddRing(size_t count) {
+    tinygltf::Accessor accessor;
+    accessor.bufferView = kIndices;
+    accessor.byteOffset = kIndexBytes * indices_.size();
+    accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    accessor.type = TINYGLTF_TYPE_SCALAR;
+    accessor.count = count + 1;
+    for (size_t i = 0; i < count; ++i) indices_.push_back(static_cast<uint32_t>(i));
+    indices_.push_back(0);
+    return AddAccessor(accessor);
+  }
+
+  template <typename T>
+  void AddView(const std::vector<T>& values, int target, size_t stride) {
+    std::vector<unsigned char>& bytes = model_.buffers[0].data;
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = bytes.size();
+    view.byteLength = sizeof(T) * values.size();
+    view.byteStride = stride;
+    view.target = target;
+    model_.bufferViews.push_back(view);
+    bytes.resize(bytes.size() + view.byteLength);
+    std::memcpy(bytes.data() + view.byteOffset, values.data(), view.byteLength);
+  }
+
+  void AddBuffer() {
+    model_.buffers.resize(1);
+    model_.buffers[0].data.reserve(NumBytes());
+    AddView(positions_, TINYGLTF_TARGET_ARRAY_BUFFER, kPositionBytes);
+    AddView(colors_, TINYGLTF_TARGET_ARRAY_BUFFER, kColorBytes);
+    if (!indices_.empty()) AddView(indices_, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, 0);
+  }
+
+  Eigen::Vector3d origin_;
+  tinygltf::Model model_;
+  std::vector<float> positions_;
+  std::vector<uint16_t> colors_;
+  std::vector<uint32_t> indices_;
+  size_t first_vertex_ = 0;
+};
+
+void AddLink(const DrawingLink& link, int id, SceneBuilder* scene) {
+  const size_t count = link.points_in_world.size() - (link.closed ? 1 : 0);
+  for (size_t i = 0; i < count; ++i) scene->AddVertex(link.points_in_world[i], ColorOfCurve(id));
+  Value::Object extras = {{"link", Value(id)},
+                          {"length", Value(Length(link.points_in_world))},
+                          {"closed", Value(link.closed)},
+                          {"residual_px", Value(link.residual_px)},
+                          {"views", Value(static_cast<int>(link.supporting_views.size()))}};
+  if (link.primitive) extras["primitive"] = Value(std::string(ShapeName(link.primitive->shape)));
+  if (link.dense) extras["class"] = Value(std::string(DenseClassName(link.dense->dense_class)));
+  scene->AddChild("link_" + std::to_string(id), TINYGLTF_MODE_LINE_STRIP, link.closed,
+                  std::move(extras));
+}
+
+void AddJunctions(const DrawingGraph& graph, SceneBuilder* scene) {
+  constexpr Color kWhite = {255, 255, 255};
+  Value::Array ids;
+  for (size_t id = 0; id < graph.nodes.size(); ++id) {
+    if (graph.nodes[id].kind != NodeKind::kJunction) continue;
+    scene->AddVertex(graph.nodes[id].position_in_world, kWhite);
+    ids.push_back(Value(static_cast<int>(id)));
+  }
+  if (ids.empty()) return;
+  scene->AddChild("junctions", TINYGLTF_MODE_POINTS, false, {{"nodes", Value(std::move(ids))}});
+}
+
+}  // namespace
+
+void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out) {
+  SceneBuilder scene(MiddleOf(graph));
+  for (size_t id = 0; id < graph.links.size(); ++id) {
+    AddLink(graph.links[id], static_cast<int>(id), &scene);
+  }
+  if (options.junctions) AddJunctions(graph, &scene);
+  for (const GlbPoint& point : options.cloud) scene.AddVertex(point.position, point.color);
+  if (!options.cloud.empty()) scene.AddChild("cloud", TINYGLTF_MODE_POINTS, false, {});
+  scene.Write(out);
+}
+
+}  // namespace limn

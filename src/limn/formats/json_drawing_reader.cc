@@ -1,0 +1,160 @@
+#include "limn/formats/json_drawing_reader.h"
+
+#include <limits>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "limn/formats/json_text.h"
+#include "limn/formats/whole_file.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+// Ordered, so that the options come back in the order they were written in.
+using Json = nlohmann::ordered_json;
+
+Eigen::Vector3d ToPoint(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+LinkEnd ToLinkEnd(const Json& json) { return {IntFromJson(json.at(0)), IntFromJson(json.at(1))}; }
+
+NodeKind ToNodeKind(const std::string& name) {
+  for (const NodeKind kind : {NodeKind::kEnd, NodeKind::kJunction, NodeKind::kLoopAnchor}) {
+    if (name == NodeKindName(kind)) return kind;
+  }
+  throw InputError("unknown kind of node \"" + name.substr(0, 40) + "\"");
+}
+
+DrawingNode ToNode(const Json& json) {
+  DrawingNode node;
+  node.position_in_world = ToPoint(json.at("position"));
+  node.kind = ToNodeKind(json.at("kind").get<std::string>());
+  for (const Json& end : json.at("incident")) node.incident.push_back(ToLinkEnd(end));
+  for (const Json& pair : json.at("continuations")) {
+    node.continuations.emplace_back(ToLinkEnd(pair.at(0)), ToLinkEnd(pair.at(1)));
+  }
+  return node;
+}
+
+LinkDense ToDense(const Json& json) {
+  LinkDense dense;
+  const auto name = json.at("class").get<std::string>();
+  for (const DenseClass candidate :
+       {DenseClass::kUnknown, DenseClass::kSurface, DenseClass::kBoundary, DenseClass::kFree}) {
+    if (name == DenseClassName(candidate)) dense.dense_class = candidate;
+  }
+  if (name != DenseClassName(dense.dense_class)) {
+    throw InputError("unknown class of link \"" + name.substr(0, 40) + "\"");
+  }
+  dense.added_share = json.at("added_share").get<double>();
+  dense.occluded_share = json.at("occluded_share").get<double>();
+  dense.behind_surface = json.at("behind_surface").get<bool>();
+  dense.fold_deg = json.value("fold_deg", -1.0);
+  return dense;
+}
+
+CircularArc ToArc(const Json& json) {
+  CircularArc arc;
+  arc.center = ToPoint(json.at("center"));
+  arc.x_axis = ToPoint(json.at("x_axis"));
+  arc.y_axis = ToPoint(json.at("y_axis"));
+  arc.radius = json.at("radius").get<double>();
+  arc.sweep_rad = json.at("sweep_rad").get<double>();
+  return arc;
+}
+
+CubicBSpline ToSpline(const Json& json) {
+  CubicBSpline spline;
+  spline.knots = json.at("knots").get<std::vector<double>>();
+  for (const Json& point : json.at("control_points")) {
+    spline.control_points.push_back(ToPoint(point));
+  }
+  return spline;
+}
+
+LinkPrimitive ToPrimitive(const Json& json) {
+  LinkPrimitive primitive;
+  const auto type = json.at("type").get<std::string>();
+  if (type == "line") {
+    primitive.shape = LineSegment{ToPoint(json.at("start")), ToPoint(json.at("end"))};
+  } else if (type == "arc" || type == "circle") {
+    primitive.shape = ToArc(json);
+  } else if (type == "spline") {
+    primitive.shape = ToSpline(json);
+  } else {
+    throw InputError("unknown type of primitive \"" + type.substr(0, 40) + "\"");
+  }
+  primitive.rms_px = json.at("rms_px").get<double>();
+  primitive.max_px = json.at("max_px").get<double>();
+  return primitive;
+}
+
+DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_ids) {
+  DrawingLink link;
+  link.node0 = IntFromJson(json.at("node0"));
+  link.node1 = IntFromJson(json.at("node1"));
+  link.closed = json.at("closed").get<bool>();
+  link.residual_px = json.at("residual_px").get<double>();
+  if (json.contains("dense")) link.dense = ToDense(json.at("dense"));
+  if (json.contains("primitive")) link.primitive = ToPrimitive(json.at("primitive"));
+  for (const Json& point : json.at("points")) link.points_in_world.push_back(ToPoint(point));
+  for (const Json& sigma : json.at("sigma")) {
+    // JSON has no infinity: unknown is null.
+    link.sigma.push_back(sigma.is_null() ? std::numeric_limits<double>::infinity()
+                                         : sigma.get<double>());
+  }
+  for (const Json& name : json.at("supporting_views")) {
+    const auto id = view_ids.find(name.get<std::string>());
+    if (id == view_ids.end()) throw InputError("supporting view is not in the list of views");
+    link.supporting_views.push_back(id->second);
+  }
+  for (const Json& member : json.at("members")) {
+    link.members.push_back(
+        {IntFromJson(member.at(0)), IntFromJson(member.at(1)), IntFromJson(member.at(2))});
+  }
+  return link;
+}
+
+DrawingFile ToDrawingFile(const Json& json) {
+  if (json.at("format").get<std::string>() != kDrawingJsonFormat) {
+    throw InputError("\"format\" is not \"" + std::string(kDrawingJsonFormat) + "\"");
+  }
+  const int version = IntFromJson(json.at("format_version"));
+  if (version != kDrawingJsonVersion) {
+    throw InputError("format version " + std::to_string(version) + "; this program reads version " +
+                     std::to_string(kDrawingJsonVersion));
+  }
+  DrawingFile file;
+  std::map<std::string, ViewId> view_ids;
+  for (const Json& name : json.at("views")) {
+    file.metadata.view_names.push_back(name.get<std::string>());
+    view_ids.emplace(file.metadata.view_names.back(), static_cast<ViewId>(view_ids.size()));
+  }
+  file.metadata.options_json = json.at("options").dump();
+  for (const Json& node : json.at("nodes")) file.graph.nodes.push_back(ToNode(node));
+  for (const Json& link : json.at("links")) file.graph.links.push_back(ToLink(link, view_ids));
+  const std::vector<std::string> violations = Validate(file.graph);
+  if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
+  return file;
+}
+
+}  // namespace
+
+DrawingFile ParseDrawingJson(const std::string& name, const std::string& text) {
+  try {
+    return ToDrawingFile(ParseJson(name, text));
+  } catch (const Json::exception& error) {
+    throw IoError(name, error.what());
+  } catch (const InputError& error) {
+    throw IoError(name, error.what());
+  }
+}
+
+DrawingFile ReadDrawingJson(const std::string& path) {
+  return ParseDrawingJson(path, ReadWholeFile(path));
+}
+
+}  // namespace limn

@@ -1,0 +1,132 @@
+#include "limn/formats/json_drawing_writer.h"
+
+#include <cmath>
+#include <ostream>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "limn/geometry/polyline.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ToJson(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+Json ToJson(const LinkEnd& end) { return {end.link, end.end}; }
+
+Json ToJson(const DrawingNode& node, size_t id) {
+  Json json = {{"id", id},
+               {"position", ToJson(node.position_in_world)},
+               {"kind", NodeKindName(node.kind)},
+               {"degree", node.Degree()}};
+  json["incident"] = Json::array();
+  for (const LinkEnd& end : node.incident) json["incident"].push_back(ToJson(end));
+  json["continuations"] = Json::array();
+  for (const auto& [first, second] : node.continuations) {
+    json["continuations"].push_back(Json::array({ToJson(first), ToJson(second)}));
+  }
+  return json;
+}
+
+Json ToJson(const LinkDense& dense) {
+  Json json = {{"class", DenseClassName(dense.dense_class)},
+               {"added_share", dense.added_share},
+               {"occluded_share", dense.occluded_share},
+               {"behind_surface", dense.behind_surface}};
+  if (dense.fold_deg >= 0) json["fold_deg"] = dense.fold_deg;
+  return json;
+}
+
+Json ToJson(const LinkPrimitive& primitive) {
+  Json json = {{"type", ShapeName(primitive.shape)}};
+  if (const auto* line = std::get_if<LineSegment>(&primitive.shape)) {
+    json["start"] = ToJson(line->start);
+    json["end"] = ToJson(line->end);
+  } else if (const auto* arc = std::get_if<CircularArc>(&primitive.shape)) {
+    json["center"] = ToJson(arc->center);
+    json["x_axis"] = ToJson(arc->x_axis);
+    json["y_axis"] = ToJson(arc->y_axis);
+    json["radius"] = arc->radius;
+    json["sweep_rad"] = arc->sweep_rad;
+  } else if (const auto* spline = std::get_if<CubicBSpline>(&primitive.shape)) {
+    json["degree"] = 3;
+    json["knots"] = spline->knots;
+    for (const Eigen::Vector3d& point : spline->control_points) {
+      json["control_points"].push_back(ToJson(point));
+    }
+  }
+  json["rms_px"] = primitive.rms_px;
+  json["max_px"] = primitive.max_px;
+  return json;
+}
+
+Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& view_names) {
+  Json json = {{"id", id},
+               {"node0", link.node0},
+               {"node1", link.node1},
+               {"closed", link.closed},
+               {"length", Length(link.points_in_world)},
+               {"residual_px", link.residual_px}};
+  if (link.dense) json["dense"] = ToJson(*link.dense);
+  if (link.primitive) json["primitive"] = ToJson(*link.primitive);
+  json["supporting_views"] = Json::array();
+  for (const ViewId view : link.supporting_views) {
+    if (view < 0 || view >= static_cast<ViewId>(view_names.size())) {
+      throw InputError("link " + std::to_string(id) + ": supporting view " + std::to_string(view) +
+                       " has no name");
+    }
+    json["supporting_views"].push_back(view_names[view]);
+  }
+  json["members"] = Json::array();
+  for (const LinkMember& member : link.members) {
+    json["members"].push_back({member.curve, member.begin, member.end});
+  }
+  json["points"] = Json::array();
+  for (const Eigen::Vector3d& point : link.points_in_world) json["points"].push_back(ToJson(point));
+  json["sigma"] = Json::array();
+  for (const double sigma : link.sigma) {
+    json["sigma"].push_back(std::isfinite(sigma) ? Json(sigma) : Json(nullptr));
+  }
+  return json;
+}
+
+Json ParseOptions(const std::string& text) {
+  const Json options = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!options.is_object()) throw InputError("the options of a drawing must be a JSON object");
+  return options;
+}
+
+template <typename Items, typename AsJson>
+void PutList(const char* name, const Items& items, const AsJson& as_json, std::ostream& out) {
+  out << '"' << name << "\": [";
+  for (size_t id = 0; id < items.size(); ++id) {
+    out << (id == 0 ? "\n" : ",\n") << as_json(items[id], id).dump();
+  }
+  out << "\n]";
+}
+
+}  // namespace
+
+void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata,
+                      std::ostream& out) {
+  out << "{\"format\": \"" << kDrawingJsonFormat
+      << "\",\n\"format_version\": " << kDrawingJsonVersion
+      << ",\n\"limn_version\": \"" LIMN_VERSION "\",\n\"views\": "
+      << Json(metadata.view_names).dump()
+      << ",\n\"options\": " << ParseOptions(metadata.options_json).dump() << ",\n";
+  PutList(
+      "nodes", graph.nodes, [](const DrawingNode& node, size_t id) { return ToJson(node, id); },
+      out);
+  out << ",\n";
+  PutList(
+      "links", graph.links,
+      [&](const DrawingLink& link, size_t id) { return ToJson(link, id, metadata.view_names); },
+      out);
+  out << "}\n";
+}
+
+}  // namespace limn

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// A drawing as JSON, to be read back by ReadDrawingJson without loss:
+//   {"format": "limn-drawing", "format_version": 1, "limn_version": "...",
+//    "views": [name, ...], "options": {...},
+//    "nodes": [{"id", "position": [x, y, z], "kind": "end"|"junction"|"loop_anchor", "degree",
+//               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],
+//               ...]}],
+//    "links": [{"id", "node0", "node1", "closed", "length", "residual_px",
+//               after drawing_fuser also "dense": {"class": "surface"|"boundary"|"free"|"unknown",
+//               "added_share", "occluded_share", "behind_surface", "fold_deg" where known},
+//               "primitive": {"type": "line", "start", "end"} or
+//                            {"type": "arc"|"circle", "center", "x_axis", "y_axis", "radius",
+//                             "sweep_rad"} or
+//                            {"type": "spline", "degree": 3, "knots": [...],
+//                             "control_points": [...]}, each with "rms_px", "max_px",
+//               "supporting_views": [name, ...], "members": [[curve, begin, end], ...],
+//               "points": [[x, y, z], ...], "sigma": [..., null = unknown]}]}
+// One node or link per line. Throws InputError if a supporting view has no name in the metadata or
+// its options are no JSON object.
+void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata,
+                      std::ostream& out);
+
+}  // namespace limn

@@ -1,0 +1,35 @@
+#include "limn/formats/json_junctions_reader.h"
+
+#include <nlohmann/json.hpp>
+
+#include "limn/formats/json_text.h"
+#include "limn/formats/whole_file.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+
+std::vector<CurveNode> ReadJunctions(const std::string& path) {
+  using Json = nlohmann::ordered_json;
+  const std::string text = ReadWholeFile(path);
+  std::vector<CurveNode> nodes;
+  try {
+    const Json file = ParseJson(path, text);
+    for (const Json& junction : file.at("junctions")) {
+      const Json& position = junction.at("position");
+      CurveNode node;
+      for (int axis = 0; axis < 3; ++axis) {
+        node.position_in_world[axis] = position.at(axis).get<double>();
+      }
+      node.degree = IntFromJson(junction.at("degree"));
+      if (node.degree < 1) throw IoError(path, "a junction of degree below 1");
+      nodes.push_back(node);
+    }
+  } catch (const Json::exception& error) {
+    throw IoError(path, error.what());
+  } catch (const InputError& error) {
+    throw IoError(path, error.what());
+  }
+  return nodes;
+}
+
+}  // namespace limn

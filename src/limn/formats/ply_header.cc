@@ -1,0 +1,212 @@
+#include "limn/formats/ply_header.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstring>
+#include <sstream>
+#include <utility>
+
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "byte swapping is not written yet");
+
+template <typename T>
+double As(const char* bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof(T));
+  return static_cast<double>(value);
+}
+
+double DecodeNative(PlyType type, const char* bytes) {
+  switch (type) {
+    case PlyType::kInt8:
+      return As<int8_t>(bytes);
+    case PlyType::kUint8:
+      return As<uint8_t>(bytes);
+    case PlyType::kInt16:
+      return As<int16_t>(bytes);
+    case PlyType::kUint16:
+      return As<uint16_t>(bytes);
+    case PlyType::kInt32:
+      return As<int32_t>(bytes);
+    case PlyType::kUint32:
+      return As<uint32_t>(bytes);
+    case PlyType::kFloat32:
+      return As<float>(bytes);
+    case PlyType::kFloat64:
+      return As<double>(bytes);
+  }
+  return 0;
+}
+
+struct TypeName {
+  std::string_view name;
+  PlyType type;
+};
+
+constexpr std::array<TypeName, 16> kTypeNames = {{{"char", PlyType::kInt8},
+                                                  {"int8", PlyType::kInt8},
+                                                  {"uchar", PlyType::kUint8},
+                                                  {"uint8", PlyType::kUint8},
+                                                  {"short", PlyType::kInt16},
+                                                  {"int16", PlyType::kInt16},
+                                                  {"ushort", PlyType::kUint16},
+                                                  {"uint16", PlyType::kUint16},
+                                                  {"int", PlyType::kInt32},
+                                                  {"int32", PlyType::kInt32},
+                                                  {"uint", PlyType::kUint32},
+                                                  {"uint32", PlyType::kUint32},
+                                                  {"float", PlyType::kFloat32},
+                                                  {"float32", PlyType::kFloat32},
+                                                  {"double", PlyType::kFloat64},
+                                                  {"float64", PlyType::kFloat64}}};
+
+class HeaderParser {
+ public:
+  HeaderParser(std::string path, std::string_view bytes) : path_(std::move(path)), bytes_(bytes) {}
+
+  PlyHeader Run() {
+    if (NextLine() != "ply") Fail("not a PLY file");
+    bool has_format = false;
+    while (true) {
+      std::istringstream line{std::string(NextLine())};
+      std::string keyword;
+      line >> keyword;
+      if (keyword == "end_header") break;
+      if (keyword == "format") {
+        ParseFormat(&line);
+        has_format = true;
+      } else if (keyword == "element") {
+        ParseElement(&line);
+      } else if (keyword == "property") {
+        ParseProperty(&line);
+      } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+        Fail("unknown keyword \"" + keyword.substr(0, 40) + "\"");
+      }
+    }
+    if (!has_format) Fail("no format line");
+    header_.data_offset = at_;
+    return std::move(header_);
+  }
+
+ private:
+  [[noreturn]] void Fail(const std::string& reason) const {
+    throw IoError(path_, "line " + std::to_string(header_.num_lines), reason);
+  }
+
+  std::string_view NextLine() {
+    const size_t end = bytes_.find('\n', at_);
+    ++header_.num_lines;
+    if (end == std::string_view::npos) Fail("the file ends within the header");
+    std::string_view line = bytes_.substr(at_, end - at_);
+    at_ = end + 1;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+  }
+
+  void ParseFormat(std::istringstream* line) {
+    std::string name, version;
+    *line >> name >> version;
+    if (name == "ascii") {
+      header_.format = PlyHeader::Format::kAscii;
+    } else if (name == "binary_little_endian") {
+      header_.format = PlyHeader::Format::kLittleEndian;
+    } else if (name == "binary_big_endian") {
+      header_.format = PlyHeader::Format::kBigEndian;
+    } else {
+      Fail("unknown format \"" + name.substr(0, 40) + "\"");
+    }
+    if (version != "1.0") Fail("unknown version \"" + version.substr(0, 40) + "\"");
+  }
+
+  void ParseElement(std::istringstream* line) {
+    PlyElement element;
+    std::string count;
+    *line >> element.name >> count;
+    const auto [end, error] =
+        std::from_chars(count.data(), count.data() + count.size(), element.count);
+    if (count.empty() || error != std::errc() || end != count.data() + count.size()) {
+      Fail("element needs a name and a count");
+    }
+    // Readers keep what belongs together from element to element.
+    for (const PlyElement& other : header_.elements) {
+      if (other.name == element.name) {
+        Fail("element " + element.name.substr(0, 40) + " is there twice");
+      }
+    }
+    header_.elements.push_back(std::move(element));
+  }
+
+  PlyType ParseType(const std::string& name) const {
+    for (const TypeName& candidate : kTypeNames) {
+      if (candidate.name == name) return candidate.type;
+    }
+    Fail("unknown type \"" + name.substr(0, 40) + "\"");
+  }
+
+  void ParseProperty(std::istringstream* line) {
+    if (header_.elements.empty()) Fail("property before the first element");
+    PlyProperty property;
+    std::string type;
+    *line >> type;
+    if (type == "list") {
+      std::string count_type;
+      property.is_list = true;
+      *line >> count_type >> type;
+      property.count_type = ParseType(count_type);
+    }
+    property.type = ParseType(type);
+    if (!(*line >> property.name)) Fail("property without a name");
+    header_.elements.back().properties.push_back(std::move(property));
+  }
+
+  std::string path_;
+  std::string_view bytes_;
+  size_t at_ = 0;
+  PlyHeader header_;
+};
+
+}  // namespace
+
+size_t PlyTypeSize(PlyType type) {
+  switch (type) {
+    case PlyType::kInt8:
+    case PlyType::kUint8:
+      return 1;
+    case PlyType::kInt16:
+    case PlyType::kUint16:
+      return 2;
+    case PlyType::kInt32:
+    case PlyType::kUint32:
+    case PlyType::kFloat32:
+      return 4;
+    case PlyType::kFloat64:
+      return 8;
+  }
+  return 0;
+}
+
+double PlyValue(PlyType type, const char* bytes, bool swap) {
+  if (!swap) return DecodeNative(type, bytes);
+  char swapped[8];
+  std::reverse_copy(bytes, bytes + PlyTypeSize(type), swapped);
+  return DecodeNative(type, swapped);
+}
+
+int PlyElement::Find(std::string_view property_name) const {
+  for (size_t i = 0; i < properties.size(); ++i) {
+    if (properties[i].name == property_name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+PlyHeader ParsePlyHeader(const std::string& path, std::string_view bytes) {
+  return HeaderParser(path, bytes).Run();
+}
+
+}  // namespace limn

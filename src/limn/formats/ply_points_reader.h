@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include <Eigen/Core>
+
+namespace limn {
+
+struct PlyPoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // as in the file; zero if it has none
+  std::array<uint8_t, 3> color = {};
+};
+
+// The vertices of a PLY file one after the other, however many there are: ascii or binary, colors
+// named red or diffuse_red. The vertices must be the file's first element and have no lists.
+struct PlyPointsInfo {
+  uint64_t count = 0;
+  bool has_normals = false;
+  bool has_colors = false;
+};
+
+// Throws IoError.
+PlyPointsInfo ReadPlyPointsInfo(const std::string& path);
+
+// Throws IoError naming line or byte: too short, numbers that are not finite.
+void ReadPlyPoints(const std::string& path, const std::function<void(const PlyPoint&)>& visit);
+
+}  // namespace limn

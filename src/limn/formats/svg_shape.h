@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/formats/svg_path.h"
+#include "limn/formats/svg_sheet.h"
+#include "limn/geometry/curve_shape.h"
+
+namespace limn {
+
+// Append pieces of curves to a path, each after a move to its start.
+
+// FitBeziers through the points. What has no length becomes a dot.
+void AppendFitted(const std::vector<Eigen::Vector2d>& points, double tolerance, SvgPath* path);
+
+// The part of a shape between 0 <= t0 < t1 <= 1, exactly; an arc whose ellipse is narrower than
+// `tolerance` becomes a line.
+void AppendShape(const SvgSheet& sheet, const CurveShape& shape, double t0, double t1,
+                 double tolerance, SvgPath* path);
+
+}  // namespace limn

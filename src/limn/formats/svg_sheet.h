@@ -1,0 +1,74 @@
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+
+#include "limn/model/drawing_graph.h"
+#include "limn/visibility/orthographic_depth.h"
+
+namespace limn {
+
+// Parallel projections of a drawing with z up.
+enum class SvgProjection {
+  kTop,          // from above: x to the right, y up
+  kFront,        // along +y: x to the right, z up
+  kSide,         // from the right, along -x: y to the right, z up
+  kAxonometric,  // from `azimuth_deg` and `elevation_deg`, z up
+};
+
+struct SheetOptions {
+  SvgProjection projection = SvgProjection::kTop;
+  // Where the eye of an axonometric projection is: its direction turned about z from +x toward +y,
+  // and above the plane z = 0, in [-90, 90]. The default is isometric, from the front right: the
+  // three axes are shortened alike, to 0.816.
+  double azimuth_deg = -45;
+  double elevation_deg = 35.264389682754654;
+  // n of 1:n, where a model unit is a meter. 0: the largest of 1, 2 and 5 times a power of ten
+  // that fits on a sheet of A3.
+  double scale_denominator = 0;
+  // Of empty paper around the drawing.
+  double margin_mm = 10;
+  // A scale bar and the directions of the axes below the drawing.
+  bool legend = true;
+
+  // Throws OptionError.
+  void Check() const;
+};
+
+// A sheet of paper: model units along right and down, from its top left corner.
+struct SvgSheet {
+  // Unit rows: right, down, forward in the world.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  // What is taken off (right, down): zero but for drawings far from the origin, 1000 times as far
+  // as they are large, whose places would have too many digits.
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  // Corners of the paper and of the drawing on it, after the origin has been taken off.
+  Eigen::Vector2d paper_min = Eigen::Vector2d::Zero();
+  Eigen::Vector2d paper_max = Eigen::Vector2d::Zero();
+  Eigen::Vector2d drawing_min = Eigen::Vector2d::Zero();
+  Eigen::Vector2d drawing_max = Eigen::Vector2d::Zero();
+  double scale_denominator = 1;
+  // There is room for one in the lower margin.
+  bool has_legend = false;
+
+  // Model units of a millimeter of paper, and of a pixel (1/96 inch).
+  double mm() const { return scale_denominator / 1000; }
+  double px() const { return 25.4 / 96 * mm(); }
+  Eigen::Vector2d PaperMm() const { return (paper_max - paper_min) / mm(); }
+  Eigen::Vector2d ToSheet(const Eigen::Vector3d& point_in_world) const {
+    return axes.topRows<2>() * point_in_world - origin;
+  }
+};
+
+// Throws OptionError, or InputError if the drawing has no links.
+SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options);
+
+// The part of the sheet with the drawing on it, for a depth image of what hides it: a depth pixel
+// per pixel of the sheet, or larger ones where these were more than 4096 in a row.
+OrthographicFrame DepthFrame(const SvgSheet& sheet);
+
+// "1:50", or "20:1" for enlargements.
+std::string ScaleText(double scale_denominator);
+
+}  // namespace limn

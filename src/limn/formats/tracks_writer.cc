@@ -1,0 +1,140 @@
+#include "limn/formats/tracks_writer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <ostream>
+
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+constexpr double kStepPx = 4;
+constexpr int kMaxSteps = 4096;
+// Steps of a segment with an end that has no image, where its length in pixels is unknown.
+constexpr int kBlindSteps = 64;
+// Halvings of a step when looking for the border: 4 px / 2^8 is far below a tenth of a pixel.
+constexpr int kHalvings = 24;
+
+using Pixel = std::optional<Eigen::Vector2d>;
+
+Pixel StoredPixel(const View& view, const Eigen::Vector3d& point_in_world) {
+  const Pixel pixel = view.Project(point_in_world);
+  return pixel ? view.StoredFromVirtual(*pixel) : std::nullopt;
+}
+
+class RunBuilder {
+ public:
+  explicit RunBuilder(const View& view) : view_(view) {}
+
+  std::vector<std::vector<Eigen::Vector2d>> Build(const std::vector<Eigen::Vector3d>& points) {
+    if (points.empty()) return {};
+    Pixel pixel = StoredPixel(view_, points.front());
+    if (pixel) runs_.push_back({*pixel});
+    for (size_t i = 0; i + 1 < points.size(); ++i) {
+      pixel = AddSegment(points[i], pixel, points[i + 1]);
+    }
+    std::erase_if(runs_, [](const auto& run) { return run.size() < 2; });
+    return std::move(runs_);
+  }
+
+ private:
+  // Returns the pixel of the segment's second point.
+  Pixel AddSegment(const Eigen::Vector3d& from, const Pixel& from_pixel,
+                   const Eigen::Vector3d& to) {
+    const Pixel to_pixel = StoredPixel(view_, to);
+    int num_steps = kBlindSteps;
+    if (from_pixel && to_pixel) {
+      const double length = (*to_pixel - *from_pixel).norm();
+      num_steps = std::clamp(static_cast<int>(std::ceil(length / kStepPx)), 1, kMaxSteps);
+    }
+    Eigen::Vector3d previous = from;
+    Pixel previous_pixel = from_pixel;
+    for (int step = 1; step <= num_steps; ++step) {
+      const bool last = step == num_steps;
+      const Eigen::Vector3d next =
+          last ? to : Eigen::Vector3d(from + (static_cast<double>(step) / num_steps) * (to - from));
+      const Pixel next_pixel = last ? to_pixel : StoredPixel(view_, next);
+      AddStep(previous, previous_pixel, next, next_pixel, last);
+      previous = next;
+      previous_pixel = next_pixel;
+    }
+    return to_pixel;
+  }
+
+  void AddStep(const Eigen::Vector3d& from, const Pixel& from_pixel, const Eigen::Vector3d& to,
+               const Pixel& to_pixel, bool is_vertex) {
+    if (!from_pixel && !to_pixel) return;
+    if (!from_pixel) runs_.push_back({Border(to, from)});
+    if (!to_pixel) {
+      runs_.back().push_back(Border(from, to));
+    } else if (is_vertex || view_.lens || !from_pixel) {
+      // A straight segment stays straight without a lens: its inner points say nothing new.
+      runs_.back().push_back(*to_pixel);
+    }
+  }
+
+  // The last pixel on the way from a visible point to one that is not.
+  Eigen::Vector2d Border(Eigen::Vector3d visible, Eigen::Vector3d hidden) const {
+    for (int i = 0; i < kHalvings; ++i) {
+      const Eigen::Vector3d middle = 0.5 * (visible + hidden);
+      (StoredPixel(view_, middle) ? visible : hidden) = middle;
+    }
+    return *StoredPixel(view_, visible);
+  }
+
+  const View& view_;
+  std::vector<std::vector<Eigen::Vector2d>> runs_;
+};
+
+void PutCoordinate(std::ostream& out, double value) {
+  char text[64];
+  const auto [end, error] =
+      std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed, 3);
+  out.write(text, end - text);
+}
+
+void PutTrack(LinkId link, const std::vector<Eigen::Vector2d>& run, const std::string& name,
+              std::ostream& out) {
+  // COLMAP's center of the top-left pixel is (0.5, 0.5), ours is (0, 0).
+  constexpr double kColmapFromOurs = 0.5;
+  out << link << ' ' << run.size();
+  for (const Eigen::Vector2d& pixel : run) {
+    PutCoordinate(out << ' ', pixel.x() + kColmapFromOurs);
+    PutCoordinate(out << ' ', pixel.y() + kColmapFromOurs);
+  }
+  out << ' ' << name << '\n';
+}
+
+}  // namespace
+
+std::vector<std::vector<Eigen::Vector2d>> ProjectPolyline(
+    const View& view, const std::vector<Eigen::Vector3d>& points_in_world) {
+  return RunBuilder(view).Build(points_in_world);
+}
+
+void WriteTracks(const DrawingGraph& graph, const std::vector<View>& views, std::ostream& out) {
+  out << "# Curve tracks: the links of drawing.json in the images that support them.\n"
+         "# One line per link, image and visible run of the link:\n"
+         "#   LINK_ID, NUM_POINTS, POINTS[] as (X, Y), IMAGE_NAME\n"
+         "# X, Y are pixels of the image as stored (with its lens distortion), in COLMAP's\n"
+         "# convention: the centre of the top-left pixel is (0.5, 0.5). A link is clipped to the\n"
+         "# image; parts hidden behind surfaces are not told apart.\n"
+      << "# Number of links: " << graph.links.size() << '\n';
+  for (size_t id = 0; id < graph.links.size(); ++id) {
+    for (const ViewId view_id : graph.links[id].supporting_views) {
+      if (view_id < 0 || view_id >= static_cast<ViewId>(views.size())) {
+        throw InputError("link " + std::to_string(id) + ": supporting view " +
+                         std::to_string(view_id) + " does not exist");
+      }
+      const View& view = views[view_id];
+      for (const auto& run : ProjectPolyline(view, graph.links[id].points_in_world)) {
+        PutTrack(static_cast<LinkId>(id), run, view.name, out);
+      }
+    }
+  }
+}
+
+}  // namespace limn

@@ -1,0 +1,51 @@
+#include "limn/formats/whole_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include <zlib.h>
+
+#include "limn/util/errors.h"
+
+namespace limn {
+
+std::string ReadWholeFile(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a file");
+  errno = 0;
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
+  if (!file) throw IoError(path, std::string("cannot open: ") + std::strerror(errno));
+  std::string bytes;
+  constexpr unsigned kBlock = 1 << 16;
+  while (true) {
+    const size_t old_size = bytes.size();
+    bytes.resize(old_size + kBlock);
+    const int count = gzread(file.get(), bytes.data() + old_size, kBlock);
+    if (count < 0) {
+      int code = 0;
+      throw IoError(path, "byte " + std::to_string(old_size), gzerror(file.get(), &code));
+    }
+    bytes.resize(old_size + count);
+    if (count == 0) break;
+  }
+  int code = Z_OK;
+  const char* reason = gzerror(file.get(), &code);
+  // A gzip file that breaks off ends like a whole one, but for this.
+  if (code != Z_OK) throw IoError(path, "byte " + std::to_string(bytes.size()), reason);
+  return bytes;
+}
+
+std::string FileExtension(const std::string& file) {
+  std::filesystem::path path(file);
+  if (path.extension() == ".gz") path = path.stem();
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace limn

@@ -1,0 +1,143 @@
+#include "limn/formats/write_drawing.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "limn/formats/atomic_file.h"
+#include "limn/formats/graphml_drawing_writer.h"
+#include "limn/formats/json_drawing_writer.h"
+#include "limn/formats/obj_drawing_writer.h"
+#include "limn/formats/ply_drawing_writer.h"
+#include "limn/formats/ply_sketch_writer.h"
+#include "limn/formats/step_drawing_writer.h"
+#include "limn/formats/tracks_writer.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+struct Job {
+  const DrawingGraph& graph;
+  const DrawingMetadata& metadata;
+  const DrawingFormatOptions& options;
+};
+
+struct Format {
+  const char* name;
+  std::vector<std::string> extensions;
+  void (*write)(const Job& job, std::ostream& out);
+};
+
+void WriteSvg(const Job& job, std::ostream& out) {
+  const SvgPicture& picture = job.options.svg;
+  if (picture.view) {
+    WriteDrawingSvg(job.graph, *picture.view, picture.is_hidden, picture.style, out);
+  } else {
+    WriteDrawingSvg(job.graph, MakeSheet(job.graph, picture.sheet), picture.is_hidden,
+                    picture.style, out);
+  }
+}
+
+// One line per format.
+const std::vector<Format>& Formats() {
+  using Out = std::ostream;
+  static const std::vector<Format> formats = {
+      {"ply", {".ply"}, [](const Job& job, Out& out) { WriteDrawingPly(job.graph, out); }},
+      {"obj", {".obj"}, [](const Job& job, Out& out) { WriteDrawingObj(job.graph, out); }},
+      {"json",
+       {".json"},
+       [](const Job& job, Out& out) { WriteDrawingJson(job.graph, job.metadata, out); }},
+      {"dxf",
+       {".dxf"},
+       [](const Job& job, Out& out) {
+         WriteDrawingDxf(job.graph, job.options.dxf, job.options.unit, out);
+       }},
+      {"glb",
+       {".glb"},
+       [](const Job& job, Out& out) { WriteDrawingGlb(job.graph, job.options.glb, out); }},
+      {"svg", {".svg"}, [](const Job& job, Out& out) { WriteSvg(job, out); }},
+      {"graphml",
+       {".graphml"},
+       [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, out); }},
+#ifdef LIMN_WITH_STEP
+      {"step",
+       {".step", ".stp"},
+       [](const Job& job, Out& out) { WriteDrawingStep(job.graph, job.options.unit, out); }},
+#endif
+  };
+  return formats;
+}
+
+std::string JoinedExtensions() {
+  std::string text;
+  for (const Format& format : Formats()) {
+    for (const std::string& extension : format.extensions) {
+      text += (text.empty() ? "" : ", ") + extension;
+    }
+  }
+  return text;
+}
+
+const Format& FormatByName(const std::string& path, const std::string& name) {
+  for (const Format& format : Formats()) {
+    if (format.name == name) return format;
+  }
+  throw IoError(path, "unknown format " + name);
+}
+
+const Format& FormatByExtension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const Format& format : Formats()) {
+    const auto& extensions = format.extensions;
+    if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) {
+      return format;
+    }
+  }
+#ifdef LIMN_WITH_STEP
+  const std::string missing;
+#else
+  const std::string missing = " (.step: only by a limn that is built with OpenCASCADE)";
+#endif
+  throw IoError(path, "unknown extension; drawings are written as " + JoinedExtensions() + missing);
+}
+
+const Format& FormatOf(const std::string& path, const DrawingFormatOptions& options) {
+  return options.format == kAutoFormat ? FormatByExtension(path)
+                                       : FormatByName(path, options.format);
+}
+
+}  // namespace
+
+std::string DrawingFormatOf(const std::string& path, const DrawingFormatOptions& options) {
+  return FormatOf(path, options).name;
+}
+
+std::vector<std::string> DrawingFormats() {
+  std::vector<std::string> names;
+  for (const Format& format : Formats()) names.push_back(format.name);
+  return names;
+}
+
+void WriteDrawing(const std::string& path, const DrawingGraph& graph,
+                  const DrawingMetadata& metadata, const DrawingFormatOptions& options) {
+  const std::vector<std::string> violations = Validate(graph);
+  if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
+  const Format& format = FormatOf(path, options);
+  WriteFileAtomically(path, [&](std::ostream& out) {
+    format.write({graph, metadata, options}, out);
+  });
+}
+
+void WriteSketch(const std::string& path, const CurveSketch& sketch) {
+  WriteFileAtomically(path, [&](std::ostream& out) { WriteSketchPly(sketch, out); });
+}
+
+void WriteTracks(const std::string& path, const DrawingGraph& graph,
+                 const std::vector<View>& views) {
+  WriteFileAtomically(path, [&](std::ostream& out) { WriteTracks(graph, views, out); });
+}
+
+}  // namespace limn

@@ -1,0 +1,91 @@
+// What every command tells of its options.
+
+#include <regex>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/commands/commands.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsSubsetOf;
+using testing::IsSupersetOf;
+using testing::Not;
+
+using RunCommand = int (*)(int argc, const char* const* argv);
+
+struct Command {
+  const char* name;
+  RunCommand run;
+};
+
+constexpr Command kCommands[] = {
+    {"automatic_drawer", RunAutomaticDrawer},   {"curve_drawer", RunCurveDrawer},
+    {"curve_linker", RunCurveLinker},           {"curve_sketcher", RunCurveSketcher},
+    {"drawing_evaluator", RunDrawingEvaluator}, {"drawing_exporter", RunDrawingExporter},
+    {"drawing_fuser", RunDrawingFuser},         {"drawing_refiner", RunDrawingRefiner},
+    {"drawing_viewer", RunDrawingViewer},       {"edge_extractor", RunEdgeExtractor},
+    {"model_importer", RunModelImporter},       {"truth_extractor", RunTruthExtractor},
+};
+
+// What a help text of a user's size holds.
+constexpr size_t kMaxBasicOptions = 20;
+
+std::string HelpOf(const Command& command, const char* flag) {
+  const char* arguments[] = {command.name, flag};
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(command.run(2, arguments), 0) << command.name;
+  return testing::internal::GetCapturedStdout();
+}
+
+std::set<std::string> OptionsIn(const std::string& help) {
+  const std::regex line_begin("(^|\n)  (-h \\[ )?--([A-Za-z_.]+)");
+  std::set<std::string> options;
+  for (std::sregex_iterator it(help.begin(), help.end(), line_begin), end; it != end; ++it) {
+    options.insert((*it)[3]);
+  }
+  return options;
+}
+
+TEST(Help, OfEveryCommandShowsNoMoreThanAUserUnderstands) {
+  for (const Command& command : kCommands) {
+    const std::string help = HelpOf(command, "-h");
+    const std::set<std::string> basic = OptionsIn(help);
+    const std::set<std::string> all = OptionsIn(HelpOf(command, "--help_all"));
+    EXPECT_LE(basic.size(), kMaxBasicOptions) << help;
+    EXPECT_THAT(basic, IsSubsetOf(all)) << command.name;
+    EXPECT_LT(basic.size(), all.size()) << command.name;
+    EXPECT_THAT(help, HasSubstr(std::to_string(all.size() - basic.size()) + " more options: limn " +
+                                command.name + " --help_all"));
+  }
+}
+
+TEST(Help, OfTheMainJobNamesWhatUsersSet) {
+  const Command& drawer = kCommands[0];
+  const std::set<std::string> basic = OptionsIn(HelpOf(drawer, "-h"));
+  EXPECT_THAT(basic,
+              IsSupersetOf({"help", "help_all", "project_path", "workspace_path", "output_path",
+                            "image_path", "box", "quality", "mode", "overwrite", "num_threads",
+                            "max_image_size", "account", "Drawing.min_supporting_views",
+                            "DrawingRefinement.refine_poses"}));
+  const std::string all = HelpOf(drawer, "--help_all");
+  EXPECT_THAT(OptionsIn(all), IsSupersetOf({"shard", "Linking.max_curvature", "Tiles.max_views",
+                                            "Drawing.bending_sigma_px", "taus"}));
+  EXPECT_THAT(all, AllOf(HasSubstr("box"), Not(HasSubstr("more options"))));
+}
+
+TEST(Help, OfACommandWithoutPhotographsNamesItsFiles) {
+  EXPECT_THAT(OptionsIn(HelpOf({"drawing_evaluator", RunDrawingEvaluator}, "-h")),
+              IsSupersetOf({"input_path", "truth_path", "taus", "box", "output_csv"}));
+  EXPECT_THAT(OptionsIn(HelpOf({"drawing_exporter", RunDrawingExporter}, "-h")),
+              IsSupersetOf({"input_path", "output_path", "output_type", "scale", "up_axis"}));
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext

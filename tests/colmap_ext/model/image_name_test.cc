@@ -1,0 +1,48 @@
+#include "colmap_ext/model/image_name.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ProblemOfName, AcceptsWhatMayBeJoinedToAFolder) {
+  for (const char* name : {"a.jpg", "sub folder/b c.png", "..a/b", "Fläche.jpg", "日本.png",
+                           "\xF0\x9F\x98\x80.png", "C:\\a.jpg"}) {
+    EXPECT_EQ(ProblemOfName(name), "") << name;
+  }
+}
+
+TEST(ProblemOfName, RefusesTheRest) {
+  EXPECT_THAT(ProblemOfName(""), HasSubstr("no name"));
+  EXPECT_THAT(ProblemOfName(std::string(4097, 'a')), HasSubstr("longer than 4096 bytes"));
+  EXPECT_THAT(ProblemOfName(std::string("a\0b", 3)), HasSubstr("NUL"));
+  for (const char* name : {"/a.jpg", "../a.jpg", "a/../../b.jpg"}) {
+    EXPECT_THAT(ProblemOfName(name), HasSubstr("leads out of the image folder"));
+  }
+  // Latin-1, cut, overlong, surrogate, above U+10FFFF, lone continuation.
+  for (const char* name : {"Fl\xE4"
+                           "che",
+                           "a\xE6\x97", "\xC0\xAF", "\xE0\x80\xAF", "\xF0\x80\x80\xAF",
+                           "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\x80"}) {
+    EXPECT_THAT(ProblemOfName(name), HasSubstr("not UTF-8")) << name;
+  }
+}
+
+TEST(HintForMissing, NamesAFileThatDiffersByAccident) {
+  const TempDir dir;
+  dir.WriteFile("sub/View 1.JPG", "");
+  for (const char* name : {"sub/view 1.jpg", "sub/View 1.png", "sub\\View 1.JPG"}) {
+    EXPECT_THAT(HintForMissing(dir.path(), name), HasSubstr("; ")) << name;
+    EXPECT_THAT(HintForMissing(dir.path(), name), HasSubstr("View 1.JPG is there")) << name;
+  }
+  EXPECT_EQ(HintForMissing(dir.path(), "sub/other.jpg"), "");
+  EXPECT_EQ(HintForMissing(dir.path(), "elsewhere/View 1.JPG"), "");
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext

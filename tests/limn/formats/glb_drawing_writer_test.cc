@@ -1,0 +1,192 @@
+#include "limn/formats/glb_drawing_writer.h"
+
+#include <cstring>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "limn/formats/small_drawing.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::json;
+
+// A .glb file taken apart by the words of the specification.
+struct Glb {
+  Json json;
+  std::string bin;
+};
+
+uint32_t WordAt(const std::string& bytes, size_t at) {
+  uint32_t word = 0;
+  EXPECT_LE(at + 4, bytes.size());
+  std::memcpy(&word, bytes.data() + at, 4);
+  return word;
+}
+
+Glb Parse(const std::string& bytes) {
+  Glb glb;
+  EXPECT_EQ(bytes.substr(0, 4), "glTF");
+  EXPECT_EQ(WordAt(bytes, 4), 2u);
+  EXPECT_EQ(WordAt(bytes, 8), bytes.size());
+  const uint32_t json_size = WordAt(bytes, 12);
+  EXPECT_EQ(bytes.substr(16, 4), "JSON");
+  EXPECT_EQ(json_size % 4, 0u);
+  glb.json = Json::parse(bytes.substr(20, json_size));
+  const size_t at = 20 + json_size;
+  if (at == bytes.size()) return glb;
+  EXPECT_EQ(bytes.substr(at + 4, 4), std::string("BIN\0", 4));
+  EXPECT_EQ(WordAt(bytes, at) % 4, 0u);
+  glb.bin = bytes.substr(at + 8);
+  EXPECT_EQ(WordAt(bytes, at), glb.bin.size());
+  return glb;
+}
+
+Glb Written(const DrawingGraph& graph, const GlbOptions& options = {}) {
+  std::ostringstream out;
+  WriteDrawingGlb(graph, options, out);
+  return Parse(out.str());
+}
+
+const Json& NodeNamed(const Glb& glb, const std::string& name) {
+  for (const Json& node : glb.json["nodes"]) {
+    if (node["name"] == name) return node;
+  }
+  throw std::runtime_error("no node " + name);
+}
+
+const Json& PrimitiveOf(const Glb& glb, const std::string& name) {
+  return glb.json["meshes"][NodeNamed(glb, name)["mesh"].get<int>()]["primitives"][0];
+}
+
+const char* Element(const Glb& glb, const Json& accessor, size_t index, size_t size) {
+  const Json& view = glb.json["bufferViews"][accessor["bufferView"].get<int>()];
+  const size_t offset = accessor.value("byteOffset", size_t{0});
+  EXPECT_LE(offset + (index + 1) * size, view["byteLength"].get<size_t>());
+  return glb.bin.data() + view.value("byteOffset", size_t{0}) + offset + index * size;
+}
+
+// The points of a node in the world of the drawing, z up.
+std::vector<Eigen::Vector3d> PointsOf(const Glb& glb, const std::string& name) {
+  const Json& accessor =
+      glb.json["accessors"][PrimitiveOf(glb, name)["attributes"]["POSITION"].get<int>()];
+  EXPECT_EQ(accessor["componentType"], 5126);
+  EXPECT_EQ(accessor["type"], "VEC3");
+  const Json& shift = glb.json["nodes"][0]["translation"];
+  std::vector<Eigen::Vector3d> points;
+  for (size_t i = 0; i < accessor["count"].get<size_t>(); ++i) {
+    float xyz[3];
+    std::memcpy(xyz, Element(glb, accessor, i, sizeof(xyz)), sizeof(xyz));
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_GE(xyz[axis], accessor["min"][axis].get<float>());
+      EXPECT_LE(xyz[axis], accessor["max"][axis].get<float>());
+    }
+    points.emplace_back(xyz[0] + shift[0].get<double>(), -(xyz[2] + shift[2].get<double>()),
+                        xyz[1] + shift[1].get<double>());
+  }
+  return points;
+}
+
+TEST(WriteDrawingGlb, EveryLinkIsAStripOfItsOwn) {
+  const DrawingGraph graph = SmallDrawing();
+  const Glb glb = Written(graph);
+  EXPECT_EQ(glb.json["asset"]["version"], "2.0");
+  EXPECT_EQ(glb.json["nodes"][0]["children"].size(), graph.links.size() + 1);
+  for (size_t id = 0; id < graph.links.size(); ++id) {
+    SCOPED_TRACE(id);
+    const std::string name = "link_" + std::to_string(id);
+    EXPECT_EQ(PrimitiveOf(glb, name)["mode"], 3);
+    EXPECT_EQ(NodeNamed(glb, name)["extras"]["link"], id);
+    EXPECT_EQ(NodeNamed(glb, name)["extras"]["views"], 2);
+    std::vector<Eigen::Vector3d> expected = graph.links[id].points_in_world;
+    if (graph.links[id].closed) expected.pop_back();
+    const std::vector<Eigen::Vector3d> points = PointsOf(glb, name);
+    ASSERT_EQ(points.size(), expected.size());
+    for (size_t i = 0; i < points.size(); ++i) {
+      EXPECT_LT((points[i] - expected[i]).norm(), 1e-6);
+    }
+  }
+}
+
+TEST(WriteDrawingGlb, AClosedLinkReturnsToItsFirstVertex) {
+  const Glb glb = Written(SmallDrawing());
+  EXPECT_FALSE(PrimitiveOf(glb, "link_0").contains("indices"));
+  const Json& accessor = glb.json["accessors"][PrimitiveOf(glb, "link_3")["indices"].get<int>()];
+  EXPECT_EQ(accessor["componentType"], 5125);
+  std::vector<uint32_t> indices(accessor["count"].get<size_t>());
+  for (size_t i = 0; i < indices.size(); ++i) {
+    std::memcpy(&indices[i], Element(glb, accessor, i, 4), 4);
+  }
+  EXPECT_THAT(indices, ::testing::ElementsAre(0, 1, 2, 3, 0));
+}
+
+TEST(WriteDrawingGlb, JunctionsAndCloudArePoints) {
+  GlbOptions options;
+  options.cloud = {{{1, 2, 3}, {255, 0, 188}}, {{4, 5, 6}, {0, 0, 0}}};
+  const Glb glb = Written(SmallDrawing(), options);
+  EXPECT_EQ(PrimitiveOf(glb, "junctions")["mode"], 0);
+  EXPECT_EQ(NodeNamed(glb, "junctions")["extras"]["nodes"], Json({0}));
+  EXPECT_THAT(PointsOf(glb, "junctions"), ::testing::SizeIs(1));
+  EXPECT_EQ(PrimitiveOf(glb, "cloud")["mode"], 0);
+  const std::vector<Eigen::Vector3d> points = PointsOf(glb, "cloud");
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_LT((points[1] - Eigen::Vector3d(4, 5, 6)).norm(), 1e-6);
+  const Json& accessor =
+      glb.json["accessors"][PrimitiveOf(glb, "cloud")["attributes"]["COLOR_0"].get<int>()];
+  EXPECT_EQ(accessor["normalized"], true);
+  uint16_t rgba[4];
+  std::memcpy(rgba, Element(glb, accessor, 0, sizeof(rgba)), sizeof(rgba));
+  EXPECT_EQ(rgba[0], 65535);
+  EXPECT_EQ(rgba[1], 0);
+  EXPECT_NEAR(rgba[2] / 65535.0, 0.5, 0.005);  // sRGB 188 is half the light
+  EXPECT_EQ(rgba[3], 65535);
+
+  options = {};
+  options.junctions = false;
+  EXPECT_THROW(NodeNamed(Written(SmallDrawing(), options), "junctions"), std::runtime_error);
+}
+
+TEST(WriteDrawingGlb, FarFromTheOriginPlacesKeepTheirDigits) {
+  DrawingGraph graph = SmallDrawing();
+  const Eigen::Vector3d shift(4'500'000.125, -651'234.375, 120);
+  for (DrawingNode& node : graph.nodes) node.position_in_world += shift;
+  for (DrawingLink& link : graph.links) {
+    for (Eigen::Vector3d& point : link.points_in_world) point += shift;
+  }
+  const std::vector<Eigen::Vector3d> points = PointsOf(Written(graph), "link_1");
+  ASSERT_EQ(points.size(), graph.links[1].points_in_world.size());
+  for (size_t i = 0; i < points.size(); ++i) {
+    EXPECT_LT((points[i] - graph.links[1].points_in_world[i]).norm(), 1e-6);
+  }
+}
+
+TEST(WriteDrawingGlb, TellsPrimitiveAndClass) {
+  DrawingGraph graph = SmallDrawing();
+  graph.links[0].primitive = LinkPrimitive{LineSegment{{0, 0, 0}, {1, 0, 0}}, 0.25, 0.5};
+  graph.links[0].dense = LinkDense{.dense_class = DenseClass::kBoundary};
+  const Glb glb = Written(graph);
+  EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["primitive"], "line");
+  EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["class"], "boundary");
+  EXPECT_FALSE(NodeNamed(glb, "link_1")["extras"].contains("primitive"));
+}
+
+TEST(WriteDrawingGlb, RefusesCoordinatesBeyondFloat) {
+  GlbOptions options;
+  options.cloud = {{{1e40, 0, 0}, {}}};
+  std::ostringstream out;
+  EXPECT_THROW(WriteDrawingGlb(SmallDrawing(), options, out), InputError);
+}
+
+TEST(WriteDrawingGlb, AnEmptyDrawingIsAFileToo) {
+  const Glb glb = Written({});
+  EXPECT_EQ(glb.json["nodes"].size(), 1u);
+  EXPECT_FALSE(glb.json.contains("buffers"));
+}
+
+}  // namespace
+}  // namespace limn

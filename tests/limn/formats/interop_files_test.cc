@@ -1,0 +1,117 @@
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "limn/formats/cem_file.h"
+#include "limn/formats/edg_file.h"
+#include "limn/formats/temporary_folder.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+ImageCurves SmallImageCurves() {
+  ImageCurves curves;
+  curves.edge_map.width = 64;
+  curves.edge_map.height = 48;
+  for (int i = 0; i < 5; ++i) {
+    Edgel edgel;
+    edgel.position_px = {i + 1.0 / 3, 7.125 * i};
+    edgel.tangent_rad = 1.25 * i - 2.5;
+    edgel.strength = 1.1f * static_cast<float>(i);
+    edgel.position_sigma_px = 0.07f;
+    curves.edge_map.edgels.push_back(edgel);
+  }
+  curves.fragments = {{{0, 1, 4}, false}, {{2, 3, 1}, true}};
+  return curves;
+}
+
+void ExpectSameEdgels(const EdgeMap& read, const EdgeMap& written) {
+  EXPECT_EQ(read.width, written.width);
+  EXPECT_EQ(read.height, written.height);
+  ASSERT_EQ(read.edgels.size(), written.edgels.size());
+  for (size_t i = 0; i < read.edgels.size(); ++i) {
+    EXPECT_EQ(read.edgels[i].position_px, written.edgels[i].position_px);
+    EXPECT_NEAR(read.edgels[i].tangent_rad, written.edgels[i].tangent_rad, 1e-12);
+    EXPECT_EQ(read.edgels[i].strength, written.edgels[i].strength);
+  }
+}
+
+template <typename Value, typename Write>
+std::string WriteTo(const std::string& path, const Value& value, const Write& write) {
+  std::ofstream out(path);
+  write(value, out);
+  return path;
+}
+
+TEST(EdgFile, RoundTrip) {
+  const TemporaryFolder folder;
+  const EdgeMap written = SmallImageCurves().edge_map;
+  const EdgeMap read = ReadEdg(WriteTo(folder.Path("a.edg"), written, WriteEdg));
+  ExpectSameEdgels(read, written);
+  EXPECT_EQ(read.edgels[2].position_sigma_px, 0.07f);
+  EXPECT_EQ(read.edgels[2].stored_px, read.edgels[2].position_px.cast<float>());
+}
+
+TEST(EdgFile, NineLinesOfHeaderComeBeforeTheEdgels) {
+  const TemporaryFolder folder;
+  std::ifstream file(WriteTo(folder.Path("a.edg"), SmallImageCurves().edge_map, WriteEdg));
+  std::string line;
+  for (int i = 0; i < 10; ++i) std::getline(file, line);
+  EXPECT_EQ(line.substr(0, 6), "[0, 0]");
+}
+
+TEST(EdgFile, OldVersionWithoutUncertainty) {
+  const TemporaryFolder folder;
+  const EdgeMap map = ReadEdg(folder.Write("old.edg",
+                                           "# EDGE_MAP v2.0\n\n# Format\n\n WIDTH=640\n"
+                                           "HEIGHT=480\nEDGE_COUNT=1\n\n\n"
+                                           "EDGE : [3, 4]  0 2.5  [3.25, 4.5]  6.0 2.5\n"));
+  ASSERT_EQ(map.edgels.size(), 1u);
+  EXPECT_EQ(map.edgels[0].position_px, Eigen::Vector2d(3.25, 4.5));
+  EXPECT_NEAR(map.edgels[0].tangent_rad, 6.0 - 2 * M_PI, 1e-12);
+  EXPECT_EQ(map.edgels[0].strength, 2.5f);
+}
+
+TEST(EdgFile, DamagedFilesAreRefused) {
+  const TemporaryFolder folder;
+  const std::string header = "# EDGE_MAP v3.0\n\nWIDTH=6\nHEIGHT=4\n";
+  const std::string edgel = "[1, 1] 0 1 [1, 1] 0 1 0\n";
+  const auto read = [&](const std::string& text) { return ReadEdg(folder.Write("a.edg", text)); };
+  EXPECT_EQ(read(header + "EDGE_COUNT=1\n" + edgel).edgels.size(), 1u);
+  EXPECT_THROW(read("hello\n"), IoError);
+  EXPECT_THROW(read(header), IoError);
+  EXPECT_THROW(read("# EDGE_MAP v3.0\nEDGE_COUNT=0\n"), IoError);
+  EXPECT_THROW(read(header + "EDGE_COUNT=2\n" + edgel), IoError);
+  EXPECT_THROW(read(header + "EDGE_COUNT=0\n" + edgel), IoError);
+  EXPECT_THROW(read(header + "EDGE_COUNT=1\n[1, 1] 0 1 [1, nan] 0 1 0\n"), IoError);
+  EXPECT_THROW(read(header + "EDGE_COUNT=-3\n"), IoError);
+}
+
+TEST(CemFile, RoundTrip) {
+  const TemporaryFolder folder;
+  const ImageCurves written = SmallImageCurves();
+  const ImageCurves read = ReadCem(WriteTo(folder.Path("a.cem"), written, WriteCem));
+  ExpectSameEdgels(read.edge_map, written.edge_map);
+  ASSERT_EQ(read.fragments.size(), 2u);
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read.fragments[i].edgel_ids, written.fragments[i].edgel_ids);
+    EXPECT_EQ(read.fragments[i].closed, written.fragments[i].closed);
+  }
+}
+
+TEST(CemFile, DamagedFilesAreRefused) {
+  const TemporaryFolder folder;
+  const std::string good =
+      TemporaryFolder::Read(WriteTo(folder.Path("a.cem"), SmallImageCurves(), WriteCem));
+  const size_t end_of_contours = good.find("[Contour Properties]");
+  for (size_t length = 0; length + 6 < end_of_contours; length += 3) {
+    EXPECT_THROW(ReadCem(folder.Write("cut.cem", good.substr(0, length))), IoError) << length;
+  }
+  std::string bad_id = good;
+  bad_id.replace(bad_id.find("[0 1 4 ]"), 8, "[0 1 5 ]");
+  EXPECT_THROW(ReadCem(folder.Write("id.cem", bad_id)), IoError);
+}
+
+}  // namespace
+}  // namespace limn

@@ -1,0 +1,207 @@
+#include "limn/formats/write_drawing.h"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limn/formats/colors.h"
+#include "limn/formats/read_curves.h"
+#include "limn/formats/small_drawing.h"
+#include "limn/formats/temporary_folder.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+DrawingMetadata SmallMetadata() { return {{"a.png", "sub/b c.png"}, R"({"z":1,"a":{"b":[2.5]}})"}; }
+
+void ExpectSamePolylines(const CurveSet& set, const DrawingGraph& graph) {
+  ASSERT_EQ(set.polylines.size(), graph.links.size());
+  for (size_t i = 0; i < graph.links.size(); ++i) {
+    EXPECT_EQ(set.polylines[i], graph.links[i].points_in_world) << "link " << i;
+  }
+}
+
+TEST(WriteDrawing, SmallDrawingIsValid) {
+  EXPECT_THAT(Validate(SmallDrawing()), ::testing::IsEmpty());
+}
+
+TEST(WriteDrawing, LinksComeBackExactlyFromEveryFormat) {
+  const TemporaryFolder folder;
+  const DrawingGraph graph = SmallDrawing();
+  for (const char* name : {"d.ply", "d.obj", "d.json"}) {
+    SCOPED_TRACE(name);
+    WriteDrawing(folder.Path(name), graph, SmallMetadata());
+    ExpectSamePolylines(ReadCurves(folder.Path(name)), graph);
+  }
+}
+
+TEST(WriteDrawing, JsonKeepsTheWholeGraph) {
+  const TemporaryFolder folder;
+  const DrawingGraph graph = SmallDrawing();
+  const std::string path = folder.Path("d.json");
+  WriteDrawing(path, graph, SmallMetadata());
+  const DrawingFile file = ReadDrawingJson(path);
+  EXPECT_EQ(file.metadata.view_names, SmallMetadata().view_names);
+  EXPECT_EQ(file.metadata.options_json, SmallMetadata().options_json);
+  ASSERT_EQ(file.graph.nodes.size(), graph.nodes.size());
+  for (size_t i = 0; i < graph.nodes.size(); ++i) {
+    EXPECT_EQ(file.graph.nodes[i].position_in_world, graph.nodes[i].position_in_world);
+    EXPECT_EQ(file.graph.nodes[i].kind, graph.nodes[i].kind);
+    EXPECT_EQ(file.graph.nodes[i].incident, graph.nodes[i].incident);
+    EXPECT_EQ(file.graph.nodes[i].continuations, graph.nodes[i].continuations);
+  }
+  for (size_t i = 0; i < graph.links.size(); ++i) {
+    EXPECT_EQ(file.graph.links[i].sigma, graph.links[i].sigma);
+    EXPECT_EQ(file.graph.links[i].supporting_views, graph.links[i].supporting_views);
+    EXPECT_EQ(file.graph.links[i].residual_px, graph.links[i].residual_px);
+    EXPECT_EQ(file.graph.links[i].closed, graph.links[i].closed);
+    ASSERT_EQ(file.graph.links[i].members.size(), 2u);
+    EXPECT_EQ(file.graph.links[i].members[1].curve, 5);
+    EXPECT_EQ(file.graph.links[i].members[1].end, 4);
+  }
+  // Writing what was read gives the same bytes.
+  WriteDrawing(folder.Path("again.json"), file.graph, file.metadata);
+  EXPECT_EQ(TemporaryFolder::Read(path), TemporaryFolder::Read(folder.Path("again.json")));
+}
+
+TEST(WriteDrawing, JsonKeepsThePrimitives) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  const std::vector<CurveShape> shapes = {
+      LineSegment{{0, 0, 0}, {1, 0, 0}}, CircularArc{{0, 1, 0}, {0, 1, 0}, {1, 0, 0}, 1.0 / 3, 2},
+      CubicBSpline{{0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0.1}}},
+      CircularArc{{5, 6, 5}, {0, -1, 0}, {1, 0, 0}, 1, 2 * M_PI}};
+  for (size_t l = 0; l < shapes.size(); ++l) {
+    graph.links[l].primitive = LinkPrimitive{shapes[l], 0.25, 0.5};
+  }
+  const std::string path = folder.Path("d.json");
+  WriteDrawing(path, graph, SmallMetadata());
+  const DrawingFile file = ReadDrawingJson(path);
+  for (size_t l = 0; l < shapes.size(); ++l) {
+    const auto& primitive = file.graph.links[l].primitive;
+    ASSERT_TRUE(primitive);
+    EXPECT_STREQ(ShapeName(primitive->shape), ShapeName(shapes[l]));
+    EXPECT_EQ(PointAt(primitive->shape, 0.3), PointAt(shapes[l], 0.3));
+    EXPECT_EQ(primitive->max_px, 0.5);
+  }
+  WriteDrawing(folder.Path("again.json"), file.graph, file.metadata);
+  const std::string text = TemporaryFolder::Read(path);
+  EXPECT_EQ(text, TemporaryFolder::Read(folder.Path("again.json")));
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"spline\"", "\"bezier\""},
+                                 {"\"radius\":1.0", "\"radius\":-1.0"},
+                                 {"\"knots\":[0.0,", "\"knots\":["}}) {
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    const std::string bad = std::string(text).replace(at, from.size(), to);
+    EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", bad)), IoError) << from;
+  }
+}
+
+TEST(WriteDrawing, BrokenJsonIsRefused) {
+  const TemporaryFolder folder;
+  WriteDrawing(folder.Path("d.json"), SmallDrawing(), SmallMetadata());
+  const std::string text = TemporaryFolder::Read(folder.Path("d.json"));
+  const auto with = [&](const std::string& from, const std::string& to) {
+    const size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return folder.Write("bad.json", std::string(text).replace(at, from.size(), to));
+  };
+  EXPECT_THROW(ReadDrawingJson(folder.Write("cut.json", text.substr(0, text.size() / 2))), IoError);
+  EXPECT_THROW(ReadDrawingJson(with("limn-drawing", "other")), IoError);
+  EXPECT_THROW(ReadDrawingJson(with("\"format_version\": 1", "\"format_version\": 2")), IoError);
+  EXPECT_THROW(ReadDrawingJson(with("\"kind\":\"junction\"", "\"kind\":\"knot\"")), IoError);
+  EXPECT_THROW(ReadDrawingJson(with("\"node0\":0", "\"node0\":77")), IoError);
+  EXPECT_THROW(ReadDrawingJson(with("\"closed\"", "\"shut\"")), IoError);
+}
+
+// COLMAP's ReadPly takes vertex properties of type float, double and uchar only.
+TEST(WriteDrawing, PlyHeaderIsWhatColmapReads) {
+  const TemporaryFolder folder;
+  WriteDrawing(folder.Path("d.ply"), SmallDrawing(), SmallMetadata());
+  std::istringstream file(TemporaryFolder::Read(folder.Path("d.ply")));
+  std::string line;
+  std::vector<std::string> vertex_properties;
+  bool in_vertex = false;
+  while (std::getline(file, line) && line != "end_header") {
+    if (line.starts_with("element")) in_vertex = line.starts_with("element vertex");
+    if (in_vertex && line.starts_with("property")) vertex_properties.push_back(line);
+    if (line.starts_with("format")) {
+      EXPECT_EQ(line, "format binary_little_endian 1.0");
+    }
+  }
+  EXPECT_THAT(vertex_properties, ::testing::SizeIs(7));
+  EXPECT_THAT(vertex_properties,
+              ::testing::Each(::testing::AnyOf(::testing::StartsWith("property double "),
+                                               ::testing::StartsWith("property uchar "))));
+}
+
+TEST(WriteDrawing, EmptyDrawingIsAFileToo) {
+  const TemporaryFolder folder;
+  for (const char* name : {"e.ply", "e.obj", "e.json"}) {
+    WriteDrawing(folder.Path(name), {}, {});
+    EXPECT_TRUE(ReadCurves(folder.Path(name)).polylines.empty());
+  }
+  for (const char* name : {"e.dxf", "e.graphml"}) {
+    WriteDrawing(folder.Path(name), {}, {});
+    EXPECT_FALSE(TemporaryFolder::Read(folder.Path(name)).empty());
+  }
+}
+
+TEST(WriteDrawing, RefusesBrokenGraphsNamesAndExtensions) {
+  const TemporaryFolder folder;
+  DrawingGraph broken = SmallDrawing();
+  broken.links[0].points_in_world[0].x() += 1;
+  EXPECT_THROW(WriteDrawing(folder.Path("d.ply"), broken, SmallMetadata()), InputError);
+  EXPECT_THROW(WriteDrawing(folder.Path("d.stl"), SmallDrawing(), SmallMetadata()), IoError);
+  DrawingFormatOptions unknown;
+  unknown.format = "stl";
+  EXPECT_THROW(WriteDrawing(folder.Path("d.ply"), SmallDrawing(), SmallMetadata(), unknown),
+               IoError);
+  DrawingGraph no_circle = SmallDrawing();
+  no_circle.links[3].primitive.emplace().shape = CircularArc{};
+  EXPECT_THROW(WriteDrawing(folder.Path("d.ply"), no_circle, SmallMetadata()), InputError);
+  EXPECT_THROW(WriteDrawing(folder.Path("d.json"), SmallDrawing(), {{"only one"}, "{}"}),
+               InputError);
+  EXPECT_THROW(WriteDrawing(folder.Path("d.json"), SmallDrawing(), {{"a", "b"}, "[1]"}),
+               InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder.Path("d.json")));
+}
+
+TEST(WriteSketch, CurvesComeBack) {
+  const TemporaryFolder folder;
+  CurveSketch sketch;
+  for (const bool closed : {false, true}) {
+    Curve3D curve;
+    for (int i = 0; i < 4; ++i) {
+      curve.points_in_world.emplace_back(i, i * i, closed ? 1 : 0);
+      curve.depth_sigma.push_back(0.5);
+      curve.support.Append({});
+    }
+    curve.closed = closed;
+    sketch.curves.push_back(curve);
+  }
+  WriteSketch(folder.Path("s.ply"), sketch);
+  const CurveSet read = ReadCurves(folder.Path("s.ply"));
+  const CurveSet expected = ToCurveSet(sketch);
+  EXPECT_EQ(read.polylines, expected.polylines);
+}
+
+TEST(ColorOfCurve, NeighboringIdsAreFarApartAndNeverDark) {
+  for (int id = 0; id < 1000; ++id) {
+    const Color a = ColorOfCurve(id);
+    const Color b = ColorOfCurve(id + 1);
+    const int difference =
+        std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
+    EXPECT_GT(difference, 100) << id;
+    EXPECT_GT(std::max({a.red, a.green, a.blue}), 180) << id;
+  }
+}
+
+}  // namespace
+}  // namespace limn
