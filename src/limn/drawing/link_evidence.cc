@@ -7,7 +7,7 @@
 #include "limn/drawing/occluding_contours.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
-#include "limn/util/team.h"
+#include "limn/util/map_items.h"
 
 namespace limn {
 namespace {
@@ -143,66 +143,55 @@ class Claims {
   std::vector<std::vector<bool>> claimed_;  // per view, per edgel
 };
 
-enum Belief : uint8_t { kNotBelieved, kUncertain, kCertain };
+enum class Belief : uint8_t { kNo, kUncertain, kCertain };
+
+struct FirstJudgement {
+  Belief belief = Belief::kNo;
+  std::vector<ViewId> near;  // views that may contain the link
+};
 
 Belief FirstBelief(const LinkJudgementInput& input, const DrawingOptions& options,
                    const DraftLink& link, const std::vector<ViewId>& near) {
   if (NumPrimaryViews(input.samples, link) < kMinMergedViews ||
       IsOccludingContour(link, near, input.views, input.curves, input.evidence, options.Gate())) {
-    return kNotBelieved;
+    return Belief::kNo;
   }
   const double required =
       std::clamp(options.primary_views_share * MeanContaining(link, near, input.views),
                  options.min_primary_views, options.max_primary_views);
-  return MeanAgreement(link, input.agreeing_views) >= required ? kCertain : kUncertain;
+  return MeanAgreement(link, input.agreeing_views) >= required ? Belief::kCertain
+                                                               : Belief::kUncertain;
 }
 
 }  // namespace
 
 std::vector<uint8_t> BelievedLinks(const LinkJudgementInput& input, const DrawingOptions& options,
                                    const Draft& draft, const RunContext& context) {
-  std::vector<Belief> belief(draft.links.size());
-  std::vector<std::vector<ViewId>> near(draft.links.size());  // views that may contain the link
   const ViewFinder finder(input.views);
-  TeamFor(
-      context, "link agreement", belief.size(),
-      [&](size_t l) {
-        near[l] = finder.NearAnyOf(draft.links[l].position);
-        belief[l] = FirstBelief(input, options, draft.links[l], near[l]);
-      },
-      [&](size_t l, ByteWriter* out) {
-        out->PutCount(near[l].size());
-        out->PutArray(near[l].data(), near[l].size());
-        out->Put<uint8_t>(belief[l]);
-      },
-      [&](size_t l, ByteReader* in) {
-        near[l].resize(in->GetCount(sizeof(ViewId)));
-        in->GetArray(near[l].data(), near[l].size());
-        belief[l] = static_cast<Belief>(in->Get<uint8_t>());
-      });
+  const auto first = MapItems(context, "link agreement", draft.links.size(), [&](size_t l) {
+    FirstJudgement judgement;
+    judgement.near = finder.NearAnyOf(draft.links[l].position);
+    judgement.belief = FirstBelief(input, options, draft.links[l], judgement.near);
+    return judgement;
+  });
   Claims claims(input, options);
   std::vector<std::vector<size_t>> certain_in(input.views.size());
-  for (size_t l = 0; l < belief.size(); ++l) {
-    if (belief[l] != kCertain) continue;
-    for (const ViewId v : near[l]) certain_in[v].push_back(l);
+  for (size_t l = 0; l < first.size(); ++l) {
+    if (first[l].belief != Belief::kCertain) continue;
+    for (const ViewId v : first[l].near) certain_in[v].push_back(l);
   }
   ParallelFor(context, "claimed edgels", input.views.size(), [&](size_t v) {
     for (const size_t l : certain_in[v]) claims.Add(v, draft.links[l]);
   });
-  std::vector<uint8_t> believed(belief.size(), 0);
-  TeamFor(
-      context, "link evidence", belief.size(),
-      [&](size_t l) {
-        believed[l] = belief[l] == kCertain;
-        if (belief[l] != kUncertain) return;
-        const double required = std::clamp(
-            options.own_views_share * MeanContaining(draft.links[l], near[l], input.views),
-            options.min_own_views, options.max_own_views);
-        believed[l] = claims.OwnViews(draft.links[l], near[l]) >= required;
-      },
-      [&](size_t l, ByteWriter* out) { out->Put(believed[l]); },
-      [&](size_t l, ByteReader* in) { believed[l] = in->Get<uint8_t>(); });
-  return believed;
+  return MapItems(context, "link evidence", first.size(), [&](size_t l) -> uint8_t {
+    const auto& [belief, near] = first[l];
+    if (belief != Belief::kUncertain) return belief == Belief::kCertain;
+    const DraftLink& link = draft.links[l];
+    const double required =
+        std::clamp(options.own_views_share * MeanContaining(link, near, input.views),
+                   options.min_own_views, options.max_own_views);
+    return claims.OwnViews(link, near) >= required;
+  });
 }
 
 }  // namespace limn

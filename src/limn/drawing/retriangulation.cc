@@ -10,14 +10,12 @@
 #include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/support/required_views.h"
-#include "limn/util/team.h"
+#include "limn/util/map_items.h"
 
 namespace limn {
 namespace {
 
 constexpr int kRounds = 3;
-// Curves whose working copies are in memory at once.
-constexpr size_t kBlock = 4096;
 constexpr int kGaussNewtonSteps = 3;
 // Standard deviation of the pull back to where a step began, px: decides nothing but what the
 // edgels leave open.
@@ -255,17 +253,12 @@ SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& view
                         RetriangulationStats* stats) {
   const CurveRetriangulation retriangulation(views, curves, evidence, options);
   SampleCollector collector(sketch, options, stats);
-  for (size_t begin = 0; begin < sketch.curves.size(); begin += kBlock) {
-    std::vector<WorkingCurve> working(std::min(kBlock, sketch.curves.size() - begin));
-    TeamFor(
-        PartOf(context, begin, sketch.curves.size()), "re-triangulation", working.size(),
-        [&](size_t c) { working[c] = retriangulation.Run(sketch.curves[begin + c]); },
-        [&](size_t c, ByteWriter* out) { Put(working[c], out); },
-        [&](size_t c, ByteReader* in) { Get(in, &working[c]); });
-    for (size_t c = begin; c < begin + working.size(); ++c) {
-      collector.Add(working[c - begin], static_cast<int>(c), sketch.curves[c].anchor.view);
-    }
-  }
+  MapItemsInBlocks(
+      context, "re-triangulation", sketch.curves.size(),
+      [&](size_t c) { return retriangulation.Run(sketch.curves[c]); },
+      [&](size_t c, const WorkingCurve& working) {
+        collector.Add(working, static_cast<int>(c), sketch.curves[c].anchor.view);
+      });
   return collector.Take();
 }
 

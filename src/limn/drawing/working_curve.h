@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include "limn/model/curve3d.h"
-#include "limn/util/byte_stream.h"
 
 namespace limn {
 
@@ -22,9 +21,5 @@ struct WorkingCurve {
 
   int size() const { return static_cast<int>(position.size()); }
 };
-
-// As bytes, for other processes.
-void Put(const WorkingCurve& curve, ByteWriter* out);
-void Get(ByteReader* in, WorkingCurve* curve);
 
 }  // namespace limn
