@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "limn/geometry/tangent_frame.h"
 #include "limn/util/map_items.h"
 
 namespace limn {
@@ -49,14 +50,12 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   const Eigen::Vector3d& x = samples.position[s];
   const Eigen::Vector3d& tangent = samples.tangent[s];
   const double footprint = samples.footprint[s];
-  Eigen::Matrix<double, 3, 2> across;
-  across.col(0) = tangent.unitOrthogonal();
-  across.col(1) = tangent.cross(across.col(0));
+  const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
   // Every estimate is at best known to a tenth of a pixel: none may rule alone.
   const double floor = std::pow(0.1 * footprint, 2);
   const auto weight = [&](int sample) {
     const Eigen::Matrix2d information = across.transpose() * samples.information[sample] * across +
-                                        Eigen::Matrix2d::Identity() / std::pow(30 * footprint, 2);
+                                        WeakInformation(footprint) * Eigen::Matrix2d::Identity();
     return Eigen::Matrix2d((information.inverse() + floor * Eigen::Matrix2d::Identity()).inverse());
   };
   Eigen::Matrix2d sum = weight(s);

@@ -1,13 +1,13 @@
 #include "limn/drawing/draft.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "limn/drawing/curve_smoothing.h"
+#include "limn/geometry/tangent_frame.h"
 
 namespace limn {
 namespace {
@@ -33,10 +33,8 @@ std::vector<Eigen::Vector3d> Tangents(const DraftLink& link) {
 Eigen::Vector3d MeanPosition(const SampleSet& samples, int own, const std::vector<int>& merged) {
   const Eigen::Vector3d& position = samples.position[own];
   const Eigen::Vector3d& tangent = samples.tangent[own];
-  Eigen::Matrix<double, 3, 2> across;
-  across.col(0) = tangent.unitOrthogonal();
-  across.col(1) = tangent.cross(across.col(0));
-  const double weak = 1 / std::pow(30 * samples.footprint[own], 2);
+  const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
+  const double weak = WeakInformation(samples.footprint[own]);
   Eigen::Matrix2d sum = weak * Eigen::Matrix2d::Identity();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   for (const int s : merged) {

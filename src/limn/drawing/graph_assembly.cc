@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "limn/support/edgel_residual.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -24,7 +25,7 @@ double SigmaAcross(const Eigen::Matrix3d& information, double footprint) {
   const Eigen::Vector3d values =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information, Eigen::EigenvaluesOnly)
           .eigenvalues();
-  const double weak = 1 / std::pow(30 * footprint, 2);
+  const double weak = WeakInformation(footprint);
   return std::sqrt(0.5 * (1 / std::max(values[1], weak) + 1 / std::max(values[2], weak)));
 }
 
@@ -76,10 +77,7 @@ double MedianResidualPx(const SampleSet& samples, const std::vector<View>& views
       if (residual) residuals.push_back(std::abs(residual->residual_px));
     }
   }
-  if (residuals.empty()) return 0;
-  const auto middle = residuals.begin() + residuals.size() / 2;
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return *middle;
+  return Median(std::move(residuals));
 }
 
 class Assembler {

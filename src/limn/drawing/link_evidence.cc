@@ -5,6 +5,7 @@
 #include <set>
 
 #include "limn/drawing/occluding_contours.h"
+#include "limn/geometry/tangent_frame.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/util/map_items.h"
@@ -108,10 +109,9 @@ class Claims {
   // A point's copies beside the link, as one view has them.
   void AddCopies(size_t view, const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
                  double footprint, Copies* copies) const {
-    const Eigen::Vector3d u = footprint * tangent.unitOrthogonal();
-    const Eigen::Vector3d w = tangent.cross(u);
+    const Eigen::Matrix<double, 3, 2> across = footprint * TangentFrame(tangent);
     for (const double shift : kShiftsPx) {
-      for (const Eigen::Vector3d& offset : {u, w}) {
+      for (const Eigen::Vector3d offset : across.colwise()) {
         for (const double sign : {-1.0, 1.0}) {
           const Eigen::Vector3d copy = point + sign * shift * offset;
           if (!input_.views[view].Project(copy)) continue;
