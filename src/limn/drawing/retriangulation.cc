@@ -6,7 +6,8 @@
 #include <Eigen/LU>
 
 #include "limn/drawing/curve_smoothing.h"
-#include "limn/drawing/working_curve.h"
+#include "limn/geometry/tangent_frame.h"
+#include "limn/model/footprint.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/support/required_views.h"
@@ -20,6 +21,25 @@ constexpr int kGaussNewtonSteps = 3;
 // Standard deviation of the pull back to where a step began, px: decides nothing but what the
 // edgels leave open.
 constexpr double kPriorSigmaPx = 3;
+
+// A curve of the sketch on its way to where its edgels agree. One entry per sample.
+struct WorkingCurve {
+  std::vector<Eigen::Vector3d> position;
+  std::vector<Eigen::Vector3d> tangent;
+  std::vector<Eigen::Matrix3d> information;
+  std::vector<double> footprint;
+  std::vector<std::vector<EdgelRef>> support;
+  std::vector<uint8_t> supported;  // by enough views, in the end
+  bool closed = false;
+
+  int size() const { return static_cast<int>(position.size()); }
+};
+
+std::vector<ViewId> ViewsOf(const std::vector<EdgelRef>& support) {
+  std::vector<ViewId> views;
+  for (const EdgelRef& ref : support) views.push_back(ref.view);
+  return views;
+}
 
 class CurveRetriangulation {
  public:
@@ -59,18 +79,6 @@ class CurveRetriangulation {
     return curves_[ref.view].edge_map.edgels[ref.edgel];
   }
 
-  double MedianFootprint(const Eigen::Vector3d& point, const std::vector<EdgelRef>& support) const {
-    std::vector<double> footprints;
-    for (const EdgelRef& ref : support) {
-      if (const auto footprint = Footprint(views_[ref.view], point))
-        footprints.push_back(*footprint);
-    }
-    if (footprints.empty()) return 0;
-    const auto middle = footprints.begin() + footprints.size() / 2;
-    std::nth_element(footprints.begin(), middle, footprints.end());
-    return *middle;
-  }
-
   struct WeightedLine {
     const View* view;
     EdgelLine line;
@@ -92,12 +100,10 @@ class CurveRetriangulation {
     const std::vector<EdgelRef>& support = working->support[s];
     Eigen::Vector3d& position = working->position[s];
     const Eigen::Vector3d start = position;
-    const double footprint = MedianFootprint(position, support);
+    const double footprint = MedianFootprint(position, ViewsOf(support), views_);
     working->footprint[s] = footprint > 0 ? footprint : working->footprint[s];
     const Eigen::Vector3d& tangent = working->tangent[s];
-    Eigen::Matrix<double, 3, 2> across;
-    across.col(0) = tangent.unitOrthogonal();
-    across.col(1) = tangent.cross(across.col(0));
+    const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
     const double prior = 1 / std::pow(kPriorSigmaPx * working->footprint[s], 2);
     const std::vector<WeightedLine> lines = LinesOf(support);
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();

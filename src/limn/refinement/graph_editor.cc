@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "limn/geometry/polyline.h"
-#include "limn/support/link_footprint.h"
+#include "limn/model/footprint.h"
 
 namespace limn {
 namespace {
@@ -45,8 +45,7 @@ GraphEditor::GraphEditor(const std::vector<View>& views,
   for (const auto& index : edgels) edgels_.push_back(index.get());
   for (size_t l = 0; l < graph->links.size(); ++l) {
     DrawingLink& link = graph->links[l];
-    const Eigen::Vector3d& middle = link.points_in_world[link.points_in_world.size() / 2];
-    footprint_.push_back(LinkFootprint(link, middle, views));
+    footprint_.push_back(LinkFootprint(link, views));
     left_alone_.push_back(frozen[l] || !(footprint_.back() > 0));
     if (!left_alone_.back()) Densify(footprint_.back(), &link);
   }

@@ -7,8 +7,8 @@
 
 #include "limn/geometry/polyline.h"
 #include "limn/geometry/spatial_index.h"
+#include "limn/model/footprint.h"
 #include "limn/model/graph_edits.h"
-#include "limn/support/link_footprint.h"
 #include "limn/tiles/tile_cropping.h"
 
 namespace limn {
