@@ -4,18 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "limn/util/median.h"
+
 namespace limn::colmap_ext {
 namespace {
 
 // Cameras this much farther from the origin than from each other lose three decimal digits.
 constexpr double kFarAway = 1000;
-
-// Precondition: not empty.
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 

@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "bench/markdown.h"
+#include "limn/util/median.h"
 
 namespace limn::bench {
 namespace {
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 std::string MedianAndSpread(const Json& runs, int digits) {
   const auto values = runs.get<std::vector<double>>();

@@ -14,6 +14,7 @@
 #include "limn/formats/json_junctions_reader.h"
 #include "limn/formats/read_curves.h"
 #include "limn/model/curve_set.h"
+#include "limn/util/median.h"
 
 namespace limn::testing {
 namespace {
@@ -89,7 +90,9 @@ TEST(Sample, StraightEdgesAreLinesAndCirclesAreCircles) {
   EXPECT_GE(shapes.lines_as_lines, kMinLinesAsLines * shapes.length_on_lines);
   ASSERT_GT(shapes.length_on_circles, 4);
   EXPECT_GE(shapes.circles_as_circles, kMinCirclesAsCircles * shapes.length_on_circles);
+  ASSERT_FALSE(shapes.direction_errors_deg.empty());
   EXPECT_LE(Median(shapes.direction_errors_deg), kMaxMedianDirectionDeg);
+  ASSERT_FALSE(shapes.radius_errors.empty());
   EXPECT_LE(Median(shapes.radius_errors), kMaxMedianRadiusError);
 }
 

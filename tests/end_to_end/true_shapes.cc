@@ -159,11 +159,7 @@ ShapeAgreement CompareShapes(const DrawingGraph& graph, const std::string& truth
       }
     }
   }
-  std::sort(agreement.direction_errors_deg.begin(), agreement.direction_errors_deg.end());
-  std::sort(agreement.radius_errors.begin(), agreement.radius_errors.end());
   return agreement;
 }
-
-double Median(const std::vector<double>& ascending) { return ascending[ascending.size() / 2]; }
 
 }  // namespace limn::testing

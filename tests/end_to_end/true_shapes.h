@@ -14,17 +14,14 @@ struct ShapeAgreement {
   double lines_as_lines = 0;   // of it: of links that are lines
   double length_on_circles = 0;
   double circles_as_circles = 0;  // of links that are arcs or circles
-  // Of lines longer than `long_line`: angles to the true ones, degrees, ascending.
+  // Of lines longer than `long_line`: angles to the true ones, degrees.
   std::vector<double> direction_errors_deg;
-  // Of arcs and circles that turn by more than a radian: |radius / true radius - 1|, ascending.
+  // Of arcs and circles that turn by more than a radian: |radius / true radius - 1|.
   std::vector<double> radius_errors;
 };
 
 // `truth_path` is a file of curves as polylines, which are cut at corners.
 ShapeAgreement CompareShapes(const DrawingGraph& graph, const std::string& truth_path,
                              double tolerance, double long_line);
-
-// Of an ascending list that is not empty.
-double Median(const std::vector<double>& ascending);
 
 }  // namespace limn::testing

@@ -1,7 +1,7 @@
 #include "limn/dense/drawing_samples.h"
 
 #include "limn/geometry/polyline.h"
-#include "limn/support/link_footprint.h"
+#include "limn/model/footprint.h"
 
 namespace limn {
 DrawingSamples SampleDrawing(const DrawingGraph& graph, const std::vector<View>& views,
@@ -9,8 +9,7 @@ DrawingSamples SampleDrawing(const DrawingGraph& graph, const std::vector<View>&
   DrawingSamples samples;
   for (size_t l = 0; l < graph.links.size(); ++l) {
     const DrawingLink& link = graph.links[l];
-    const Eigen::Vector3d& middle = link.points_in_world[link.points_in_world.size() / 2];
-    const double footprint = LinkFootprint(link, middle, views);
+    const double footprint = LinkFootprint(link, views);
     if (!(footprint > 0)) continue;
     const Polyline3d points = ResampleUniform(link.points_in_world, spacing_px * footprint);
     for (size_t k = 1; k < points.size(); ++k) {

@@ -8,7 +8,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "limn/util/team.h"
+#include "limn/geometry/tangent_frame.h"
+#include "limn/util/map_items.h"
 
 namespace limn {
 namespace {
@@ -49,14 +50,12 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   const Eigen::Vector3d& x = samples.position[s];
   const Eigen::Vector3d& tangent = samples.tangent[s];
   const double footprint = samples.footprint[s];
-  Eigen::Matrix<double, 3, 2> across;
-  across.col(0) = tangent.unitOrthogonal();
-  across.col(1) = tangent.cross(across.col(0));
+  const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
   // Every estimate is at best known to a tenth of a pixel: none may rule alone.
   const double floor = std::pow(0.1 * footprint, 2);
   const auto weight = [&](int sample) {
     const Eigen::Matrix2d information = across.transpose() * samples.information[sample] * across +
-                                        Eigen::Matrix2d::Identity() / std::pow(30 * footprint, 2);
+                                        WeakInformation(footprint) * Eigen::Matrix2d::Identity();
     return Eigen::Matrix2d((information.inverse() + floor * Eigen::Matrix2d::Identity()).inverse());
   };
   Eigen::Matrix2d sum = weight(s);
@@ -82,44 +81,47 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   return x + across * sum.inverse() * right;
 }
 
+// Where a curve's samples go in one round.
+struct AveragedCurve {
+  std::vector<Eigen::Vector3d> position;
+  double moved_px = 0;  // by the sample that goes farthest
+};
+
+AveragedCurve AverageCurve(const SampleSet& samples, const std::vector<CurveOverlap>& overlaps,
+                           int curve, const DrawingOptions& options) {
+  AveragedCurve averaged;
+  averaged.position.reserve(samples.Size(curve));
+  for (int k = 0; k < samples.Size(curve); ++k) {
+    const int s = samples.curve_begin[curve] + k;
+    averaged.position.push_back(Average(samples, overlaps, s, k, options));
+    averaged.moved_px =
+        std::max(averaged.moved_px,
+                 (averaged.position[k] - samples.position[s]).norm() / samples.footprint[s]);
+  }
+  return averaged;
+}
+
 }  // namespace
 
 int AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
                   const RunContext& context, SampleSet* samples) {
   if (samples->NumCurves() == 0) return 0;
-  std::vector<int> averaged;
+  std::vector<int> overlapping;
   for (int c = 0; c < samples->NumCurves(); ++c) {
-    if (!network.overlaps[c].empty()) averaged.push_back(c);
+    if (!network.overlaps[c].empty()) overlapping.push_back(c);
   }
-  const auto begin_of = [&](size_t i) { return samples->curve_begin[averaged[i]]; };
-  const auto end_of = [&](size_t i) { return samples->curve_begin[averaged[i] + 1]; };
-  std::vector<Eigen::Vector3d> next = samples->position;
   for (int round = 1; round <= options.max_averaging_rounds; ++round) {
-    std::vector<double> moved(averaged.size(), 0);
-    TeamFor(
-        context, "averaging", averaged.size(),
-        [&](size_t i) {
-          const int c = averaged[i];
-          for (int k = 0; k < samples->Size(c); ++k) {
-            const int s = begin_of(i) + k;
-            next[s] = Average(*samples, network.overlaps[c], s, k, options);
-            moved[i] =
-                std::max(moved[i], (next[s] - samples->position[s]).norm() / samples->footprint[s]);
-          }
-        },
-        [&](size_t i, ByteWriter* out) {
-          out->Put(moved[i]);
-          for (int s = begin_of(i); s < end_of(i); ++s) out->PutArray(next[s].data(), 3);
-        },
-        [&](size_t i, ByteReader* in) {
-          moved[i] = in->Get<double>();
-          for (int s = begin_of(i); s < end_of(i); ++s) in->GetArray(next[s].data(), 3);
-        });
-    samples->position = next;
-    const auto is_small = [&](double distance) {
-      return distance <= options.averaging_tolerance_px;
-    };
-    if (std::all_of(moved.begin(), moved.end(), is_small)) return round;
+    const auto averaged = MapItems(context, "averaging", overlapping.size(), [&](size_t i) {
+      const int c = overlapping[i];
+      return AverageCurve(*samples, network.overlaps[c], c, options);
+    });
+    bool is_done = true;
+    for (size_t i = 0; i < averaged.size(); ++i) {
+      std::copy(averaged[i].position.begin(), averaged[i].position.end(),
+                samples->position.begin() + samples->curve_begin[overlapping[i]]);
+      is_done = is_done && averaged[i].moved_px <= options.averaging_tolerance_px;
+    }
+    if (is_done) return round;
   }
   return options.max_averaging_rounds;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "limn/util/team.h"
+#include "limn/util/map_items.h"
 
 namespace limn {
 namespace {
@@ -128,25 +128,6 @@ void Append(const std::vector<SampleLink>& links, LocalConsistency* network) {
   network->begin.push_back(network->links.size());
 }
 
-void Put(const LocalConsistency& network, ByteWriter* out) {
-  out->PutCount(network.begin.size());
-  out->PutArray(network.begin.data(), network.begin.size());
-  for (const SampleLink& link : network.links) {
-    out->Put<int32_t>(link.other);
-    out->Put<int32_t>(link.votes);
-  }
-}
-
-void Get(ByteReader* in, LocalConsistency* network) {
-  network->begin.resize(in->GetCount(sizeof(size_t)));
-  in->GetArray(network->begin.data(), network->begin.size());
-  network->links.resize(network->begin.back());
-  for (SampleLink& link : network->links) {
-    link.other = in->Get<int32_t>();
-    link.votes = in->Get<int32_t>();
-  }
-}
-
 // The networks of consecutive samples as one.
 LocalConsistency Joined(std::vector<LocalConsistency> parts) {
   LocalConsistency whole;
@@ -174,17 +155,13 @@ LocalConsistency BuildLocalConsistency(const SampleSet& samples,
                                        const DrawingOptions& options, const RunContext& context) {
   const auto claims = CollectClaims(samples, curves);
   const LinkFinder finder(samples, curves, claims, options);
-  std::vector<LocalConsistency> by_curve(samples.NumCurves());
-  TeamFor(
-      context, "local consistency", by_curve.size(),
-      [&](size_t c) {
-        for (int s = samples.curve_begin[c]; s < samples.curve_begin[c + 1]; ++s) {
-          Append(finder.LinksOf(s), &by_curve[c]);
-        }
-      },
-      [&](size_t c, ByteWriter* out) { Put(by_curve[c], out); },
-      [&](size_t c, ByteReader* in) { Get(in, &by_curve[c]); });
-  return Joined(std::move(by_curve));
+  return Joined(MapItems(context, "local consistency", samples.NumCurves(), [&](size_t c) {
+    LocalConsistency of_curve;
+    for (int s = samples.curve_begin[c]; s < samples.curve_begin[c + 1]; ++s) {
+      Append(finder.LinksOf(s), &of_curve);
+    }
+    return of_curve;
+  }));
 }
 
 }  // namespace limn

@@ -7,6 +7,7 @@
 
 #include "limn/drawing/vertex_grid.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -66,9 +67,7 @@ class CurveMerger {
           std::abs(std::sin(*direction) * offset.x() - std::cos(*direction) * offset.y()));
     }
     if (distances.empty()) return std::numeric_limits<double>::infinity();
-    const auto middle = distances.begin() + distances.size() / 2;
-    std::nth_element(distances.begin(), middle, distances.end());
-    return *middle;
+    return Median(std::move(distances));
   }
 
   struct Best {

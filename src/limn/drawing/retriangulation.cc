@@ -6,22 +6,40 @@
 #include <Eigen/LU>
 
 #include "limn/drawing/curve_smoothing.h"
-#include "limn/drawing/working_curve.h"
+#include "limn/geometry/tangent_frame.h"
+#include "limn/model/footprint.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/support/required_views.h"
-#include "limn/util/team.h"
+#include "limn/util/map_items.h"
 
 namespace limn {
 namespace {
 
 constexpr int kRounds = 3;
-// Curves whose working copies are in memory at once.
-constexpr size_t kBlock = 4096;
 constexpr int kGaussNewtonSteps = 3;
 // Standard deviation of the pull back to where a step began, px: decides nothing but what the
 // edgels leave open.
 constexpr double kPriorSigmaPx = 3;
+
+// A curve of the sketch on its way to where its edgels agree. One entry per sample.
+struct WorkingCurve {
+  std::vector<Eigen::Vector3d> position;
+  std::vector<Eigen::Vector3d> tangent;
+  std::vector<Eigen::Matrix3d> information;
+  std::vector<double> footprint;
+  std::vector<std::vector<EdgelRef>> support;
+  std::vector<uint8_t> supported;  // by enough views, in the end
+  bool closed = false;
+
+  int size() const { return static_cast<int>(position.size()); }
+};
+
+std::vector<ViewId> ViewsOf(const std::vector<EdgelRef>& support) {
+  std::vector<ViewId> views;
+  for (const EdgelRef& ref : support) views.push_back(ref.view);
+  return views;
+}
 
 class CurveRetriangulation {
  public:
@@ -61,18 +79,6 @@ class CurveRetriangulation {
     return curves_[ref.view].edge_map.edgels[ref.edgel];
   }
 
-  double MedianFootprint(const Eigen::Vector3d& point, const std::vector<EdgelRef>& support) const {
-    std::vector<double> footprints;
-    for (const EdgelRef& ref : support) {
-      if (const auto footprint = Footprint(views_[ref.view], point))
-        footprints.push_back(*footprint);
-    }
-    if (footprints.empty()) return 0;
-    const auto middle = footprints.begin() + footprints.size() / 2;
-    std::nth_element(footprints.begin(), middle, footprints.end());
-    return *middle;
-  }
-
   struct WeightedLine {
     const View* view;
     EdgelLine line;
@@ -94,12 +100,10 @@ class CurveRetriangulation {
     const std::vector<EdgelRef>& support = working->support[s];
     Eigen::Vector3d& position = working->position[s];
     const Eigen::Vector3d start = position;
-    const double footprint = MedianFootprint(position, support);
+    const double footprint = MedianFootprint(position, ViewsOf(support), views_);
     working->footprint[s] = footprint > 0 ? footprint : working->footprint[s];
     const Eigen::Vector3d& tangent = working->tangent[s];
-    Eigen::Matrix<double, 3, 2> across;
-    across.col(0) = tangent.unitOrthogonal();
-    across.col(1) = tangent.cross(across.col(0));
+    const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
     const double prior = 1 / std::pow(kPriorSigmaPx * working->footprint[s], 2);
     const std::vector<WeightedLine> lines = LinesOf(support);
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
@@ -255,17 +259,12 @@ SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& view
                         RetriangulationStats* stats) {
   const CurveRetriangulation retriangulation(views, curves, evidence, options);
   SampleCollector collector(sketch, options, stats);
-  for (size_t begin = 0; begin < sketch.curves.size(); begin += kBlock) {
-    std::vector<WorkingCurve> working(std::min(kBlock, sketch.curves.size() - begin));
-    TeamFor(
-        PartOf(context, begin, sketch.curves.size()), "re-triangulation", working.size(),
-        [&](size_t c) { working[c] = retriangulation.Run(sketch.curves[begin + c]); },
-        [&](size_t c, ByteWriter* out) { Put(working[c], out); },
-        [&](size_t c, ByteReader* in) { Get(in, &working[c]); });
-    for (size_t c = begin; c < begin + working.size(); ++c) {
-      collector.Add(working[c - begin], static_cast<int>(c), sketch.curves[c].anchor.view);
-    }
-  }
+  MapItemsInBlocks(
+      context, "re-triangulation", sketch.curves.size(),
+      [&](size_t c) { return retriangulation.Run(sketch.curves[c]); },
+      [&](size_t c, const WorkingCurve& working) {
+        collector.Add(working, static_cast<int>(c), sketch.curves[c].anchor.view);
+      });
   return collector.Take();
 }
 

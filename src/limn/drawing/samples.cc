@@ -1,6 +1,6 @@
 #include "limn/drawing/samples.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace limn {
 
@@ -12,6 +12,12 @@ void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples) {
   samples->footprint.reserve(num_samples);
   samples->support.offsets.reserve(num_samples + 1);
   samples->support.edgels.reserve(num_edgels);
+}
+
+double WeakInformation(double footprint) {
+  // A standard deviation that no sample of a sketch comes near.
+  constexpr double kWeakSigmaPx = 30;
+  return 1 / std::pow(kWeakSigmaPx * footprint, 2);
 }
 
 std::vector<double> ArcPx(const SampleSet& samples, int curve) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "limn/evaluation/footprint.h"
+#include "limn/model/footprint.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/util/errors.h"
 

@@ -7,8 +7,8 @@
 #include "limn/evaluation/curve_samples.h"
 #include "limn/evaluation/curve_topology.h"
 #include "limn/evaluation/duplicates.h"
-#include "limn/evaluation/footprint.h"
 #include "limn/evaluation/quantiles.h"
+#include "limn/model/footprint.h"
 #include "limn/util/errors.h"
 
 namespace limn {

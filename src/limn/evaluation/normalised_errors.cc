@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "limn/evaluation/footprint.h"
 #include "limn/evaluation/quantiles.h"
 #include "limn/geometry/spatial_index.h"
+#include "limn/model/footprint.h"
 
 namespace limn {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "limn/evaluation/footprint.h"
 #include "limn/evaluation/quantiles.h"
+#include "limn/model/footprint.h"
 #include "limn/util/errors.h"
 
 namespace limn {

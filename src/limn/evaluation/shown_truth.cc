@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "limn/evaluation/curve_samples.h"
-#include "limn/evaluation/footprint.h"
+#include "limn/model/footprint.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/support/view_evidence.h"
 #include "limn/util/errors.h"

@@ -7,10 +7,9 @@
 #include <optional>
 
 #include "limn/evaluation/curve_samples.h"
-#include "limn/evaluation/footprint.h"
 #include "limn/evaluation/kept_runs.h"
+#include "limn/model/footprint.h"
 #include "limn/support/edgel_index.h"
-#include "limn/support/edgel_residual.h"
 #include "limn/support/segment_evidence.h"
 #include "limn/util/errors.h"
 #include "limn/visibility/render_depth.h"
@@ -105,7 +104,7 @@ std::vector<int> FirstSamples(const CurveSamples& samples, size_t num_curves) {
 bool EdgesAlong(const View& view, const EdgelIndex& edgels, const CurveSamples& samples,
                 const std::vector<int>& first_sample, int sample, const SupportGate& gate) {
   const int curve = samples.CurveOf(sample);
-  const auto footprint = Footprint(view, samples.Position(sample));
+  const auto footprint = FootprintIn(view, samples.Position(sample));
   if (!footprint || !(samples.Weight(sample) > 0)) return false;
   const double half = std::ceil(0.5 * kWindowPx * *footprint / samples.Weight(sample));
   const auto first = static_cast<int>(std::max<double>(first_sample[curve], sample - half));

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/geometry/spatial_index.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -42,10 +43,7 @@ double PointSpacing(const std::vector<Eigen::Vector3d>& points) {
     const double distance = NearestOther(index, points[k * points.size() / count], first, largest);
     if (distance > 0) distances.push_back(distance);
   }
-  if (distances.empty()) return 0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return Median(std::move(distances));
 }
 
 }  // namespace limn

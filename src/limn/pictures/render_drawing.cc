@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/formats/tracks_writer.h"
+#include "limn/geometry/tangent_frame.h"
 #include "limn/pictures/canvas.h"
 #include "limn/pictures/draw_node.h"
 #include "limn/util/errors.h"
@@ -75,10 +76,10 @@ View OrbitView(const DrawingGraph& graph, const Eigen::Vector3d& up, const Orbit
   for (const Eigen::Vector3d& point : points) distances.push_back((point - center).norm());
   const double radius = Quantile(distances, options.kept_share);
 
-  const Eigen::Vector3d across = up.unitOrthogonal();
   const double azimuth = options.azimuth_deg * kPi / 180;
   const double elevation = options.elevation_deg * kPi / 180;
-  const Eigen::Vector3d level = std::cos(azimuth) * across + std::sin(azimuth) * up.cross(across);
+  const Eigen::Vector3d level =
+      TangentFrame(up) * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
   const Eigen::Vector3d outward = std::cos(elevation) * level + std::sin(elevation) * up;
 
   Eigen::Matrix3d rotation;  // rows: right, down, forward

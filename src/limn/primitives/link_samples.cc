@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/geometry/polyline.h"
+#include "limn/model/footprint.h"
 #include "limn/support/edgel_residual.h"
 
 namespace limn {
@@ -26,22 +27,6 @@ std::vector<ViewId> ViewsOf(const DrawingLink& link, const std::vector<View>& vi
   std::vector<ViewId> all(views.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
-}
-
-// Mean footprint over points and views; 0 if no view sees any.
-double MeanFootprint(const std::vector<Eigen::Vector3d>& points, const std::vector<View>& views,
-                     const std::vector<ViewId>& of_link) {
-  double sum = 0;
-  int count = 0;
-  for (const Eigen::Vector3d& point : points) {
-    for (const ViewId v : of_link) {
-      if (const auto footprint = Footprint(views[v], point)) {
-        sum += *footprint;
-        ++count;
-      }
-    }
-  }
-  return count > 0 ? sum / count : 0;
 }
 
 // The gradient of the distance across the projected curve; nothing if the curve is not seen.
@@ -88,9 +73,10 @@ Eigen::Matrix3d Across(const Eigen::Vector3d& point, const Eigen::Vector3d& tang
 LinkSamples SampleLink(const DrawingLink& link, const std::vector<View>& views) {
   LinkSamples result;
   const std::vector<ViewId> of_link = ViewsOf(link, views);
-  const double footprint = MeanFootprint(link.points_in_world, views, of_link);
   const double length = Length(link.points_in_world);
-  if (!(footprint > 0) || !(length > 0)) return result;
+  if (!(length > 0)) return result;
+  const double footprint = LinkFootprint(link, views);
+  if (!(footprint > 0)) return result;
   result.length_px = length / footprint;
   result.footprint = footprint;
   const double spacing = std::min(kSpacingPx * footprint, length / kMinSteps);

@@ -26,8 +26,8 @@ struct LinkSample3d {
 
 struct LinkSamples {
   std::vector<LinkSample3d> samples;  // at least five, first and last point included
-  double length_px = 0;               // as a footprint measures it, in the mean
-  double footprint = 0;               // world units
+  double length_px = 0;               // length / footprint
+  double footprint = 0;               // world units, at the middle of the link
 };
 
 // A link about every second pixel, in the views that support it (in all, if none is said to).

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "limn/geometry/polyline.h"
-#include "limn/support/link_footprint.h"
+#include "limn/model/footprint.h"
 
 namespace limn {
 namespace {
@@ -46,8 +46,7 @@ class ControlGraphBuilder {
  private:
   void AddLink(LinkId id) {
     const DrawingLink& link = graph_.links[id];
-    const Eigen::Vector3d& middle = link.points_in_world[link.points_in_world.size() / 2];
-    const double unit = LinkFootprint(link, middle, views_);
+    const double unit = LinkFootprint(link, views_);
     const double length = Length(link.points_in_world);
     // A link that no camera looks at has no pixels: it keeps its two ends.
     const double step = unit > 0 ? spacing_px_ * unit : length;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "limn/geometry/polyline.h"
-#include "limn/support/link_footprint.h"
+#include "limn/model/footprint.h"
 
 namespace limn {
 namespace {
@@ -22,8 +22,7 @@ std::vector<size_t> FirstNotBefore(const std::vector<double>& arc, const std::ve
 }  // namespace
 
 void GiveVertices(const std::vector<View>& views, const LinkMatches& matches, DrawingLink* link) {
-  const Eigen::Vector3d middle = link->points_in_world[link->points_in_world.size() / 2];
-  const double footprint = LinkFootprint(*link, middle, views);
+  const double footprint = LinkFootprint(*link, views);
   if (!(footprint > 0)) return;
   const std::vector<double> arc = CumulativeLength(link->points_in_world);
   link->points_in_world = ResampleUniform(link->points_in_world, footprint);

@@ -8,10 +8,12 @@
 #include <ceres/normal_prior.h>
 #include <ceres/rotation.h>
 
+#include "limn/model/footprint.h"
 #include "limn/refinement/curve_terms.h"
 #include "limn/refinement/stop_if_cancelled.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/util/errors.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -231,11 +233,8 @@ class PoseProblem {
     for (size_t v = 0; v < input_.views.size(); ++v) {
       if (footprints_[v].empty()) continue;
       const PinholeCamera& camera = input_.views[v].camera;
-      std::vector<double>& footprints = footprints_[v];
-      const auto middle = footprints.begin() + static_cast<std::ptrdiff_t>(footprints.size() / 2);
-      std::nth_element(footprints.begin(), middle, footprints.end());
       const double rotation = camera.MeanFocal() / kCameraSigmaPx;
-      const double translation = 1 / (kCameraSigmaPx * *middle);
+      const double translation = 1 / (kCameraSigmaPx * Median(footprints_[v]));
       ceres::Vector factors(6);
       factors << rotation, rotation, rotation, translation, translation, translation;
       problem_.AddResidualBlock(
@@ -254,7 +253,7 @@ class PoseProblem {
   }
 
   void AddFootprint(ViewId view, const Eigen::Vector3d& point) {
-    if (const auto footprint = Footprint(input_.views[view], point)) {
+    if (const auto footprint = FootprintIn(input_.views[view], point)) {
       footprints_[view].push_back(*footprint);
     }
   }

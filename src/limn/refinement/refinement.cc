@@ -12,6 +12,7 @@
 #include "limn/refinement/variance_factors.h"
 #include "limn/topology/covered_links.h"
 #include "limn/topology/edit_topology.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -55,14 +56,6 @@ std::vector<ViewId> SupportingViews(const LinkMatches& matches) {
     if (count >= needed) views.push_back(view);
   }
   return views;
-}
-
-// 0 if there are none.
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double MedianResidualPx(const LinkMatches& matches) {

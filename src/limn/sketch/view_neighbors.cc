@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "limn/util/median.h"
+
 namespace limn {
 namespace {
 
@@ -147,8 +149,7 @@ double Extent(const std::vector<Eigen::Vector3d>& points) {
   for (const auto& point : points) mean += point / static_cast<double>(points.size());
   std::vector<double> distances;
   for (const auto& point : points) distances.push_back((point - mean).norm());
-  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
-  return 2 * distances[distances.size() / 2];
+  return 2 * Median(std::move(distances));
 }
 
 }  // namespace limn

@@ -62,10 +62,4 @@ std::optional<CurveSight> See(const View& view, const Eigen::Vector3d& point_in_
   return CurveSight{pixel, *direction};
 }
 
-std::optional<double> Footprint(const View& view, const Eigen::Vector3d& point_in_world) {
-  const double depth = (view.cam_from_world * point_in_world).z();
-  if (!(depth > 0)) return std::nullopt;
-  return depth / view.camera.MeanFocal();
-}
-
 }  // namespace limn

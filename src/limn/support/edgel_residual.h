@@ -50,8 +50,4 @@ struct CurveSight {
 std::optional<CurveSight> See(const View& view, const Eigen::Vector3d& point_in_world,
                               const Eigen::Vector3d& tangent_in_world);
 
-// Pixel footprint of a point: depth / focal length, world units per pixel. Nothing behind the
-// camera.
-std::optional<double> Footprint(const View& view, const Eigen::Vector3d& point_in_world);
-
 }  // namespace limn

@@ -7,7 +7,7 @@
 
 #include "limn/geometry/polyline.h"
 #include "limn/geometry/spatial_index.h"
-#include "limn/support/link_footprint.h"
+#include "limn/model/footprint.h"
 #include "limn/tiles/tile_cropping.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/join_ends.h"

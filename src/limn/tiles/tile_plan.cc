@@ -6,7 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "limn/support/edgel_residual.h"
+#include "limn/model/footprint.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -29,25 +30,13 @@ Eigen::AlignedBox3d AllSpace() {
   return {Eigen::Vector3d::Constant(-infinity), Eigen::Vector3d::Constant(infinity)};
 }
 
-double MedianOf(std::vector<double>* values) {
-  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
-}
-
 class TilePlanner {
  public:
   TilePlanner(const std::vector<View>& views, const SceneHints& hints, const TileOptions& options)
       : points_(hints.points), options_(options), num_points_(views.size(), 0) {
     for (const ScenePoint& point : points_) {
-      std::vector<double> footprints;
-      for (const ViewId v : point.views) {
-        ++num_points_[v];
-        if (const auto footprint = Footprint(views[v], point.position_in_world)) {
-          footprints.push_back(*footprint);
-        }
-      }
-      footprints_.push_back(footprints.empty() ? 0 : MedianOf(&footprints));
+      for (const ViewId v : point.views) ++num_points_[v];
+      footprints_.push_back(MedianFootprint(point.position_in_world, point.views, views));
     }
     for (const ScenePoint& point : points_) {
       double weight = 0;
@@ -104,7 +93,7 @@ class TilePlanner {
   double FootprintOf(const std::vector<int>& points) const {
     std::vector<double> footprints;
     for (const int p : points) footprints.push_back(footprints_[p]);
-    return MedianOf(&footprints);
+    return Median(std::move(footprints));
   }
 
   std::vector<int> CountByView(const std::vector<int>& points) const {

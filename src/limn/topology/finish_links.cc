@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "limn/support/edgel_residual.h"
 #include "limn/topology/meetings.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -59,10 +61,7 @@ double MedianResidualPx(const TopologyInput& input, const DrawingLink& link) {
       if (residual) residuals.push_back(std::abs(residual->residual_px));
     }
   }
-  if (residuals.empty()) return 0;
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return *middle;
+  return Median(std::move(residuals));
 }
 
 void ThinOut(DrawingLink* link) {

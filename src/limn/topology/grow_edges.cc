@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "limn/geometry/spatial_index.h"
+#include "limn/geometry/tangent_frame.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/support/segment_evidence.h"
 #include "limn/topology/corner_rays.h"
@@ -150,9 +151,7 @@ class EdgeGrowth {
   // One Gauss-Newton step of the direction, with the joint held, on the distances to the edgels.
   Eigen::Vector3d Fit(const Joint& joint, const Eigen::Vector3d& direction,
                       const Footing& footing) const {
-    Eigen::Matrix<double, 3, 2> across;
-    across.col(0) = direction.unitOrthogonal();
-    across.col(1) = direction.cross(across.col(0));
+    const Eigen::Matrix<double, 3, 2> across = TangentFrame(direction);
     Eigen::Matrix2d sum = kOldDirectionWeight * Eigen::Matrix2d::Identity();
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
     for (const auto& [at, support] : footing) {

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <set>
 
+#include "limn/geometry/tangent_frame.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/topology/occluding_contours.h"
-#include "limn/util/team.h"
+#include "limn/util/map_items.h"
 
 namespace limn {
 namespace {
@@ -109,10 +110,9 @@ class Claims {
   // A point's copies beside the link, as one view has them.
   void AddCopies(size_t view, const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
                  double footprint, Copies* copies) const {
-    const Eigen::Vector3d u = footprint * tangent.unitOrthogonal();
-    const Eigen::Vector3d w = tangent.cross(u);
+    const Eigen::Matrix<double, 3, 2> across = footprint * TangentFrame(tangent);
     for (const double shift : kShiftsPx) {
-      for (const Eigen::Vector3d& offset : {u, w}) {
+      for (const Eigen::Vector3d offset : across.colwise()) {
         for (const double sign : {-1.0, 1.0}) {
           const Eigen::Vector3d copy = point + sign * shift * offset;
           if (!input_.views[view].Project(copy)) continue;
@@ -143,18 +143,23 @@ class Claims {
   std::vector<std::vector<bool>> claimed_;  // per view, per edgel
 };
 
-enum Belief : uint8_t { kNotBelieved, kUncertain, kCertain };
+enum class Belief : uint8_t { kNo, kUncertain, kCertain };
+
+struct FirstJudgement {
+  Belief belief = Belief::kNo;
+  std::vector<ViewId> near;  // views that may contain the link
+};
 
 Belief FirstBelief(const TopologyInput& input, const CurveSketch& sketch,
                    const TopologyOptions& options, const DrawingLink& link,
                    const std::vector<ViewId>& near) {
   if (NumPrimaryViews(sketch, link) < kMinMergedViews || IsOccludingContour(input, link, near)) {
-    return kNotBelieved;
+    return Belief::kNo;
   }
   const double required =
       std::clamp(options.primary_views_share * MeanContaining(link, near, input.views),
                  options.min_primary_views, options.max_primary_views);
-  return MeanAgreement(link) >= required ? kCertain : kUncertain;
+  return MeanAgreement(link) >= required ? Belief::kCertain : Belief::kUncertain;
 }
 
 }  // namespace
@@ -162,48 +167,31 @@ Belief FirstBelief(const TopologyInput& input, const CurveSketch& sketch,
 std::vector<uint8_t> VerifyLinks(const TopologyInput& input, const CurveSketch& sketch,
                                  const TopologyOptions& options, const DrawingGraph& graph,
                                  const RunContext& context) {
-  std::vector<Belief> belief(graph.links.size());
-  std::vector<std::vector<ViewId>> near(graph.links.size());  // views that may contain the link
   const ViewFinder finder(input.views);
-  TeamFor(
-      context, "link agreement", belief.size(),
-      [&](size_t l) {
-        near[l] = finder.NearAnyOf(graph.links[l].points_in_world);
-        belief[l] = FirstBelief(input, sketch, options, graph.links[l], near[l]);
-      },
-      [&](size_t l, ByteWriter* out) {
-        out->PutCount(near[l].size());
-        out->PutArray(near[l].data(), near[l].size());
-        out->Put<uint8_t>(belief[l]);
-      },
-      [&](size_t l, ByteReader* in) {
-        near[l].resize(in->GetCount(sizeof(ViewId)));
-        in->GetArray(near[l].data(), near[l].size());
-        belief[l] = static_cast<Belief>(in->Get<uint8_t>());
-      });
+  const auto first = MapItems(context, "link agreement", graph.links.size(), [&](size_t l) {
+    FirstJudgement judgement;
+    judgement.near = finder.NearAnyOf(graph.links[l].points_in_world);
+    judgement.belief = FirstBelief(input, sketch, options, graph.links[l], judgement.near);
+    return judgement;
+  });
   Claims claims(input);
   std::vector<std::vector<size_t>> certain_in(input.views.size());
-  for (size_t l = 0; l < belief.size(); ++l) {
-    if (belief[l] != kCertain) continue;
-    for (const ViewId v : near[l]) certain_in[v].push_back(l);
+  for (size_t l = 0; l < first.size(); ++l) {
+    if (first[l].belief != Belief::kCertain) continue;
+    for (const ViewId v : first[l].near) certain_in[v].push_back(l);
   }
   ParallelFor(context, "claimed edgels", input.views.size(), [&](size_t v) {
     for (const size_t l : certain_in[v]) claims.Add(v, graph.links[l]);
   });
-  std::vector<uint8_t> believed(belief.size(), 0);
-  TeamFor(
-      context, "link support", belief.size(),
-      [&](size_t l) {
-        believed[l] = belief[l] == kCertain;
-        if (belief[l] != kUncertain) return;
-        const double required = std::clamp(
-            options.own_views_share * MeanContaining(graph.links[l], near[l], input.views),
-            options.min_own_views, options.max_own_views);
-        believed[l] = claims.OwnViews(graph.links[l], near[l]) >= required;
-      },
-      [&](size_t l, ByteWriter* out) { out->Put(believed[l]); },
-      [&](size_t l, ByteReader* in) { believed[l] = in->Get<uint8_t>(); });
-  return believed;
+  return MapItems(context, "link support", first.size(), [&](size_t l) -> uint8_t {
+    const auto& [belief, near] = first[l];
+    if (belief != Belief::kUncertain) return belief == Belief::kCertain;
+    const DrawingLink& link = graph.links[l];
+    const double required =
+        std::clamp(options.own_views_share * MeanContaining(link, near, input.views),
+                   options.min_own_views, options.max_own_views);
+    return claims.OwnViews(link, near) >= required;
+  });
 }
 
 }  // namespace limn

@@ -17,7 +17,7 @@ struct RunContext {
   std::function<void(const char* stage, size_t done, size_t total)> progress;
   // When set and true, ThrowIfCancelled throws.
   const std::atomic<bool>* cancelled = nullptr;
-  // When set, the processes that share out the loops that are run with TeamFor (team.h).
+  // When set, the processes that share out the loops that are run by MapItems (map_items.h).
   Team* team = nullptr;
 };
 

@@ -11,6 +11,7 @@
 #include "limn/formats/colors.h"
 #include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
+#include "limn/util/median.h"
 #include "limn/viewer/payload_arrays.h"
 
 namespace limn {
@@ -44,14 +45,7 @@ Eigen::Vector3d CenterOf(const ViewerScene& scene) {
   if (values[0].empty()) {
     for (const View& view : scene.views) add(view.CenterInWorld());
   }
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  if (values[0].empty()) return center;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto middle = values[axis].begin() + values[axis].size() / 2;
-    std::nth_element(values[axis].begin(), middle, values[axis].end());
-    center[axis] = *middle;
-  }
-  return center;
+  return {Median(std::move(values[0])), Median(std::move(values[1])), Median(std::move(values[2]))};
 }
 
 // A power of two: what is rounded to it ends in zero bits.

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/evaluation/evaluate_curves.h"
-#include "limn/evaluation/footprint.h"
+#include "limn/model/footprint.h"
 #include "limn/sketch/sketch.h"
 #include "support/synthetic_scene.h"
 

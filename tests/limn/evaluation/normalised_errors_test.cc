@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/evaluation/footprint.h"
+#include "limn/model/footprint.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/geometry/polyline.h"
-#include "limn/support/edgel_residual.h"
+#include "limn/model/footprint.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -23,7 +23,7 @@ const std::vector<View>& Views() {
   return views;
 }
 
-double FootprintAt(const Eigen::Vector3d& point) { return *Footprint(Views()[0], point); }
+double FootprintAt(const Eigen::Vector3d& point) { return *FootprintIn(Views()[0], point); }
 
 const std::vector<ImageCurves>& Curves(double noise_px) {
   static const auto exact = testing::ProjectCurves(Views(), testing::CubeEdges(kHalfSide));

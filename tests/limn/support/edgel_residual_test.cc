@@ -54,7 +54,6 @@ TEST_F(EdgelResidualTest, BehindTheCameraIsNothing) {
   const Vector3d behind(6, 4, 8);
   EXPECT_FALSE(ResidualToEdgel(view_, edgel_, behind).has_value());
   EXPECT_FALSE(ProjectedDirection(view_, behind, Vector3d::UnitX()).has_value());
-  EXPECT_FALSE(Footprint(view_, behind).has_value());
 }
 
 TEST_F(EdgelResidualTest, ProjectedDirectionIsThatOfASmallStep) {
@@ -65,12 +64,6 @@ TEST_F(EdgelResidualTest, ProjectedDirectionIsThatOfASmallStep) {
   const auto direction = ProjectedDirection(view_, point, tangent);
   ASSERT_TRUE(direction.has_value());
   EXPECT_NEAR(*direction, std::atan2(step.y(), step.x()), 1e-5);
-}
-
-TEST_F(EdgelResidualTest, FootprintIsTheWidthOfAPixel) {
-  const Vector3d point(0.1, -0.2, 0.3);
-  const double depth = (view_.cam_from_world * point).z();
-  EXPECT_NEAR(Footprint(view_, point).value(), depth / 610, 1e-12);
 }
 
 }  // namespace

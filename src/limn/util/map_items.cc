@@ -1,6 +1,8 @@
-#include "limn/util/team.h"
+#include "limn/util/map_items.h"
 
-#include <algorithm>
+#include <string>
+
+#include "limn/util/team.h"
 
 namespace limn {
 namespace {
@@ -18,12 +20,14 @@ std::vector<size_t> ItemsOf(const Team& team, int rank, size_t begin, size_t end
 
 }  // namespace
 
-void TeamFor(const RunContext& context, const char* stage, size_t count,
-             const std::function<void(size_t)>& body,
-             const std::function<void(size_t, ByteWriter*)>& put,
-             const std::function<void(size_t, ByteReader*)>& get) {
+namespace internal {
+
+void ShareOut(const RunContext& context, const char* stage, size_t count,
+              const std::function<void(size_t)>& make,
+              const std::function<void(size_t, ByteWriter*)>& put,
+              const std::function<void(size_t, ByteReader*)>& get) {
   if (!context.team) {
-    ParallelFor(context, stage, count, body);
+    ParallelFor(context, stage, count, make);
     return;
   }
   Team& team = *context.team;
@@ -31,7 +35,7 @@ void TeamFor(const RunContext& context, const char* stage, size_t count,
     const size_t end = std::min(begin + kBlock, count);
     const std::vector<size_t> mine = ItemsOf(team, team.Rank(), begin, end);
     ParallelFor(PartOf(context, begin, count), stage, mine.size(),
-                [&](size_t m) { body(mine[m]); });
+                [&](size_t m) { make(mine[m]); });
     ByteWriter out;
     for (const size_t i : mine) put(i, &out);
     const std::vector<std::string> results = team.Exchange(out.bytes());
@@ -43,5 +47,7 @@ void TeamFor(const RunContext& context, const char* stage, size_t count,
     }
   }
 }
+
+}  // namespace internal
 
 }  // namespace limn
