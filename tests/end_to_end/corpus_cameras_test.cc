@@ -1,5 +1,4 @@
-// Section 6 of docs/colmap.md, cameras: cases 12 to 17. The cameras.txt of most are in
-// tests/corpus.
+// Bad cameras: cases 12 to 17 of tests/README.md. The cameras.txt of most are in tests/corpus.
 #include "end_to_end/corpus_case.h"
 
 namespace limn::testing {

@@ -63,7 +63,7 @@ enum class Outcome {
   kAccepted  // exit code 0, nothing on standard error
 };
 
-// One bad input of section 6 of docs/colmap.md. Its name begins with "Case" and its number there.
+// One bad input. Its name begins with "Case" and its number in tests/README.md (Bad files).
 struct CorpusCase {
   std::string name;
   // Makes the good workspace bad, after the files of tests/corpus/<name>/ have been put into it.

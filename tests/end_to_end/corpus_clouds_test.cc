@@ -1,5 +1,5 @@
-// Section 6 of docs/colmap.md, cases 32 and 33: clouds and meshes that drawing_fuser reads. The
-// scene is a plane with two links on it and one that hovers above it (fusion_scene.h).
+// Bad clouds and meshes that drawing_fuser reads: cases 32 and 33 of tests/README.md. The scene is
+// a plane with two links on it and one that hovers above it (fusion_scene.h).
 #include "colmap_ext/dense_files/patch_file.h"
 #include "end_to_end/corpus_case.h"
 #include "end_to_end/fusion_scene.h"

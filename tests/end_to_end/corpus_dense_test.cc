@@ -1,5 +1,5 @@
-// Section 6 of docs/colmap.md, cases 32 and 33: clouds that drawing_evaluator reads, and PMVS
-// folders as models. What drawing_fuser reads is in corpus_depth_maps_test and corpus_clouds_test.
+// Bad clouds that drawing_evaluator reads, and PMVS folders as models: cases 32 and 33 of
+// tests/README.md. What drawing_fuser reads is in corpus_depth_maps_test and corpus_clouds_test.
 // COLMAP's PMVS folders that are good are in colmap_oracle_test.
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>

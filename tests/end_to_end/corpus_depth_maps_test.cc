@@ -1,5 +1,5 @@
-// Section 6 of docs/colmap.md, case 31: depth and normal maps that drawing_fuser reads. The scene
-// is a plane with two links on it and one that hovers above it (fusion_scene.h).
+// Bad depth and normal maps that drawing_fuser reads: case 31 of tests/README.md. The scene is a
+// plane with two links on it and one that hovers above it (fusion_scene.h).
 #include "end_to_end/corpus_case.h"
 #include "end_to_end/fusion_scene.h"
 

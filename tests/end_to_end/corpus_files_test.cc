@@ -1,4 +1,4 @@
-// Section 6 of docs/colmap.md, files and folders: cases 1 to 11.
+// Bad files and folders: cases 1 to 11 of tests/README.md.
 #include <bit>
 
 #include "end_to_end/corpus_case.h"

@@ -1,4 +1,4 @@
-// Section 6 of docs/colmap.md, images: cases 18 to 27.
+// Bad images: cases 18 to 27 of tests/README.md.
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 

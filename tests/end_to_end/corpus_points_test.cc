@@ -1,5 +1,5 @@
-// Section 6 of docs/colmap.md, points: cases 29 and 30. geo_referenced_test shows that such a
-// model gives the same drawing.
+// Bad points: cases 29 and 30 of tests/README.md. geo_referenced_test shows that such a model
+// gives the same drawing.
 #include "colmap_ext/model/scene_origin.h"
 #include "end_to_end/corpus_case.h"
 

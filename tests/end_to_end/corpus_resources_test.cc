@@ -1,4 +1,4 @@
-// Section 6 of docs/colmap.md, several models and resources: cases 34 to 36.
+// Several models and resources: cases 34 to 36 of tests/README.md.
 #include <map>
 
 #include <gmock/gmock.h>

@@ -1,5 +1,4 @@
-// Section 6 of docs/colmap.md, rigs and frames: case 28. The six
-// images are of camera 1.
+// Bad rigs and frames: case 28 of tests/README.md. The six images are of camera 1.
 #include "colmap_ext/model/model.h"
 #include "end_to_end/corpus_case.h"
 

@@ -29,7 +29,7 @@ class EdgelRaster {
 
   // Drop edgels less significant than `strong_ratio` in runs that extend over less than
   // `min_run_px`. A run is a set of edgels connected by steps of at most 2 px that follow the
-  // tangents of both.
+  // tangent of either.
   void DropWeakShortRuns(double strong_ratio, double min_run_px);
 
   // All edgels in row-major order of the pixel that holds them.

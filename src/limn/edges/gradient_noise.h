@@ -26,11 +26,10 @@ struct NoiseModel {
 //   is insensitive to edges, a low quantile over the blocks to textured blocks; shading and texture
 //   everywhere still raise it.
 // - From below: the response to a mask that cancels planes and edges (Immerkaer, "Fast noise
-// variance
-//   estimation", CVIU 1996) gives the white part of the noise; compression removes it.
+//   variance estimation", CVIU 1996) gives the white part of the noise; compression removes it.
 //
 // The estimate is the first, but no more than a little above the second. Blocks quieter than
-// quantisation allows are clipped or synthetic and tell nothing. Linear time.
+// quantization allows are clipped or synthetic and tell nothing. Linear time.
 NoiseModel MeasureNoise(const PaddedPlane& plane, const GradientField& gradient, double sigma_px);
 
 // Gradient noise that white noise of `pixel_noise` grey levels causes: pixel_noise / (sqrt(8 pi)

@@ -19,7 +19,7 @@ struct HypothesisSupport {
   // Views with an edgel at the sample's place and direction.
   std::vector<uint32_t> inliers;
   // Views in which enough of the curve around the sample is inlier: local support (ECCV 2016,
-  // section 3).
+  // section 2).
   std::vector<uint32_t> supporting;
   // Sum over supporting views of their tangency weight: 1 where the curve crosses the epipolar
   // lines of the primary view, little where it runs along them and would be supported at any depth.

@@ -48,13 +48,13 @@ struct DepthMode {
 std::vector<int> ChooseModes(const FragmentRays& fragment,
                              const std::vector<std::vector<DepthMode>>& modes);
 
-// Robust averaging of all reconstructions of the edgels of one fragment (ECCV 2016, section 3). At
-// every vertex the candidates form modes (within options.depth_gate_px of each other in the
-// confirmation views); the modes are chosen jointly along the fragment by dynamic programming,
-// which weighs their support against jumps between neighbours that their tangents do not explain;
-// the candidates of the chosen mode are averaged by information after dropping those beyond two
-// robust standard deviations. `candidates[i]` belongs to vertex i. Time: vertices x (candidates log
-// candidates + modes^2).
+// Robust averaging of all reconstructions of the edgels of one fragment (ECCV 2016, section 2;
+// ALGORITHM.md 6.2). At every vertex the candidates form modes (within options.depth_gate_px of
+// each other in the confirmation views); the modes are chosen jointly along the fragment by dynamic
+// programming, which weighs their support against jumps between neighbours that their tangents do
+// not explain; the candidates of the chosen mode are averaged by information after dropping those
+// beyond two robust standard deviations. `candidates[i]` belongs to vertex i. Time: vertices x
+// (candidates log candidates + modes^2).
 std::vector<FusedDepth> FuseDepths(const FragmentRays& fragment,
                                    const std::vector<std::vector<DepthCandidate>>& candidates,
                                    const SketchOptions& options);

@@ -53,12 +53,11 @@ std::vector<int> SpacedVertices(const FragmentRays& fragment, double spacing_px)
 // The fragment reduced to some of its vertices.
 FragmentRays Subset(const FragmentRays& fragment, const std::vector<int>& vertices);
 
-// All curve hypotheses of one primary fragment with one second view (curve sketch, CVPR 2010,
-// section 3; algorithm.md section 5). For every vertex the epipolar line, cut to the depth range,
-// is intersected with the fragments of the second view; position and tangent are interpolated at
-// the intersection; runs of intersections with one fragment become hypotheses. No hypothesis leaves
-// the depth range. Expected time: curves on the epipolar
-// lines.
+// All curve hypotheses of one primary fragment with one second view (curve sketch, CVPR 2010;
+// ALGORITHM.md 5.1). For every vertex the epipolar line, cut to the depth range, is intersected
+// with the fragments of the second view; position and tangent are interpolated at the intersection;
+// runs of intersections with one fragment become hypotheses. No hypothesis leaves the depth range.
+// Expected time: curves on the epipolar lines.
 std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,
                                             const View& second,
                                             const EpipolarChords& chords_of_second,

@@ -17,8 +17,8 @@ struct PrimaryView {
               const SketchEvidence& evidence, const SketchOptions& options);
 
   // Whether sample j of a hypothesis, at this point, is supported: by enough of the views that
-  // contain it, in the box, and not only within a narrow angle where views from wider ones look on
-  // (an occluding contour or an accident, algorithm.md 0.1 item 8). If so, whether it is certain:
+  // contain it, in the box, and not only within a narrow angle while views at wide angles contain
+  // it (an occluding contour or an accident, ALGORITHM.md 5.3). If so, whether it is certain:
   // enough views, weighted by tangency.
   struct Verdict {
     bool supported = false;

@@ -59,16 +59,16 @@ struct ViewSketchStore {
 SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& options,
                                  const RunContext& context);
 
-// The enhanced curve sketch (ECCV 2016, section 3), the paper's baseline (ii): local support sample
+// The enhanced curve sketch (ECCV 2016, section 2), the paper's baseline (ii): local support sample
 // by sample, weights near epipolar tangency, and robust averaging in inverse depth of all
 // reconstructions of the same edgel of the primary view. Views that the store has are not sketched
 // again.
 SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
                                  const RunContext& context, const ViewSketchStore* store = nullptr);
 
-// The swept sketch (algorithm.md 0.2): as the enhanced one, but every edgel of the primary view
-// gets its depth from the image curves that its epipolar lines cross in all confirmation views at
-// once: depths and slopes on which several views agree are chosen jointly along the fragment. No
+// The swept sketch (ours; ALGORITHM.md 6.3): as the enhanced one, but every edgel of the primary
+// view gets its depth from the image curves that its epipolar lines cross in all confirmation views
+// at once: depths and slopes on which several views agree are chosen jointly along the fragment. No
 // pair of curves must correspond over a stretch. The store is used as by the enhanced one.
 SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& options,
                               const RunContext& context, const ViewSketchStore* store = nullptr);

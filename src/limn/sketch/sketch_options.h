@@ -28,8 +28,8 @@ struct SketchOptions {
   // Share of the samples in that stretch which must be supported.
   double min_window_support = 0.7;
   // Confirmation views that must support a sample. Few, whatever their number: many true edges show
-  // in no more, and the drawing judges whole links by what it then knows (algorithm.md 0.1 item 8
-  // asks for a share of up to 6; measured, that costs more true curves than it saves false ones).
+  // in no more, and the drawing judges whole links by what it then knows. Requiring a share of the
+  // views here, up to 6, cost more true curves than it removed false ones (ALGORITHM.md 22.2).
   int min_supporting_views = 3;
   // Epipolar tangency: a view whose epipolar line makes an angle below the first with the curve
   // counts with the least weight, above the second fully.

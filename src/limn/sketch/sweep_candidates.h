@@ -9,10 +9,10 @@
 
 namespace limn {
 
-// Elects the depths of a sample on which the image curves of several views agree (algorithm.md 0.2,
-// with crossings of epipolar lines in place of sampled depths). Every view has one vote for a
-// depth: its crossing with the nearest depth and slope, weighted by tangency. Inverse depth and
-// slope of a candidate are the means of its voters by their information.
+// Elects the depths of a sample on which the image curves of several views agree
+// (ALGORITHM.md 6.3). Every view has one vote for a depth: its crossing with the nearest depth and
+// slope, weighted by tangency. Inverse depth and slope of a candidate are the means of its voters
+// by their information.
 class DepthElection {
  public:
   // Candidates found at most.

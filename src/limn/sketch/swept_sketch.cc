@@ -66,7 +66,8 @@ class SweptDepths {
                                    const std::vector<size_t>& anchors,
                                    const std::vector<std::vector<DepthMode>>& modes) {
     std::vector<DepthPlace> proposals;
-    // Where the lists of the anchors are cut, in the mean, this one would have been.
+    // Lowest score at which a full candidate list would have been truncated, averaged over the
+    // anchors.
     double min_score = 0;
     for (const size_t anchor : anchors) {
       const double step_px = fragment.arc_px[vertex] - fragment.arc_px[anchor];

@@ -5,7 +5,7 @@
 
 namespace limn {
 
-// How many of the views that contain a sample must support it (algorithm.md 0.1 item 8): a share of
+// How many of the views that contain a sample must support it (ALGORITHM.md 1.6): a share of
 // them, since a fixed number cannot serve 8 views and 1,000 alike, but at least min_views and at
 // most max_views.
 inline int NumRequiredViews(int num_containing, double share, int min_views, int max_views) {
