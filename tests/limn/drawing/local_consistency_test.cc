@@ -241,6 +241,12 @@ TEST(LocalConsistencyTest, ViewsOfOneSampleAloneAreNotCompared) {
   const int b = scene.AddCurve(1, {{Joined(In({0, 4, 6}, 5), In({2, 3, 5, 7}, other_row))}});
   EXPECT_EQ(scene.LinksOf(a), (Links{{b, 3}}));
   EXPECT_EQ(scene.LinksOf(b), (Links{{a, 3}}));
+  // Again 0, 4, 6, but three side by side: 2, 5, 7.
+  Scene apart(3);
+  const int c = apart.AddCurve(0, {{In({0, 1, 2, 4, 5, 6, 7}, 5)}});
+  const int d = apart.AddCurve(1, {{Joined(In({0, 4, 6}, 5), In({2, 3, 5, 7}, other_row))}});
+  EXPECT_EQ(apart.LinksOf(c), Links());
+  EXPECT_EQ(apart.LinksOf(d), Links());
 }
 
 TEST(LocalConsistencyTest, LinksAscendByCurveAndEverySampleHasItsPlace) {

@@ -414,6 +414,21 @@ TEST_F(RequiredViewsTest, ShareOfTheViewsThatContainIt) {
   EXPECT_TRUE(Keeps(0.5, 2, 12));  // 4 of 8
 }
 
+TEST_F(RequiredViewsTest, ViewsThatEndAlongTheCurveContainAPartOfIt) {
+  // The views that do not support it see it from y = 0 on.
+  const Vector3d along = (scene_.views[0].camera.cx - 2) * kPixel * Vector3d::UnitY();
+  for (size_t v = 5; v < scene_.views.size(); ++v) {
+    scene_.views[v] = testing::LookAt(scene_.views[v].CenterInWorld() + along, along);
+  }
+  DrawingOptions options;
+  options.supporting_views_share = 0.5;
+  options.max_supporting_views = 12;
+  // Half a step away from where those views end.
+  const Outcome outcome =
+      Retriangulated(scene_, {SketchCurve(scene_, WirePoints(-38, 38, 4))}, options);
+  EXPECT_EQ(Pieces(outcome.samples), (PieceList{{0, 10}}));
+}
+
 TEST_F(RequiredViewsTest, AtLeastMin) {
   EXPECT_TRUE(Keeps(0, 5, 12));
   EXPECT_FALSE(Keeps(0, 6, 12));
