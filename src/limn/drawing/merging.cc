@@ -120,6 +120,7 @@ class CurveMerger {
     const bool whole = samples_.origins[curve].closed &&
                        std::all_of(home.begin(), home.end(), [](int h) { return h < 0; });
     if (whole) {
+      ++builder_.counts().released;
       AddRun(curve, 0, size, true);
       return;
     }
@@ -179,6 +180,7 @@ class CurveMerger {
       }
       return;
     }
+<<<<<<< HEAD
     MergingCounts& counts = primitives_.counts();
     if (before >= 0 && after >= 0) {
       ++(primitives_.LinkOf(before) == primitives_.LinkOf(after) ? counts.rejoined
@@ -190,6 +192,24 @@ class CurveMerger {
     const int last = samples_.curve_begin[curve] + end - 1;
     const int last_end = primitives_.EndOf(last);
     if (last_end >= 0) primitives_.Attach(primitives_.LinkOf(last), last_end, after);
+=======
+    const bool same_link =
+        before >= 0 && after >= 0 && builder_.LinkOf(before) == builder_.LinkOf(after);
+    const int64_t rejoined_before = builder_.counts().rejoined;
+    int link = AddRun(curve, begin, end, false);
+    const int first = home_[samples_.curve_begin[curve] + begin];
+    const int last = home_[samples_.curve_begin[curve] + end - 1];
+    if (before >= 0) builder_.Attach(link, EndOf(first, link), before);
+    if (after >= 0) {
+      link = builder_.LinkOf(last);
+      const int last_end = EndOf(last, link);
+      if (last_end >= 0) builder_.Attach(link, last_end, after);
+    }
+    if (before < 0 || after < 0) return;
+    if (!same_link) ++builder_.counts().bridged;
+    // A run that closed a loop has been counted.
+    if (same_link && builder_.counts().rejoined == rejoined_before) ++builder_.counts().rejoined;
+>>>>>>> 3da59e955af65281e3fe948090240d69ba59696e
   }
 
   bool Near(int vertex_a, int vertex_b) const {
