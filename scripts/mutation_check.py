@@ -264,7 +264,7 @@ def run_all(mutations, options):
             no_test = mutation.name in without_test[mutation.program]
             killed, how = (False, "no test") if no_test else check(mutation, options)
         except TableError as error:
-            errors.append(str(error))
+            errors.append(str(error).splitlines()[0])
             print(f"ERROR     {error}", flush=True)
             continue
         note = f" ({how})" if how else ""
@@ -301,7 +301,7 @@ def main():
     for line in survived:
         print(f"survived: {line}")
     for line in errors:
-        print(f"error: {line.splitlines()[0]}")
+        print(f"error: {line}")
     return 2 if errors else 1 if survived else 0
 
 
