@@ -219,6 +219,7 @@ class SampleCollector {
  private:
   void AddRun(const WorkingCurve& working, int begin, int end, int sketch_curve,
               ViewId anchor_view) {
+    if (begin == end) return;
     double length_px = 0;
     for (int s = begin + 1; s < end; ++s) {
       length_px += (working.position[s] - working.position[s - 1]).norm() / working.footprint[s];

@@ -1,8 +1,11 @@
 #include "limn/drawing/curve_consistency.h"
 
+#include <map>
 #include <numeric>
 
 #include <gtest/gtest.h>
+
+#include "limn/drawing/sample_curves.h"
 
 namespace limn {
 namespace {
@@ -89,6 +92,214 @@ TEST(RegularizeOverlapTest, NothingStaysNothing) {
   std::vector<int> partner(20, -1);
   RegularizeOverlap(UnitArc(20), 9, 9, &partner);
   EXPECT_EQ(partner, std::vector<int>(20, -1));
+}
+
+TEST(RegularizeOverlapTest, RunOfJustTheLengthNeededStays) {
+  const std::vector<int> before = Partners(100, {{20, 30}, {50, 59}});  // 9 and 8 long
+  std::vector<int> partner = before;
+  RegularizeOverlap(UnitArc(100), 9, 9, &partner);
+  EXPECT_EQ(partner, Partners(100, {{20, 30}}));
+}
+
+TEST(RegularizeOverlapTest, RunIsMeasuredInArcLengthNotSamples) {
+  std::vector<double> arc = UnitArc(100);
+  for (double& a : arc) a *= 3;
+  const std::vector<int> before = Partners(100, {{40, 44}});  // 9 long
+  std::vector<int> partner = before;
+  RegularizeOverlap(arc, 9, 9, &partner);
+  EXPECT_EQ(partner, before);
+}
+
+// Curves of 60 samples a pixel apart, and what the local network says of them.
+class NetworkScene {
+ public:
+  static constexpr int kSize = 60;
+
+  explicit NetworkScene(int num_curves) : votes_(num_curves * kSize) {
+    std::vector<std::vector<Eigen::Vector3d>> curves;
+    for (int c = 0; c < num_curves; ++c) {
+      curves.push_back(testing::Row({0, 10.0 * c, 0}, {1, 0, 0}, kSize));
+    }
+    samples = testing::MakeSamples(curves);
+  }
+
+  // Samples [begin, end) of curve `from` are linked to those of the same number of curve `to`.
+  void Link(int from, int to, int begin, int end, int votes) {
+    for (int k = begin; k < end; ++k) votes_[from * kSize + k][to * kSize + k] = votes;
+  }
+
+  CurveConsistency Build() const {
+    LocalConsistency network;
+    for (const std::map<int, int>& of_sample : votes_) {
+      for (const auto& [other, votes] : of_sample) network.links.push_back({other, votes});
+      network.begin.push_back(network.links.size());
+    }
+    return BuildCurveConsistency(samples, network, options, {});
+  }
+
+  // Curves that a curve overlaps.
+  static std::vector<int> Others(const CurveConsistency& network, int curve) {
+    std::vector<int> others;
+    for (const CurveOverlap& overlap : network.overlaps.at(curve)) {
+      EXPECT_EQ(overlap.partner.size(), static_cast<size_t>(kSize));
+      others.push_back(overlap.other);
+    }
+    return others;
+  }
+
+  // Partners of the same number of curve `to` in these ranges, -1 elsewhere.
+  static std::vector<int> PartnersOn(int to, const std::vector<std::pair<int, int>>& ranges) {
+    std::vector<int> partner(kSize, -1);
+    for (const auto& [begin, end] : ranges) {
+      for (int k = begin; k < end; ++k) partner[k] = to * kSize + k;
+    }
+    return partner;
+  }
+
+  SampleSet samples;
+  DrawingOptions options;
+
+ private:
+  std::vector<std::map<int, int>> votes_;  // per sample: by other sample
+};
+
+using Others = std::vector<int>;
+
+TEST(CurveConsistencyTest, StrongLinksOverMinLinkedLengthLinkTwoCurves) {
+  NetworkScene scene(2);
+  scene.options.strong_link_views = 4;
+  scene.options.overlap_regularity_px = 2;
+  scene.Link(0, 1, 20, 26, 4);  // 6 px
+  scene.options.min_linked_length_px = 5.9;
+  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others{1});
+  EXPECT_EQ(scene.Build().overlaps[0][0].partner, NetworkScene::PartnersOn(1, {{20, 26}}));
+  scene.options.min_linked_length_px = 6.1;
+  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others());
+}
+
+TEST(CurveConsistencyTest, StrongLengthIsInFootprints) {
+  NetworkScene scene(2);
+  scene.options.overlap_regularity_px = 2;
+  scene.samples.footprint.assign(scene.samples.position.size(), 0.5);
+  scene.Link(0, 1, 20, 26, 4);  // 12 px
+  scene.options.min_linked_length_px = 11.9;
+  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others{1});
+  scene.options.min_linked_length_px = 12.1;
+  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others());
+}
+
+TEST(CurveConsistencyTest, SamplesAtTheEndsStandForHalfAsMuch) {
+  NetworkScene scene(3);
+  scene.options.overlap_regularity_px = 2;
+  scene.Link(0, 1, 0, 6, 4);    // 5.5 px
+  scene.Link(0, 2, 54, 60, 4);  // 5.5 px
+  scene.options.min_linked_length_px = 5.4;
+  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), (Others{1, 2}));
+  scene.options.min_linked_length_px = 5.6;
+  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others());
+}
+
+TEST(CurveConsistencyTest, DenseLinksJoinTheOverlapButDoNotMakeOne) {
+  NetworkScene scene(3);
+  scene.options.strong_link_views = 4;
+  scene.options.min_linked_length_px = 5;
+  scene.Link(0, 1, 10, 50, 3);
+  scene.Link(0, 2, 10, 50, 3);
+  scene.Link(0, 2, 30, 36, 4);
+  const CurveConsistency network = scene.Build();
+  ASSERT_EQ(NetworkScene::Others(network, 0), Others{2});
+  EXPECT_EQ(network.overlaps[0][0].partner, NetworkScene::PartnersOn(2, {{10, 50}}));
+  EXPECT_EQ(network.cluster, (std::vector<int>{0, 1, 0}));
+}
+
+TEST(CurveConsistencyTest, StrongLinksInEitherDirectionSuffice) {
+  NetworkScene scene(2);
+  scene.options.strong_link_views = 4;
+  scene.Link(0, 1, 10, 40, 4);
+  scene.Link(1, 0, 15, 45, 3);
+  const CurveConsistency network = scene.Build();
+  ASSERT_EQ(NetworkScene::Others(network, 0), Others{1});
+  ASSERT_EQ(NetworkScene::Others(network, 1), Others{0});
+  EXPECT_EQ(network.overlaps[0][0].partner, NetworkScene::PartnersOn(1, {{10, 40}}));
+  EXPECT_EQ(network.overlaps[1][0].partner, NetworkScene::PartnersOn(0, {{15, 45}}));
+}
+
+TEST(CurveConsistencyTest, CurveWithoutLinksOfItsOwnOverlapsNothing) {
+  NetworkScene scene(2);
+  scene.Link(1, 0, 10, 40, 4);
+  const CurveConsistency network = scene.Build();
+  EXPECT_EQ(NetworkScene::Others(network, 0), Others());
+  EXPECT_EQ(NetworkScene::Others(network, 1), Others{0});
+  EXPECT_EQ(network.cluster, (std::vector<int>{0, 0}));
+}
+
+TEST(CurveConsistencyTest, GapsAreFilledAndSpecklesRemoved) {
+  NetworkScene scene(2);
+  scene.options.overlap_regularity_px = 5;
+  scene.Link(0, 1, 10, 20, 4);
+  scene.Link(0, 1, 24, 40, 4);  // 5 px from the run before
+  scene.Link(0, 1, 50, 54, 4);  // 3 px long
+  const CurveConsistency filled = scene.Build();
+  ASSERT_EQ(NetworkScene::Others(filled, 0), Others{1});
+  EXPECT_EQ(filled.overlaps[0][0].partner, NetworkScene::PartnersOn(1, {{10, 40}}));
+  scene.options.overlap_regularity_px = 2.5;
+  const CurveConsistency raw = scene.Build();
+  ASSERT_EQ(NetworkScene::Others(raw, 0), Others{1});
+  EXPECT_EQ(raw.overlaps[0][0].partner,
+            NetworkScene::PartnersOn(1, {{10, 20}, {24, 40}, {50, 54}}));
+}
+
+TEST(CurveConsistencyTest, SpecklesAloneLinkNothing) {
+  NetworkScene scene(2);
+  scene.options.min_linked_length_px = 4;
+  scene.options.overlap_regularity_px = 9;
+  scene.Link(0, 1, 10, 16, 4);
+  scene.Link(0, 1, 40, 46, 4);
+  const CurveConsistency network = scene.Build();
+  EXPECT_EQ(NetworkScene::Others(network, 0), Others());
+  EXPECT_EQ(network.cluster, (std::vector<int>{0, 1}));
+}
+
+TEST(CurveConsistencyTest, OverlapsAscendByCurve) {
+  NetworkScene scene(4);
+  for (const int other : {3, 0, 1}) scene.Link(2, other, 10, 40, 4);
+  EXPECT_EQ(NetworkScene::Others(scene.Build(), 2), (Others{0, 1, 3}));
+}
+
+TEST(CurveConsistencyTest, ClustersAreComponentsNamedByTheirSmallestCurve) {
+  NetworkScene scene(8);
+  const auto link = [&](int a, int b) {
+    scene.Link(a, b, 10, 40, 4);
+    scene.Link(b, a, 10, 40, 4);
+  };
+  link(7, 4);
+  link(4, 1);
+  link(6, 7);
+  link(5, 2);
+  EXPECT_EQ(scene.Build().cluster, (std::vector<int>{0, 1, 2, 3, 1, 2, 1, 1}));
+}
+
+TEST(CurveConsistencyTest, NothingOfNothing) {
+  const CurveConsistency network = NetworkScene(0).Build();
+  EXPECT_TRUE(network.overlaps.empty());
+  EXPECT_TRUE(network.cluster.empty());
+}
+
+TEST(CountAgreeingViewsTest, CountsDifferentPrimaryViewsItsOwnIncluded) {
+  NetworkScene scene(5);
+  // Curves 1 and 2 come from one view, curve 3 from curve 0's own.
+  const ViewId anchors[] = {7, 2, 2, 7, 4};
+  for (int c = 0; c < 5; ++c) scene.samples.origins[c].anchor_view = anchors[c];
+  scene.Link(0, 1, 0, 30, 4);
+  scene.Link(0, 2, 20, 40, 4);
+  scene.Link(0, 3, 0, 60, 4);
+  scene.Link(0, 4, 10, 50, 4);
+  scene.Link(4, 1, 45, 60, 4);
+  std::vector<int> expected;
+  for (int k = 0; k < 60; ++k) expected.push_back(1 + (k < 40) + (k >= 10 && k < 50));
+  for (int k = 0; k < 3 * 60; ++k) expected.push_back(1);
+  for (int k = 0; k < 60; ++k) expected.push_back(1 + (k >= 45));
+  EXPECT_EQ(CountAgreeingViews(scene.samples, scene.Build()), expected);
 }
 
 }  // namespace
