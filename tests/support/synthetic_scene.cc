@@ -195,6 +195,25 @@ std::vector<View> DomeViews(int count, double radius) {
   return views;
 }
 
+std::vector<View> FrontalViews(int cols, int rows, double spacing) {
+  constexpr double kHeight = 5;
+  constexpr double kFocal = kHeight / kFrontalPx;
+  std::vector<View> views;
+  for (int i = 0; i < cols * rows; ++i) {
+    const Eigen::Vector3d center(spacing * (i % cols - 0.5 * (cols - 1)),
+                                 spacing * (i / cols - 0.5 * (rows - 1)), kHeight);
+    View view;
+    view.camera = {kFocal, kFocal, 319.5, 239.5, 640, 480};
+    view.cam_from_world.rotation = Eigen::Quaterniond(0, 1, 0, 0);
+    view.cam_from_world.translation = -(view.cam_from_world.rotation * center);
+    view.region = MakeImageRegion(view.camera, nullptr, {}, 2);
+    view.model_index = i;
+    view.name = "frontal" + std::to_string(100 + i);
+    views.push_back(view);
+  }
+  return views;
+}
+
 std::vector<View> Scaled(const std::vector<View>& views, double factor) {
   std::vector<View> scaled = views;
   for (View& view : scaled) view.cam_from_world.translation *= factor;

@@ -31,6 +31,15 @@ std::vector<Polyline3d> Polylines(const std::vector<SceneCurve>& curves);
 View LookAt(const Eigen::Vector3d& center, const Eigen::Vector3d& target);
 // Views of the origin from a dome of this radius, elevations 20 to 65 degrees, evenly spread.
 std::vector<View> DomeViews(int count, double radius);
+// Views side by side, straight down on the plane z = 0 from a height of 5: `cols` x `rows` of them,
+// `spacing` apart, with the origin below their middle. On that plane a pixel of every view is
+// kFrontalPx large.
+std::vector<View> FrontalViews(int cols, int rows, double spacing);
+constexpr double kFrontalPx = 1.0 / 128;
+// A place on that plane, px from the origin.
+inline Eigen::Vector3d FrontalPoint(double x_px, double y_px) {
+  return {x_px * kFrontalPx, y_px * kFrontalPx, 0};
+}
 // The same cameras in a world `factor` times as large.
 std::vector<View> Scaled(const std::vector<View>& views, double factor);
 

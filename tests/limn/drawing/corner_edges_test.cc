@@ -5,9 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "limn/drawing/drawing.h"
-#include "limn/drawing/joints.h"
+#include "limn/drawing/growth_fixture.h"
 #include "limn/sketch/sketch.h"
-#include "limn/support/segment_evidence.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -109,50 +108,256 @@ TEST(CornerEdgesTest, NothingGrowsWhereImagesShowNothing) {
   EXPECT_EQ(NumNodesOfDegree(graph, 2), 2);
 }
 
-TEST(SegmentEvidenceTest, SeesTrueEdgesAndNoOthers) {
-  const auto edges = testing::CubeEdges(kHalfSide);
-  const auto curves = testing::ProjectCurves(Views(), edges);
-  const SupportGate gate{1.5, 1.5, 0.4};
-  const auto views = BuildEvidence(curves, {});
-  const EdgelEvidence evidence = IndexEdgels(curves, views, SampleSet(), Draft());
-  const Eigen::Vector3d from = edges.front().points.front();
-  const Eigen::Vector3d to = edges.front().points.back();
-  const std::vector<uint8_t> all(Views().size(), 1);
-  const SegmentEvidence seen = FindEvidence(from, to, all, Views(), evidence.all, gate);
-  EXPECT_EQ(seen.num_views, 16);
-  EXPECT_EQ(seen.seen_in.size(), 16u);
-  EXPECT_LT(seen.background, 0.2);
-  // A diagonal through the empty cube.
-  const SegmentEvidence unseen = FindEvidence(from, -from, all, Views(), evidence.all, gate);
-  EXPECT_LE(unseen.seen_in.size(), 1u);
+// One end of what grows is where its joint is; the other is right to what a step of growth and the
+// gate along edgels leave open.
+constexpr double kEndPx = 2.5;
+
+using testing::FrontalPoint;
+using testing::GrowthScene;
+using testing::kFrontalPx;
+using testing::PxSegment;
+
+double LengthPx(const Polyline3d& line) { return Length(line) / kFrontalPx; }
+
+// Whether it is one straight line from the origin to (x, y).
+void ExpectGrownTo(const std::vector<Polyline3d>& grown, double x_px, double y_px,
+                   double max_px = kEndPx) {
+  ASSERT_EQ(grown.size(), 1u);
+  EXPECT_LT(grown[0].front().norm(), 1e-9);
+  EXPECT_LT((grown[0].back() - FrontalPoint(x_px, y_px)).norm() / kFrontalPx, max_px)
+      << grown[0].back().transpose() / kFrontalPx;
 }
 
-// P(at least k of n) for independent trials.
-double BinomialTail(int k, int n, double p) {
-  double sum = 0;
-  for (int i = k; i <= n; ++i) {
-    sum += std::exp(std::lgamma(n + 1) - std::lgamma(i + 1) - std::lgamma(n - i + 1) +
-                    i * std::log(p) + (n - i) * std::log(1 - p));
+// The link from the origin along the x axis is drawn, and the images show an edge along the y axis
+// too, in the views given.
+GrowthScene Corner(double length_px, const std::vector<ViewId>& in_views) {
+  GrowthScene scene;
+  scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
+  scene.Show(PxSegment(0, 0, 0, length_px), in_views);
+  return scene;
+}
+GrowthScene Corner(double length_px) { return Corner(length_px, GrowthScene().AllViews()); }
+
+TEST(GrowCornerEdgesTest, MissingEdgeGrowsToItsEndAndNotBeyond) {
+  for (const double length_px : {8.0, 20.0, 40.0, 70.0}) {
+    GrowthScene scene = Corner(length_px);
+    ExpectGrownTo(scene.Grow(), 0, length_px);
+    EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 0)), 2);
   }
-  return sum;
 }
 
-TEST(SegmentEvidenceTest, LogChanceBoundsTheBinomialTail) {
-  const int n = kIndependentViews;
-  for (const int num_views : {n, 20}) {
-    for (const double p : {0.02, 0.1, 0.3}) {
-      for (int k = 1; k <= num_views; ++k) {
-        EXPECT_GE(LogChance(k, num_views, p), std::log(BinomialTail(k, num_views, p)) - 1e-9)
-            << k << " " << p;
-        EXPECT_LE(LogChance(k, num_views, p), LogChance(k - 1, num_views, p));
-      }
-    }
-  }
-  EXPECT_EQ(LogChance(2, 20, 0.1), 0);
-  EXPECT_NEAR(LogChance(n, n, 0.1), n * std::log(0.1), 1e-9);
-  EXPECT_EQ(LogChance(0, 0, 0.1), 0);
-  // More views say no more, at the same share.
-  EXPECT_EQ(LogChance(n / 2, n, 0.1), LogChance(5 * n, 10 * n, 0.1));
+TEST(GrowCornerEdgesTest, EdgeInDepthGrowsToo) {
+  GrowthScene scene;
+  scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
+  const Eigen::Vector3d end = FrontalPoint(0, 40) + Eigen::Vector3d(0, 0, 20 * kFrontalPx);
+  scene.Show({FrontalPoint(0, 0), end});
+  const auto grown = scene.Grow();
+  ASSERT_EQ(grown.size(), 1u);
+  // Across the line of sight the end is as certain as on the plane, along it less: at this base a
+  // pixel sideways is three in depth.
+  EXPECT_LT((grown[0].back() - end).norm() / kFrontalPx, 3 * kEndPx);
+}
+
+TEST(GrowCornerEdgesTest, NothingGrowsWhereNothingIsMissing) {
+  GrowthScene scene;
+  scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
+  scene.ShowAndDraw(PxSegment(0, 0, 0, 40));
+  EXPECT_TRUE(scene.Grow().empty());
+}
+
+TEST(GrowCornerEdgesTest, SeveralEdgesGrowFromOneCorner) {
+  GrowthScene scene = Corner(40);
+  scene.Show(PxSegment(0, 0, -30, -30));
+  EXPECT_EQ(scene.Grow().size(), 2u);
+  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 0)), 3);
+}
+
+TEST(GrowCornerEdgesTest, ShortGapsAreBridgedAndLongOnesNot) {
+  const auto grown = [](double gap_px) {
+    GrowthScene scene;
+    scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
+    scene.Show(PxSegment(0, 0, 0, 30));
+    scene.Show(PxSegment(0, 30 + gap_px, 0, 60));
+    return scene.Grow();
+  };
+  ExpectGrownTo(grown(3), 0, 60);
+  ExpectGrownTo(grown(10), 0, 30);
+}
+
+TEST(GrowCornerEdgesTest, HalfOfTheViewsMustShowIt) {
+  // All views show 30 px of it, some 60.
+  const auto grown = [](ViewId num_long) {
+    GrowthScene scene = Corner(30);
+    scene.Show(PxSegment(0, 30, 0, 60), scene.Views(0, num_long));
+    return scene.Grow();
+  };
+  ExpectGrownTo(grown(7), 0, 30);
+  ExpectGrownTo(grown(9), 0, 60);
+}
+
+TEST(GrowCornerEdgesTest, GrowthStopsAtTheBox) {
+  GrowthScene scene = Corner(40);
+  Eigen::AlignedBox3d box(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 20.5 * kFrontalPx, 1));
+  const auto grown = scene.Grow(box);
+  ExpectGrownTo(grown, 0, 20, 1);
+  EXPECT_TRUE(box.contains(grown.at(0).back()));
+}
+
+TEST(GrowCornerEdgesTest, EdgeEndsAtAJointThatItReaches) {
+  // Another link begins near the end of the edge.
+  const auto grow = [](double x_px, double y_px, GrowthScene* scene) {
+    *scene = Corner(40);
+    scene->ShowAndDraw(PxSegment(x_px, y_px, x_px - 60, y_px));
+    return scene->Grow();
+  };
+  GrowthScene scene;
+  ExpectGrownTo(grow(0, 42, &scene), 0, 42, 1e-6);
+  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 42)), 2);
+  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 0)), 2);
+  ExpectGrownTo(grow(-1.5, 41, &scene), -1.5, 41, 1e-6);
+  EXPECT_EQ(scene.EndsAt(FrontalPoint(-1.5, 41)), 2);
+  // Out of reach: beside its line, and beyond its end.
+  ExpectGrownTo(grow(-3, 41, &scene), 0, 40);
+  EXPECT_EQ(scene.EndsAt(FrontalPoint(-3, 41)), 0);
+  ExpectGrownTo(grow(0, 50, &scene), 0, 40);
+  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 50)), 0);
+}
+
+TEST(GrowCornerEdgesTest, NothingGrowsAlongALinkThatIsThere) {
+  // A second edge leaves the corner at this angle from the one that is drawn.
+  const auto num_grown = [](double angle_deg) {
+    GrowthScene scene;
+    scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
+    const double angle = angle_deg * M_PI / 180;
+    scene.Show(PxSegment(0, 0, 40 * std::cos(angle), 40 * std::sin(angle)));
+    return scene.Grow().size();
+  };
+  EXPECT_EQ(num_grown(14), 0u);
+  EXPECT_EQ(num_grown(32), 1u);
+}
+
+TEST(GrowCornerEdgesTest, SomeEdgelsMustBeNobodysYet) {
+  // The edge ends at the corner, and a link elsewhere was made from all its edgels.
+  GrowthScene scene = Corner(40);
+  scene.DrawFromEdgelsOf(PxSegment(0, 0, 0, 40),
+                         {FrontalPoint(100, 0) - Eigen::Vector3d(0, 0, 0.3),
+                          FrontalPoint(100, 40) - Eigen::Vector3d(0, 0, 0.3)});
+  EXPECT_TRUE(scene.Grow().empty());
+}
+
+TEST(GrowCornerEdgesTest, ViewsThatSeeTheCornerMustBeEnough) {
+  // Only views that show a link at the corner are asked.
+  const auto num_grown = [](const std::vector<ViewId>& see_corner,
+                            const std::vector<ViewId>& see_edge) {
+    GrowthScene scene;
+    scene.ShowAndDraw(PxSegment(0, 0, 60, 0), see_corner);
+    scene.Show(PxSegment(0, 0, 0, 40), see_edge);
+    return scene.Grow().size();
+  };
+  const std::vector<ViewId> all = GrowthScene().AllViews();
+  EXPECT_EQ(num_grown({0, 2, 5, 7}, all), 1u);
+  EXPECT_EQ(num_grown({0, 2, 7}, all), 0u);
+  EXPECT_EQ(num_grown(all, {0, 2, 5, 7}), 1u);
+  EXPECT_EQ(num_grown(all, {0, 2, 7}), 0u);
+}
+
+TEST(GrowCornerEdgesTest, WhatChanceExplainsDoesNotGrow) {
+  // Edges beside it, as in a texture.
+  GrowthScene scene = Corner(40);
+  for (const double x : {-9, -7, -5, 5, 7, 9}) scene.Show(PxSegment(x, -20, x, 60));
+  EXPECT_TRUE(scene.Grow().empty());
+  // One of them is no texture.
+  GrowthScene one = Corner(40);
+  one.Show(PxSegment(7, -20, 7, 60));
+  ExpectGrownTo(one.Grow(), 0, 40);
+}
+
+// Links that end at the origin and begin `gap_px` to its right, and the images show an edge between
+// them in the views given.
+GrowthScene Gap(double gap_px, const std::vector<ViewId>& in_views) {
+  GrowthScene scene;
+  scene.ShowAndDraw(PxSegment(0, -60, 0, 0));
+  scene.ShowAndDraw(PxSegment(gap_px, 0, gap_px, 60));
+  scene.Show(PxSegment(0, 0, gap_px, 0), in_views);
+  return scene;
+}
+GrowthScene Gap(double gap_px) { return Gap(gap_px, GrowthScene().AllViews()); }
+
+TEST(AddShortEdgesTest, EdgeBetweenTwoJointsIsAdded) {
+  GrowthScene scene = Gap(12);
+  const auto added = scene.AddShort();
+  ASSERT_EQ(added.size(), 1u);
+  EXPECT_NEAR(LengthPx(added[0]), 12, 1e-6);
+  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 0)), 2);
+  EXPECT_EQ(scene.EndsAt(FrontalPoint(12, 0)), 2);
+}
+
+TEST(AddShortEdgesTest, LongestIsAnOption) {
+  const auto num_added = [](double gap_px, double max_short_edge_px) {
+    GrowthScene scene = Gap(gap_px);
+    scene.options.max_short_edge_px = max_short_edge_px;
+    return scene.AddShort().size();
+  };
+  EXPECT_EQ(num_added(29, 30), 1u);
+  EXPECT_EQ(num_added(31, 30), 0u);
+  EXPECT_EQ(num_added(31, 40), 1u);
+  EXPECT_EQ(num_added(12, 10), 0u);
+  EXPECT_EQ(num_added(12, 0), 0u);
+  // What is shorter than 3 px is one joint.
+  EXPECT_EQ(num_added(2.5, 30), 0u);
+}
+
+TEST(AddShortEdgesTest, EnoughViewsMustShowIt) {
+  EXPECT_EQ(Gap(12, {0, 2, 5, 7}).AddShort().size(), 1u);
+  EXPECT_EQ(Gap(12, {0, 2, 7}).AddShort().size(), 0u);
+  EXPECT_EQ(Gap(12, {}).AddShort().size(), 0u);
+}
+
+TEST(AddShortEdgesTest, OnlyViewsThatSeeBothJointsAreAsked) {
+  const auto num_added = [](ViewId end_of_first) {
+    GrowthScene scene;
+    scene.ShowAndDraw(PxSegment(0, -60, 0, 0), scene.Views(0, end_of_first));
+    scene.ShowAndDraw(PxSegment(12, 0, 12, 60), scene.Views(5, 16));
+    scene.Show(PxSegment(0, 0, 12, 0));
+    return scene.AddShort().size();
+  };
+  EXPECT_EQ(num_added(9), 1u);
+  EXPECT_EQ(num_added(8), 0u);
+}
+
+TEST(AddShortEdgesTest, DirectionsThatAreTakenAreNot) {
+  // A third link leaves the joint on the left, at this angle from the short edge.
+  const auto num_added = [](double angle_deg) {
+    GrowthScene scene = Gap(12);
+    const double angle = angle_deg * M_PI / 180;
+    scene.Draw(PxSegment(0, 0, 60 * std::cos(angle), 60 * std::sin(angle)));
+    return scene.AddShort().size();
+  };
+  EXPECT_EQ(num_added(-18), 0u);
+  EXPECT_EQ(num_added(-23), 1u);
+}
+
+TEST(AddShortEdgesTest, NoEdgeTwice) {
+  // Three joints in a row, with an edge from the first to the last.
+  GrowthScene scene = Gap(24);
+  scene.ShowAndDraw(PxSegment(12, 0, 12, -60));
+  double length_px = 0;
+  for (const Polyline3d& added : scene.AddShort()) length_px += LengthPx(added);
+  EXPECT_NEAR(length_px, 24, 1e-6);
+}
+
+TEST(AddShortEdgesTest, SomeEdgelsMustBeNobodysYet) {
+  GrowthScene scene = Gap(12);
+  scene.DrawFromEdgelsOf(PxSegment(0, 0, 12, 0),
+                         {FrontalPoint(100, 0) - Eigen::Vector3d(0, 0, 0.3),
+                          FrontalPoint(112, 0) - Eigen::Vector3d(0, 0, 0.3)});
+  EXPECT_TRUE(scene.AddShort().empty());
+}
+
+TEST(AddShortEdgesTest, WhatChanceExplainsIsNotAdded) {
+  GrowthScene scene = Gap(12);
+  for (const double y : {-9, -7, -5, 5, 7, 9}) scene.Show(PxSegment(-20, y, 40, y));
+  EXPECT_TRUE(scene.AddShort().empty());
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include "limn/drawing/occluding_contours.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "limn/drawing/growth_fixture.h"
 #include "limn/model/view_finder.h"
 #include "support/synthetic_scene.h"
 
@@ -45,31 +47,22 @@ testing::SceneCurve Rim(const View& view) {
   return rim;
 }
 
-DraftLink LinkThrough(const Polyline3d& points) {
-  DraftLink link;
-  for (const Eigen::Vector3d& point : points) {
-    link.position.push_back(point);
-    link.information.push_back(Eigen::Matrix3d::Identity());
-    link.footprint.push_back(kDistance / 600);
-    link.samples.emplace_back();
-  }
-  return link;
-}
-
-bool IsContour(const DraftLink& link, const std::vector<View>& views,
+bool IsContour(const Polyline3d& points, const std::vector<View>& views,
                const std::vector<ImageCurves>& curves) {
-  const SupportGate gate = DrawingOptions().Gate();
-  return IsOccludingContour(link, ViewFinder(views).NearAnyOf(link.position), views, curves,
-                            BuildEvidence(curves, {}), gate);
+  Draft draft;
+  testing::AppendLink(points, kDistance / 600, std::vector<std::vector<int>>(points.size()),
+                      &draft);
+  return IsOccludingContour(draft.links[0], ViewFinder(views).NearAnyOf(points), views, curves,
+                            BuildEvidence(curves, {}), DrawingOptions().Gate());
 }
 
 // An upright arc on the side of the ball, as the view in the middle sees its outline.
-DraftLink OutlineLink(const std::vector<View>& views) {
+Polyline3d OutlineLink(const std::vector<View>& views) {
   Polyline3d arc;
   for (int k = -20; k <= 20; ++k) {
     arc.push_back(RimPoint(views[views.size() / 2].CenterInWorld(), k * kDeg));
   }
-  return LinkThrough(arc);
+  return arc;
 }
 
 TEST(OccludingContourTest, OutlineOfABallIsNoEdge) {
@@ -81,19 +74,110 @@ TEST(OccludingContourTest, OutlineOfABallIsNoEdge) {
 
 TEST(OccludingContourTest, AnEdgeInTheSamePlaceIsOne) {
   const auto views = Views();
-  const testing::SceneCurve edge{OutlineLink(views).position, false};
+  const testing::SceneCurve edge{OutlineLink(views), false};
   const auto curves = testing::ProjectCurves(views, {edge});
   EXPECT_FALSE(IsContour(OutlineLink(views), views, curves));
 }
 
 TEST(OccludingContourTest, AnEdgeSeenByFewViewsIsOne) {
   const auto views = Views();
-  const testing::SceneCurve edge{OutlineLink(views).position, false};
+  const testing::SceneCurve edge{OutlineLink(views), false};
   auto curves = testing::ProjectCurves(views, {edge});
   for (size_t v = 0; v < views.size(); ++v) {
     if (v + 2 < views.size() / 2 || v > views.size() / 2 + 2) curves[v] = {};
   }
   EXPECT_FALSE(IsContour(OutlineLink(views), views, curves));
+}
+
+// An upright edge that some of the views show in its place. Others show one that is moved to the
+// right in their image by so many px, or nothing.
+class MovedEdge {
+ public:
+  MovedEdge() : views_(Views()), line_(OutlineLink(views_)) {}
+
+  size_t NumViews() const { return views_.size(); }
+  void ShowInPlace(size_t view) { Show(view, 0, false); }
+  void ShowMoved(size_t view, double px, bool dark_is_bright = false) {
+    Show(view, px, dark_is_bright);
+  }
+  bool IsTakenForAContour() const {
+    std::vector<ImageCurves> curves;
+    for (size_t v = 0; v < views_.size(); ++v) {
+      curves.push_back(testing::ProjectCurves(views_[v], shown_[v]));
+    }
+    return IsContour(line_, views_, curves);
+  }
+
+ private:
+  void Show(size_t view, double px, bool reversed) {
+    const Eigen::Vector3d right =
+        views_[view].cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitX();
+    testing::SceneCurve edge;
+    for (const Eigen::Vector3d& point : line_) {
+      edge.points.push_back(point + px * kDistance / 600 * right);
+    }
+    if (reversed) std::reverse(edge.points.begin(), edge.points.end());
+    shown_[view] = {edge};
+  }
+
+  std::vector<View> views_;
+  Polyline3d line_;
+  std::vector<std::vector<testing::SceneCurve>> shown_ =
+      std::vector<std::vector<testing::SceneCurve>>(Views().size());
+};
+
+// The five views in the middle of nineteen.
+bool InTheMiddle(size_t view) { return view >= 7 && view <= 11; }
+
+TEST(OccludingContourTest, NarrowSupportAndMovedToOneSideIsAnOutline) {
+  for (const double px : {4.0, -4.0}) {
+    MovedEdge edge;
+    for (size_t v = 0; v < edge.NumViews(); ++v) {
+      InTheMiddle(v) ? edge.ShowInPlace(v) : edge.ShowMoved(v, px);
+    }
+    EXPECT_TRUE(edge.IsTakenForAContour());
+  }
+}
+
+TEST(OccludingContourTest, MovedToOneSideButSupportedWidelyIsAnEdge) {
+  MovedEdge edge;
+  for (size_t v = 0; v < edge.NumViews(); ++v)
+    v % 3 == 0 ? edge.ShowInPlace(v) : edge.ShowMoved(v, 4);
+  EXPECT_FALSE(edge.IsTakenForAContour());
+}
+
+TEST(OccludingContourTest, SupportedNarrowlyButMovedToBothSidesIsAnEdge) {
+  MovedEdge edge;
+  for (size_t v = 0; v < edge.NumViews(); ++v) {
+    InTheMiddle(v) ? edge.ShowInPlace(v) : edge.ShowMoved(v, v < 7 ? 4 : -4);
+  }
+  EXPECT_FALSE(edge.IsTakenForAContour());
+}
+
+TEST(OccludingContourTest, HalfOfTheViewsBesideMustShowItMoved) {
+  // Of the views beside, every third.
+  MovedEdge edge;
+  for (size_t v = 0; v < edge.NumViews(); ++v) {
+    if (InTheMiddle(v)) edge.ShowInPlace(v);
+    if (!InTheMiddle(v) && v % 3 == 0) edge.ShowMoved(v, 4);
+  }
+  EXPECT_FALSE(edge.IsTakenForAContour());
+}
+
+TEST(OccludingContourTest, MovedEdgeHasTheSameBrighterSide) {
+  MovedEdge edge;
+  for (size_t v = 0; v < edge.NumViews(); ++v) {
+    InTheMiddle(v) ? edge.ShowInPlace(v) : edge.ShowMoved(v, 4, /*dark_is_bright=*/true);
+  }
+  EXPECT_FALSE(edge.IsTakenForAContour());
+}
+
+TEST(OccludingContourTest, ItMovesByAFewPixelsOnly) {
+  MovedEdge edge;
+  for (size_t v = 0; v < edge.NumViews(); ++v) {
+    InTheMiddle(v) ? edge.ShowInPlace(v) : edge.ShowMoved(v, 14);
+  }
+  EXPECT_FALSE(edge.IsTakenForAContour());
 }
 
 }  // namespace

@@ -1,0 +1,123 @@
+#include "limn/drawing/corner_rays.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "limn/drawing/growth_fixture.h"
+
+namespace limn {
+namespace {
+
+using testing::FrontalPoint;
+using testing::GrowthScene;
+using testing::kFrontalPx;
+using testing::PxSegment;
+
+constexpr double kDeg = M_PI / 180;
+// Four views, a few px, edgels without errors.
+constexpr double kExactRad = 1 * kDeg;
+
+double AngleTo(const CornerDirection& found, const Eigen::Vector3d& direction) {
+  return std::acos(std::min(found.unit.dot(direction.normalized()), 1.0));
+}
+
+const Eigen::Vector3d& Origin() {
+  static const Eigen::Vector3d origin = FrontalPoint(0, 0);
+  return origin;
+}
+
+// A link from the origin along the x axis, and an edge to an offset, px, in the views given.
+GrowthScene Corner(const Eigen::Vector3d& edge_px, const std::vector<ViewId>& in_views) {
+  GrowthScene scene;
+  scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
+  scene.Show({Origin(), kFrontalPx * edge_px}, in_views);
+  return scene;
+}
+GrowthScene Corner(const Eigen::Vector3d& edge_px) {
+  return Corner(edge_px, GrowthScene().AllViews());
+}
+
+TEST(FindCornerDirectionTest, DirectionOfAnEdgeIsFound) {
+  for (const Eigen::Vector3d& edge : std::vector<Eigen::Vector3d>{
+           {0, 30, 0}, {0, -30, 0}, {-30, 0, 0}, {20, 25, 0}, {0, 20, 20}, {-20, 10, -20}}) {
+    GrowthScene scene = Corner(edge);
+    const auto found = scene.DirectionAt(Origin(), 4);
+    ASSERT_TRUE(found) << edge.transpose();
+    EXPECT_NEAR(found->unit.norm(), 1, 1e-9);
+    EXPECT_LT(AngleTo(*found, edge), kExactRad) << edge.transpose();
+  }
+}
+
+TEST(FindCornerDirectionTest, ViewsWhoseRaysAgreeAreTold) {
+  const std::vector<ViewId> some = {0, 3, 6, 9, 10, 12, 15};
+  GrowthScene scene = Corner({0, 30, 0}, some);
+  const auto found = scene.DirectionAt(Origin(), 4);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->views, some);
+}
+
+TEST(FindCornerDirectionTest, EnoughViewsMustAgree) {
+  GrowthScene scene = Corner({0, 30, 0}, {0, 2, 5, 7, 9});
+  EXPECT_TRUE(scene.DirectionAt(Origin(), 5));
+  EXPECT_FALSE(scene.DirectionAt(Origin(), 6));
+}
+
+TEST(FindCornerDirectionTest, ViewsThatDoNotSeeTheCornerAreNotAsked) {
+  GrowthScene scene;
+  scene.ShowAndDraw(PxSegment(0, 0, 60, 0), {0, 2, 5, 7});
+  scene.Show(PxSegment(0, 0, 0, 30));
+  const auto found = scene.DirectionAt(Origin(), 4);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->views, (std::vector<ViewId>{0, 2, 5, 7}));
+}
+
+TEST(FindCornerDirectionTest, WhatALinkExplainsIsNoNewDirection) {
+  const auto found = [](double angle_deg) {
+    const double angle = angle_deg * kDeg;
+    GrowthScene scene = Corner({30 * std::cos(angle), 30 * std::sin(angle), 0});
+    return scene.DirectionAt(Origin(), 4).has_value();
+  };
+  EXPECT_FALSE(found(0));
+  EXPECT_FALSE(found(14));
+  EXPECT_TRUE(found(30));
+  EXPECT_TRUE(found(180));
+}
+
+TEST(FindCornerDirectionTest, MoreViewsWin) {
+  GrowthScene scene = Corner({0, 30, 0}, {0, 2, 5, 7, 8});
+  scene.Show({Origin(), FrontalPoint(-20, -20)}, scene.Views(4, 16));
+  const auto found = scene.DirectionAt(Origin(), 4);
+  ASSERT_TRUE(found);
+  EXPECT_LT(AngleTo(*found, {-1, -1, 0}), kExactRad);
+}
+
+TEST(FindCornerDirectionTest, EdgesThatPassByAreNoRays) {
+  GrowthScene scene;
+  scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
+  scene.Show(PxSegment(-4, -30, -4, 30));
+  EXPECT_FALSE(scene.DirectionAt(Origin(), 4));
+}
+
+TEST(FindCornerDirectionTest, EdgesThatDoNotMeetInSpaceAreNoDirection) {
+  // In every view an edge leaves the corner in another direction: 24 degrees from one to the next,
+  // twice the width in which they agree.
+  GrowthScene scene;
+  scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
+  for (ViewId v = 0; v < 12; ++v) {
+    const double angle = (36 + 24 * v) * kDeg;
+    scene.Show(PxSegment(0, 0, 30 * std::cos(angle), 30 * std::sin(angle)), {v});
+  }
+  EXPECT_FALSE(scene.DirectionAt(Origin(), 4));
+}
+
+TEST(FindCornerDirectionTest, ShortEdgesAreRaysToo) {
+  GrowthScene scene = Corner({0, 6, 0});
+  EXPECT_TRUE(scene.DirectionAt(Origin(), 4));
+  // What ends where edges are rounded says nothing.
+  GrowthScene tiny = Corner({0, 3, 0});
+  EXPECT_FALSE(tiny.DirectionAt(Origin(), 4));
+}
+
+}  // namespace
+}  // namespace limn

@@ -1,0 +1,181 @@
+#include "limn/drawing/joints.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "limn/drawing/growth_fixture.h"
+
+namespace limn {
+namespace {
+
+using testing::FrontalPoint;
+using testing::GrowthScene;
+using testing::kFrontalPx;
+using testing::PxSegment;
+
+TEST(CollectJointsTest, EndsAtANodeAreOneJoint) {
+  GrowthScene scene;
+  scene.Draw(PxSegment(0, 0, 60, 0));
+  scene.Draw(PxSegment(0, 40, 0, 0));
+  const Joint corner = scene.JointAt(FrontalPoint(0, 0));
+  EXPECT_EQ(corner.ends, (std::vector<LinkEnd>{{0, 0}, {1, 1}}));
+  EXPECT_NEAR(corner.footprint, kFrontalPx, 1e-12);
+  ASSERT_EQ(corner.leaving.size(), 2u);
+  EXPECT_LT((corner.leaving[0] - Eigen::Vector3d::UnitX()).norm(), 1e-6);
+  EXPECT_LT((corner.leaving[1] - Eigen::Vector3d::UnitY()).norm(), 1e-6);
+  // Free ends have joints of their own.
+  EXPECT_EQ(scene.JointAt(FrontalPoint(60, 0)).ends, (std::vector<LinkEnd>{{0, 1}}));
+  EXPECT_EQ(scene.JointAt(FrontalPoint(0, 40)).ends, (std::vector<LinkEnd>{{1, 0}}));
+}
+
+TEST(CollectJointsTest, JointIsInTheMiddleOfItsEnds) {
+  GrowthScene scene;
+  scene.Draw(PxSegment(1, 0, 60, 0));
+  scene.Draw(PxSegment(0, 0.6, 0, 40));
+  EXPECT_EQ(scene.JointAt(FrontalPoint(0.5, 0.3)).ends.size(), 2u);
+}
+
+TEST(CollectJointsTest, LinksLeaveAsTheirLastPixelsRun) {
+  GrowthScene scene;
+  scene.Draw({FrontalPoint(0, 0), FrontalPoint(20, 0), FrontalPoint(20, 60)});
+  EXPECT_LT((scene.JointAt(FrontalPoint(0, 0)).leaving[0] - Eigen::Vector3d::UnitX()).norm(), 1e-6);
+  EXPECT_LT((scene.JointAt(FrontalPoint(20, 60)).leaving[0] + Eigen::Vector3d::UnitY()).norm(),
+            1e-6);
+}
+
+TEST(CollectJointsTest, ViewsThatSupportALinkNearTheJointSeeIt) {
+  GrowthScene scene;
+  scene.Draw(PxSegment(0, 0, 60, 0));
+  scene.Show(PxSegment(0, 0, 20, 0), {0, 5});
+  scene.Show(PxSegment(40, 0, 60, 0), {5, 7});
+  scene.Show(PxSegment(20, 0, 40, 0), {9});  // nowhere near an end
+  std::vector<uint8_t> first(16, 0);
+  first[0] = first[5] = 1;
+  EXPECT_EQ(scene.JointAt(FrontalPoint(0, 0)).visible, first);
+  std::vector<uint8_t> last(16, 0);
+  last[5] = last[7] = 1;
+  EXPECT_EQ(scene.JointAt(FrontalPoint(60, 0)).visible, last);
+}
+
+TEST(CollectJointsTest, AllLinksOfAJointMakeItVisible) {
+  GrowthScene scene;
+  scene.ShowAndDraw(PxSegment(0, 0, 60, 0), {1});
+  scene.ShowAndDraw(PxSegment(0, 0, 0, 60), {3});
+  std::vector<uint8_t> both(16, 0);
+  both[1] = both[3] = 1;
+  EXPECT_EQ(scene.JointAt(FrontalPoint(0, 0)).visible, both);
+}
+
+TEST(IsTakenTest, DirectionsNearALinksAre) {
+  GrowthScene scene;
+  scene.Draw(PxSegment(0, 0, 60, 0));
+  scene.Draw(PxSegment(0, 0, 0, 60));
+  const Joint joint = scene.JointAt(FrontalPoint(0, 0));
+  const auto taken = [&](double angle) {
+    return IsTaken(joint, {std::cos(angle), std::sin(angle), 0}, 0.3);
+  };
+  EXPECT_TRUE(taken(0.29));
+  EXPECT_TRUE(taken(-0.29));
+  EXPECT_FALSE(taken(0.31));
+  EXPECT_TRUE(taken(M_PI / 2 + 0.29));
+  EXPECT_FALSE(taken(M_PI));
+  EXPECT_FALSE(IsTaken(Joint(), {1, 0, 0}, 0.3));
+}
+
+// One view with an edge of 21 edgels and one that is in no fragment, and a link made from some.
+class IndexEdgelsTest : public ::testing::Test {
+ protected:
+  IndexEdgelsTest() {
+    curves_ =
+        testing::ProjectCurves(views_, {testing::Segment(FrontalPoint(0, 0), FrontalPoint(20, 0))});
+    for (ImageCurves& of_view : curves_) {
+      lone_ = static_cast<EdgelId>(of_view.edge_map.edgels.size());
+      of_view.edge_map.edgels.push_back(testing::MakeEdgel({200, 100}, 0));
+    }
+  }
+
+  // Positions on the fragment, of 21, of the edgels of a view that nobody has when a link has
+  // these of view 0.
+  std::vector<int> Unclaimed(const std::vector<int>& places, ViewId view = 0) {
+    const auto& ids = curves_[0].fragments[0].edgel_ids;
+    SampleSet samples;
+    Draft draft;
+    std::vector<std::vector<int>> merged;
+    Polyline3d points;
+    samples.origins.push_back({});
+    for (const int place : places) {
+      merged.push_back({samples.NumSamples()});
+      points.push_back(FrontalPoint(place, 0));
+      samples.curve_of.push_back(0);
+      samples.position.push_back(points.back());
+      samples.support.Append(std::vector<EdgelRef>{{0, ids[place]}});
+    }
+    testing::AppendLink(points, kFrontalPx, merged, &draft);
+    const auto evidence = BuildEvidence(curves_, {});
+    const EdgelEvidence edgels = IndexEdgels(curves_, evidence, samples, draft);
+    EXPECT_EQ(Held(*edgels.all[view], view).size(), 21u);
+    return Held(*edgels.unclaimed[view], view);
+  }
+
+  std::vector<int> Held(const EdgelIndex& index, ViewId view) const {
+    std::vector<int> held;
+    const auto& ids = curves_[view].fragments[0].edgel_ids;
+    for (size_t k = 0; k < ids.size(); ++k) {
+      if (index.AnyWithin(curves_[view].edge_map.edgels[ids[k]].position_px, 1e-6)) {
+        held.push_back(static_cast<int>(k));
+      }
+    }
+    EXPECT_FALSE(index.AnyWithin(curves_[view].edge_map.edgels[lone_].position_px, 1e-6));
+    return held;
+  }
+
+  // 0 to 20 without these.
+  static std::vector<int> Without(const std::vector<int>& places) {
+    std::vector<int> others;
+    for (int k = 0; k <= 20; ++k) {
+      if (std::find(places.begin(), places.end(), k) == places.end()) others.push_back(k);
+    }
+    return others;
+  }
+
+  const std::vector<View> views_ = testing::FrontalViews(2, 1, 0.75);
+  std::vector<ImageCurves> curves_;
+  EdgelId lone_ = kInvalidEdgel;
+};
+
+TEST_F(IndexEdgelsTest, NeighborsOfAClaimedEdgelAreClaimed) {
+  EXPECT_EQ(Unclaimed({}), Without({}));
+  EXPECT_EQ(Unclaimed({10}), Without({9, 10, 11}));
+  EXPECT_EQ(Unclaimed({6, 8}), Without({5, 6, 7, 8, 9}));
+}
+
+TEST_F(IndexEdgelsTest, FragmentsEnd) {
+  EXPECT_EQ(Unclaimed({0}), Without({0, 1}));
+  EXPECT_EQ(Unclaimed({20}), Without({19, 20}));
+}
+
+TEST_F(IndexEdgelsTest, OtherViewsAreNotConcerned) { EXPECT_EQ(Unclaimed({10}, 1), Without({})); }
+
+TEST(SupportAtTest, EdgelsOfTheViewsAskedAreFound) {
+  const auto views = testing::FrontalViews(3, 1, 0.75);
+  const auto curves =
+      testing::ProjectCurves(views, {testing::Segment(FrontalPoint(0, 0), FrontalPoint(20, 0))});
+  const auto evidence = BuildEvidence(curves, {});
+  EdgelIndexes edgels;
+  for (const auto& of_view : evidence) edgels.push_back(&of_view->edgels);
+  const auto views_at = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
+    std::vector<ViewId> found;
+    for (const EdgelRef& ref :
+         SupportAt(point, direction, {0, 2}, views, edgels, {1.5, 1.5, 0.4})) {
+      found.push_back(ref.view);
+    }
+    return found;
+  };
+  EXPECT_EQ(views_at(FrontalPoint(10, 1.4), {1, 0, 0}), (std::vector<ViewId>{0, 2}));
+  EXPECT_TRUE(views_at(FrontalPoint(10, 1.6), {1, 0, 0}).empty());
+  EXPECT_TRUE(views_at(FrontalPoint(10, 0), {0, 1, 0}).empty());
+}
+
+}  // namespace
+}  // namespace limn
