@@ -33,6 +33,10 @@ BUILD = TREE / "build/release"
 LOG = ROOT / "build/mutations/last.log"
 LOCK = ROOT / "build/mutations/lock"
 KEYS = ("file", "old", "new", "test")
+# What a mutation leaves unused is no error.
+ALLOWED = "".join(f'#pragma GCC diagnostic ignored "-W{name}"\n' for name in (
+    "unused-variable", "unused-but-set-variable", "unused-parameter", "unused-but-set-parameter", "unused-function",
+    "type-limits"))
 
 Mutation = collections.namedtuple("Mutation", "name file old new program filter")
 
@@ -97,7 +101,7 @@ def mutate(mutation, tree):
     if len(found) != 1:
         raise TableError(f"stale mutation {mutation.name}: {path.relative_to(tree)} has its text {len(found)} times"
                          + (hint(mutation, tree) if not found else ""))
-    return path, text[:found[0].start()] + mutation.new + text[found[0].end():]
+    return path, ALLOWED + text[:found[0].start()] + mutation.new + text[found[0].end():]
 
 
 def write_new(path, data):
