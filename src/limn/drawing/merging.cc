@@ -130,6 +130,7 @@ class CurveMerger {
     const bool whole = samples_.origins[curve].closed &&
                        std::all_of(home.begin(), home.end(), [](int h) { return h < 0; });
     if (whole) {
+      ++builder_.counts().released;
       AddRun(curve, 0, size, true);
       return;
     }
@@ -192,10 +193,9 @@ class CurveMerger {
       }
       return;
     }
-    if (before >= 0 && after >= 0) {
-      ++(builder_.LinkOf(before) == builder_.LinkOf(after) ? builder_.counts().rejoined
-                                                           : builder_.counts().bridged);
-    }
+    const bool same_link =
+        before >= 0 && after >= 0 && builder_.LinkOf(before) == builder_.LinkOf(after);
+    const int64_t rejoined_before = builder_.counts().rejoined;
     int link = AddRun(curve, begin, end, false);
     const int first = home_[samples_.curve_begin[curve] + begin];
     const int last = home_[samples_.curve_begin[curve] + end - 1];
@@ -205,6 +205,10 @@ class CurveMerger {
       const int last_end = EndOf(last, link);
       if (last_end >= 0) builder_.Attach(link, last_end, after);
     }
+    if (before < 0 || after < 0) return;
+    if (!same_link) ++builder_.counts().bridged;
+    // A run that closed a loop has been counted.
+    if (same_link && builder_.counts().rejoined == rejoined_before) ++builder_.counts().rejoined;
   }
 
   bool Near(int vertex_a, int vertex_b) const {

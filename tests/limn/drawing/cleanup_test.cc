@@ -93,10 +93,10 @@ TEST_P(CleanUpTest, LinkThatReturnsToItsNodeCloses) {
 }
 
 TEST_P(CleanUpTest, TwoArcsBecomeOneLoop) {
-  scene_.AddLink(Arc({0, 0, 0}, 30, 0, 180));
-  scene_.AddLink(Arc({0, 0, 0}, 30, 360, 180));
-  scene_.ShareNode({30, 0, 0});
-  scene_.ShareNode({-30, 0, 0});
+  scene_.AddLink(Arc({0, 0, 0}, 50, 0, 180));
+  scene_.AddLink(Arc({0, 0, 0}, 50, 360, 180));
+  scene_.ShareNode({50, 0, 0});
+  scene_.ShareNode({-50, 0, 0});
   const CleanupCounts counts = scene_.CleanUp();
   EXPECT_EQ(counts.dissolved_nodes, 1);
   EXPECT_EQ(scene_.Look().NumLinks(), 1);

@@ -188,9 +188,9 @@ TEST_P(JoinContinuationsTest, ChainOfThreeBecomesOneLink) {
 }
 
 TEST_P(JoinContinuationsTest, RingOfArcsCloses) {
-  // Gaps of 4 degrees, 2.1 px.
+  // Gaps of 2.4 degrees, 2.1 px.
   for (const double begin : {180, 0, 90, 270}) {
-    scene_.AddLink(Arc({0, 0, 0}, 30, begin + 2, begin + 88));
+    scene_.AddLink(Arc({0, 0, 0}, 50, begin + 1.2, begin + 88.8));
   }
   EXPECT_EQ(Join().continued, 4);
   const Picture picture = scene_.Look();
@@ -199,11 +199,11 @@ TEST_P(JoinContinuationsTest, RingOfArcsCloses) {
   EXPECT_TRUE(picture.LinksAdvance());
   EXPECT_EQ(picture.NumSamples(), scene_.NumSketchSamples());
   // Chords of 2.1 px at most are shorter than their arcs by less than a thousandth.
-  EXPECT_NEAR(picture.LengthPxAt({30, 0, 0}), 2 * M_PI * 30, 0.2);
+  EXPECT_NEAR(picture.LengthPxAt({50, 0, 0}), 2 * M_PI * 50, 0.2);
 }
 
 TEST_P(JoinContinuationsTest, LinkThatReturnsToItsBeginningCloses) {
-  scene_.AddLink(Arc({0, 0, 0}, 30, 2, 358));
+  scene_.AddLink(Arc({0, 0, 0}, 50, 1.2, 358.8));
   EXPECT_EQ(Join().continued, 1);
   EXPECT_EQ(scene_.Look().NumLinks(), 1);
   EXPECT_EQ(scene_.Look().NumClosed(), 1);
@@ -212,7 +212,7 @@ TEST_P(JoinContinuationsTest, LinkThatReturnsToItsBeginningCloses) {
 
 // Joints are trimmed but for the one that closes a ring (continuations.cc, Concatenate).
 TEST_P(JoinContinuationsTest, DISABLED_OverlapOfARingIsTrimmed) {
-  scene_.AddLink(Arc({0, 0, 0}, 30, 2, 365));
+  scene_.AddLink(Arc({0, 0, 0}, 50, 1.2, 364));
   EXPECT_EQ(Join().continued, 1);
   EXPECT_EQ(scene_.Look().NumClosed(), 1);
   EXPECT_TRUE(scene_.Look().LinksAdvance());

@@ -175,7 +175,7 @@ bool Picture::LinksAdvance() const {
     for (size_t i = 0; i < steps.size(); ++i) {
       if (steps[i].norm() < 1e-6) return false;
       if (i + 1 == steps.size() && !link.closed) break;
-      if (steps[i].dot(steps[(i + 1) % steps.size()]) <= 0) return false;
+      if (steps[i].dot(steps[(i + 1) % steps.size()]) < -1e-6) return false;
     }
   }
   return true;

@@ -73,7 +73,7 @@ class Picture {
   int NumLinksAt(const Eigen::Vector3d& point, double within = 0.1) const;
   // One link passes all these points.
   bool Covers(const Polyline3d& points, double within) const;
-  // No link has two points at one place, or turns by a right angle or more from one step to the
+  // No link has two points at one place, or turns by more than a right angle from one step to the
   // next.
   bool LinksAdvance() const;
   int NumSamples() const;
