@@ -6,6 +6,7 @@
 
 #include "limn/drawing/drawing.h"
 #include "limn/evaluation/evaluate_curves.h"
+#include "limn/refinement/refinement.h"
 #include "limn/sketch/sketch.h"
 #include "support/synthetic_scene.h"
 
@@ -95,12 +96,7 @@ std::vector<ImageCurves> CubeInClutter() {
   return curves;
 }
 
-TEST(ClutterTest, CubeIsFoundAndLittleElse) {
-  const std::vector<ImageCurves> curves = CubeInClutter();
-  const SceneHints no_hints;
-  const CurveSketch sketch =
-      BuildSweptSketch({Views(), curves, no_hints, std::nullopt}, SketchOptions(), {}).sketch;
-  const DrawingGraph graph = BuildDrawing({Views(), curves, sketch}, DrawingOptions(), {}).graph;
+void ExpectCubeAndLittleElse(const DrawingGraph& graph, const std::string& name) {
   EXPECT_TRUE(Validate(graph).empty());
   CurveSet truth;
   truth.polylines = testing::Polylines(testing::CubeEdges(kHalfSide));
@@ -108,10 +104,21 @@ TEST(ClutterTest, CubeIsFoundAndLittleElse) {
   options.taus = {2};
   const TauResult row =
       EvaluateCurvesInFootprints(ToCurveSet(graph), truth, Views(), options).rows.at(0);
-  RecordProperty("precision", std::to_string(row.precision.value()));
-  RecordProperty("recall", std::to_string(row.recall.value()));
-  EXPECT_GE(row.precision.value(), 0.95);
-  EXPECT_GE(row.recall.value(), 0.95);
+  ::testing::Test::RecordProperty(name + "_precision", std::to_string(row.precision.value()));
+  ::testing::Test::RecordProperty(name + "_recall", std::to_string(row.recall.value()));
+  EXPECT_GE(row.precision.value(), 0.95) << name;
+  EXPECT_GE(row.recall.value(), 0.95) << name;
+}
+
+TEST(ClutterTest, CubeIsFoundAndLittleElse) {
+  const std::vector<ImageCurves> curves = CubeInClutter();
+  const SceneHints no_hints;
+  const CurveSketch sketch =
+      BuildSweptSketch({Views(), curves, no_hints, std::nullopt}, SketchOptions(), {}).sketch;
+  const DrawingGraph drawn = BuildDrawing({Views(), curves, sketch}, DrawingOptions(), {}).graph;
+  ExpectCubeAndLittleElse(drawn, "drawn");
+  ExpectCubeAndLittleElse(RefineDrawing({Views(), curves, drawn}, RefinementOptions(), {}).graph,
+                          "refined");
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "limn/refinement/edit_fixture.h"
@@ -12,7 +14,7 @@ using testing::PxLine;
 double LargestX(const EditScene& scene, LinkId link) {
   double largest = -1e9;
   for (const Eigen::Vector3d& point : scene.graph.links[link].points_in_world) {
-    largest = std::max(largest, point.x() / kFrontalPx);
+    largest = std::max(largest, point.x() / testing::kFrontalPx);
   }
   return largest;
 }
