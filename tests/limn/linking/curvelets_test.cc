@@ -48,6 +48,34 @@ TEST(CurveletBuilder, TooSharpACurveIsNone) {
   EXPECT_FALSE(CurveletBuilder(edgels, options).Around(4).empty());
 }
 
+TEST(CurveletBuilder, TooShortACurveletIsNone) {
+  std::vector<Edgel> edgels;
+  for (int x = 0; x < 3; ++x) edgels.push_back(MakeEdgel(x, 0, 0));
+  LinkingOptions options;
+  options.min_curvelet_px = 2.5;
+  EXPECT_TRUE(CurveletBuilder(edgels, options).Around(1).empty());
+  options.min_curvelet_px = 1.5;
+  EXPECT_FALSE(CurveletBuilder(edgels, options).Around(1).empty());
+}
+
+TEST(CurveletBuilder, EdgelsBesideEachOtherAreOfTwoCurvelets) {
+  // Half a pixel apart: each is within the tolerance of a curve through the other.
+  std::vector<Edgel> edgels;
+  for (int x = 0; x < 7; ++x) edgels.push_back(MakeEdgel(x, 0, 0));
+  edgels.push_back(MakeEdgel(5, 0.5, 0));
+  const LinkingOptions options;
+  CurveletBuilder builder(edgels, options);
+  const auto holds = [](const Curvelet& curvelet, EdgelId id) {
+    return std::find(curvelet.begin(), curvelet.end(), id) != curvelet.end();
+  };
+  int num_with_either = 0;
+  for (const Curvelet& curvelet : builder.Around(3)) {
+    EXPECT_FALSE(holds(curvelet, 5) && holds(curvelet, 7));
+    num_with_either += holds(curvelet, 5) || holds(curvelet, 7);
+  }
+  EXPECT_EQ(num_with_either, 2);
+}
+
 TEST(CurveletBuilder, BranchesMakeTwoCurvelets) {
   // A trunk along x that forks into two arms turning by 40 degrees up and down.
   std::vector<Edgel> edgels;

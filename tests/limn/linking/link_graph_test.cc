@@ -28,8 +28,11 @@ TEST(ChainMutualBest, MostVotesThenShortest) {
 TEST(ChainMutualBest, SidewaysLinksAreNoContinuation) {
   std::vector<Edgel> edgels = Row(2);
   edgels[1].position_px = {0, 1};
-  const Chaining chaining = ChainMutualBest(edgels, {{0, 1, 9}});
-  EXPECT_EQ(chaining.next[0], kInvalidEdgel);
+  EXPECT_EQ(ChainMutualBest(edgels, {{0, 1, 9}}).next, (std::vector<EdgelId>{-1, -1}));
+  // Ahead of both: each would follow the other.
+  edgels[1].position_px = {1, 0};
+  edgels[1].tangent_rad = M_PI;
+  EXPECT_EQ(ChainMutualBest(edgels, {{0, 1, 9}}).next, (std::vector<EdgelId>{-1, -1}));
 }
 
 TEST(TraceChains, OpenAndClosed) {

@@ -128,13 +128,19 @@ TEST_F(EdgelIndexTest, DirectionIsUndirected) {
 TEST_F(EdgelIndexTest, GateIsInStoredPixels) {
   Edgel edgel = testing::MakeEdgel({50, 50}, 0);
   edgel.stored_from_virtual = 0.5f * Eigen::Matrix2f::Identity();
-  const EdgeMap edge_map = testing::MakeEdgeMap(view_, {edgel});
-  const EdgelIndex index(edge_map, {true});
   const SupportGate gate;  // 1.5 stored = 3 virtual pixels across
-  const auto best = index.Best({50, 52.8}, 0, gate);
-  ASSERT_TRUE(best.has_value());
-  EXPECT_NEAR(std::abs(best->normal_residual_px), 1.4, 1e-6);
-  EXPECT_FALSE(index.Best({50, 53.2}, 0, gate).has_value());
+  // Wherever the cells of the index begin: at the first edgel.
+  for (const double first : {40.0, 41.1, 42.1, 43.1}) {
+    const EdgeMap edge_map =
+        testing::MakeEdgeMap(view_, {edgel, testing::MakeEdgel({first, first}, 0)});
+    const EdgelIndex index(edge_map, {true, true});
+    for (const double side : {-1.0, 1.0}) {
+      const auto best = index.Best({50, 50 + side * 2.8}, 0, gate);
+      ASSERT_TRUE(best.has_value()) << first << " " << side;
+      EXPECT_NEAR(std::abs(best->normal_residual_px), 1.4, 1e-6);
+      EXPECT_FALSE(index.Best({50, 50 + side * 3.2}, 0, gate).has_value());
+    }
+  }
 }
 
 TEST_F(EdgelIndexTest, EmptyIndexFindsNothing) {

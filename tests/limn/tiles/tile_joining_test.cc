@@ -87,6 +87,24 @@ TEST_F(TileJoiningTest, WhatTheOtherTileDoesNotHaveEndsAtTheBorder) {
   EXPECT_THAT(joined.graph.links, SizeIs(2));
 }
 
+TEST_F(TileJoiningTest, WhatTurnsAtTheBorderIsAnotherCurve) {
+  // They meet at the border; up to 20 degrees is a turn of one curve.
+  for (const double degrees : {15.0, 25.0, 80.0}) {
+    SCOPED_TRACE(degrees);
+    const double angle = degrees * M_PI / 180;
+    const Eigen::Vector3d turned(std::cos(angle), std::sin(angle), 0);
+    DrawingGraph first, second;
+    AddLink(testing::Segment({-1, 0, 0}, {1, 0, 0}).points, false, &first);
+    AddLink(testing::Segment(-turned, turned).points, false, &second);
+    const JoinedTiles joined =
+        JoinTiles({{Between(-kInfinity, 0), first}, {Between(0, kInfinity), second}}, views_);
+    EXPECT_THAT(Validate(joined.graph), IsEmpty());
+    EXPECT_EQ(joined.joined, degrees < 20 ? 1 : 0);
+    EXPECT_EQ(joined.open_ends, degrees < 20 ? 0 : 2);
+    EXPECT_THAT(joined.graph.links, SizeIs(degrees < 20 ? 1 : 2));
+  }
+}
+
 TEST_F(TileJoiningTest, LinesSideBySideKeepApart) {
   DrawingGraph graph;
   for (const double px : {0.0, 4.0, 8.0}) {

@@ -1,0 +1,194 @@
+#include "limn/refinement/edgel_matches.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "support/synthetic_scene.h"
+
+namespace limn {
+namespace {
+
+constexpr int kNumViews = 8;
+// About the width of a pixel at the origin.
+constexpr double kPx = 5.0 / 600;
+
+const std::vector<View>& Views() {
+  static const std::vector<View> views = testing::DomeViews(kNumViews, 5);
+  return views;
+}
+
+// Along x, longer than the links that are matched with it.
+const testing::SceneCurve& Edge() {
+  static const auto edge = testing::Segment({-0.4, 0, 0}, {0.4, 0, 0});
+  return edge;
+}
+
+class EdgelMatchesTest : public ::testing::Test {
+ protected:
+  EdgelMatchesTest() : curves_(testing::ProjectCurves(Views(), {Edge()})) {}
+
+  // A link parallel to the edge, of which all views are asked.
+  void AddLink(const Eigen::Vector3d& offset) {
+    DrawingLink link;
+    for (const double x : {-0.25, 0.25}) {
+      link.points_in_world.push_back(offset + Eigen::Vector3d(x, 0, 0));
+      graph_.nodes.emplace_back();
+      graph_.nodes.back().position_in_world = link.points_in_world.back();
+    }
+    link.sigma.assign(2, kPx);
+    link.node0 = static_cast<NodeId>(graph_.nodes.size()) - 2;
+    link.node1 = link.node0 + 1;
+    for (int v = 0; v < kNumViews; ++v) link.supporting_views.push_back(v);
+    graph_.links.push_back(link);
+    RebuildIncidence(&graph_);
+  }
+
+  std::vector<LinkMatches> Match() {
+    std::vector<std::unique_ptr<EdgelIndex>> edgels;
+    for (const ImageCurves& of_view : curves_) {
+      edgels.push_back(std::make_unique<EdgelIndex>(of_view.edge_map, LinkedEdgels(of_view)));
+    }
+    std::vector<std::vector<ViewId>> asked;
+    for (const DrawingLink& link : graph_.links) asked.push_back(link.supporting_views);
+    control_ = MakeControlGraph(graph_, Views(), options_.control_spacing_px);
+    const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
+    return MatchEdgels({Views(), curves_, edgels, asked}, control_, gate, options_, {});
+  }
+
+  Eigen::Vector3d PositionOf(int link, const LinkSample& sample) const {
+    const std::vector<int>& points = control_.links[link].points;
+    return (1 - sample.t) * control_.position[points[sample.segment]] +
+           sample.t * control_.position[points[sample.segment + 1]];
+  }
+
+  static bool Pulls(ViewId view, const LinkSample& sample) {
+    return std::any_of(sample.pulls.begin(), sample.pulls.end(),
+                       [&](const EdgelPull& pull) { return pull.ref.view == view; });
+  }
+  static bool PullsAnywhere(ViewId view, const LinkMatches& matches) {
+    return std::any_of(matches.begin(), matches.end(),
+                       [&](const LinkSample& sample) { return Pulls(view, sample); });
+  }
+
+  // What one view shows instead.
+  void Show(ViewId view, const testing::SceneCurve& curve) {
+    curves_[view] = testing::ProjectCurves(Views()[view], {curve});
+  }
+  // In one view the other side of the edge is the brighter one.
+  void SwapSides(ViewId view) {
+    for (Edgel& edgel : curves_[view].edge_map.edgels) {
+      edgel.tangent_rad = std::remainder(edgel.tangent_rad + M_PI, 2 * M_PI);
+    }
+  }
+
+  std::vector<ImageCurves> curves_;
+  DrawingGraph graph_;
+  RefinementOptions options_;
+  ControlGraph control_;
+};
+
+TEST_F(EdgelMatchesTest, EveryViewThatShowsTheLinkPullsOnce) {
+  AddLink({0, 0, 0});
+  const LinkMatches matches = Match()[0];
+  EXPECT_GT(matches.size(), 30u);
+  for (const LinkSample& sample : matches) {
+    ASSERT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
+    for (int v = 0; v < kNumViews; ++v) {
+      EXPECT_EQ(sample.pulls[v].ref.view, v);
+      EXPECT_NEAR(sample.pulls[v].residual_px, 0, 1e-5);
+    }
+  }
+}
+
+TEST_F(EdgelMatchesTest, TooFewViewsPullNot) {
+  AddLink({0, 0, 0});
+  graph_.links[0].supporting_views = {0, 3};
+  for (const LinkSample& sample : Match()[0]) EXPECT_TRUE(sample.pulls.empty());
+  options_.min_views = 2;
+  for (const LinkSample& sample : Match()[0]) EXPECT_EQ(sample.pulls.size(), 2u);
+}
+
+TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
+  AddLink({0, 0, 0});
+  // Of the 12 px around it 3 px, and one more at either side within the gate.
+  Show(0, testing::Segment({-1.5 * kPx, 0, 0}, {1.5 * kPx, 0, 0}));
+  // A stretch of 24 px shows the link in its middle.
+  Show(1, testing::Segment({-12 * kPx, 0, 0}, {12 * kPx, 0, 0}));
+  const LinkMatches matches = Match()[0];
+  EXPECT_FALSE(PullsAnywhere(0, matches));
+  EXPECT_TRUE(Pulls(1, matches[matches.size() / 2]));
+  EXPECT_FALSE(Pulls(1, matches.front()));
+}
+
+TEST_F(EdgelMatchesTest, TheOtherSideOfABarIsAnotherEdge) {
+  AddLink({0, 0, 0});
+  SwapSides(0);
+  const LinkMatches matches = Match()[0];
+  for (const LinkSample& sample : matches) {
+    EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews) - 1);
+    EXPECT_FALSE(Pulls(0, sample));
+  }
+}
+
+TEST_F(EdgelMatchesTest, WhereViewsDoNotAgreeOnTheSideAllAreHeard) {
+  AddLink({0, 0, 0});
+  for (int v = 0; v < kNumViews / 2; ++v) SwapSides(v);
+  for (const LinkSample& sample : Match()[0]) {
+    EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
+  }
+}
+
+TEST_F(EdgelMatchesTest, ViewsInWhichAnotherLinkRunsBesideAreNotHeard) {
+  AddLink({0, 0, 0});
+  // Behind the first one as view 0 sees it.
+  const Eigen::Vector3d ray = -Views()[0].CenterInWorld().normalized();
+  const Eigen::Vector3d behind = 12 * kPx * (ray - ray.x() * Eigen::Vector3d::UnitX());
+  AddLink(behind);
+  const LinkMatches matches = Match()[0];
+  const LinkSample& sample = matches[matches.size() / 2];
+  const Eigen::Vector3d position = PositionOf(0, sample);
+  int num_apart = 0;
+  for (int v = 0; v < kNumViews; ++v) {
+    const Eigen::Vector2d here = *Views()[v].Project(position);
+    const Eigen::Vector2d ahead = *Views()[v].Project(position + Eigen::Vector3d(0.01, 0, 0));
+    const Eigen::Vector2d other = *Views()[v].Project(position + behind);
+    const Eigen::Vector2d along = (ahead - here).normalized();
+    const Eigen::Vector2d offset = other - here;
+    const double apart_px = std::abs(along.x() * offset.y() - along.y() * offset.x());
+    if (apart_px > 2.5 && apart_px < 3.5) continue;
+    EXPECT_EQ(Pulls(v, sample), apart_px > 3) << "view " << v << ": " << apart_px << " px";
+    num_apart += apart_px > 3;
+  }
+  EXPECT_GE(num_apart, options_.min_views);
+  EXPECT_FALSE(Pulls(0, sample));
+}
+
+TEST_F(EdgelMatchesTest, AnEdgelBelongsToTheLinkThatFitsItBetter) {
+  AddLink({0, 0, 0});
+  AddLink({0, 0.6 * kPx, 0});
+  const std::vector<LinkMatches> matches = Match();
+  for (const LinkSample& sample : matches[0]) {
+    EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
+  }
+  for (const LinkSample& sample : matches[1]) {
+    // Alike to a tenth of a pixel is the same.
+    for (const EdgelPull& pull : sample.pulls) EXPECT_LE(std::abs(pull.residual_px), 0.1 + 1e-5);
+  }
+}
+
+TEST_F(EdgelMatchesTest, WeightIsTheStepOverTheLengthOfAnError) {
+  AddLink({0, 0, 0});
+  const LinkMatches matches = Match()[0];
+  for (size_t k = 0; k + 1 < matches.size(); ++k) {
+    for (const EdgelPull& pull : matches[k].pulls) {
+      const View& view = Views()[pull.ref.view];
+      const Eigen::Vector2d step =
+          *view.Project(PositionOf(0, matches[k + 1])) - *view.Project(PositionOf(0, matches[k]));
+      EXPECT_NEAR(pull.weight, step.norm() / options_.correlation_px, 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limn
