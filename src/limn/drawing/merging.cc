@@ -180,36 +180,19 @@ class CurveMerger {
       }
       return;
     }
-<<<<<<< HEAD
+    const bool same_link =
+        before >= 0 && after >= 0 && primitives_.LinkOf(before) == primitives_.LinkOf(after);
     MergingCounts& counts = primitives_.counts();
-    if (before >= 0 && after >= 0) {
-      ++(primitives_.LinkOf(before) == primitives_.LinkOf(after) ? counts.rejoined
-                                                                 : counts.bridged);
-    }
+    const int64_t rejoined_before = counts.rejoined;
     const LinkId link = AddRun(curve, begin, end, false);
     if (before >= 0) primitives_.Attach(link, 0, before);
-    if (after < 0) return;
     const int last = samples_.curve_begin[curve] + end - 1;
-    const int last_end = primitives_.EndOf(last);
+    const int last_end = after < 0 ? -1 : primitives_.EndOf(last);
     if (last_end >= 0) primitives_.Attach(primitives_.LinkOf(last), last_end, after);
-=======
-    const bool same_link =
-        before >= 0 && after >= 0 && builder_.LinkOf(before) == builder_.LinkOf(after);
-    const int64_t rejoined_before = builder_.counts().rejoined;
-    int link = AddRun(curve, begin, end, false);
-    const int first = home_[samples_.curve_begin[curve] + begin];
-    const int last = home_[samples_.curve_begin[curve] + end - 1];
-    if (before >= 0) builder_.Attach(link, EndOf(first, link), before);
-    if (after >= 0) {
-      link = builder_.LinkOf(last);
-      const int last_end = EndOf(last, link);
-      if (last_end >= 0) builder_.Attach(link, last_end, after);
-    }
     if (before < 0 || after < 0) return;
-    if (!same_link) ++builder_.counts().bridged;
+    counts.bridged += !same_link;
     // A run that closed a loop has been counted.
-    if (same_link && builder_.counts().rejoined == rejoined_before) ++builder_.counts().rejoined;
->>>>>>> 3da59e955af65281e3fe948090240d69ba59696e
+    counts.rejoined += same_link && counts.rejoined == rejoined_before;
   }
 
   bool Near(int vertex_a, int vertex_b) const {
