@@ -75,8 +75,12 @@ std::vector<FusedDepth> AsDepths(const FragmentRays& fragment, const CurveHypoth
   for (size_t j = 0; j < hypothesis.samples.size(); ++j) {
     const HypothesisSample& sample = hypothesis.samples[j];
     const double sine = sample.triangulation_sine * sample.epipolar_sine;
-    depths[sample.vertex] = {true, true, 1 / sample.depth, sine * sine,
-                             support.px_per_inverse_depth[j]};
+    FusedDepth& depth = depths[sample.vertex];
+    depth.has_depth = true;
+    depth.certain = true;
+    depth.inverse_depth = 1 / sample.depth;
+    depth.information = sine * sine;
+    depth.px_per_inverse_depth = support.px_per_inverse_depth[j];
   }
   return depths;
 }

@@ -74,6 +74,18 @@ void ExpectSound(const CurveSketch& sketch) {
 
 TEST(OriginalSketchTest, CurvesAreSound) { ExpectSound(Original().sketch); }
 
+// A depth comes from edgels with a standard deviation of 0.2 px, divided by the sines of two
+// angles: it is never better known than 0.2 footprints.
+TEST(OriginalSketchTest, DepthsAreKnownNoBetterThanEdgels) {
+  for (const Curve3D& curve : Original().sketch.curves) {
+    const View& view = Views().at(curve.anchor.view);
+    for (size_t s = 0; s < curve.size(); ++s) {
+      const double depth = (view.cam_from_world * curve.points_in_world[s]).z();
+      ASSERT_GE(curve.depth_sigma[s], 0.199 * depth / view.camera.MeanFocal());
+    }
+  }
+}
+
 TEST(OriginalSketchTest, FindsMostOfTheCube) {
   EXPECT_GE(Evaluate(Original().sketch, 2).recall.value(), 0.8);
 }
