@@ -84,12 +84,28 @@ TEST(FindCornerDirectionTest, WhatALinkExplainsIsNoNewDirection) {
   EXPECT_TRUE(found(180));
 }
 
+TEST(FindCornerDirectionTest, TwoViewsGiveTheDirectionAndItsSign) {
+  for (const double sign : {-1.0, 1.0}) {
+    GrowthScene scene;
+    scene.ShowAndDraw(PxSegment(0, 0, 60, 0), {0, 7});
+    scene.Show(PxSegment(0, 0, 0, 30 * sign));
+    const auto found = scene.DirectionAt(Origin(), 2);
+    ASSERT_TRUE(found);
+    EXPECT_LT(AngleTo(*found, {0, sign, 0}), kExactRad);
+  }
+}
+
 TEST(FindCornerDirectionTest, MoreViewsWin) {
-  GrowthScene scene = Corner({0, 30, 0}, {0, 2, 5, 7, 8});
-  scene.Show({Origin(), FrontalPoint(-20, -20)}, scene.Views(4, 16));
-  const auto found = scene.DirectionAt(Origin(), 4);
-  ASSERT_TRUE(found);
-  EXPECT_LT(AngleTo(*found, {-1, -1, 0}), kExactRad);
+  // Whether they come first or last.
+  const auto found = [](const std::vector<ViewId>& few, ViewId begin, ViewId end) {
+    GrowthScene scene = Corner({0, 30, 0}, few);
+    scene.Show({Origin(), FrontalPoint(-20, -20)}, scene.Views(begin, end));
+    return scene.DirectionAt(Origin(), 4);
+  };
+  for (const auto& direction : {found({0, 2, 5, 7, 8}, 4, 16), found({7, 8, 10, 13, 15}, 0, 12)}) {
+    ASSERT_TRUE(direction);
+    EXPECT_LT(AngleTo(*direction, {-1, -1, 0}), kExactRad);
+  }
 }
 
 TEST(FindCornerDirectionTest, EdgesThatPassByAreNoRays) {
