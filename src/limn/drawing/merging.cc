@@ -120,7 +120,7 @@ class CurveMerger {
     const bool whole = samples_.origins[curve].closed &&
                        std::all_of(home.begin(), home.end(), [](int h) { return h < 0; });
     if (whole) {
-      ++builder_.counts().released;
+      ++primitives_.counts().released;
       AddRun(curve, 0, size, true);
       return;
     }

@@ -80,8 +80,7 @@ double MergingPrimitives::StubPx(const Place& at, int end) const {
 // The stub between the attachment and the end is short, the end is free, and the run leads on.
 bool MergingPrimitives::CanElongate(const Place& at, int target_end, const LinkEnd& run) const {
   const DrawingLink& target = editor_.link(at.link);
-  const int num_left = target_end == 0 ? target.size() - at.index : at.index + 1;
-  if (target.closed || !editor_.IsFree({at.link, target_end}) || num_left < 2) return false;
+  if (target.closed || !editor_.IsFree({at.link, target_end})) return false;
   if (StubPx(at, target_end) >= options_.min_branch_length_px) return false;
   return TipOf(target, target_end).outward.dot(TipOf(editor_.link(run.link), run.end).outward) <
          -kMinElongationCosine;
@@ -92,8 +91,9 @@ void MergingPrimitives::Elongate(const Place& at, int target_end, const LinkEnd&
   const DrawingLink& target = editor_.link(at.link);
   const std::vector<LinkVertex>& of_run = editor_.link(run.link).vertices;
   const LinkVertex& first = run.end == 0 ? of_run.front() : of_run.back();
-  const int begin = target_end == 0 ? at.index : 0;
-  const int end = target_end == 0 ? target.size() : at.index + 1;
+  // A link keeps two points.
+  const int begin = target_end == 0 ? std::min(at.index, target.size() - 2) : 0;
+  const int end = target_end == 0 ? target.size() : std::max(at.index + 1, 2);
   for (int k = 0; k < target.size(); ++k) {
     if (k >= begin && k < end) continue;
     for (const SketchSample& sample : target.vertices[k].samples) {

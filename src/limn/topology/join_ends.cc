@@ -21,8 +21,10 @@ constexpr double kLoopOverGap = 4;
 
 // The free ends of a drawing, with their lines.
 struct FreeTips {
-  explicit FreeTips(const GraphEditor& editor) : ends(editor.FreeEnds()) {
-    for (const LinkEnd& end : ends) {
+  explicit FreeTips(const GraphEditor& editor) {
+    for (const LinkEnd& end : editor.FreeEnds()) {
+      if (editor.link(end.link).vertices.empty()) continue;
+      ends.push_back(end);
       tips.push_back(TipOf(editor.link(end.link), end.end));
       points.push_back(tips.back().point);
     }
@@ -117,9 +119,10 @@ class CornerJoiner {
       if (!point) continue;
       const auto from_a = reach_.To(a, *point);
       const auto from_b = reach_.To(b, *point);
-      candidates.push_back({std::abs(from_a->along_px) + std::abs(from_b->along_px) +
-                                from_a->miss_px + from_b->miss_px,
-                            i, j});
+      const double miss_px = from_a->miss_px + from_b->miss_px;  // from line to line
+      if (miss_px > reach_.miss_px) continue;
+      candidates.push_back(
+          {std::abs(from_a->along_px) + std::abs(from_b->along_px) + miss_px, i, j});
     }
     std::sort(candidates.begin(), candidates.end());
     return candidates;

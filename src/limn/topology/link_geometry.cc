@@ -56,6 +56,7 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
 }
 
 LinkTip TipOf(const DrawingLink& link, int end) {
+  if (link.vertices.empty()) return {EndPoint(link, end)};
   return TipOf(link, end, (end == 0 ? link.vertices.front() : link.vertices.back()).footprint);
 }
 

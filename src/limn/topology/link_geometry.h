@@ -17,11 +17,13 @@ struct LinkTip {
 };
 LinkTip TipOf(const DrawingLink& link, int end, double footprint);
 
-// The rest needs the link's vertices.
+// With the footprint of the link's vertices; without direction if it has none.
 LinkTip TipOf(const DrawingLink& link, int end);
 
 // The end's position.
 const Eigen::Vector3d& EndPoint(const DrawingLink& link, int end);
+
+// The rest needs the link's vertices.
 
 // Arc length between two points of a link, from <= to, px.
 double ArcPx(const DrawingLink& link, int from, int to);

@@ -106,6 +106,7 @@ void PairContinuations(const TopologyOptions& options, NodeId id, DrawingGraph* 
   DrawingNode& node = graph->nodes[id];
   std::vector<Eigen::Vector3d> outward;
   for (const LinkEnd& end : node.incident) {
+    if (graph->links[end.link].vertices.empty()) return;
     outward.push_back(TipOf(graph->links[end.link], end.end).outward);
   }
   const double max_cosine = -std::cos(options.max_continuation_angle_deg * M_PI / 180);

@@ -52,7 +52,7 @@ class EndSnapper {
     std::vector<uint8_t> opened(editor_->NumLinks(), 0);
     for (const LinkEnd& free : editor_->FreeEnds()) {
       const NodeId from = editor_->NodeAt(free);
-      if (stays[from]) continue;
+      if (stays[from] || editor_->link(free.link).vertices.empty()) continue;
       const Target target = FindTarget(free);
       if (target.node >= 0) {
         if (leaves[target.node]) continue;
@@ -89,8 +89,7 @@ class EndSnapper {
       if (cost_px >= best.cost_px) continue;
       const NodeId node = is_node ? link.NodeAt(at == 0 ? 0 : 1) : -1;
       if (is_node ? !PartsFromAll(free, tip, node) : !Crosses(free, tip, other, at)) continue;
-      if (std::hypot(offset->along_px, offset->miss_px) > kSmallGapPx &&
-          !ImagesShow(free, place, other, at)) {
+      if (!ImagesShow(free, place, other, at)) {
         was_refused = true;
         continue;
       }
