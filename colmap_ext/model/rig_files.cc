@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "colmap_ext/model/line_reader.h"
+#include "colmap_ext/model/model_builder.h"
 #include "colmap_ext/model/record_reading.h"
 #include "colmap_ext/model/rig.h"
 
