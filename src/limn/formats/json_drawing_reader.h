@@ -23,7 +23,7 @@ struct DrawingFile {
 constexpr const char* kDrawingJsonFormat = "limn-drawing";
 constexpr int kDrawingJsonVersion = 1;
 
-// A drawing.json as export/drawing_json.h writes it. Throws IoError, also when the graph breaks one
+// A drawing.json as json_drawing_writer.h writes it. Throws IoError, also when the graph breaks one
 // of the invariants of Validate.
 DrawingFile ReadDrawingJson(const std::string& path);
 
