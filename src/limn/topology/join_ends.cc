@@ -19,10 +19,12 @@ constexpr double kDeg = M_PI / 180;
 constexpr double kMinLoopPx = 16;
 constexpr double kLoopOverGap = 4;
 
-// The free ends of a drawing, with their lines.
+// The free ends of the links that have vertices, with their lines.
 struct FreeTips {
-  explicit FreeTips(const GraphEditor& editor) : ends(editor.FreeEnds()) {
-    for (const LinkEnd& end : ends) {
+  explicit FreeTips(const GraphEditor& editor) {
+    for (const LinkEnd& end : editor.FreeEnds()) {
+      if (editor.link(end.link).vertices.empty()) continue;
+      ends.push_back(end);
       tips.push_back(TipOf(editor.link(end.link), end.end));
       points.push_back(tips.back().point);
     }

@@ -52,7 +52,7 @@ class EndSnapper {
     std::vector<uint8_t> opened(editor_->NumLinks(), 0);
     for (const LinkEnd& free : editor_->FreeEnds()) {
       const NodeId from = editor_->NodeAt(free);
-      if (stays[from]) continue;
+      if (stays[from] || editor_->link(free.link).vertices.empty()) continue;
       const Target target = FindTarget(free);
       if (target.node >= 0) {
         if (leaves[target.node]) continue;
@@ -107,8 +107,8 @@ class EndSnapper {
     return std::all_of(incident.begin(), incident.end(), [&](const LinkEnd& end) {
       if (end == free) return false;
       if (end.link == free.link && !MayClose(LengthPx(own), reach_.gap_px)) return false;
-      return AngleBetween(TipOf(editor_->link(end.link), end.end).outward, tip.outward) >
-             min_parting_rad_;
+      const LinkTip other = TipOf(editor_->link(end.link), end.end, tip.footprint);
+      return AngleBetween(other.outward, tip.outward) > min_parting_rad_;
     });
   }
 
