@@ -119,6 +119,7 @@ class CornerJoiner {
       if (!point) continue;
       const auto from_a = reach_.To(a, *point);
       const auto from_b = reach_.To(b, *point);
+      if (from_a->miss_px + from_b->miss_px > reach_.miss_px) continue;
       candidates.push_back({std::abs(from_a->along_px) + std::abs(from_b->along_px) +
                                 from_a->miss_px + from_b->miss_px,
                             i, j});
