@@ -200,7 +200,9 @@ void GraphEditor::EndAt(const LinkEnd& end, NodeId node) {
   DropOvershoot(end, place);
   Detach(end);
   DrawingLink& link = graph_->links[end.link];
-  AtBack(end, &link, [&] { PushBack(place, &link); });
+  AtBack(end, &link, [&] {
+    if (link.points_in_world.back() != place) PushBack(place, &link);
+  });
   ForgetShape(&link);
   Attach(end, node);
 }
@@ -237,7 +239,7 @@ void GraphEditor::DropOvershoot(const LinkEnd& end, const Eigen::Vector3d& place
   AtBack(end, &link, [&] {
     while (link.size() > min_points) {
       const Eigen::Vector3d ahead = points.back() - points.end()[-2];
-      if ((place - points.back()).dot(ahead) > 0) break;
+      if (place == points.back() || (place - points.back()).dot(ahead) > 0) break;
       PopBack(&link);
     }
   });

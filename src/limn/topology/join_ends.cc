@@ -19,7 +19,7 @@ constexpr double kDeg = M_PI / 180;
 constexpr double kMinLoopPx = 16;
 constexpr double kLoopOverGap = 4;
 
-// The free ends of a drawing, with their lines.
+// The free ends of the links that have vertices, with their lines.
 struct FreeTips {
   explicit FreeTips(const GraphEditor& editor) {
     for (const LinkEnd& end : editor.FreeEnds()) {

@@ -104,10 +104,14 @@ bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const
 
 void PairContinuations(const TopologyOptions& options, NodeId id, DrawingGraph* graph) {
   DrawingNode& node = graph->nodes[id];
+  const auto known =
+      std::find_if(node.incident.begin(), node.incident.end(),
+                   [&](const LinkEnd& end) { return !graph->links[end.link].vertices.empty(); });
+  if (known == node.incident.end()) return;
+  const double footprint = TipOf(graph->links[known->link], known->end).footprint;
   std::vector<Eigen::Vector3d> outward;
   for (const LinkEnd& end : node.incident) {
-    if (graph->links[end.link].vertices.empty()) return;
-    outward.push_back(TipOf(graph->links[end.link], end.end).outward);
+    outward.push_back(TipOf(graph->links[end.link], end.end, footprint).outward);
   }
   const double max_cosine = -std::cos(options.max_continuation_angle_deg * M_PI / 180);
   std::vector<std::tuple<double, size_t, size_t>> pairs;

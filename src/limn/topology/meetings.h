@@ -54,8 +54,8 @@ FragmentsByView FragmentsAtEnd(const TopologyInput& input, const DrawingLink& li
 bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const FragmentsByView& a,
                  const FragmentsByView& b, int min_views);
 
-// Pair the ends at a node that go on most smoothly in each other, each at most once. Nothing
-// changes where a link has no vertices.
+// Pair the ends at a node that go on most smoothly in each other, each at most once. Nodes stay as
+// they are at which no link has vertices.
 void PairContinuations(const TopologyOptions& options, NodeId node, DrawingGraph* graph);
 
 struct MeetingCounts {

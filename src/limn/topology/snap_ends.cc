@@ -106,8 +106,8 @@ class EndSnapper {
     return std::all_of(incident.begin(), incident.end(), [&](const LinkEnd& end) {
       if (end == free) return false;
       if (end.link == free.link && !MayClose(LengthPx(own), reach_.gap_px)) return false;
-      return AngleBetween(TipOf(editor_->link(end.link), end.end).outward, tip.outward) >
-             min_parting_rad_;
+      const LinkTip other = TipOf(editor_->link(end.link), end.end, tip.footprint);
+      return AngleBetween(other.outward, tip.outward) > min_parting_rad_;
     });
   }
 

@@ -117,7 +117,7 @@ TEST(ClutterTest, CubeIsFoundAndLittleElse) {
       BuildSweptSketch({Views(), curves, no_hints, std::nullopt}, SketchOptions(), {}).sketch;
   const DrawingGraph drawn = BuildDrawing({Views(), curves, sketch}, DrawingOptions(), {}).graph;
   ExpectCubeAndLittleElse(drawn, "drawn");
-  ExpectCubeAndLittleElse(RefineDrawing({Views(), curves, drawn}, RefinementOptions(), {}).graph,
+  ExpectCubeAndLittleElse(RefineDrawing({Views(), curves, drawn}, {}, {}, {}).graph,
                           "refined");
 }
 

@@ -5,16 +5,15 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/drawing_fixture.h"
+#include "limn/drawing/merging_scene.h"
 
 namespace limn {
 namespace {
 
 using Eigen::Vector3d;
 using testing::Arc;
-using testing::DrawingScene;
-using testing::DrawingSceneTest;
 using testing::LinkTraits;
+using testing::MergingSceneTest;
 using testing::Moved;
 using testing::Path;
 using testing::Picture;
@@ -25,7 +24,7 @@ using testing::Ring;
 // more than that was off, half a px in these tests.
 constexpr double kNear = 0.5;
 
-class MergeCurvesTest : public DrawingSceneTest {
+class MergeCurvesTest : public MergingSceneTest {
  protected:
   // The longest curve, along x.
   void AddBar() { scene_.AddLink(Path({{-75, 0, 0}, {75, 0, 0}})); }
@@ -393,7 +392,7 @@ TEST_P(MergeCurvesTest, EverySampleIsInOneLink) {
 
 LIMN_ALL_VARIANTS(MergeCurvesTest);
 
-class FitLinksTest : public DrawingSceneTest {
+class FitLinksTest : public MergingSceneTest {
  protected:
   // The second curve is merged into the first, which is as long.
   Picture Fit(const Vector3d& offset, const Eigen::Matrix3d& first, const Eigen::Matrix3d& second) {

@@ -134,5 +134,29 @@ TEST(DrawingGraph, KindsHaveNames) {
   EXPECT_STREQ(NodeKindName(NodeKind::kLoopAnchor), "loop_anchor");
 }
 
+TEST(RemoveLinks, OthersKeepTheirOrderAndContinuations) {
+  DrawingGraph graph = Star();
+  graph.nodes[0].continuations = {{{0, 0}, {1, 1}}, {{1, 1}, {2, 0}}};
+  RemoveLinks({0, 1, 1, 0}, &graph);
+  EXPECT_THAT(Validate(graph), IsEmpty());
+  ASSERT_EQ(graph.links.size(), 2u);
+  EXPECT_EQ(graph.links[0].points_in_world.front(), Eigen::Vector3d(0, 1, 0));
+  EXPECT_EQ(graph.links[1].points_in_world.back(), Eigen::Vector3d(0, 0, 1));
+  ASSERT_EQ(graph.nodes.size(), 3u);
+  const DrawingNode& node = graph.nodes[graph.links[0].node1];
+  EXPECT_EQ(node.Degree(), 2);
+  EXPECT_EQ(node.kind, NodeKind::kEnd);
+  ASSERT_EQ(node.continuations.size(), 1u);
+  EXPECT_EQ(node.continuations[0].first, (LinkEnd{0, 1}));
+  EXPECT_EQ(node.continuations[0].second, (LinkEnd{1, 0}));
+}
+
+TEST(RemoveLinks, NothingMayRemain) {
+  DrawingGraph graph = Star();
+  RemoveLinks({0, 0, 0, 0}, &graph);
+  EXPECT_TRUE(graph.links.empty());
+  EXPECT_TRUE(graph.nodes.empty());
+}
+
 }  // namespace
 }  // namespace limn

@@ -70,7 +70,7 @@ RefinementResult Refine(const std::vector<View>& views, const std::vector<SceneP
   options.refine_poses = true;
   RunContext context;
   context.num_threads = num_threads;
-  return RefineDrawing({views, Curves(), CubeGraph(), points}, options, context);
+  return RefineDrawing({views, Curves(), CubeGraph(), points}, options, {}, context);
 }
 
 testing::CameraErrors ErrorsOf(const std::vector<View>& views) {
@@ -114,7 +114,8 @@ TEST(PoseRefinement, CamerasComeBackFromCurves) {
 TEST(PoseRefinement, DrawingFitsTheNewCameras) {
   const DrawingGraph graph = Refine(WrongViews(), nullptr).graph;
   RefinementOptions without;
-  const DrawingGraph left = RefineDrawing({WrongViews(), Curves(), CubeGraph()}, without, {}).graph;
+  const DrawingGraph left =
+      RefineDrawing({WrongViews(), Curves(), CubeGraph()}, without, {}, {}).graph;
   ASSERT_EQ(graph.links.size(), 12u);
   for (const DrawingLink& link : graph.links) {
     EXPECT_EQ(link.supporting_views.size(), static_cast<size_t>(kNumViews));
@@ -180,7 +181,7 @@ TEST(PoseRefinement, PointsAloneBringCamerasBack) {
   options.refine_poses = true;
   const DrawingGraph empty;
   const RefinementResult result =
-      RefineDrawing({WrongViews(), Curves(), empty, &points}, options, {});
+      RefineDrawing({WrongViews(), Curves(), empty, &points}, options, {}, {});
   EXPECT_LT(ErrorsOf(result.cameras->views).aligned_px, 0.1);
 }
 
@@ -200,8 +201,7 @@ TEST(PoseRefinement, ResultDoesNotDependOnThreads) {
 }
 
 TEST(PoseRefinement, OffGivesNoCameras) {
-  const RefinementResult result =
-      RefineDrawing({WrongViews(), Curves(), CubeGraph()}, RefinementOptions(), {});
+  const RefinementResult result = RefineDrawing({WrongViews(), Curves(), CubeGraph()}, {}, {}, {});
   EXPECT_FALSE(result.cameras);
 }
 

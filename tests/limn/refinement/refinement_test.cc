@@ -94,7 +94,7 @@ DrawingGraph Perturbed(DrawingGraph graph, double size_px) {
 RefinementResult Refine(const DrawingGraph& graph, double noise_px, int num_threads = 2) {
   RunContext context;
   context.num_threads = num_threads;
-  return RefineDrawing({Views(), Curves(noise_px), graph}, RefinementOptions(), context);
+  return RefineDrawing({Views(), Curves(noise_px), graph}, {}, {}, context);
 }
 
 const DrawingGraph& NoisyResult() {
@@ -198,7 +198,7 @@ std::vector<ImageCurves> CurvesWithOffsets(double offset_px) {
 
 TEST(Refinement, SigmasKnowThatViewsErrAsAWhole) {
   const std::vector<ImageCurves> curves = CurvesWithOffsets(0.5);
-  const DrawingGraph graph = RefineDrawing({Views(), curves, CubeGraph()}, {}, {}).graph;
+  const DrawingGraph graph = RefineDrawing({Views(), curves, CubeGraph()}, {}, {}, {}).graph;
   const double mean = MeanNormalisedSquare(graph);
   RecordProperty("variance", std::to_string(mean));
   EXPECT_LT(mean, 1.5);
@@ -217,8 +217,7 @@ TEST(Refinement, ScaledSceneGivesTheScaledDrawing) {
     for (Eigen::Vector3d& point : link.points_in_world) point *= kFactor;
   }
   const std::vector<View> views = testing::Scaled(Views(), kFactor);
-  const DrawingGraph graph =
-      RefineDrawing({views, Curves(kNoisePx), scaled}, RefinementOptions(), {}).graph;
+  const DrawingGraph graph = RefineDrawing({views, Curves(kNoisePx), scaled}, {}, {}, {}).graph;
   double largest = 0;
   for (size_t l = 0; l < graph.links.size(); ++l) {
     const auto& points = graph.links[l].points_in_world;
@@ -264,7 +263,7 @@ TEST(Refinement, NoRoundsChangeNothing) {
   RefinementOptions options;
   options.num_rounds = 0;
   const DrawingGraph graph = Perturbed(CubeGraph(), 0.6);
-  ExpectSame(RefineDrawing({Views(), Curves(0), graph}, options, {}).graph, graph);
+  ExpectSame(RefineDrawing({Views(), Curves(0), graph}, options, {}, {}).graph, graph);
 }
 
 }  // namespace

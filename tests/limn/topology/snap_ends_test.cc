@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "limn/drawing/drawing_fixture.h"
+#include "limn/topology/drawing_scene.h"
 
 namespace limn {
 namespace {
@@ -15,7 +15,7 @@ using testing::Picture;
 using testing::Polar;
 using testing::Ring;
 
-class EndAttachmentsTest : public DrawingSceneTest {
+class SnapEndsTest : public DrawingSceneTest {
  protected:
   // A link that comes from this direction and ends `gap_px` before a point, or beyond it; its edge
   // in the images reaches the point.
@@ -28,16 +28,15 @@ class EndAttachmentsTest : public DrawingSceneTest {
 
   void ExpectSound() {
     const Picture picture = scene_.Look();
-    EXPECT_TRUE(picture.EndsCoincide());
     EXPECT_TRUE(picture.LinksAdvance());
     EXPECT_EQ(picture.NumSamples(), scene_.NumSketchSamples());
   }
 };
 
-class JoinToNodesTest : public EndAttachmentsTest {
+class SnapToNodesTest : public SnapEndsTest {
  protected:
-  JunctionCounts Join(const DrawingOptions& options = {}) {
-    return scene_.Join(&JoinToNodes, options);
+  MeetingCounts Snap(const TopologyOptions& options = {}) {
+    return scene_.Meet(&SnapEnds, options);
   }
 
   // Two links that meet in a node, at a right angle.
@@ -48,141 +47,143 @@ class JoinToNodesTest : public EndAttachmentsTest {
   }
 };
 
-TEST_P(JoinToNodesTest, EndWithinReachEndsAtTheNode) {
+TEST_P(SnapToNodesTest, EndWithinReachEndsAtTheNode) {
   AddCornerAt({0, 0, 0});
   AddArm({0, 0, 0}, 45, 11.5);
-  const JunctionCounts counts = Join();
-  EXPECT_EQ(counts.joined_nodes, 1);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  const MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_nodes, 1);
+  EXPECT_EQ(counts.refused, 0);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 3);
   EXPECT_NEAR(scene_.Look().LengthPxAt(Polar(30, 45)), 60, 1e-6);
   ExpectSound();
 }
 
-TEST_P(JoinToNodesTest, EndBeyondReachStaysFree) {
+TEST_P(SnapToNodesTest, EndBeyondReachStaysFree) {
   AddCornerAt({0, 0, 0});
   AddArm({0, 0, 0}, 45, 12.5);
-  const JunctionCounts counts = Join();
-  EXPECT_EQ(counts.joined_nodes, 0);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  const MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_nodes, 0);
+  EXPECT_EQ(counts.refused, 0);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 2);
 }
 
-TEST_P(JoinToNodesTest, GapLimitIsAnOption) {
+TEST_P(SnapToNodesTest, GapLimitIsAnOption) {
   AddCornerAt({0, 0, 0});
   AddArm({0, 0, 0}, 45, 8);
-  EXPECT_EQ(Join({.max_junction_gap_px = 7}).joined_nodes, 0);
-  EXPECT_EQ(Join({.max_junction_gap_px = 9}).joined_nodes, 1);
+  EXPECT_EQ(Snap({.max_junction_gap_px = 7}).to_nodes, 0);
+  EXPECT_EQ(Snap({.max_junction_gap_px = 9}).to_nodes, 1);
 }
 
-TEST_P(JoinToNodesTest, LineThatPassesTheNodeNearlyEndsThere) {
+TEST_P(SnapToNodesTest, LineThatPassesTheNodeNearlyEndsThere) {
   AddCornerAt({0, 0, 0});
   AddArm({0, 0, 3.5}, 45, 4);
-  EXPECT_EQ(Join().joined_nodes, 1);
+  EXPECT_EQ(Snap().to_nodes, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 3);
   ExpectSound();
 }
 
-TEST_P(JoinToNodesTest, LineThatMissesTheNodeStaysFree) {
+TEST_P(SnapToNodesTest, LineThatMissesTheNodeStaysFree) {
   AddCornerAt({0, 0, 0});
   AddArm({0, 0, 4.5}, 45, 4);
-  const JunctionCounts counts = Join();
-  EXPECT_EQ(counts.joined_nodes, 0);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  const MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_nodes, 0);
+  EXPECT_EQ(counts.refused, 0);
 }
 
-TEST_P(JoinToNodesTest, MissLimitIsAnOption) {
+TEST_P(SnapToNodesTest, MissLimitIsAnOption) {
   AddCornerAt({0, 0, 0});
   AddArm({0, 0, 2.5}, 45, 4);
-  EXPECT_EQ(Join({.max_junction_miss_px = 2}).joined_nodes, 0);
-  EXPECT_EQ(Join({.max_junction_miss_px = 3}).joined_nodes, 1);
+  EXPECT_EQ(Snap({.max_junction_miss_px = 2}).to_nodes, 0);
+  EXPECT_EQ(Snap({.max_junction_miss_px = 3}).to_nodes, 1);
 }
 
-TEST_P(JoinToNodesTest, OvershootIsCutAtTheNode) {
+TEST_P(SnapToNodesTest, OvershootIsCutAtTheNode) {
   AddCornerAt({0, 0, 0});
   AddArm({0, 0, 0}, 45, -5.5);
-  EXPECT_EQ(Join().joined_nodes, 1);
+  EXPECT_EQ(Snap().to_nodes, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 3);
   EXPECT_NEAR(scene_.Look().LengthPxAt(Polar(30, 45)), 60, 1e-6);
   ExpectSound();
 }
 
-TEST_P(JoinToNodesTest, LinkThatGoesOnIsNotCutBack) {
+TEST_P(SnapToNodesTest, LinkThatGoesOnIsNotCutBack) {
+  // From above: the links of the corner are far from its end.
   AddCornerAt({0, 0, 0});
-  AddArm({0, 0, 0}, 45, -6.5);
-  EXPECT_EQ(Join().joined_nodes, 0);
+  scene_.AddLink(Path({{0, 0, 60}, {0, 0, -6.5}}));
+  const MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_nodes + counts.to_links, 0);
 }
 
-TEST_P(JoinToNodesTest, ImagesMustShowIt) {
+TEST_P(SnapToNodesTest, ImagesMustShowIt) {
   AddCornerAt({0, 0, 0}, {.views = {0, 1, 2, 3}});
   scene_.AddLink(Path({Polar(60, 45), Polar(4, 45)}), {.views = {2, 3, 4, 5}});
-  JunctionCounts counts = Join();
-  EXPECT_EQ(counts.joined_nodes, 0);
-  EXPECT_EQ(counts.without_image_evidence, 1);
+  MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_nodes, 0);
+  EXPECT_EQ(counts.refused, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 2);
-  counts = Join({.min_junction_views = 2});
-  EXPECT_EQ(counts.joined_nodes, 1);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  counts = Snap({.min_junction_views = 2});
+  EXPECT_EQ(counts.to_nodes, 1);
+  EXPECT_EQ(counts.refused, 0);
 }
 
-TEST_P(JoinToNodesTest, OneLinkOfTheNodeIsEnough) {
+TEST_P(SnapToNodesTest, OneLinkOfTheNodeIsEnough) {
   scene_.AddLink(Path({{-60, 0, 0}, {0, 0, 0}}), {.views = {6, 7}});
   scene_.AddLink(Path({{0, -60, 0}, {0, 0, 0}}), {.views = {0, 1, 2}});
   scene_.ShareNode({0, 0, 0});
   scene_.AddLink(Path({Polar(60, 45), Polar(4, 45)}), {.views = {0, 1, 2}});
-  EXPECT_EQ(Join().joined_nodes, 1);
+  EXPECT_EQ(Snap().to_nodes, 1);
 }
 
-TEST_P(JoinToNodesTest, NearestNodeWins) {
+TEST_P(SnapToNodesTest, NearestNodeWins) {
   AddCornerAt({0, 0, 0});
   AddCornerAt({4, 4, 0});
   AddArm({4, 4, 0}, 45, 4);
-  EXPECT_EQ(Join().joined_nodes, 1);
+  EXPECT_EQ(Snap().to_nodes, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({4, 4, 0}), 3);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 2);
 }
 
-TEST_P(JoinToNodesTest, NearestNodeWinsWhicheverCameFirst) {
+TEST_P(SnapToNodesTest, NearestNodeWinsWhicheverCameFirst) {
   AddCornerAt({4, 4, 0});
   AddCornerAt({0, 0, 0});
   AddArm({4, 4, 0}, 45, 4);
-  EXPECT_EQ(Join().joined_nodes, 1);
+  EXPECT_EQ(Snap().to_nodes, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({4, 4, 0}), 3);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 2);
 }
 
-TEST_P(JoinToNodesTest, ManyEndsMayJoinOneNode) {
+TEST_P(SnapToNodesTest, ManyEndsMayJoinOneNode) {
   AddCornerAt({0, 0, 0});
   AddArm({0, 0, 0}, 30, 4);
   AddArm({0, 0, 0}, 80, 6);
-  EXPECT_EQ(Join().joined_nodes, 2);
+  EXPECT_EQ(Snap().to_nodes, 2);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 4);
   ExpectSound();
 }
 
-TEST_P(JoinToNodesTest, ShortHookDoesNotReturnToItsOwnNode) {
+TEST_P(SnapToNodesTest, ShortHookDoesNotReturnToItsOwnNode) {
   // 32 px long; its last 12 px point back to where it begins, 5 px away.
   AddCornerAt({0, 0, 0});
   scene_.AddLink(Path({{0, 0, 0}, {12, 5, 0}, Polar(17, 45), Polar(5, 45)}));
-  EXPECT_EQ(Join().joined_nodes, 0);
+  EXPECT_EQ(Snap().to_nodes, 0);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 3);
 }
 
-TEST_P(JoinToNodesTest, LongLoopMayReturnToItsOwnNode) {
+TEST_P(SnapToNodesTest, LongLoopMayReturnToItsOwnNode) {
   scene_.AddLink(Path({{-60, 0, 0}, {0, 0, 0}}));
   scene_.AddLink(Path({{0, -60, 0}, {0, 0, 0}}));
   scene_.AddLink(Path({{0, 0, 0}, {40, 0, 0}, {40, 40, 0}, {0, 40, 0}, {0, 4, 0}}));
   scene_.ShareNode({0, 0, 0});
-  EXPECT_EQ(Join().joined_nodes, 1);
+  EXPECT_EQ(Snap().to_nodes, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 4);
 }
 
-LIMN_ALL_VARIANTS(JoinToNodesTest);
+LIMN_ALL_VARIANTS(SnapToNodesTest);
 
-class JoinToInteriorsTest : public EndAttachmentsTest {
+class SnapToLinksTest : public SnapEndsTest {
  protected:
-  JunctionCounts Join(const DrawingOptions& options = {}) {
-    return scene_.Join(&JoinToInteriors, options);
+  MeetingCounts Snap(const TopologyOptions& options = {}) {
+    return scene_.Meet(&SnapEnds, options);
   }
 
   void AddBar(const LinkTraits& traits = {}) {
@@ -190,12 +191,12 @@ class JoinToInteriorsTest : public EndAttachmentsTest {
   }
 };
 
-TEST_P(JoinToInteriorsTest, EndThatMeetsALinkCutsItThere) {
+TEST_P(SnapToLinksTest, EndThatMeetsALinkCutsItThere) {
   AddBar();
   AddArm({20, 0, 0}, 90, 11.5);
-  const JunctionCounts counts = Join();
-  EXPECT_EQ(counts.t_junctions, 1);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  const MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_links, 1);
+  EXPECT_EQ(counts.refused, 0);
   const Picture picture = scene_.Look();
   EXPECT_EQ(picture.NumLinks(), 3);
   EXPECT_EQ(picture.NumMeetings(), 1);
@@ -207,129 +208,134 @@ TEST_P(JoinToInteriorsTest, EndThatMeetsALinkCutsItThere) {
   ExpectSound();
 }
 
-TEST_P(JoinToInteriorsTest, EndBeyondReachDoesNot) {
+TEST_P(SnapToLinksTest, EndBeyondReachDoesNot) {
   AddBar();
   AddArm({0, 0, 0}, 90, 12.5);
-  const JunctionCounts counts = Join();
-  EXPECT_EQ(counts.t_junctions, 0);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  const MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_links, 0);
+  EXPECT_EQ(counts.refused, 0);
   EXPECT_EQ(scene_.Look().NumLinks(), 2);
 }
 
-TEST_P(JoinToInteriorsTest, GapLimitIsAnOption) {
+TEST_P(SnapToLinksTest, GapLimitIsAnOption) {
   AddBar();
   AddArm({0, 0, 0}, 90, 8);
-  EXPECT_EQ(Join({.max_junction_gap_px = 7}).t_junctions, 0);
-  EXPECT_EQ(Join({.max_junction_gap_px = 9}).t_junctions, 1);
+  EXPECT_EQ(Snap({.max_junction_gap_px = 7}).to_links, 0);
+  EXPECT_EQ(Snap({.max_junction_gap_px = 9}).to_links, 1);
 }
 
-TEST_P(JoinToInteriorsTest, LineThatPassesNearlyIsTaken) {
+TEST_P(SnapToLinksTest, LineThatPassesNearlyIsTaken) {
   AddBar();
   AddArm({0, 0, 3.5}, 90, 4);
-  EXPECT_EQ(Join().t_junctions, 1);
+  EXPECT_EQ(Snap().to_links, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 3);
   ExpectSound();
 }
 
-TEST_P(JoinToInteriorsTest, LineThatPassesAboveIsNot) {
+TEST_P(SnapToLinksTest, LineThatPassesAboveIsNot) {
   AddBar();
   AddArm({0, 0, 4.5}, 90, 4);
-  const JunctionCounts counts = Join();
-  EXPECT_EQ(counts.t_junctions, 0);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  const MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_links, 0);
+  EXPECT_EQ(counts.refused, 0);
 }
 
-TEST_P(JoinToInteriorsTest, MissLimitIsAnOption) {
+TEST_P(SnapToLinksTest, MissLimitIsAnOption) {
   AddBar();
   AddArm({0, 0, 2.5}, 90, 4);
-  EXPECT_EQ(Join({.max_junction_miss_px = 2}).t_junctions, 0);
-  EXPECT_EQ(Join({.max_junction_miss_px = 3}).t_junctions, 1);
+  EXPECT_EQ(Snap({.max_junction_miss_px = 2}).to_links, 0);
+  EXPECT_EQ(Snap({.max_junction_miss_px = 3}).to_links, 1);
 }
 
-TEST_P(JoinToInteriorsTest, OvershootIsCut) {
+TEST_P(SnapToLinksTest, OvershootIsCut) {
   AddBar();
   AddArm({0, 0, 0}, 90, -5.5);
-  EXPECT_EQ(Join().t_junctions, 1);
+  EXPECT_EQ(Snap().to_links, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 3);
   EXPECT_NEAR(scene_.Look().LengthPxAt({0, 30, 0}), 60, 1e-6);
   ExpectSound();
 }
 
-TEST_P(JoinToInteriorsTest, LinkThatCrossesGoesOn) {
+TEST_P(SnapToLinksTest, LinkThatCrossesGoesOn) {
   AddBar();
   AddArm({0, 0, 0}, 90, -6.5);
-  EXPECT_EQ(Join().t_junctions, 0);
+  EXPECT_EQ(Snap().to_links, 0);
 }
 
-TEST_P(JoinToInteriorsTest, ImagesMustShowIt) {
+TEST_P(SnapToLinksTest, ImagesMustShowIt) {
   AddBar({.views = {0, 1, 2, 3}});
   scene_.AddLink(Path({{0, 60, 0}, {0, 4, 0}}), {.views = {2, 3, 4, 5}});
-  JunctionCounts counts = Join();
-  EXPECT_EQ(counts.t_junctions, 0);
-  EXPECT_EQ(counts.without_image_evidence, 1);
+  MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_links, 0);
+  EXPECT_EQ(counts.refused, 1);
   EXPECT_EQ(scene_.Look().NumLinks(), 2);
-  counts = Join({.min_junction_views = 2});
-  EXPECT_EQ(counts.t_junctions, 1);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  counts = Snap({.min_junction_views = 2});
+  EXPECT_EQ(counts.to_links, 1);
+  EXPECT_EQ(counts.refused, 0);
 }
 
-TEST_P(JoinToInteriorsTest, EdgeMustReachTheLinkInTheImages) {
+TEST_P(SnapToLinksTest, EdgeMustReachTheLinkInTheImages) {
   AddBar();
   scene_.AddLink(Path({{0, 60, 0}, {0, 8, 0}}));
-  const JunctionCounts counts = Join();
-  EXPECT_EQ(counts.t_junctions, 0);
-  EXPECT_EQ(counts.without_image_evidence, 1);
+  const MeetingCounts counts = Snap();
+  EXPECT_EQ(counts.to_links, 0);
+  EXPECT_EQ(counts.refused, 1);
 }
 
-TEST_P(JoinToInteriorsTest, TangentApproachIsNoJunction) {
+TEST_P(SnapToLinksTest, TangentApproachIsNoJunction) {
   AddBar();
-  AddArm({0, 0, 0}, 28, 4);
-  EXPECT_EQ(Join().t_junctions, 0);
+  AddArm({0, 0, 0}, 23, 4);
+  EXPECT_EQ(Snap().to_links, 0);
   EXPECT_EQ(scene_.Look().NumLinks(), 2);
 }
 
-TEST_P(JoinToInteriorsTest, SteeperApproachIs) {
+TEST_P(SnapToLinksTest, SteeperApproachIs) {
   AddBar();
-  AddArm({0, 0, 0}, 32, 4);
-  EXPECT_EQ(Join().t_junctions, 1);
+  AddArm({0, 0, 0}, 27, 4);
+  EXPECT_EQ(Snap().to_links, 1);
   EXPECT_EQ(scene_.Look().NumLinks(), 3);
 }
 
-TEST_P(JoinToInteriorsTest, AngleLimitIsAnOption) {
+TEST_P(SnapToLinksTest, AngleLimitIsAnOption) {
   AddBar();
   AddArm({0, 0, 0}, 40, 4);
-  EXPECT_EQ(Join({.max_continuation_angle_deg = 42}).t_junctions, 0);
-  EXPECT_EQ(Join({.max_continuation_angle_deg = 38}).t_junctions, 1);
+  EXPECT_EQ(Snap({.min_junction_angle_deg = 42}).to_links, 0);
+  EXPECT_EQ(Snap({.min_junction_angle_deg = 38}).to_links, 1);
 }
 
-TEST_P(JoinToInteriorsTest, NearestOfTwoLinksIsCut) {
+TEST_P(SnapToLinksTest, NearestOfTwoLinksIsCut) {
   scene_.AddLink(Path({{-60, -5, 0}, {60, -5, 0}}));
   AddBar();
   AddArm({0, 0, 0}, 90, 4);
-  EXPECT_EQ(Join().t_junctions, 1);
+  EXPECT_EQ(Snap().to_links, 1);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 3);
   EXPECT_EQ(scene_.Look().NumMeetings(), 1);
 }
 
-TEST_P(JoinToInteriorsTest, LinkIsNotCutByItself) {
+TEST_P(SnapToLinksTest, LinkIsNotCutByItself) {
   // A six: the tip meets the stem.
   scene_.AddLink(Path({{-60, 0, 0}, {40, 0, 0}, {40, 40, 0}, {0, 40, 0}, {0, 4, 0}}));
-  EXPECT_EQ(Join().t_junctions, 0);
+  EXPECT_EQ(Snap().to_links, 0);
   EXPECT_EQ(scene_.Look().NumLinks(), 1);
 }
 
-TEST_P(JoinToInteriorsTest, EndOfALinkIsNotItsInside) {
+TEST_P(SnapToLinksTest, EndOfALinkIsNotItsInside) {
+  // But free ends are nodes like others.
   scene_.AddLink(Path({{0, 0, 0}, {60, 0, 0}}));
-  scene_.AddLink(Path({{0, 60, 0}, {0, 4, 0}}), {});
-  Join({.max_junction_miss_px = 0.5});
+  scene_.AddLink(Path({{0, 60, 0}, {0, 4, 0}}));
+  const MeetingCounts counts = Snap({.max_junction_miss_px = 0.5});
+  EXPECT_EQ(counts.to_links, 0);
+  EXPECT_EQ(counts.to_nodes, 1);
   EXPECT_EQ(scene_.Look().NumLinks(), 2);
+  EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 2);
+  ExpectSound();
 }
 
-TEST_P(JoinToInteriorsTest, TwoFromBothSidesCutALinkInThree) {
+TEST_P(SnapToLinksTest, TwoFromBothSidesCutALinkInThree) {
   AddBar();
   AddArm({-20, 0, 0}, 90, 4);
   AddArm({25, 0, 0}, 270, 4);
-  EXPECT_EQ(Join().t_junctions, 2);
+  EXPECT_EQ(Snap().to_links, 2);
   const Picture picture = scene_.Look();
   EXPECT_EQ(picture.NumLinks(), 5);
   EXPECT_EQ(picture.NumMeetings(), 2);
@@ -341,21 +347,21 @@ TEST_P(JoinToInteriorsTest, TwoFromBothSidesCutALinkInThree) {
   ExpectSound();
 }
 
-TEST_P(JoinToInteriorsTest, TwoAtOnePlaceMakeOneNode) {
+TEST_P(SnapToLinksTest, TwoAtOnePlaceMakeOneNode) {
   AddBar();
   AddArm({0, 0, 0}, 90, 4);
   AddArm({0, 0, 0}, 270, 4);
-  EXPECT_EQ(Join().t_junctions, 2);
+  EXPECT_EQ(Snap().to_links, 2);
   EXPECT_EQ(scene_.Look().NumLinks(), 4);
   EXPECT_EQ(scene_.Look().NumMeetings(), 1);
   EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}), 4);
   ExpectSound();
 }
 
-TEST_P(JoinToInteriorsTest, LoopBeginsAndEndsAtItsJunction) {
+TEST_P(SnapToLinksTest, LoopBeginsAndEndsAtItsJunction) {
   scene_.AddLink(Ring({0, 0, 0}, 30), {.closed = true});
   AddArm({0, 30, 0}, 90, 4);
-  EXPECT_EQ(Join().t_junctions, 1);
+  EXPECT_EQ(Snap().to_links, 1);
   const Picture picture = scene_.Look();
   EXPECT_EQ(picture.NumLinks(), 2);
   EXPECT_EQ(picture.NumClosed(), 0);
@@ -366,10 +372,12 @@ TEST_P(JoinToInteriorsTest, LoopBeginsAndEndsAtItsJunction) {
   ExpectSound();
 }
 
-TEST_P(JoinToInteriorsTest, ThreeCutALoopInThree) {
+// The first opens it, and the others cut it the next time.
+TEST_P(SnapToLinksTest, ThreeCutALoopInThree) {
   scene_.AddLink(Ring({0, 0, 0}, 30), {.closed = true});
   for (const double angle : {60, 180, 300}) AddArm(Polar(30, angle), angle, 4);
-  EXPECT_EQ(Join().t_junctions, 3);
+  EXPECT_EQ(Snap().to_links, 1);
+  EXPECT_EQ(Snap().to_links, 2);
   const Picture picture = scene_.Look();
   EXPECT_EQ(picture.NumLinks(), 6);
   EXPECT_EQ(picture.NumMeetings(), 3);
@@ -380,12 +388,12 @@ TEST_P(JoinToInteriorsTest, ThreeCutALoopInThree) {
   ExpectSound();
 }
 
-TEST_P(JoinToInteriorsTest, LinkThatEndsAtOneAndIsCutByAnother) {
+TEST_P(SnapToLinksTest, LinkThatEndsAtOneAndIsCutByAnother) {
   // The post ends at the bar, whichever of its ends that is, and a rung ends at the post.
   AddBar();
   AddArm({0, 0, 0}, 90, 4, 80);
   AddArm({0, 40, 0}, 0, 4);
-  EXPECT_EQ(Join().t_junctions, 2);
+  EXPECT_EQ(Snap().to_links, 2);
   const Picture picture = scene_.Look();
   EXPECT_EQ(picture.NumLinks(), 5);
   EXPECT_EQ(picture.DegreeAt({0, 0, 0}), 3);
@@ -396,12 +404,12 @@ TEST_P(JoinToInteriorsTest, LinkThatEndsAtOneAndIsCutByAnother) {
   ExpectSound();
 }
 
-TEST_P(JoinToInteriorsTest, LinkThatEndsAtOneAndIsCutByTwo) {
+TEST_P(SnapToLinksTest, LinkThatEndsAtOneAndIsCutByTwo) {
   AddBar();
   AddArm({0, 0, 0}, 90, 4, 80);
   AddArm({0, 30, 0}, 0, 4);
   AddArm({0, 50, 0}, 180, 4);
-  EXPECT_EQ(Join().t_junctions, 3);
+  EXPECT_EQ(Snap().to_links, 3);
   const Picture picture = scene_.Look();
   EXPECT_EQ(picture.NumLinks(), 7);
   for (const double y : {0, 30, 50}) EXPECT_EQ(picture.DegreeAt({0, y, 0}), 3) << y;
@@ -409,7 +417,7 @@ TEST_P(JoinToInteriorsTest, LinkThatEndsAtOneAndIsCutByTwo) {
   ExpectSound();
 }
 
-LIMN_ALL_VARIANTS(JoinToInteriorsTest);
+LIMN_ALL_VARIANTS(SnapToLinksTest);
 
 }  // namespace
 }  // namespace limn

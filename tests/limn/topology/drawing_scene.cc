@@ -1,13 +1,12 @@
-#include "limn/drawing/drawing_fixture.h"
+#include "limn/topology/drawing_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
-#include "limn/drawing/sample_curves.h"
+#include "limn/topology/finish_links.h"
+#include "limn/topology/graph_fixture.h"
 #include "support/synthetic_scene.h"
 
 namespace limn::testing {
@@ -42,30 +41,6 @@ std::vector<Vector3d> Steps(const PictureLink& link) {
 
 Vector3d Tip(const PictureLink& link, int end) {
   return end == 0 ? link.points.front() : link.points.back();
-}
-
-// The nodes of a picture from the node ids of its links; ids < 0 are free ends.
-void AddMeetings(const std::vector<std::array<int, 2>>& nodes, Picture* picture) {
-  std::map<int, std::vector<LinkEnd>> ends;
-  for (int i = 0; i < picture->NumLinks(); ++i) {
-    for (const int end : {0, 1}) {
-      if (nodes[i][end] >= 0 && !picture->links[i].closed) ends[nodes[i][end]].push_back({i, end});
-    }
-  }
-  for (const auto& [node, incident] : ends) {
-    if (incident.size() < 2) continue;
-    Meeting meeting;
-    meeting.degree = static_cast<int>(incident.size());
-    for (const LinkEnd& end : incident) {
-      meeting.position += Tip(picture->links[end.link], end.end) / meeting.degree;
-      picture->links[end.link].meeting[end.end] = picture->NumMeetings();
-    }
-    for (const LinkEnd& end : incident) {
-      meeting.spread = std::max(meeting.spread,
-                                (Tip(picture->links[end.link], end.end) - meeting.position).norm());
-    }
-    picture->meetings.push_back(meeting);
-  }
 }
 
 }  // namespace
@@ -114,7 +89,7 @@ std::vector<Vector3d> Picture::FreeEnds() const {
   std::vector<Vector3d> ends;
   for (const PictureLink& link : links) {
     for (const int end : {0, 1}) {
-      if (!link.closed && link.meeting[end] < 0) ends.push_back(Tip(link, end));
+      if (link.free[end]) ends.push_back(Tip(link, end));
     }
   }
   return ends;
@@ -136,11 +111,6 @@ int Picture::DegreeAt(const Vector3d& point, double within) const {
     degree = meeting.degree;
   }
   return degree;
-}
-
-bool Picture::EndsCoincide() const {
-  return std::all_of(meetings.begin(), meetings.end(),
-                     [](const Meeting& meeting) { return meeting.spread < 1e-6; });
 }
 
 const PictureLink& Picture::LinkAt(const Vector3d& point) const {
@@ -231,26 +201,28 @@ int DrawingScene::AddLink(const Polyline3d& points, const LinkTraits& traits) {
   return id;
 }
 
-void DrawingScene::ShareNode(const Vector3d& point, double within) {
-  shared_.push_back({point, within});
-}
-
-void DrawingScene::RunAlong(int curve, int other) { along_.push_back({curve, other}); }
-
 void DrawingScene::Make() {
   if (made_) return;
   made_ = true;
   MakeImages();
-  sample_curve_.resize(specs_.size());
-  for (const bool grown : {false, true}) {
-    for (size_t i = 0; i < specs_.size(); ++i) {
-      if (specs_[i].traits.grown == grown) MakeSamples(static_cast<int>(i));
-    }
-    if (!grown) draft_.num_sketch_samples = samples_.NumSamples();
-  }
   evidence_ = BuildEvidence(curves_, {});
-  for (size_t i = 0; i < specs_.size(); ++i) MakeLink(static_cast<int>(i));
-  MakeNodes();
+  DrawingGraph graph;
+  GraphEditor editor(&graph);
+  std::vector<NodeId> nodes;
+  for (const Vector3d& point : shared_) nodes.push_back(editor.AddNode(World(point)));
+  for (size_t i = 0; i < specs_.size(); ++i) {
+    DrawingLink link = MakeLink(static_cast<int>(i));
+    for (size_t n = 0; n < nodes.size() && !link.closed; ++n) {
+      const auto is_here = [&](const Vector3d& tip) {
+        return (Px(tip) - shared_[n]).norm() < 1e-6;
+      };
+      if (is_here(link.points_in_world.front())) link.node0 = nodes[n];
+      if (is_here(link.points_in_world.back())) link.node1 = nodes[n];
+    }
+    editor.Add(std::move(link));
+  }
+  editor.Compact();
+  SetGraph(std::move(graph));
 }
 
 void DrawingScene::MakeImages() {
@@ -270,191 +242,158 @@ void DrawingScene::MakeImages() {
   }
 }
 
-void DrawingScene::MakeSamples(int link) {
+std::vector<EdgelRef> DrawingScene::SupportOf(const LinkSpec& spec, int point) const {
+  std::vector<EdgelRef> support;
+  for (const ViewId v : spec.traits.views) {
+    const int fragment = fragment_of_[v][*spec.traits.image_curve];
+    if (fragment < 0 || (spec.traits.supported && !spec.traits.supported(point, v))) continue;
+    const Eigen::Vector2d pixel = *views_[v].Project(World(spec.points[point]));
+    const auto distance = [&](EdgelId id) {
+      return (curves_[v].edge_map.edgels[id].position_px - pixel).squaredNorm();
+    };
+    const auto& ids = curves_[v].fragments[fragment].edgel_ids;
+    support.push_back({v, *std::min_element(ids.begin(), ids.end(), [&](EdgelId a, EdgelId b) {
+                         return distance(a) < distance(b);
+                       })});
+  }
+  return support;
+}
+
+std::vector<DrawingScene::Sample> DrawingScene::SamplesOf(int link) const {
   const LinkSpec& spec = specs_[link];
   const LinkTraits& traits = spec.traits;
   const int size = static_cast<int>(spec.points.size());
-  const int curve = samples_.NumCurves();
-  sample_curve_[link] = curve;
-  samples_.origins.push_back(
-      {traits.grown ? -1 : link, traits.first_sketch_sample, traits.views.front(), traits.closed});
+  std::vector<Sample> samples;
   for (int k = 0; k < size; ++k) {
     const int point = spec.backwards ? size - 1 - k : k;
-    const Vector3d position = World(spec.points[point]);
-    samples_.position.push_back(position);
-    samples_.curve_of.push_back(curve);
-    samples_.footprint.push_back(variant_.footprint);
-    std::vector<EdgelRef> support;
-    for (const ViewId v : traits.views) {
-      const int fragment = fragment_of_[v][*traits.image_curve];
-      if (fragment < 0 || (traits.supported && !traits.supported(point, v))) continue;
-      const Eigen::Vector2d pixel = *views_[v].Project(position);
-      const auto distance = [&](EdgelId id) {
-        return (curves_[v].edge_map.edgels[id].position_px - pixel).squaredNorm();
-      };
-      const auto& ids = curves_[v].fragments[fragment].edgel_ids;
-      support.push_back({v, *std::min_element(ids.begin(), ids.end(), [&](EdgelId a, EdgelId b) {
-                           return distance(a) < distance(b);
-                         })});
-    }
-    samples_.support.Append(support);
-  }
-  samples_.curve_begin.push_back(samples_.NumSamples());
-  samples_.tangent.resize(samples_.position.size());
-  RecomputeTangents(samples_, curve, &samples_.tangent);
-  for (int s = samples_.curve_begin[curve]; s < samples_.NumSamples(); ++s) {
-    const Vector3d& tangent = samples_.tangent[s];
-    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - tangent * tangent.transpose();
+    const auto neighbor = [&](int step) {
+      const int at = point + (spec.backwards ? -step : step);
+      return spec.points[traits.closed ? (at + size) % size : std::clamp(at, 0, size - 1)];
+    };
+    Sample sample;
+    sample.position = World(spec.points[point]);
+    sample.tangent = (neighbor(1) - neighbor(-1)).normalized();
+    const Eigen::Matrix3d across =
+        Eigen::Matrix3d::Identity() - sample.tangent * sample.tangent.transpose();
     const Eigen::Matrix3d per_px =
         traits.information ? Eigen::Matrix3d(across * *traits.information * across) : 100 * across;
-    samples_.information.push_back(per_px / std::pow(variant_.footprint, 2));
+    sample.information = per_px / std::pow(variant_.footprint, 2);
+    sample.support = SupportOf(spec, point);
+    sample.sampled = !traits.grown && (!traits.sampled || traits.sampled(point));
+    samples.push_back(std::move(sample));
   }
+  return samples;
 }
 
-void DrawingScene::MakeLink(int link) {
-  const LinkSpec& spec = specs_[link];
-  const int begin = samples_.curve_begin[sample_curve_[link]];
-  const int size = static_cast<int>(spec.points.size());
-  DraftLink made;
-  made.closed = spec.traits.closed;
-  made.grown = spec.traits.grown;
-  for (int k = 0; k < size; ++k) {
-    const int point = spec.backwards ? size - 1 - k : k;
-    made.position.push_back(samples_.position[begin + k]);
-    made.information.push_back(samples_.information[begin + k]);
-    made.footprint.push_back(samples_.footprint[begin + k]);
-    const bool sampled = !spec.traits.sampled || spec.traits.sampled(point);
-    made.samples.push_back(sampled ? std::vector<int>{begin + k} : std::vector<int>());
+DrawingLink DrawingScene::MakeLink(int id) const {
+  DrawingLink link;
+  int sketch_sample = specs_[id].traits.first_sketch_sample;
+  for (Sample& sample : SamplesOf(id)) {
+    LinkVertex vertex = {sample.information, variant_.footprint, 0, std::move(sample.support), {}};
+    if (sample.sampled) vertex.samples = {{id, sketch_sample}};
+    ++sketch_sample;
+    link.points_in_world.push_back(sample.position);
+    link.vertices.push_back(std::move(vertex));
   }
-  draft_.links.push_back(std::move(made));
+  if (specs_[id].traits.closed) {
+    link.points_in_world.push_back(link.points_in_world.front());
+    link.vertices.push_back(link.vertices.front());
+    link.vertices.back().support.clear();
+    link.vertices.back().samples.clear();
+  }
+  for (const LinkVertex& vertex : link.vertices) {
+    link.sigma.push_back(SigmaAcross(vertex.information, vertex.footprint));
+  }
+  return link;
 }
 
-void DrawingScene::MakeNodes() {
-  for (const auto& [point, within] : shared_) {
-    const int node = draft_.num_nodes++;
-    for (DraftLink& link : draft_.links) {
-      if (link.closed) continue;
-      for (const int end : {0, 1}) {
-        const Vector3d& tip = end == 0 ? link.position.front() : link.position.back();
-        if ((Px(tip) - point).norm() <= within) link.node[end] = node;
-      }
-    }
-  }
+void DrawingScene::SetGraph(DrawingGraph graph) {
+  graph_ = std::move(graph);
+  ExpectValid(graph_);
 }
 
-MergingCounts DrawingScene::Merge(const DrawingOptions& options) {
+TopologyInput DrawingScene::Input() const { return {views_, curves_, evidence_, {}}; }
+
+MeetingCounts DrawingScene::Meet(MeetingStage stage, const TopologyOptions& options) {
   Make();
-  CurveConsistency network;
-  network.overlaps.resize(samples_.NumCurves());
-  for (const auto& [curve, other] : along_) {
-    CurveOverlap overlap{sample_curve_[other], {}};
-    const int begin = samples_.curve_begin[sample_curve_[curve]];
-    const int other_begin = samples_.curve_begin[overlap.other];
-    for (int k = 0; k < samples_.Size(sample_curve_[curve]); ++k) {
-      const auto first = samples_.position.begin() + other_begin;
-      const auto distance = [&](const Vector3d& position) {
-        return (position - samples_.position[begin + k]).squaredNorm();
-      };
-      const auto nearest = std::min_element(
-          first, first + samples_.Size(overlap.other),
-          [&](const Vector3d& a, const Vector3d& b) { return distance(a) < distance(b); });
-      overlap.partner.push_back(static_cast<int>(nearest - samples_.position.begin()));
-    }
-    network.overlaps[sample_curve_[curve]].push_back(std::move(overlap));
-  }
-  const MergedCurves merged = MergeCurves(samples_, network, views_, options, {});
-  draft_ = FitLinks(samples_, merged, options);
-  Assemble();
-  return merged.counts;
-}
-
-JunctionCounts DrawingScene::Join(JoinStage stage, const DrawingOptions& options) {
-  Make();
-  LinkEnds ends(samples_, views_, evidence_, options, &draft_);
-  JunctionCounts counts;
-  stage(options, ends, &draft_, &counts);
-  Assemble();
+  GraphEditor editor(&graph_);
+  MeetingCounts counts;
+  stage(Input(), options, Reach::Drawn(options), &editor, &counts);
+  ExpectValid(graph_);
   return counts;
 }
 
-CleanupCounts DrawingScene::CleanUp(const DrawingOptions& options) {
+TidyCounts DrawingScene::Tidy(const TopologyOptions& options) {
   Make();
-  const CleanupCounts counts = limn::CleanUp(options, &draft_);
-  Assemble();
+  GraphEditor editor(&graph_);
+  const TidyCounts counts = limn::Tidy(options, &editor);
+  ExpectValid(graph_);
   return counts;
 }
 
-DrawingGraph DrawingScene::Assemble(const DrawingOptions& options) {
+DrawingGraph DrawingScene::Finished(const TopologyOptions& options) {
   Make();
-  DrawingGraph graph = AssembleGraph(samples_, views_, curves_, options, draft_);
-  EXPECT_EQ(Validate(graph), std::vector<std::string>());
+  DrawingGraph graph = graph_;
+  FinishLinks(Input(), options, &graph);
+  ExpectValid(graph);
   return graph;
 }
 
-int DrawingScene::NearestLink(const Vector3d& point, int* vertex) const {
-  int nearest = -1;
+std::pair<LinkId, int> DrawingScene::NearestPoint(const Vector3d& point) const {
+  std::pair<LinkId, int> nearest = {-1, -1};
   double distance = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < draft_.links.size(); ++i) {
-    for (int k = 0; k < draft_.links[i].size(); ++k) {
-      const double d = (Px(draft_.links[i].position[k]) - point).norm();
+  for (size_t l = 0; l < graph_.links.size(); ++l) {
+    for (int k = 0; k < graph_.links[l].size(); ++k) {
+      const double d = (Px(graph_.links[l].points_in_world[k]) - point).norm();
       if (d >= distance) continue;
       distance = d;
-      nearest = static_cast<int>(i);
-      *vertex = k;
+      nearest = {static_cast<LinkId>(l), k};
     }
   }
   return nearest;
 }
 
-EndLine DrawingScene::LineAt(const Vector3d& point) {
+LinkTip DrawingScene::TipAt(const Vector3d& point) {
   Make();
-  int vertex = 0;
-  const int link = NearestLink(point, &vertex);
-  EndLine line = LineAtEnd(draft_.links[link], vertex == 0 ? 0 : 1);
-  line.point = Px(line.point);
-  return line;
-}
-
-void DrawingScene::Split(const Vector3d& point) {
-  Make();
-  int vertex = 0;
-  const int link = NearestLink(point, &vertex);
-  const int node = draft_.num_nodes++;
-  SplitLink(&draft_, link, vertex, node);
-}
-
-void DrawingScene::Remove(const Vector3d& point) {
-  Make();
-  int vertex = 0;
-  std::vector<uint8_t> keep(draft_.links.size(), 1);
-  keep[NearestLink(point, &vertex)] = 0;
-  KeepLinks(keep, &draft_);
+  const auto [link, index] = NearestPoint(point);
+  LinkTip tip = TipOf(graph_.links[link], index == 0 ? 0 : 1);
+  tip.point = Px(tip.point);
+  return tip;
 }
 
 double DrawingScene::ArcPxTo(const Vector3d& point) {
   Make();
-  int vertex = 0;
-  const int link = NearestLink(point, &vertex);
-  return limn::ArcPx(draft_.links[link], 0, vertex);
+  const auto [link, index] = NearestPoint(point);
+  return limn::ArcPx(graph_.links[link], 0, index);
 }
 
 Picture DrawingScene::Look() {
   Make();
   Picture picture;
-  std::vector<std::array<int, 2>> nodes;
-  for (const DraftLink& link : draft_.links) {
+  for (const DrawingLink& link : graph_.links) {
     PictureLink seen;
-    for (const Vector3d& position : link.position) seen.points.push_back(Px(position));
+    for (const Vector3d& position : link.points_in_world) seen.points.push_back(Px(position));
     seen.closed = link.closed;
-    seen.grown = link.grown;
-    seen.num_samples = static_cast<int>(draft_.NumSketchSamples(link));
+    if (link.closed) seen.points.pop_back();
+    for (const int end : {0, 1}) seen.free[end] = graph_.nodes[link.NodeAt(end)].Degree() == 1;
+    seen.num_samples = static_cast<int>(limn::NumSketchSamples(link));
     picture.links.push_back(std::move(seen));
-    nodes.push_back({link.node[0], link.node[1]});
   }
-  AddMeetings(nodes, &picture);
+  for (const DrawingNode& node : graph_.nodes) {
+    if (node.Degree() < 2 || node.kind == NodeKind::kLoopAnchor) continue;
+    picture.meetings.push_back({Px(node.position_in_world), node.Degree()});
+  }
   return picture;
 }
 
-int DrawingScene::NumSketchSamples() const { return draft_.num_sketch_samples; }
+int DrawingScene::NumSketchSamples() const {
+  int count = 0;
+  for (const LinkSpec& spec : specs_) {
+    for (int k = 0; k < static_cast<int>(spec.points.size()); ++k) {
+      count += !spec.traits.grown && (!spec.traits.sampled || spec.traits.sampled(k));
+    }
+  }
+  return count;
+}
 
 }  // namespace limn::testing

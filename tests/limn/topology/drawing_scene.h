@@ -4,24 +4,24 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
-#include "limn/drawing/draft.h"
-#include "limn/drawing/graph_assembly.h"
-#include "limn/drawing/junctions.h"
-#include "limn/drawing/merging.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 #include "limn/support/view_evidence.h"
+#include "limn/topology/link_geometry.h"
+#include "limn/topology/meetings.h"
+#include "limn/topology/tidy.h"
 
 namespace limn::testing {
 
 // Hand-made links and the questions that tests of the stages ask of them, in terms of geometry
-// alone: nothing here tells in which type the stages hold their links. All lengths are pixels.
+// alone. All lengths are pixels.
 
 // Points about one px apart along straight legs between these corners, which are points too.
 Polyline3d Path(const std::vector<Eigen::Vector3d>& corners);
@@ -37,16 +37,14 @@ Polyline3d Moved(Polyline3d points, const Eigen::Vector3d& offset);
 struct PictureLink {
   Polyline3d points;
   bool closed = false;  // the last point is followed by the first, which is not repeated
-  bool grown = false;
-  int meeting[2] = {-1, -1};
+  bool free[2] = {false, false};
   int num_samples = 0;  // of the sketch
 };
 
 // Two or more link ends at one node.
 struct Meeting {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // mean of the ends
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
   int degree = 0;
-  double spread = 0;  // largest distance of an end from the mean
 };
 
 // What a drawing looks like.
@@ -63,8 +61,6 @@ class Picture {
   bool HasFreeEndAt(const Eigen::Vector3d& point, double within = 1e-6) const;
   // Degree of the node whose position is nearest, if within reach; 0 where none is.
   int DegreeAt(const Eigen::Vector3d& point, double within = 1e-6) const;
-  // The ends at every node are at one place.
-  bool EndsCoincide() const;
 
   // The link that passes nearest to a point, and its arc length.
   const PictureLink& LinkAt(const Eigen::Vector3d& point) const;
@@ -82,7 +78,7 @@ class Picture {
 // What a link is made of beside its points.
 struct LinkTraits {
   bool closed = false;
-  bool grown = false;
+  bool grown = false;  // without samples of the sketch
   // Views with edgels of the link; all if empty.
   std::vector<ViewId> views = {};
   // Whether the edgels of a view support a point; all do by default.
@@ -122,36 +118,57 @@ class DrawingScene {
   int AddImageCurve(const Polyline3d& points, const std::vector<ViewId>& views = {});
   // Each link is one curve of the sketch, every point a sample. Returns its id.
   int AddLink(const Polyline3d& points, const LinkTraits& traits = {});
-  // All ends near this point share a node.
-  void ShareNode(const Eigen::Vector3d& point, double within = 1e-6);
-  // For merging: the consistency network says that a curve runs along another one, each sample
-  // along the nearest of the other.
-  void RunAlong(int curve, int other);
+  // All ends at this point share a node.
+  void ShareNode(const Eigen::Vector3d& point) { shared_.push_back(point); }
 
   // The stages. After each the links must make a valid graph.
 
-  // The links as curves of a sketch are merged and fitted. What was merged replaces the links.
-  MergingCounts Merge(const DrawingOptions& options = {});
-  // One of the stages of JoinLinks.
-  using JoinStage = void (*)(const DrawingOptions&, LinkEnds&, Draft*, JunctionCounts*);
-  JunctionCounts Join(JoinStage stage, const DrawingOptions& options = {});
-  CleanupCounts CleanUp(const DrawingOptions& options = {});
-  // In world units. Expects it to be valid.
-  DrawingGraph Assemble(const DrawingOptions& options = {});
+  using MeetingStage = void (*)(const TopologyInput&, const TopologyOptions&, const Reach&,
+                                GraphEditor*, MeetingCounts*);
+  // Within the reach of links as they were drawn.
+  MeetingCounts Meet(MeetingStage stage, const TopologyOptions& options = {});
+  TidyCounts Tidy(const TopologyOptions& options = {});
+  // Of a copy; the scene goes on without.
+  DrawingGraph Finished(const TopologyOptions& options = {});
 
-  // The straight line on which the end nearest to a point leaves.
-  EndLine LineAt(const Eigen::Vector3d& point);
-  // Cut the link that passes a point there.
-  void Split(const Eigen::Vector3d& point);
-  // Remove the link that passes nearest to a point.
-  void Remove(const Eigen::Vector3d& point);
+  // The straight line on which the end nearest to a point leaves, px.
+  LinkTip TipAt(const Eigen::Vector3d& point);
   // Arc length from the link's end 0 to the point nearest to this one, and all of it.
   double ArcPxTo(const Eigen::Vector3d& point);
 
   Picture Look();
+  // World units.
+  DrawingGraph Graph() {
+    Make();
+    return graph_;
+  }
   int NumSketchSamples() const;
   Eigen::Vector3d Px(const Eigen::Vector3d& world) const { return world / variant_.footprint; }
   Eigen::Vector3d World(const Eigen::Vector3d& px) const { return px * variant_.footprint; }
+
+ protected:
+  struct LinkSpec {
+    Polyline3d points;
+    LinkTraits traits;
+    bool backwards = false;
+  };
+
+  // A point of a link, in the order in which it is stored.
+  struct Sample {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    Eigen::Vector3d tangent = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    std::vector<EdgelRef> support;
+    bool sampled = true;
+  };
+
+  void Make();
+  // Needs the images.
+  std::vector<Sample> SamplesOf(int link) const;
+  const std::vector<LinkSpec>& specs() const { return specs_; }
+  double footprint() const { return variant_.footprint; }
+  // Expects it to be valid.
+  void SetGraph(DrawingGraph graph);
 
  private:
   struct ImageCurve {
@@ -159,33 +176,24 @@ class DrawingScene {
     std::vector<ViewId> views;
     bool closed = false;
   };
-  struct LinkSpec {
-    Polyline3d points;
-    LinkTraits traits;
-    bool backwards = false;
-  };
 
-  void Make();
+  TopologyInput Input() const;
   void MakeImages();
-  void MakeSamples(int link);
-  void MakeLink(int link);
-  void MakeNodes();
-  int NearestLink(const Eigen::Vector3d& point, int* vertex) const;
+  DrawingLink MakeLink(int link) const;
+  std::vector<EdgelRef> SupportOf(const LinkSpec& spec, int point) const;
+  std::pair<LinkId, int> NearestPoint(const Eigen::Vector3d& point) const;
 
   SceneVariant variant_;
   std::vector<View> views_;
   std::vector<ImageCurve> image_curves_;
   std::vector<LinkSpec> specs_;
-  std::vector<std::pair<Eigen::Vector3d, double>> shared_;
-  std::vector<std::pair<int, int>> along_;
+  std::vector<Eigen::Vector3d> shared_;
 
   bool made_ = false;
   std::vector<ImageCurves> curves_;            // per view
   std::vector<std::vector<int>> fragment_of_;  // per view and image curve, -1 = not seen
-  std::vector<int> sample_curve_;              // per link its curve in the sample set
-  SampleSet samples_;
   std::vector<std::unique_ptr<ViewEvidence>> evidence_;
-  Draft draft_;
+  DrawingGraph graph_;
 };
 
 // A test that is run on all variants of its scene.

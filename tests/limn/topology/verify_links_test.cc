@@ -1,10 +1,14 @@
-#include "limn/drawing/link_evidence.h"
+#include "limn/topology/verify_links.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/growth_fixture.h"
+#include "limn/support/view_evidence.h"
+#include "limn/topology/graph_editor.h"
+#include "limn/topology/graph_fixture.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -15,9 +19,8 @@ struct Scene {
   std::vector<View> views = testing::DomeViews(16, 5);
   testing::SceneCurve edge = testing::Segment({-0.2, 0, 0}, {0.2, 0, 0});
   std::vector<ImageCurves> curves = testing::ProjectCurves(views, {edge});
-  SampleSet samples;
-  std::vector<int> agreeing_views;
-  Draft draft;
+  CurveSketch sketch;
+  DrawingGraph graph;
 
   // A link along x, made by these primary views, with which so many agree.
   void AddLink(const Eigen::Vector3d& offset, const std::vector<ViewId>& primaries, int agreeing) {
@@ -26,61 +29,58 @@ struct Scene {
   // So many on its first half, and on its second.
   void AddLink(const Eigen::Vector3d& offset, const std::vector<ViewId>& primaries, int agreeing,
                int agreeing_behind) {
-    const std::vector<int> first = AddSamples(offset, primaries, agreeing);
-    const std::vector<int> second = AddSamples(offset, primaries, agreeing_behind);
-    Polyline3d points;
-    std::vector<std::vector<int>> merged;
-    for (int k = 0; k <= 20; ++k) {
-      points.push_back(offset + Eigen::Vector3d(-0.15 + 0.015 * k, 0, 0));
-      merged.push_back(k < 10 ? first : second);
-    }
-    testing::AppendLink(points, 5.0 / 600, merged, &draft);
-  }
-
-  std::vector<int> AddSamples(const Eigen::Vector3d& offset, const std::vector<ViewId>& primaries,
-                              int agreeing) {
-    std::vector<int> merged;
+    std::vector<SketchSample> samples;
     for (const ViewId view : primaries) {
-      samples.origins.push_back({0, 0, view, false});
-      samples.curve_of.push_back(samples.NumCurves() - 1);
-      samples.position.push_back(offset);
-      agreeing_views.push_back(agreeing);
-      merged.push_back(samples.NumSamples() - 1);
+      sketch.curves.emplace_back();
+      sketch.curves.back().anchor.view = view;
+      samples.push_back({static_cast<int>(sketch.curves.size()) - 1, 0});
     }
-    return merged;
+    DrawingLink link;
+    for (int k = 0; k <= 20; ++k) {
+      link.points_in_world.push_back(offset + Eigen::Vector3d(-0.15 + 0.015 * k, 0, 0));
+      link.sigma.push_back(1);
+      link.vertices.push_back({Eigen::Matrix3d::Identity(),
+                               5.0 / 600,
+                               k < 10 ? agreeing : agreeing_behind,
+                               {},
+                               samples});
+    }
+    GraphEditor(&graph).Add(std::move(link));
   }
 
   std::vector<uint8_t> Believed() const {
+    testing::ExpectValid(graph);
     const auto evidence = BuildEvidence(curves, {});
-    return BelievedLinks({samples, agreeing_views, views, curves, evidence}, options, draft, {});
+    const TopologyInput input = {views, curves, evidence, {1.0, 1.0, M_PI / 12}};
+    return VerifyLinks(input, sketch, options, graph, {});
   }
 
-  DrawingOptions options;
+  TopologyOptions options;
 };
 
 using Believed = std::vector<uint8_t>;
 
-TEST(BelievedLinksTest, AgreementOfEnoughPrimaryViewsIsEnough) {
+TEST(VerifyLinksTest, AgreementOfEnoughPrimaryViewsIsEnough) {
   Scene scene;
   scene.AddLink({0, 0, 0.4}, {0, 1}, 4);  // no edgels there
   scene.AddLink({0, 0, 0.4}, {0, 1}, 1);
   EXPECT_EQ(scene.Believed(), (Believed{1, 0}));
 }
 
-TEST(BelievedLinksTest, EdgelsOfItsOwnMakeUpForAgreement) {
+TEST(VerifyLinksTest, EdgelsOfItsOwnMakeUpForAgreement) {
   Scene scene;
   scene.AddLink({0, 0, 0}, {0, 1}, 1);
   EXPECT_EQ(scene.Believed(), (Believed{1}));
 }
 
-TEST(BelievedLinksTest, EdgelsOfACertainLinkDoNotCount) {
+TEST(VerifyLinksTest, EdgelsOfACertainLinkDoNotCount) {
   Scene scene;
   scene.AddLink({0, 0, 0}, {0, 1}, 1);
   scene.AddLink({0, 0, 0}, {2, 3}, 4);
   EXPECT_EQ(scene.Believed(), (Believed{0, 1}));
 }
 
-TEST(BelievedLinksTest, EdgelsThatAreEverywhereDoNotCount) {
+TEST(VerifyLinksTest, EdgelsThatAreEverywhereDoNotCount) {
   Scene scene;
   std::vector<testing::SceneCurve> edges = {scene.edge};
   for (const double px : {-10, -6, 6, 10}) {
@@ -93,13 +93,13 @@ TEST(BelievedLinksTest, EdgelsThatAreEverywhereDoNotCount) {
   EXPECT_EQ(scene.Believed(), (Believed{0}));
 }
 
-TEST(BelievedLinksTest, OnePrimaryViewIsNeverEnough) {
+TEST(VerifyLinksTest, OnePrimaryViewIsNeverEnough) {
   Scene scene;
   scene.AddLink({0, 0, 0}, {0}, 4);
   EXPECT_EQ(scene.Believed(), (Believed{0}));
 }
 
-TEST(BelievedLinksTest, ViewsOfOneSampleEachAreTwoPrimaryViews) {
+TEST(VerifyLinksTest, ViewsOfOneSampleEachAreTwoPrimaryViews) {
   // The same number of samples, of one view and of two.
   Scene scene;
   scene.AddLink({0, 0, 0.4}, {3, 3}, 4);
@@ -109,7 +109,7 @@ TEST(BelievedLinksTest, ViewsOfOneSampleEachAreTwoPrimaryViews) {
 
 // Links where no image has an edgel, with which 1, 2, ... primary views agree, and 16 views contain
 // them: the first that is believed, 0 if none.
-int LeastAgreement(const DrawingOptions& options) {
+int LeastAgreement(const TopologyOptions& options) {
   Scene scene;
   scene.options = options;
   for (int agreeing = 1; agreeing <= 16; ++agreeing) scene.AddLink({0, 0, 0.4}, {0, 1}, agreeing);
@@ -119,8 +119,8 @@ int LeastAgreement(const DrawingOptions& options) {
   return first == believed.end() ? 0 : static_cast<int>(first - believed.begin()) + 1;
 }
 
-TEST(BelievedLinksTest, PrimaryViewsNeededAreAShareWithinBounds) {
-  DrawingOptions options;
+TEST(VerifyLinksTest, PrimaryViewsNeededAreAShareWithinBounds) {
+  TopologyOptions options;
   options.primary_views_share = 0.3;  // of 16: 4.8
   options.min_primary_views = 1;
   options.max_primary_views = 16;
@@ -135,7 +135,7 @@ TEST(BelievedLinksTest, PrimaryViewsNeededAreAShareWithinBounds) {
   EXPECT_EQ(LeastAgreement(options), 3);
 }
 
-TEST(BelievedLinksTest, AgreementIsTheMeanOverTheLength) {
+TEST(VerifyLinksTest, AgreementIsTheMeanOverTheLength) {
   Scene scene;
   scene.options.min_primary_views = 3;
   scene.AddLink({0, 0, 0.4}, {0, 1}, 1, 4);
@@ -143,7 +143,7 @@ TEST(BelievedLinksTest, AgreementIsTheMeanOverTheLength) {
   EXPECT_EQ(scene.Believed(), (Believed{0, 1}));
 }
 
-TEST(BelievedLinksTest, PointsThatWereAddedHaveNoSay) {
+TEST(VerifyLinksTest, PointsThatWereAddedHaveNoSay) {
   // No sample agrees on the first half: it was bridged.
   Scene scene;
   scene.options.min_primary_views = 3;
@@ -177,7 +177,7 @@ Scene SceneInRows(ViewId num_shown) {
 }
 
 // The least number of views that must show a link that too few primary views agree with.
-int LeastOwnViews(const DrawingOptions& options) {
+int LeastOwnViews(const TopologyOptions& options) {
   for (ViewId num_shown = 0; num_shown <= 16; ++num_shown) {
     Scene scene = SceneInRows(num_shown);
     scene.options = options;
@@ -187,8 +187,8 @@ int LeastOwnViews(const DrawingOptions& options) {
   return -1;
 }
 
-TEST(BelievedLinksTest, OwnViewsNeededAreAShareWithinBounds) {
-  DrawingOptions options;
+TEST(VerifyLinksTest, OwnViewsNeededAreAShareWithinBounds) {
+  TopologyOptions options;
   options.own_views_share = 0.3;  // of 16: 4.8
   options.min_own_views = 0;
   options.max_own_views = 16;
@@ -218,7 +218,7 @@ void ShowBesides(Scene* scene, size_t num_views) {
   }
 }
 
-TEST(BelievedLinksTest, EdgelsBesideItCountAgainstIt) {
+TEST(VerifyLinksTest, EdgelsBesideItCountAgainstIt) {
   // Shown by six views, where three are enough.
   Scene alone = SceneInRows(6);
   alone.AddLink({0, 0, 0}, {0, 1}, 1);
@@ -229,7 +229,7 @@ TEST(BelievedLinksTest, EdgelsBesideItCountAgainstIt) {
   EXPECT_EQ(scene.Believed(), (Believed{0}));
 }
 
-TEST(BelievedLinksTest, EdgelsBesideItCountAgainstItEvenIfTheyAreKnown) {
+TEST(VerifyLinksTest, EdgelsBesideItCountAgainstItEvenIfTheyAreKnown) {
   // All that is beside it belongs to certain links.
   Scene scene = SceneInRows(6);
   ShowBesides(&scene, scene.views.size());
@@ -240,7 +240,7 @@ TEST(BelievedLinksTest, EdgelsBesideItCountAgainstItEvenIfTheyAreKnown) {
   EXPECT_EQ(scene.Believed().front(), 0);
 }
 
-TEST(BelievedLinksTest, EdgelsNextToAClaimedOneAreClaimed) {
+TEST(VerifyLinksTest, EdgelsNextToAClaimedOneAreClaimed) {
   // A certain link runs a pixel beside an uncertain one, and both have edgels.
   const auto believed = [](double beside_px) {
     Scene scene = SceneInRows(16);

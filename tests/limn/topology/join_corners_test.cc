@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "limn/drawing/drawing_fixture.h"
+#include "limn/topology/drawing_scene.h"
 
 namespace limn {
 namespace {
@@ -16,8 +16,8 @@ using testing::Polar;
 
 class JoinCornersTest : public DrawingSceneTest {
  protected:
-  JunctionCounts Join(const DrawingOptions& options = {}) {
-    return scene_.Join(&JoinCorners, options);
+  MeetingCounts Join(const TopologyOptions& options = {}) {
+    return scene_.Meet(&JoinCorners, options);
   }
 
   // A link that comes from this direction and ends `gap_px` before the origin, or beyond it; its
@@ -33,7 +33,6 @@ class JoinCornersTest : public DrawingSceneTest {
     const Picture picture = scene_.Look();
     EXPECT_EQ(picture.NumMeetings(), 1);
     EXPECT_EQ(picture.DegreeAt(point), degree);
-    EXPECT_TRUE(picture.EndsCoincide());
     EXPECT_TRUE(picture.LinksAdvance());
     EXPECT_EQ(picture.NumSamples(), scene_.NumSketchSamples());
   }
@@ -42,9 +41,9 @@ class JoinCornersTest : public DrawingSceneTest {
 TEST_P(JoinCornersTest, TwoEndsMeetWhereTheirLinesDo) {
   scene_.AddLink(Path({{-60, 0, 0}, {-4, 0, 0}}));
   scene_.AddLink(Path({{0, -60, 0}, {0, -5, 0}}));
-  const JunctionCounts counts = Join();
+  const MeetingCounts counts = Join();
   EXPECT_EQ(counts.corners, 1);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  EXPECT_EQ(counts.refused, 0);
   ExpectCornerAt({0, 0, 0}, 2);
   EXPECT_NEAR(scene_.Look().LengthPxAt({-30, 0, 0}), 60, 1e-6);
   EXPECT_NEAR(scene_.Look().LengthPxAt({0, -30, 0}), 60, 1e-6);
@@ -103,9 +102,9 @@ TEST_P(JoinCornersTest, MissWithinTheLimitMeetsHalfway) {
 TEST_P(JoinCornersTest, MissBeyondTheLimitIsNoCorner) {
   AddArm(180, 4);
   AddArm(270, 4, {0, 0, 4.5});
-  const JunctionCounts counts = Join();
+  const MeetingCounts counts = Join();
   EXPECT_EQ(counts.corners, 0);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  EXPECT_EQ(counts.refused, 0);
   EXPECT_EQ(scene_.Look().FreeEnds().size(), 4u);
 }
 
@@ -126,9 +125,9 @@ TEST_P(JoinCornersTest, GapWithinTheLimitIsClosed) {
 TEST_P(JoinCornersTest, GapBeyondTheLimitIsNot) {
   AddArm(180, 12.5);
   AddArm(270, 4);
-  const JunctionCounts counts = Join();
+  const MeetingCounts counts = Join();
   EXPECT_EQ(counts.corners, 0);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  EXPECT_EQ(counts.refused, 0);
 }
 
 TEST_P(JoinCornersTest, GapLimitIsAnOption) {
@@ -182,22 +181,22 @@ TEST_P(JoinCornersTest, AngleLimitIsAnOption) {
 TEST_P(JoinCornersTest, ImagesMustShowThatTheLinksMeet) {
   scene_.AddLink(Path({{-60, 0, 0}, {-4, 0, 0}}), {.views = {0, 1, 2, 3}});
   scene_.AddLink(Path({{0, -60, 0}, {0, -4, 0}}), {.views = {2, 3, 4, 5}});
-  JunctionCounts counts = Join();
+  MeetingCounts counts = Join();
   EXPECT_EQ(counts.corners, 0);
-  EXPECT_EQ(counts.without_image_evidence, 1);
+  EXPECT_EQ(counts.refused, 1);
   EXPECT_EQ(scene_.Look().FreeEnds().size(), 4u);
   counts = Join({.min_junction_views = 2});
   EXPECT_EQ(counts.corners, 1);
-  EXPECT_EQ(counts.without_image_evidence, 0);
+  EXPECT_EQ(counts.refused, 0);
 }
 
 TEST_P(JoinCornersTest, EdgesMustReachTheCornerInTheImages) {
   // They end 8 px before it, in all views.
   scene_.AddLink(Path({{-60, 0, 0}, {-8, 0, 0}}));
   scene_.AddLink(Path({{0, -60, 0}, {0, -8, 0}}));
-  const JunctionCounts counts = Join();
+  const MeetingCounts counts = Join();
   EXPECT_EQ(counts.corners, 0);
-  EXPECT_EQ(counts.without_image_evidence, 1);
+  EXPECT_EQ(counts.refused, 1);
 }
 
 TEST_P(JoinCornersTest, NearestCornerIsTakenFirst) {

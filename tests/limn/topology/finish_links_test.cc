@@ -1,4 +1,4 @@
-#include "limn/drawing/graph_assembly.h"
+#include "limn/topology/finish_links.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/drawing_fixture.h"
+#include "limn/topology/drawing_scene.h"
 
 namespace limn {
 namespace {
@@ -20,10 +20,9 @@ using testing::Path;
 using testing::Polar;
 using testing::Ring;
 
-class AssembleGraphTest : public DrawingSceneTest {
+class FinishLinksTest : public DrawingSceneTest {
  protected:
-  // Assemble expects the graph to be valid.
-  DrawingGraph Assemble(const DrawingOptions& options = {}) { return scene_.Assemble(options); }
+  DrawingGraph Finished(const TopologyOptions& options = {}) { return scene_.Finished(options); }
 
   const DrawingNode* NodeNear(const DrawingGraph& graph, const Vector3d& point) const {
     for (const DrawingNode& node : graph.nodes) {
@@ -58,52 +57,23 @@ class AssembleGraphTest : public DrawingSceneTest {
   }
 };
 
-TEST_P(AssembleGraphTest, NothingMakesAnEmptyGraph) {
-  const DrawingGraph graph = Assemble();
+TEST_P(FinishLinksTest, NothingStaysNothing) {
+  const DrawingGraph graph = Finished();
   EXPECT_TRUE(graph.nodes.empty());
   EXPECT_TRUE(graph.links.empty());
 }
 
-TEST_P(AssembleGraphTest, FreeEndsGetNodes) {
+TEST_P(FinishLinksTest, VerticesAreDropped) {
   scene_.AddLink(Path({{-20, 0, 0}, {20, 0, 0}}));
-  const DrawingGraph graph = Assemble();
-  ASSERT_EQ(graph.links.size(), 1u);
-  EXPECT_FALSE(graph.links[0].closed);
-  ASSERT_EQ(graph.links[0].points_in_world.size(), 41u);
-  EXPECT_EQ(graph.nodes.size(), 2u);
-  for (const double x : {-20, 20}) {
-    const DrawingNode* node = NodeNear(graph, {x, 0, 0});
-    ASSERT_TRUE(node);
-    EXPECT_EQ(node->Degree(), 1);
-    EXPECT_EQ(node->kind, NodeKind::kEnd);
-  }
+  const DrawingLink link = Finished().links.at(0);
+  EXPECT_TRUE(link.vertices.empty());
+  EXPECT_EQ(link.points_in_world.size(), 41u);
+  EXPECT_EQ(link.sigma.size(), 41u);
 }
 
-TEST_P(AssembleGraphTest, NodeIsAtTheMeanOfItsEnds) {
-  scene_.AddLink(Path({{-40, 0, 0}, {0, 0, 0}}));
-  scene_.AddLink(Path({{40, 0, 0}, {0.6, 0, 0}}));
-  scene_.AddLink(Path({{0, 40, 0}, {0, 0.9, 0}}));
-  scene_.ShareNode({0, 0, 0}, 1);
-  const DrawingGraph graph = Assemble();
-  EXPECT_EQ(graph.nodes.size(), 4u);
-  const DrawingNode* node = NodeNear(graph, {0.2, 0.3, 0});
-  ASSERT_TRUE(node);
-  EXPECT_EQ(node->Degree(), 3);
-  EXPECT_EQ(node->kind, NodeKind::kJunction);
-}
-
-TEST_P(AssembleGraphTest, CornerOfTwoIsNoJunction) {
-  AddStar({0, 90});
-  const DrawingGraph graph = Assemble();
-  const DrawingNode* node = NodeNear(graph, {0, 0, 0});
-  ASSERT_TRUE(node);
-  EXPECT_EQ(node->Degree(), 2);
-  EXPECT_EQ(node->kind, NodeKind::kEnd);
-}
-
-TEST_P(AssembleGraphTest, LoopGetsAnAnchor) {
+TEST_P(FinishLinksTest, LoopsStayClosed) {
   scene_.AddLink(Ring({0, 0, 0}, 30), {.closed = true});
-  const DrawingGraph graph = Assemble();
+  const DrawingGraph graph = Finished();
   ASSERT_EQ(graph.links.size(), 1u);
   ASSERT_EQ(graph.nodes.size(), 1u);
   EXPECT_TRUE(graph.links[0].closed);
@@ -111,29 +81,14 @@ TEST_P(AssembleGraphTest, LoopGetsAnAnchor) {
   const auto& points = graph.links[0].points_in_world;
   EXPECT_EQ(points.size(), Ring({0, 0, 0}, 30).size() + 1);
   EXPECT_EQ(points.front(), points.back());
-  EXPECT_EQ(points.front(), graph.nodes[0].position_in_world);
 }
 
-TEST_P(AssembleGraphTest, LoopThroughAJunctionIsNotClosed) {
-  Polyline3d loop = Ring({-30, 0, 0}, 30);
-  loop.push_back(loop.front());
-  scene_.AddLink(loop);
-  scene_.AddLink(Path({{0, 0, 0}, {40, 0, 0}}));
-  scene_.ShareNode({0, 0, 0});
-  const DrawingGraph graph = Assemble();
-  const DrawingNode* node = NodeNear(graph, {0, 0, 0});
-  ASSERT_TRUE(node);
-  EXPECT_EQ(node->Degree(), 3);
-  EXPECT_EQ(node->kind, NodeKind::kJunction);
-  EXPECT_EQ(graph.links[0].closed || graph.links[1].closed, false);
-}
-
-TEST_P(AssembleGraphTest, PointsTooNearToEachOtherAreThinned) {
+TEST_P(FinishLinksTest, PointsTooNearToEachOtherAreThinned) {
   Polyline3d points = Path({{-20, 0, 0}, {20, 0, 0}});
   points.insert(points.begin() + 11, Vector3d(-9.6, 0, 0));
   points.insert(points.end() - 1, Vector3d(19.7, 0, 0));
   scene_.AddLink(points);
-  const DrawingGraph graph = Assemble();
+  const DrawingGraph graph = Finished();
   const auto& kept = graph.links[0].points_in_world;
   EXPECT_EQ(kept.size(), 41u);
   for (size_t i = 1; i < kept.size(); ++i) {
@@ -141,58 +96,39 @@ TEST_P(AssembleGraphTest, PointsTooNearToEachOtherAreThinned) {
   }
 }
 
-TEST_P(AssembleGraphTest, ViewsSupportALinkByThreePoints) {
+TEST_P(FinishLinksTest, ViewsSupportALinkByThreePoints) {
   const auto points_of_view = [](int point, ViewId view) {
     if (view == 2) return point < 2;
     if (view == 5) return point == 3 || point == 17 || point == 30;
     return view != 7;
   };
   scene_.AddLink(Path({{-20, 0, 0}, {20, 0, 0}}), {.supported = points_of_view});
-  EXPECT_EQ(Assemble().links[0].supporting_views, (std::vector<ViewId>{0, 1, 3, 4, 5, 6}));
+  EXPECT_EQ(Finished().links[0].supporting_views, (std::vector<ViewId>{0, 1, 3, 4, 5, 6}));
 }
 
-TEST_P(AssembleGraphTest, ResidualIsTheDistanceFromTheEdges) {
+TEST_P(FinishLinksTest, ResidualIsTheDistanceFromTheEdges) {
   const int edge = scene_.AddImageCurve(Path({{-20, 0, 0}, {20, 0, 0}}));
   scene_.AddLink(Path({{-20, 0.5, 0}, {20, 0.5, 0}}), {.image_curve = edge});
   scene_.AddLink(Path({{-20, 0, 0}, {20, 0, 0}}), {.image_curve = edge});
-  const DrawingGraph graph = Assemble();
+  const DrawingGraph graph = Finished();
   // A px is .96 to 1 px across the views, and up to 1 % more or less where the link is nearer.
   EXPECT_GT(graph.links[0].residual_px, 0.5 * 0.95);
   EXPECT_LT(graph.links[0].residual_px, 0.5 * 1.01);
   EXPECT_LT(graph.links[1].residual_px, 1e-3);
 }
 
-TEST_P(AssembleGraphTest, SigmaIsOfTheInverseInformation) {
-  // Known to 0.1 px in y and to 2 px in z, along x.
-  const Eigen::Matrix3d information = Vector3d(1, 100, 0.25).asDiagonal();
-  scene_.AddLink(Path({{-20, 0, 0}, {20, 0, 0}}), {.information = information});
-  const DrawingLink link = Assemble().links[0];
-  ASSERT_EQ(link.sigma.size(), link.points_in_world.size());
-  for (const double sigma : link.sigma) {
-    EXPECT_NEAR(sigma / GetParam().footprint, std::sqrt((0.01 + 4) / 2), 1e-6);
-  }
-}
-
-TEST_P(AssembleGraphTest, SigmaIsBoundedWhereNothingIsKnown) {
-  // 30 px in the direction of which nothing is known.
-  const Eigen::Matrix3d information = Vector3d(1, 100, 0).asDiagonal();
-  scene_.AddLink(Path({{-20, 0, 0}, {20, 0, 0}}), {.information = information});
-  const DrawingLink link = Assemble().links[0];
-  EXPECT_NEAR(link.sigma[10] / GetParam().footprint, std::sqrt((0.01 + 900) / 2), 1e-6);
-}
-
-TEST_P(AssembleGraphTest, LinkThatGoesOnThroughAJunctionIsPaired) {
+TEST_P(FinishLinksTest, LinkThatGoesOnThroughAJunctionIsPaired) {
   AddStar({180, 0, 90});
-  const DrawingGraph graph = Assemble();
+  const DrawingGraph graph = Finished();
   const DrawingNode* node = NodeNear(graph, {0, 0, 0});
   ASSERT_TRUE(node);
   ASSERT_EQ(node->continuations.size(), 1u);
   EXPECT_TRUE(Continue(*node, Leaving(graph, *node, {1, 0, 0}), Leaving(graph, *node, {-1, 0, 0})));
 }
 
-TEST_P(AssembleGraphTest, CrossHasTwoPairs) {
+TEST_P(FinishLinksTest, CrossHasTwoPairs) {
   AddStar({0, 90, 180, 270});
-  const DrawingGraph graph = Assemble();
+  const DrawingGraph graph = Finished();
   const DrawingNode* node = NodeNear(graph, {0, 0, 0});
   ASSERT_TRUE(node);
   ASSERT_EQ(node->continuations.size(), 2u);
@@ -200,9 +136,9 @@ TEST_P(AssembleGraphTest, CrossHasTwoPairs) {
   EXPECT_TRUE(Continue(*node, Leaving(graph, *node, {0, 1, 0}), Leaving(graph, *node, {0, -1, 0})));
 }
 
-TEST_P(AssembleGraphTest, SmoothestPairIsTaken) {
+TEST_P(FinishLinksTest, SmoothestPairIsTaken) {
   AddStar({20, 180, -2});
-  const DrawingGraph graph = Assemble();
+  const DrawingGraph graph = Finished();
   const DrawingNode* node = NodeNear(graph, {0, 0, 0});
   ASSERT_TRUE(node);
   ASSERT_EQ(node->continuations.size(), 1u);
@@ -210,17 +146,17 @@ TEST_P(AssembleGraphTest, SmoothestPairIsTaken) {
       Continue(*node, Leaving(graph, *node, Polar(1, -2)), Leaving(graph, *node, {-1, 0, 0})));
 }
 
-TEST_P(AssembleGraphTest, SharpTurnIsNoContinuation) {
+TEST_P(FinishLinksTest, SharpTurnIsNoContinuation) {
   AddStar({180, 32});
   for (const auto& [limit_deg, pairs] : {std::pair(30.0, 0u), std::pair(34.0, 1u)}) {
-    const DrawingGraph graph = Assemble({.max_continuation_angle_deg = limit_deg});
+    const DrawingGraph graph = Finished({.max_continuation_angle_deg = limit_deg});
     const DrawingNode* node = NodeNear(graph, {0, 0, 0});
     ASSERT_TRUE(node);
     EXPECT_EQ(node->continuations.size(), pairs);
   }
 }
 
-LIMN_ALL_VARIANTS(AssembleGraphTest);
+LIMN_ALL_VARIANTS(FinishLinksTest);
 
 using Member = std::tuple<int, int, int>;
 
@@ -237,7 +173,7 @@ TEST(LinkMembersTest, RunsOfSamplesOfTheSketch) {
       Path({{-20, 0, 0}, {20, 0, 0}}),
       {.sampled = [](int point) { return point < 10 || point > 12; }, .first_sketch_sample = 7});
   scene.AddLink(Path({{-20, 20, 0}, {20, 20, 0}}));
-  const DrawingGraph graph = scene.Assemble();
+  const DrawingGraph graph = scene.Finished();
   EXPECT_EQ(Members(graph.links[0]), (std::vector<Member>{{0, 7, 17}, {0, 20, 48}}));
   EXPECT_EQ(Members(graph.links[1]), (std::vector<Member>{{1, 0, 41}}));
 }
@@ -245,7 +181,7 @@ TEST(LinkMembersTest, RunsOfSamplesOfTheSketch) {
 TEST(LinkMembersTest, GrownSamplesAreNotOfTheSketch) {
   DrawingScene scene;
   scene.AddLink(Path({{-20, 0, 0}, {20, 0, 0}}), {.grown = true});
-  EXPECT_TRUE(scene.Assemble().links[0].members.empty());
+  EXPECT_TRUE(scene.Finished().links[0].members.empty());
 }
 
 TEST(LinkMembersTest, FusedLinkHasTheMembersOfBoth) {
@@ -253,8 +189,8 @@ TEST(LinkMembersTest, FusedLinkHasTheMembersOfBoth) {
   scene.AddLink(Path({{-20, 0, 0}, {0, 0, 0}}));
   scene.AddLink(Path({{0, 0, 0}, {20, 0, 0}}));
   scene.ShareNode({0, 0, 0});
-  scene.CleanUp();
-  const DrawingGraph graph = scene.Assemble();
+  scene.Tidy();
+  const DrawingGraph graph = scene.Finished();
   ASSERT_EQ(graph.links.size(), 1u);
   EXPECT_EQ(Members(graph.links[0]), (std::vector<Member>{{0, 0, 21}, {1, 0, 21}}));
 }

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "limn/refinement/edit_fixture.h"
+#include "limn/topology/frontal_scene.h"
 
 namespace limn {
 namespace {
 
-using testing::EditScene;
+using testing::FrontalScene;
 using testing::PxLine;
 
 // Along the x axis to the origin, where it turns.
@@ -16,14 +16,14 @@ PxLine Bent(double turn_rad, double before_px = 40, double after_px = 40) {
 // The same with an arc instead of the corner.
 PxLine Rounded(double turn_rad, double radius_px) {
   PxLine line = {{-40, 0}};
-  const PxLine arc = testing::Arc(radius_px, turn_rad);
+  const PxLine arc = testing::ArcFromOrigin(radius_px, turn_rad);
   line.insert(line.end(), arc.begin(), arc.end());
   line.push_back(arc.back() + 40 * testing::Unit(turn_rad));
   return line;
 }
 
-EditScene SceneOf(const PxLine& line) {
-  EditScene scene;
+FrontalScene SceneOf(const PxLine& line) {
+  FrontalScene scene;
   scene.Draw(line, {1, 3, 4});
   return scene;
 }
@@ -31,7 +31,7 @@ EditScene SceneOf(const PxLine& line) {
 int64_t NumCorners(const PxLine& line) { return SceneOf(line).SplitCorners(); }
 
 TEST(SplitAtCornersTest, LinkIsCutAtItsCorner) {
-  EditScene scene = SceneOf(Bent(M_PI / 2));
+  FrontalScene scene = SceneOf(Bent(M_PI / 2));
   EXPECT_EQ(scene.SplitCorners(), 1);
   ASSERT_EQ(scene.graph.links.size(), 2u);
   ASSERT_EQ(scene.Degree(0, 0), 2);
@@ -52,8 +52,8 @@ TEST(SplitAtCornersTest, SmallerTurnsAreNoCorners) {
 
 TEST(SplitAtCornersTest, ArcsAreNoCorners) {
   for (const double radius_px : {8.0, 12.0, 16.0, 22.0, 40.0}) {
-    EXPECT_EQ(NumCorners(testing::Arc(radius_px, M_PI)), 0) << radius_px;
-    EXPECT_EQ(NumCorners(testing::Arc(radius_px, 6)), 0) << radius_px;
+    EXPECT_EQ(NumCorners(testing::ArcFromOrigin(radius_px, M_PI)), 0) << radius_px;
+    EXPECT_EQ(NumCorners(testing::ArcFromOrigin(radius_px, 6)), 0) << radius_px;
   }
 }
 
@@ -73,14 +73,14 @@ TEST(SplitAtCornersTest, ArmsAreLongEnough) {
 // it passes for the corner, and the cut is there.
 TEST(SplitAtCornersTest, DISABLED_CutIsAtTheCornerEvenNearAnEnd) {
   for (const double arm_px : {8.0, 9.0, 10.0, 11.0, 12.0}) {
-    EditScene scene = SceneOf(Bent(M_PI / 2, 40, arm_px));
+    FrontalScene scene = SceneOf(Bent(M_PI / 2, 40, arm_px));
     const bool is_cut = scene.SplitCorners() > 0;
     EXPECT_EQ(scene.Degree(0, 0), is_cut ? 2 : 0) << arm_px;
   }
 }
 
 TEST(SplitAtCornersTest, EveryCornerCuts) {
-  EditScene scene = SceneOf({{0, 0}, {30, 0}, {30, 20}, {60, 20}, {60, 60}});
+  FrontalScene scene = SceneOf({{0, 0}, {30, 0}, {30, 20}, {60, 20}, {60, 60}});
   EXPECT_EQ(scene.SplitCorners(), 3);
   ASSERT_EQ(scene.graph.links.size(), 4u);
   for (const Eigen::Vector2d& corner : PxLine{{30, 0}, {30, 20}, {60, 20}}) {
@@ -92,7 +92,7 @@ TEST(SplitAtCornersTest, EveryCornerCuts) {
 }
 
 TEST(SplitAtCornersTest, FarContinuationsStay) {
-  EditScene scene = SceneOf(Bent(M_PI / 2));
+  FrontalScene scene = SceneOf(Bent(M_PI / 2));
   scene.Draw({{0, 40}, {0, 80}});
   scene.graph.nodes[testing::NodeAtPlace(scene.graph, testing::InWorld(Bent(M_PI / 2)).back())]
       .continuations = {{{0, 1}, {1, 0}}};
@@ -102,15 +102,13 @@ TEST(SplitAtCornersTest, FarContinuationsStay) {
 }
 
 TEST(SplitAtCornersTest, CirclesStayClosed) {
-  PxLine ring = testing::Arc(40, 2 * M_PI);
-  ring.back() = ring.front();
-  EditScene scene = SceneOf(ring);
+  FrontalScene scene = SceneOf(testing::RingThroughOrigin(40));
   EXPECT_EQ(scene.SplitCorners(), 0);
   EXPECT_TRUE(scene.graph.links[0].closed);
 }
 
 TEST(SplitAtCornersTest, FrozenLinksAreLeftAlone) {
-  EditScene scene = SceneOf(Bent(M_PI / 2));
+  FrontalScene scene = SceneOf(Bent(M_PI / 2));
   scene.Freeze(0);
   EXPECT_EQ(scene.SplitCorners(), 0);
   EXPECT_EQ(scene.graph.links[0].points_in_world.size(), 3u);

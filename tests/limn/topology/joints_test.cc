@@ -1,51 +1,55 @@
-#include "limn/drawing/joints.h"
+#include "limn/topology/joints.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/growth_fixture.h"
+#include "limn/topology/frontal_scene.h"
 
 namespace limn {
 namespace {
 
 using testing::FrontalPoint;
-using testing::GrowthScene;
+using testing::FrontalScene;
 using testing::kFrontalPx;
 using testing::PxSegment;
 
 TEST(CollectJointsTest, EndsAtANodeAreOneJoint) {
-  GrowthScene scene;
+  FrontalScene scene;
   scene.Draw(PxSegment(0, 0, 60, 0));
   scene.Draw(PxSegment(0, 40, 0, 0));
   const Joint corner = scene.JointAt(FrontalPoint(0, 0));
-  EXPECT_EQ(corner.ends, (std::vector<LinkEnd>{{0, 0}, {1, 1}}));
+  EXPECT_EQ(scene.graph.nodes.at(corner.node).incident, (std::vector<LinkEnd>{{0, 0}, {1, 1}}));
+  EXPECT_EQ(corner.position, FrontalPoint(0, 0));
   EXPECT_NEAR(corner.footprint, kFrontalPx, 1e-12);
   ASSERT_EQ(corner.leaving.size(), 2u);
   EXPECT_LT((corner.leaving[0] - Eigen::Vector3d::UnitX()).norm(), 1e-6);
   EXPECT_LT((corner.leaving[1] - Eigen::Vector3d::UnitY()).norm(), 1e-6);
   // Free ends have joints of their own.
-  EXPECT_EQ(scene.JointAt(FrontalPoint(60, 0)).ends, (std::vector<LinkEnd>{{0, 1}}));
-  EXPECT_EQ(scene.JointAt(FrontalPoint(0, 40)).ends, (std::vector<LinkEnd>{{1, 0}}));
+  for (const auto& [x, y] : {std::pair(60, 0), std::pair(0, 40)}) {
+    EXPECT_EQ(scene.graph.nodes.at(scene.JointAt(FrontalPoint(x, y)).node).Degree(), 1);
+  }
 }
 
-TEST(CollectJointsTest, JointIsInTheMiddleOfItsEnds) {
-  GrowthScene scene;
-  scene.Draw(PxSegment(1, 0, 60, 0));
-  scene.Draw(PxSegment(0, 0.6, 0, 40));
-  EXPECT_EQ(scene.JointAt(FrontalPoint(0.5, 0.3)).ends.size(), 2u);
+TEST(CollectJointsTest, LoopsHaveNone) {
+  FrontalScene scene;
+  scene.Draw(testing::RingThroughOrigin(40));
+  scene.Build();
+  EXPECT_TRUE(CollectJoints(scene.graph, scene.views().size()).empty());
 }
 
 TEST(CollectJointsTest, LinksLeaveAsTheirLastPixelsRun) {
-  GrowthScene scene;
-  scene.Draw({FrontalPoint(0, 0), FrontalPoint(20, 0), FrontalPoint(20, 60)});
+  FrontalScene scene;
+  scene.Draw({{0, 0}, {20, 0}, {20, 60}});
   EXPECT_LT((scene.JointAt(FrontalPoint(0, 0)).leaving[0] - Eigen::Vector3d::UnitX()).norm(), 1e-6);
   EXPECT_LT((scene.JointAt(FrontalPoint(20, 60)).leaving[0] + Eigen::Vector3d::UnitY()).norm(),
             1e-6);
 }
 
 TEST(CollectJointsTest, ViewsThatSupportALinkNearTheJointSeeIt) {
-  GrowthScene scene;
+  FrontalScene scene;
   scene.Draw(PxSegment(0, 0, 60, 0));
   scene.Show(PxSegment(0, 0, 20, 0), {0, 5});
   scene.Show(PxSegment(40, 0, 60, 0), {5, 7});
@@ -59,7 +63,7 @@ TEST(CollectJointsTest, ViewsThatSupportALinkNearTheJointSeeIt) {
 }
 
 TEST(CollectJointsTest, AllLinksOfAJointMakeItVisible) {
-  GrowthScene scene;
+  FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0), {1});
   scene.ShowAndDraw(PxSegment(0, 0, 0, 60), {3});
   std::vector<uint8_t> both(16, 0);
@@ -68,7 +72,7 @@ TEST(CollectJointsTest, AllLinksOfAJointMakeItVisible) {
 }
 
 TEST(IsTakenTest, DirectionsNearALinksAre) {
-  GrowthScene scene;
+  FrontalScene scene;
   scene.Draw(PxSegment(0, 0, 60, 0));
   scene.Draw(PxSegment(0, 0, 0, 60));
   const Joint joint = scene.JointAt(FrontalPoint(0, 0));
@@ -84,9 +88,9 @@ TEST(IsTakenTest, DirectionsNearALinksAre) {
 }
 
 // One view with an edge of 21 edgels and one that is in no fragment, and a link made from some.
-class IndexEdgelsTest : public ::testing::Test {
+class CollectClaimsTest : public ::testing::Test {
  protected:
-  IndexEdgelsTest() {
+  CollectClaimsTest() {
     curves_ =
         testing::ProjectCurves(views_, {testing::Segment(FrontalPoint(0, 0), FrontalPoint(20, 0))});
     for (ImageCurves& of_view : curves_) {
@@ -99,21 +103,14 @@ class IndexEdgelsTest : public ::testing::Test {
   // these of view 0.
   std::vector<int> Unclaimed(const std::vector<int>& places, ViewId view = 0) {
     const auto& ids = curves_[0].fragments[0].edgel_ids;
-    SampleSet samples;
-    Draft draft;
-    std::vector<std::vector<int>> merged;
-    Polyline3d points;
-    samples.origins.push_back({});
+    DrawingGraph graph;
+    graph.links.emplace_back();
     for (const int place : places) {
-      merged.push_back({samples.NumSamples()});
-      points.push_back(FrontalPoint(place, 0));
-      samples.curve_of.push_back(0);
-      samples.position.push_back(points.back());
-      samples.support.Append(std::vector<EdgelRef>{{0, ids[place]}});
+      graph.links[0].vertices.emplace_back();
+      graph.links[0].vertices.back().support = {{0, ids[place]}};
     }
-    testing::AppendLink(points, kFrontalPx, merged, &draft);
     const auto evidence = BuildEvidence(curves_, {});
-    const EdgelEvidence edgels = IndexEdgels(curves_, evidence, samples, draft);
+    const EdgelClaims edgels = CollectClaims({views_, curves_, evidence, {}}, graph);
     EXPECT_EQ(Held(*edgels.all[view], view).size(), 21u);
     return Held(*edgels.unclaimed[view], view);
   }
@@ -144,18 +141,18 @@ class IndexEdgelsTest : public ::testing::Test {
   EdgelId lone_ = kInvalidEdgel;
 };
 
-TEST_F(IndexEdgelsTest, NeighborsOfAClaimedEdgelAreClaimed) {
+TEST_F(CollectClaimsTest, NeighborsOfAClaimedEdgelAreClaimed) {
   EXPECT_EQ(Unclaimed({}), Without({}));
   EXPECT_EQ(Unclaimed({10}), Without({9, 10, 11}));
   EXPECT_EQ(Unclaimed({6, 8}), Without({5, 6, 7, 8, 9}));
 }
 
-TEST_F(IndexEdgelsTest, FragmentsEnd) {
+TEST_F(CollectClaimsTest, FragmentsEnd) {
   EXPECT_EQ(Unclaimed({0}), Without({0, 1}));
   EXPECT_EQ(Unclaimed({20}), Without({19, 20}));
 }
 
-TEST_F(IndexEdgelsTest, OtherViewsAreNotConcerned) { EXPECT_EQ(Unclaimed({10}, 1), Without({})); }
+TEST_F(CollectClaimsTest, OtherViewsAreNotConcerned) { EXPECT_EQ(Unclaimed({10}, 1), Without({})); }
 
 TEST(SupportAtTest, EdgelsOfTheViewsAskedAreFound) {
   const auto views = testing::FrontalViews(3, 1, 0.75);
@@ -175,6 +172,65 @@ TEST(SupportAtTest, EdgelsOfTheViewsAskedAreFound) {
   EXPECT_EQ(views_at(FrontalPoint(10, 1.4), {1, 0, 0}), (std::vector<ViewId>{0, 2}));
   EXPECT_TRUE(views_at(FrontalPoint(10, 1.6), {1, 0, 0}).empty());
   EXPECT_TRUE(views_at(FrontalPoint(10, 0), {0, 1, 0}).empty());
+}
+
+// A link that ends at the origin, and an edge that leaves it along y.
+class AddStraightLinkTest : public ::testing::Test {
+ protected:
+  AddStraightLinkTest() {
+    scene_.ShowAndDraw(PxSegment(-60, 0, 0, 0));
+    scene_.Show(PxSegment(0, 0, 0, 20), {0, 1, 2, 3});
+    scene_.Build();
+    joints_ = CollectJoints(scene_.graph, scene_.views().size());
+    if (joints_[0].position != FrontalPoint(0, 0)) std::swap(joints_[0], joints_[1]);
+  }
+
+  const DrawingLink& Add(double x_px, double y_px, const std::vector<ViewId>& in_views,
+                         Joint* target) {
+    GraphEditor editor(&scene_.graph);
+    const EdgelClaims claims = CollectClaims(scene_.Input(), scene_.graph);
+    AddStraightLink(scene_.Input(), claims.all, FrontalPoint(x_px, y_px), in_views, &joints_[0],
+                    target, &editor);
+    testing::ExpectValid(scene_.graph);
+    return scene_.graph.links.back();
+  }
+
+  FrontalScene scene_;
+  std::vector<Joint> joints_;
+};
+
+TEST_F(AddStraightLinkTest, PointsKnowTheEdgelsOfTheViewsGiven) {
+  const DrawingLink& link = Add(0, 20, {1, 2, 3, 7}, nullptr);
+  EXPECT_EQ(link.points_in_world.front(), FrontalPoint(0, 0));
+  EXPECT_EQ(link.points_in_world.back(), FrontalPoint(0, 20));
+  EXPECT_NEAR(LengthPx(link), 20, 1e-9);
+  EXPECT_EQ(NumSketchSamples(link), 0);
+  for (int k = 0; k < link.size(); ++k) {
+    const LinkVertex& vertex = link.vertices[k];
+    std::vector<ViewId> views;
+    for (const EdgelRef& ref : vertex.support) views.push_back(ref.view);
+    EXPECT_EQ(views, (std::vector<ViewId>{1, 2, 3})) << k;
+    EXPECT_NEAR(vertex.footprint, kFrontalPx, 1e-12);
+    // Known across the link, not along it, and the sigma is of that.
+    EXPECT_LT((vertex.information * Eigen::Vector3d::UnitY()).norm(),
+              1e-9 * vertex.information.norm());
+    EXPECT_GT(vertex.information(0, 0), 0);
+    EXPECT_EQ(link.sigma[k], SigmaAcross(vertex.information, vertex.footprint));
+  }
+}
+
+TEST_F(AddStraightLinkTest, JointsKnowTheNewLink) {
+  Add(0, 20, {0, 1, 2, 3}, nullptr);
+  EXPECT_TRUE(IsTaken(joints_[0], Eigen::Vector3d::UnitY(), 1e-6));
+  EXPECT_EQ(scene_.Degree(0, 0), 2);
+  EXPECT_EQ(scene_.Degree(0, 20), 1);
+}
+
+TEST_F(AddStraightLinkTest, TargetIsItsEnd) {
+  const DrawingLink& link = Add(-60, 0, {}, &joints_[1]);
+  EXPECT_EQ(link.node1, joints_[1].node);
+  EXPECT_TRUE(IsTaken(joints_[1], Eigen::Vector3d::UnitX(), 1e-6));
+  EXPECT_EQ(scene_.Degree(-60, 0), 2);
 }
 
 }  // namespace

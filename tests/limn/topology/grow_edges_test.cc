@@ -1,119 +1,20 @@
-#include <algorithm>
+#include "limn/topology/grow_edges.h"
+
 #include <cmath>
-#include <string>
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/drawing.h"
-#include "limn/drawing/growth_fixture.h"
-#include "limn/sketch/sketch.h"
-#include "support/synthetic_scene.h"
+#include "limn/topology/frontal_scene.h"
 
 namespace limn {
 namespace {
-
-constexpr double kHalfSide = 0.2;  // edges of about 48 px
-
-const std::vector<View>& Views() {
-  static const std::vector<View> views = testing::DomeViews(16, 5);
-  return views;
-}
-
-Eigen::Vector3d Middle(const testing::SceneCurve& curve) {
-  return 0.5 * (curve.points.front() + curve.points.back());
-}
-
-// The enhanced sketch of a wire cube, without what was reconstructed of its first edge.
-CurveSketch SketchWithoutFirstEdge(const std::vector<ImageCurves>& curves) {
-  const SceneHints no_hints;
-  CurveSketch sketch =
-      BuildEnhancedSketch({Views(), curves, no_hints, std::nullopt}, SketchOptions(), {}).sketch;
-  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSide).front());
-  std::erase_if(sketch.curves, [&](const Curve3D& curve) {
-    const Eigen::Vector3d middle =
-        0.5 * (curve.points_in_world.front() + curve.points_in_world.back());
-    return (middle - missing).norm() < 0.3 * kHalfSide;
-  });
-  return sketch;
-}
-
-int NumNodesOfDegree(const DrawingGraph& graph, int degree) {
-  return static_cast<int>(
-      std::count_if(graph.nodes.begin(), graph.nodes.end(),
-                    [&](const DrawingNode& node) { return node.Degree() == degree; }));
-}
-
-int64_t CountOf(const StageSummary::Counts& counts, const std::string& name) {
-  for (const auto& [unit, count] : counts) {
-    if (unit == name) return count;
-  }
-  return -1;
-}
-
-int64_t NumSamplesAccountedFor(const StageSummary& summary) {
-  int64_t sum = CountOf(summary.kept, "samples");
-  for (const auto& [reason, count] : summary.dropped) {
-    if (reason.rfind("samples:", 0) == 0) sum += count;
-  }
-  return sum;
-}
-
-TEST(CornerEdgesTest, EdgeThatTheSketchLostGrowsFromItsCorner) {
-  const auto curves = testing::ProjectCurves(Views(), testing::CubeEdges(kHalfSide), 0.2);
-  const DrawingResult result =
-      BuildDrawing({Views(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {});
-  const DrawingGraph& graph = result.graph;
-  EXPECT_TRUE(Validate(graph).empty());
-  EXPECT_EQ(NumSamplesAccountedFor(result.summary), CountOf(result.summary.in, "samples"));
-  EXPECT_EQ(graph.links.size(), 12u);
-  EXPECT_EQ(NumNodesOfDegree(graph, 3), 8);
-  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSide).front());
-  const double footprint = 5.0 / 600;
-  const bool found =
-      std::any_of(graph.links.begin(), graph.links.end(), [&](const DrawingLink& link) {
-        return std::sqrt(ClosestPoint(link.points_in_world, missing).squared_distance) <
-                   0.5 * footprint &&
-               link.supporting_views.size() >= 4;
-      });
-  EXPECT_TRUE(found);
-}
-
-TEST(CornerEdgesTest, NothingGrowsOutOfTheBox) {
-  const auto curves = testing::ProjectCurves(Views(), testing::CubeEdges(kHalfSide), 0.2);
-  const CurveSketch sketch = SketchWithoutFirstEdge(curves);
-  // All corners but those of the missing edge are inside, which it leaves at once.
-  Eigen::AlignedBox3d box;
-  for (const testing::SceneCurve& edge : testing::CubeEdges(0.9 * kHalfSide)) {
-    box.extend(edge.points.front());
-  }
-  const DrawingGraph graph =
-      BuildDrawing({Views(), curves, sketch, box}, DrawingOptions(), {}).graph;
-  EXPECT_TRUE(Validate(graph).empty());
-  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSide).front());
-  EXPECT_TRUE(std::none_of(graph.links.begin(), graph.links.end(), [&](const DrawingLink& link) {
-    return std::sqrt(ClosestPoint(link.points_in_world, missing).squared_distance) <
-           0.1 * kHalfSide;
-  }));
-}
-
-TEST(CornerEdgesTest, NothingGrowsWhereImagesShowNothing) {
-  auto edges = testing::CubeEdges(kHalfSide);
-  edges.erase(edges.begin());
-  const auto curves = testing::ProjectCurves(Views(), edges, 0.2);
-  const DrawingGraph graph =
-      BuildDrawing({Views(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {}).graph;
-  EXPECT_TRUE(Validate(graph).empty());
-  EXPECT_EQ(graph.links.size(), 11u);
-  EXPECT_EQ(NumNodesOfDegree(graph, 3), 6);
-  EXPECT_EQ(NumNodesOfDegree(graph, 2), 2);
-}
 
 // One end of what grows is where its joint is; the other is right to what a step of growth and the
 // gate along edgels leave open.
 constexpr double kEndPx = 2.5;
 
 using testing::FrontalPoint;
-using testing::GrowthScene;
+using testing::FrontalScene;
 using testing::kFrontalPx;
 using testing::PxSegment;
 
@@ -130,27 +31,27 @@ void ExpectGrownTo(const std::vector<Polyline3d>& grown, double x_px, double y_p
 
 // The link from the origin along the x axis is drawn, and the images show an edge along the y axis
 // too, in the views given.
-GrowthScene Corner(double length_px, const std::vector<ViewId>& in_views) {
-  GrowthScene scene;
+FrontalScene Corner(double length_px, const std::vector<ViewId>& in_views) {
+  FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
   scene.Show(PxSegment(0, 0, 0, length_px), in_views);
   return scene;
 }
-GrowthScene Corner(double length_px) { return Corner(length_px, GrowthScene().AllViews()); }
+FrontalScene Corner(double length_px) { return Corner(length_px, FrontalScene().AllViews()); }
 
-TEST(GrowCornerEdgesTest, MissingEdgeGrowsToItsEndAndNotBeyond) {
+TEST(GrowEdgesTest, MissingEdgeGrowsToItsEndAndNotBeyond) {
   for (const double length_px : {8.0, 20.0, 40.0, 70.0}) {
-    GrowthScene scene = Corner(length_px);
+    FrontalScene scene = Corner(length_px);
     ExpectGrownTo(scene.Grow(), 0, length_px);
-    EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 0)), 2);
+    EXPECT_EQ(scene.Degree(0, 0), 2);
   }
 }
 
-TEST(GrowCornerEdgesTest, EdgeInDepthGrowsToo) {
-  GrowthScene scene;
+TEST(GrowEdgesTest, EdgeInDepthGrowsToo) {
+  FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
   const Eigen::Vector3d end = FrontalPoint(0, 40) + Eigen::Vector3d(0, 0, 20 * kFrontalPx);
-  scene.Show({FrontalPoint(0, 0), end});
+  scene.ShowInSpace({FrontalPoint(0, 0), end});
   const auto grown = scene.Grow();
   ASSERT_EQ(grown.size(), 1u);
   // Across the line of sight the end is as certain as on the plane, along it less: at this base a
@@ -158,23 +59,23 @@ TEST(GrowCornerEdgesTest, EdgeInDepthGrowsToo) {
   EXPECT_LT((grown[0].back() - end).norm() / kFrontalPx, 3 * kEndPx);
 }
 
-TEST(GrowCornerEdgesTest, NothingGrowsWhereNothingIsMissing) {
-  GrowthScene scene;
+TEST(GrowEdgesTest, NothingGrowsWhereNothingIsMissing) {
+  FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
   scene.ShowAndDraw(PxSegment(0, 0, 0, 40));
   EXPECT_TRUE(scene.Grow().empty());
 }
 
-TEST(GrowCornerEdgesTest, SeveralEdgesGrowFromOneCorner) {
-  GrowthScene scene = Corner(40);
+TEST(GrowEdgesTest, SeveralEdgesGrowFromOneCorner) {
+  FrontalScene scene = Corner(40);
   scene.Show(PxSegment(0, 0, -30, -30));
   EXPECT_EQ(scene.Grow().size(), 2u);
-  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 0)), 3);
+  EXPECT_EQ(scene.Degree(0, 0), 3);
 }
 
-TEST(GrowCornerEdgesTest, ShortGapsAreBridgedAndLongOnesNot) {
+TEST(GrowEdgesTest, ShortGapsAreBridgedAndLongOnesNot) {
   const auto grown = [](double gap_px) {
-    GrowthScene scene;
+    FrontalScene scene;
     scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
     scene.Show(PxSegment(0, 0, 0, 30));
     scene.Show(PxSegment(0, 30 + gap_px, 0, 60));
@@ -184,10 +85,10 @@ TEST(GrowCornerEdgesTest, ShortGapsAreBridgedAndLongOnesNot) {
   ExpectGrownTo(grown(10), 0, 30);
 }
 
-TEST(GrowCornerEdgesTest, HalfOfTheViewsMustShowIt) {
+TEST(GrowEdgesTest, HalfOfTheViewsMustShowIt) {
   // All views show 30 px of it, some 60.
   const auto grown = [](ViewId num_long) {
-    GrowthScene scene = Corner(30);
+    FrontalScene scene = Corner(30);
     scene.Show(PxSegment(0, 30, 0, 60), scene.Views(0, num_long));
     return scene.Grow();
   };
@@ -195,38 +96,38 @@ TEST(GrowCornerEdgesTest, HalfOfTheViewsMustShowIt) {
   ExpectGrownTo(grown(9), 0, 60);
 }
 
-TEST(GrowCornerEdgesTest, GrowthStopsAtTheBox) {
-  GrowthScene scene = Corner(40);
+TEST(GrowEdgesTest, GrowthStopsAtTheBox) {
+  FrontalScene scene = Corner(40);
   Eigen::AlignedBox3d box(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 20.5 * kFrontalPx, 1));
   const auto grown = scene.Grow(box);
   ExpectGrownTo(grown, 0, 20, 1);
   EXPECT_TRUE(box.contains(grown.at(0).back()));
 }
 
-TEST(GrowCornerEdgesTest, EdgeEndsAtAJointThatItReaches) {
+TEST(GrowEdgesTest, EdgeEndsAtAJointThatItReaches) {
   // Another link begins near the end of the edge.
-  const auto grow = [](double x_px, double y_px, GrowthScene* scene) {
+  const auto grow = [](double x_px, double y_px, FrontalScene* scene) {
     *scene = Corner(40);
     scene->ShowAndDraw(PxSegment(x_px, y_px, x_px - 60, y_px));
     return scene->Grow();
   };
-  GrowthScene scene;
+  FrontalScene scene;
   ExpectGrownTo(grow(0, 42, &scene), 0, 42, 1e-6);
-  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 42)), 2);
-  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 0)), 2);
+  EXPECT_EQ(scene.Degree(0, 42), 2);
+  EXPECT_EQ(scene.Degree(0, 0), 2);
   ExpectGrownTo(grow(-1.5, 41, &scene), -1.5, 41, 1e-6);
-  EXPECT_EQ(scene.EndsAt(FrontalPoint(-1.5, 41)), 2);
+  EXPECT_EQ(scene.Degree(-1.5, 41), 2);
   // Out of reach: beside its line, and beyond its end.
   ExpectGrownTo(grow(-3, 41, &scene), 0, 40);
-  EXPECT_EQ(scene.EndsAt(FrontalPoint(-3, 41)), 0);
+  EXPECT_EQ(scene.Degree(-3, 41), 1);
   ExpectGrownTo(grow(0, 50, &scene), 0, 40);
-  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 50)), 0);
+  EXPECT_EQ(scene.Degree(0, 50), 1);
 }
 
-TEST(GrowCornerEdgesTest, NothingGrowsAlongALinkThatIsThere) {
+TEST(GrowEdgesTest, NothingGrowsAlongALinkThatIsThere) {
   // A second edge leaves the corner at this angle from the one that is drawn.
   const auto num_grown = [](double angle_deg) {
-    GrowthScene scene;
+    FrontalScene scene;
     scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
     const double angle = angle_deg * M_PI / 180;
     scene.Show(PxSegment(0, 0, 40 * std::cos(angle), 40 * std::sin(angle)));
@@ -236,65 +137,65 @@ TEST(GrowCornerEdgesTest, NothingGrowsAlongALinkThatIsThere) {
   EXPECT_EQ(num_grown(32), 1u);
 }
 
-TEST(GrowCornerEdgesTest, SomeEdgelsMustBeNobodysYet) {
+TEST(GrowEdgesTest, SomeEdgelsMustBeNobodysYet) {
   // The edge ends at the corner, and a link elsewhere was made from all its edgels.
-  GrowthScene scene = Corner(40);
+  FrontalScene scene = Corner(40);
   scene.DrawFromEdgelsOf(PxSegment(0, 0, 0, 40),
                          {FrontalPoint(100, 0) - Eigen::Vector3d(0, 0, 0.3),
                           FrontalPoint(100, 40) - Eigen::Vector3d(0, 0, 0.3)});
   EXPECT_TRUE(scene.Grow().empty());
 }
 
-TEST(GrowCornerEdgesTest, ViewsThatSeeTheCornerMustBeEnough) {
+TEST(GrowEdgesTest, ViewsThatSeeTheCornerMustBeEnough) {
   // Only views that show a link at the corner are asked.
   const auto num_grown = [](const std::vector<ViewId>& see_corner,
                             const std::vector<ViewId>& see_edge) {
-    GrowthScene scene;
+    FrontalScene scene;
     scene.ShowAndDraw(PxSegment(0, 0, 60, 0), see_corner);
     scene.Show(PxSegment(0, 0, 0, 40), see_edge);
     return scene.Grow().size();
   };
-  const std::vector<ViewId> all = GrowthScene().AllViews();
+  const std::vector<ViewId> all = FrontalScene().AllViews();
   EXPECT_EQ(num_grown({0, 2, 5, 7}, all), 1u);
   EXPECT_EQ(num_grown({0, 2, 7}, all), 0u);
   EXPECT_EQ(num_grown(all, {0, 2, 5, 7}), 1u);
   EXPECT_EQ(num_grown(all, {0, 2, 7}), 0u);
 }
 
-TEST(GrowCornerEdgesTest, WhatChanceExplainsDoesNotGrow) {
+TEST(GrowEdgesTest, WhatChanceExplainsDoesNotGrow) {
   // Edges beside it, as in a texture.
-  GrowthScene scene = Corner(40);
+  FrontalScene scene = Corner(40);
   for (const double x : {-9, -7, -5, 5, 7, 9}) scene.Show(PxSegment(x, -20, x, 60));
   EXPECT_TRUE(scene.Grow().empty());
   // One of them is no texture.
-  GrowthScene one = Corner(40);
+  FrontalScene one = Corner(40);
   one.Show(PxSegment(7, -20, 7, 60));
   ExpectGrownTo(one.Grow(), 0, 40);
 }
 
 // Links that end at the origin and begin `gap_px` to its right, and the images show an edge between
 // them in the views given.
-GrowthScene Gap(double gap_px, const std::vector<ViewId>& in_views) {
-  GrowthScene scene;
+FrontalScene Gap(double gap_px, const std::vector<ViewId>& in_views) {
+  FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, -60, 0, 0));
   scene.ShowAndDraw(PxSegment(gap_px, 0, gap_px, 60));
   scene.Show(PxSegment(0, 0, gap_px, 0), in_views);
   return scene;
 }
-GrowthScene Gap(double gap_px) { return Gap(gap_px, GrowthScene().AllViews()); }
+FrontalScene Gap(double gap_px) { return Gap(gap_px, FrontalScene().AllViews()); }
 
 TEST(AddShortEdgesTest, EdgeBetweenTwoJointsIsAdded) {
-  GrowthScene scene = Gap(12);
+  FrontalScene scene = Gap(12);
   const auto added = scene.AddShort();
   ASSERT_EQ(added.size(), 1u);
   EXPECT_NEAR(LengthPx(added[0]), 12, 1e-6);
-  EXPECT_EQ(scene.EndsAt(FrontalPoint(0, 0)), 2);
-  EXPECT_EQ(scene.EndsAt(FrontalPoint(12, 0)), 2);
+  EXPECT_EQ(scene.Degree(0, 0), 2);
+  EXPECT_EQ(scene.Degree(12, 0), 2);
 }
 
 TEST(AddShortEdgesTest, LongestIsAnOption) {
   const auto num_added = [](double gap_px, double max_short_edge_px) {
-    GrowthScene scene = Gap(gap_px);
+    FrontalScene scene = Gap(gap_px);
     scene.options.max_short_edge_px = max_short_edge_px;
     return scene.AddShort().size();
   };
@@ -315,7 +216,7 @@ TEST(AddShortEdgesTest, EnoughViewsMustShowIt) {
 
 TEST(AddShortEdgesTest, OnlyViewsThatSeeBothJointsAreAsked) {
   const auto num_added = [](ViewId end_of_first) {
-    GrowthScene scene;
+    FrontalScene scene;
     scene.ShowAndDraw(PxSegment(0, -60, 0, 0), scene.Views(0, end_of_first));
     scene.ShowAndDraw(PxSegment(12, 0, 12, 60), scene.Views(5, 16));
     scene.Show(PxSegment(0, 0, 12, 0));
@@ -328,7 +229,7 @@ TEST(AddShortEdgesTest, OnlyViewsThatSeeBothJointsAreAsked) {
 TEST(AddShortEdgesTest, DirectionsThatAreTakenAreNot) {
   // A third link leaves the joint on the left, at this angle from the short edge.
   const auto num_added = [](double angle_deg) {
-    GrowthScene scene = Gap(12);
+    FrontalScene scene = Gap(12);
     const double angle = angle_deg * M_PI / 180;
     scene.Draw(PxSegment(0, 0, 60 * std::cos(angle), 60 * std::sin(angle)));
     return scene.AddShort().size();
@@ -339,7 +240,7 @@ TEST(AddShortEdgesTest, DirectionsThatAreTakenAreNot) {
 
 TEST(AddShortEdgesTest, NoEdgeTwice) {
   // Three joints in a row, with an edge from the first to the last.
-  GrowthScene scene = Gap(24);
+  FrontalScene scene = Gap(24);
   scene.ShowAndDraw(PxSegment(12, 0, 12, -60));
   double length_px = 0;
   for (const Polyline3d& added : scene.AddShort()) length_px += LengthPx(added);
@@ -347,7 +248,7 @@ TEST(AddShortEdgesTest, NoEdgeTwice) {
 }
 
 TEST(AddShortEdgesTest, SomeEdgelsMustBeNobodysYet) {
-  GrowthScene scene = Gap(12);
+  FrontalScene scene = Gap(12);
   scene.DrawFromEdgelsOf(PxSegment(0, 0, 12, 0),
                          {FrontalPoint(100, 0) - Eigen::Vector3d(0, 0, 0.3),
                           FrontalPoint(112, 0) - Eigen::Vector3d(0, 0, 0.3)});
@@ -355,7 +256,7 @@ TEST(AddShortEdgesTest, SomeEdgelsMustBeNobodysYet) {
 }
 
 TEST(AddShortEdgesTest, WhatChanceExplainsIsNotAdded) {
-  GrowthScene scene = Gap(12);
+  FrontalScene scene = Gap(12);
   for (const double y : {-9, -7, -5, 5, 7, 9}) scene.Show(PxSegment(-20, y, 40, y));
   EXPECT_TRUE(scene.AddShort().empty());
 }

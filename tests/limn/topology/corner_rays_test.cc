@@ -1,16 +1,16 @@
-#include "limn/drawing/corner_rays.h"
+#include "limn/topology/corner_rays.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/growth_fixture.h"
+#include "limn/topology/frontal_scene.h"
 
 namespace limn {
 namespace {
 
 using testing::FrontalPoint;
-using testing::GrowthScene;
+using testing::FrontalScene;
 using testing::kFrontalPx;
 using testing::PxSegment;
 
@@ -28,20 +28,20 @@ const Eigen::Vector3d& Origin() {
 }
 
 // A link from the origin along the x axis, and an edge to an offset, px, in the views given.
-GrowthScene Corner(const Eigen::Vector3d& edge_px, const std::vector<ViewId>& in_views) {
-  GrowthScene scene;
+FrontalScene Corner(const Eigen::Vector3d& edge_px, const std::vector<ViewId>& in_views) {
+  FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
-  scene.Show({Origin(), kFrontalPx * edge_px}, in_views);
+  scene.ShowInSpace({Origin(), kFrontalPx * edge_px}, in_views);
   return scene;
 }
-GrowthScene Corner(const Eigen::Vector3d& edge_px) {
-  return Corner(edge_px, GrowthScene().AllViews());
+FrontalScene Corner(const Eigen::Vector3d& edge_px) {
+  return Corner(edge_px, FrontalScene().AllViews());
 }
 
 TEST(FindCornerDirectionTest, DirectionOfAnEdgeIsFound) {
   for (const Eigen::Vector3d& edge : std::vector<Eigen::Vector3d>{
            {0, 30, 0}, {0, -30, 0}, {-30, 0, 0}, {20, 25, 0}, {0, 20, 20}, {-20, 10, -20}}) {
-    GrowthScene scene = Corner(edge);
+    FrontalScene scene = Corner(edge);
     const auto found = scene.DirectionAt(Origin(), 4);
     ASSERT_TRUE(found) << edge.transpose();
     EXPECT_NEAR(found->unit.norm(), 1, 1e-9);
@@ -51,20 +51,20 @@ TEST(FindCornerDirectionTest, DirectionOfAnEdgeIsFound) {
 
 TEST(FindCornerDirectionTest, ViewsWhoseRaysAgreeAreTold) {
   const std::vector<ViewId> some = {0, 3, 6, 9, 10, 12, 15};
-  GrowthScene scene = Corner({0, 30, 0}, some);
+  FrontalScene scene = Corner({0, 30, 0}, some);
   const auto found = scene.DirectionAt(Origin(), 4);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->views, some);
 }
 
 TEST(FindCornerDirectionTest, EnoughViewsMustAgree) {
-  GrowthScene scene = Corner({0, 30, 0}, {0, 2, 5, 7, 9});
+  FrontalScene scene = Corner({0, 30, 0}, {0, 2, 5, 7, 9});
   EXPECT_TRUE(scene.DirectionAt(Origin(), 5));
   EXPECT_FALSE(scene.DirectionAt(Origin(), 6));
 }
 
 TEST(FindCornerDirectionTest, ViewsThatDoNotSeeTheCornerAreNotAsked) {
-  GrowthScene scene;
+  FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0), {0, 2, 5, 7});
   scene.Show(PxSegment(0, 0, 0, 30));
   const auto found = scene.DirectionAt(Origin(), 4);
@@ -75,7 +75,7 @@ TEST(FindCornerDirectionTest, ViewsThatDoNotSeeTheCornerAreNotAsked) {
 TEST(FindCornerDirectionTest, WhatALinkExplainsIsNoNewDirection) {
   const auto found = [](double angle_deg) {
     const double angle = angle_deg * kDeg;
-    GrowthScene scene = Corner({30 * std::cos(angle), 30 * std::sin(angle), 0});
+    FrontalScene scene = Corner({30 * std::cos(angle), 30 * std::sin(angle), 0});
     return scene.DirectionAt(Origin(), 4).has_value();
   };
   EXPECT_FALSE(found(0));
@@ -86,7 +86,7 @@ TEST(FindCornerDirectionTest, WhatALinkExplainsIsNoNewDirection) {
 
 TEST(FindCornerDirectionTest, TwoViewsGiveTheDirectionAndItsSign) {
   for (const double sign : {-1.0, 1.0}) {
-    GrowthScene scene;
+    FrontalScene scene;
     scene.ShowAndDraw(PxSegment(0, 0, 60, 0), {0, 7});
     scene.Show(PxSegment(0, 0, 0, 30 * sign));
     const auto found = scene.DirectionAt(Origin(), 2);
@@ -98,8 +98,8 @@ TEST(FindCornerDirectionTest, TwoViewsGiveTheDirectionAndItsSign) {
 TEST(FindCornerDirectionTest, MoreViewsWin) {
   // Whether they come first or last.
   const auto found = [](const std::vector<ViewId>& few, ViewId begin, ViewId end) {
-    GrowthScene scene = Corner({0, 30, 0}, few);
-    scene.Show({Origin(), FrontalPoint(-20, -20)}, scene.Views(begin, end));
+    FrontalScene scene = Corner({0, 30, 0}, few);
+    scene.ShowInSpace({Origin(), FrontalPoint(-20, -20)}, scene.Views(begin, end));
     return scene.DirectionAt(Origin(), 4);
   };
   for (const auto& direction : {found({0, 2, 5, 7, 8}, 4, 16), found({7, 8, 10, 13, 15}, 0, 12)}) {
@@ -109,7 +109,7 @@ TEST(FindCornerDirectionTest, MoreViewsWin) {
 }
 
 TEST(FindCornerDirectionTest, EdgesThatPassByAreNoRays) {
-  GrowthScene scene;
+  FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
   scene.Show(PxSegment(-4, -30, -4, 30));
   EXPECT_FALSE(scene.DirectionAt(Origin(), 4));
@@ -118,7 +118,7 @@ TEST(FindCornerDirectionTest, EdgesThatPassByAreNoRays) {
 TEST(FindCornerDirectionTest, EdgesThatDoNotMeetInSpaceAreNoDirection) {
   // In every view an edge leaves the corner in another direction: 24 degrees from one to the next,
   // twice the width in which they agree.
-  GrowthScene scene;
+  FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
   for (ViewId v = 0; v < 12; ++v) {
     const double angle = (36 + 24 * v) * kDeg;
@@ -128,10 +128,10 @@ TEST(FindCornerDirectionTest, EdgesThatDoNotMeetInSpaceAreNoDirection) {
 }
 
 TEST(FindCornerDirectionTest, ShortEdgesAreRaysToo) {
-  GrowthScene scene = Corner({0, 6, 0});
+  FrontalScene scene = Corner({0, 6, 0});
   EXPECT_TRUE(scene.DirectionAt(Origin(), 4));
   // What ends where edges are rounded says nothing.
-  GrowthScene tiny = Corner({0, 3, 0});
+  FrontalScene tiny = Corner({0, 3, 0});
   EXPECT_FALSE(tiny.DirectionAt(Origin(), 4));
 }
 

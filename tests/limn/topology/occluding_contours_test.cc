@@ -1,12 +1,13 @@
-#include "limn/drawing/occluding_contours.h"
+#include "limn/topology/occluding_contours.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/growth_fixture.h"
+#include "limn/geometry/polyline.h"
 #include "limn/model/view_finder.h"
+#include "limn/support/view_evidence.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -49,11 +50,11 @@ testing::SceneCurve Rim(const View& view) {
 
 bool IsContour(const Polyline3d& points, const std::vector<View>& views,
                const std::vector<ImageCurves>& curves) {
-  Draft draft;
-  testing::AppendLink(points, kDistance / 600, std::vector<std::vector<int>>(points.size()),
-                      &draft);
-  return IsOccludingContour(draft.links[0], ViewFinder(views).NearAnyOf(points), views, curves,
-                            BuildEvidence(curves, {}), DrawingOptions().Gate());
+  DrawingLink link;
+  link.points_in_world = points;
+  const auto evidence = BuildEvidence(curves, {});
+  const TopologyInput input = {views, curves, evidence, {1.0, 1.0, 15 * kDeg}};
+  return IsOccludingContour(input, link, ViewFinder(views).NearAnyOf(points));
 }
 
 // An upright arc on the side of the ball, as the view in the middle sees its outline.

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "limn/drawing/drawing_options.h"
+#include "limn/drawing/merging.h"
+#include "limn/drawing/samples.h"
+#include "limn/topology/drawing_scene.h"
+
+namespace limn::testing {
+
+// Links that are curves of a sketch, to be merged and fitted. What was merged replaces them.
+class MergingScene : public DrawingScene {
+ public:
+  using DrawingScene::DrawingScene;
+
+  // The consistency network says that a curve runs along another one, each sample along the nearest
+  // of the other.
+  void RunAlong(int curve, int other) { along_.push_back({curve, other}); }
+
+  MergingCounts Merge(const DrawingOptions& options = {});
+
+ private:
+  SampleSet MakeSampleSet() const;
+  CurveConsistency MakeNetwork(const SampleSet& samples) const;
+
+  std::vector<std::pair<int, int>> along_;
+};
+
+class MergingSceneTest : public ::testing::TestWithParam<SceneVariant> {
+ protected:
+  MergingScene scene_{GetParam()};
+};
+
+}  // namespace limn::testing
