@@ -110,7 +110,7 @@ class Refiner {
     ScaleCovariances();
     SetGeometry();
     UpdateSupport();
-    RemoveCoveredLinks(WithVertices());
+    RemoveCovered(FindUncoveredLinks(topology_, WithVertices()));
     result.summary = Summary();
     result.graph = std::move(graph_);
     return result;
@@ -130,11 +130,12 @@ class Refiner {
 
   void ChangeTopology() {
     SetGeometry();
-    graph_ = WithVertices();
-    RemoveCoveredLinks(graph_);
+    DrawingGraph dense = WithVertices();
+    const std::vector<uint8_t> keep = FindUncoveredLinks(topology_, dense);
     for (size_t l = 0; l < graph_.links.size(); ++l) {
-      if (frozen_[l]) graph_.links[l].vertices.clear();
+      if (!frozen_[l]) graph_.links[l] = std::move(dense.links[l]);
     }
+    RemoveCovered(keep);
     repairs_ = RepairTopology({views_, input_.curves, edgels_, Gate(1)}, topology_, &graph_);
     for (DrawingLink& link : graph_.links) link.vertices.clear();
     TakeGraph();
@@ -148,9 +149,7 @@ class Refiner {
     return graph;
   }
 
-  // From a graph whose links have vertices, as `graph_` may not.
-  void RemoveCoveredLinks(const DrawingGraph& dense) {
-    const std::vector<uint8_t> keep = FindUncoveredLinks(topology_, dense);
+  void RemoveCovered(const std::vector<uint8_t>& keep) {
     RemoveLinks(keep, &graph_);
     std::vector<uint8_t> frozen;
     for (size_t l = 0; l < keep.size(); ++l) {

@@ -30,14 +30,16 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
   tip.footprint = footprint;
   std::vector<Eigen::Vector3d> used;
   double arc_px = 0;
-  for (int k = 0; k < size && arc_px <= kTipSkipPx + kTipLengthPx; ++k) {
+  int reached = 0;
+  for (; reached < size && arc_px <= kTipSkipPx + kTipLengthPx; ++reached) {
+    const int k = reached;
     if (k > 0) arc_px += (at(k) - at(k - 1)).norm() / footprint;
     if (arc_px >= kTipSkipPx) used.push_back(at(k));
   }
-  // Of a short link all of it.
-  if (arc_px < kTipSkipPx + kTipLengthPx) {
+  // Of a short link all of it, and of one with few points those that were reached.
+  if (arc_px < kTipSkipPx + kTipLengthPx || used.size() < 2) {
     used.clear();
-    for (int k = 0; k < size; ++k) used.push_back(at(k));
+    for (int k = 0; k < reached; ++k) used.push_back(at(k));
   }
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& point : used) mean += point / static_cast<double>(used.size());

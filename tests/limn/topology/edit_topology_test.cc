@@ -45,7 +45,7 @@ TEST(RepairTopologyTest, EndsThatFaceEachOtherAreJoinedWhereImagesShowIt) {
     scene.Show({{60, 0}, {shown_to_px, 0}});
     const RepairCounts counts = scene.Repair();
     EXPECT_EQ(scene.graph.links.size(), counts.meetings.joined == 1 ? 1u : 2u);
-    EXPECT_EQ(counts.meetings.refused, 1 - counts.meetings.joined);
+    EXPECT_EQ(counts.meetings.refused > 0, counts.meetings.joined == 0);
     return counts.meetings.joined;
   };
   EXPECT_EQ(joined(1), 1);

@@ -1,6 +1,7 @@
 #include "limn/topology/graph_editor.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <random>
 #include <string>
@@ -821,8 +822,8 @@ class RandomEdits {
     const int index = 1 + Int(link.size() - 2);
     // Parts must have a length.
     const Polyline3d& points = link.points_in_world;
-    if (!(Length({points.begin(), points.begin() + index + 1}) > 0) ||
-        !(Length({points.begin() + index, points.end()}) > 0)) {
+    if (!(Length(Polyline3d(points.begin(), points.begin() + index + 1)) > 0) ||
+        !(Length(Polyline3d(points.begin() + index, points.end())) > 0)) {
       return "";
     }
     editor_.Split(id, index);
@@ -870,7 +871,7 @@ class RandomEdits {
     const int begin = Int(link.size() - 1);
     const int end = begin + 2 + Int(link.size() - begin - 1);
     const Polyline3d& points = link.points_in_world;
-    if (!(Length({points.begin() + begin, points.begin() + end}) > 0)) return "";
+    if (!(Length(Polyline3d(points.begin() + begin, points.begin() + end)) > 0)) return "";
     for (int k = 0; k < link.size(); ++k) {
       if (k >= begin && k < end) continue;
       for (const SketchSample& sample : link.vertices[k].samples) {

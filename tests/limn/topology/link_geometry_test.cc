@@ -108,6 +108,13 @@ TEST(TipOfTest, ShortLinkLeavesAlongItsChordAndAPointNowhere) {
   EXPECT_EQ(TipOf(no_extent, 1, 1).point, Vector3d(1, 2, 3));
 }
 
+TEST(TipOfTest, LinkOfFewPointsLeavesAlongItsLastChord) {
+  const DrawingLink link = LinkOf({{0, 40, 0}, {0, 0, 0}, {40, 0, 0}});
+  EXPECT_LT((TipOf(link, 1, 1).outward - Vector3d(1, 0, 0)).norm(), 1e-9);
+  EXPECT_LT((TipOf(link, 0, 1).outward - Vector3d(0, 1, 0)).norm(), 1e-9);
+  EXPECT_LT((TipOf(link, 0, 1).point - Vector3d(0, 40, 0)).norm(), 1e-9);
+}
+
 TEST(EndPointTest, EndsAreTheFirstAndTheLastPoint) {
   EXPECT_EQ(EndPoint(LinkOf(Row(3, 7)), 0), Vector3d(3, 0, 0));
   EXPECT_EQ(EndPoint(LinkOf(Row(3, 7)), 1), Vector3d(7, 0, 0));
