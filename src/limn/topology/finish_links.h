@@ -1,7 +1,6 @@
 #pragma once
 
 #include "limn/model/drawing_graph.h"
-
 #include "limn/topology/topology_input.h"
 #include "limn/topology/topology_options.h"
 

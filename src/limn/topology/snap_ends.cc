@@ -73,7 +73,7 @@ class EndSnapper {
 
   Target FindTarget(const LinkEnd& free) {
     Target best;
-    bool was_refused = false;
+    bool shown = false;
     const LinkTip tip = TipOf(editor_->link(free.link), free.end);
     index_.FindWithin(tip.point, reach_.Radius() * tip.footprint, &near_);
     for (const SpatialIndex::Neighbor& neighbor : near_) {
@@ -89,13 +89,13 @@ class EndSnapper {
       if (cost_px >= best.cost_px) continue;
       const NodeId node = is_node ? link.NodeAt(at == 0 ? 0 : 1) : -1;
       if (is_node ? !PartsFromAll(free, tip, node) : !Crosses(free, tip, other, at)) continue;
-      if (!ImagesShow(free, place, other, at)) {
-        was_refused = true;
-        continue;
-      }
-      best = is_node ? Target{cost_px, node, -1, -1} : Target{cost_px, -1, other, at};
+      best = {cost_px, node, other, at};
+      shown = ImagesShow(free, place, other, at);
     }
-    counts_->refused += was_refused && best.node < 0 && best.link < 0;
+    if (best.link >= 0 && !shown) {
+      ++counts_->refused;
+      return {};
+    }
     return best;
   }
 
@@ -119,7 +119,8 @@ class EndSnapper {
         std::min(ArcPx(link, 0, at), ArcPx(link, at, link.size() - 1)) < kNodePreferencePx) {
       return false;
     }
-    return LineAngleBetween(tip.outward, TangentAt(link, at)) > min_parting_rad_;
+    return LineAngleBetween(tip.outward, TangentAt(link, at)) >
+           options_.max_continuation_angle_deg * M_PI / 180;
   }
 
   bool ImagesShow(const LinkEnd& free, const Eigen::Vector3d& place, LinkId other, int at) const {
