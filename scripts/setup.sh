@@ -29,6 +29,24 @@ fi
 echo "Installing: ${missing[*]}"
 as_root=()
 ((EUID == 0)) || as_root=(sudo)
-"${as_root[@]}" apt-get update -q
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -q -y --no-install-recommends "${missing[@]}"
+
+# apt_get <arguments>: waits up to ten minutes for others that install. Its option does so for dpkg's lock only, not
+# for that of the package lists.
+apt_get() {
+  local log status deadline=$((SECONDS + 600))
+  log=$(mktemp)
+  while true; do
+    status=0
+    "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
+      apt-get -q -o DPkg::Lock::Timeout=600 "$@" 2>&1 | tee "$log" || status=$?
+    ((status != 0 && SECONDS < deadline)) || break
+    grep -q -E 'Could not get lock|Unable to (acquire|lock)' "$log" || break
+    echo "Waiting for another program that holds the lock of apt"
+    sleep 5
+  done
+  rm "$log"
+  return "$status"
+}
+
+apt_get update
+apt_get install -y --no-install-recommends "${missing[@]}"

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 # Leaks of libraries that are not to be reported, and why.
 export LSAN_OPTIONS="suppressions=$PWD/tests/lsan_suppressions.txt"
-cmake --preset asan -DLIMN_WARNINGS_AS_ERRORS=OFF
+cmake --preset asan
 if (($# == 0)); then
   cmake --build --preset asan
   ctest --preset asan --label-exclude slow
