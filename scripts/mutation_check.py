@@ -186,7 +186,8 @@ def check_unmutated(mutations, options):
         those = [m for m in mutations if m.filter == test_filter]
         code, output = run_tests(those[0], options.timeout)
         if code != 0:
-            raise TableError(f"{program} --gtest_filter={test_filter} fails without mutations:\n{tail(output)}")
+            raise TableError(f"{program} --gtest_filter={test_filter} fails without mutations, exit code {code}:\n"
+                             + tail(output))
         if not selects_tests(output):
             without.update(m.name for m in those)
     print(f"{program}: built and tested without mutations in {time.monotonic() - start:.0f} s", flush=True)

@@ -44,6 +44,7 @@ class EdgelMatchesTest : public ::testing::Test {
     RebuildIncidence(&graph_);
   }
 
+  // Of all links.
   std::vector<LinkMatches> Match() {
     std::vector<std::unique_ptr<EdgelIndex>> edgels;
     for (const ImageCurves& of_view : curves_) {
@@ -104,9 +105,11 @@ TEST_F(EdgelMatchesTest, EveryViewThatShowsTheLinkPullsOnce) {
 TEST_F(EdgelMatchesTest, TooFewViewsPullNot) {
   AddLink({0, 0, 0});
   graph_.links[0].supporting_views = {0, 3};
-  for (const LinkSample& sample : Match()[0]) EXPECT_TRUE(sample.pulls.empty());
+  const std::vector<LinkMatches> of_two = Match();
+  for (const LinkSample& sample : of_two[0]) EXPECT_TRUE(sample.pulls.empty());
   options_.min_views = 2;
-  for (const LinkSample& sample : Match()[0]) EXPECT_EQ(sample.pulls.size(), 2u);
+  const std::vector<LinkMatches> two_are_enough = Match();
+  for (const LinkSample& sample : two_are_enough[0]) EXPECT_EQ(sample.pulls.size(), 2u);
 }
 
 TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
@@ -134,7 +137,8 @@ TEST_F(EdgelMatchesTest, TheOtherSideOfABarIsAnotherEdge) {
 TEST_F(EdgelMatchesTest, WhereViewsDoNotAgreeOnTheSideAllAreHeard) {
   AddLink({0, 0, 0});
   for (int v = 0; v < kNumViews / 2; ++v) SwapSides(v);
-  for (const LinkSample& sample : Match()[0]) {
+  const std::vector<LinkMatches> matches = Match();
+  for (const LinkSample& sample : matches[0]) {
     EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
   }
 }
