@@ -21,6 +21,7 @@ import collections
 import fcntl
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -282,6 +283,7 @@ def run_all(mutations, options):
 
 def main():
     options = parse_options()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # not before the file at work is as it was
     try:
         mutations = choose(read_table(), options)
         if options.list:
