@@ -21,6 +21,7 @@ import collections
 import fcntl
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -186,7 +187,8 @@ def check_unmutated(mutations, options):
         those = [m for m in mutations if m.filter == test_filter]
         code, output = run_tests(those[0], options.timeout)
         if code != 0:
-            raise TableError(f"{program} --gtest_filter={test_filter} fails without mutations:\n{tail(output)}")
+            raise TableError(f"{program} --gtest_filter={test_filter} fails without mutations, exit code {code}:\n"
+                             + tail(output))
         if not selects_tests(output):
             without.update(m.name for m in those)
     print(f"{program}: built and tested without mutations in {time.monotonic() - start:.0f} s", flush=True)
@@ -281,6 +283,7 @@ def run_all(mutations, options):
 
 def main():
     options = parse_options()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # not before the file at work is as it was
     try:
         mutations = choose(read_table(), options)
         if options.list:
