@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "limn/geometry/tangent_frame.h"
+#include "limn/topology/link_geometry.h"
 #include "limn/util/map_items.h"
 
 namespace limn {

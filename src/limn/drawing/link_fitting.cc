@@ -1,12 +1,11 @@
 #include "limn/drawing/link_fitting.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "limn/drawing/curve_smoothing.h"
+#include "limn/geometry/tangent_frame.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/link_geometry.h"
 
@@ -39,11 +38,8 @@ class LinkFitter {
   void MoveToMean(const LinkVertex& vertex, Eigen::Vector3d* position) const {
     if (vertex.samples.empty()) return;
     const Eigen::Vector3d& tangent = samples_.tangent[IdOf(vertex.samples.front())];
-    Eigen::Matrix<double, 3, 2> across;
-    across.col(0) = tangent.unitOrthogonal();
-    across.col(1) = tangent.cross(across.col(0));
-    const double weak = 1 / std::pow(30 * vertex.footprint, 2);
-    Eigen::Matrix2d sum = weak * Eigen::Matrix2d::Identity();
+    const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
+    Eigen::Matrix2d sum = WeakInformation(vertex.footprint) * Eigen::Matrix2d::Identity();
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
     for (const SketchSample& sample : vertex.samples) {
       const int s = IdOf(sample);

@@ -14,12 +14,6 @@ void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples) {
   samples->support.edgels.reserve(num_edgels);
 }
 
-double WeakInformation(double footprint) {
-  // A standard deviation that no sample of a sketch comes near.
-  constexpr double kWeakSigmaPx = 30;
-  return 1 / std::pow(kWeakSigmaPx * footprint, 2);
-}
-
 std::vector<double> ArcPx(const SampleSet& samples, int curve) {
   const int begin = samples.curve_begin[curve];
   std::vector<double> arc(samples.Size(curve), 0.0);

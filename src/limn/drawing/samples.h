@@ -38,10 +38,6 @@ struct SampleSet {
 // Room for what is coming, without which growing arrays take up to three times their size.
 void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples);
 
-// Inverse covariance of what is not known at all, per direction across the curve: it decides only
-// where no sample does.
-double WeakInformation(double footprint);
-
 // Arc length of each sample from the first of its curve, in footprints (px).
 std::vector<double> ArcPx(const SampleSet& samples, int curve);
 

@@ -87,11 +87,13 @@ std::vector<int> ProbePoints(const DrawingLink& link, int count) {
   return points;
 }
 
+double WeakInformation(double footprint) { return 1 / std::pow(kWeakSigmaPx * footprint, 2); }
+
 double SigmaAcross(const Eigen::Matrix3d& information, double footprint) {
   const Eigen::Vector3d values =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information, Eigen::EigenvaluesOnly)
           .eigenvalues();
-  const double weak = 1 / std::pow(kWeakSigmaPx * footprint, 2);
+  const double weak = WeakInformation(footprint);
   return std::sqrt(0.5 * (1 / std::max(values[1], weak) + 1 / std::max(values[2], weak)));
 }
 

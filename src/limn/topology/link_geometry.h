@@ -35,8 +35,12 @@ Eigen::Vector3d TangentAt(const DrawingLink& link, int index);
 // At most `count` points of a link, evenly spread, by which it is judged.
 std::vector<int> ProbePoints(const DrawingLink& link, int count);
 
-// Standard deviation across a curve: the root of the mean of the two variances. A weak prior bounds
-// what nothing determines.
+// Inverse covariance of what is not known at all, per direction across the curve: it decides only
+// where no sample does.
+double WeakInformation(double footprint);
+
+// Standard deviation across a curve: the root of the mean of the two variances, of which none is
+// known worse than that.
 double SigmaAcross(const Eigen::Matrix3d& information, double footprint);
 
 // Number of the sketch's samples in a link.
