@@ -153,8 +153,8 @@ def camera_matrix(quaternion, translation):
                 (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
                 (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)))
     columns = (rotation[0], [-v for v in rotation[1]], [-v for v in rotation[2]])
-    centre = [-sum(rotation[k][i] * translation[k] for k in range(3)) for i in range(3)]
-    return [[columns[0][i], columns[1][i], columns[2][i], centre[i]] for i in range(3)] + [[0.0, 0.0, 0.0, 1.0]]
+    center = [-sum(rotation[k][i] * translation[k] for k in range(3)) for i in range(3)]
+    return [[columns[0][i], columns[1][i], columns[2][i], center[i]] for i in range(3)] + [[0.0, 0.0, 0.0, 1.0]]
 
 
 # ----------------------------------------------------------------------------------------------

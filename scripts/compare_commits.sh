@@ -78,7 +78,7 @@ out=build/compare/${hashes[0]}..${hashes[1]}
 rm -rf "$out"
 mkdir -p "$out"
 for ((i = 1; i <= repeat; ++i)); do
-  # Who goes first changes, so that a machine that warms up or slows down favours none.
+  # Who goes first changes, so that a machine that warms up or slows down favors none.
   order=(0 1)
   ((i % 2)) || order=(1 0)
   for side in "${order[@]}"; do

@@ -85,7 +85,7 @@ def draw_group(data_sets, path):
             draw_panel(axes, data_sets, methods, box, tau_index)
     handles, labels = panels[0][0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=legend_columns, frameon=False)
-    figure.suptitle("Support threshold swept; big marks: default options; grey: what the image "
+    figure.suptitle("Support threshold swept; big marks: default options; gray: what the image "
                     "curves can give")
     figure.tight_layout(rect=(0, legend_inches / height, 1, 1))
     figure.savefig(path, dpi=100)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Install, build with warnings as errors, run all tests. `scripts/test.sh --sanitizers` then builds again and
-# runs the quick ones under the address and undefined-behaviour sanitizers.
+# runs the quick ones under the address and undefined-behavior sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Build with the address and undefined-behaviour sanitizers, into build/asan, and run tests:
+# Build with the address and undefined-behavior sanitizers, into build/asan, and run tests:
 #   scripts/test_sanitizers.sh [test programs ...]
 # all but the slow ones, unless named.
 set -euo pipefail

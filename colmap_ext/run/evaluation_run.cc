@@ -61,9 +61,9 @@ EvaluationReport EvaluateFile(const EvaluatorOptions& options) {
   if (!has_views) return report;
   report.saw_teeth = MeasureSawTeeth(reconstruction.polylines, views);
   if (options.input_path.ends_with(".json")) {
-    NormalisedErrorOptions of_sigmas;
+    NormalizedErrorOptions of_sigmas;
     of_sigmas.region = input.evaluation.region;
-    report.normalised_errors = MeasureNormalisedErrors(
+    report.normalized_errors = MeasureNormalizedErrors(
         ReadDrawingJson(options.input_path).graph, truth.curves, truth.dont_care, views, of_sigmas);
   }
   return report;

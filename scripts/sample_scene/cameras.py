@@ -26,7 +26,7 @@ def in_image(pixels, depth, margin):
 
 
 def pixel_rays(columns, rows, index, scale):
-    """Camera centre and directions with unit depth through (column, row) of a map `scale` times the image.
+    """Camera center and directions with unit depth through (column, row) of a map `scale` times the image.
 
     No half pixel is added: COLMAP's dense stage back-projects depth pixel (c, r) as K^-1 (c, r, 1).
     """
@@ -34,4 +34,4 @@ def pixel_rays(columns, rows, index, scale):
     cx, cy = scene.PRINCIPAL_POINT
     focal = scene.FOCAL_PX * scale
     local = np.stack([(columns - cx * scale) / focal, (rows - cy * scale) / focal, np.ones(columns.shape)], -1)
-    return scene.camera_centre(index), local @ rotation
+    return scene.camera_center(index), local @ rotation

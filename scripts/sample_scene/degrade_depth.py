@@ -20,7 +20,7 @@ import cv2
 import numpy as np
 
 SEED = 7
-FLAT_GREY_LEVELS = 30.0  # range of grey levels within a window below which nothing matches
+FLAT_GRAY_LEVELS = 30.0  # range of gray levels within a window below which nothing matches
 FLAT_HOLE_SHARE = 0.85  # of the flat pixels
 WINDOW = 5  # matching window, pixels of the map
 FATTEN = 1  # pixels of the map
@@ -44,9 +44,9 @@ def write_map(path, planes):
 
 def flat_pixels(image, shape):
     """True where a window of the image has nothing to match."""
-    grey = cv2.resize(image, shape[::-1], interpolation=cv2.INTER_AREA).astype(np.float32)
+    gray = cv2.resize(image, shape[::-1], interpolation=cv2.INTER_AREA).astype(np.float32)
     window = np.ones((WINDOW, WINDOW), np.uint8)
-    return cv2.dilate(grey, window) - cv2.erode(grey, window) < FLAT_GREY_LEVELS
+    return cv2.dilate(gray, window) - cv2.erode(gray, window) < FLAT_GRAY_LEVELS
 
 
 def smooth_noise(random, shape):
@@ -78,11 +78,11 @@ def degrade(depth, image, focal, random):
     return result
 
 
-def normals_of(depth, focal, centre):
-    """Unit normals in the camera frame, towards the camera, from the neighbouring depths."""
+def normals_of(depth, focal, center):
+    """Unit normals in the camera frame, towards the camera, from the neighboring depths."""
     rows, columns = np.indices(depth.shape, dtype=np.float64)
     smooth = np.where(depth > 0, cv2.GaussianBlur(depth, (0, 0), 1.0), 0)
-    points = np.stack([(columns - centre[0]) / focal * smooth, (rows - centre[1]) / focal * smooth, smooth])
+    points = np.stack([(columns - center[0]) / focal * smooth, (rows - center[1]) / focal * smooth, smooth])
     along_x = np.gradient(points, axis=2)
     along_y = np.gradient(points, axis=1)
     normals = np.cross(along_x, along_y, axis=0)
@@ -108,7 +108,7 @@ def main():
     parser.add_argument("out", type=Path)
     arguments = parser.parse_args()
     random = np.random.default_rng(SEED)
-    width, focal, centre = read_camera(arguments.workspace / "sparse" / "cameras.bin")
+    width, focal, center = read_camera(arguments.workspace / "sparse" / "cameras.bin")
     arguments.out.mkdir(parents=True, exist_ok=True)
     for name in ("images", "sparse"):
         link = arguments.out / name
@@ -121,7 +121,7 @@ def main():
         scale = exact.shape[1] / width
         image = cv2.imread(str(arguments.workspace / "images" / name), cv2.IMREAD_GRAYSCALE)
         depth = degrade(exact, image, focal * scale, random)
-        normals = normals_of(depth, focal * scale, centre * scale)
+        normals = normals_of(depth, focal * scale, center * scale)
         write_map(stereo / "depth_maps" / f"{name}.geometric.bin", depth[None])
         write_map(stereo / "normal_maps" / f"{name}.geometric.bin", normals)
     (stereo / "fusion.cfg").write_text("".join(f"{name}\n" for name in names))

@@ -10,9 +10,9 @@ import visibility
 from geometry import Curve
 from truth_curves import index_runs, resample, tangents
 
-SIDE_STEP = 2e-4      # metres: how far beside an edge the light is traced
+SIDE_STEP = 2e-4      # meters: how far beside an edge the light is traced
 MIN_DROP = 0.003      # a shadow falls at least this far behind the edge that casts it
-MAX_JUMP = 0.03       # longer steps between neighbouring shadow points break the line
+MAX_JUMP = 0.03       # longer steps between neighboring shadow points break the line
 SUN_DISTANCE = 30.0
 
 
@@ -35,7 +35,7 @@ def contour_curves(caster, solids, view_count):
     result = []
     for view in range(view_count):
         for solid in solids:
-            for line in solid.contours(viewpoint=scene.camera_centre(view)):
+            for line in solid.contours(viewpoint=scene.camera_center(view)):
                 points = resample(line)
                 seen, _ = visibility.unoccluded(caster, points, view)
                 result += [Curve(points[a:b + 1], "contour", solid.name)

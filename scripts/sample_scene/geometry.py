@@ -3,7 +3,7 @@
 A solid is a prism (any planar outline, extruded) or a pyramid. It knows its mesh (for rendering and
 ray casting), its sharp edges and the borders of its paint (the truth), whether a point lies inside
 it (to remove edges buried in another solid), and where its smooth sides turn away from a viewpoint
-(occluding contours, which are no true curves). Lengths are metres, the world's z axis points up.
+(occluding contours, which are no true curves). Lengths are meters, the world's z axis points up.
 This file needs numpy only.
 """
 
@@ -25,14 +25,14 @@ class Curve:
 
 @dataclass
 class Paint:
-    """A region of a solid (local coordinates) with its own colour, and the region's exact border.
+    """A region of a solid (local coordinates) with its own color, and the region's exact border.
 
-    The region is a ball (`centre`, `radius`) or an axis-aligned box (`low`, `high`, may be infinite).
+    The region is a ball (`center`, `radius`) or an axis-aligned box (`low`, `high`, may be infinite).
     """
 
-    colour: tuple
+    color: tuple
     border: list
-    centre: tuple = None
+    center: tuple = None
     radius: float = 0.0
     low: tuple = None
     high: tuple = None
@@ -72,12 +72,12 @@ def arc(cx, cy, radius, start_deg, end_deg):
     return np.stack([cx + radius * np.cos(angle), cy + radius * np.sin(angle)], 1)
 
 
-def circle_in_space(centre, normal_axis, radius):
+def circle_in_space(center, normal_axis, radius):
     """A closed circle around a coordinate axis (0, 1 or 2), local coordinates."""
     flat = arc(0, 0, radius, 0, 360)
     points = np.insert(flat, normal_axis, 0.0, axis=1)
     points[-1] = points[0]
-    return points + np.asarray(centre, float)
+    return points + np.asarray(center, float)
 
 
 # ----------------------------------------------------------------------------------------------
@@ -91,7 +91,7 @@ def polygon(*corners):
 
 
 def rectangle(size_x, size_y):
-    """Rectangle centred at the origin."""
+    """Rectangle centerd at the origin."""
     x, y = size_x / 2, size_y / 2
     return polygon((-x, -y), (x, -y), (x, y), (-x, y))
 
@@ -125,9 +125,9 @@ def wave(length, height, amplitude, periods):
 class Prism:
     """An outline in the local x-y plane, extruded from z = 0 to z = height; one round hole allowed."""
 
-    def __init__(self, name, outline, height, pose, colour, paints=(), hole=None):
+    def __init__(self, name, outline, height, pose, color, paints=(), hole=None):
         self.name, self.outline, self.height = name, outline, height
-        self.pose, self.colour, self.paints, self.hole = pose, colour, list(paints), hole
+        self.pose, self.color, self.paints, self.hole = pose, color, list(paints), hole
 
     def _loops(self):
         return [self.outline] + ([self.hole] if self.hole else [])
@@ -213,8 +213,8 @@ class Prism:
 class Pyramid:
     """A polygon in the local x-y plane joined to an apex."""
 
-    def __init__(self, name, corners, apex, pose, colour):
-        self.name, self.pose, self.colour, self.paints = name, pose, colour, []
+    def __init__(self, name, corners, apex, pose, color):
+        self.name, self.pose, self.color, self.paints = name, pose, color, []
         self.corners = [np.array([x, y, 0.0]) for x, y in corners]
         self.apex = np.asarray(apex, float)
 
@@ -276,24 +276,24 @@ def _signed_depth(loop, points):
 # Paint
 
 
-def painted_disc(colour, centre, normal_axis, radius):
-    """A disc on a plane face through `centre`, perpendicular to a local axis."""
-    return Paint(colour, [circle_in_space(centre, normal_axis, radius)], centre=centre, radius=radius)
+def painted_disc(color, center, normal_axis, radius):
+    """A disc on a plane face through `center`, perpendicular to a local axis."""
+    return Paint(color, [circle_in_space(center, normal_axis, radius)], center=center, radius=radius)
 
 
-def painted_band(colour, pieces, low, high):
+def painted_band(color, pieces, low, high):
     """A stripe around a prism (inside its hole too), from local z = low to high; pieces of all its loops."""
     border = [np.column_stack([piece, np.full(len(piece), z)]) for z in (low, high) for piece in pieces]
     infinity = np.inf
-    return Paint(colour, border, low=(-infinity, -infinity, low), high=(infinity, infinity, high))
+    return Paint(color, border, low=(-infinity, -infinity, low), high=(infinity, infinity, high))
 
 
-def painted_rectangle(colour, axis, value, low, high):
+def painted_rectangle(color, axis, value, low, high):
     """A rectangle on the face `axis` = `value`; low and high are its corners in the two other axes."""
     (u0, v0), (u1, v1) = low, high
     corners = [np.insert(np.array(c, float), axis, value) for c in ((u0, v0), (u1, v0), (u1, v1), (u0, v1))]
     border = [np.stack(pair) for pair in zip(corners, corners[1:] + corners[:1])]
     eps = 1e-4
-    return Paint(colour, border,
+    return Paint(color, border,
                  low=tuple(np.insert(np.array(low, float), axis, value - eps)),
                  high=tuple(np.insert(np.array(high, float), axis, value + eps)))

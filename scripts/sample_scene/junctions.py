@@ -5,8 +5,8 @@ from scipy.spatial import cKDTree
 
 from truth_curves import STEP
 
-SAME_POINT = 0.001      # metres: curves this close to a point pass through it
-ARM_FROM, ARM_TO = 0.004, 0.025   # metres from the junction: where an arm must be visible
+SAME_POINT = 0.001      # meters: curves this close to a point pass through it
+ARM_FROM, ARM_TO = 0.004, 0.025   # meters from the junction: where an arm must be visible
 ARM_DIRECTION_AT = 0.010
 MIN_ARM_SHARE = 0.5
 SAME_DIRECTION_DEG = 12.0

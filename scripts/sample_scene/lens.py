@@ -1,7 +1,7 @@
 """The lens of the distorted set: COLMAP's OPENCV model, rendered directly by Cycles.
 
 Cycles has a camera whose angle from the axis is a polynomial of degree four in the distance from the image
-centre. The distorted set therefore needs no resampling: the polynomial is fitted to the inverse of COLMAP's
+center. The distorted set therefore needs no resampling: the polynomial is fitted to the inverse of COLMAP's
 model, and k1, k2 below were chosen so that the fit is good to about a thousandth of a pixel.
 """
 
@@ -15,13 +15,13 @@ PRINCIPAL_POINT = (WIDTH / 2.0, HEIGHT / 2.0)
 
 
 def distort(u):
-    """Normalised undistorted to distorted coordinates (N x 2)."""
+    """Normalized undistorted to distorted coordinates (N x 2)."""
     r2 = np.sum(u * u, axis=-1, keepdims=True)
     return u * (1 + K1 * r2 + K2 * r2 * r2)
 
 
 def angle_polynomial():
-    """k0..k4 with angle = sum k_i r^i, r in pixels from the image centre."""
+    """k0..k4 with angle = sum k_i r^i, r in pixels from the image center."""
     limit = np.hypot(WIDTH, HEIGHT) / 2 / FOCAL_PX * 1.12
     angle = np.arctan(np.linspace(0, limit, 4001))[1:]
     u = np.tan(angle)

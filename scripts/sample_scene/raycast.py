@@ -26,7 +26,7 @@ class RayCaster:
         return result
 
     def sees(self, viewpoint, points, tolerance):
-        """Which points are not hidden from a viewpoint by more than `tolerance` (metres)."""
+        """Which points are not hidden from a viewpoint by more than `tolerance` (meters)."""
         offset = points - viewpoint
         distance = np.linalg.norm(offset, axis=1)
         return self.distances(viewpoint, offset / distance[:, None]) >= distance - tolerance

@@ -57,8 +57,8 @@ class Nodes:
             socket.default_value = value
 
 
-def rgba(colour):
-    return (*colour, 1.0)
+def rgba(color):
+    return (*color, 1.0)
 
 
 def new_material(name):
@@ -67,10 +67,10 @@ def new_material(name):
     return material, Nodes(material.node_tree)
 
 
-def finish_material(nodes, colour):
+def finish_material(nodes, color):
     """Matt surface: no highlight ever moves an edge."""
     diffuse = nodes.add("ShaderNodeBsdfDiffuse")
-    nodes._feed(diffuse.inputs["Color"], colour)
+    nodes._feed(diffuse.inputs["Color"], color)
     output = nodes.add("ShaderNodeOutputMaterial")
     nodes.connect(diffuse.outputs[0], output.inputs["Surface"])
 
@@ -78,21 +78,21 @@ def finish_material(nodes, colour):
 def solid_material(solid):
     material, nodes = new_material(solid.name)
     coordinates = nodes.add("ShaderNodeTexCoord").outputs["Object"]
-    colour = nodes.add("ShaderNodeRGB")
-    colour.outputs[0].default_value = rgba(solid.colour)
-    value = colour.outputs[0]
+    color = nodes.add("ShaderNodeRGB")
+    color.outputs[0].default_value = rgba(solid.color)
+    value = color.outputs[0]
     for paint in solid.paints:
-        value = nodes.mix(paint_mask(nodes, coordinates, paint), value, rgba(paint.colour))
+        value = nodes.mix(paint_mask(nodes, coordinates, paint), value, rgba(paint.color))
     finish_material(nodes, value)
     return material
 
 
 def paint_mask(nodes, coordinates, paint):
     """1 inside the painted region, 0 outside: an exact step."""
-    if paint.centre is not None:
+    if paint.center is not None:
         distance = nodes.add("ShaderNodeVectorMath", operation="DISTANCE")
         nodes.connect(coordinates, distance.inputs[0])
-        distance.inputs[1].default_value = paint.centre
+        distance.inputs[1].default_value = paint.center
         return nodes.math("LESS_THAN", distance.outputs["Value"], paint.radius)
     separate = nodes.add("ShaderNodeSeparateXYZ")
     nodes.connect(coordinates, separate.inputs[0])
@@ -170,7 +170,7 @@ def build_light(light):
         data.energy, data.shadow_soft_size = options["power"], options["radius"]
         item = bpy.data.objects.new("lamp", data)
         item.location = options["position"]
-    data.color = options["colour"]
+    data.color = options["color"]
     bpy.context.scene.collection.objects.link(item)
 
 
@@ -188,7 +188,7 @@ def build_sky(light):
     factor = nodes.math("MULTIPLY_ADD", dot.outputs["Value"], options["contrast"])
     factor.node.inputs[2].default_value = 1.0
     background = nodes.add("ShaderNodeBackground")
-    background.inputs["Color"].default_value = rgba(options["colour"])
+    background.inputs["Color"].default_value = rgba(options["color"])
     nodes.connect(nodes.math("MULTIPLY", factor, options["strength"]), background.inputs["Strength"])
     output = nodes.add("ShaderNodeOutputWorld")
     nodes.connect(background.outputs[0], output.inputs["Surface"])
@@ -202,7 +202,7 @@ def build_camera(distorted):
         data.type = "PANO"
         data.cycles.panorama_type = "FISHEYE_LENS_POLYNOMIAL"
         data.cycles.fisheye_fov = math.pi
-        # Cycles: angle from the axis = sum of k_i r^i, r in millimetres on the sensor; its sign is negative.
+        # Cycles: angle from the axis = sum of k_i r^i, r in millimeters on the sensor; its sign is negative.
         pixel_mm = SENSOR_MM / sample.WIDTH
         for power, k in enumerate(lens.angle_polynomial()):
             setattr(data.cycles, f"fisheye_polynomial_k{power}", -k / pixel_mm ** power)
@@ -217,12 +217,12 @@ def build_camera(distorted):
     return item
 
 
-def place_camera(item, rotation, centre):
+def place_camera(item, rotation, center):
     matrix = mathutils.Matrix.Identity(4)
     for r in range(3):
         for c in range(3):
             matrix[r][c] = rotation[c, r] * (1 if c == 0 else -1)
-        matrix[r][3] = centre[r]
+        matrix[r][3] = center[r]
     item.matrix_world = matrix
 
 
@@ -274,13 +274,13 @@ def main():
     camera = build_camera(arguments.distorted)
     set_up_render(arguments.samples, arguments.scale)
     os.makedirs(arguments.output, exist_ok=True)
-    centre_of = sample.long_camera_centre if arguments.long else sample.camera_centre
+    center_of = sample.long_camera_center if arguments.long else sample.camera_center
     pose_of = sample.long_camera_pose if arguments.long else sample.camera_pose
     for index in views_of(arguments):
         path = os.path.join(arguments.output, f"view_{index:02d}.png")
         if os.path.exists(path):
             continue
-        place_camera(camera, pose_of(index)[0], centre_of(index))
+        place_camera(camera, pose_of(index)[0], center_of(index))
         bpy.context.scene.cycles.seed = 1000 * sample.LIGHTS.index(arguments.light) + index
         bpy.context.scene.render.filepath = path + ".tmp.png"
         bpy.ops.render.render(write_still=True)

@@ -18,7 +18,7 @@ PLINTH_TOP = 0.10
 # Where a drawing is compared with the truth: from just above the textured ground.
 REGION_OF_INTEREST = ((-1.25, -0.95, 0.04), (1.25, 0.95, 1.05))
 
-LIGHT_GREY = (0.50, 0.49, 0.46)
+LIGHT_GRAY = (0.50, 0.49, 0.46)
 DARK = (0.07, 0.07, 0.08)
 WHITE = (0.82, 0.82, 0.80)
 RED = (0.48, 0.09, 0.06)
@@ -29,9 +29,9 @@ WOOD = (0.72, 0.55, 0.33)
 VIOLET = (0.22, 0.10, 0.30)
 
 
-def box(name, size, pose, colour, paints=()):
+def box(name, size, pose, color, paints=()):
     """A box standing on its pose's origin."""
-    return Prism(name, rectangle(size[0], size[1]), size[2], pose, colour, paints)
+    return Prism(name, rectangle(size[0], size[1]), size[2], pose, color, paints)
 
 
 def solids():
@@ -40,7 +40,7 @@ def solids():
 
 
 def _base():
-    return [box("plinth", (2.3, 1.7, PLINTH_TOP), upright(0, 0, 0), LIGHT_GREY)]
+    return [box("plinth", (2.3, 1.7, PLINTH_TOP), upright(0, 0, 0), LIGHT_GRAY)]
 
 
 def _crate():
@@ -127,26 +127,26 @@ def view_name(index):
 
 def camera_pose(index):
     """(R, t) of cam_from_world; x right, y down, z forward."""
-    return _pose_at(camera_centre(index), np.random.default_rng(100 + index))
+    return _pose_at(camera_center(index), np.random.default_rng(100 + index))
 
 
-def camera_centre(index):
-    """A full circle of 24 steps; heights cycle through low, middle, high, so neighbours differ."""
-    return _centre_at(index / VIEW_COUNT, index, np.random.default_rng(index))
+def camera_center(index):
+    """A full circle of 24 steps; heights cycle through low, middle, high, so neighbors differ."""
+    return _center_at(index / VIEW_COUNT, index, np.random.default_rng(index))
 
 
 def long_camera_pose(index):
     """As camera_pose, on the long path."""
-    return _pose_at(long_camera_centre(index), np.random.default_rng(2000 + index))
+    return _pose_at(long_camera_center(index), np.random.default_rng(2000 + index))
 
 
-def long_camera_centre(index):
+def long_camera_center(index):
     """The same circle in LONG_VIEW_COUNT steps. Every second and every fourth view make a path of the same kind."""
     step = index // 4 + (0, 3, 2, 0)[index % 4]
-    return _centre_at(index / LONG_VIEW_COUNT, step, np.random.default_rng(1000 + index))
+    return _center_at(index / LONG_VIEW_COUNT, step, np.random.default_rng(1000 + index))
 
 
-def _centre_at(turn, step, rng):
+def _center_at(turn, step, rng):
     """Place on the circle: share of the full turn, and which of the heights."""
     azimuth = np.radians(360.0 * turn + rng.uniform(-4, 4))
     elevation = np.radians((20, 37, 28, 50)[step % 4] + rng.uniform(-4, 4))
@@ -155,28 +155,28 @@ def _centre_at(turn, step, rng):
                                 np.sin(elevation)]) + (0, 0, 0.15)
 
 
-def _pose_at(centre, rng):
+def _pose_at(center, rng):
     target = np.array([0.0, 0.0, 0.22]) + rng.uniform(-1, 1, 3) * (0.12, 0.12, 0.05)
-    forward = (target - centre) / np.linalg.norm(target - centre)
+    forward = (target - center) / np.linalg.norm(target - center)
     right = np.cross(forward, (0.0, 0.0, 1.0))
     right /= np.linalg.norm(right)
     roll = np.radians(rng.uniform(-4, 4))
     down = np.cross(forward, right)
     right, down = np.cos(roll) * right + np.sin(roll) * down, np.cos(roll) * down - np.sin(roll) * right
     rotation = np.stack([right, down, forward])
-    return rotation, -rotation @ centre
+    return rotation, -rotation @ center
 
 
 # ----------------------------------------------------------------------------------------------
 # Lights. A sun has the direction its light travels; a lamp has a position.
 
-SUNS = {"day": dict(elevation=48.0, azimuth=-62.0, strength=3.2, angle=1.2, colour=(1.0, 0.97, 0.92)),
-        "evening": dict(elevation=24.0, azimuth=152.0, strength=2.6, angle=1.2, colour=(1.0, 0.72, 0.45))}
-LAMPS = {"lamp": dict(position=(0.55, 0.05, 2.1), power=75.0, radius=0.04, colour=(1.0, 0.85, 0.62))}
-# Fill light from all around: mean strength, colour, and how much brighter it is towards `bright`.
-SKIES = {"day": dict(strength=0.28, colour=(0.85, 0.93, 1.0), bright=(0.75, 0.45, 0.5), contrast=0.75),
-         "evening": dict(strength=0.26, colour=(0.72, 0.82, 1.0), bright=(0.3, -0.85, 0.4), contrast=0.75),
-         "lamp": dict(strength=0.16, colour=(0.75, 0.85, 1.0), bright=(-0.8, -0.2, 0.5), contrast=0.75)}
+SUNS = {"day": dict(elevation=48.0, azimuth=-62.0, strength=3.2, angle=1.2, color=(1.0, 0.97, 0.92)),
+        "evening": dict(elevation=24.0, azimuth=152.0, strength=2.6, angle=1.2, color=(1.0, 0.72, 0.45))}
+LAMPS = {"lamp": dict(position=(0.55, 0.05, 2.1), power=75.0, radius=0.04, color=(1.0, 0.85, 0.62))}
+# Fill light from all around: mean strength, color, and how much brighter it is towards `bright`.
+SKIES = {"day": dict(strength=0.28, color=(0.85, 0.93, 1.0), bright=(0.75, 0.45, 0.5), contrast=0.75),
+         "evening": dict(strength=0.26, color=(0.72, 0.82, 1.0), bright=(0.3, -0.85, 0.4), contrast=0.75),
+         "lamp": dict(strength=0.16, color=(0.75, 0.85, 1.0), bright=(-0.8, -0.2, 0.5), contrast=0.75)}
 
 
 def sun_direction(light):

@@ -81,9 +81,9 @@ def write_depth_maps(folder, caster):
     width, height = int(scene.WIDTH * DEPTH_SCALE), int(scene.HEIGHT * DEPTH_SCALE)
     columns, rows = np.meshgrid(np.arange(width, dtype=float), np.arange(height, dtype=float))
     for view in range(scene.VIEW_COUNT):
-        centre, rays = cameras.pixel_rays(columns.ravel(), rows.ravel(), view, DEPTH_SCALE)
+        center, rays = cameras.pixel_rays(columns.ravel(), rows.ravel(), view, DEPTH_SCALE)
         length = np.linalg.norm(rays, axis=1)
-        distance = caster.distances(centre, rays / length[:, None])
+        distance = caster.distances(center, rays / length[:, None])
         depth = np.where(np.isfinite(distance), distance / length, 0.0)
         write_depth_map(folder / f"{scene.view_name(view)}.geometric.bin", depth.reshape(height, width))
 

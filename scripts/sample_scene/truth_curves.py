@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from geometry import Curve
 
-STEP = 0.0025          # sampling along a curve, metres: about half a pixel footprint
+STEP = 0.0025          # sampling along a curve, meters: about half a pixel footprint
 SURFACE_MARGIN = 1e-5  # a point less deep than this counts as on the surface
 PROBE = 4e-4           # free space is looked for at this distance around a curve point
 
@@ -69,7 +69,7 @@ class FreeSpace:
 
 
 def scene_curves(solids):
-    """All true curves, resampled; ends made by trimming are exact to a few micrometres."""
+    """All true curves, resampled; ends made by trimming are exact to a few micrometers."""
     space = FreeSpace(solids)
     accepted = []
     for curve in (c for solid in solids for c in solid.curves()):
@@ -128,8 +128,8 @@ def _without_duplicates(curves):
         keep = np.ones(len(curve.points), bool)
         if len(points):
             tree = cKDTree(points)
-            for i, neighbours in enumerate(tree.query_ball_point(curve.points, 0.6 * STEP + 3e-4)):
-                keep[i] = not _any_parallel(curve.points[i], tangent[i], points[neighbours], directions[neighbours])
+            for i, neighbors in enumerate(tree.query_ball_point(curve.points, 0.6 * STEP + 3e-4)):
+                keep[i] = not _any_parallel(curve.points[i], tangent[i], points[neighbors], directions[neighbors])
         # A lone sample at a shared corner does not break a curve.
         for first, last in index_runs(~keep):
             if last - first < 2:
@@ -148,7 +148,7 @@ def _any_parallel(point, tangent, others, directions):
 
 
 def simplified(points, tolerance=2e-5):
-    """The same polyline without the vertices a straight line explains to `tolerance` (metres; 0.004 px here)."""
+    """The same polyline without the vertices a straight line explains to `tolerance` (meters; 0.004 px here)."""
     keep = np.zeros(len(points), bool)
     keep[[0, -1]] = True
     stack = [(0, len(points) - 1)]

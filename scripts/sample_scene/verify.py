@@ -4,8 +4,8 @@
 
 For every unoccluded sample of the visible truth the gradient's maximum is located along the normal of the
 projected curve. Printed: medians of the offset towards the brighter side, the spread, and the common shift
-(dx, dy) that would explain the offsets. The measurement is made on linear light (grey levels bend an edge's
-profile, which moves the maximum of its gradient towards the dark side) and on the grey levels as stored.
+(dx, dy) that would explain the offsets. The measurement is made on linear light (gray levels bend an edge's
+profile, which moves the maximum of its gradient towards the dark side) and on the gray levels as stored.
 """
 
 import argparse
@@ -32,12 +32,12 @@ STEP_PX = 0.1
 
 
 def linear_light(image):
-    """sRGB grey levels (0..255) to linear light on the same range."""
+    """sRGB gray levels (0..255) to linear light on the same range."""
     v = image / 255.0
     return 255.0 * np.where(v <= 0.04045, v / 12.92, ((v + 0.055) / 1.055) ** 2.4)
 
 
-def grey_image(path, linear):
+def gray_image(path, linear):
     image = cv2.imread(str(path)).astype(np.float64)
     if linear:
         image = linear_light(image)
@@ -70,7 +70,7 @@ def offsets_of_set(name, sample, caster, curves, linear):
     distorted = name == "distorted"
     offsets, directions, positions = [], [], []
     for view in range(scene.VIEW_COUNT):
-        image = grey_image(sample / name / "images" / scene.view_name(view), linear)
+        image = gray_image(sample / name / "images" / scene.view_name(view), linear)
         for curve in curves:
             seen, pixels = visibility.unoccluded(caster, curve.points, view, distorted)
             if seen.any():
@@ -95,8 +95,8 @@ def report(name, offsets, directions, positions, what):
 
 def common_motion(offsets, directions, positions):
     """Shift (px) and cubic radial growth (px at the image's corners) that best explain the offsets; robust."""
-    from_centre = (positions - (scene.WIDTH / 2, scene.HEIGHT / 2)) / (np.hypot(scene.WIDTH, scene.HEIGHT) / 2)
-    radial = np.einsum("ij,ij->i", from_centre, directions) * np.sum(from_centre**2, axis=1)
+    from_center = (positions - (scene.WIDTH / 2, scene.HEIGHT / 2)) / (np.hypot(scene.WIDTH, scene.HEIGHT) / 2)
+    radial = np.einsum("ij,ij->i", from_center, directions) * np.sum(from_center**2, axis=1)
     design = np.column_stack([directions, radial, np.ones(len(offsets))])
     solution = np.zeros(4)
     for _ in range(10):
@@ -105,7 +105,7 @@ def common_motion(offsets, directions, positions):
     return solution[:3]
 
 
-def draw_overlays(folder, name, sample, caster, curves, colour, scale=2):
+def draw_overlays(folder, name, sample, caster, curves, color, scale=2):
     folder.mkdir(parents=True, exist_ok=True)
     for view in range(0, scene.VIEW_COUNT, 5):
         image = cv2.imread(str(sample / name / "images" / scene.view_name(view)))
@@ -113,7 +113,7 @@ def draw_overlays(folder, name, sample, caster, curves, colour, scale=2):
         for curve in curves:
             seen, pixels = visibility.unoccluded(caster, curve.points, view, name == "distorted")
             for x, y in pixels[seen] * scale - 0.5:
-                cv2.circle(image, (int(round(x * 8)), int(round(y * 8))), 4, colour, -1, cv2.LINE_AA, 3)
+                cv2.circle(image, (int(round(x * 8)), int(round(y * 8))), 4, color, -1, cv2.LINE_AA, 3)
         cv2.imwrite(str(folder / f"{name}_{view:02d}.png"), image)
 
 
@@ -131,7 +131,7 @@ def main():
     caster = RayCaster(scene.solids())
     for name in arguments.sets.split(","):
         curves = read_truth(arguments.sample, name, "curves-visible.ply")
-        for linear, what in ((True, "linear light"), (False, "grey levels")):
+        for linear, what in ((True, "linear light"), (False, "gray levels")):
             report(name, *offsets_of_set(name, arguments.sample, caster, curves, linear), what)
         if arguments.overlays:
             draw_overlays(arguments.overlays, name, arguments.sample, caster, curves, (0, 0, 255))

@@ -8,15 +8,15 @@ import scene
 from truth_curves import STEP, index_runs, tangents
 
 MIN_VIEWS = 4
-OCCLUSION_TOLERANCE = 0.0015   # metres along the ray
+OCCLUSION_TOLERANCE = 0.0015   # meters along the ray
 IMAGE_MARGIN_PX = 3.0
-MIN_CONTRAST = 10.0            # grey levels of a sharp step
+MIN_CONTRAST = 10.0            # gray levels of a sharp step
 NOISE_FACTOR = 4.0             # the gradient must exceed its own noise by this factor
 SIGMA_PX = 1.2                 # scale of the gradient
 MAX_OFFSET_PX = 1.0            # the gradient's maximum may lie this far from the projected curve
 MAX_ANGLE_DEG = 30.0           # between the gradient and the normal of the projected curve
 SMOOTHING_SAMPLES = 5          # majority along the curve, per view
-MAX_GAP, MIN_RUN = 0.010, 0.010  # metres: shorter gaps are closed, shorter runs dropped
+MAX_GAP, MIN_RUN = 0.010, 0.010  # meters: shorter gaps are closed, shorter runs dropped
 
 # Peak gradient of a unit step seen through the pixel filter (about 0.5 px) and the gradient's own Gaussian.
 STEP_RESPONSE = 1.0 / (np.sqrt(2 * np.pi) * np.hypot(SIGMA_PX, 0.5))
@@ -25,15 +25,15 @@ NOISE_RESPONSE = 1.0 / (np.sqrt(8 * np.pi) * SIGMA_PX**2)
 
 
 class GradientImage:
-    """Gradient of the grey image, with the threshold above which it is an edge."""
+    """Gradient of the gray image, with the threshold above which it is an edge."""
 
     def __init__(self, path):
-        grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
-        if grey is None:
+        gray = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
+        if gray is None:
             raise FileNotFoundError(path)
-        grey = grey.astype(np.float32)
-        self.noise = estimate_noise(grey)
-        smooth = cv2.GaussianBlur(grey, (0, 0), SIGMA_PX, borderType=cv2.BORDER_REFLECT)
+        gray = gray.astype(np.float32)
+        self.noise = estimate_noise(gray)
+        smooth = cv2.GaussianBlur(gray, (0, 0), SIGMA_PX, borderType=cv2.BORDER_REFLECT)
         self._gx = cv2.Sobel(smooth, cv2.CV_32F, 1, 0, ksize=1) / 2
         self._gy = cv2.Sobel(smooth, cv2.CV_32F, 0, 1, ksize=1) / 2
         self.threshold = max(MIN_CONTRAST * STEP_RESPONSE, NOISE_FACTOR * self.noise * NOISE_RESPONSE)
@@ -55,10 +55,10 @@ class GradientImage:
         return ok.any(axis=1)
 
 
-def estimate_noise(grey):
+def estimate_noise(gray):
     """Robust standard deviation of pixel noise, from a second difference in both directions."""
     kernel = np.outer([1, -2, 1], [1, -2, 1]).astype(np.float32) / 6
-    return float(1.4826 * np.median(np.abs(cv2.filter2D(grey, cv2.CV_32F, kernel))))
+    return float(1.4826 * np.median(np.abs(cv2.filter2D(gray, cv2.CV_32F, kernel))))
 
 
 def unoccluded(caster, points, view, distorted=False):
@@ -66,7 +66,7 @@ def unoccluded(caster, points, view, distorted=False):
     pixels, depth = cameras.project(points, view, distorted)
     visible = cameras.in_image(pixels, depth, IMAGE_MARGIN_PX)
     if visible.any():
-        visible[visible] = caster.sees(scene.camera_centre(view), points[visible], OCCLUSION_TOLERANCE)
+        visible[visible] = caster.sees(scene.camera_center(view), points[visible], OCCLUSION_TOLERANCE)
     return visible, pixels
 
 
@@ -81,7 +81,7 @@ def image_normals(points, view, distorted=False):
 
 
 def majority(flags):
-    """Majority over neighbouring samples; ends are extended."""
+    """Majority over neighboring samples; ends are extended."""
     half = SMOOTHING_SAMPLES // 2
     padded = np.pad(np.asarray(flags, float), half, mode="edge")
     return np.convolve(padded, np.ones(SMOOTHING_SAMPLES), "valid") > SMOOTHING_SAMPLES / 2

@@ -14,7 +14,7 @@ NamedBox Box(const std::string& name, double x0, double x1, double y0, double y1
   return {name, Eigen::AlignedBox3d(Eigen::Vector3d(x0, y0, z0), Eigen::Vector3d(x1, y1, z1))};
 }
 
-// Mesh edges marked by hand, metres. Box A: the chairs and the floor around; box B: without it.
+// Mesh edges marked by hand, meters. Box A: the chairs and the floor around; box B: without it.
 DataSet Pavilion(const std::string& data_path, const std::string& light) {
   const std::string root = data_path + "/pavilion";
   DataSet set;
@@ -30,7 +30,7 @@ DataSet Pavilion(const std::string& data_path, const std::string& light) {
   return set;
 }
 
-// Scan points near edges, in metres.
+// Scan points near edges, in meters.
 DataSet Vase(const std::string& data_path) {
   DataSet set;
   set.name = set.plot = "vase";

@@ -45,7 +45,7 @@ void AddOptions(Options* options, OptionParser* parser) {
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }
 
-// In metres: footprints of a thousand views would take longer than the stages.
+// In meters: footprints of a thousand views would take longer than the stages.
 Json MeasureTruth(const Street& street, const CurveSet& made, const std::vector<double>& taus,
                   const RunContext& context) {
   EvaluationOptions options;

@@ -100,11 +100,11 @@ Json MeasureSigmas(const Truth& truth, const std::vector<View>& views, const Dra
   if (truth.curves.polylines.empty()) return nullptr;
   Json boxes = Json::object();
   for (const NamedBox& box : truth.boxes) {
-    NormalisedErrorOptions options;
+    NormalizedErrorOptions options;
     options.region = box.region;
     EvaluationReport report;
-    report.normalised_errors =
-        MeasureNormalisedErrors(graph, truth.curves, truth.dont_care, views, options);
+    report.normalized_errors =
+        MeasureNormalizedErrors(graph, truth.curves, truth.dont_care, views, options);
     boxes[box.name] = AsJson(report)["normalised_errors"];
   }
   return boxes;

@@ -32,7 +32,7 @@ Json MeasureAgainstTruth(const DataSet& set, const Truth& truth, const std::vect
                          const CurveSet& reconstruction, bool find_duplicates,
                          const RunContext& context);
 
-// How well the sigmas of a drawing tell its errors, per box (see normalised_errors.h); nothing
+// How well the sigmas of a drawing tell its errors, per box (see normalized_errors.h); nothing
 // without true curves.
 Json MeasureSigmas(const Truth& truth, const std::vector<View>& views, const DrawingGraph& graph);
 

@@ -1,5 +1,5 @@
 // What wrong cameras cost: draws the sample scene with all cameras disturbed more and more, and
-// with one camera in a hundred, at least one, turned by 5 degrees about its centre.
+// with one camera in a hundred, at least one, turned by 5 degrees about its center.
 #include <algorithm>
 #include <cstdio>
 #include <iostream>

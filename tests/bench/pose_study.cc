@@ -54,7 +54,7 @@ void Run(const StudyOptions& options) {
   const DrawingGraph best = Refine(study, truth, Draw(study, truth, context), false, context).graph;
 
   std::printf(
-      "\n| cameras | px as they are | px aligned | rotation deg | centre mm | focal %% |\n");
+      "\n| cameras | px as they are | px aligned | rotation deg | center mm | focal %% |\n");
   std::printf("|---|---|---|---|---|---|\n");
   PrintCameras("disturbed", study, disturbed);
   PrintCameras("refined", study, views);

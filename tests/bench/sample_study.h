@@ -33,7 +33,7 @@ RefinementResult Refine(const SampleStudy& study, const std::vector<View>& views
                         const DrawingGraph& graph, bool refine_poses, const RunContext& context);
 
 // What MeasureAgainstTruth says of a drawing that was made with these views, after the similarity
-// that best aligns their centres with the true ones.
+// that best aligns their centers with the true ones.
 Json MeasureAligned(const SampleStudy& study, const std::vector<View>& views,
                     const DrawingGraph& graph, const RunContext& context);
 

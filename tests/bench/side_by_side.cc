@@ -37,9 +37,9 @@ Picture RenderCloud(const std::vector<Eigen::Vector3d>& cloud, const View& view,
   const std::vector<SeenPoint> points = SeenPoints(cloud, view);
   for (size_t i = 0; i < points.size(); ++i) {
     const double nearness = static_cast<double>(i) / static_cast<double>(points.size());
-    const auto grey =
+    const auto gray =
         static_cast<uint8_t>(std::lround(kLightest + nearness * (kDarkest - kLightest)));
-    canvas.DrawDisc(points[i].pixel, kPointRadiusPx, {grey, grey, grey});
+    canvas.DrawDisc(points[i].pixel, kPointRadiusPx, {gray, gray, gray});
   }
   return canvas.picture();
 }

@@ -15,7 +15,7 @@ namespace {
 
 using testing::SceneCurve;
 
-constexpr double kStepM = 0.9;      // between neighbouring cameras
+constexpr double kStepM = 0.9;      // between neighboring cameras
 constexpr double kDistanceM = 11;   // of the cameras from the middle of the slab
 constexpr double kSlabDepthM = 3;   // along y
 constexpr double kSlabHeightM = 8;  // along z
@@ -95,8 +95,8 @@ ImageCurves CurvesOf(const View& view, const std::vector<SceneCurve>& curves,
                                       static_cast<unsigned>(options.seed + view.model_index));
 }
 
-// How many curves a metre of street needs for so many edgels per view: measured on a short one.
-double CurvesPerMetre(const StreetOptions& options) {
+// How many curves a meter of street needs for so many edgels per view: measured on a short one.
+double CurvesPerMeter(const StreetOptions& options) {
   constexpr int kNumViews = 40;
   constexpr double kTrial = 20;
   std::mt19937 random(static_cast<unsigned>(options.seed));
@@ -159,7 +159,7 @@ Street MakeStreet(const StreetOptions& options) {
   std::mt19937 random(static_cast<unsigned>(options.seed));
   const double street_m = kStepM * options.num_views;
   const auto curves = std::make_shared<const std::vector<SceneCurve>>(
-      MakeCurves(street_m, CurvesPerMetre(options), &random));
+      MakeCurves(street_m, CurvesPerMeter(options), &random));
   Street street;
   street.footprint = kDistanceM / kFocalPx;
   Scene& scene = street.scene;

@@ -26,7 +26,7 @@ struct Street {
   std::function<ImageCurves(ViewId)> curves_of;
   // The parts of the curves that at least 4 views contain.
   CurveSet truth;
-  // Of a pixel, metres, in the middle of the curves.
+  // Of a pixel, meters, in the middle of the curves.
   double footprint = 0;
 };
 

@@ -31,7 +31,7 @@ async function withPage(run, options) {
   await page.context().close();
 }
 
-// 1 where a pixel differs from the background, the colour of the corner.
+// 1 where a pixel differs from the background, the color of the corner.
 function drawnPixels({ width, height, data }) {
   const drawn = new Uint8Array(width * height);
   for (let i = 0; i < drawn.length; ++i) {
@@ -41,7 +41,7 @@ function drawnPixels({ width, height, data }) {
   return drawn;
 }
 
-// Distance of every pixel's centre to the nearest place, at most `reach`.
+// Distance of every pixel's center to the nearest place, at most `reach`.
 function distancesTo(places, width, height, reach) {
   const distances = new Float64Array(width * height).fill(Infinity);
   for (const [x, y] of places) {
@@ -145,11 +145,11 @@ test('wide and thin lines are at the same places', () =>
     await page.evaluate(drawCoarse);
     const image = await canvasPixels(page);
     const coarse = drawnPixels(image);
-    const centres = [];
+    const centers = [];
     fine.forEach(
-      (is, i) => is && centres.push([(i % image.width) + 0.5, Math.floor(i / image.width) + 0.5]),
+      (is, i) => is && centers.push([(i % image.width) + 0.5, Math.floor(i / image.width) + 0.5]),
     );
-    const distances = distancesTo(centres, image.width, image.height, 3);
+    const distances = distancesTo(centers, image.width, image.height, 3);
     const count = coarse.reduce((sum, is) => sum + is, 0);
     assert.ok(count > 500);
     assert.equal(coarse.filter((is, i) => is && distances[i] > 1.5).length, 0);

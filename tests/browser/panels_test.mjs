@@ -1,4 +1,4 @@
-// What stands beside the picture: search, colours, report, help, places, saving.
+// What stands beside the picture: search, colors, report, help, places, saving.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -54,7 +54,7 @@ test('search finds a link by its number', () =>
     assert.match(await page.locator('#links').textContent(), /No link/);
   }));
 
-test('every way to colour has a legend and other colours', () =>
+test('every way to color has a legend and other colors', () =>
   withPage(async (page) => {
     await showOnly(page, 'drawing');
     const pictures = new Set();

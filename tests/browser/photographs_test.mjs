@@ -14,7 +14,7 @@ after(() => browser?.close());
 
 // Steepest change of brightness within a pixel.
 function steepness({ width, height, data }, x, y) {
-  const grey = (i, j) => {
+  const gray = (i, j) => {
     const at = 4 * (j * width + i);
     return 0.3 * data[at] + 0.6 * data[at + 1] + 0.1 * data[at + 2];
   };
@@ -23,7 +23,7 @@ function steepness({ width, height, data }, x, y) {
   let steepest = 0;
   for (let j = row - 1; j <= row + 1; ++j) {
     for (let i = column - 1; i <= column + 1; ++i) {
-      const slope = Math.hypot(grey(i + 1, j) - grey(i - 1, j), grey(i, j + 1) - grey(i, j - 1));
+      const slope = Math.hypot(gray(i + 1, j) - gray(i - 1, j), gray(i, j + 1) - gray(i, j - 1));
       steepest = Math.max(steepest, slope);
     }
   }

@@ -200,8 +200,8 @@ ViewerScene LargeScene() {
   }
   RebuildIncidence(&scene.graph);
   for (int i = 0; i < kNumPoints; ++i) {
-    const auto grey = static_cast<uint8_t>(60 + i % 150);
-    scene.cloud.push_back({on_torus(0.37 * i, 1.13 * i, 0.9), {grey, grey, grey}});
+    const auto gray = static_cast<uint8_t>(60 + i % 150);
+    scene.cloud.push_back({on_torus(0.37 * i, 1.13 * i, 0.9), {gray, gray, gray}});
   }
   scene.views = DomeViews(24, 9);
   return scene;

@@ -1,5 +1,5 @@
 // The `colmap` program as an oracle: photographs to drawing by COLMAP's own commands. That its
-// model_converter writes what is read here in both flavours is in colmap_ext/model/model_test.
+// model_converter writes what is read here in both flavors is in colmap_ext/model/model_test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ TEST_F(ColmapOracle, PhotographsToDrawing) {
   EXPECT_THAT(names, ::testing::Contains("left side/view_05.jpg"));
 }
 
-// Real files of COLMAP's, in both flavours, and the PMVS cameras made from them.
+// Real files of COLMAP's, in both flavors, and the PMVS cameras made from them.
 TEST_F(ColmapOracle, PmvsCamerasAreThoseOfTheModel) {
   fs::remove_all(Path("images"));
   fs::copy(LIMN_SAMPLE_DIR "/day/images", Path("images"));

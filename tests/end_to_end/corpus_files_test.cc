@@ -86,7 +86,7 @@ const CorpusCase kCases[] = {
          },
      .outcome = Outcome::kAccepted,
      .said = {"6 images, 60 3D points"}},
-    {.name = "Case03_BothFlavoursTextNewer",
+    {.name = "Case03_BothFlavorsTextNewer",
      .spoil =
          [](const W& w) {
            const std::string images = w.Read("sparse/images.txt");

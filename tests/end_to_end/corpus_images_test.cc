@@ -235,7 +235,7 @@ const CorpusCase kCases[] = {
                  -(image->cam_from_world.rotation * Eigen::Vector3d(1, -2, 3));
            });
          },
-     .said = {"the cameras are all at one centre: nothing can be triangulated"},
+     .said = {"the cameras are all at one center: nothing can be triangulated"},
      .command = "automatic_drawer"},
     {.name = "Case23_GeoReferencedPanorama",
      .spoil =
@@ -245,7 +245,7 @@ const CorpusCase kCases[] = {
                  -(image->cam_from_world.rotation * Eigen::Vector3d(5e5, 4e6, 100));
            });
          },
-     .said = {"the cameras are all at one centre: nothing can be triangulated"},
+     .said = {"the cameras are all at one center: nothing can be triangulated"},
      .command = "curve_sketcher"},
     {.name = "Case24_PointsOutsideTheImage",
      .spoil =
@@ -325,7 +325,7 @@ const CorpusCase kCases[] = {
      .spoil = [](const W& w) { StoreAs(w, "view_02.png", With16Bits(Photo())); },
      .outcome = Outcome::kAccepted,
      .said = {"6 images, 60 3D points"}},
-    {.name = "Case25_Grey",
+    {.name = "Case25_Gray",
      .spoil = [](const W& w) { StoreAs(w, "view_02.png", With(Photo(), cv::COLOR_BGR2GRAY)); },
      .outcome = Outcome::kAccepted,
      .said = {"6 images, 60 3D points"}},

@@ -37,7 +37,7 @@ const CorpusCase kCases[] = {
      .said = {"WARNING: 1 3D points left out: not finite or defined twice",
               "6 images, 60 3D points"}},
     {.name = "Case29_BlackPoints", .outcome = kAccepted, .said = {"6 images, 2 3D points"}},
-    {.name = "Case29_ColourOutOfRange",
+    {.name = "Case29_ColorOutOfRange",
      .spoil = [](const W& w) { w.Append("sparse/points3D.txt", "97 0 0 0 256 2 3 0\n"); },
      .said = {"points3D.txt: line 62: \"256\" is not a number (R G B)"}},
     {.name = "Case30_GeoReferenced",

@@ -1,5 +1,5 @@
 // Scenes with little or nothing to draw, too much of it, or what does not fit together: the main
-// job ends well, within bounded time and memory. (Too few views and cameras at one centre are cases
+// job ends well, within bounded time and memory. (Too few views and cameras at one center are cases
 // of the corpus.)
 #include <filesystem>
 #include <regex>
@@ -31,7 +31,7 @@ using ::testing::Not;
 // A minute or two on two idle cores; tests may run beside many others.
 constexpr double kMaxSeconds = 600;
 constexpr int kMaxMemoryMb = 2048;
-// Of a pixel of the sample scene, metres.
+// Of a pixel of the sample scene, meters.
 constexpr double kFootprintM = 0.005;
 
 // A workspace with some views of the sample scene by day, whose photographs can be replaced.

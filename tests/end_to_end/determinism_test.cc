@@ -96,7 +96,7 @@ TEST_F(Determinism, ThreadsDoNotMatter) {
   ExpectSameFiles(Draw("eight", model, 8), one);
 }
 
-// Both models are written here: reading normalises rotations, which may change their last digit.
+// Both models are written here: reading normalizes rotations, which may change their last digit.
 TEST_F(Determinism, OrderAndIdsOfTheModelDoNotMatter) {
   const SparseModel model = colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse");
   const auto in_order = Draw("in order", Write("model", model), 2);

@@ -54,7 +54,7 @@ TEST_F(SvgExport, SheetsToScale) {
   const std::string sheet = Export({"--view", "front", "--sheet_scale", "10"});
   EXPECT_THAT(sheet, AllOf(HasSubstr("<svg"), HasSubstr("link_0"), HasSubstr("link_1")));
   EXPECT_THAT(sheet, HasSubstr("1:10"));
-  EXPECT_THAT(sheet, HasSubstr("width=\"120mm\""));  // a metre, and two margins of 10 mm
+  EXPECT_THAT(sheet, HasSubstr("width=\"120mm\""));  // a meter, and two margins of 10 mm
 }
 
 TEST_F(SvgExport, WhatAMeshHidesIsRemovedOrDashed) {

@@ -1,4 +1,4 @@
-// drawing_fuser in coordinates of a UTM zone, of millions of metres.
+// drawing_fuser in coordinates of a UTM zone, of millions of meters.
 #include <filesystem>
 #include <string>
 

@@ -1,4 +1,4 @@
-// Models in coordinates of a UTM zone, of millions of metres.
+// Models in coordinates of a UTM zone, of millions of meters.
 #include <filesystem>
 
 #include <gmock/gmock.h>

@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using namespace colmap_ext;
 
-// The cameras of the sample scene as projection matrices, 17 digits, pixels with their centres at
+// The cameras of the sample scene as projection matrices, 17 digits, pixels with their centers at
 // integers.
 class ModelImporter : public ::testing::Test {
  protected:

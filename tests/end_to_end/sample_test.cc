@@ -53,9 +53,9 @@ EvaluationReport Judge(const DrawingGraph& graph) {
   const CurveSet dont_care = ReadCurves(truth_dir + "dont-care.ply");
   EvaluationReport report =
       EvaluateCurvesInFootprints(ToCurveSet(graph), truth, set.views, options, dont_care);
-  NormalisedErrorOptions of_sigmas;
+  NormalizedErrorOptions of_sigmas;
   of_sigmas.region = options.region;
-  report.normalised_errors = MeasureNormalisedErrors(graph, truth, dont_care, set.views, of_sigmas);
+  report.normalized_errors = MeasureNormalizedErrors(graph, truth, dont_care, set.views, of_sigmas);
   return report;
 }
 
@@ -78,8 +78,8 @@ TEST(Sample, DrawingAgreesWithTheTruth) {
   EXPECT_GE(result.recall.value(), kMinRecall);
   EXPECT_GE(result.junction_precision.value(), kMinJunctionPrecision);
   EXPECT_GE(result.junction_recall.value(), kMinJunctionRecall);
-  EXPECT_LE(report.normalised_errors->variance.value(), kMaxVarianceFactor);
-  EXPECT_GE(report.normalised_errors->variance.value(), 1 / kMaxVarianceFactor);
+  EXPECT_LE(report.normalized_errors->variance.value(), kMaxVarianceFactor);
+  EXPECT_GE(report.normalized_errors->variance.value(), 1 / kMaxVarianceFactor);
 }
 
 TEST(Sample, StraightEdgesAreLinesAndCirclesAreCircles) {

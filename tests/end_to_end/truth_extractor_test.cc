@@ -28,7 +28,7 @@ using ::testing::StartsWith;
 
 const char kMesh[] = LIMN_SAMPLE_DIR "/truth/mesh.ply";
 const char kWorkspace[] = LIMN_SAMPLE_DIR "/day";
-// A pixel's footprint on the objects, metres (datasets/README.md).
+// A pixel's footprint on the objects, meters (datasets/README.md).
 constexpr double kFootprint = 0.005;
 
 class TruthExtractor : public ::testing::Test {

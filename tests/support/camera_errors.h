@@ -15,12 +15,12 @@ std::vector<View> PerturbCameras(const std::vector<View>& views,
                                  const std::vector<Eigen::Vector3d>& points, double mean_px,
                                  unsigned seed);
 
-// The similarity that maps the true world to that of the views such that the camera centres fit
-// best (least squares). Precondition: at least three centres, not on a line.
+// The similarity that maps the true world to that of the views such that the camera centers fit
+// best (least squares). Precondition: at least three centers, not on a line.
 Eigen::Affine3d WorldFromTruth(const std::vector<View>& views, const std::vector<View>& truth);
 
 // How far views are from the true ones, in the mean. Other than for `raw_px`, the world is first
-// moved, turned and scaled such that the camera centres fit best.
+// moved, turned and scaled such that the camera centers fit best.
 struct CameraErrors {
   double raw_px = 0;      // displacement of the points' projections as they are
   double aligned_px = 0;  // the same after alignment

@@ -8,7 +8,7 @@
 
 namespace limn::testing {
 
-// The axis-parallel cube around a centre: six squares, each with four vertices of its own as
+// The axis-parallel cube around a center: six squares, each with four vertices of its own as
 // programs write them. Bit f of `leave_out` leaves out face f: -x, +x, -y, +y, -z, +z.
 TriangleMesh CubeMesh(const Eigen::Vector3d& center, double half_side, unsigned leave_out = 0);
 

@@ -17,7 +17,7 @@ double DistanceToSegment(const Vector2d& p, const Vector2d& a, const Vector2d& b
 }
 
 // Share of a unit square that lies on the positive side of a line with unit normal n, whose signed
-// distance at the centre of the square is d.
+// distance at the center of the square is d.
 double SquareCoverage(const Vector2d& n, double d) {
   const double a = std::min(std::abs(n.x()), std::abs(n.y()));
   const double b = std::max(std::abs(n.x()), std::abs(n.y()));

@@ -9,13 +9,13 @@ namespace {
 
 const double kSameFaceCosine = std::cos(5 * M_PI / 180);
 
-std::vector<ViewId> ViewsOf(const std::vector<ViewId>& supporting, const SampleEvidence& evidence) {
+std::vector<ViewId> ViewsOf(const std::vector<ViewId>& supporting, const SampleSupport& support) {
   std::vector<ViewId> both;
-  std::set_intersection(supporting.begin(), supporting.end(), evidence.visible_in.begin(),
-                        evidence.visible_in.end(), std::back_inserter(both));
+  std::set_intersection(supporting.begin(), supporting.end(), support.visible_in.begin(),
+                        support.visible_in.end(), std::back_inserter(both));
   if (!both.empty()) return both;
-  std::set_difference(supporting.begin(), supporting.end(), evidence.occluded_in.begin(),
-                      evidence.occluded_in.end(), std::back_inserter(both));
+  std::set_difference(supporting.begin(), supporting.end(), support.occluded_in.begin(),
+                      support.occluded_in.end(), std::back_inserter(both));
   return both;
 }
 
@@ -33,7 +33,7 @@ Eigen::Vector3d CurvePoint::Outward(const std::vector<View>& all_views) const {
 }
 
 std::vector<CurvePoint> MakeCurvePoints(const DrawingGraph& graph, const DrawingSamples& samples,
-                                        const std::vector<SampleEvidence>& evidence,
+                                        const std::vector<SampleSupport>& support,
                                         const DenseClasses& classes) {
   std::vector<CurvePoint> points;
   for (size_t s = 0; s < samples.size(); ++s) {
@@ -43,11 +43,11 @@ std::vector<CurvePoint> MakeCurvePoints(const DrawingGraph& graph, const Drawing
     point.position = samples.position[s];
     point.tangent = samples.tangent[s];
     point.footprint = samples.footprint[s];
-    point.normals = evidence[s].normal;
+    point.normals = support[s].normal;
     if (point.normals[0].dot(point.normals[1]) > kSameFaceCosine) {
       point.normals = {(point.normals[0] + point.normals[1]).normalized(), Eigen::Vector3d::Zero()};
     }
-    point.views = ViewsOf(graph.links[link].supporting_views, evidence[s]);
+    point.views = ViewsOf(graph.links[link].supporting_views, support[s]);
     point.sample_class = classes.sample_class[s];
     point.link = link;
     if (!point.views.empty()) points.push_back(std::move(point));

@@ -33,7 +33,7 @@ struct CurvePoint {
 // The samples of all links that are not behind the surface, where any view sees them. Two normals
 // that differ by less than a few degrees become one: the face goes on.
 std::vector<CurvePoint> MakeCurvePoints(const DrawingGraph& graph, const DrawingSamples& samples,
-                                        const std::vector<SampleEvidence>& evidence,
+                                        const std::vector<SampleSupport>& support,
                                         const DenseClasses& classes);
 
 }  // namespace limn

@@ -7,7 +7,7 @@ struct DenseOptions {
   // this, and behind it when it is farther away: footprints (depth over focal length). Depths are
   // several times less certain than what lies across the line of sight.
   double depth_tolerance_px = 5;
-  // The neighbourhood of the surface is looked at this far to either side of a curve, px, where
+  // The neighborhood of the surface is looked at this far to either side of a curve, px, where
   // dense depths are no longer fattened or rounded.
   double side_offset_px = 4;
   // Dense points nearer than this to a sample are points of the same place, footprints.

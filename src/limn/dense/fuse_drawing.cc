@@ -8,11 +8,11 @@ namespace limn {
 namespace {
 
 std::vector<uint8_t> NearDense(const FusionInput& input, const DrawingSamples& samples,
-                               const std::vector<SampleEvidence>& evidence,
+                               const std::vector<SampleSupport>& support,
                                const DenseOptions& options) {
   if (input.cloud) return FindSamplesNearPoints(samples, *input.cloud, options.near_px);
   std::vector<uint8_t> near;
-  for (const SampleEvidence& of_sample : evidence) near.push_back(of_sample.num_touching > 0);
+  for (const SampleSupport& of_sample : support) near.push_back(of_sample.num_touching > 0);
   return near;
 }
 
@@ -45,14 +45,14 @@ FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,
   FusionResult result;
   result.graph = input.graph;
   result.samples = SampleDrawing(input.graph, input.views, options.sample_spacing_px);
-  const std::vector<SampleEvidence> evidence =
-      FindSampleEvidence(result.samples, input.views, input.depths, options, context);
-  result.classes = ClassifyLinks(input.graph, result.samples, evidence,
-                                 NearDense(input, result.samples, evidence, options), options);
+  const std::vector<SampleSupport> support =
+      FindSampleSupport(result.samples, input.views, input.depths, options, context);
+  result.classes = ClassifyLinks(input.graph, result.samples, support,
+                                 NearDense(input, result.samples, support, options), options);
   for (size_t l = 0; l < result.graph.links.size(); ++l) {
     result.graph.links[l].dense = result.classes.links[l];
   }
-  result.points = MakeCurvePoints(result.graph, result.samples, evidence, result.classes);
+  result.points = MakeCurvePoints(result.graph, result.samples, support, result.classes);
   result.summary = Summary(result.classes, result.samples.size());
   return result;
 }

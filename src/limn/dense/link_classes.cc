@@ -10,17 +10,17 @@ namespace {
 
 constexpr int kNumClasses = 4;
 
-DenseClass ClassOfSample(const SampleEvidence& evidence) {
-  const int num_judged = evidence.num_surface + evidence.num_boundary + evidence.num_free;
-  const bool known = num_judged > 0 || !evidence.visible_in.empty();
-  if (evidence.num_touching == 0) {
-    return known || evidence.occluded_in.empty() ? DenseClass::kFree : DenseClass::kUnknown;
+DenseClass ClassOfSample(const SampleSupport& support) {
+  const int num_judged = support.num_surface + support.num_boundary + support.num_free;
+  const bool known = num_judged > 0 || !support.visible_in.empty();
+  if (support.num_touching == 0) {
+    return known || support.occluded_in.empty() ? DenseClass::kFree : DenseClass::kUnknown;
   }
   if (num_judged == 0) return DenseClass::kUnknown;
-  if (evidence.num_surface >= evidence.num_boundary && evidence.num_surface >= evidence.num_free) {
+  if (support.num_surface >= support.num_boundary && support.num_surface >= support.num_free) {
     return DenseClass::kSurface;
   }
-  return evidence.num_boundary >= evidence.num_free ? DenseClass::kBoundary : DenseClass::kFree;
+  return support.num_boundary >= support.num_free ? DenseClass::kBoundary : DenseClass::kFree;
 }
 
 // Sums over the samples of one link.
@@ -41,16 +41,16 @@ int CountCommon(const std::vector<ViewId>& a, const std::vector<ViewId>& b) {
   }));
 }
 
-void Add(const SampleEvidence& evidence, double length, DenseClass sample_class,
+void Add(const SampleSupport& support, double length, DenseClass sample_class,
          const std::vector<ViewId>& supporting, LinkSums* sums) {
   sums->length[static_cast<int>(sample_class)] += length;
   sums->whole_length += length;
-  const int visible = CountCommon(evidence.visible_in, supporting);
-  const int occluded = CountCommon(evidence.occluded_in, supporting);
+  const int visible = CountCommon(support.visible_in, supporting);
+  const int occluded = CountCommon(support.occluded_in, supporting);
   sums->judged += length * (visible + occluded);
   sums->occluded += length * occluded;
   sums->asked += length * static_cast<double>(supporting.size());
-  const auto& [left, right] = evidence.normal;
+  const auto& [left, right] = support.normal;
   if (sample_class == DenseClass::kSurface && left.norm() > 0 && right.norm() > 0) {
     sums->fold_rad += length * std::acos(std::clamp(left.dot(right), -1.0, 1.0));
     sums->fold_length += length;
@@ -87,15 +87,15 @@ double SumLengths(const DrawingSamples& samples, const DenseClasses& classes, bo
 }  // namespace
 
 DenseClasses ClassifyLinks(const DrawingGraph& graph, const DrawingSamples& samples,
-                           const std::vector<SampleEvidence>& evidence,
+                           const std::vector<SampleSupport>& support,
                            std::vector<uint8_t> near_dense, const DenseOptions& options) {
   DenseClasses classes;
   std::vector<LinkSums> sums(graph.links.size());
   for (size_t s = 0; s < samples.size(); ++s) {
-    const DenseClass of_sample = ClassOfSample(evidence[s]);
+    const DenseClass of_sample = ClassOfSample(support[s]);
     classes.sample_class.push_back(of_sample);
     LinkSums& of_link = sums[samples.link[s]];
-    Add(evidence[s], samples.length[s], of_sample, graph.links[samples.link[s]].supporting_views,
+    Add(support[s], samples.length[s], of_sample, graph.links[samples.link[s]].supporting_views,
         &of_link);
     if (near_dense[s] == 0) of_link.added += samples.length[s];
   }

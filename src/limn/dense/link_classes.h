@@ -23,7 +23,7 @@ struct DenseClasses {
 // whether a dense point is within near_px, per sample; with a thin cloud that is seldom so on the
 // surface, too.
 DenseClasses ClassifyLinks(const DrawingGraph& graph, const DrawingSamples& samples,
-                           const std::vector<SampleEvidence>& evidence,
+                           const std::vector<SampleSupport>& support,
                            std::vector<uint8_t> near_dense, const DenseOptions& options);
 
 // Total lengths, world units: of the links behind the surface; of the other links the samples of a

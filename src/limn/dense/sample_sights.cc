@@ -103,21 +103,21 @@ class Look {
 };
 
 // Left and right are the same for all views that look at a surface from outside.
-void Add(const SampleSight& sight, ViewId view, SampleEvidence* evidence) {
-  if (sight.sight == Sight::kOccluded) evidence->occluded_in.push_back(view);
+void Add(const SampleSight& sight, ViewId view, SampleSupport* support) {
+  if (sight.sight == Sight::kOccluded) support->occluded_in.push_back(view);
   if (sight.sight != Sight::kVisible) return;
-  evidence->visible_in.push_back(view);
-  evidence->num_touching += sight.touches;
+  support->visible_in.push_back(view);
+  support->num_touching += sight.touches;
   const auto count = [&](Side side) {
     return std::count(sight.sides.begin(), sight.sides.end(), side);
   };
   for (const int s : {0, 1}) {
-    if (sight.normals[s]) evidence->normal[s] += *sight.normals[s];
+    if (sight.normals[s]) support->normal[s] += *sight.normals[s];
   }
   if (count(Side::kUnknown) > 0 || count(Side::kFront) > 0) return;
-  evidence->num_surface += count(Side::kNear) == 2;
-  evidence->num_boundary += count(Side::kNear) == 1;
-  evidence->num_free += count(Side::kNear) == 0;
+  support->num_surface += count(Side::kNear) == 2;
+  support->num_boundary += count(Side::kNear) == 1;
+  support->num_free += count(Side::kNear) == 0;
 }
 
 }  // namespace
@@ -139,12 +139,11 @@ SampleSight LookAtSample(const View& view, const DepthImage& image, const Eigen:
   return result;
 }
 
-std::vector<SampleEvidence> FindSampleEvidence(const DrawingSamples& samples,
-                                               const std::vector<View>& views,
-                                               const DepthSource& depths,
-                                               const DenseOptions& options,
-                                               const RunContext& context) {
-  std::vector<SampleEvidence> evidence(samples.size());
+std::vector<SampleSupport> FindSampleSupport(const DrawingSamples& samples,
+                                             const std::vector<View>& views,
+                                             const DepthSource& depths, const DenseOptions& options,
+                                             const RunContext& context) {
+  std::vector<SampleSupport> support(samples.size());
   RunContext quiet = context;  // one report per view would drown the others
   quiet.progress = nullptr;
   for (size_t v = 0; v < views.size(); ++v) {
@@ -152,15 +151,15 @@ std::vector<SampleEvidence> FindSampleEvidence(const DrawingSamples& samples,
     if (!image) continue;
     ParallelFor(quiet, "looking at samples", samples.size(), [&](size_t s) {
       Add(LookAtSample(views[v], *image, samples.position[s], samples.tangent[s], options),
-          static_cast<ViewId>(v), &evidence[s]);
+          static_cast<ViewId>(v), &support[s]);
     });
   }
-  for (SampleEvidence& of_sample : evidence) {
+  for (SampleSupport& of_sample : support) {
     for (Eigen::Vector3d& normal : of_sample.normal) {
       if (normal.norm() > 0) normal.normalize();
     }
   }
-  return evidence;
+  return support;
 }
 
 }  // namespace limn

@@ -48,7 +48,7 @@ SampleSight LookAtSample(const View& view, const DepthImage& image, const Eigen:
                          const Eigen::Vector3d& tangent, const DenseOptions& options);
 
 // What all views together say of a sample.
-struct SampleEvidence {
+struct SampleSupport {
   std::vector<ViewId> visible_in;  // ascending
   std::vector<ViewId> occluded_in;
   int num_touching = 0;  // views
@@ -66,10 +66,9 @@ using DepthSource = std::function<std::optional<DepthImage>(ViewId)>;
 
 // Ask all views of all samples. Depth images are asked for once per view, one at a time per thread.
 // Time: samples times views.
-std::vector<SampleEvidence> FindSampleEvidence(const DrawingSamples& samples,
-                                               const std::vector<View>& views,
-                                               const DepthSource& depths,
-                                               const DenseOptions& options,
-                                               const RunContext& context);
+std::vector<SampleSupport> FindSampleSupport(const DrawingSamples& samples,
+                                             const std::vector<View>& views,
+                                             const DepthSource& depths, const DenseOptions& options,
+                                             const RunContext& context);
 
 }  // namespace limn

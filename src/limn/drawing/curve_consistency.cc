@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-// Share of the arc length that belongs to sample k: half the way to its neighbours.
+// Share of the arc length that belongs to sample k: half the way to its neighbors.
 double OwnLength(const std::vector<double>& arc, size_t k) {
   const size_t last = arc.size() - 1;
   return 0.5 * (arc[std::min(k + 1, last)] - arc[k > 0 ? k - 1 : 0]);

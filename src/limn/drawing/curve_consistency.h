@@ -14,7 +14,7 @@ struct CurveOverlap {
 };
 
 // The multiview curve-level consistency network (ECCV 2016, section 4; MCCN in the paper): curves
-// with enough strong links between their samples are linked; their overlaps are regularised along
+// with enough strong links between their samples are linked; their overlaps are regularized along
 // the curve.
 struct CurveConsistency {
   std::vector<std::vector<CurveOverlap>> overlaps;  // per curve, ascending by other

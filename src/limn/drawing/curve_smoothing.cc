@@ -12,7 +12,7 @@ namespace {
 constexpr double kAlongSigmaPx = 0.5;
 constexpr double kWeakSigmaPx = 300;
 constexpr double kFixedSigmaPx = 1e-3;
-// Neighbours nearer than this, px, would make the change of direction explode.
+// Neighbors nearer than this, px, would make the change of direction explode.
 constexpr double kMinSpacingPx = 0.2;
 // Samples of a closed curve that are repeated beyond its ends.
 constexpr int kClosedOverlap = 20;

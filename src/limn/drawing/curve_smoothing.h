@@ -18,8 +18,8 @@ struct SmoothingInput {
   bool closed = false;
 };
 
-// Positions that minimise
-//   sum (X - Y)' Lambda (X - Y) + sum |change of direction between neighbours|^2 / bending_sigma^2
+// Positions that minimize
+//   sum (X - Y)' Lambda (X - Y) + sum |change of direction between neighbors|^2 / bending_sigma^2
 // where Y are the given positions. A penalty on bending leaves lines and circles alone, moves
 // samples that are well determined hardly, and bridges what the data determine badly (the depth).
 // With fixed_ends the first and last sample stay. Linear time.

@@ -93,7 +93,7 @@ StageSummary Summarize(const DrawingInput& input, const MergedSketch& merged,
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context) {
   options.Check();
-  const auto edgels = BuildEvidence(input.curves, context);
+  const auto edgels = BuildViewEdgels(input.curves, context);
   const TopologyInput images = {input.views, input.curves, edgels, options.Gate()};
   MergedSketch merged = MergeSketch(input, images, options, context);
   DrawingResult result;

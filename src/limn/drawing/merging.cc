@@ -102,7 +102,7 @@ class CurveMerger {
     const int other = best.vertex;
     const double footprint = samples_.footprint[sample];
     if (best.squared > std::pow(kSearchPx * footprint, 2)) return false;
-    // Along the curve a vertex speaks for its neighbourhood only.
+    // Along the curve a vertex speaks for its neighborhood only.
     const double along = std::abs(
         samples_.tangent[sample].dot(samples_.position[other] - samples_.position[sample]));
     if (along > options_.junction_distance_px * footprint) return false;

@@ -44,9 +44,9 @@ std::vector<ViewId> ViewsOf(const std::vector<EdgelRef>& support) {
 class CurveRetriangulation {
  public:
   CurveRetriangulation(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                       const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                       const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
                        const DrawingOptions& options)
-      : views_(views), curves_(curves), evidence_(evidence), options_(options), finder_(views) {}
+      : views_(views), curves_(curves), edgels_(edgels), options_(options), finder_(views) {}
 
   WorkingCurve Run(const Curve3D& curve) const {
     WorkingCurve working;
@@ -151,8 +151,7 @@ class CurveRetriangulation {
       for (const ViewId v : views) {
         const auto sight = See(views_[v], working->position[s], working->tangent[s]);
         if (!sight) continue;
-        const auto match =
-            evidence_[v]->edgels.Best(sight->position_px, sight->direction_rad, gate);
+        const auto match = edgels_[v]->edgels.Best(sight->position_px, sight->direction_rad, gate);
         if (match) support.push_back({v, match->edgel});
       }
       // The anchor's own edgel stays the sample's identity while it supports it at all.
@@ -182,7 +181,7 @@ class CurveRetriangulation {
 
   const std::vector<View>& views_;
   const std::vector<ImageCurves>& curves_;
-  const std::vector<std::unique_ptr<ViewEvidence>>& evidence_;
+  const std::vector<std::unique_ptr<ViewEdgels>>& edgels_;
   const DrawingOptions& options_;
   ViewFinder finder_;
 };
@@ -255,10 +254,10 @@ class SampleCollector {
 
 SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& views,
                         const std::vector<ImageCurves>& curves,
-                        const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                        const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
                         const DrawingOptions& options, const RunContext& context,
                         RetriangulationStats* stats) {
-  const CurveRetriangulation retriangulation(views, curves, evidence, options);
+  const CurveRetriangulation retriangulation(views, curves, edgels, options);
   SampleCollector collector(sketch, options, stats);
   MapItemsInBlocks(
       context, "re-triangulation", sketch.curves.size(),

@@ -4,7 +4,7 @@
 
 #include "limn/drawing/drawing_options.h"
 #include "limn/drawing/samples.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 
 namespace limn {
 
@@ -21,7 +21,7 @@ struct RetriangulationStats {
 // Time: samples times views.
 SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& views,
                         const std::vector<ImageCurves>& curves,
-                        const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                        const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
                         const DrawingOptions& options, const RunContext& context,
                         RetriangulationStats* stats);
 

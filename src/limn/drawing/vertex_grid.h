@@ -25,11 +25,11 @@ class VertexGrid {
   template <typename Visit>
   void ForEachNear(const Eigen::Vector3d& position, double footprint, Visit&& visit) const {
     for (int level = Level(footprint) - 1; level <= Level(footprint) + 1; ++level) {
-      const Eigen::Vector3i centre = Cell(position, level);
+      const Eigen::Vector3i center = Cell(position, level);
       for (int dx = -1; dx <= 1; ++dx) {
         for (int dy = -1; dy <= 1; ++dy) {
           for (int dz = -1; dz <= 1; ++dz) {
-            const auto cell = cells_.find(Key(level, centre + Eigen::Vector3i(dx, dy, dz)));
+            const auto cell = cells_.find(Key(level, center + Eigen::Vector3i(dx, dy, dz)));
             if (cell == cells_.end()) continue;
             for (const int vertex : cell->second) visit(vertex);
           }

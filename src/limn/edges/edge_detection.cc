@@ -87,7 +87,7 @@ bool InUsablePixel(const std::vector<unsigned char>& usable, int width, const Ed
   return usable[static_cast<size_t>(y) * width + x] != 0;
 }
 
-// Below this magnitude the pixel grid shows no edge at any grey level.
+// Below this magnitude the pixel grid shows no edge at any gray level.
 double LowestMagnitude(const RefinementContext& context) {
   if (context.noise.noise.empty()) return kGridStrengthShare * context.ThresholdFor(0);
   const auto& noise = context.noise.noise;
@@ -122,7 +122,7 @@ std::vector<RefinedEdgel> DetectInChannel(const Channel& channel, const Refineme
 }
 
 // Edges of equal brightness: edgels of red and blue that no main edgel accounts for. The two
-// channels see the same edge up to 2 px apart, so the one that sees more claims its neighbourhood.
+// channels see the same edge up to 2 px apart, so the one that sees more claims its neighborhood.
 void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& options,
                           const std::vector<unsigned char>& usable, EdgelRaster* raster) {
   const double near_px = options.isoluminant_distance_px;
@@ -186,8 +186,8 @@ void EdgeDetectionOptions::Check() const {
 EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   options.Check();
   CheckImage(image);
-  const bool colour = image.channels == 3;
-  const std::vector<float> values = !colour                      ? image.data
+  const bool color = image.channels == 3;
+  const std::vector<float> values = !color                       ? image.data
                                     : options.channel == "green" ? ExtractChannel(image, 1)
                                                                  : Luminance(image);
   const Channel channel = PrepareChannel(values, image.width, image.height, options.sigma_px);
@@ -199,7 +199,7 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   raster.AddStrongestFirst(
       DetectInChannel(channel, context, usable, [](const auto&, const auto&) { return false; }));
   raster.DropWeakShortRuns(options.strong_ratio, options.min_run_px);
-  if (colour && options.find_isoluminant) AddIsoluminantEdgels(image, options, usable, &raster);
+  if (color && options.find_isoluminant) AddIsoluminantEdgels(image, options, usable, &raster);
 
   EdgeMap map;
   map.width = image.width;

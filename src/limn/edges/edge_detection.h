@@ -9,7 +9,7 @@ namespace limn {
 
 struct EdgeDetectionOptions {
   // Channel that positions and orientations come from: "green" or "luminance". Green agrees best
-  // with the true edges where the lens disperses colours. A grey image has one channel only.
+  // with the true edges where the lens disperses colors. A gray image has one channel only.
   std::string channel = "green";
 
   // Scale of the Gaussian derivatives, px, [0.8, 5]. Larger: less noise, weaker edges found, but
@@ -20,7 +20,7 @@ struct EdgeDetectionOptions {
   // weaker edges and more false edgels (together with min_run_px: in white noise 3 per 1,000 px^2).
   double noise_factor = 2.3;
 
-  // Weakest edge whatever the noise, grey levels per px, >= 0. Below 0.6 the 8-bit banding of
+  // Weakest edge whatever the noise, gray levels per px, >= 0. Below 0.6 the 8-bit banding of
   // smooth shading makes edges.
   double min_strength = 0.6;
 

@@ -58,7 +58,7 @@ std::optional<double> StepToMaximum(const LocalJet& jet) {
 // Angle from the gradient direction to the normal of the curve I_nn = 0, small. The curve's own
 // direction (third order) and the gradient (first order) err differently: in white noise their
 // variances are 0.75 r^2 and 1 and their covariance 0.5 r in units of (noise / I_n)^2, where
-// r = I_n / (s^2 |I_nnn|) is 1 for a sharp step and grows with its blur. The weight minimises the
+// r = I_n / (s^2 |I_nnn|) is 1 for a sharp step and grows with its blur. The weight minimizes the
 // variance; at r >= 2 the gradient alone is best.
 double NormalCorrection(const LocalJet& jet, double sigma_px) {
   const double f_n = jet.n * jet.nnn + 2 * (jet.nn * jet.nn + jet.nt * jet.nt);
@@ -71,7 +71,7 @@ double NormalCorrection(const LocalJet& jet, double sigma_px) {
   return (1 - gradient_weight) * std::atan(f_t / f_n);
 }
 
-// Smoothing moves a curved edge towards its centre of curvature by about (s^2 + 1/12) / 2R. Returns
+// Smoothing moves a curved edge towards its center of curvature by about (s^2 + 1/12) / 2R. Returns
 // the shift along the normal that undoes it, with the curvature shrunk by its noise so that
 // straight noisy edges stay in place.
 double CurvatureShift(const LocalJet& jet, double sigma_px, double noise) {

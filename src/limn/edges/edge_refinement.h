@@ -13,8 +13,8 @@ namespace limn {
 struct RefinementContext {
   double sigma_px = 1.5;
   NoiseModel noise;
-  // Weakest edge accepted: the larger of noise_factor times the noise at its grey level and
-  // min_strength, grey levels per px.
+  // Weakest edge accepted: the larger of noise_factor times the noise at its gray level and
+  // min_strength, gray levels per px.
   double noise_factor = 0;
   double min_strength = 0;
 

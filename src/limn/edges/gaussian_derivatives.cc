@@ -22,7 +22,7 @@ double Gaussian(double x, double sigma) {
   return std::exp(-0.5 * x * x / (sigma * sigma)) / (std::sqrt(2 * std::numbers::pi) * sigma);
 }
 
-// A symmetric and an antisymmetric kernel: the taps from the centre on.
+// A symmetric and an antisymmetric kernel: the taps from the center on.
 struct HalfKernels {
   std::vector<float> even;
   std::vector<float> odd;
@@ -45,7 +45,7 @@ HalfKernels GridKernels(double sigma_px) {
 
 // What a filter reads and writes. Rows are read up to kBlock - 1 values beyond the count.
 struct FilterRows {
-  const float* const* centre;  // row k of the input is centre[k]
+  const float* const* center;  // row k of the input is center[k]
   int count;                   // values of a row
   float* even;
   float* odd;  // or null
@@ -59,19 +59,19 @@ LIMN_INLINE_KERNEL void StoreUpTo(int count, const Float8& values, float* to) {
   }
 }
 
-// even[x] = sum over k of kernels.even[|k|] centre[k][x], and so odd.
+// even[x] = sum over k of kernels.even[|k|] center[k][x], and so odd.
 LIMN_INLINE_KERNEL void Filter(const HalfKernels& kernels, const FilterRows& rows) {
   const int half = static_cast<int>(kernels.even.size()) - 1;
   const float* even_taps = kernels.even.data();
   const float* odd_taps = kernels.odd.data();
   for (int x = 0; x < rows.count; x += kBlock) {
     Float8 here, before, after;
-    Load8(rows.centre[0] + x, &here);
+    Load8(rows.center[0] + x, &here);
     Float8 even = even_taps[0] * here;
     Float8 odd = {};
     for (int k = 1; k <= half; ++k) {
-      Load8(rows.centre[k] + x, &after);
-      Load8(rows.centre[-k] + x, &before);
+      Load8(rows.center[k] + x, &after);
+      Load8(rows.center[-k] + x, &before);
       even += even_taps[k] * (after + before);
       if (rows.odd) odd += odd_taps[k] * (after - before);
     }
@@ -147,14 +147,14 @@ GradientField SmoothedGradient(const PaddedPlane& plane, double sigma_px) {
     const float* source = plane.Row(last - half);
     FilterAcross(
         kernels, width, [&](int k) { return source + k; }, smooth.Row(last), derived.Row(last));
-    const int centre = last - half;
-    if (centre < half) continue;
-    const size_t out = static_cast<size_t>(centre - half) * width;
+    const int center = last - half;
+    if (center < half) continue;
+    const size_t out = static_cast<size_t>(center - half) * width;
     FilterAcross(
-        kernels, width, [&](int k) { return smooth.Row(centre + k); }, field.smooth.data() + out,
+        kernels, width, [&](int k) { return smooth.Row(center + k); }, field.smooth.data() + out,
         field.dy.data() + out);
     FilterAcross(
-        kernels, width, [&](int k) { return derived.Row(centre + k); }, field.dx.data() + out,
+        kernels, width, [&](int k) { return derived.Row(center + k); }, field.dx.data() + out,
         nullptr);
   }
   return field;
@@ -237,7 +237,7 @@ Jet SubpixelDerivatives::At(double x, double y) const {
   const int column = static_cast<int>(x + 0.5);
   const int row = static_cast<int>(y + 0.5);
   // Truncated, shifted derivative kernels do not sum to zero exactly; subtracting the level of the
-  // centre pixel keeps a bright plane from leaking into the derivatives.
+  // center pixel keeps a bright plane from leaking into the derivatives.
   const float level = plane_.Row(row)[column];
   const JetPlace place{KernelAt(x - column),
                        KernelAt(y - row),

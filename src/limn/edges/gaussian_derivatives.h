@@ -23,8 +23,8 @@ int GaussianPadding(double sigma_px);
 // Pad a plane of width x height values in row-major order. Both sizes must be positive.
 PaddedPlane MakePaddedPlane(const std::vector<float>& values, int width, int height, int pad);
 
-// The Gaussian-smoothed channel and its first derivatives on the pixel grid, row-major, grey levels
-// and grey levels per px.
+// The Gaussian-smoothed channel and its first derivatives on the pixel grid, row-major, gray levels
+// and gray levels per px.
 struct GradientField {
   int width = 0;
   int height = 0;

@@ -12,12 +12,12 @@ namespace {
 
 constexpr int kBlockPx = 32;
 // Quantile of gradient magnitudes in a block, and of blocks; the latter is this much below the
-// centre of the blocks' scatter in pure noise (measured).
+// center of the blocks' scatter in pure noise (measured).
 constexpr double kPixelQuantile = 0.3;
 constexpr double kGradientBlockQuantile = 0.15;
 constexpr double kGradientBlockBias = 0.93;
 constexpr double kWhiteBlockQuantile = 0.3;
-// Rounding to integers alone is noise of 0.29 grey levels; half of that is left where an image is
+// Rounding to integers alone is noise of 0.29 gray levels; half of that is left where an image is
 // partly constant.
 constexpr double kQuietestPixelNoise = 0.14;
 // The estimate is at most this factor times the white noise, with this much pixel noise added (as
@@ -39,7 +39,7 @@ struct Block {
 };
 
 double RayleighNoise(const GradientField& gradient, const Block& block) {
-  // Every second pixel is enough, neighbours are correlated.
+  // Every second pixel is enough, neighbors are correlated.
   std::vector<float> squared;
   squared.reserve(kBlockPx * kBlockPx / 4);
   for (int y = block.y0; y < block.y1; y += 2) {
@@ -132,13 +132,13 @@ NoiseModel MeasureNoise(const PaddedPlane& plane, const GradientField& gradient,
   return model;
 }
 
-double NoiseModel::At(double grey_level) const {
+double NoiseModel::At(double gray_level) const {
   if (level.empty()) return 0;
-  const auto above = std::upper_bound(level.begin(), level.end(), grey_level);
+  const auto above = std::upper_bound(level.begin(), level.end(), gray_level);
   if (above == level.begin()) return noise.front();
   if (above == level.end()) return noise.back();
   const auto i = above - level.begin();
-  const double share = (grey_level - level[i - 1]) / (level[i] - level[i - 1]);
+  const double share = (gray_level - level[i - 1]) / (level[i] - level[i - 1]);
   return (1 - share) * noise[i - 1] + share * noise[i];
 }
 

@@ -6,20 +6,20 @@
 
 namespace limn {
 
-// Standard deviation of one component of the smoothed gradient due to noise, grey levels per px, as
-// a function of the grey level: sensors and compression are noisier in bright or in dark parts.
+// Standard deviation of one component of the smoothed gradient due to noise, gray levels per px, as
+// a function of the gray level: sensors and compression are noisier in bright or in dark parts.
 struct NoiseModel {
   // Supporting points, ascending in level; linear between, constant beyond. Empty: no noise.
   std::vector<double> level;
   std::vector<double> noise;
 
-  double At(double grey_level) const;
+  double At(double gray_level) const;
   // Mean over the supporting points, each of which stands for the same area.
   double Mean() const;
 };
 
 // Measure the noise of an image. Blocks of 32 x 32 px are divided in up to six groups of about the
-// same number by their mean grey level; in each group two measurements bound the noise:
+// same number by their mean gray level; in each group two measurements bound the noise:
 //
 // - From above: where the image is flat, the gradient magnitude of Gaussian noise has a Rayleigh
 //   distribution, so its quantile q lies at noise * sqrt(-2 ln(1 - q)). A low quantile of a block
@@ -32,7 +32,7 @@ struct NoiseModel {
 // quantization allows are clipped or synthetic and tell nothing. Linear time.
 NoiseModel MeasureNoise(const PaddedPlane& plane, const GradientField& gradient, double sigma_px);
 
-// Gradient noise that white noise of `pixel_noise` grey levels causes: pixel_noise / (sqrt(8 pi)
+// Gradient noise that white noise of `pixel_noise` gray levels causes: pixel_noise / (sqrt(8 pi)
 // s^2).
 double GradientNoiseFromPixelNoise(double pixel_noise, double sigma_px);
 

@@ -15,7 +15,7 @@ constexpr float kMaxStepPx = 0.8f;
 
 // Four pixels, of which here[0] is the magnitude of the first.
 auto NearMaximum(const float* here, std::ptrdiff_t width, Float4 dx, Float4 dy, float lowest) {
-  // The line leaves the neighbourhood between a pixel on an axis and one on a diagonal.
+  // The line leaves the neighborhood between a pixel on an axis and one on a diagonal.
   const Float4 length_x = Abs4(dx);
   const Float4 length_y = Abs4(dy);
   const auto steep = length_y > length_x;
@@ -32,13 +32,13 @@ auto NearMaximum(const float* here, std::ptrdiff_t width, Float4 dx, Float4 dy, 
   const Float4 after = axis_after + share * (diagonal_after - axis_after);
   const Float4 before = axis_before + share * (diagonal_before - axis_before);
 
-  const Float4 centre = Load4(here);
-  const Float4 bend = after + before - 2.0f * centre;
+  const Float4 center = Load4(here);
+  const Float4 bend = after + before - 2.0f * center;
   const Float4 slope = 0.5f * (after - before);
-  // The step, -(slope / centre) / (bend / centre - (slope / centre)^2), is at most kMaxStepPx.
-  const Float4 curvature = slope * slope - bend * centre;
-  const auto is_near = Abs4(slope * centre) <= kMaxStepPx * curvature;
-  return is_near & (bend < Splat4(0)) & (centre > Splat4(lowest));
+  // The step, -(slope / center) / (bend / center - (slope / center)^2), is at most kMaxStepPx.
+  const Float4 curvature = slope * slope - bend * center;
+  const auto is_near = Abs4(slope * center) <= kMaxStepPx * curvature;
+  return is_near & (bend < Splat4(0)) & (center > Splat4(lowest));
 }
 
 }  // namespace

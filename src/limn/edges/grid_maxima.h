@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// Gradient magnitude on the pixel grid, row-major, grey levels per px.
+// Gradient magnitude on the pixel grid, row-major, gray levels per px.
 std::vector<float> GradientMagnitude(const GradientField& gradient);
 
 // Which pixels of row y, 1 <= y < height - 1, are near a maximum of the gradient magnitude along
@@ -18,7 +18,7 @@ std::vector<float> GradientMagnitude(const GradientField& gradient);
 //
 // The maximum is found by a step of Newton's method on the logarithm of three magnitudes: of the
 // pixel, and of the places ahead and behind where the line along the gradient leaves its 3 x 3
-// neighbourhood, interpolated.
+// neighborhood, interpolated.
 void FindGridMaxima(const GradientField& gradient, const std::vector<float>& magnitude, int y,
                     float lowest, int32_t* near_maximum);
 

@@ -59,13 +59,13 @@ CurveVisibility::CurveVisibility(const std::vector<SupportedCurve>& curves,
       gate_{options.shown_distance_px, kSpacingPx, options.shown_angle_deg * kRadiansPerDegree},
       min_cosine_(std::cos(options.max_viewing_angle_deg * kRadiansPerDegree)),
       samples_(SampleByPixels(curves, views)),
-      evidence_(BuildEvidence(image_curves, context)) {}
+      edgels_(BuildViewEdgels(image_curves, context)) {}
 
 bool CurveVisibility::Shows(ViewId view, int sample) const {
   const auto& supporting = curves_[samples_.CurveOf(sample)].supporting_views;
   if (!std::binary_search(supporting.begin(), supporting.end(), view)) return false;
   const auto seen = ProjectSample(views_[view], samples_, sample);
-  return seen && evidence_[view]->edgels.Best(seen->position_px, seen->tangent_rad, gate_);
+  return seen && edgels_[view]->edgels.Best(seen->position_px, seen->tangent_rad, gate_);
 }
 
 // The views that contain the sample, within the viewing angle, nearest first.

@@ -8,7 +8,7 @@
 #include "limn/model/curve_fragment.h"
 #include "limn/model/edge_map.h"
 #include "limn/model/view.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 #include "limn/util/parallel.h"
 
 namespace limn {
@@ -62,7 +62,7 @@ class CurveVisibility {
   SupportGate gate_;
   double min_cosine_;
   CurveSamples samples_;
-  std::vector<std::unique_ptr<ViewEvidence>> evidence_;
+  std::vector<std::unique_ptr<ViewEdgels>> edgels_;
 };
 
 }  // namespace limn

@@ -16,7 +16,7 @@ struct Approach {
   PolylinePoint place;
 };
 
-// Of the neighbours [begin, end), all of one curve, the nearest point on their cells.
+// Of the neighbors [begin, end), all of one curve, the nearest point on their cells.
 Approach NearestApproach(const AlongsideSearch& search, const Eigen::Vector3d& query,
                          const SpatialIndex::Neighbor* begin, const SpatialIndex::Neighbor* end) {
   Approach best;

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/evaluation/normalised_errors.h"
+#include "limn/evaluation/normalized_errors.h"
 #include "limn/evaluation/saw_teeth.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/view.h"
@@ -70,7 +70,7 @@ struct EvaluationReport {
   // Of all links. Needs views: whoever has them fills it in.
   std::optional<SawTeeth> saw_teeth;
   // Of a drawing with sigmas. Needs views and graph: whoever has them fills it in.
-  std::optional<NormalisedErrors> normalised_errors;
+  std::optional<NormalizedErrors> normalized_errors;
 };
 
 // Compare curves or points with ground truth. Both sets are cut into cells of tau/4 or less along

@@ -5,7 +5,7 @@
 
 #include "limn/evaluation/quantiles.h"
 #include "limn/geometry/epipolar.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 #include "limn/util/errors.h"
 
 namespace limn {

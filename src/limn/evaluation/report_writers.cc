@@ -62,7 +62,7 @@ Json SawTeethAsJson(const SawTeeth& teeth) {
           {"num_links", teeth.num_curves}};
 }
 
-void PrintNormalisedErrors(const NormalisedErrors& errors, std::ostream& out) {
+void PrintNormalizedErrors(const NormalizedErrors& errors, std::ostream& out) {
   constexpr int kDigits = 3;
   out << "normalised errors (squares, 1 if sigmas are right): mean "
       << Cell(errors.variance, kDigits) << ", by the median "
@@ -71,7 +71,7 @@ void PrintNormalisedErrors(const NormalisedErrors& errors, std::ostream& out) {
       << Cell(errors.variance_with_false, kDigits) << '\n';
 }
 
-Json NormalisedErrorsAsJson(const NormalisedErrors& errors) {
+Json NormalizedErrorsAsJson(const NormalizedErrors& errors) {
   return {{"variance", OrNull(errors.variance)},
           {"median_variance", OrNull(errors.median_variance)},
           {"variance_with_false", OrNull(errors.variance_with_false)},
@@ -102,7 +102,7 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
   for (const auto& [degree, count] : report.nodes_by_degree) out << ' ' << degree << ": " << count;
   out << '\n';
   if (report.saw_teeth) PrintSawTeeth(*report.saw_teeth, out);
-  if (report.normalised_errors) PrintNormalisedErrors(*report.normalised_errors, out);
+  if (report.normalized_errors) PrintNormalizedErrors(*report.normalized_errors, out);
   if (report.num_links == 0) out << "points " << report.num_points << '\n';
   if (report.num_ignored_points > 0) {
     out << "left out: " << report.num_ignored_points << " points that belong to no polyline\n";
@@ -154,7 +154,7 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   }
   json["saw_teeth"] = report.saw_teeth ? SawTeethAsJson(*report.saw_teeth) : Json(nullptr);
   json["normalised_errors"] =
-      report.normalised_errors ? NormalisedErrorsAsJson(*report.normalised_errors) : Json(nullptr);
+      report.normalized_errors ? NormalizedErrorsAsJson(*report.normalized_errors) : Json(nullptr);
   out << json.dump(2) << '\n';
 }
 

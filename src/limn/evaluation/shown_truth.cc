@@ -6,7 +6,7 @@
 #include "limn/evaluation/curve_samples.h"
 #include "limn/model/footprint.h"
 #include "limn/support/edgel_residual.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -40,7 +40,7 @@ CurveSet ShownTruth(const CurveSet& truth, const std::vector<View>& views,
                     const RunContext& context) {
   options.Check();
   const SupportGate gate{options.max_distance_px, 1.0, options.max_angle_deg * M_PI / 180};
-  const auto evidence = BuildEvidence(curves, context);
+  const auto edgels = BuildViewEdgels(curves, context);
   const CurveSamples samples(truth, [&](const Polyline3d& polyline) {
     return kSpacingPx * FootprintOfCurve(views, polyline);
   });
@@ -53,7 +53,7 @@ CurveSet ShownTruth(const CurveSet& truth, const std::vector<View>& views,
       if (options.region && !options.region->contains(point)) continue;
       int num_views = 0;
       for (size_t v = 0; v < views.size() && num_views < options.min_views; ++v) {
-        num_views += IsShown(point, samples.Direction(sample), views[v], evidence[v]->edgels, gate);
+        num_views += IsShown(point, samples.Direction(sample), views[v], edgels[v]->edgels, gate);
       }
       shown[i] = num_views >= options.min_views;
     }

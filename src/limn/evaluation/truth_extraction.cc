@@ -10,7 +10,7 @@
 #include "limn/evaluation/kept_runs.h"
 #include "limn/model/footprint.h"
 #include "limn/support/edgel_index.h"
-#include "limn/support/segment_evidence.h"
+#include "limn/support/segment_support.h"
 #include "limn/util/errors.h"
 #include "limn/visibility/render_depth.h"
 #include "limn/visibility/splat_depth.h"

@@ -29,7 +29,7 @@ struct TruthOptions {
   double max_gap_px = 4;
   double min_length_px = 10;
   // Of a cloud: its points hide what is behind discs of this radius, about the distance between
-  // neighbours in the images. The tolerance of occlusion grows by three radii: slanted surfaces
+  // neighbors in the images. The tolerance of occlusion grows by three radii: slanted surfaces
   // hide nothing of themselves up to a slope of three.
   double splat_px = 2;
   // Points have no direction, and images full of edgels show some near any point. A point is kept

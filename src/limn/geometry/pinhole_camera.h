@@ -4,7 +4,7 @@
 
 namespace limn {
 
-// x_px = (fx X/Z + cx, fy Y/Z + cy); the centre of the top-left pixel is (0, 0).
+// x_px = (fx X/Z + cx, fy Y/Z + cy); the center of the top-left pixel is (0, 0).
 struct PinholeCamera {
   double fx = 1;
   double fy = 1;

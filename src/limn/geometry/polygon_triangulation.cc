@@ -71,7 +71,7 @@ class EarClipper {
   }
 
  private:
-  // An ear that is clipped changes what its neighbours are. Others it changes only where the
+  // An ear that is clipped changes what its neighbors are. Others it changes only where the
   // polygon touches itself: then all are looked at again, but only so often.
   static constexpr int kMaxRounds = 3;
 

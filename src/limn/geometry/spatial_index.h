@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// Exact nearest-neighbour look-up in a fixed set of 3D points: a single kd-tree (FLANN), leaves of
+// Exact nearest-neighbor look-up in a fixed set of 3D points: a single kd-tree (FLANN), leaves of
 // 16 points. Building takes O(n log n), a look-up O(log n + found). Immutable once built, so that
 // several threads may ask at the same time.
 class SpatialIndex {

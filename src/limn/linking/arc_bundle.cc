@@ -33,10 +33,10 @@ double AngleTolerance(const Edgel& edgel, const LinkingOptions& options) {
   return std::clamp<double>(edgel.position_sigma_px, angle, 2 * angle);
 }
 
-// What a neighbour demands of the arcs, in the anchor's frame.
+// What a neighbor demands of the arcs, in the anchor's frame.
 struct ArcTarget {
   Vector2f offset;
-  float sign;  // of what is ahead: -1 if the neighbour is behind
+  float sign;  // of what is ahead: -1 if the neighbor is behind
   Vector2f lowest;
   Vector2f highest;  // limits of its direction
   float tolerance_px;
@@ -45,7 +45,7 @@ struct ArcTarget {
 
 // An arc of curvature k through the origin along t misses d by w (towards its left normal n) if
 // k (|d|^2 - w^2) / 2 = d.n - w, and has direction f at d if k = sin(f - t) / (d.f), because f is
-// perpendicular to the line to the centre. A cell moves the origin by its shift along n.
+// perpendicular to the line to the center. A cell moves the origin by its shift along n.
 LIMN_INLINE_KERNEL bool BundleTo(const ArcTarget& target, const ArcCells& cells,
                                  ArcBundle* bundle) {
   const Vector2f& offset = target.offset;
@@ -57,7 +57,7 @@ LIMN_INLINE_KERNEL bool BundleTo(const ArcTarget& target, const ArcCells& cells,
   const Float8 c = cells.turn_cos;
   const Float8 s = cells.turn_sin;
   const Float8 along = offset.x() * c + offset.y() * s;
-  const Float8 across_centre = offset.y() * c - offset.x() * s;
+  const Float8 across_center = offset.y() * c - offset.x() * s;
   const Float8 squared = along * along - miss * miss;
   const Float8 lowest_sin = target.lowest.y() * c - target.lowest.x() * s;
   const Float8 highest_sin = target.highest.y() * c - target.highest.x() * s;
@@ -65,7 +65,7 @@ LIMN_INLINE_KERNEL bool BundleTo(const ArcTarget& target, const ArcCells& cells,
   Mask8 any = {};
   for (int i = 0; i < ArcBundle::kShifts; ++i) {
     const float shift = cells.shift_px[i];
-    const Float8 across = across_centre - shift;
+    const Float8 across = across_center - shift;
     const Float8 half = 0.5f * (squared + across * across);
     // Inside the tolerance of the anchor itself both limits lie far out.
     const Float8 per_half = 1.0f / (half > kMinDenominator ? half : zero + kMinDenominator);

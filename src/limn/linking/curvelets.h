@@ -16,9 +16,9 @@ using Curvelet = std::vector<EdgelId>;
 
 // The curvelets through an edgel (Guo et al. 2014; "CC3D" bundles). The edgel's position across the
 // curve and its direction may be off by the tolerances; for every such perturbation (a cell of a
-// small grid) the neighbours that an arc must pass leave an interval of curvatures, the bundle.
-// Starting from each neighbour that is in no curvelet yet, others are added nearest first as long
-// as some cell's interval is not empty. Time: neighbours times curvelets.
+// small grid) the neighbors that an arc must pass leave an interval of curvatures, the bundle.
+// Starting from each neighbor that is in no curvelet yet, others are added nearest first as long
+// as some cell's interval is not empty. Time: neighbors times curvelets.
 class CurveletBuilder {
  public:
   // `options` must outlive the builder.
@@ -30,18 +30,18 @@ class CurveletBuilder {
 
  private:
   // An edgel in the anchor's frame.
-  struct Neighbour {
+  struct Neighbor {
     EdgelId id;
     double squared_distance;
     Eigen::Vector2f offset;
   };
-  static bool Follow(const Neighbour& a, const Neighbour& b);
-  // Fill neighbours_ with those that can be in a curvelet with the anchor, nearest first.
-  void FindNeighbours(const Neighbour& anchor);
-  // Fill bundles_, and forget the neighbours that no arc meets.
+  static bool Follow(const Neighbor& a, const Neighbor& b);
+  // Fill neighbors_ with those that can be in a curvelet with the anchor, nearest first.
+  void FindNeighbors(const Neighbor& anchor);
+  // Fill bundles_, and forget the neighbors that no arc meets.
   void FindBundles(EdgelId anchor);
-  // Fill members_ with the anchor, this neighbour and others that fit, and mark these as grouped.
-  void GroupFrom(size_t seed, const Neighbour& anchor);
+  // Fill members_ with the anchor, this neighbor and others that fit, and mark these as grouped.
+  void GroupFrom(size_t seed, const Neighbor& anchor);
   // Add members_ to the curvelets, if these are enough.
   void KeepMembers();
 
@@ -49,10 +49,10 @@ class CurveletBuilder {
   EdgelGrid grid_;
   std::vector<ArcSample> samples_;  // by edgel
   std::vector<EdgelId> near_;
-  std::vector<Neighbour> neighbours_;
-  std::vector<ArcBundle> bundles_;  // of neighbours_
-  std::vector<uint8_t> grouped_;    // of neighbours_
-  std::vector<Neighbour> members_;
+  std::vector<Neighbor> neighbors_;
+  std::vector<ArcBundle> bundles_;  // of neighbors_
+  std::vector<uint8_t> grouped_;    // of neighbors_
+  std::vector<Neighbor> members_;
   std::vector<Curvelet> curvelets_;  // and emptied ones
   size_t num_curvelets_ = 0;
 };

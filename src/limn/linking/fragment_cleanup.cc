@@ -60,7 +60,7 @@ class Turning {
 };
 
 // One and a half standard deviations of the turning of a straight chain of edgels like this one: a
-// line fitted to n points over the arm errs by sqrt(12 / n) sigma / arm, neighbouring edgels share
+// line fitted to n points over the arm errs by sqrt(12 / n) sigma / arm, neighboring edgels share
 // their noise (n = arm / 2), and there are two arms.
 double TurningNoise(const Edgel& edgel, double arm_px) {
   return 1.5 * std::sqrt(2 * 24 / arm_px) * edgel.position_sigma_px / arm_px;

@@ -104,7 +104,7 @@ Chaining ChainMutualBest(const std::vector<Edgel>& edgels, const std::vector<Edg
     const Eigen::Vector2d d = edgels[link.b].position_px - edgels[link.a].position_px;
     const double along_a = d.dot(tangents[link.a]);
     const double along_b = d.dot(tangents[link.b]);
-    // Sideways for one of them: a link that is evidence of a junction, but no way to go on.
+    // Sideways for one of them: a link that hints at a junction, but no way to go on.
     if (along_a * along_b <= 0) continue;
     const EdgelId from = along_a > 0 ? link.a : link.b;
     const EdgelId to = along_a > 0 ? link.b : link.a;

@@ -36,8 +36,8 @@ void KeepLongChains(std::vector<CurveFragment> chains, double min_length_px,
 }  // namespace
 
 void LinkingOptions::Check() const {
-  LIMN_CHECK_OPTION(neighbour_radius_px, > 1);
-  LIMN_CHECK_OPTION(neighbour_radius_px, <= 10);
+  LIMN_CHECK_OPTION(neighbor_radius_px, > 1);
+  LIMN_CHECK_OPTION(neighbor_radius_px, <= 10);
   LIMN_CHECK_OPTION(position_tolerance_px, > 0);
   LIMN_CHECK_OPTION(position_tolerance_px, <= 2);
   LIMN_CHECK_OPTION(max_position_tolerance_px, > 0);

@@ -8,9 +8,9 @@ namespace limn {
 
 // All distances are pixels of the stored image and all counts arc lengths, not numbers of edgels.
 struct LinkingOptions {
-  // Radius of the neighbourhood in which curvelets are built, (1, 10]. Larger: more robust grouping
+  // Radius of the neighborhood in which curvelets are built, (1, 10]. Larger: more robust grouping
   // in noise, corners and parallel strands suffer, slower (R in Guo et al.).
-  double neighbour_radius_px = 3.5;
+  double neighbor_radius_px = 3.5;
 
   // Tolerance of a curvelet on edgel positions, across the curve, (0, 2]; never less than twice the
   // edgel's own position sigma, up to max_position_tolerance_px (dx).
@@ -80,7 +80,7 @@ struct LinkingResult {
 
 // Group the edgels of one image into curve fragments.
 //
-// 1. Around every edgel, curvelets: groups of neighbours that fit one circular arc within the
+// 1. Around every edgel, curvelets: groups of neighbors that fit one circular arc within the
 //    tolerances (Tamrakar and Kimia 2007; Guo, Kumar, Narayanan and Kimia, "A multi-stage approach
 //    to curve extraction", ECCV 2014). Consecutive edgels of a curvelet vote for a link.
 // 2. Every edgel continues to the link with most votes ahead and behind, where both ends agree.

@@ -62,7 +62,7 @@ struct Curve3D {
   size_t size() const { return points_in_world.size(); }
 };
 
-// The original or the enhanced curve sketch: an unorganised set of 3D curves.
+// The original or the enhanced curve sketch: an unorganized set of 3D curves.
 struct CurveSketch {
   std::vector<Curve3D> curves;
 };

@@ -14,7 +14,7 @@ struct CurveFragment {
   bool closed = false;
 };
 
-// An undirected link of the linker's graph: the two edgels are neighbours in `votes` curvelets.
+// An undirected link of the linker's graph: the two edgels are neighbors in `votes` curvelets.
 struct EdgelLink {
   EdgelId a = kInvalidEdgel;  // a < b
   EdgelId b = kInvalidEdgel;
@@ -25,7 +25,7 @@ struct EdgelLink {
 struct ImageCurves {
   EdgeMap edge_map;
   std::vector<CurveFragment> fragments;
-  // The whole link graph, sorted by (a, b). It holds links that no fragment uses: evidence for
+  // The whole link graph, sorted by (a, b). It holds links that no fragment uses: support for
   // corners and junctions.
   std::vector<EdgelLink> link_graph;
 };

@@ -13,7 +13,7 @@ struct EdgeMap {
   int width = 0;
   int height = 0;
   std::vector<Edgel> edgels;
-  // Standard deviation of one component of the smoothed gradient due to noise, grey levels per
+  // Standard deviation of one component of the smoothed gradient due to noise, gray levels per
   // pixel.
   double gradient_noise = 0;
   // Edgels not taken over: outside the lens model's valid range or masked out.

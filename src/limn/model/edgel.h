@@ -11,7 +11,7 @@ namespace limn {
 using EdgelId = int32_t;
 constexpr EdgelId kInvalidEdgel = -1;
 
-// A sub-pixel oriented edge point. Pixels: the centre of the top-left pixel is (0, 0), x right, y
+// A sub-pixel oriented edge point. Pixels: the center of the top-left pixel is (0, 0), x right, y
 // down.
 struct Edgel {
   // Position in the view's virtual pinhole image (the stored image itself when it has no
@@ -20,7 +20,7 @@ struct Edgel {
   // Direction of the edge in the virtual image, in [-pi, pi], such that luminance rises along
   // (sin t, -cos t): towards the left on screen when walking along (cos t, sin t).
   double tangent_rad = 0;
-  // Gradient magnitude at the edge, grey levels per pixel.
+  // Gradient magnitude at the edge, gray levels per pixel.
   float strength = 0;
   // Standard deviation of the position across the edge, stored pixels.
   float position_sigma_px = 0;

@@ -12,11 +12,11 @@ enum class EdgelFate : uint8_t {
   kFragmentTooShort,  // in a fragment too short to be matched
   kNoPartner,         // no curve of another view fits it at any depth
   kTooFewViews,       // at no depth do enough views support it
-  kInconsistent,      // supported, but not at a depth that goes along with its neighbours'
+  kInconsistent,      // supported, but not at a depth that goes along with its neighbors'
   kPieceTooShort,     // what was reconstructed around it is too short
   kSketched,          // in a curve of the sketch
   kLostSupport,       // of the sketch, but too few views support it where all its edgels agree
-  kDoubtfulLink,      // in a link with too little evidence: see drawing/link_evidence.h
+  kDoubtfulLink,      // in a link with too little support: see topology/verify_links.h
   kPrunedLink,        // in a link that was too short, or ran along another
   kDrawn,             // merged into a link of the drawing
   kExplained,         // not drawn itself, but a link of the drawing projects onto it

@@ -4,7 +4,7 @@
 
 namespace limn {
 
-// A decoded photograph: interleaved rows of RGB (or one grey) channel, values in grey levels 0..255
+// A decoded photograph: interleaved rows of RGB (or one gray) channel, values in gray levels 0..255
 // whatever the depth of the file. `mask` is empty, or holds one byte per pixel, 0 = do not use.
 struct Image {
   int width = 0;

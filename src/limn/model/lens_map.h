@@ -7,7 +7,7 @@
 namespace limn {
 
 // The map between the image as stored (with lens distortion) and the view's virtual pinhole image,
-// both in pixels with the centre of the top-left pixel at (0, 0). Implementations are immutable and
+// both in pixels with the center of the top-left pixel at (0, 0). Implementations are immutable and
 // safe to call from several threads; they return nothing where the lens model is not invertible or
 // the ray is more than 75 degrees off the optical axis.
 class LensMap {

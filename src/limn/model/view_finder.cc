@@ -29,11 +29,11 @@ ViewFinder::ViewFinder(const std::vector<View>& views) {
   }
 }
 
-std::vector<ViewId> ViewFinder::Near(const Eigen::Vector3d& centre, double radius) const {
+std::vector<ViewId> ViewFinder::Near(const Eigen::Vector3d& center, double radius) const {
   std::vector<ViewId> near;
-  const double reach = radius + kSlack * (centre.norm() + radius);
+  const double reach = radius + kSlack * (center.norm() + radius);
   for (size_t v = 0; v < planes_.size(); ++v) {
-    const Eigen::Matrix<double, 5, 1> inwards = planes_[v] * centre.homogeneous();
+    const Eigen::Matrix<double, 5, 1> inwards = planes_[v] * center.homogeneous();
     if (inwards.minCoeff() >= -reach) near.push_back(static_cast<ViewId>(v));
   }
   return near;

@@ -14,15 +14,15 @@ class ViewFinder {
  public:
   explicit ViewFinder(const std::vector<View>& views);
 
-  // Ascending: every view whose image contains a point within `radius` of `centre`, and those that
+  // Ascending: every view whose image contains a point within `radius` of `center`, and those that
   // come near it. Time: views, a few comparisons each.
-  std::vector<ViewId> Near(const Eigen::Vector3d& centre, double radius) const;
+  std::vector<ViewId> Near(const Eigen::Vector3d& center, double radius) const;
 
   // The same for the points of a curve; empty if there is none.
   std::vector<ViewId> NearAnyOf(const std::vector<Eigen::Vector3d>& points) const;
 
  private:
-  // Four sides of the frustum and the plane through the camera's centre: the distance inwards of a
+  // Four sides of the frustum and the plane through the camera's center: the distance inwards of a
   // point is normal * (x, y, z, 1).
   using Planes = Eigen::Matrix<double, 5, 4>;
 

@@ -10,7 +10,7 @@
 
 namespace limn {
 
-// A picture to draw on, in pixels of the photograph (centre of the top-left pixel at (0, 0))
+// A picture to draw on, in pixels of the photograph (center of the top-left pixel at (0, 0))
 // whatever its enlargement. Lines and marks are anti-aliased.
 class Canvas {
  public:

@@ -13,7 +13,7 @@ namespace limn {
 struct PictureOptions {
   // Enlargement, 1..8; 0 doubles pictures whose longer side is below 1000 px.
   int scale = 0;
-  // What the photograph's grey levels are multiplied by, in [0, 1]; lower lets the lines stand out.
+  // What the photograph's gray levels are multiplied by, in [0, 1]; lower lets the lines stand out.
   double brightness = 0.55;
   // Width of the lines and radius of a junction's disc, pixels of the picture.
   int line_width_px = 2;
@@ -22,25 +22,25 @@ struct PictureOptions {
   void Check() const;
 };
 
-// A drawing over a photograph, in stored pixels, through the lens: one colour per link
+// A drawing over a photograph, in stored pixels, through the lens: one color per link
 // (ColorOfCurve), links this view does not support thin and faded; junctions as discs, ends as
 // small squares, loop anchors as diamonds, at nodes with a link this view supports. Occlusion is
 // not known. Throws InputError if the photograph has not the size of the view's camera.
 Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const DrawingGraph& graph,
                     const PictureOptions& options = {});
 
-// A curve sketch over a photograph: one colour per curve.
+// A curve sketch over a photograph: one color per curve.
 Picture DrawOverlay(const Image& photo, const View& view, const CurveSketch& sketch,
                     const PictureOptions& options = {});
 
-// The fragments of one image over it: one colour per fragment.
+// The fragments of one image over it: one color per fragment.
 Picture DrawFragments(const Image& photo, const ImageCurves& curves,
                       const PictureOptions& options = {});
 
-// The edgels of one image over it, coloured by what became of them: green = drawn or explained by
+// The edgels of one image over it, colored by what became of them: green = drawn or explained by
 // the drawing; red = too few views or none support it; orange = depth inconsistent, piece too short
-// or support lost; yellow = too little evidence for the link; cyan = link too
-// short or covered; blue = fragment too short; grey = not linked.
+// or support lost; yellow = too little support for the link; cyan = link too
+// short or covered; blue = fragment too short; gray = not linked.
 Picture DrawAccount(const Image& photo, const ImageCurves& curves,
                     const std::vector<EdgelFate>& fates, const PictureOptions& options = {});
 

@@ -116,7 +116,7 @@ StageSummary Summarize(const std::vector<ViewCounts>& views) {
   summary.stage = "image curves";
   summary.in = {{"images", static_cast<int64_t>(views.size())}, {"edgels", sum.edgels}};
   summary.kept = {{"edgels", sum.in_fragments}, {"fragments", sum.fragments}};
-  summary.dropped = {{"edgels: not linked to a neighbour", sum.not_linked},
+  summary.dropped = {{"edgels: not linked to a neighbor", sum.not_linked},
                      {"edgels: fragment too short", sum.not_grouped},
                      {"edgels: outside the lens model", sum.outside_lens}};
   return summary;

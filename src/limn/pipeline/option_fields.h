@@ -29,7 +29,7 @@ void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
 
 template <typename Visit>
 void VisitFields(LinkingOptions& o, Visit&& visit) {
-  visit("neighbour_radius_px", o.neighbour_radius_px, "neighborhood of a curvelet, px");
+  visit("neighbor_radius_px", o.neighbor_radius_px, "neighborhood of a curvelet, px");
   visit("position_tolerance_px", o.position_tolerance_px, "curvelets: tolerance across, px");
   visit("max_position_tolerance_px", o.max_position_tolerance_px,
         "upper limit of the tolerance for uncertain edgels, px");

@@ -31,7 +31,7 @@ struct ControlGraph {
   // Links meet here in different directions: nothing holds such a point along one of them.
   std::vector<uint8_t> corner;
   std::vector<ControlLink> links;  // as in the graph
-  // Triples of neighbours along a curve, through smooth nodes too.
+  // Triples of neighbors along a curve, through smooth nodes too.
   std::vector<std::array<int, 3>> bends;
 };
 
@@ -39,7 +39,7 @@ struct ControlGraph {
 ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>& views,
                               double spacing_px);
 
-// Unit tangents from the neighbours along the links.
+// Unit tangents from the neighbors along the links.
 void UpdateTangents(ControlGraph* control);
 
 // Move the inner points of links marked nonzero by what their nodes moved since `before`, the

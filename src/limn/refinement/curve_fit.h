@@ -20,7 +20,7 @@ struct CurveFitInput {
 // Per control point the covariance, world units squared; nothing where nothing was fitted.
 using Covariances = std::vector<std::optional<Eigen::Matrix3d>>;
 
-// Move the control points to minimise
+// Move the control points to minimize
 //   sum over pulls of weight * Cauchy(distance to the tangent line / its sigma)
 //   + sum over bends of |change of direction|^2 / (bending_sigma^2 * length)
 //   + what holds points along their curve, where nothing else does

@@ -49,7 +49,7 @@ class LinearCost : public ceres::CostFunction {
   Eigen::Vector3d target_;
 };
 
-// Coefficients of three neighbours whose sum is the change of direction in standard deviations.
+// Coefficients of three neighbors whose sum is the change of direction in standard deviations.
 std::array<double, 3> BendFactors(const std::array<int, 3>& bend, const RefinementOptions& options,
                                   const ControlGraph& control) {
   const double footprint = control.footprint[bend[1]];

@@ -15,7 +15,7 @@ namespace limn {
 // Hold a point weakly to where it was in the drawing: along its curve, and at a corner.
 void AddHold(int point, ControlGraph* control, ceres::Problem* problem);
 
-// The penalty on the change of direction at the middle one of three neighbours.
+// The penalty on the change of direction at the middle one of three neighbors.
 void AddBend(const std::array<int, 3>& bend, const RefinementOptions& options,
              ControlGraph* control, ceres::Problem* problem);
 

@@ -102,7 +102,7 @@ class LinkMatcher {
     return (control_.position[to] - control_.position[from]).norm() / footprint;
   }
 
-  // Of the segment and its neighbours: a short segment alone is not sure of its direction.
+  // Of the segment and its neighbors: a short segment alone is not sure of its direction.
   Eigen::Vector3d Direction(const ControlLink& link, int s) const {
     const int before = std::max(s - 1, 0);
     const int after = std::min(s + 2, link.NumSegments());

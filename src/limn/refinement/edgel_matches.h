@@ -8,7 +8,7 @@
 #include "limn/model/view.h"
 #include "limn/refinement/control_graph.h"
 #include "limn/refinement/refinement_options.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 #include "limn/util/parallel.h"
 
 namespace limn {
@@ -36,7 +36,7 @@ using LinkMatches = std::vector<LinkSample>;
 struct MatchInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;
-  const std::vector<std::unique_ptr<ViewEvidence>>& edgels;
+  const std::vector<std::unique_ptr<ViewEdgels>>& edgels;
   // Per link the views that are asked.
   const std::vector<std::vector<ViewId>>& asked;
 };

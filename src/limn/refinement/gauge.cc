@@ -6,7 +6,7 @@ namespace limn {
 
 namespace {
 
-// Root of the sum of squared distances of the camera centres from their mean.
+// Root of the sum of squared distances of the camera centers from their mean.
 double Spread(const std::vector<View>& views) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const View& view : views) mean += view.CenterInWorld() / static_cast<double>(views.size());
@@ -24,7 +24,7 @@ Eigen::Affine3d GivenFromRefined(const std::vector<View>& given, const std::vect
   for (const View& view : given) {
     mean_arm += (view.CenterInWorld() - middle).norm() / static_cast<double>(given.size());
   }
-  // Centres that coincide tell no scale.
+  // Centers that coincide tell no scale.
   const double spread = Spread(given);
   const double scale = spread > 1e-6 * mean_arm ? Spread(refined) / spread : 1;
   Eigen::Matrix3Xd from(3, num_points);

@@ -9,9 +9,9 @@
 namespace limn {
 
 // The similarity that brings refined cameras back to the given ones: what images cannot tell shall
-// not change. Least squares over all cameras' centres and the points one arm, from the given centre
+// not change. Least squares over all cameras' centers and the points one arm, from the given center
 // to the `middle` of the scene, along their axes: cameras count by what they do to the image of the
-// scene, and even two of them fix all. The scale is 1 if all given centres are the same. Same views
+// scene, and even two of them fix all. The scale is 1 if all given centers are the same. Same views
 // in both, of which at least one.
 Eigen::Affine3d GivenFromRefined(const std::vector<View>& given, const std::vector<View>& refined,
                                  const Eigen::Vector3d& middle);

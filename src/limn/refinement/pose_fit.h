@@ -39,7 +39,7 @@ struct PoseFitInput {
   double robust_px = 0.5;
 };
 
-// Move cameras, control points and scene points together to minimise the sum of FitCurves, with
+// Move cameras, control points and scene points together to minimize the sum of FitCurves, with
 //   sum over pixels of points of Cauchy(distance to the projected point / 0.5 px), stored px,
 // and a weak hold of every camera where it was given: a change of 10 px in the image of the scene
 // is one standard deviation. That fixes what images do not tell: place, orientation and scale of

@@ -94,7 +94,7 @@ class Refiner {
         context_(context),
         views_(input.views),
         graph_(input.graph),
-        edgels_(BuildEvidence(input.curves, context)) {
+        edgels_(BuildViewEdgels(input.curves, context)) {
     TakeGraph();
   }
 
@@ -332,7 +332,7 @@ class Refiner {
   const RunContext& context_;
   std::vector<View> views_;  // with refined cameras
   DrawingGraph graph_;
-  std::vector<std::unique_ptr<ViewEvidence>> edgels_;
+  std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
   std::vector<std::vector<ViewId>> asked_;
   std::vector<LinkMatches> matches_;

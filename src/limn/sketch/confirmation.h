@@ -55,7 +55,7 @@ class ConfirmationViews {
     ViewId id;
     RelativeProjection from_primary;
     Eigen::Matrix3d direction_from_primary;  // K R: homogeneous image direction of a 3D direction
-    Eigen::Vector3d centre_in_primary;
+    Eigen::Vector3d center_in_primary;
     const ImageRegion* region;
     const OrientationMask* mask;
   };

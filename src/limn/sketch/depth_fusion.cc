@@ -12,7 +12,7 @@ constexpr int kMaxModes = 8;
 // A second view that agrees is worth this many supporting views; more than this many count no more.
 constexpr double kAgreementBonus = 0.5;
 constexpr int kMaxAgreement = 4;
-// Cost of a jump of 1 px between neighbours, its cap, and the cost of starting or ending a stretch.
+// Cost of a jump of 1 px between neighbors, its cap, and the cost of starting or ending a stretch.
 constexpr double kJumpCost = 2.0;
 constexpr double kMaxJumpCost = 10.0;
 constexpr double kBoundaryCost = 2.0;

@@ -42,7 +42,7 @@ struct DepthMode {
 };
 
 // Choose one mode per vertex, or none (-1), jointly along a fragment by dynamic programming, which
-// weighs their scores against jumps between neighbours that their slopes do not explain.
+// weighs their scores against jumps between neighbors that their slopes do not explain.
 // `modes[i]` belongs to vertex i. The first vertex of a closed fragment is not tied to the last.
 // Time: vertices x modes^2.
 std::vector<int> ChooseModes(const FragmentRays& fragment,
@@ -51,7 +51,7 @@ std::vector<int> ChooseModes(const FragmentRays& fragment,
 // Robust averaging of all reconstructions of the edgels of one fragment (ECCV 2016, section 2;
 // ALGORITHM.md 6.2). At every vertex the candidates form modes (within options.depth_gate_px of
 // each other in the confirmation views); the modes are chosen jointly along the fragment by dynamic
-// programming, which weighs their support against jumps between neighbours that their tangents do
+// programming, which weighs their support against jumps between neighbors that their tangents do
 // not explain; the candidates of the chosen mode are averaged by information after dropping those
 // beyond two robust standard deviations. `candidates[i]` belongs to vertex i. Time: vertices x
 // (candidates log candidates + modes^2).

@@ -11,7 +11,7 @@ namespace limn {
 namespace {
 
 constexpr double kChordsPerBin = 8;
-// Centres this near, as a share of their distance from the origin, are one: no baseline.
+// Centers this near, as a share of their distance from the origin, are one: no baseline.
 constexpr double kMinRelativeBaseline = 1e-12;
 
 Eigen::Matrix3d WorldDirectionFromPixel(const View& view) {

@@ -26,7 +26,7 @@ class EpipolarChords {
   EpipolarChords(const View& primary, const View& other, const ImageCurves& curves_of_other);
 
   // Append what the half plane of a primary pixel, from the baseline outwards, meets in the other
-  // view, ascending by fragment and place on it. Nothing where the views have one centre. Expected
+  // view, ascending by fragment and place on it. Nothing where the views have one center. Expected
   // time: crossings found.
   void Find(const Eigen::Vector2d& primary_px, std::vector<LineCrossing>* crossings) const;
 

@@ -34,8 +34,8 @@ class PairGeometry {
                                          second.cam_from_world)) {
     const Rigid3d primary_from_second = primary.cam_from_world * Inverse(second.cam_from_world);
     rotation_ = primary_from_second.rotation.toRotationMatrix();
-    second_centre_ = primary_from_second.translation;
-    primary_epipole_ = primary.camera.Calibration() * second_centre_;
+    second_center_ = primary_from_second.translation;
+    primary_epipole_ = primary.camera.Calibration() * second_center_;
   }
 
   // Homogeneous projection of the point at `depth`: its last component is the depth in the second
@@ -79,7 +79,7 @@ class PairGeometry {
   }
 
   double TriangulationSine(const Eigen::Vector3d& point) const {
-    const Eigen::Vector3d other = point - second_centre_;
+    const Eigen::Vector3d other = point - second_center_;
     return point.cross(other).norm() / (point.norm() * other.norm());
   }
 
@@ -88,7 +88,7 @@ class PairGeometry {
   const View& second_;
   RelativeProjection relative_;
   Eigen::Matrix3d rotation_;
-  Eigen::Vector3d second_centre_;
+  Eigen::Vector3d second_center_;
   Eigen::Vector3d primary_epipole_;
 };
 

@@ -36,7 +36,7 @@ struct FragmentRays {
   std::vector<Eigen::Vector2d> positions_px;
   std::vector<Eigen::Vector2d> tangents_px;
   std::vector<Eigen::Vector3d> rays;     // z = 1
-  std::vector<Eigen::Vector3d> normals;  // of the planes through the centre and the tangent, unit
+  std::vector<Eigen::Vector3d> normals;  // of the planes through the center and the tangent, unit
   // Arc length from the first vertex, px.
   std::vector<double> arc_px;
   bool closed = false;

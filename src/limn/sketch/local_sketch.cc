@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNarrowSupportDeg = 15;
 constexpr double kWideViewsDeg = 30;
-// Views sketched between two changes of what evidence is held.
+// Views sketched between two changes of which edgels are held.
 constexpr size_t kBlock = 64;
 
 class ViewSketcher {
@@ -48,7 +48,7 @@ class ViewSketcher {
       Curve3D curve = MakeCurve(View(), fragment, depths, run);
       curve.anchor.view = primary_.id;
       curve.anchor.fragment = fragment_id;
-      CollectSupport(primary_.input.views, primary_.input.curves, primary_.evidence.views,
+      CollectSupport(primary_.input.views, primary_.input.curves, primary_.edgels.views,
                      support_views_, options.Gate(), &curve);
       curves_.push_back(std::move(curve));
     }
@@ -133,13 +133,13 @@ ViewSketch SketchOneView(const PrimaryView& primary, DepthFinder depths,
 }  // namespace
 
 PrimaryView::PrimaryView(const SketchInput& sketch_input, ViewId view, const ViewPlan& view_plan,
-                         const SketchEvidence& sketch_evidence, const SketchOptions& sketch_options)
+                         const SketchEdgels& sketch_edgels, const SketchOptions& sketch_options)
     : input(sketch_input),
       id(view),
       plan(view_plan),
-      evidence(sketch_evidence),
+      edgels(sketch_edgels),
       options(sketch_options),
-      confirmation(view, plan.confirmation_views, input.views, evidence.masks),
+      confirmation(view, plan.confirmation_views, input.views, edgels.masks),
       world_from_cam(Inverse(input.views[view].cam_from_world)) {}
 
 PrimaryView::Verdict PrimaryView::Judge(const HypothesisSupport& support, size_t j,
@@ -171,14 +171,14 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
   for (const ViewId v : primaries) {
     if (!by_view[v]) missing.push_back(v);
   }
-  SketchEvidence evidence(input.views.size());
+  SketchEdgels edgels(input.views.size());
   for (size_t begin = 0; begin < missing.size(); begin += kBlock) {
     const std::vector<ViewId> block(missing.begin() + begin,
                                     missing.begin() + std::min(begin + kBlock, missing.size()));
-    HoldViews(WithPartners(block, plans), input, options.Gate(), context, &evidence);
+    HoldViews(WithPartners(block, plans), input, options.Gate(), context, &edgels);
     ParallelFor(PartOf(context, begin, missing.size()), stage, block.size(), [&](size_t b) {
       const ViewId v = block[b];
-      const PrimaryView primary(input, v, plans[v], evidence, options);
+      const PrimaryView primary(input, v, plans[v], edgels, options);
       by_view[v] = SketchOneView(primary, make_finder(primary), context);
       if (store) store->save(v, plans[v], *by_view[v]);
     });

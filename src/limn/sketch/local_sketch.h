@@ -7,14 +7,14 @@
 #include "limn/sketch/confirmation.h"
 #include "limn/sketch/depth_fusion.h"
 #include "limn/sketch/sketch.h"
-#include "limn/sketch/sketch_evidence.h"
+#include "limn/sketch/sketch_edgels.h"
 
 namespace limn {
 
 // What a generator of depths knows of its primary view. Holds references.
 struct PrimaryView {
-  PrimaryView(const SketchInput& input, ViewId id, const ViewPlan& plan,
-              const SketchEvidence& evidence, const SketchOptions& options);
+  PrimaryView(const SketchInput& input, ViewId id, const ViewPlan& plan, const SketchEdgels& edgels,
+              const SketchOptions& options);
 
   // Whether sample j of a hypothesis, at this point, is supported: by enough of the views that
   // contain it, in the box, and not only within a narrow angle while views at wide angles contain
@@ -30,7 +30,7 @@ struct PrimaryView {
   const SketchInput& input;
   ViewId id;
   const ViewPlan& plan;
-  const SketchEvidence& evidence;
+  const SketchEdgels& edgels;
   const SketchOptions& options;
   ConfirmationViews confirmation;
   Rigid3d world_from_cam;
@@ -51,7 +51,7 @@ struct DepthFinder {
 // The sketch whose depths come from local support: for every view a finder is made, asked for every
 // fragment that is long enough, and what it finds becomes curves with their support. `stage` names
 // the result. Calls for different views run in parallel. Views that the store (may be null) has are
-// taken from it; the others are sketched in blocks, whose evidence is all that is held.
+// taken from it; the others are sketched in blocks, whose edgels are all that is held.
 SketchResult SketchFragments(const char* stage, const SketchInput& input,
                              const SketchOptions& options, const RunContext& context,
                              const ViewSketchStore* store,

@@ -5,7 +5,7 @@
 
 #include "limn/sketch/confirmation.h"
 #include "limn/sketch/sketch.h"
-#include "limn/sketch/sketch_evidence.h"
+#include "limn/sketch/sketch_edgels.h"
 #include "limn/sketch/sketch_pieces.h"
 
 namespace limn {
@@ -88,13 +88,13 @@ std::vector<FusedDepth> AsDepths(const FragmentRays& fragment, const CurveHypoth
 class PairMatcher {
  public:
   PairMatcher(const SketchInput& input, ViewId primary, const ViewPlan& plan,
-              const SketchEvidence& evidence, const SketchOptions& options)
+              const SketchEdgels& edgels, const SketchOptions& options)
       : input_(input),
         primary_(primary),
         plan_(plan),
-        evidence_(evidence),
+        edgels_(edgels),
         options_(options),
-        confirmation_(primary, plan.confirmation_views, input.views, evidence.masks) {
+        confirmation_(primary, plan.confirmation_views, input.views, edgels.masks) {
     for (const ViewId second : plan.second_views) {
       chords_.emplace_back(input.views[primary], input.views[second], input.curves[second]);
     }
@@ -167,7 +167,7 @@ class PairMatcher {
     curve.anchor = {primary_, fragment_id, begin};
     std::vector<ViewId> support_views = plan_.confirmation_views;
     std::sort(support_views.begin(), support_views.end());
-    CollectSupport(input_.views, input_.curves, evidence_.views, support_views, options_.Gate(),
+    CollectSupport(input_.views, input_.curves, edgels_.views, support_views, options_.Gate(),
                    &curve);
     sketch->curves.push_back(std::move(curve));
   }
@@ -175,7 +175,7 @@ class PairMatcher {
   const SketchInput& input_;
   ViewId primary_;
   const ViewPlan& plan_;
-  const SketchEvidence& evidence_;
+  const SketchEdgels& edgels_;
   const SketchOptions& options_;
   ConfirmationViews confirmation_;
   std::vector<EpipolarChords> chords_;  // per second view
@@ -187,11 +187,11 @@ SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& 
                                  const RunContext& context) {
   options.Check();
   const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
-  SketchEvidence evidence(input.views.size());
-  HoldViews(IdsOf({}, input.views.size()), input, options.Gate(), context, &evidence);
+  SketchEdgels edgels(input.views.size());
+  HoldViews(IdsOf({}, input.views.size()), input, options.Gate(), context, &edgels);
   std::vector<PrimaryCurves> by_view(input.views.size());
   ParallelFor(context, "original sketch", input.views.size(), [&](size_t v) {
-    const PairMatcher matcher(input, static_cast<ViewId>(v), plans[v], evidence, options);
+    const PairMatcher matcher(input, static_cast<ViewId>(v), plans[v], edgels, options);
     for (size_t f = 0; f < input.curves[v].fragments.size(); ++f) {
       matcher.Match(static_cast<int>(f), &by_view[v]);
     }

@@ -9,7 +9,7 @@
 namespace limn {
 namespace {
 
-// A jump between neighbours beyond this, in px of the confirmation views and after allowing for the
+// A jump between neighbors beyond this, in px of the confirmation views and after allowing for the
 // slope of the curve, ends a piece.
 constexpr double kMaxJumpPx = 3;
 // Half width of the stretch that the slope of depth is fitted to, px.
@@ -41,7 +41,7 @@ void FillBetween(const FragmentRays& fragment, int from, int to, std::vector<Fus
   }
 }
 
-// Whether `from` and `to`, neighbours in the fragment, may belong to one 3D curve. The second
+// Whether `from` and `to`, neighbors in the fragment, may belong to one 3D curve. The second
 // differences on both sides tell slope from jump.
 bool Connected(const std::vector<FusedDepth>& depths, int from, int to) {
   const int count = static_cast<int>(depths.size());
@@ -53,8 +53,8 @@ bool Connected(const std::vector<FusedDepth>& depths, int from, int to) {
   const auto explain = [&](int i, int j) {
     if (i < 0 || j < 0 || i >= count || j >= count) return;
     if (!depths[i].has_depth || !depths[j].has_depth) return;
-    const double neighbour_step = depths[j].inverse_depth - depths[i].inverse_depth;
-    unexplained = std::min(unexplained, std::abs(step - neighbour_step));
+    const double neighbor_step = depths[j].inverse_depth - depths[i].inverse_depth;
+    unexplained = std::min(unexplained, std::abs(step - neighbor_step));
   };
   explain(from - 1, from);
   explain(to, to + 1);
@@ -81,7 +81,7 @@ class LineFit {
   double sum_ = 0, sum_s_ = 0, sum_ss_ = 0, sum_q_ = 0, sum_sq_ = 0;
 };
 
-// Slope of inverse depth per px at position j of a run, fitted to its neighbourhood.
+// Slope of inverse depth per px at position j of a run, fitted to its neighborhood.
 double FitSlope(const std::vector<double>& arc, const std::vector<double>& inverse_depth,
                 const std::vector<double>& weight, size_t j) {
   LineFit fit;
@@ -255,7 +255,7 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
 }
 
 void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                    const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                    const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
                     const std::vector<ViewId>& candidate_views, const SupportGate& gate,
                     Curve3D* curve) {
   const CurveFragment& fragment = curves[curve->anchor.view].fragments[curve->anchor.fragment];
@@ -267,7 +267,7 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
     for (const ViewId v : candidate_views) {
       const auto sight = See(views[v], curve->points_in_world[s], curve->tangents_in_world[s]);
       if (!sight) continue;
-      const auto match = evidence[v]->edgels.Best(sight->position_px, sight->direction_rad, gate);
+      const auto match = edgels[v]->edgels.Best(sight->position_px, sight->direction_rad, gate);
       if (match) of_sample.push_back({v, match->edgel});
     }
     std::sort(of_sample.begin(), of_sample.end());

@@ -4,12 +4,12 @@
 
 #include "limn/sketch/depth_fusion.h"
 #include "limn/sketch/sketch.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 
 namespace limn {
 
 // Depths of all vertices of a fragment from those of some of them: linear in arc length between
-// neighbouring ones that both have a depth.
+// neighboring ones that both have a depth.
 std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::vector<int>& vertices,
                                      const std::vector<FusedDepth>& depths);
 
@@ -49,7 +49,7 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
 // For every sample of a curve its own edgel in the anchor view and the best edgel within the gate
 // in each of the given views (ascending, without the anchor's).
 void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                    const std::vector<std::unique_ptr<ViewEvidence>>& evidence,
+                    const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
                     const std::vector<ViewId>& candidate_views, const SupportGate& gate,
                     Curve3D* curve);
 

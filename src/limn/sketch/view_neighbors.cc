@@ -35,7 +35,7 @@ void Thin(size_t max_size, std::vector<T>* items) {
   items->resize(max_size);
 }
 
-// By distance, ascending; what is at the centre itself is left out.
+// By distance, ascending; what is at the center itself is left out.
 std::array<Ring, kNumRings> MakeRings(const std::vector<SpatialIndex::Neighbor>& found,
                                       double reach) {
   std::array<Ring, kNumRings> rings;

@@ -15,7 +15,7 @@ namespace limn {
 namespace {
 
 constexpr int kNumDepths = 36;
-// Depths tried, in multiples of the median distance between the centres of the camera and its
+// Depths tried, in multiples of the median distance between the centers of the camera and its
 // neighbors; those of points beyond are tried too.
 constexpr double kMinRelativeDepth = 0.05;
 constexpr double kMaxRelativeDepth = 100.0;
@@ -77,15 +77,15 @@ std::vector<ViewId> PickSpread(const std::vector<CandidateView>& candidates,
   return picked;
 }
 
-std::vector<Eigen::Vector3d> Centres(const std::vector<View>& views) {
-  std::vector<Eigen::Vector3d> centres;
-  for (const View& view : views) centres.push_back(view.CenterInWorld());
-  return centres;
+std::vector<Eigen::Vector3d> Centers(const std::vector<View>& views) {
+  std::vector<Eigen::Vector3d> centers;
+  for (const View& view : views) centers.push_back(view.CenterInWorld());
+  return centers;
 }
 
-// Centres that differ by rounding only are one centre.
-bool IsExtended(double extent, const std::vector<Eigen::Vector3d>& centres) {
-  return extent > 1e-9 * centres.front().norm();
+// Centers that differ by rounding only are one center.
+bool IsExtended(double extent, const std::vector<Eigen::Vector3d>& centers) {
+  return extent > 1e-9 * centers.front().norm();
 }
 
 // The places in front of a primary view at which the choice is made, and how its neighbors see
@@ -107,7 +107,7 @@ class PlanBuilder {
  public:
   PlanBuilder(const std::vector<View>& views, const ViewSelectionOptions& options)
       : views_(views),
-        centres_(Centres(views)),
+        centers_(Centers(views)),
         options_(options),
         finder_(views, std::min(options.min_pair_angle_deg, options.min_confirmation_angle_deg),
                 std::max(options.max_pair_angle_deg, options.max_confirmation_angle_deg)) {}
@@ -150,7 +150,7 @@ class PlanBuilder {
     for (const ViewId v : field.neighbors) {
       for (const Eigen::Vector3d& place : field.places) {
         const bool seen = views_[v].Project(place).has_value();
-        field.angles_deg.push_back(seen ? AngleDeg(place - centres_[primary], place - centres_[v])
+        field.angles_deg.push_back(seen ? AngleDeg(place - centers_[primary], place - centers_[v])
                                         : -1);
       }
     }
@@ -159,13 +159,13 @@ class PlanBuilder {
 
   // Of the camera and its neighbors; of all cameras where those tell nothing.
   double Scale(ViewId primary, const std::vector<ViewId>& neighbors) const {
-    std::vector<Eigen::Vector3d> centres;
-    for (const ViewId v : neighbors) centres.push_back(centres_[v]);
-    centres.insert(std::lower_bound(neighbors.begin(), neighbors.end(), primary) -
-                       neighbors.begin() + centres.begin(),
-                   centres_[primary]);
-    const double scale = Extent(centres);
-    return IsExtended(scale, centres) ? scale : Extent(centres_);
+    std::vector<Eigen::Vector3d> centers;
+    for (const ViewId v : neighbors) centers.push_back(centers_[v]);
+    centers.insert(std::lower_bound(neighbors.begin(), neighbors.end(), primary) -
+                       neighbors.begin() + centers.begin(),
+                   centers_[primary]);
+    const double scale = Extent(centers);
+    return IsExtended(scale, centers) ? scale : Extent(centers_);
   }
 
   // Per place, the views that contain it under an angle usable for confirmation.
@@ -220,7 +220,7 @@ class PlanBuilder {
       candidate.view = field.neighbors[n];
       const double* angles = field.AnglesOf(n);
       const Eigen::Vector3d baseline_in_cam =
-          cam_from_world * (centres_[candidate.view] - centres_[primary]);
+          cam_from_world * (centers_[candidate.view] - centers_[primary]);
       double common_weight = 0;
       for (size_t i = 0; i < weights.size(); ++i) {
         const double angle = angles[i];
@@ -232,7 +232,7 @@ class PlanBuilder {
                                                       40, options_.max_confirmation_angle_deg);
         // Epipolar direction at the ray: the baseline without its component along the ray.
         const Eigen::Vector3d ray_in_cam =
-            (cam_from_world * (field.places[i] - centres_[primary])).normalized();
+            (cam_from_world * (field.places[i] - centers_[primary])).normalized();
         const Eigen::Vector3d lateral =
             baseline_in_cam - baseline_in_cam.dot(ray_in_cam) * ray_in_cam;
         if (lateral.head<2>().norm() > 0) {
@@ -248,7 +248,7 @@ class PlanBuilder {
   }
 
   const std::vector<View>& views_;
-  const std::vector<Eigen::Vector3d> centres_;
+  const std::vector<Eigen::Vector3d> centers_;
   const ViewSelectionOptions& options_;
   const NeighborFinder finder_;
 };
@@ -307,9 +307,9 @@ std::string WhyNothingIsTriangulated(const std::vector<View>& views) {
   if (views.size() < 3) {
     return "at least 3 registered images are needed, got " + std::to_string(views.size());
   }
-  const std::vector<Eigen::Vector3d> centres = Centres(views);
-  if (!IsExtended(Extent(centres), centres)) {
-    return "the cameras are all at one centre: nothing can be triangulated";
+  const std::vector<Eigen::Vector3d> centers = Centers(views);
+  if (!IsExtended(Extent(centers), centers)) {
+    return "the cameras are all at one center: nothing can be triangulated";
   }
   return "";
 }

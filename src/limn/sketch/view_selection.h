@@ -45,7 +45,7 @@ struct ViewPlan {
   std::vector<ViewId> confirmation_views;  // most useful and diverse first
 };
 
-// Fewer than 3 views, or all cameras at one centre, in words; empty if there is nothing to say.
+// Fewer than 3 views, or all cameras at one center, in words; empty if there is nothing to say.
 std::string WhyNothingIsTriangulated(const std::vector<View>& views);
 
 // Throws InputError if nothing can be triangulated. SelectViews does it too; to be called before

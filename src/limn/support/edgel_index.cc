@@ -90,12 +90,12 @@ int EdgelIndex::CellOf(const Edgel& edgel) const {
 template <typename Visit>
 void EdgelIndex::VisitCells(const Eigen::Vector2d& position_px, double radius_px,
                             Visit&& visit) const {
-  const Eigen::Vector2d centre = (position_px - origin_) / kCellPx;
+  const Eigen::Vector2d center = (position_px - origin_) / kCellPx;
   const double radius = radius_px / kCellPx;
-  const int col_begin = std::max(0, static_cast<int>(std::floor(centre.x() - radius)));
-  const int col_end = std::min(cols_ - 1, static_cast<int>(std::floor(centre.x() + radius)));
-  const int row_begin = std::max(0, static_cast<int>(std::floor(centre.y() - radius)));
-  const int row_end = std::min(rows_ - 1, static_cast<int>(std::floor(centre.y() + radius)));
+  const int col_begin = std::max(0, static_cast<int>(std::floor(center.x() - radius)));
+  const int col_end = std::min(cols_ - 1, static_cast<int>(std::floor(center.x() + radius)));
+  const int row_begin = std::max(0, static_cast<int>(std::floor(center.y() - radius)));
+  const int row_end = std::min(rows_ - 1, static_cast<int>(std::floor(center.y() + radius)));
   if (col_begin > col_end) return;
   for (int row = row_begin; row <= row_end; ++row) {
     for (int col = col_begin; col <= col_end;) {

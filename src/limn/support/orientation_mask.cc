@@ -72,14 +72,14 @@ void OrientationMask::Draw(const Edgel& edgel, const SupportGate& gate) {
   const double radius = std::hypot(gate.normal_px, gate.along_px);
   const Eigen::Vector2d half_size(virtual_from_stored.row(0).norm() * radius,
                                   virtual_from_stored.row(1).norm() * radius);
-  const Eigen::Vector2d centre = edgel.position_px - origin_;
-  const int col_begin = std::max(0, static_cast<int>(std::ceil(centre.x() - half_size.x())));
-  const int col_end = std::min(cols_ - 1, static_cast<int>(centre.x() + half_size.x()));
-  const int row_begin = std::max(0, static_cast<int>(std::ceil(centre.y() - half_size.y())));
-  const int row_end = std::min(rows_ - 1, static_cast<int>(centre.y() + half_size.y()));
+  const Eigen::Vector2d center = edgel.position_px - origin_;
+  const int col_begin = std::max(0, static_cast<int>(std::ceil(center.x() - half_size.x())));
+  const int col_end = std::min(cols_ - 1, static_cast<int>(center.x() + half_size.x()));
+  const int row_begin = std::max(0, static_cast<int>(std::ceil(center.y() - half_size.y())));
+  const int row_end = std::min(rows_ - 1, static_cast<int>(center.y() + half_size.y()));
   for (int row = row_begin; row <= row_end; ++row) {
     for (int col = col_begin; col <= col_end; ++col) {
-      const Eigen::Vector2d offset = stored_from_virtual * (Eigen::Vector2d(col, row) - centre);
+      const Eigen::Vector2d offset = stored_from_virtual * (Eigen::Vector2d(col, row) - center);
       const double normal = tangent.y() * offset.x() - tangent.x() * offset.y();
       if (std::abs(normal) > gate.normal_px || std::abs(tangent.dot(offset)) > gate.along_px) {
         continue;

@@ -20,7 +20,7 @@ class OrientationMask {
   OrientationMask(const EdgeMap& edge_map, const std::vector<bool>& usable,
                   const ImageRegion& region, const SupportGate& gate);
 
-  // Direction (dx, dy) need not be normalised.
+  // Direction (dx, dy) need not be normalized.
   bool Supports(double x, double y, double dx, double dy) const {
     const int col = static_cast<int>(x - origin_.x() + 0.5);
     const int row = static_cast<int>(y - origin_.y() + 0.5);

@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "limn/support/segment_evidence.h"
+#include "limn/support/segment_support.h"
 
 namespace limn {
 namespace {
@@ -43,7 +43,7 @@ constexpr double kMaxFalseAlarms = 10;
 struct Ray {
   ViewId view = -1;
   double angle = 0;        // in the virtual image, pointing away from the joint
-  Eigen::Vector3d normal;  // of the plane through the camera centre and the ray, world, unit
+  Eigen::Vector3d normal;  // of the plane through the camera center and the ray, world, unit
 };
 
 double AngleBetween(double a, double b) { return std::abs(std::remainder(a - b, 2 * M_PI)); }
@@ -64,13 +64,13 @@ std::optional<double> ImageDirection(const View& view, const Joint& joint,
 class RayFinder {
  public:
   RayFinder(const Joint& joint, const View& view, const EdgeMap& edge_map, const EdgelIndex& edgels,
-            const Eigen::Vector2d& centre)
-      : joint_(joint), view_(view), centre_(centre) {
-    edgels.ForEachWithin(centre, kMaxRayPx,
+            const Eigen::Vector2d& center)
+      : joint_(joint), view_(view), center_(center) {
+    edgels.ForEachWithin(center, kMaxRayPx,
                          [&](EdgelId id) { near_.push_back(&edge_map.edgels[id]); });
   }
 
-  // The direction in which edgels cover most pixels first; its neighbourhood then no longer counts.
+  // The direction in which edgels cover most pixels first; its neighborhood then no longer counts.
   std::vector<double> Find() const {
     std::vector<double> rays;
     std::vector<double> candidates = Candidates();
@@ -95,7 +95,7 @@ class RayFinder {
   std::vector<double> Candidates() const {
     std::vector<double> candidates;
     for (const Edgel* edgel : near_) {
-      const Eigen::Vector2d offset = edgel->position_px - centre_;
+      const Eigen::Vector2d offset = edgel->position_px - center_;
       if (offset.norm() < kMinRayPx) continue;
       if (std::abs(edgel->Normal().dot(offset)) > 2 * kMaxMissPx) continue;
       candidates.push_back(std::atan2(offset.y(), offset.x()));
@@ -125,7 +125,7 @@ class RayFinder {
     double sum = 0;
     double weight = 0;
     for (const Edgel* edgel : near_) {
-      const Eigen::Vector2d offset = edgel->position_px - centre_;
+      const Eigen::Vector2d offset = edgel->position_px - center_;
       const double along = offset.dot(unit);
       const double across = unit.x() * offset.y() - unit.y() * offset.x();
       if (along < kMinRayPx || along >= kMaxRayPx || std::abs(across) > kMaxMissPx) continue;
@@ -139,7 +139,7 @@ class RayFinder {
 
   const Joint& joint_;
   const View& view_;
-  Eigen::Vector2d centre_;
+  Eigen::Vector2d center_;
   std::vector<const Edgel*> near_;
 };
 
@@ -150,11 +150,11 @@ class DirectionFinder {
                   size_t min_views)
       : joint_(joint), views_(views), min_views_(min_views) {
     for (size_t v = 0; v < views.size(); ++v) {
-      const auto centre = joint.visible[v] ? views[v].Project(joint.position) : std::nullopt;
-      if (!centre) continue;
+      const auto center = joint.visible[v] ? views[v].Project(joint.position) : std::nullopt;
+      if (!center) continue;
       const Rigid3d& pose = views[v].cam_from_world;
       const Eigen::Vector3d point = pose * joint.position;
-      const RayFinder finder(joint, views[v], curves[v].edge_map, *edgels[v], *centre);
+      const RayFinder finder(joint, views[v], curves[v].edge_map, *edgels[v], *center);
       std::vector<Ray> of_view;
       for (const double angle : finder.Find()) {
         const Eigen::Vector3d along(std::cos(angle) / views[v].camera.fx,

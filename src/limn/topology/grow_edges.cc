@@ -12,7 +12,7 @@
 #include "limn/geometry/spatial_index.h"
 #include "limn/geometry/tangent_frame.h"
 #include "limn/support/edgel_residual.h"
-#include "limn/support/segment_evidence.h"
+#include "limn/support/segment_support.h"
 #include "limn/topology/corner_rays.h"
 
 namespace limn {
@@ -37,14 +37,14 @@ constexpr double kMaxMissPx = 2;
 // Shorter segments between two joints: the joints are one.
 constexpr double kMinSegmentPx = 3;
 // Chance with which the images may show a grown edge by accident, and any of the segments from one
-// joint to others: a segment between two joints has more in its favour than the images.
+// joint to others: a segment between two joints has more in its favor than the images.
 constexpr double kMaxChance = 1e-2;
 constexpr double kMaxSegmentChance = 1e-1;
 // Views in which edgels must run along an edge.
 constexpr int kMinViews = 4;
 
 // Logarithm of the chance that the images show this by accident; 0 where too few show it.
-double LogChanceOf(const SegmentEvidence& found) {
+double LogChanceOf(const SegmentSupport& found) {
   const auto count = static_cast<int>(found.seen_in.size());
   return count < kMinViews ? 0 : LogChance(count, found.num_views, found.background);
 }
@@ -170,8 +170,8 @@ class EdgeGrowth {
   }
 
   bool IsBelieved(const Joint& joint, const Eigen::Vector3d& end) const {
-    const SegmentEvidence found =
-        FindEvidence(joint.position, end, joint.visible, views_, claims_.all, CornerGate());
+    const SegmentSupport found =
+        FindSegmentSupport(joint.position, end, joint.visible, views_, claims_.all, CornerGate());
     return LogChanceOf(found) <= std::log(kMaxChance) &&
            IsNew(joint.position, end, joint.visible, views_, claims_);
   }
@@ -241,8 +241,8 @@ class SegmentFinder {
       for (size_t v = 0; v < visible.size(); ++v) visible[v] &= joints_[j].visible[v];
       const Eigen::Vector3d& from = joints_[i].position;
       const Eigen::Vector3d& to = joints_[j].position;
-      SegmentEvidence seen =
-          FindEvidence(from, to, visible, input_.views, claims_.all, CornerGate());
+      SegmentSupport seen =
+          FindSegmentSupport(from, to, visible, input_.views, claims_.all, CornerGate());
       const double chance = LogChanceOf(seen);
       if (chance <= std::log(kMaxSegmentChance / static_cast<double>(near.size())) &&
           IsNew(from, to, visible, input_.views, claims_)) {

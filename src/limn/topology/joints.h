@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "limn/support/segment_evidence.h"
+#include "limn/support/segment_support.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/topology_input.h"
 

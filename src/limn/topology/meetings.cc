@@ -91,7 +91,7 @@ bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const
     if (!pixel) continue;
     bool near_a = false;
     bool near_b = false;
-    const ViewEvidence& edgels = *input.edgels[view];
+    const ViewEdgels& edgels = *input.edgels[view];
     edgels.edgels.ForEachWithin(*pixel, kNearPx, [&](EdgelId id) {
       const int fragment = edgels.fragment_of[id];
       near_a |= fragments_a.count(fragment) > 0;

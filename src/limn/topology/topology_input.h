@@ -6,7 +6,7 @@
 #include "limn/model/curve_fragment.h"
 #include "limn/model/view.h"
 #include "limn/support/edgel_index.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 
 namespace limn {
 
@@ -15,7 +15,7 @@ namespace limn {
 struct TopologyInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;
-  const std::vector<std::unique_ptr<ViewEvidence>>& edgels;
+  const std::vector<std::unique_ptr<ViewEdgels>>& edgels;
   // How near an edgel must be to a curve to support it.
   SupportGate gate;
 };

@@ -145,7 +145,7 @@ class Claims {
 
 enum class Belief : uint8_t { kNo, kUncertain, kCertain };
 
-struct FirstJudgement {
+struct FirstJudgment {
   Belief belief = Belief::kNo;
   std::vector<ViewId> near;  // views that may contain the link
 };
@@ -169,10 +169,10 @@ std::vector<uint8_t> VerifyLinks(const TopologyInput& input, const CurveSketch& 
                                  const RunContext& context) {
   const ViewFinder finder(input.views);
   const auto first = MapItems(context, "link agreement", graph.links.size(), [&](size_t l) {
-    FirstJudgement judgement;
-    judgement.near = finder.NearAnyOf(graph.links[l].points_in_world);
-    judgement.belief = FirstBelief(input, sketch, options, graph.links[l], judgement.near);
-    return judgement;
+    FirstJudgment judgment;
+    judgment.near = finder.NearAnyOf(graph.links[l].points_in_world);
+    judgment.belief = FirstBelief(input, sketch, options, graph.links[l], judgment.near);
+    return judgment;
   });
   Claims claims(input);
   std::vector<std::vector<size_t>> certain_in(input.views.size());

@@ -15,7 +15,7 @@ std::string Gzip(std::string_view bytes) {
   z_stream stream = {};
   if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzipWindow, kMemoryLevel,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
-    throw std::runtime_error("zlib cannot be initialised");
+    throw std::runtime_error("zlib cannot be initialized");
   }
   std::string packed;
   int status = Z_OK;

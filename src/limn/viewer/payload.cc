@@ -24,7 +24,7 @@ constexpr size_t kAlignment = 8;
 // make most of the page.
 constexpr double kCloudSteps = 1 << 15;
 
-// Values that are appended one after the other; positions become relative to a centre.
+// Values that are appended one after the other; positions become relative to a center.
 struct Values {
   std::vector<float> numbers;
 

@@ -30,7 +30,7 @@ double FarthestAround(const DepthImage& image, const Eigen::Vector2d& at) {
   return farthest;
 }
 
-// Depths of neighbouring cells belong to one surface when they differ by less than so many cells.
+// Depths of neighboring cells belong to one surface when they differ by less than so many cells.
 constexpr double kMaxStepCells = 4;
 
 std::optional<Eigen::Vector3d> PointAt(const View& view, const DepthImage& image, int column,
@@ -40,7 +40,7 @@ std::optional<Eigen::Vector3d> PointAt(const View& view, const DepthImage& image
   return depth * view.camera.RayFromPixel(image.PixelOf(column, row));
 }
 
-// From one neighbour to the other, in the camera; nothing across a step.
+// From one neighbor to the other, in the camera; nothing across a step.
 std::optional<Eigen::Vector3d> Across(const View& view, const DepthImage& image, int column,
                                       int row, int dx, int dy) {
   const auto before = PointAt(view, image, column - dx, row - dy);

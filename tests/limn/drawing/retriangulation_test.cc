@@ -162,9 +162,9 @@ void ExpectWellFormed(const SampleSet& samples) {
 Outcome Retriangulated(const Scene& scene, const std::vector<Curve3D>& sketch,
                        const DrawingOptions& options = {}) {
   Outcome outcome;
-  const auto evidence = BuildEvidence(scene.curves, {});
+  const auto support = BuildViewEdgels(scene.curves, {});
   outcome.samples =
-      Retriangulate({sketch}, scene.views, scene.curves, evidence, options, {}, &outcome.stats);
+      Retriangulate({sketch}, scene.views, scene.curves, support, options, {}, &outcome.stats);
   ExpectWellFormed(outcome.samples);
   int64_t samples_in = 0;
   for (const Curve3D& curve : sketch) samples_in += static_cast<int64_t>(curve.size());

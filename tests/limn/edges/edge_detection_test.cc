@@ -211,7 +211,7 @@ TEST(DetectEdges, RowMajorOrderAndOnePerPixel) {
 TEST(DetectEdges, NothingWhereThereIsNothing) {
   EXPECT_TRUE(DetectEdges(ConstantImage(64, 64, {255}), {}).edgels.empty());
   EXPECT_TRUE(DetectEdges(ConstantImage(64, 64, {0, 128, 255}), {}).edgels.empty());
-  // A ramp in 8 bits: steps of one grey level.
+  // A ramp in 8 bits: steps of one gray level.
   Image ramp = ConstantImage(128, 64, {0});
   for (int i = 0; i < 128 * 64; ++i) ramp.data[i] = 20.f + 0.15f * static_cast<float>(i % 128);
   Quantize(&ramp);
@@ -265,7 +265,7 @@ TEST(DetectEdges, IsoluminantEdge) {
   EXPECT_TRUE(DetectEdges(image, options).edgels.empty());
 }
 
-TEST(DetectEdges, DispersedColoursMakeOneStrand) {
+TEST(DetectEdges, DispersedColorsMakeOneStrand) {
   Image image = ConstantImage(64, 64, {100, 100, 100});
   for (int channel = 0; channel < 3; ++channel) {
     Image plane = StepImage(64, Vector2d(32.3 + 0.9 * (channel - 1), 32), Vector2d(1, 0), 40);

@@ -26,7 +26,7 @@ TEST(MeasureNoise, WhiteNoise) {
   }
 }
 
-TEST(MeasureNoise, DependsOnGreyLevel) {
+TEST(MeasureNoise, DependsOnGrayLevel) {
   Image image = testing::ConstantImage(512, 256, {40});
   testing::AddNoise(2, 5, &image);
   Image bright = testing::ConstantImage(512, 256, {200});

@@ -49,7 +49,7 @@ class CurveVisibilityTest : public ::testing::Test {
 
 TEST_F(CurveVisibilityTest, IsSureWhereTheTwoNearestViewsShowTheCurve) {
   const ForetoldView foretold = Foretell({-10, 10, 20}, {true, true, false});
-  // A metre at four metres and 600 px, seen from a little above.
+  // A meter at four meters and 600 px, seen from a little above.
   EXPECT_NEAR(static_cast<double>(foretold.sure.size()), 150, 10);
   EXPECT_EQ(foretold.sure.size(), foretold.possible.edgels.size());
   EXPECT_NEAR(std::abs(std::sin(foretold.sure.front().tangent_rad)), 1, 1e-6);

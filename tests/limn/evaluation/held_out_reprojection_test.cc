@@ -84,7 +84,7 @@ TEST_F(HeldOut, MissingCurvesLeaveEdgelsLonely) {
   EXPECT_DOUBLE_EQ(*report.from_edgels.p90_px, HeldOutOptions().cap_px);
 }
 
-TEST_F(HeldOut, CurvesThatNoNeighbourShowsAreNotAsked) {
+TEST_F(HeldOut, CurvesThatNoNeighborShowsAreNotAsked) {
   // In the air, where no image has an edge; and true curves that only a view far aside supports.
   EXPECT_EQ(Measure(Supported({{{0, 0, 0.7}, {0.3, 0.1, 0.7}}})).to_edgels.count, 0);
   std::vector<SupportedCurve> curves = Supported(Polylines(scene_));

@@ -67,12 +67,12 @@ TEST(ReportWriters, JsonHasNullForAbsentShares) {
   EXPECT_TRUE(json.at("saw_teeth").is_null());
 }
 
-TEST(ReportWriters, NormalisedErrorsAreToldWhereKnown) {
+TEST(ReportWriters, NormalizedErrorsAreToldWhereKnown) {
   EvaluationReport report;
   std::ostringstream without;
   PrintReport(report, without);
   EXPECT_EQ(without.str().find("normalised errors"), std::string::npos);
-  report.normalised_errors = NormalisedErrors{40, 2, 1.25, 1.5, 0.75};
+  report.normalized_errors = NormalizedErrors{40, 2, 1.25, 1.5, 0.75};
   std::ostringstream text;
   PrintReport(report, text);
   EXPECT_NE(text.str().find("mean 1.25, by the median 0.75 of 40 vertices"), std::string::npos);

@@ -16,7 +16,7 @@ TEST(PointSpacing, OfAGridIsItsStep) {
   EXPECT_DOUBLE_EQ(PointSpacing(points), 0.25);
 }
 
-TEST(PointSpacing, WithoutNeighboursThereIsNone) {
+TEST(PointSpacing, WithoutNeighborsThereIsNone) {
   EXPECT_EQ(PointSpacing({}), 0);
   EXPECT_EQ(PointSpacing({{1, 2, 3}, {1, 2, 3}}), 0);
   EXPECT_DOUBLE_EQ(PointSpacing({{1, 2, 3}, {1, 2, 5}}), 2);

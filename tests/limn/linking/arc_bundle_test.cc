@@ -50,8 +50,8 @@ TEST(ArcAnchor, TheIntervalMissesByTheTolerance) {
   // The flattest and the sharpest arc pass the edgel at the tolerance, unless its direction says
   // no: 15 degrees over 3 px are 0.087 / px, more than 0.2 px (0.044 / px).
   for (const float curvature : {CentralLow(bundle), CentralHigh(bundle)}) {
-    const Eigen::Vector2d to_centre = edgel.position_px - Eigen::Vector2d(0, 1 / curvature);
-    EXPECT_NEAR(std::abs(to_centre.norm() - std::abs(1 / curvature)), 0.2, 1e-3);
+    const Eigen::Vector2d to_center = edgel.position_px - Eigen::Vector2d(0, 1 / curvature);
+    EXPECT_NEAR(std::abs(to_center.norm() - std::abs(1 / curvature)), 0.2, 1e-3);
   }
 }
 

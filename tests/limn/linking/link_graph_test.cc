@@ -55,7 +55,7 @@ TEST(TraceChains, OpenAndClosed) {
   EXPECT_FALSE(chains[0].closed);
 }
 
-TEST(BuildLinkGraph, StraightRowLinksNeighbours) {
+TEST(BuildLinkGraph, StraightRowLinksNeighbors) {
   int64_t curvelets = 0;
   const std::vector<EdgelLink> links = BuildLinkGraph(Row(10), {}, &curvelets);
   EXPECT_EQ(curvelets, 10);

@@ -222,7 +222,7 @@ TEST(LinkEdgels, BridgesAGapOfThreePixels) {
   AddLine(10, 30, 20, 0, &map);
   AddLine(33, 60, 20.2, 0, &map);
   LinkingOptions options;
-  options.neighbour_radius_px = 2.5;
+  options.neighbor_radius_px = 2.5;
   const LinkingResult bridged = LinkEdgels(map, options);
   CheckInvariants(bridged);
   EXPECT_EQ(bridged.curves.fragments.size(), 1u);
@@ -281,7 +281,7 @@ TEST(LinkEdgels, EmptyAndSingle) {
 
 TEST(LinkEdgels, BadOptions) {
   LinkingOptions options;
-  options.neighbour_radius_px = 0;
+  options.neighbor_radius_px = 0;
   EXPECT_THROW(LinkEdgels({}, options), OptionError);
 }
 

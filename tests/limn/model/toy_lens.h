@@ -9,8 +9,8 @@
 
 namespace limn {
 
-// stored = centre + s R (virtual - centre), R a turn by `angle_rad`, for stored pixels within a
-// radius of the centre.
+// stored = center + s R (virtual - center), R a turn by `angle_rad`, for stored pixels within a
+// radius of the center.
 class ToyLens : public LensMap {
  public:
   ToyLens(const Eigen::Vector2d& center, double scale, double angle_rad, double max_radius_px)

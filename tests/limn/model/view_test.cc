@@ -34,7 +34,7 @@ TEST(MakeImageRegion, MaskedPixelsAreOut) {
 }
 
 TEST(MakeImageRegion, LensGivesTheVirtualRegion) {
-  // The stored image shows twice enlarged what is within 30 stored px of the centre.
+  // The stored image shows twice enlarged what is within 30 stored px of the center.
   const ToyLens lens({50, 40}, 2, 0, 30);
   const ImageRegion region = MakeImageRegion(kCamera, &lens, {}, 0);
   EXPECT_TRUE(region.Contains({50, 40}));
@@ -51,7 +51,7 @@ TEST(View, ProjectsWhatIsInFrontAndInside) {
   ASSERT_TRUE(view.Project({0, 0, 1}));
   EXPECT_EQ(*view.Project({0, 0, 1}), Eigen::Vector2d(50, 40));
   EXPECT_FALSE(view.Project({0, 0, -2}));
-  EXPECT_FALSE(view.Project({0, 0, -1}));  // at the centre itself
+  EXPECT_FALSE(view.Project({0, 0, -1}));  // at the center itself
   EXPECT_FALSE(view.Project({5, 0, 1}));
   EXPECT_LT((view.CenterInWorld() - Eigen::Vector3d(0, 0, -1)).norm(), 1e-12);
 }

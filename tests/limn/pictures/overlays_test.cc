@@ -66,7 +66,7 @@ TEST(DrawOverlay, LineIsWhereTheLinkProjects) {
   EXPECT_TRUE(IsColor(picture.At(20, 60), {255, 230, 0}));  // an end's square
 }
 
-TEST(DrawOverlay, SmallPhotosAreDoubledAboutPixelCentres) {
+TEST(DrawOverlay, SmallPhotosAreDoubledAboutPixelCenters) {
   PictureOptions options;
   options.line_width_px = 2;
   const Picture picture =

@@ -20,7 +20,7 @@ View MakeView() {
   return view;
 }
 
-// Grey 50 with a bright disc around a stored pixel.
+// Gray 50 with a bright disc around a stored pixel.
 Image Photo(const Eigen::Vector2d& center, int channels) {
   Image photo{kWidth, kHeight, channels, {}, {}};
   for (int y = 0; y < kHeight; ++y) {

@@ -24,7 +24,7 @@ TEST(Gauge, MovedViewsSeeTheMovedSceneAsBefore) {
   }
 }
 
-// Two views: their centres alone would leave a turn about the line between them open.
+// Two views: their centers alone would leave a turn about the line between them open.
 TEST(Gauge, TwoViewsFixEverything) {
   const std::vector<View> views = testing::DomeViews(2, 4);
   const std::vector<View> moved = Moved(views, SomeSimilarity());
@@ -32,8 +32,8 @@ TEST(Gauge, TwoViewsFixEverything) {
   EXPECT_LT((back.matrix() - SomeSimilarity().inverse().matrix()).norm(), 1e-9);
 }
 
-// Images from one place tell no scale: noise between the centres must not become one.
-TEST(Gauge, ViewsOfOneCentreKeepTheScale) {
+// Images from one place tell no scale: noise between the centers must not become one.
+TEST(Gauge, ViewsOfOneCenterKeepTheScale) {
   std::vector<View> views(3);
   for (int v = 0; v < 3; ++v) {
     views[v].cam_from_world.rotation = Eigen::AngleAxisd(0.3 * v, Eigen::Vector3d::UnitY());

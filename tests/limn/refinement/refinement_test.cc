@@ -152,7 +152,7 @@ TEST(Refinement, CornersAreFoundAndShared) {
 }
 
 // Mean over all vertices of the squared error over that of two sigmas.
-double MeanNormalisedSquare(const DrawingGraph& graph) {
+double MeanNormalizedSquare(const DrawingGraph& graph) {
   double sum = 0;
   int count = 0;
   for (size_t l = 0; l < graph.links.size(); ++l) {
@@ -168,8 +168,8 @@ double MeanNormalisedSquare(const DrawingGraph& graph) {
 }
 
 // A sigma is of one direction across the curve: two of them make the squared distance.
-TEST(Refinement, NormalisedErrorsHaveUnitVariance) {
-  const double mean = MeanNormalisedSquare(NoisyResult());
+TEST(Refinement, NormalizedErrorsHaveUnitVariance) {
+  const double mean = MeanNormalizedSquare(NoisyResult());
   RecordProperty("variance", std::to_string(mean));
   // The cube's edgels err independently, but are taken for partly dependent and for less exact than
   // they are: the sigmas are on the safe side here.
@@ -199,7 +199,7 @@ std::vector<ImageCurves> CurvesWithOffsets(double offset_px) {
 TEST(Refinement, SigmasKnowThatViewsErrAsAWhole) {
   const std::vector<ImageCurves> curves = CurvesWithOffsets(0.5);
   const DrawingGraph graph = RefineDrawing({Views(), curves, CubeGraph()}, {}, {}, {}).graph;
-  const double mean = MeanNormalisedSquare(graph);
+  const double mean = MeanNormalizedSquare(graph);
   RecordProperty("variance", std::to_string(mean));
   EXPECT_LT(mean, 1.5);
   EXPECT_GT(mean, 1 / 1.5);

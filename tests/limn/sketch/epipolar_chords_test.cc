@@ -221,7 +221,7 @@ TEST_F(UprightLinesTest, CrossingsAreAppended) {
 
 TEST_F(UprightLinesTest, NoFragmentsNoCrossings) { EXPECT_TRUE(OnColumn(15).empty()); }
 
-TEST_F(UprightLinesTest, OneCentreHasNoEpipolarLines) {
+TEST_F(UprightLinesTest, OneCenterHasNoEpipolarLines) {
   AddFragment({{10, 10}, {20, 10}}, false);
   std::vector<LineCrossing> crossings;
   EpipolarChords(primary_, primary_, curves_).Find({15, 5}, &crossings);

@@ -69,14 +69,14 @@ TEST_F(HypothesesTest, TangentPointsAlongTheFragment) {
 }
 
 TEST_F(HypothesesTest, CirclePointsLieOnTheCircle) {
-  const Vector3d centre(0.1, -0.1, 0.2);
-  const auto hypotheses = Find({testing::Circle(centre, 0.6)});
+  const Vector3d center(0.1, -0.1, 0.2);
+  const auto hypotheses = Find({testing::Circle(center, 0.6)});
   ASSERT_FALSE(hypotheses.empty());
   const Rigid3d world_from_cam = Inverse(primary_.cam_from_world);
   int on_circle = 0;
   for (const CurveHypothesis& hypothesis : hypotheses) {
     for (const HypothesisSample& sample : hypothesis.samples) {
-      const Vector3d point = world_from_cam * (sample.depth * rays_.rays[sample.vertex]) - centre;
+      const Vector3d point = world_from_cam * (sample.depth * rays_.rays[sample.vertex]) - center;
       on_circle += std::abs(point.z()) < 0.01 && std::abs(point.head<2>().norm() - 0.6) < 0.01;
     }
   }

@@ -142,7 +142,7 @@ TEST_P(LocalSketchTest, ReconstructsOnlyInsideTheBox) {
   }
 }
 
-// More views than whose evidence is held at once; the last ones by themselves are fewer.
+// More views than whose support is held at once; the last ones by themselves are fewer.
 TEST_P(LocalSketchTest, ViewsInSeveralBlocksMakeWhatTheyMakeInOne) {
   const auto views = testing::DomeViews(70, 5);
   const auto curves =

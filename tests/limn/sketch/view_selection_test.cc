@@ -51,7 +51,7 @@ void ExpectSound(const std::vector<ViewPlan>& plans, const ViewSelectionOptions&
   }
 }
 
-TEST(ViewSelectionTest, TurntableMatchesNeighboursAndCoversTheScene) {
+TEST(ViewSelectionTest, TurntableMatchesNeighborsAndCoversTheScene) {
   const std::vector<View> views = Turntable(36);
   const ViewSelectionOptions options;
   const std::vector<ViewPlan> plans = SelectViews(views, kNoHints, options, {});
@@ -63,7 +63,7 @@ TEST(ViewSelectionTest, TurntableMatchesNeighboursAndCoversTheScene) {
     EXPECT_GT(plans[v].max_depth, distance + 1) << "view " << v;
     EXPECT_GE(plans[v].second_views.size(), 4u) << "view " << v;
     EXPECT_GE(plans[v].confirmation_views.size(), 6u) << "view " << v;
-    // The best second view is a usable neighbour on the arc.
+    // The best second view is a usable neighbor on the arc.
     const double best = AngleDeg(views[v], views[plans[v].second_views.at(0)]);
     EXPECT_GE(best, options.min_pair_angle_deg);
     EXPECT_LE(best, options.max_pair_angle_deg);
@@ -99,7 +99,7 @@ TEST(ViewSelectionTest, ThreeViewsAreEnough) {
   for (const ViewPlan& plan : plans) EXPECT_EQ(plan.second_views.size(), 2u);
 }
 
-TEST(ViewSelectionTest, CamerasAtOneCentreAreAnInputError) {
+TEST(ViewSelectionTest, CamerasAtOneCenterAreAnInputError) {
   std::vector<View> views;
   for (int i = 0; i < 5; ++i) {
     views.push_back(LookAt({0, 0, 0}, {5 * std::cos(0.3 * i), 5 * std::sin(0.3 * i), 1}));
@@ -107,13 +107,13 @@ TEST(ViewSelectionTest, CamerasAtOneCentreAreAnInputError) {
   EXPECT_THROW(SelectViews(views, kNoHints, ViewSelectionOptions(), {}), InputError);
 }
 
-// The same away from the world's origin, where the centres agree only up to rounding.
-TEST(ViewSelectionTest, CamerasAtOneCentreElsewhereAreAnInputError) {
+// The same away from the world's origin, where the centers agree only up to rounding.
+TEST(ViewSelectionTest, CamerasAtOneCenterElsewhereAreAnInputError) {
   std::vector<View> views;
   for (int i = 0; i < 5; ++i) {
-    const Vector3d centre(3.1, -2.7, 1.3);
+    const Vector3d center(3.1, -2.7, 1.3);
     views.push_back(
-        LookAt(centre, centre + Vector3d(5 * std::cos(0.3 * i), 5 * std::sin(0.3 * i), 1)));
+        LookAt(center, center + Vector3d(5 * std::cos(0.3 * i), 5 * std::sin(0.3 * i), 1)));
   }
   EXPECT_THROW(SelectViews(views, kNoHints, ViewSelectionOptions(), {}), InputError);
 }
@@ -131,7 +131,7 @@ TEST(ViewSelectionTest, OptionsBoundTheSelections) {
 }
 
 TEST(ViewSelectionTest, VideoPicksSpreadViews) {
-  // 240 frames at steps of half a degree: the neighbours are useless as partners.
+  // 240 frames at steps of half a degree: the neighbors are useless as partners.
   std::vector<View> views;
   for (int i = 0; i < 240; ++i) {
     const double angle = 0.5 * i * M_PI / 180;
@@ -194,7 +194,7 @@ std::vector<View> Street(int count, double step, double distance) {
   return views;
 }
 
-// Every fifth metre of the facade, seen by the cameras in front of it.
+// Every fifth meter of the facade, seen by the cameras in front of it.
 SceneHints FacadePoints(const std::vector<View>& views, double step, double distance) {
   SceneHints hints;
   for (int i = 0; i < 4 * static_cast<int>(views.size()); ++i) {

@@ -23,7 +23,7 @@ constexpr double kFootprint = 5 / 600.;  // of the views of the origin
 
 class TileJoiningTest : public ::testing::Test {
  protected:
-  // The same drawing in tiles cut at these planes, each `offset_px` off its neighbours.
+  // The same drawing in tiles cut at these planes, each `offset_px` off its neighbors.
   JoinedTiles Join(const DrawingGraph& graph, const std::vector<double>& planes,
                    double offset_px) const {
     std::vector<TileDrawing> tiles;

@@ -73,7 +73,7 @@ TEST(TilePlan, FewViewsAreOneTile) {
 TEST(TilePlan, CoresFillSpaceAndViewsAreThoseThatSeeThem) {
   const Scene scene = Street(200);
   const auto tiles = Plan(scene, 40);
-  // Of 40 views some 10 are of the neighbours, too.
+  // Of 40 views some 10 are of the neighbors, too.
   EXPECT_GE(tiles.size(), 6u);
   EXPECT_LE(tiles.size(), 10u);
   std::set<ViewId> used;

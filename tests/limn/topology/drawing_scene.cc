@@ -205,7 +205,7 @@ void DrawingScene::Make() {
   if (made_) return;
   made_ = true;
   MakeImages();
-  evidence_ = BuildEvidence(curves_, {});
+  edgels_ = BuildViewEdgels(curves_, {});
   DrawingGraph graph;
   GraphEditor editor(&graph);
   std::vector<NodeId> nodes;
@@ -312,7 +312,7 @@ void DrawingScene::SetGraph(DrawingGraph graph) {
   ExpectValid(graph_);
 }
 
-TopologyInput DrawingScene::Input() const { return {views_, curves_, evidence_, {}}; }
+TopologyInput DrawingScene::Input() const { return {views_, curves_, edgels_, {}}; }
 
 MeetingCounts DrawingScene::Meet(MeetingStage stage, const TopologyOptions& options) {
   Make();

@@ -13,7 +13,7 @@
 #include "limn/geometry/polyline.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/topology/meetings.h"
 #include "limn/topology/tidy.h"
@@ -192,7 +192,7 @@ class DrawingScene {
   bool made_ = false;
   std::vector<ImageCurves> curves_;            // per view
   std::vector<std::vector<int>> fragment_of_;  // per view and image curve, -1 = not seen
-  std::vector<std::unique_ptr<ViewEvidence>> evidence_;
+  std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   DrawingGraph graph_;
 };
 

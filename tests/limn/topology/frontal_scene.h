@@ -163,13 +163,13 @@ class FrontalScene {
     for (size_t v = 0; v < views_.size(); ++v) {
       curves_.push_back(ProjectCurves(views_[v], shown_[v]));
     }
-    evidence_ = BuildEvidence(curves_, {});
+    edgels_ = BuildViewEdgels(curves_, {});
     for (size_t l = 0; l < drawn_.size(); ++l) {
       if (!drawn_[l].frozen) GiveVertices(static_cast<LinkId>(l));
     }
     ExpectValid(graph);
   }
-  TopologyInput Input() const { return {views_, curves_, evidence_, {1.0, 1.0, M_PI / 12}}; }
+  TopologyInput Input() const { return {views_, curves_, edgels_, {1.0, 1.0, M_PI / 12}}; }
 
   // The joint at a place; fails if there is not exactly one.
   Joint JointAt(const Eigen::Vector3d& place) {
@@ -185,7 +185,7 @@ class FrontalScene {
   std::optional<CornerDirection> DirectionAt(const Eigen::Vector3d& place, int min_views) {
     Build();
     EdgelIndexes edgels;
-    for (const auto& of_view : evidence_) edgels.push_back(&of_view->edgels);
+    for (const auto& of_view : edgels_) edgels.push_back(&of_view->edgels);
     return FindCornerDirection(JointAt(place), views_, curves_, edgels, min_views);
   }
 
@@ -230,7 +230,7 @@ class FrontalScene {
     link.sigma.assign(link.points_in_world.size(), 1);
     const Polyline3d& edge = drawn_[id].edge;
     EdgelIndexes edgels;
-    for (const auto& of_view : evidence_) edgels.push_back(&of_view->edgels);
+    for (const auto& of_view : edgels_) edgels.push_back(&of_view->edgels);
     for (int k = 0; k < link.size(); ++k) {
       const double share = static_cast<double>(k) / (link.size() - 1);
       const Eigen::Vector3d place = on_edge
@@ -259,7 +259,7 @@ class FrontalScene {
   std::vector<Drawn> drawn_;
   bool built_ = false;
   std::vector<ImageCurves> curves_;
-  std::vector<std::unique_ptr<ViewEvidence>> evidence_;
+  std::vector<std::unique_ptr<ViewEdgels>> edgels_;
 };
 
 // A straight line, px.

@@ -109,8 +109,8 @@ class CollectClaimsTest : public ::testing::Test {
       graph.links[0].vertices.emplace_back();
       graph.links[0].vertices.back().support = {{0, ids[place]}};
     }
-    const auto evidence = BuildEvidence(curves_, {});
-    const EdgelClaims edgels = CollectClaims({views_, curves_, evidence, {}}, graph);
+    const auto support = BuildViewEdgels(curves_, {});
+    const EdgelClaims edgels = CollectClaims({views_, curves_, support, {}}, graph);
     EXPECT_EQ(Held(*edgels.all[view], view).size(), 21u);
     return Held(*edgels.unclaimed[view], view);
   }
@@ -158,9 +158,9 @@ TEST(SupportAtTest, EdgelsOfTheViewsAskedAreFound) {
   const auto views = testing::FrontalViews(3, 1, 0.75);
   const auto curves =
       testing::ProjectCurves(views, {testing::Segment(FrontalPoint(0, 0), FrontalPoint(20, 0))});
-  const auto evidence = BuildEvidence(curves, {});
+  const auto support = BuildViewEdgels(curves, {});
   EdgelIndexes edgels;
-  for (const auto& of_view : evidence) edgels.push_back(&of_view->edgels);
+  for (const auto& of_view : support) edgels.push_back(&of_view->edgels);
   const auto views_at = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
     std::vector<ViewId> found;
     for (const EdgelRef& ref :

@@ -7,7 +7,7 @@
 
 #include "limn/geometry/polyline.h"
 #include "limn/model/view_finder.h"
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -28,7 +28,7 @@ std::vector<View> Views() {
   return views;
 }
 
-// Where lines of sight from a camera centre touch the ball; angle 0 is to the right of the image,
+// Where lines of sight from a camera center touch the ball; angle 0 is to the right of the image,
 // a quarter turn up.
 Eigen::Vector3d RimPoint(const Eigen::Vector3d& center, double angle) {
   const Eigen::Vector3d toward = center.normalized();
@@ -52,8 +52,8 @@ bool IsContour(const Polyline3d& points, const std::vector<View>& views,
                const std::vector<ImageCurves>& curves) {
   DrawingLink link;
   link.points_in_world = points;
-  const auto evidence = BuildEvidence(curves, {});
-  const TopologyInput input = {views, curves, evidence, {1.0, 1.0, 15 * kDeg}};
+  const auto support = BuildViewEdgels(curves, {});
+  const TopologyInput input = {views, curves, support, {1.0, 1.0, 15 * kDeg}};
   return IsOccludingContour(input, link, ViewFinder(views).NearAnyOf(points));
 }
 

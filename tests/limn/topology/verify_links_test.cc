@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/graph_fixture.h"
 #include "support/synthetic_scene.h"
@@ -50,8 +50,8 @@ struct Scene {
 
   std::vector<uint8_t> Believed() const {
     testing::ExpectValid(graph);
-    const auto evidence = BuildEvidence(curves, {});
-    const TopologyInput input = {views, curves, evidence, {1.0, 1.0, M_PI / 12}};
+    const auto support = BuildViewEdgels(curves, {});
+    const TopologyInput input = {views, curves, support, {1.0, 1.0, M_PI / 12}};
     return VerifyLinks(input, sketch, options, graph, {});
   }
 

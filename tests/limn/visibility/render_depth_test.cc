@@ -64,7 +64,7 @@ TEST(RenderDepth, TheNearestSurfaceCounts) {
   EXPECT_NEAR(NumCovered(image), std::pow(600 / 3.5, 2), 2 * 600 / 3.5);
 }
 
-// Pixel centres on common sides and corners, in particular the diagonals: no hole, and nothing
+// Pixel centers on common sides and corners, in particular the diagonals: no hole, and nothing
 // beyond the border.
 TEST(RenderDepth, TrianglesLeaveNoCracks) {
   std::mt19937 random(5);
@@ -75,7 +75,7 @@ TEST(RenderDepth, TrianglesLeaveNoCracks) {
   for (int row = 0; row <= kCells; ++row) {
     for (int column = 0; column <= kCells; ++column) {
       const bool inner = row > 0 && row < kCells && column > 0 && column < kCells;
-      // Every other vertex at a pixel's centre.
+      // Every other vertex at a pixel's center.
       const bool moved = inner && (row + column) % 2 == 1;
       vertices.emplace_back(column + (moved ? jitter(random) : 0) - 20 + 0.5,
                             row + (moved ? jitter(random) : 0) - 20 + 0.5, 50);
@@ -116,7 +116,7 @@ TEST(RenderDepth, ConcavePolygonsKeepTheirOpening) {
 }
 
 TEST(RenderDepth, GroundThatReachesBehindTheCameraIsClipped) {
-  // One metre below the camera, from far behind it to far ahead; y is down.
+  // One meter below the camera, from far behind it to far ahead; y is down.
   const TriangleMesh ground = MeshOf({{-90, 1, -80}, {90, 1, -80}, {90, 1, 80}, {-90, 1, 80}});
   const View view = Forward();
   const DepthImage image = RenderDepth(ground, view, 1);

@@ -29,9 +29,9 @@ function bundle(entry) {
 }
 
 // An HTML comment must not hold "--".
-function licences() {
+function licenses() {
   const text = readFileSync(join(packages, 'node_modules/three/LICENSE'), 'utf8').trim();
-  if (text.includes('--')) throw new Error('the licence of three.js cannot stand in a comment');
+  if (text.includes('--')) throw new Error('the license of three.js cannot stand in a comment');
   return `three.js (threejs.org), in the script of this page:\n\n${text}`;
 }
 
@@ -58,7 +58,7 @@ function definition(name, text) {
 const parts = {
   '@STYLE@': bundle('style.css').trim(),
   '@SCRIPT@': bundle('src/main.js').trim(),
-  '@LICENCES@': licences(),
+  '@LICENSES@': licenses(),
 };
 const page = readFileSync(join(here, 'page.html'), 'utf8').replace(
   /@[A-Z]+@/g,

@@ -1,4 +1,4 @@
-// What the drawing is coloured by, and the legend of it.
+// What the drawing is colored by, and the legend of it.
 
 import { DENSE_CLASSES, PRIMITIVES } from './drawing.js';
 import { number } from './format.js';
@@ -102,7 +102,7 @@ function byCategory(drawing, types, names) {
 function byOwnColor(drawing) {
   return {
     colors: fillLinks(drawing, (link) => drawing.linkColor.subarray(3 * link, 3 * link + 3)),
-    legend: { note: 'One colour per link, as in drawing.ply and the overlays.' },
+    legend: { note: 'One color per link, as in drawing.ply and the overlays.' },
   };
 }
 
@@ -151,7 +151,7 @@ export function schemesFor(drawing) {
   return SCHEMES.filter((scheme) => scheme.available?.(drawing) ?? true);
 }
 
-// Colours of the lines of a chart.
+// Colors of the lines of a chart.
 export function categoryColor(index) {
   return css(CATEGORIES[1 + (index % (CATEGORIES.length - 1))]);
 }

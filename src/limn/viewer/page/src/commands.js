@@ -26,7 +26,7 @@ export function commandsOf(app) {
     { keys: ['?'], label: 'this help', tool: 'Help', run: () => app.help.toggle() },
     { keys: ['/'], label: 'search a link', run: () => app.focusSearch() },
     { keys: ['f'], label: 'go to the picked link', run: () => app.focusLink(app.picked) },
-    { keys: ['x'], label: 'next way to colour', run: () => app.stepScheme() },
+    { keys: ['x'], label: 'next way to color', run: () => app.stepScheme() },
     { keys: ['['], label: 'previous photograph', run: () => app.stepPhoto(-1) },
     { keys: [']'], label: 'next photograph', run: () => app.stepPhoto(1) },
     {

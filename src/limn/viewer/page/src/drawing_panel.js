@@ -1,4 +1,4 @@
-// The tab "Drawing": what there is, colours with their legend, layers, the measurement.
+// The tab "Drawing": what there is, colors with their legend, layers, the measurement.
 
 import { css } from './colors.js';
 import { facts, make } from './dom.js';
@@ -88,7 +88,7 @@ export class DrawingPanel {
       make(
         'section',
         {},
-        make('h2', {}, make('label', { for: 'scheme' }, 'Colour by')),
+        make('h2', {}, make('label', { for: 'scheme' }, 'Color by')),
         make('div', { class: 'field' }, this.select, this.legend),
         make('h2', {}, 'Layers'),
         make('div', { role: 'group', 'aria-label': 'Layers' }, ...boxes),

@@ -32,7 +32,7 @@ export class Help {
       make(
         'p',
         { class: 'faint' },
-        'Drawn with three.js; its licence is in the source of this page.',
+        'Drawn with three.js; its license is in the source of this page.',
       ),
     );
   }

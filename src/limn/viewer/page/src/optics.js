@@ -1,4 +1,4 @@
-// Projections of photographs. Pixels: the centre of the top-left pixel is (0, 0); three.js's cameras
+// Projections of photographs. Pixels: the center of the top-left pixel is (0, 0); three.js's cameras
 // look along -z with y up, the model's along z with y down.
 
 import { Matrix4, Quaternion, Vector3 } from 'three';

@@ -1,4 +1,4 @@
-#include "limn/support/segment_evidence.h"
+#include "limn/support/segment_support.h"
 
 #include <cmath>
 #include <memory>
@@ -45,10 +45,10 @@ class Scene {
     }
   }
   // What speaks for the segment from (0, 0) to (40, 0).
-  SegmentEvidence Find() const { return Find(FrontalPoint(0, 0), FrontalPoint(40, 0)); }
-  SegmentEvidence Find(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+  SegmentSupport Find() const { return Find(FrontalPoint(0, 0), FrontalPoint(40, 0)); }
+  SegmentSupport Find(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
     return WithEdgels([&](const EdgelIndexes& edgels) {
-      const SegmentEvidence found = FindEvidence(from, to, visible, views, edgels, gate);
+      const SegmentSupport found = FindSegmentSupport(from, to, visible, views, edgels, gate);
       // The other two questions agree.
       EXPECT_EQ(IsSeen(from, to, visible, views, edgels, gate), !found.seen_in.empty());
       for (const ViewId v : found.seen_in) {
@@ -73,15 +73,15 @@ class Scene {
 
 using Ids = std::vector<ViewId>;
 
-TEST(FindEvidenceTest, ViewsThatShowTheSegmentAreFound) {
+TEST(FindSegmentSupportTest, ViewsThatShowTheSegmentAreFound) {
   Scene scene;
   scene.Show(0, 40, 0, {1, 4, 5});
-  const SegmentEvidence found = scene.Find();
+  const SegmentSupport found = scene.Find();
   EXPECT_EQ(found.seen_in, (Ids{1, 4, 5}));
   EXPECT_EQ(found.num_views, 6);
 }
 
-TEST(FindEvidenceTest, OnlyVisibleViewsAreAsked) {
+TEST(FindSegmentSupportTest, OnlyVisibleViewsAreAsked) {
   Scene scene;
   scene.Show(0, 40, 0, {1, 4, 5});
   scene.visible = {1, 1, 0, 0, 0, 1};
@@ -91,7 +91,7 @@ TEST(FindEvidenceTest, OnlyVisibleViewsAreAsked) {
   EXPECT_TRUE(scene.Find().seen_in.empty());
 }
 
-TEST(FindEvidenceTest, MostOfTheSegmentMustBeCovered) {
+TEST(FindSegmentSupportTest, MostOfTheSegmentMustBeCovered) {
   const auto seen = [](double covered_px) {
     Scene scene;
     scene.Show(0, covered_px, 0, scene.All());
@@ -101,13 +101,13 @@ TEST(FindEvidenceTest, MostOfTheSegmentMustBeCovered) {
   EXPECT_EQ(seen(25), 0u);
 }
 
-TEST(FindEvidenceTest, RoundedEndsAreNotMissed) {
+TEST(FindSegmentSupportTest, RoundedEndsAreNotMissed) {
   Scene scene;
   scene.Show(2.4, 4.6, 0, scene.All());
   EXPECT_EQ(scene.Find(FrontalPoint(0, 0), FrontalPoint(7, 0)).seen_in.size(), 6u);
 }
 
-TEST(FindEvidenceTest, EdgelsAreWithinTheGate) {
+TEST(FindSegmentSupportTest, EdgelsAreWithinTheGate) {
   const auto seen = [](double y, const SupportGate& gate) {
     Scene scene;
     scene.gate = gate;
@@ -119,7 +119,7 @@ TEST(FindEvidenceTest, EdgelsAreWithinTheGate) {
   EXPECT_EQ(seen(1.6, {1.7, 1, 0.4}), 6u);
 }
 
-TEST(FindEvidenceTest, EdgelsRunAlongTheSegment) {
+TEST(FindSegmentSupportTest, EdgelsRunAlongTheSegment) {
   // A ladder without rails.
   Scene scene;
   for (int y = 0; y <= 40; ++y) scene.Show(-1, 1, y, scene.All());
@@ -128,7 +128,7 @@ TEST(FindEvidenceTest, EdgelsRunAlongTheSegment) {
   EXPECT_EQ(scene.Find(FrontalPoint(0, 0), FrontalPoint(0, 40)).seen_in.size(), 6u);
 }
 
-TEST(FindEvidenceTest, ViewsThatCannotShowItDoNotCount) {
+TEST(FindSegmentSupportTest, ViewsThatCannotShowItDoNotCount) {
   Scene scene;
   scene.Show(0, 40, 0, scene.All());
   // Too short in all of them.
@@ -144,7 +144,7 @@ TEST(FindEvidenceTest, ViewsThatCannotShowItDoNotCount) {
   EXPECT_EQ(scene.Find(FrontalPoint(0, 0), FrontalPoint(300, 0)).num_views, 4);
 }
 
-TEST(FindEvidenceTest, BackgroundIsTheShareOfCopiesWithEdgels) {
+TEST(FindSegmentSupportTest, BackgroundIsTheShareOfCopiesWithEdgels) {
   const auto background = [](const std::vector<double>& ys, const Ids& in_views) {
     Scene scene;
     for (const double y : ys) scene.Show(-10, 50, y, in_views);
@@ -164,7 +164,7 @@ TEST(FindEvidenceTest, BackgroundIsTheShareOfCopiesWithEdgels) {
   EXPECT_EQ(none.Find().background, 1);
 }
 
-TEST(FindEvidenceTest, SeesTrueEdgesAndNoOthers) {
+TEST(FindSegmentSupportTest, SeesTrueEdgesAndNoOthers) {
   const auto views = testing::DomeViews(16, 5);
   const auto edges = testing::CubeEdges(0.2);
   std::vector<std::unique_ptr<EdgelIndex>> owned;
@@ -177,12 +177,12 @@ TEST(FindEvidenceTest, SeesTrueEdgesAndNoOthers) {
   const Eigen::Vector3d to = edges.front().points.back();
   const std::vector<uint8_t> all(views.size(), 1);
   const SupportGate gate{1.5, 1.5, 0.4};
-  const SegmentEvidence seen = FindEvidence(from, to, all, views, edgels, gate);
+  const SegmentSupport seen = FindSegmentSupport(from, to, all, views, edgels, gate);
   EXPECT_EQ(seen.num_views, 16);
   EXPECT_EQ(seen.seen_in.size(), 16u);
   EXPECT_LT(seen.background, 0.2);
   // A diagonal through the empty cube.
-  EXPECT_LE(FindEvidence(from, -from, all, views, edgels, gate).seen_in.size(), 1u);
+  EXPECT_LE(FindSegmentSupport(from, -from, all, views, edgels, gate).seen_in.size(), 1u);
 }
 
 TEST(LogChanceTest, ValuesByHand) {

@@ -1,4 +1,4 @@
-#include "limn/evaluation/normalised_errors.h"
+#include "limn/evaluation/normalized_errors.h"
 
 #include <limits>
 #include <random>
@@ -39,13 +39,13 @@ DrawingGraph Noisy(double error, double sigma, const Eigen::Vector3d& offset = {
   return graph;
 }
 
-NormalisedErrors Measure(const DrawingGraph& graph, const CurveSet& dont_care = {},
-                         const NormalisedErrorOptions& options = {}) {
-  return MeasureNormalisedErrors(graph, AxisX(), dont_care, Views(), options);
+NormalizedErrors Measure(const DrawingGraph& graph, const CurveSet& dont_care = {},
+                         const NormalizedErrorOptions& options = {}) {
+  return MeasureNormalizedErrors(graph, AxisX(), dont_care, Views(), options);
 }
 
-TEST(NormalisedErrors, AreOneWhereSigmasAreRight) {
-  const NormalisedErrors errors = Measure(Noisy(0.2 * Pixel(), 0.2 * Pixel()));
+TEST(NormalizedErrors, AreOneWhereSigmasAreRight) {
+  const NormalizedErrors errors = Measure(Noisy(0.2 * Pixel(), 0.2 * Pixel()));
   EXPECT_EQ(errors.num_inliers, 4000);
   EXPECT_EQ(errors.num_false, 0);
   EXPECT_NEAR(*errors.variance, 1, 0.06);
@@ -53,14 +53,14 @@ TEST(NormalisedErrors, AreOneWhereSigmasAreRight) {
   EXPECT_EQ(*errors.variance_with_false, *errors.variance);
 }
 
-TEST(NormalisedErrors, GrowWithTheSquareOfWhatSigmasMiss) {
-  const NormalisedErrors errors = Measure(Noisy(0.2 * Pixel(), 0.1 * Pixel()));
+TEST(NormalizedErrors, GrowWithTheSquareOfWhatSigmasMiss) {
+  const NormalizedErrors errors = Measure(Noisy(0.2 * Pixel(), 0.1 * Pixel()));
   EXPECT_NEAR(*errors.variance, 4, 0.24);
   EXPECT_NEAR(*errors.median_variance, 4, 0.32);
 }
 
 // Beyond the end of a true curve a vertex is no less exact across it.
-TEST(NormalisedErrors, AlongTheTruthNothingCounts) {
+TEST(NormalizedErrors, AlongTheTruthNothingCounts) {
   DrawingGraph graph;
   graph.links.resize(1);
   graph.links[0].points_in_world = {Eigen::Vector3d(0.5 + Pixel(), 0.1 * Pixel(), 0)};
@@ -68,11 +68,11 @@ TEST(NormalisedErrors, AlongTheTruthNothingCounts) {
   EXPECT_NEAR(*Measure(graph).variance, 0.01 / (2 * 0.04), 1e-6);
 }
 
-TEST(NormalisedErrors, FalseVerticesCountApart) {
+TEST(NormalizedErrors, FalseVerticesCountApart) {
   DrawingGraph graph = Noisy(0, 0.5 * Pixel());
   const DrawingGraph off = Noisy(0, 0.5 * Pixel(), {0, 0, 5 * Pixel()});
   graph.links.push_back(off.links[0]);
-  const NormalisedErrors errors = Measure(graph);
+  const NormalizedErrors errors = Measure(graph);
   EXPECT_EQ(errors.num_inliers, 4000);
   EXPECT_EQ(errors.num_false, 4000);
   EXPECT_NEAR(*errors.variance, 0, 1e-9);
@@ -80,17 +80,17 @@ TEST(NormalisedErrors, FalseVerticesCountApart) {
   EXPECT_NEAR(*errors.variance_with_false, 0.5 * 8, 0.1);
 }
 
-TEST(NormalisedErrors, NearDontCareCurvesNothingIsFalse) {
+TEST(NormalizedErrors, NearDontCareCurvesNothingIsFalse) {
   const DrawingGraph graph = Noisy(0, 0.5 * Pixel(), {0, 0, 5 * Pixel()});
-  const NormalisedErrors errors = Measure(graph, AxisX(6 * Pixel()));
+  const NormalizedErrors errors = Measure(graph, AxisX(6 * Pixel()));
   EXPECT_EQ(errors.num_false, 0);
   EXPECT_FALSE(errors.variance);
   EXPECT_FALSE(errors.median_variance);
 }
 
-TEST(NormalisedErrors, OnlyTheRegionAndKnownSigmasCount) {
+TEST(NormalizedErrors, OnlyTheRegionAndKnownSigmasCount) {
   DrawingGraph graph = Noisy(0.2 * Pixel(), 0.2 * Pixel());
-  NormalisedErrorOptions options;
+  NormalizedErrorOptions options;
   options.region = Eigen::AlignedBox3d(Eigen::Vector3d(0, -1, -1), Eigen::Vector3d(1, 1, 1));
   EXPECT_NEAR(Measure(graph, {}, options).num_inliers, 2000, 1);
   graph.links[0].sigma.assign(4000, std::numeric_limits<double>::infinity());

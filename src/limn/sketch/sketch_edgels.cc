@@ -1,28 +1,28 @@
-#include "limn/sketch/sketch_evidence.h"
+#include "limn/sketch/sketch_edgels.h"
 
 #include <algorithm>
 
 namespace limn {
 
 void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const SupportGate& gate,
-               const RunContext& context, SketchEvidence* evidence) {
+               const RunContext& context, SketchEdgels* edgels) {
   std::vector<ViewId> missing;
   for (ViewId v = 0; v < static_cast<ViewId>(input.views.size()); ++v) {
     if (!std::binary_search(ids.begin(), ids.end(), v)) {
-      evidence->views[v].reset();
-      evidence->masks[v].reset();
-    } else if (!evidence->views[v]) {
+      edgels->views[v].reset();
+      edgels->masks[v].reset();
+    } else if (!edgels->views[v]) {
       missing.push_back(v);
     }
   }
   RunContext quietly = context;  // a step of the sketch, whose progress is told
   quietly.progress = nullptr;
-  ParallelFor(quietly, "evidence", missing.size(), [&](size_t m) {
+  ParallelFor(quietly, "indexing edgels", missing.size(), [&](size_t m) {
     const ViewId v = missing[m];
     const ImageCurves& curves = input.curves[v];
-    evidence->views[v] = std::make_unique<ViewEvidence>(curves);
-    evidence->masks[v] = std::make_unique<OrientationMask>(curves.edge_map, LinkedEdgels(curves),
-                                                           input.views[v].region, gate);
+    edgels->views[v] = std::make_unique<ViewEdgels>(curves);
+    edgels->masks[v] = std::make_unique<OrientationMask>(curves.edge_map, LinkedEdgels(curves),
+                                                         input.views[v].region, gate);
   });
 }
 

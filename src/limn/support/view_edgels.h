@@ -10,16 +10,16 @@
 namespace limn {
 
 // Everything the multi-view stages ask of the edges of one view. Only edgels that belong to a
-// fragment are evidence: a lone edgel is as likely noise.
-struct ViewEvidence {
-  explicit ViewEvidence(const ImageCurves& curves);
+// fragment count as support: a lone edgel is as likely noise.
+struct ViewEdgels {
+  explicit ViewEdgels(const ImageCurves& curves);
 
   std::vector<int> fragment_of;  // per edgel: its fragment, or -1
   EdgelIndex edgels;
 };
 
 // One per view; the curves must outlive the result.
-std::vector<std::unique_ptr<ViewEvidence>> BuildEvidence(const std::vector<ImageCurves>& curves,
+std::vector<std::unique_ptr<ViewEdgels>> BuildViewEdgels(const std::vector<ImageCurves>& curves,
                                                          const RunContext& context);
 
 }  // namespace limn

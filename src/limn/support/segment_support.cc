@@ -1,4 +1,4 @@
-#include "limn/support/segment_evidence.h"
+#include "limn/support/segment_support.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,10 +43,11 @@ std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> ProjectSegment(
 
 }  // namespace
 
-SegmentEvidence FindEvidence(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                             const std::vector<uint8_t>& visible, const std::vector<View>& views,
-                             const EdgelIndexes& edgels, const SupportGate& gate) {
-  SegmentEvidence result;
+SegmentSupport FindSegmentSupport(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                  const std::vector<uint8_t>& visible,
+                                  const std::vector<View>& views, const EdgelIndexes& edgels,
+                                  const SupportGate& gate) {
+  SegmentSupport result;
   int num_copies = 0;
   int num_hits = 0;
   for (size_t v = 0; v < views.size(); ++v) {

@@ -1,4 +1,4 @@
-#include "limn/evaluation/normalised_errors.h"
+#include "limn/evaluation/normalized_errors.h"
 
 #include <algorithm>
 #include <array>
@@ -63,9 +63,9 @@ std::optional<double> Mean(const std::vector<double>& values) {
 
 }  // namespace
 
-NormalisedErrors MeasureNormalisedErrors(const DrawingGraph& drawing, const CurveSet& truth,
+NormalizedErrors MeasureNormalizedErrors(const DrawingGraph& drawing, const CurveSet& truth,
                                          const CurveSet& dont_care, const std::vector<View>& views,
-                                         const NormalisedErrorOptions& options) {
+                                         const NormalizedErrorOptions& options) {
   const NearCurves near_truth(truth, views);
   const NearCurves near_dont_care(dont_care, views);
   std::vector<double> squares;
@@ -87,7 +87,7 @@ NormalisedErrors MeasureNormalisedErrors(const DrawingGraph& drawing, const Curv
       squares_with_false.push_back(std::pow(options.max_distance * footprint, 2) / variance);
     }
   }
-  NormalisedErrors errors;
+  NormalizedErrors errors;
   errors.num_inliers = static_cast<int>(squares.size());
   errors.num_false = static_cast<int>(squares_with_false.size() - squares.size());
   errors.variance = Mean(squares);

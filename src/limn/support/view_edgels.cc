@@ -1,4 +1,4 @@
-#include "limn/support/view_evidence.h"
+#include "limn/support/view_edgels.h"
 
 namespace limn {
 namespace {
@@ -13,15 +13,15 @@ std::vector<int> FragmentOfEdgels(const ImageCurves& curves) {
 
 }  // namespace
 
-ViewEvidence::ViewEvidence(const ImageCurves& curves)
+ViewEdgels::ViewEdgels(const ImageCurves& curves)
     : fragment_of(FragmentOfEdgels(curves)), edgels(curves.edge_map, LinkedEdgels(curves)) {}
 
-std::vector<std::unique_ptr<ViewEvidence>> BuildEvidence(const std::vector<ImageCurves>& curves,
+std::vector<std::unique_ptr<ViewEdgels>> BuildViewEdgels(const std::vector<ImageCurves>& curves,
                                                          const RunContext& context) {
-  std::vector<std::unique_ptr<ViewEvidence>> evidence(curves.size());
-  ParallelFor(context, "evidence", curves.size(),
-              [&](size_t v) { evidence[v] = std::make_unique<ViewEvidence>(curves[v]); });
-  return evidence;
+  std::vector<std::unique_ptr<ViewEdgels>> edgels(curves.size());
+  ParallelFor(context, "indexing edgels", curves.size(),
+              [&](size_t v) { edgels[v] = std::make_unique<ViewEdgels>(curves[v]); });
+  return edgels;
 }
 
 }  // namespace limn
