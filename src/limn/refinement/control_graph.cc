@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "limn/geometry/polyline.h"
 #include "limn/model/footprint.h"
 
 namespace limn {
@@ -39,7 +38,6 @@ class ControlGraphBuilder {
     for (size_t l = 0; l < graph_.links.size(); ++l) AddLink(static_cast<LinkId>(l));
     for (const DrawingNode& node : graph_.nodes) AddBendsThrough(node);
     control_.start = control_.position;
-    UpdateTangents(&control_);
     return std::move(control_);
   }
 
@@ -53,6 +51,7 @@ class ControlGraphBuilder {
     const Polyline3d points =
         ResampleUniform(link.points_in_world, link.closed ? std::min(step, length / 6) : step);
     ControlLink out;
+    out.views = link.supporting_views;
     out.points.push_back(link.node0);
     for (size_t k = 1; k + 1 < points.size(); ++k) {
       out.points.push_back(static_cast<int>(control_.position.size()));
@@ -62,7 +61,7 @@ class ControlGraphBuilder {
     }
     out.points.push_back(link.node1);
     for (const int end : {0, 1}) {
-      const NodeId node = end == 0 ? link.node0 : link.node1;
+      const NodeId node = link.NodeAt(end);
       double& footprint = control_.footprint[node];
       footprint = std::max(footprint, LinkFootprint(link, control_.position[node], views_));
       if (control_.corner[node] && unit > 0 && !GoesOn(graph_.nodes[node], {id, end})) {
@@ -82,8 +81,7 @@ class ControlGraphBuilder {
 
   void AddBendsThrough(const DrawingNode& node) {
     for (const auto& [a, b] : node.continuations) {
-      const int here = a.end == 0 ? graph_.links[a.link].node0 : graph_.links[a.link].node1;
-      const std::array<int, 3> bend = {NextTo(a), here, NextTo(b)};
+      const Bend bend = {NextTo(a), graph_.links[a.link].NodeAt(a.end), NextTo(b)};
       if (bend[0] != bend[1] && bend[1] != bend[2] && bend[0] != bend[2]) {
         control_.bends.push_back(bend);
       }
@@ -103,32 +101,42 @@ ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>
   return ControlGraphBuilder(graph, views, spacing_px).Run();
 }
 
+Eigen::Vector3d Chord(const ControlGraph& control, const ControlLink& link, int first, int last) {
+  return control.position[link.points[std::min(last, link.NumSegments())]] -
+         control.position[link.points[std::max(first, 0)]];
+}
+
 void UpdateTangents(ControlGraph* control) {
   std::vector<Eigen::Vector3d>& tangent = control->tangent;
   tangent.assign(control->position.size(), Eigen::Vector3d::UnitX());
   for (const ControlLink& link : control->links) {
-    const int last = link.NumSegments();
-    for (int k = 0; k <= last; ++k) {
-      const Eigen::Vector3d chord = control->position[link.points[std::min(k + 1, last)]] -
-                                    control->position[link.points[std::max(k - 1, 0)]];
+    for (int k = 0; k <= link.NumSegments(); ++k) {
+      const Eigen::Vector3d chord = Chord(*control, link, k - 1, k + 1);
       if (chord.norm() > 0) tangent[link.points[k]] = chord.normalized();
     }
   }
+}
+
+void FollowEnds(const Eigen::Vector3d& first, const Eigen::Vector3d& last, Polyline3d* points) {
+  const Eigen::Vector3d moved[2] = {first - points->front(), last - points->back()};
+  for (size_t k = 0; k < points->size(); ++k) {
+    const double t = static_cast<double>(k) / static_cast<double>(points->size() - 1);
+    (*points)[k] += (1 - t) * moved[0] + t * moved[1];
+  }
+  // Rounding must not part them from their nodes.
+  points->front() = first;
+  points->back() = last;
 }
 
 void FollowNodes(const std::vector<uint8_t>& frozen, const std::vector<Eigen::Vector3d>& before,
                  ControlGraph* control) {
   for (size_t l = 0; l < control->links.size(); ++l) {
     if (!frozen[l]) continue;
-    const std::vector<int>& points = control->links[l].points;
-    const auto moved = [&](int point) -> Eigen::Vector3d {
-      return control->position[point] - before[point];
-    };
-    for (size_t k = 1; k + 1 < points.size(); ++k) {
-      const double t = static_cast<double>(k) / static_cast<double>(points.size() - 1);
-      control->position[points[k]] =
-          before[points[k]] + (1 - t) * moved(points.front()) + t * moved(points.back());
-    }
+    const std::vector<int>& ids = control->links[l].points;
+    Polyline3d points;
+    for (const int id : ids) points.push_back(before[id]);
+    FollowEnds(control->position[ids.front()], control->position[ids.back()], &points);
+    for (size_t k = 0; k < ids.size(); ++k) control->position[ids[k]] = points[k];
   }
 }
 

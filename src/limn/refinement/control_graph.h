@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "limn/geometry/polyline.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 
@@ -15,11 +16,15 @@ namespace limn {
 // first.
 struct ControlLink {
   std::vector<int> points;
+  std::vector<ViewId> views;  // that are asked for its edgels, ascending
   // Data within this length of either end is left out, px: edges are rounded at corners.
   std::array<double, 2> skip_px = {0, 0};
 
   int NumSegments() const { return static_cast<int>(points.size()) - 1; }
 };
+
+// Three neighbors along a curve.
+using Bend = std::array<int, 3>;
 
 // The drawing as the unknowns of a fit: control points, of which those at nodes are shared by the
 // links that meet there. Control point n < number of nodes is node n.
@@ -31,19 +36,23 @@ struct ControlGraph {
   // Links meet here in different directions: nothing holds such a point along one of them.
   std::vector<uint8_t> corner;
   std::vector<ControlLink> links;  // as in the graph
-  // Triples of neighbors along a curve, through smooth nodes too.
-  std::vector<std::array<int, 3>> bends;
+  std::vector<Bend> bends;         // through smooth nodes, too
 };
 
 // Control points about `spacing_px` apart along every link. Linear time.
 ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>& views,
                               double spacing_px);
 
+// From control point `first` to `last` of a link, or to its end where it ends before.
+Eigen::Vector3d Chord(const ControlGraph& control, const ControlLink& link, int first, int last);
+
 // Unit tangents from the neighbors along the links.
 void UpdateTangents(ControlGraph* control);
 
-// Move the inner points of links marked nonzero by what their nodes moved since `before`, the
-// nearer node counting more.
+// Move a polyline to new ends, every point by what the ends move, the nearer end counting more.
+void FollowEnds(const Eigen::Vector3d& first, const Eigen::Vector3d& last, Polyline3d* points);
+
+// The same for the control points of links marked nonzero, whose nodes moved since `before`.
 void FollowNodes(const std::vector<uint8_t>& frozen, const std::vector<Eigen::Vector3d>& before,
                  ControlGraph* control);
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "limn/model/view.h"
+#include "limn/support/edgel_index.h"
 
 namespace limn {
 
@@ -25,9 +25,8 @@ class Crowding {
   bool At(const ImagePlace& place, double distance_px) const;
 
  private:
-  std::vector<ImagePlace> places_;  // by row of the grid, then by x
-  std::vector<int> row_begin_;
-  int first_row_ = 0;
+  std::vector<ImagePlace> places_;
+  EdgelIndex index_;  // of the places, as if they were edgels
 };
 
 }  // namespace limn

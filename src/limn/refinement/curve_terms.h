@@ -1,26 +1,47 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <vector>
 
 #include <ceres/problem.h>
 
-#include "limn/refinement/control_graph.h"
-#include "limn/refinement/refinement_options.h"
+#include "limn/refinement/camera_corrections.h"
+#include "limn/refinement/edgel_matches.h"
 
 namespace limn {
 
-// What holds control points beside the edgels that pull at them, as terms of a least squares
-// problem whose unknowns are the positions in `control`, world units.
+// What curves are fitted to.
+struct FitInput {
+  const std::vector<View>& views;
+  const std::vector<ImageCurves>& curves;
+  const std::vector<LinkMatches>& matches;
+  // Per link: nonzero = its inner points are not unknowns, they follow its nodes.
+  const std::vector<uint8_t>& frozen;
+};
 
-// Hold a point weakly to where it was in the drawing: along its curve, and at a corner.
-void AddHold(int point, ControlGraph* control, ceres::Problem* problem);
+// Links that hang together by nodes or bends, with the unknowns and bends among them: they share
+// no unknown with others.
+struct Component {
+  std::vector<int> links;
+  std::vector<int> points;  // ascending
+  std::vector<Bend> bends;
+};
+std::vector<Component> FindComponents(const std::vector<uint8_t>& frozen,
+                                      const ControlGraph& control);
 
-// The penalty on the change of direction at the middle one of three neighbors.
-void AddBend(const std::array<int, 3>& bend, const RefinementOptions& options,
-             ControlGraph* control, ceres::Problem* problem);
+// Add the terms of a component to a least squares problem whose unknowns are the positions in
+// `control`, world units, and the corrections of the cameras, if given:
+//   the pulls of the edgels (pull_cost.h);
+//   |change of direction|^2 / (bending_sigma^2 * length) for every bend, hardly more where it is
+//   large next to a corner;
+//   what holds points weakly where they were in the drawing: along their curve, and at corners.
+void AddTerms(const FitInput& input, const RefinementOptions& options, const Component& component,
+              CameraCorrections* cameras, ControlGraph* control, ceres::Problem* problem);
 
-// The square of that change over its variance.
-double SquaredBend(const std::array<int, 3>& bend, const RefinementOptions& options,
-                   const ControlGraph& control);
+// Weight of a pull over the variance of its distance, 1 / px^2.
+double WeightOf(const EdgelPull& pull, const std::vector<ImageCurves>& curves);
+
+// The square of the change of direction at a bend over its variance.
+double SquaredBend(const Bend& bend, const RefinementOptions& options, const ControlGraph& control);
 
 }  // namespace limn

@@ -23,17 +23,17 @@ constexpr double kSameSideShare = 0.85;
 
 class LinkMatcher {
  public:
-  LinkMatcher(const MatchInput& input, const ControlGraph& control, const SupportGate& gate,
+  LinkMatcher(const TopologyInput& input, const ControlGraph& control,
               const RefinementOptions& options)
-      : input_(input), control_(control), gate_(gate), options_(options) {}
+      : input_(input), control_(control), options_(options) {}
 
   // Where the links run in the images of the views that show them.
   std::vector<ImagePlace> PlacesIn(ViewId view) const {
     std::vector<ImagePlace> found;
     for (size_t l = 0; l < control_.links.size(); ++l) {
-      const std::vector<ViewId>& asked = input_.asked[l];
-      if (!std::binary_search(asked.begin(), asked.end(), view)) continue;
-      for (const Place& place : MakePlaces(control_.links[l])) {
+      const ControlLink& link = control_.links[l];
+      if (!std::binary_search(link.views.begin(), link.views.end(), view)) continue;
+      for (const Place& place : MakePlaces(link)) {
         if (const auto seen = SightOf(view, place)) {
           found.push_back({static_cast<int>(l), seen->position_px, seen->direction_rad});
         }
@@ -46,7 +46,7 @@ class LinkMatcher {
     const std::vector<Place> places = MakePlaces(control_.links[link]);
     LinkMatches matches;
     for (const Place& place : places) matches.push_back({place.segment, place.t, {}});
-    for (const ViewId view : input_.asked[link]) AddView(view, places, &matches);
+    for (const ViewId view : control_.links[link].views) AddView(view, places, &matches);
     KeepOneSide(places, &matches);
     KeepResolved(link, places, crowding, &matches);
     for (LinkSample& sample : matches) {
@@ -104,10 +104,7 @@ class LinkMatcher {
 
   // Of the segment and its neighbors: a short segment alone is not sure of its direction.
   Eigen::Vector3d Direction(const ControlLink& link, int s) const {
-    const int before = std::max(s - 1, 0);
-    const int after = std::min(s + 2, link.NumSegments());
-    const Eigen::Vector3d chord =
-        control_.position[link.points[after]] - control_.position[link.points[before]];
+    const Eigen::Vector3d chord = Chord(control_, link, s - 1, s + 2);
     return chord.norm() > 0 ? Eigen::Vector3d(chord.normalized()) : Eigen::Vector3d::UnitX();
   }
 
@@ -119,7 +116,8 @@ class LinkMatcher {
     const auto seen = SightOf(id, place);
     if (!seen) return {};
     const auto& [pixel, direction] = *seen;
-    Answer answer = {true, input_.edgels[id]->edgels.Best(pixel, direction, gate_), pixel, false};
+    Answer answer = {true, input_.edgels[id]->edgels.Best(pixel, direction, input_.gate), pixel,
+                     false};
     if (answer.match) {
       const Edgel& edgel = input_.curves[id].edge_map.edgels[answer.match->edgel];
       answer.bright_left = std::cos(edgel.tangent_rad - direction) > 0;
@@ -127,58 +125,54 @@ class LinkMatcher {
     return answer;
   }
 
-  void AddView(ViewId view, const std::vector<Place>& places, LinkMatches* matches) const {
-    std::vector<Answer> answers;
-    for (const Place& place : places) answers.push_back(Ask(view, place));
+  // Call visit(k) at every place, with those within half a window counted: count(k, 1) when a place
+  // comes in, count(k, -1) when it is left behind.
+  template <typename Count, typename Visit>
+  static void SlideWindow(const std::vector<Place>& places, double half_px, Count&& count,
+                          Visit&& visit) {
     const int size = static_cast<int>(places.size());
     int begin = 0;
     int end = 0;
+    for (int k = 0; k < size; ++k) {
+      for (; end < size && places[end].arc_px <= places[k].arc_px + half_px; ++end) count(end, 1);
+      for (; places[begin].arc_px < places[k].arc_px - half_px; ++begin) count(begin, -1);
+      visit(k);
+    }
+  }
+
+  void AddView(ViewId view, const std::vector<Place>& places, LinkMatches* matches) const {
+    std::vector<Answer> answers;
+    for (const Place& place : places) answers.push_back(Ask(view, place));
     int num_asked = 0;
     int num_found = 0;
     const auto count = [&](int k, int sign) {
       num_asked += sign * answers[k].asked;
       num_found += sign * answers[k].match.has_value();
     };
-    for (int k = 0; k < size; ++k) {
-      for (; end < size && places[end].arc_px <= places[k].arc_px + options_.support_window_px;
-           ++end) {
-        count(end, 1);
-      }
-      for (; places[begin].arc_px < places[k].arc_px - options_.support_window_px; ++begin) {
-        count(begin, -1);
-      }
-      if (!answers[k].match || num_found < options_.min_window_support * num_asked) continue;
+    SlideWindow(places, options_.support_window_px, count, [&](int k) {
+      if (!answers[k].match || num_found < options_.min_window_support * num_asked) return;
       const EdgelMatch& match = *answers[k].match;
       (*matches)[k].pulls.push_back({{view, match.edgel},
                                      Weight(view, answers, k),
                                      match.normal_residual_px,
                                      answers[k].bright_left});
-    }
+    });
   }
 
   // Where nearly all edgels around a sample agree on the brighter side, the others are of another
   // edge nearby, such as the other side of a thin bar.
   void KeepOneSide(const std::vector<Place>& places, LinkMatches* matches) const {
     const LinkMatches all = *matches;
-    const int size = static_cast<int>(places.size());
-    int begin = 0;
-    int end = 0;
     int num[2] = {0, 0};
     const auto count = [&](int k, int sign) {
       for (const EdgelPull& pull : all[k].pulls) num[pull.bright_left] += sign;
     };
-    for (int k = 0; k < size; ++k) {
-      for (; end < size && places[end].arc_px <= places[k].arc_px + kSideWindowPx; ++end) {
-        count(end, 1);
-      }
-      for (; places[begin].arc_px < places[k].arc_px - kSideWindowPx; ++begin) {
-        count(begin, -1);
-      }
+    SlideWindow(places, kSideWindowPx, count, [&](int k) {
       const bool major = num[1] > num[0];
-      if (num[major] < kSameSideShare * (num[0] + num[1])) continue;
+      if (num[major] < kSameSideShare * (num[0] + num[1])) return;
       std::erase_if((*matches)[k].pulls,
                     [&](const EdgelPull& pull) { return pull.bright_left != major; });
-    }
+    });
   }
 
   // Views in which another link runs beside this one, too near to tell their edges apart, would
@@ -211,9 +205,8 @@ class LinkMatcher {
     return std::clamp(step_px / options_.correlation_px, 0.01, 1.0);
   }
 
-  const MatchInput& input_;
+  const TopologyInput& input_;
   const ControlGraph& control_;
-  const SupportGate& gate_;
   const RefinementOptions& options_;
 };
 
@@ -237,10 +230,9 @@ std::vector<std::vector<float>> BestResiduals(const std::vector<ImageCurves>& cu
 
 }  // namespace
 
-std::vector<LinkMatches> MatchEdgels(const MatchInput& input, const ControlGraph& control,
-                                     const SupportGate& gate, const RefinementOptions& options,
-                                     const RunContext& context) {
-  const LinkMatcher matcher(input, control, gate, options);
+std::vector<LinkMatches> MatchEdgels(const TopologyInput& input, const ControlGraph& control,
+                                     const RefinementOptions& options, const RunContext& context) {
+  const LinkMatcher matcher(input, control, options);
   std::vector<std::vector<ImagePlace>> places(input.views.size());
   ParallelFor(context, "projecting links", places.size(),
               [&](size_t v) { places[v] = matcher.PlacesIn(static_cast<ViewId>(v)); });

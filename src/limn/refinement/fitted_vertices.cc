@@ -7,19 +7,6 @@
 #include "limn/model/footprint.h"
 
 namespace limn {
-namespace {
-
-// The point at or behind each arc length; both ascend.
-std::vector<size_t> FirstNotBefore(const std::vector<double>& arc, const std::vector<double>& at) {
-  std::vector<size_t> index;
-  for (const double length : at) {
-    const auto next = std::lower_bound(arc.begin(), arc.end(), length);
-    index.push_back(std::min<size_t>(next - arc.begin(), arc.size() - 1));
-  }
-  return index;
-}
-
-}  // namespace
 
 void GiveVertices(const std::vector<View>& views, const LinkMatches& matches, DrawingLink* link) {
   const double footprint = LinkFootprint(*link, views);
@@ -27,8 +14,9 @@ void GiveVertices(const std::vector<View>& views, const LinkMatches& matches, Dr
   const std::vector<double> arc = CumulativeLength(link->points_in_world);
   link->points_in_world = ResampleUniform(link->points_in_world, footprint);
   std::vector<double> sigma;
-  for (const size_t k : FirstNotBefore(arc, CumulativeLength(link->points_in_world))) {
-    sigma.push_back(link->sigma[k]);
+  for (const double at : CumulativeLength(link->points_in_world)) {
+    const auto next = std::lower_bound(arc.begin(), arc.end() - 1, at);
+    sigma.push_back(link->sigma[next - arc.begin()]);
   }
   link->sigma = std::move(sigma);
   link->vertices.resize(link->points_in_world.size());

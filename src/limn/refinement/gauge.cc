@@ -6,43 +6,40 @@ namespace limn {
 
 namespace {
 
-// Root of the sum of squared distances of the camera centers from their mean.
-double Spread(const std::vector<View>& views) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const View& view : views) mean += view.CenterInWorld() / static_cast<double>(views.size());
-  double sum = 0;
-  for (const View& view : views) sum += (view.CenterInWorld() - mean).squaredNorm();
-  return std::sqrt(sum);
+Eigen::Matrix3Xd Centers(const std::vector<View>& views) {
+  Eigen::Matrix3Xd centers(3, views.size());
+  for (size_t v = 0; v < views.size(); ++v) centers.col(v) = views[v].CenterInWorld();
+  return centers;
+}
+
+// Root of the sum of squared distances from the mean.
+double Spread(const Eigen::Matrix3Xd& points) {
+  return (points.colwise() - points.rowwise().mean()).norm();
+}
+
+// Of every camera its center and the points one arm along its axes.
+Eigen::Matrix3Xd CentersAndArms(const std::vector<View>& views, const Eigen::RowVectorXd& arms) {
+  Eigen::Matrix3Xd points(3, 4 * views.size());
+  for (size_t v = 0; v < views.size(); ++v) {
+    const Rigid3d world_from_cam = Inverse(views[v].cam_from_world);
+    auto of_view = points.middleCols<4>(4 * v);
+    of_view << Eigen::Vector3d::Zero(), arms[v] * world_from_cam.rotation.toRotationMatrix();
+    of_view.colwise() += world_from_cam.translation;
+  }
+  return points;
 }
 
 }  // namespace
 
 Eigen::Affine3d GivenFromRefined(const std::vector<View>& given, const std::vector<View>& refined,
                                  const Eigen::Vector3d& middle) {
-  const auto num_points = static_cast<Eigen::Index>(4 * given.size());
-  double mean_arm = 0;
-  for (const View& view : given) {
-    mean_arm += (view.CenterInWorld() - middle).norm() / static_cast<double>(given.size());
-  }
+  const Eigen::Matrix3Xd centers = Centers(given);
+  const Eigen::RowVectorXd arms = (centers.colwise() - middle).colwise().norm();
   // Centers that coincide tell no scale.
-  const double spread = Spread(given);
-  const double scale = spread > 1e-6 * mean_arm ? Spread(refined) / spread : 1;
-  Eigen::Matrix3Xd from(3, num_points);
-  Eigen::Matrix3Xd to(3, num_points);
-  for (size_t v = 0; v < given.size(); ++v) {
-    const double arm = (given[v].CenterInWorld() - middle).norm();
-    const auto first = static_cast<Eigen::Index>(4 * v);
-    const auto set = [&](const View& view, double length, Eigen::Matrix3Xd* points) {
-      const Rigid3d world_from_cam = Inverse(view.cam_from_world);
-      points->col(first) = world_from_cam.translation;
-      for (int axis = 0; axis < 3; ++axis) {
-        points->col(first + 1 + axis) = world_from_cam * (length * Eigen::Vector3d::Unit(axis));
-      }
-    };
-    set(given[v], arm, &to);
-    set(refined[v], scale * arm, &from);
-  }
-  const Eigen::Matrix4d similarity = Eigen::umeyama(from, to, true);
+  const double spread = Spread(centers);
+  const double scale = spread > 1e-6 * arms.mean() ? Spread(Centers(refined)) / spread : 1;
+  const Eigen::Matrix4d similarity =
+      Eigen::umeyama(CentersAndArms(refined, scale * arms), CentersAndArms(given, arms), true);
   return similarity.allFinite() ? Eigen::Affine3d(similarity) : Eigen::Affine3d::Identity();
 }
 

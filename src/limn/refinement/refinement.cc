@@ -41,47 +41,21 @@ std::vector<uint8_t> FindFrozen(const std::vector<LinkMatches>& matches) {
   return frozen;
 }
 
-std::map<ViewId, int> SamplesPerView(const LinkMatches& matches) {
-  std::map<ViewId, int> count;
-  for (const LinkSample& sample : matches) {
-    for (const EdgelPull& pull : sample.pulls) ++count[pull.ref.view];
-  }
-  return count;
-}
-
-std::vector<ViewId> SupportingViews(const LinkMatches& matches) {
-  const int needed = std::min(kMinSupportedSamples, (NumShown(matches) + 1) / 2);
-  std::vector<ViewId> views;
-  for (const auto& [view, count] : SamplesPerView(matches)) {
-    if (count >= needed) views.push_back(view);
-  }
-  return views;
-}
-
-double MedianResidualPx(const LinkMatches& matches) {
+void SetSupport(const LinkMatches& matches, DrawingLink* link) {
+  std::map<ViewId, int> samples;
   std::vector<double> residuals;
   for (const LinkSample& sample : matches) {
-    for (const EdgelPull& pull : sample.pulls) residuals.push_back(std::abs(pull.residual_px));
+    for (const EdgelPull& pull : sample.pulls) {
+      ++samples[pull.ref.view];
+      residuals.push_back(std::abs(pull.residual_px));
+    }
   }
-  return Median(std::move(residuals));
-}
-
-// Root of the mean of the two variances across the curve.
-double SigmaAcross(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& tangent) {
-  return std::sqrt(std::max(0.0, 0.5 * (covariance.trace() - tangent.dot(covariance * tangent))));
-}
-
-// Move a polyline to new ends, every point by what the ends move, the nearer end counting more.
-void FollowEnds(const Eigen::Vector3d& first, const Eigen::Vector3d& last,
-                std::vector<Eigen::Vector3d>* points) {
-  const Eigen::Vector3d moved[2] = {first - points->front(), last - points->back()};
-  for (size_t k = 0; k < points->size(); ++k) {
-    const double t = static_cast<double>(k) / static_cast<double>(points->size() - 1);
-    (*points)[k] += (1 - t) * moved[0] + t * moved[1];
+  const int needed = std::min(kMinSupportedSamples, (NumShown(matches) + 1) / 2);
+  link->supporting_views.clear();
+  for (const auto& [view, count] : samples) {
+    if (count >= needed) link->supporting_views.push_back(view);
   }
-  // Rounding must not part them from their nodes.
-  points->front() = first;
-  points->back() = last;
+  link->residual_px = Median(std::move(residuals));
 }
 
 class Refiner {
@@ -109,7 +83,9 @@ class Refiner {
     Match(1);
     ScaleCovariances();
     SetGeometry();
-    UpdateSupport();
+    for (size_t l = 0; l < graph_.links.size(); ++l) {
+      if (!frozen_[l]) SetSupport(matches_[l], &graph_.links[l]);
+    }
     RemoveCovered(FindUncoveredLinks(topology_, WithVertices()));
     result.summary = Summary();
     result.graph = std::move(graph_);
@@ -117,15 +93,18 @@ class Refiner {
   }
 
  private:
-  // Unknowns and questions for the graph as it is.
+  // Unknowns for the graph as it is.
   void TakeGraph() {
     control_ = MakeControlGraph(graph_, views_, options_.control_spacing_px);
-    asked_.clear();
-    for (const DrawingLink& link : graph_.links) asked_.push_back(link.supporting_views);
+    covariances_.assign(control_.position.size(), std::nullopt);
   }
 
-  SupportGate Gate(double reach) const {
-    return {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
+  // `reach`: multiple of max_distance_px.
+  TopologyInput Images(double reach) const {
+    return {views_,
+            input_.curves,
+            edgels_,
+            {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180}};
   }
 
   void ChangeTopology() {
@@ -136,7 +115,7 @@ class Refiner {
       if (!frozen_[l]) graph_.links[l] = std::move(dense.links[l]);
     }
     RemoveCovered(keep);
-    repairs_ = RepairTopology({views_, input_.curves, edgels_, Gate(1)}, topology_, &graph_);
+    repairs_ = RepairTopology(Images(1), topology_, &graph_);
     for (DrawingLink& link : graph_.links) link.vertices.clear();
     TakeGraph();
   }
@@ -159,11 +138,7 @@ class Refiner {
     frozen_ = std::move(frozen);
   }
 
-  // `reach`: multiple of max_distance_px.
-  void Match(double reach) {
-    matches_ = MatchEdgels({views_, input_.curves, edgels_, asked_}, control_, Gate(reach),
-                           options_, context_);
-  }
+  void Match(double reach) { matches_ = MatchEdgels(Images(reach), control_, options_, context_); }
 
   RefinedCameras RefineCameras() {
     static const std::vector<ScenePoint> none;
@@ -173,16 +148,18 @@ class Refiner {
     CameraCorrections corrections = NoCorrections(input_.views);
     for (const double reach : kPoseRoundReach) {
       Match(reach);
-      const bool found = FitPoses({input_.views, input_.curves, matches_, FindFrozen(matches_),
-                                   points, reach * options_.robust_residual_px},
-                                  options_, context_, &corrections, &control_, &refined.points);
+      RefinementOptions options = options_;
+      options.robust_residual_px *= reach;
+      const bool found =
+          FitPoses({input_.views, input_.curves, matches_, FindFrozen(matches_)}, points, options,
+                   context_, &corrections, &control_, &refined.points);
       num_failed_pose_rounds_ += !found;
       views_ = Corrected(input_.views, corrections);
     }
     BringBack(points, &refined.points);
     refined.views = views_;
     refined.median_shift_px = MedianShiftPx();
-    for (const double log_focal : corrections.log_focal) {
+    for (const auto& [camera_index, log_focal] : corrections.log_focal) {
       refined.largest_focal_change =
           std::max(refined.largest_focal_change, std::abs(std::expm1(log_focal)));
     }
@@ -191,14 +168,12 @@ class Refiner {
 
   // What images do not tell goes back to where the given cameras had it.
   void BringBack(const std::vector<ScenePoint>& given, std::vector<Eigen::Vector3d>* points) {
-    std::vector<Eigen::Vector3d>& positions = control_.position;
     const Eigen::Affine3d back =
         GivenFromRefined(input_.views, views_, MiddleOfScene(given, *points));
     views_ = Moved(views_, back);
-    for (std::vector<Eigen::Vector3d>* of : {&positions, points}) {
+    for (std::vector<Eigen::Vector3d>* of : {&control_.position, points}) {
       for (Eigen::Vector3d& point : *of) point = back * point;
     }
-    UpdateTangents(&control_);
   }
 
   // By medians: some points of a sparse model are far away.
@@ -233,34 +208,28 @@ class Refiner {
     return Median(std::move(shifts));
   }
 
+  FitInput ToFit() const { return {views_, input_.curves, matches_, frozen_}; }
+
   void Fit(Covariances* covariances) {
     Match(1);
     frozen_ = FindFrozen(matches_);
-    FitCurves({views_, input_.curves, matches_, frozen_}, options_, context_, &control_,
-              covariances);
+    FitCurves(ToFit(), options_, context_, &control_, covariances);
   }
 
   void ScaleCovariances() {
-    const std::vector<double> factors =
-        VarianceFactors({input_.curves, control_, matches_, frozen_}, options_);
+    const std::vector<double> factors = VarianceFactors(ToFit(), options_, control_);
     for (size_t p = 0; p < factors.size(); ++p) {
       if (covariances_[p]) *covariances_[p] *= factors[p];
     }
   }
 
-  // Infinite before there are covariances.
-  std::vector<double> Sigmas(const ControlLink& link) const {
-    std::vector<double> sigmas(link.points.size(), std::numeric_limits<double>::infinity());
-    if (covariances_.empty()) return sigmas;
-    const int last = link.NumSegments();
-    for (int k = 0; k <= last; ++k) {
-      const auto& covariance = covariances_[link.points[k]];
-      if (!covariance) continue;
-      const Eigen::Vector3d chord = control_.position[link.points[std::min(k + 1, last)]] -
-                                    control_.position[link.points[std::max(k - 1, 0)]];
-      sigmas[k] = SigmaAcross(*covariance, chord.normalized());
-    }
-    return sigmas;
+  // Root of the mean of the two variances across the curve; infinite before there are any.
+  double Sigma(const ControlLink& link, int k) const {
+    const auto& covariance = covariances_[link.points[k]];
+    if (!covariance) return std::numeric_limits<double>::infinity();
+    const Eigen::Vector3d tangent = Chord(control_, link, k - 1, k + 1).normalized();
+    const double along = tangent.dot(*covariance * tangent);
+    return std::sqrt(std::max(0.0, 0.5 * (covariance->trace() - along)));
   }
 
   // Views do not show a link as near as edgels are asked for: it is not known any better.
@@ -285,19 +254,13 @@ class Refiner {
         for (double& sigma : link.sigma) sigma = std::max(sigma, least);
         continue;
       }
+      const ControlLink& fitted = control_.links[l];
       link.points_in_world.clear();
-      for (const int id : control_.links[l].points) {
-        link.points_in_world.push_back(control_.position[id]);
+      link.sigma.clear();
+      for (int k = 0; k <= fitted.NumSegments(); ++k) {
+        link.points_in_world.push_back(control_.position[fitted.points[k]]);
+        link.sigma.push_back(Sigma(fitted, k));
       }
-      link.sigma = Sigmas(control_.links[l]);
-    }
-  }
-
-  void UpdateSupport() {
-    for (size_t l = 0; l < graph_.links.size(); ++l) {
-      if (frozen_[l]) continue;
-      graph_.links[l].supporting_views = SupportingViews(matches_[l]);
-      graph_.links[l].residual_px = MedianResidualPx(matches_[l]);
     }
   }
 
@@ -305,13 +268,10 @@ class Refiner {
     const auto num_frozen = std::count(frozen_.begin(), frozen_.end(), uint8_t{1});
     StageSummary summary;
     summary.stage = "refinement";
-    const auto num_links = [](const DrawingGraph& of) {
-      return static_cast<int64_t>(of.links.size());
-    };
-    summary.in = {{"links", num_links(input_.graph)}};
-    summary.kept = {{"links", num_links(graph_)},
+    summary.in = {{"links", std::ssize(input_.graph.links)}};
+    summary.kept = {{"links", std::ssize(graph_.links)},
                     {"links not fitted: too few views", num_frozen},
-                    {"control points", static_cast<int64_t>(control_.position.size())},
+                    {"control points", std::ssize(control_.position)},
                     {"ends cut back from other links", repairs_.trimmed},
                     {"ends joined", repairs_.meetings.joined},
                     {"ends taken to nodes", repairs_.meetings.to_nodes},
@@ -334,7 +294,6 @@ class Refiner {
   DrawingGraph graph_;
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
-  std::vector<std::vector<ViewId>> asked_;
   std::vector<LinkMatches> matches_;
   std::vector<uint8_t> frozen_;
   Covariances covariances_;

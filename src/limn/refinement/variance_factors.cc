@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-
-#include "limn/refinement/curve_terms.h"
-#include "limn/support/edgel_residual.h"
+#include <span>
 
 namespace limn {
 namespace {
@@ -22,21 +20,19 @@ struct ViewSums {
   double residual = 0;  // 1 / px
 };
 
-using SumsOfViews = std::map<ViewId, ViewSums>;
-
-void Add(const LinkSample& sample, const std::vector<ImageCurves>& curves, SumsOfViews* sums) {
-  for (const EdgelPull& pull : sample.pulls) {
-    const Edgel& edgel = curves[pull.ref.view].edge_map.edgels[pull.ref.edgel];
-    const double weight = pull.weight / ResidualVariance(edgel);
-    ViewSums& of_view = (*sums)[pull.ref.view];
-    of_view.weight += weight;
-    // Signed by the sides of the link, not by those of the edgel.
-    of_view.residual += weight * (pull.bright_left ? 1 : -1) * pull.residual_px;
-  }
-}
-
 // Of the mean residuals of the views, never below 1.
-double ReducedChiSquare(const SumsOfViews& sums) {
+double ReducedChiSquare(std::span<const LinkSample> samples,
+                        const std::vector<ImageCurves>& curves) {
+  std::map<ViewId, ViewSums> sums;
+  for (const LinkSample& sample : samples) {
+    for (const EdgelPull& pull : sample.pulls) {
+      const double weight = WeightOf(pull, curves);
+      ViewSums& of_view = sums[pull.ref.view];
+      of_view.weight += weight;
+      // Signed by the sides of the link, not by those of the edgel.
+      of_view.residual += weight * (pull.bright_left ? 1 : -1) * pull.residual_px;
+    }
+  }
   double chi_square = 0;
   for (const auto& [view, of_view] : sums) {
     chi_square += of_view.residual * of_view.residual / of_view.weight;
@@ -45,24 +41,10 @@ double ReducedChiSquare(const SumsOfViews& sums) {
   return std::max(1.0, (kPriorViews + chi_square) / (kPriorViews + freedoms));
 }
 
-// Around every control point of a link, over the samples within `half_window` segments.
-std::vector<double> ReducedChiSquares(const std::vector<ImageCurves>& curves,
-                                      const ControlLink& link, const LinkMatches& matches,
-                                      int half_window) {
-  std::vector<double> result;
-  const auto first_at = [&](int segment) {
-    return std::partition_point(matches.begin(), matches.end(),
-                                [&](const LinkSample& s) { return s.segment < segment; });
-  };
-  for (int k = 0; k <= link.NumSegments(); ++k) {
-    SumsOfViews sums;
-    const auto end = first_at(k + half_window);
-    for (auto sample = first_at(k - half_window); sample != end; ++sample) {
-      Add(*sample, curves, &sums);
-    }
-    result.push_back(ReducedChiSquare(sums));
-  }
-  return result;
+// The samples on the segments [begin, end).
+std::span<const LinkSample> SamplesOn(const LinkMatches& matches, int begin, int end) {
+  return {std::ranges::lower_bound(matches, begin, {}, &LinkSample::segment),
+          std::ranges::lower_bound(matches, end, {}, &LinkSample::segment)};
 }
 
 // Per control point the squared bend there, over its variance; 0 where nothing bends.
@@ -77,8 +59,8 @@ std::vector<double> SquaredBends(const ControlGraph& control, const RefinementOp
 
 }  // namespace
 
-std::vector<double> VarianceFactors(const VarianceInput& input, const RefinementOptions& options) {
-  const ControlGraph& control = input.control;
+std::vector<double> VarianceFactors(const FitInput& input, const RefinementOptions& options,
+                                    const ControlGraph& control) {
   const int half_window =
       std::max(1, static_cast<int>(std::lround(kHalfWindowPx / options.control_spacing_px)));
   const std::vector<double> bends = SquaredBends(control, options);
@@ -86,16 +68,15 @@ std::vector<double> VarianceFactors(const VarianceInput& input, const Refinement
   for (size_t l = 0; l < control.links.size(); ++l) {
     if (input.frozen[l]) continue;
     const ControlLink& link = control.links[l];
-    const std::vector<double> chi_squares =
-        ReducedChiSquares(input.curves, link, input.matches[l], half_window);
     for (int k = 0; k <= link.NumSegments(); ++k) {
+      const auto samples = SamplesOn(input.matches[l], k - half_window, k + half_window);
       double bend = 0;
       const int end = std::min(k + half_window, link.NumSegments());
       for (int i = std::max(k - half_window, 0); i <= end; ++i) {
         bend = std::max(bend, bends[link.points[i]]);
       }
       double& factor = factors[link.points[k]];
-      factor = std::max(factor, chi_squares[k] * (1 + bend));
+      factor = std::max(factor, ReducedChiSquare(samples, input.curves) * (1 + bend));
     }
   }
   return factors;

@@ -1,24 +1,14 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "limn/model/curve_fragment.h"
-#include "limn/refinement/edgel_matches.h"
+#include "limn/refinement/curve_terms.h"
 
 namespace limn {
 
-struct VarianceInput {
-  const std::vector<ImageCurves>& curves;
-  // At the end of the fit.
-  const ControlGraph& control;
-  const std::vector<LinkMatches>& matches;
-  // Per link: nonzero = it was not fitted.
-  const std::vector<uint8_t>& frozen;
-};
-
-// Per control point the factor, 1 or more, by which its variance is larger than the normal matrix
-// of the fit has it, which trusts edgels and smoothing alike everywhere. The product of
+// Per control point the factor, 1 or more, by which its variance at the end of the fit is larger
+// than the normal matrix of the fit has it, which trusts edgels and smoothing alike everywhere. The
+// product of
 //   reduced chi-square of the views around the point: an edge has its own offset in every image
 //   (light, blur, another edge beside it), so that the views are the independent samples, each with
 //   the mean residual of its edgels within 6 px; two degrees of freedom go to the curve, and a
@@ -26,6 +16,7 @@ struct VarianceInput {
 //   direction within 6 px over its variance in the smoothing: where smoothing and edgels pull
 //   against each other, neither is to be believed.
 // A node has the largest factor of its links. Time: pulls.
-std::vector<double> VarianceFactors(const VarianceInput& input, const RefinementOptions& options);
+std::vector<double> VarianceFactors(const FitInput& input, const RefinementOptions& options,
+                                    const ControlGraph& control);
 
 }  // namespace limn

@@ -12,17 +12,23 @@ EdgelLine::EdgelLine(const Edgel& edgel) : position_px(edgel.position_px) {
 
 std::optional<EdgelResidual> ResidualToEdgel(const View& view, const EdgelLine& line,
                                              const Eigen::Vector3d& point_in_world) {
-  const Eigen::Vector3d point = view.cam_from_world * point_in_world;
+  return ResidualToEdgel(view.camera, view.cam_from_world, line, point_in_world);
+}
+
+std::optional<EdgelResidual> ResidualToEdgel(const PinholeCamera& camera,
+                                             const Rigid3d& cam_from_world, const EdgelLine& line,
+                                             const Eigen::Vector3d& point_in_world) {
+  const Eigen::Vector3d point = cam_from_world * point_in_world;
   if (!(point.z() > 0)) return std::nullopt;
-  const Eigen::Vector2d pixel = view.camera.Project(point);
+  const Eigen::Vector2d pixel = camera.Project(point);
   const Eigen::Vector2d& row = line.across;
-  const double fx = view.camera.fx / point.z();
-  const double fy = view.camera.fy / point.z();
+  const double fx = camera.fx / point.z();
+  const double fy = camera.fy / point.z();
   const Eigen::Vector3d gradient_in_cam(
       row.x() * fx, row.y() * fy,
       -(row.x() * fx * point.x() + row.y() * fy * point.y()) / point.z());
   return EdgelResidual{row.dot(pixel - line.position_px),
-                       view.cam_from_world.rotation.conjugate() * gradient_in_cam};
+                       cam_from_world.rotation.conjugate() * gradient_in_cam};
 }
 
 double ResidualVariance(const Edgel& edgel) {

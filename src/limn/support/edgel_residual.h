@@ -13,6 +13,8 @@ namespace limn {
 struct EdgelLine {
   // NOLINTNEXTLINE(google-explicit-constructor): an edgel is as good where it is asked once.
   EdgelLine(const Edgel& edgel);
+  EdgelLine(const Eigen::Vector2d& position, const Eigen::Vector2d& row)
+      : position_px(position), across(row) {}
 
   // A point of the line, virtual image.
   Eigen::Vector2d position_px;
@@ -29,6 +31,9 @@ struct EdgelResidual {
 
 // Nothing if the point is behind the camera.
 std::optional<EdgelResidual> ResidualToEdgel(const View& view, const EdgelLine& line,
+                                             const Eigen::Vector3d& point_in_world);
+std::optional<EdgelResidual> ResidualToEdgel(const PinholeCamera& camera,
+                                             const Rigid3d& cam_from_world, const EdgelLine& line,
                                              const Eigen::Vector3d& point_in_world);
 
 // Variance of such a residual, px^2: what the edgel knows of its own position, and errors of

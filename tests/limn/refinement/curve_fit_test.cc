@@ -47,16 +47,11 @@ class CurveFitTest : public ::testing::Test {
 
   // The control points, fitted to what the images show.
   ControlGraph Fit(const std::vector<ImageCurves>& curves, const std::vector<uint8_t>& frozen) {
-    std::vector<std::unique_ptr<EdgelIndex>> edgels;
-    for (const ImageCurves& of_view : curves) {
-      edgels.push_back(std::make_unique<EdgelIndex>(of_view.edge_map, LinkedEdgels(of_view)));
-    }
-    std::vector<std::vector<ViewId>> asked;
-    for (const DrawingLink& link : graph_.links) asked.push_back(link.supporting_views);
+    const auto edgels = BuildEvidence(curves, {});
     ControlGraph control = MakeControlGraph(graph_, Views(), options_.control_spacing_px);
     before_ = control.position;
     const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
-    const auto matches = MatchEdgels({Views(), curves, edgels, asked}, control, gate, options_, {});
+    const auto matches = MatchEdgels({Views(), curves, edgels, gate}, control, options_, {});
     FitCurves({Views(), curves, matches, frozen}, options_, {}, &control, nullptr);
     return control;
   }

@@ -58,16 +58,13 @@ class EdgelMatchesTest : public ::testing::Test {
 
   // Of all links.
   std::vector<LinkMatches> Match() {
-    std::vector<std::unique_ptr<EdgelIndex>> edgels;
-    for (const ImageCurves& of_view : curves_) {
-      edgels.push_back(std::make_unique<EdgelIndex>(of_view.edge_map, LinkedEdgels(of_view)));
-    }
-    std::vector<std::vector<ViewId>> asked;
-    for (const DrawingLink& link : graph_.links) asked.push_back(link.supporting_views);
+    const auto edgels = BuildEvidence(curves_, {});
     control_ = MakeControlGraph(graph_, Views(), options_.control_spacing_px);
     const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
-    return MatchEdgels({Views(), curves_, edgels, asked}, control_, gate, options_, {});
+    return MatchEdgels({Views(), curves_, edgels, gate}, control_, options_, {});
   }
+
+  LinkMatches MatchFirst() { return Match()[0]; }
 
   Eigen::Vector3d PositionOf(int link, const LinkSample& sample) const {
     const std::vector<int>& points = control_.links[link].points;
@@ -103,7 +100,7 @@ class EdgelMatchesTest : public ::testing::Test {
 
 TEST_F(EdgelMatchesTest, EveryViewThatShowsTheLinkPullsOnce) {
   AddLink({0, 0, 0});
-  const LinkMatches matches = Match()[0];
+  const LinkMatches matches = MatchFirst();
   EXPECT_GT(matches.size(), 30u);
   for (const LinkSample& sample : matches) {
     ASSERT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
@@ -117,11 +114,9 @@ TEST_F(EdgelMatchesTest, EveryViewThatShowsTheLinkPullsOnce) {
 TEST_F(EdgelMatchesTest, TooFewViewsPullNot) {
   AddLink({0, 0, 0});
   graph_.links[0].supporting_views = {0, 3};
-  const std::vector<LinkMatches> of_two = Match();
-  for (const LinkSample& sample : of_two[0]) EXPECT_TRUE(sample.pulls.empty());
+  for (const LinkSample& sample : MatchFirst()) EXPECT_TRUE(sample.pulls.empty());
   options_.min_views = 2;
-  const std::vector<LinkMatches> two_are_enough = Match();
-  for (const LinkSample& sample : two_are_enough[0]) EXPECT_EQ(sample.pulls.size(), 2u);
+  for (const LinkSample& sample : MatchFirst()) EXPECT_EQ(sample.pulls.size(), 2u);
 }
 
 TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
@@ -130,7 +125,7 @@ TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
   Show(0, testing::Segment({-kPx, 0, 0}, {kPx, 0, 0}));
   // A stretch of 24 px shows the link in its middle.
   Show(1, testing::Segment({-12 * kPx, 0, 0}, {12 * kPx, 0, 0}));
-  const LinkMatches matches = Match()[0];
+  const LinkMatches matches = MatchFirst();
   EXPECT_FALSE(PullsAnywhere(0, matches));
   EXPECT_TRUE(Pulls(1, matches[matches.size() / 2]));
   EXPECT_FALSE(Pulls(1, matches.front()));
@@ -139,7 +134,7 @@ TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
 TEST_F(EdgelMatchesTest, TheOtherSideOfABarIsAnotherEdge) {
   AddLink({0, 0, 0});
   SwapSides(0);
-  const LinkMatches matches = Match()[0];
+  const LinkMatches matches = MatchFirst();
   for (const LinkSample& sample : matches) {
     EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews) - 1);
     EXPECT_FALSE(Pulls(0, sample));
@@ -149,8 +144,7 @@ TEST_F(EdgelMatchesTest, TheOtherSideOfABarIsAnotherEdge) {
 TEST_F(EdgelMatchesTest, WhereViewsDoNotAgreeOnTheSideAllAreHeard) {
   AddLink({0, 0, 0});
   for (int v = 0; v < kNumViews / 2; ++v) SwapSides(v);
-  const std::vector<LinkMatches> matches = Match();
-  for (const LinkSample& sample : matches[0]) {
+  for (const LinkSample& sample : MatchFirst()) {
     EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
   }
 }
@@ -161,7 +155,7 @@ TEST_F(EdgelMatchesTest, ViewsInWhichAnotherLinkRunsBesideAreNotHeard) {
   const Eigen::Vector3d ray = -Views()[0].CenterInWorld().normalized();
   const Eigen::Vector3d behind = 12 * kPx * ray;
   AddLink(behind);
-  const LinkMatches matches = Match()[0];
+  const LinkMatches matches = MatchFirst();
   const LinkSample& sample = matches[matches.size() / 2];
   const Eigen::Vector3d position = PositionOf(0, sample);
   int num_apart = 0;
@@ -195,7 +189,7 @@ TEST_F(EdgelMatchesTest, AnEdgelBelongsToTheLinkThatFitsItBetter) {
 
 TEST_F(EdgelMatchesTest, WeightIsTheStepOverTheLengthOfAnError) {
   AddLink({0, 0, 0});
-  const LinkMatches matches = Match()[0];
+  const LinkMatches matches = MatchFirst();
   for (size_t k = 0; k + 1 < matches.size(); ++k) {
     for (const EdgelPull& pull : matches[k].pulls) {
       const View& view = Views()[pull.ref.view];

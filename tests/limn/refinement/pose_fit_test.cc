@@ -44,7 +44,7 @@ Fit FitPoints(const std::vector<ScenePoint>& points, const RunContext& context =
   Fit fit;
   for (const ScenePoint& point : points) fit.positions.push_back(point.position_in_world);
   ControlGraph control;
-  fit.found = FitPoses({Views(), std::vector<ImageCurves>(4), {}, {}, points}, {}, context,
+  fit.found = FitPoses({Views(), std::vector<ImageCurves>(4), {}, {}}, points, {}, context,
                        &fit.corrections, &control, &fit.positions);
   return fit;
 }

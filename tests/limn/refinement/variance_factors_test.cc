@@ -43,7 +43,8 @@ struct Scene {
   }
 
   std::vector<double> Factors() const {
-    return VarianceFactors({curves, control, matches, frozen}, RefinementOptions());
+    const std::vector<View> views(curves.size());
+    return VarianceFactors({views, curves, matches, frozen}, RefinementOptions(), control);
   }
 
   // Of the mean residuals, by the definition in the header.
