@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "limn/refinement/curve_fit.h"
 #include "limn/refinement/fitted_vertices.h"
