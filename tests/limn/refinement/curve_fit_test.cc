@@ -47,7 +47,7 @@ class CurveFitTest : public ::testing::Test {
 
   // The control points, fitted to what the images show.
   ControlGraph Fit(const std::vector<ImageCurves>& curves, const std::vector<uint8_t>& frozen) {
-    const auto edgels = BuildEvidence(curves, {});
+    const auto edgels = BuildViewEdgels(curves, {});
     ControlGraph control = MakeControlGraph(graph_, Views(), options_.control_spacing_px);
     before_ = control.position;
     const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};

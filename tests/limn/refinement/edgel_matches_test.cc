@@ -58,7 +58,7 @@ class EdgelMatchesTest : public ::testing::Test {
 
   // Of all links.
   std::vector<LinkMatches> Match() {
-    const auto edgels = BuildEvidence(curves_, {});
+    const auto edgels = BuildViewEdgels(curves_, {});
     control_ = MakeControlGraph(graph_, Views(), options_.control_spacing_px);
     const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
     return MatchEdgels({Views(), curves_, edgels, gate}, control_, options_, {});
