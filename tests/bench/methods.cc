@@ -25,9 +25,9 @@ Reconstruction DrawAndRefine(const Scene& scene, const CurveSketch& sketch,
                              const PipelineOptions& options, const RunContext& context) {
   const DrawingGraph drawing =
       BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph;
-  return OfDrawing(
-      RefineDrawing({scene.views, scene.curves, drawing}, options.refinement,
-                     options.drawing.topology, context).graph);
+  return OfDrawing(RefineDrawing({scene.views, scene.curves, drawing}, options.refinement,
+                                 options.drawing.topology, context)
+                       .graph);
 }
 
 void SetTotalInliers(int inliers, PipelineOptions* options) {

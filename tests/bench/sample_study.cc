@@ -40,8 +40,8 @@ RefinementResult Refine(const SampleStudy& study, const std::vector<View>& views
                         const DrawingGraph& graph, bool refine_poses, const RunContext& context) {
   RefinementOptions options;
   options.refine_poses = refine_poses;
-  return RefineDrawing({views, study.scene.curves, graph, &study.scene.hints.points}, options,
-                       {}, context);
+  return RefineDrawing({views, study.scene.curves, graph, &study.scene.hints.points}, options, {},
+                       context);
 }
 
 Json MeasureAligned(const SampleStudy& study, const std::vector<View>& views,

@@ -117,8 +117,7 @@ TEST(ClutterTest, CubeIsFoundAndLittleElse) {
       BuildSweptSketch({Views(), curves, no_hints, std::nullopt}, SketchOptions(), {}).sketch;
   const DrawingGraph drawn = BuildDrawing({Views(), curves, sketch}, DrawingOptions(), {}).graph;
   ExpectCubeAndLittleElse(drawn, "drawn");
-  ExpectCubeAndLittleElse(RefineDrawing({Views(), curves, drawn}, {}, {}, {}).graph,
-                          "refined");
+  ExpectCubeAndLittleElse(RefineDrawing({Views(), curves, drawn}, {}, {}, {}).graph, "refined");
 }
 
 }  // namespace
