@@ -46,7 +46,7 @@ struct DrawingOptions {
   double junction_distance_px = 4;
 
   // What is joined, cut and grown afterwards, and between the fits of the refinement.
-  TopologyOptions topology;
+  TopologyOptions topology = {};
 
   SupportGate Gate() const {
     return {max_support_distance_px, 1.0, max_support_angle_deg * M_PI / 180};

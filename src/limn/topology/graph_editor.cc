@@ -83,7 +83,7 @@ std::vector<LinkEnd> GraphEditor::FreeEnds() const {
   return ends;
 }
 
-NodeId GraphEditor::AddNode(const Eigen::Vector3d& position) {
+NodeId GraphEditor::AddNode(Eigen::Vector3d position) {
   graph_->nodes.emplace_back();
   graph_->nodes.back().position_in_world = position;
   return static_cast<NodeId>(graph_->nodes.size()) - 1;

@@ -39,7 +39,7 @@ class GraphEditor {
   LinkId Add(DrawingLink link);
   void Remove(LinkId id);
   // A node for ends to come: gone with the next Compact() if none has come.
-  NodeId AddNode(const Eigen::Vector3d& position);
+  NodeId AddNode(Eigen::Vector3d position);
 
   // Cut an open link at an inner point; the second part is the last link. A closed link, cut at any
   // point, begins and ends there, and is open once another end comes to it. Returns the node at the

@@ -29,7 +29,7 @@ void CollectFragments(const TopologyInput& input, const LinkVertex& vertex,
 
 Reach Reach::Drawn(const TopologyOptions& options) {
   return {options.max_junction_gap_px, kOvershootShare * options.max_junction_gap_px,
-          options.max_junction_miss_px, options.max_junction_miss_px};
+          options.max_junction_miss_px};
 }
 
 Reach Reach::Fitted(const TopologyOptions& options) {
@@ -45,7 +45,7 @@ std::optional<Reach::Offset> Reach::To(const LinkTip& tip, const Eigen::Vector3d
   const double along = offset.dot(tip.outward);
   const double miss = (offset - along * tip.outward).norm();
   if (along > gap_px || along < -overshoot_px) return std::nullopt;
-  if (miss > std::min(miss_px + 0.5 * turn_rad * std::abs(along), max_miss_px)) return std::nullopt;
+  if (miss > miss_px + 0.5 * turn_rad * std::abs(along)) return std::nullopt;
   return Offset{along, miss};
 }
 

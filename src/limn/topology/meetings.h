@@ -18,7 +18,6 @@ struct Reach {
   double gap_px = 0;        // ahead of the end
   double overshoot_px = 0;  // behind it: edges are rounded where they meet
   double miss_px = 0;       // beside the line
-  double max_miss_px = 0;   // beside a line that turns on the way
 
   // Of links as they were drawn; and of links fitted to the images, which are better known.
   static Reach Drawn(const TopologyOptions& options);
@@ -32,7 +31,7 @@ struct Reach {
     double miss_px = 0;
   };
   // Nothing out of reach. A curve that turns by `turn_rad` on the way may miss by
-  // more, but never by more than max_miss_px.
+  // more.
   std::optional<Offset> To(const LinkTip& tip, const Eigen::Vector3d& place,
                            double turn_rad = 0) const;
 };

@@ -73,7 +73,7 @@ class EndSnapper {
 
   Target FindTarget(const LinkEnd& free) {
     Target best;
-    bool shown = false;
+    Eigen::Vector3d best_place = Eigen::Vector3d::Zero();
     const LinkTip tip = TipOf(editor_->link(free.link), free.end);
     index_.FindWithin(tip.point, reach_.Radius() * tip.footprint, &near_);
     for (const SpatialIndex::Neighbor& neighbor : near_) {
@@ -90,13 +90,12 @@ class EndSnapper {
       const NodeId node = is_node ? link.NodeAt(at == 0 ? 0 : 1) : -1;
       if (is_node ? !PartsFromAll(free, tip, node) : !Crosses(free, tip, other, at)) continue;
       best = {cost_px, node, other, at};
-      shown = ImagesShow(free, place, other, at);
+      best_place = place;
     }
-    if (best.link >= 0 && !shown) {
-      ++counts_->refused;
-      return {};
-    }
-    return best;
+    const bool is_small = (best_place - tip.point).norm() <= kSmallGapPx * tip.footprint;
+    if (best.link < 0 || is_small || ImagesShow(free, best_place, best)) return best;
+    ++counts_->refused;
+    return {};
   }
 
   // At the node the link would not run along another one; if it is its own, it would be a loop.
@@ -119,14 +118,22 @@ class EndSnapper {
         std::min(ArcPx(link, 0, at), ArcPx(link, at, link.size() - 1)) < kNodePreferencePx) {
       return false;
     }
-    return LineAngleBetween(tip.outward, TangentAt(link, at)) >
-           options_.max_continuation_angle_deg * M_PI / 180;
+    return LineAngleBetween(tip.outward, TangentAt(link, at)) > min_parting_rad_;
   }
 
-  bool ImagesShow(const LinkEnd& free, const Eigen::Vector3d& place, LinkId other, int at) const {
-    return ImagesAgree(input_, place, FragmentsAtEnd(input_, editor_->link(free.link), free.end),
-                       FragmentsAround(input_, editor_->link(other), at),
-                       options_.min_junction_views);
+  // That the end meets the link, or any of the node's.
+  bool ImagesShow(const LinkEnd& free, const Eigen::Vector3d& place, const Target& target) const {
+    const FragmentsByView own = FragmentsAtEnd(input_, editor_->link(free.link), free.end);
+    const auto agree = [&](const FragmentsByView& of_other) {
+      return ImagesAgree(input_, place, own, of_other, options_.min_junction_views);
+    };
+    if (target.node < 0) {
+      return agree(FragmentsAround(input_, editor_->link(target.link), target.index));
+    }
+    const auto& incident = editor_->node(target.node).incident;
+    return std::any_of(incident.begin(), incident.end(), [&](const LinkEnd& end) {
+      return agree(FragmentsAtEnd(input_, editor_->link(end.link), end.end));
+    });
   }
 
   // From the back of each link, so that indices before the cut stay. Places near each other get one

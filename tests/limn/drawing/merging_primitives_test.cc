@@ -239,7 +239,9 @@ TEST_P(MergingPrimitivesTest, SamplesAreMergedIntoTheVerticesOfTheirHomes) {
     std::vector<int> merged;
     for (const SketchSample& sample : vertex.samples) merged.push_back(IdOf(sample));
     all.insert(all.end(), merged.begin(), merged.end());
-    if (merged.front() == 20) EXPECT_EQ(merged, (std::vector<int>{20, 90, 91}));
+    if (merged.front() == 20) {
+      EXPECT_EQ(merged, (std::vector<int>{20, 90, 91}));
+    }
     if (merged.front() == 50) {
       EXPECT_EQ(merged.size(), 6u);  // those of the stub, too
       EXPECT_EQ(std::count(merged.begin(), merged.end(), 92), 1);

@@ -320,7 +320,7 @@ TEST_P(EndAtTest, EndIsExtendedToTheNode) {
   const LinkVertex& added = GetParam() == 1 ? vertices.back() : vertices.front();
   EXPECT_TRUE(added.samples.empty() && added.support.empty());
   EXPECT_EQ(added.agreeing_views, 0);
-  EXPECT_EQ(added.information(0, 0), 11);
+  EXPECT_EQ(added.information(0, 0), GetParam() == 1 ? 11 : 1);
 }
 
 TEST_P(EndAtTest, WhatOvershootsIsCut) {
@@ -367,12 +367,14 @@ TEST_P(EndAtTest, EndThatIsThereAlreadyStaysAsItIs) {
 INSTANTIATE_TEST_SUITE_P(Ends, EndAtTest, ::testing::Values(0, 1));
 
 TEST(EndAtOwnNodeTest, LinkThatEndsWhereItBeginsIsClosed) {
-  DrawingGraph graph = GraphOf({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  // The last step leads a little towards the place, so that nothing overshoots it.
+  DrawingGraph graph = GraphOf({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.1, 0.9, 0}}});
   GraphEditor editor(&graph);
   editor.EndAt({0, 1}, graph.links[0].node0);
   ExpectSound(graph, "end at");
   EXPECT_TRUE(graph.links[0].closed);
-  EXPECT_EQ(graph.links[0].points_in_world, Square());
+  EXPECT_EQ(graph.links[0].points_in_world,
+            (Polyline3d{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.1, 0.9, 0}, {0, 0, 0}}));
 }
 
 TEST(FreeTest, EndGetsANodeOfItsOwnAtTheSamePlace) {
@@ -407,7 +409,7 @@ TEST(CutToTest, EndsThatAreCutAreFree) {
 }
 
 TEST(CutToTest, AllOfALinkIsNoCut) {
-  DrawingGraph graph = GraphOf({Row(0, 9), Row(9, 12), Square()});
+  DrawingGraph graph = GraphOf({Row(10, 19), Row(19, 22), Square()});
   const LinkId loop = 2;
   GraphEditor editor(&graph);
   editor.CutTo(0, 0, 10);
@@ -707,7 +709,9 @@ TEST(ForgetShapeTest, EditsOfTheCourseDropPrimitiveAndDenseClass) {
     edit(&editor);
     EXPECT_FALSE(graph.links[0].dense) << name;
     EXPECT_FALSE(graph.links[0].primitive) << name;
-    if (graph.links.size() == 3) EXPECT_FALSE(graph.links[2].primitive) << name;  // second part
+    if (graph.links.size() == 3) {
+      EXPECT_FALSE(graph.links[2].primitive) << name;  // second part
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/topology/drawing_scene.h"
+#include "limn/topology/join_ends.h"
 
 namespace limn {
 namespace {
