@@ -32,9 +32,9 @@ std::vector<Component> FindComponents(const std::vector<uint8_t>& frozen,
 // `control`, world units, and the corrections of the cameras, unless null (ALGORITHM.md 16.3 to
 // 16.5):
 //   the pulls of the edgels (pull_cost.h);
-//   |change of direction|^2 / (bending_sigma^2 * length) for every bend, hardly more where it is
-//   large next to a corner;
-//   what holds points weakly where they were in the drawing: along their curve, and at corners.
+//   |change of direction|^2 / (bending_sigma^2 * length) for every bend, with a Cauchy loss next to
+//   corners;
+//   weak holds of points at their places in the drawing: along their curve, and at corners.
 void AddTerms(const FitInput& input, const RefinementOptions& options, const Component& component,
               CameraCorrections* cameras, ControlGraph* control, ceres::Problem* problem);
 

@@ -7,7 +7,7 @@
 namespace limn {
 namespace {
 
-// Stops a solver between iterations when the run is cancelled.
+// Stops a solver between iterations when the run is canceled.
 class StopIfCancelled : public ceres::IterationCallback {
  public:
   explicit StopIfCancelled(const RunContext& context) : context_(context) {}
