@@ -3,7 +3,7 @@
 # into build/fuzz and run each for some seconds:
 #   scripts/fuzz.sh [seconds per target = 60] [targets ...]
 # Inputs that a reader crashes on, hangs on or takes too much memory for go to build/fuzz/findings, and the
-# script ends with 1. What was learnt about the formats stays in build/fuzz/corpus.
+# script ends with 1. What was learned about the formats stays in build/fuzz/corpus.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -7,7 +7,7 @@ from geometry import (Prism, Pyramid, arch, circle, painted_band, painted_disc, 
 
 WIDTH, HEIGHT = 640, 480
 FOCAL_PX = 640.0
-# COLMAP's convention: the centre of the top-left pixel is (0.5, 0.5). Off centre on purpose.
+# COLMAP's convention: the center of the top-left pixel is (0.5, 0.5). Off center on purpose.
 PRINCIPAL_POINT = (316.0, 244.0)
 VIEW_COUNT = 24
 # A second path, never committed: to measure how time and memory grow with the number of views.

@@ -17,21 +17,21 @@ struct CurvePoint {
   double footprint = 0;
   // Unit normals of the faces that meet here, left and right; zero = not known.
   std::array<Eigen::Vector3d, 2> normals = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  // Of the views that support its link, those that see it, ascending; all of them where no dense
-  // result says which.
+  // The supporting views of its link that see it, ascending; all supporting views if no dense
+  // result tells.
   std::vector<ViewId> views;
   DenseClass sample_class = DenseClass::kUnknown;
   LinkId link = -1;
-  std::array<uint8_t, 3> color = {};  // filled in by who has the photographs
+  std::array<uint8_t, 3> color = {};  // set by the caller, who has the photographs
 
   bool HasNormal() const { return normals[0].norm() > 0 || normals[1].norm() > 0; }
-  // Towards the outside: the mean of the known normals, else the direction in which the mean camera
-  // is seen, across the curve. `views` are all views.
+  // Direction to the outside: the mean of the known normals, else the direction to the mean camera,
+  // across the curve.
   Eigen::Vector3d Outward(const std::vector<View>& all_views) const;
 };
 
-// The samples of all links that are not behind the surface, where any view sees them. Two normals
-// that differ by less than a few degrees become one: the face goes on.
+// Points for the samples of all links that are not behind the surface, where any view sees them.
+// Two normals that differ by only a few degrees become one, since the face continues.
 std::vector<CurvePoint> MakeCurvePoints(const DrawingGraph& graph, const DrawingSamples& samples,
                                         const std::vector<SampleSupport>& support,
                                         const DenseClasses& classes);

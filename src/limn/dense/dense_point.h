@@ -16,7 +16,7 @@ struct DensePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit; zero = unknown
   std::array<uint8_t, 3> color = {};
-  // Views that see it, as far as they are among those of the run.
+  // Views of the run that see it.
   std::vector<ViewId> views;
   bool views_known = false;
 };

@@ -14,14 +14,14 @@ struct DrawingSamples {
   std::vector<Eigen::Vector3d> position;
   std::vector<Eigen::Vector3d> tangent;  // unit
   std::vector<double> footprint;         // world units per px (LinkFootprint)
-  std::vector<double> length;            // of the piece of the link that the sample stands for
+  std::vector<double> length;            // of the piece of the link that the sample represents
   std::vector<LinkId> link;
 
   size_t size() const { return position.size(); }
 };
 
-// Samples no farther apart than `spacing_px` footprints, without the links' ends, at which others
-// begin. Links that no view sees have none.
+// Samples at most `spacing_px` footprints apart, without the ends of the links, which other links
+// share. Links that no view sees have none.
 DrawingSamples SampleDrawing(const DrawingGraph& graph, const std::vector<View>& views,
                              double spacing_px);
 

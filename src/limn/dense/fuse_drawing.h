@@ -18,21 +18,21 @@ struct FusionInput {
   const std::vector<View>& views;
   const DrawingGraph& graph;
   DepthSource depths;
-  // Which samples have a dense point near: from the cloud, else from the depths.
+  // Decides which samples have a dense point nearby; without it the depths do.
   std::optional<DensePointStream> cloud;
 };
 
 struct FusionResult {
-  DrawingGraph graph;  // with what the dense surface says of every link
+  DrawingGraph graph;  // with the dense class of every link
   DrawingSamples samples;
   DenseClasses classes;
-  std::vector<CurvePoint> points;  // of the links that are not behind the surface
+  std::vector<CurvePoint> points;  // for the links that are not behind the surface
   StageSummary summary;
 };
 
-// Compare a drawing with dense results: visibility of its samples, class of its links, and the
-// points it adds. Throws OptionError and Cancelled, and what the sources throw. Time: samples times
-// views, and one pass over the cloud.
+// Compares a drawing with dense results (ALGORITHM.md 20): visibility of its samples, classes of
+// its links, and the points it adds. Throws OptionError and Cancelled, and whatever the sources
+// throw. Time: samples times views, and one pass over the cloud.
 FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,
                          const RunContext& context);
 

@@ -9,25 +9,25 @@
 
 namespace limn {
 
-// What a drawing has to do with a dense surface.
+// Relation of a drawing to a dense surface.
 struct DenseClasses {
   std::vector<LinkDense> links;          // as in the graph
   std::vector<DenseClass> sample_class;  // as the samples
   std::vector<uint8_t> near_dense;       // as the samples
 };
 
-// The class of every sample, and of every link that of most of its length. A sample that touches
-// the surface, at the resolution at which the views know it, is what most views say that see it
-// with both of its sides: on the surface, or at its boundary (an occluding contour or a rim). One
-// that does not is free. A link is behind the surface by the rule of the options. `near_dense`:
-// whether a dense point is within near_px, per sample; with a thin cloud that is seldom so on the
-// surface, too.
+// Classifies every sample and every link, which gets the class of most of its length (ALGORITHM.md
+// 20.3). A sample that touches the surface, at the resolution of the views' depths, is on the
+// surface or at its boundary (an occluding contour or a rim), whichever most views say that know
+// both of its sides. Other samples are free. Whether a link is behind the surface follows from the
+// options. `near_dense` tells per sample whether a dense point is within near_px; in a sparse cloud
+// this is rare on the surface, too.
 DenseClasses ClassifyLinks(const DrawingGraph& graph, const DrawingSamples& samples,
                            const std::vector<SampleSupport>& support,
                            std::vector<uint8_t> near_dense, const DenseOptions& options);
 
-// Total lengths, world units: of the links behind the surface; of the other links the samples of a
-// class, and those without a dense point near.
+// Total lengths, world units: of the links behind the surface; and, of the other links, of the
+// samples of a class and of those without a dense point nearby.
 double LengthBehind(const DrawingSamples& samples, const DenseClasses& classes);
 double LengthOf(DenseClass wanted, const DrawingSamples& samples, const DenseClasses& classes);
 double LengthAdded(const DrawingSamples& samples, const DenseClasses& classes);

@@ -7,14 +7,14 @@
 
 namespace limn {
 
-// How many points of a cloud each view sees: those that project into it and face it; points that
-// say by which views they are seen are only seen by those. Reads the cloud once.
+// Number of points of a cloud that each view sees: those that project into it and face it. Points
+// that list their views are seen by those only. Reads the cloud once.
 std::vector<size_t> CountSeenPoints(const DensePointStream& points, const std::vector<View>& views);
 
-// The depths that views see of a cloud: in every cell the nearest of the points seen there. Cells
-// are so large that the points seen by a view (`num_seen`, of all views) would fill them if they
-// were evenly spread, from 1 to 16 px. Returns an image per view of [begin, end), without a cell
-// where no point is seen. Reads the cloud once; memory: the images, NumSplatCells() each.
+// Depth images of a cloud: in every cell the depth of the nearest point seen there, if any. Cells,
+// from 1 to 16 px, are so large that the points seen by a view (`num_seen`, of all views) would
+// fill them if evenly spread. Returns an image per view of [begin, end). Reads the cloud once;
+// memory: the images, NumSplatCells() each.
 std::vector<DepthImage> SplatPoints(const DensePointStream& points, const std::vector<View>& views,
                                     const std::vector<size_t>& num_seen, size_t begin, size_t end);
 

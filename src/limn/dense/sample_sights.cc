@@ -11,9 +11,9 @@ namespace {
 // Steepest surface whose depths still count as one with the curve: tangent of the angle to the
 // image plane.
 constexpr double kMaxSlope = 1.7;
-// A single depth in front may be a stray one: so many of the nine cells around must be nearer.
+// A single depth in front may be an outlier: at least this many of the nine cells must be nearer.
 constexpr int kMinFrontCells = 3;
-// Steps to either side at which the surface is looked at, beyond the first.
+// Number of further steps to either side at which the surface is examined.
 constexpr int kNumProbes = 3;
 
 class Look {

@@ -21,38 +21,39 @@ enum class Sight : uint8_t {
   kOccluded,  // behind it
 };
 
-// The surface beside a curve, as a view sees it.
+// The surface on one side of a curve, as a view sees it.
 enum class Side : uint8_t {
   kUnknown,
-  kNear,    // goes on at the curve's depth
-  kBehind,  // is farther away: the curve stands out before it
-  kFront,   // is nearer: it belongs to something that stands before the curve
+  kNear,    // continues at the curve's depth
+  kBehind,  // is farther away: the curve stands in front of it
+  kFront,   // is nearer: it belongs to something in front of the curve
 };
 
-// What one view says of one sample.
+// One sample as one view sees it.
 struct SampleSight {
   Sight sight = Sight::kUnknown;
-  // One of the nine cells around is nearer in depth than near_px and what a slope makes of a cell.
+  // Whether one of the nine cells around it agrees in depth within near_px, plus the change of a
+  // sloped surface over a cell.
   bool touches = false;
   std::array<Side, 2> sides = {Side::kUnknown, Side::kUnknown};  // left, right of the curve
-  // Of the near sides, in the world.
+  // Normals of the near sides, in the world.
   std::array<std::optional<Eigen::Vector3d>, 2> normals;
 };
 
-// Compare a sample with the depths around its projection. The nine cells around it are asked: it is
-// visible if one of them is at its depth or if at least as many are behind it as are nearer, and
-// occluded if more, and three or more, are nearer;
-// the tolerance is that of the options, plus what a surface at 60 degrees gains in depth. Sides are
-// looked at across the projected curve, at side_offset_px or two cells, whichever is more.
+// Compares a sample with the depths in the nine cells around its projection (ALGORITHM.md 20.2). It
+// is visible if one of them is at its depth or if at least as many are behind it as in front, and
+// occluded if more, and at least three, are in front. The tolerance is that of the options plus the
+// gain in depth of a surface at 60 degrees. Sides are examined across the projected curve, at
+// side_offset_px or two cells, whichever is more.
 SampleSight LookAtSample(const View& view, const DepthImage& image, const Eigen::Vector3d& position,
                          const Eigen::Vector3d& tangent, const DenseOptions& options);
 
-// What all views together say of a sample.
+// Summary of a sample over all views.
 struct SampleSupport {
   std::vector<ViewId> visible_in;  // ascending
   std::vector<ViewId> occluded_in;
   int num_touching = 0;  // views
-  // Views in which the surface goes on at both sides, at one of them, at none.
+  // Views in which the surface continues on both sides, on one side, on neither.
   int num_surface = 0;
   int num_boundary = 0;
   int num_free = 0;
@@ -61,11 +62,11 @@ struct SampleSupport {
   std::array<Eigen::Vector3d, 2> normal = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 };
 
-// The depths that a view sees; nothing if none are known for it.
+// Returns the depth image of a view; empty if it has none.
 using DepthSource = std::function<std::optional<DepthImage>(ViewId)>;
 
-// Ask all views of all samples. Depth images are asked for once per view, one at a time per thread.
-// Time: samples times views.
+// Looks at all samples in all views. The depth image of a view is requested once, and each thread
+// holds one at a time. Time: samples times views.
 std::vector<SampleSupport> FindSampleSupport(const DrawingSamples& samples,
                                              const std::vector<View>& views,
                                              const DepthSource& depths, const DenseOptions& options,

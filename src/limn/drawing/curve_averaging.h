@@ -4,11 +4,13 @@
 
 namespace limn {
 
-// Iterative robust averaging (ECCV 2016, section 5): every sample moves to the average of its own
-// position and the closest points of the curves it overlaps, each weighted by its inverse
-// covariance across the curve, those further off than the merge gate left out; all at once in each
-// round, until no sample moves by more than the tolerance. Feet beyond the end of a curve do not
-// pull. Returns the rounds made. Time: rounds x overlaps.
+// Iterative robust averaging (ECCV 2016, section 3; ALGORITHM.md 10). In each round every sample
+// moves to the average of its own position and the closest points of the curves it overlaps,
+// weighted by their inverse covariances across the curve. Points beyond the merge gate and feet
+// beyond the end of a curve are left out. All samples move at once, until none moves by more than
+// averaging_tolerance_px or max_averaging_rounds have been made. Returns the number of rounds;
+// max_averaging_rounds does not tell whether the last one converged. Time: rounds times samples
+// times at most 12 partners.
 int AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
                   const RunContext& context, SampleSet* samples);
 

@@ -6,32 +6,33 @@
 
 namespace limn {
 
-// Where a curve runs along another one.
+// The stretch along which a curve runs beside another one.
 struct CurveOverlap {
   int other = -1;  // curve
   // Per sample of the curve the corresponding sample of the other, -1 where there is none.
   std::vector<int> partner;
 };
 
-// The multiview curve-level consistency network (ECCV 2016, section 4; MCCN in the paper): curves
-// with enough strong links between their samples are linked; their overlaps are regularized along
-// the curve.
+// The multiview curve-level consistency network (ECCV 2016, section 3; MCCN in the paper;
+// ALGORITHM.md 9). Curves with enough strong links between their samples are linked; their overlaps
+// are regularized along the curve.
 struct CurveConsistency {
   std::vector<std::vector<CurveOverlap>> overlaps;  // per curve, ascending by other
-  // Connected component of every curve: the smallest curve in it.
+  // Per curve its connected component, named by the smallest curve in it.
   std::vector<int> cluster;
 };
 
 CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalConsistency& network,
                                        const DrawingOptions& options, const RunContext& context);
 
-// Close gaps (runs of -1 with partners on both sides) up to max_gap of arc length, interpolating
-// the partners, then remove runs of partners shorter than min_run. Runs that touch an end of the
-// curve are judged like any other; min_run is halved for curves shorter than twice it.
+// Closes gaps (runs of -1 with partners on both sides) up to max_gap of arc length, interpolating
+// the partners, then removes runs of partners shorter than min_run or half the curve, whichever is
+// less. Runs that touch an end of the curve are treated like any other.
 void RegularizeOverlap(const std::vector<double>& arc, double max_gap, double min_run,
                        std::vector<int>* partner);
 
-// Number of different primary views, its own included, whose curves agree with a sample.
+// Per sample, the number of primary views, its own included, whose curves overlap it (its
+// agreement, ALGORITHM.md 9).
 std::vector<int> CountAgreeingViews(const SampleSet& samples, const CurveConsistency& network);
 
 }  // namespace limn

@@ -12,7 +12,7 @@ namespace {
 constexpr double kAlongSigmaPx = 0.5;
 constexpr double kWeakSigmaPx = 300;
 constexpr double kFixedSigmaPx = 1e-3;
-// Neighbors nearer than this, px, would make the change of direction explode.
+// Smallest spacing assumed between neighbors, px: the change of direction diverges as it goes to 0.
 constexpr double kMinSpacingPx = 0.2;
 // Samples of a closed curve that are repeated beyond its ends.
 constexpr int kClosedOverlap = 20;
@@ -31,7 +31,7 @@ class Smoother {
     for (int k = 0; k < count_; ++k) AddData(k, fixed_ends && (k == 0 || k + 1 == count_));
     for (int k = 1; k + 1 < count_; ++k) AddBending(k);
     std::vector<Eigen::Vector3d> smooth = input_.position;
-    // Indefinite only for numbers beyond all scale: then the samples stay where they are.
+    // Only numerical overflow makes the system indefinite; the samples then stay.
     if (!system_.Solve()) return smooth;
     for (int s = 0; s < size_; ++s) {
       for (int axis = 0; axis < 3; ++axis)

@@ -20,9 +20,9 @@ struct SmoothingInput {
 
 // Positions that minimize
 //   sum (X - Y)' Lambda (X - Y) + sum |change of direction between neighbors|^2 / bending_sigma^2
-// where Y are the given positions. A penalty on bending leaves lines and circles alone, moves
-// samples that are well determined hardly, and bridges what the data determine badly (the depth).
-// With fixed_ends the first and last sample stay. Linear time.
+// where Y are the given positions (ALGORITHM.md 7.2). A penalty on bending leaves lines and circles
+// nearly unchanged, hardly moves well determined samples, and bridges what the data determine badly
+// (the depth). With fixed_ends the first and last sample stay. Linear time.
 std::vector<Eigen::Vector3d> SmoothCurve(const SmoothingInput& input, double bending_sigma_px,
                                          bool fixed_ends);
 

@@ -17,7 +17,7 @@ int64_t NumClusters(const CurveConsistency& network) {
   return static_cast<int64_t>(std::set<int>(network.cluster.begin(), network.cluster.end()).size());
 }
 
-// The paper's drawing, and what was counted on the way to it.
+// The drawing of the paper, with counts for the summary.
 struct MergedSketch {
   DrawingGraph graph;
   RetriangulationStats retriangulation;

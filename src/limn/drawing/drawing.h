@@ -29,10 +29,10 @@ struct DrawingResult {
   StageSummary summary;
 };
 
-// The 3D drawing (ECCV 2016, section 3): re-triangulate the samples of the sketch from all their
-// edgels (ours), build the local and the curve-level consistency network, average the curves of
-// each cluster, and merge them into links; then complete the drawing by what is ours
-// (CompleteDrawing). The graph passes Validate().
+// The 3D drawing (ECCV 2016, section 3; what is ours: ALGORITHM.md 7 and 12 to 15). Re-triangulates
+// the samples of the sketch from all their edgels (ours), builds the local and the curve-level
+// consistency network, averages the curves of each cluster, merges them into links, and completes
+// the drawing (CompleteDrawing, ours). The graph passes Validate().
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context);
 

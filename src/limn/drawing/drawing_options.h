@@ -12,18 +12,17 @@ struct DrawingOptions {
 
   // Re-triangulation: residuals beyond this count linearly (Huber), px.
   double robust_residual_px = 0.6;
-  // Strength of the smoothing along a curve: the standard deviation allowed for the change of
-  // direction from one sample to the next, px. Smaller is smoother; data that determine a sample
-  // well win.
+  // Strength of the smoothing along a curve: standard deviation of the change of direction from one
+  // sample to the next, px. Smaller is smoother; well determined samples prevail over it.
   double bending_sigma_px = 0.03;
-  // Views, the anchor included, that must still support a sample after re-triangulation: this share
-  // of those that contain it, but at least min and at most max.
+  // Views, the anchor included, that must support a sample after re-triangulation: this share of
+  // those that contain it, at least min and at most max.
   double supporting_views_share = 0.25;
   int min_supporting_views = 3;
   int max_supporting_views = 5;
 
   // Local consistency network: samples that share edgels in this many views are strongly (tau_eps)
-  // or densely linked.
+  // or densely linked. With the defaults the two coincide.
   int strong_link_views = 3;
   int dense_link_views = 3;
   // Curve consistency network: two curves are linked by strong links over this arc length (tau_sl),
@@ -31,21 +30,21 @@ struct DrawingOptions {
   double min_linked_length_px = 4;
   // Gaps in the overlap of two curves up to this length are filled, overlaps below it removed, px.
   double overlap_regularity_px = 9;
-  // Directions of linked curves differ by less than this.
+  // Largest angle between the directions of linked samples.
   double max_link_angle_deg = 25;
 
-  // Averaging stops when no sample moves by more than this, px, or after the number of rounds.
+  // Averaging stops when no sample moves by more than this, px, or after this many rounds.
   double averaging_tolerance_px = 0.05;
   int max_averaging_rounds = 10;
 
-  // A sample belongs to a link when their reprojections are this near, px (tau_merge).
+  // A sample belongs to a link if their reprojections are within this distance, px (tau_merge).
   double merge_distance_px = 0.7;
   // Stubs shorter than this are not branches, px (tau_branch).
   double min_branch_length_px = 10;
-  // Link ends (and junctions) this near meet in one node, px (tau_junc).
+  // A run that meets a link within this distance of its end ends at the node there, px (tau_junc).
   double junction_distance_px = 4;
 
-  // What is joined, cut and grown afterwards, and between the fits of the refinement.
+  // Edits after merging, and between the fits of the refinement.
   TopologyOptions topology = {};
 
   SupportGate Gate() const {

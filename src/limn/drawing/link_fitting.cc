@@ -51,7 +51,7 @@ class LinkFitter {
   }
 
   void Smooth(DrawingLink* link) const {
-    // A loop's first point is not repeated here.
+    // Without the repeated first point of a loop.
     const int count = link->size() - (link->closed ? 1 : 0);
     std::vector<Eigen::Vector3d> position(link->points_in_world.begin(),
                                           link->points_in_world.begin() + count);
@@ -91,7 +91,7 @@ class LinkFitter {
   const DrawingOptions& options_;
 };
 
-// To the mean of the ends of links, as they are after the fit.
+// Moves nodes to the mean of their link ends after the fit.
 void MoveNodes(DrawingGraph* graph) {
   GraphEditor editor(graph);
   for (NodeId id = 0; id < static_cast<NodeId>(graph->nodes.size()); ++id) {

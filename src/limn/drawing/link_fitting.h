@@ -8,11 +8,11 @@
 
 namespace limn {
 
-// Fit merged links (see MergeCurves): every vertex moves to the weighted mean of the samples merged
-// into it, across the curve; then the link is smoothed by the same rule as the samples, and nodes
-// go to the mean of their ends. Vertices get their support, sigma, and agreement of primary views
-// (`agreeing_views`, per sample, see CountAgreeingViews), and name their samples as the sketch
-// does. Linear in the number of samples.
+// Fits merged links (see MergeCurves; ALGORITHM.md 11.3). Every vertex moves to the weighted mean
+// of the samples merged into it, across the curve; the link is then smoothed like the samples, and
+// nodes move to the mean of their ends. Vertices get their support, sigma and agreement
+// (`agreeing_views`, per sample, see CountAgreeingViews); their samples are renumbered as in the
+// sketch. Linear in the number of samples.
 void FitLinks(const SampleSet& samples, const std::vector<int>& agreeing_views,
               const DrawingOptions& options, DrawingGraph* graph);
 

@@ -8,7 +8,7 @@
 namespace limn {
 namespace {
 
-// Edgels of one view further apart than this across the edge are different edges, px.
+// Edgels of one view farther apart than this across the edge belong to different edges, px.
 constexpr double kSideBySidePx = 1;
 
 // Per view, the samples that each edgel supports, back to back.
@@ -128,7 +128,7 @@ void Append(const std::vector<SampleLink>& links, LocalConsistency* network) {
   network->begin.push_back(network->links.size());
 }
 
-// The networks of consecutive samples as one.
+// Concatenates the networks of consecutive samples.
 LocalConsistency Joined(std::vector<LocalConsistency> parts) {
   LocalConsistency whole;
   size_t num_samples = 0;

@@ -8,24 +8,24 @@
 
 namespace limn {
 
-// A sample and the sample of another curve that it shares most edgels with.
+// The sample of another curve with which a sample shares most edgels.
 struct SampleLink {
   int other = -1;  // sample id
   int votes = 0;   // views in which both are supported by the same edgel (phi)
 };
 
-// The multiview local consistency network (ECCV 2016, section 4; MLN in the paper): samples of
-// curves from different primary views are linked when image edgels support both.
+// The multiview local consistency network (ECCV 2016, section 3; MLN in the paper; ALGORITHM.md 8).
+// Samples of curves from different primary views are linked if edgels support both.
 struct LocalConsistency {
-  // Links of sample s: links[begin[s] .. begin[s + 1]), one per other curve, ascending by curve;
-  // only dense ones, that is with at least dense_link_views votes.
+  // Links of sample s: links[begin[s] .. begin[s + 1]), at most one per other curve, ascending by
+  // curve, each with at least dense_link_views votes.
   std::vector<size_t> begin = {0};
   std::vector<SampleLink> links;
 };
 
-// Links whose directions differ by more than max_link_angle_deg, or that in as many views as agree
-// are supported by edgels lying side by side (two bars close to each other), are left out. Every
-// edgel is visited by all samples it supports: O(sum over edgels of their number squared).
+// Leaves out links between samples whose directions differ by more than max_link_angle_deg, or that
+// are supported by edgels side by side (two parallel bars) in as many views as agree. Time: sum
+// over edgels of the square of the number of samples they support.
 LocalConsistency BuildLocalConsistency(const SampleSet& samples,
                                        const std::vector<ImageCurves>& curves,
                                        const DrawingOptions& options, const RunContext& context);

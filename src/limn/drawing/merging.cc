@@ -12,9 +12,9 @@
 namespace limn {
 namespace {
 
-// Vertices further than this from a sample are not compared with it, px.
+// Vertices farther than this from a sample are not compared with it, px.
 constexpr double kSearchPx = 6;
-// Uncovered runs shorter than this between covered ones are noise in the overlap, px.
+// Shorter free runs between absorbed samples are noise in the overlap, px.
 constexpr double kMinRunPx = 4;
 
 class CurveMerger {
@@ -83,7 +83,7 @@ class CurveMerger {
     *best = {vertex, squared};
   }
 
-  // The vertex that stands for a sample already, -1 if it is new.
+  // The existing vertex that stands for a sample; -1 if there is none.
   int FindHome(int curve, int k) const {
     const int s = samples_.curve_begin[curve] + k;
     Best best;
@@ -102,7 +102,7 @@ class CurveMerger {
     const int other = best.vertex;
     const double footprint = samples_.footprint[sample];
     if (best.squared > std::pow(kSearchPx * footprint, 2)) return false;
-    // Along the curve a vertex speaks for its neighborhood only.
+    // Along the curve a vertex stands for its neighborhood only.
     const double along = std::abs(
         samples_.tangent[sample].dot(samples_.position[other] - samples_.position[sample]));
     if (along > options_.junction_distance_px * footprint) return false;
@@ -160,8 +160,8 @@ class CurveMerger {
     return primitives_.AddRun(run, closed);
   }
 
-  // `before` and `after`: the vertices at which the curve comes from and goes on along existing
-  // links.
+  // `before` and `after`: the vertices where the curve leaves and rejoins existing links; -1 if it
+  // does not.
   void MergeRun(int curve, int begin, int end, int before, int after) {
     double length_px = 0;
     for (int k = begin + 1; k < end; ++k) {
@@ -191,7 +191,7 @@ class CurveMerger {
     if (last_end >= 0) primitives_.Attach(primitives_.LinkOf(last), last_end, after);
     if (before < 0 || after < 0) return;
     counts.bridged += !same_link;
-    // A run that closed a loop has been counted.
+    // Attach counts a run that closes a loop itself.
     counts.rejoined += same_link && counts.rejoined == rejoined_before;
   }
 

@@ -10,16 +10,16 @@
 namespace limn {
 
 struct MergedCurves {
-  // Links before their geometry is fitted. Every vertex knows the samples merged into it, in the
-  // numbers of the sample set, the one it was made from first.
+  // Links before their geometry is fitted. Every vertex lists the samples merged into it, as curves
+  // and samples of the SampleSet, beginning with the one it was made from.
   DrawingGraph graph;
   MergingCounts counts;
 };
 
-// Merge the averaged curves into links (ECCV 2016, section 3). Curves are taken longest first. A
-// sample that runs along a link already there, by the consistency network or because both reproject
-// within the merge distance, is absorbed; the runs of samples between are new: they become links,
-// and at either end where the curve goes on along an existing link the fitting primitive joins them
+// Merges the averaged curves into links (ECCV 2016, section 3; ALGORITHM.md 11). Curves are taken
+// longest first. A sample that runs along an existing link, by the consistency network or because
+// both reproject within the merge distance, is absorbed. The runs between absorbed samples become
+// links; where the curve continues along an existing link, a primitive attaches the run to it
 // (MergingPrimitives). Every sample ends up in a link.
 MergedCurves MergeCurves(const SampleSet& samples, const CurveConsistency& network,
                          const std::vector<View>& views, const DrawingOptions& options,

@@ -8,7 +8,7 @@
 namespace limn {
 namespace {
 
-// A run goes on in a link that it turns from by less than this, as a cosine.
+// Cosine of the largest turn from a link into a run that elongates it.
 constexpr double kMinElongationCosine = 0.5;
 
 }  // namespace
@@ -77,7 +77,8 @@ double MergingPrimitives::StubPx(const Place& at, int end) const {
   return end == 0 ? ArcPx(link, 0, at.index) : ArcPx(link, at.index, link.size() - 1);
 }
 
-// The stub between the attachment and the end is short, the end is free, and the run leads on.
+// Returns whether the end is free, the stub between it and the vertex short, and the run continues
+// it.
 bool MergingPrimitives::CanElongate(const Place& at, int target_end, const LinkEnd& run) const {
   const DrawingLink& target = editor_.link(at.link);
   if (target.closed || !editor_.IsFree({at.link, target_end})) return false;
@@ -86,12 +87,12 @@ bool MergingPrimitives::CanElongate(const Place& at, int target_end, const LinkE
          -kMinElongationCosine;
 }
 
-// The run takes the place of the stub.
+// Replaces the stub by the run.
 void MergingPrimitives::Elongate(const Place& at, int target_end, const LinkEnd& run) {
   const DrawingLink& target = editor_.link(at.link);
   const std::vector<LinkVertex>& of_run = editor_.link(run.link).vertices;
   const LinkVertex& first = run.end == 0 ? of_run.front() : of_run.back();
-  // A link keeps two points.
+  // A link needs two points.
   const int begin = target_end == 0 ? std::min(at.index, target.size() - 2) : 0;
   const int end = target_end == 0 ? target.size() : std::max(at.index + 1, 2);
   for (int k = 0; k < target.size(); ++k) {
@@ -110,7 +111,7 @@ void MergingPrimitives::Attach(LinkId link, int end, int vertex) {
   const Place at = {link_of_[vertex], IndexOf(vertex)};
   const DrawingLink& target = editor_.link(at.link);
   if (at.link == link) {
-    // The run's own link: a loop closes if its other end is what it meets.
+    // The run meets its own link: it closes a loop if it meets its other end.
     const bool is_free = editor_.IsFree({link, 0}) && editor_.IsFree({link, 1});
     if (!is_free || StubPx(at, 1 - end) >= options_.min_branch_length_px) return;
     editor_.Join({link, 0}, {link, 1});

@@ -8,7 +8,7 @@
 
 namespace limn {
 
-// How many times each merging primitive was applied (ECCV 2016, section 3).
+// Number of applications of each merging primitive (ECCV 2016, section 3; ALGORITHM.md 11.2).
 struct MergingCounts {
   int64_t released = 0;        // a run that touches nothing: a link of its own
   int64_t elongated = 0;       // a run that continues a link beyond its free end
@@ -18,28 +18,29 @@ struct MergingCounts {
   int64_t multi_attached = 0;  // a run that ends at an existing node
 };
 
-// Links made of runs of samples, and the primitives that attach runs to links. The sample that a
-// vertex of a link is made from names the vertex, wherever it is moved to; where a stub is cut off
-// its vertices are replaced by another and forward to it.
+// Makes links of runs of samples and attaches runs to links. A vertex is named by the sample it was
+// made from and keeps its name in whatever link it ends up. The vertices of a stub that is cut off
+// forward to the vertex that replaces them.
 class MergingPrimitives {
  public:
   MergingPrimitives(const SampleSet& samples, const DrawingOptions& options, DrawingGraph* graph);
 
-  // A new link whose vertices are made from these samples, in order.
+  // Adds a link whose vertices are made from these samples, in order.
   LinkId AddRun(const std::vector<int>& run, bool closed);
 
-  // Join end `end` of link `link` to the graph at `vertex`: elongates that link if the vertex is
-  // near its free end and the directions agree, ends at its node if one is near, and otherwise
-  // splits it there.
+  // Attaches end `end` of link `link` at `vertex` of another link: elongates that link if the
+  // vertex is near its free end and the directions agree, ends at its node if one is near, and
+  // splits it otherwise. At a vertex of the same link, closes a loop if the vertex is near the
+  // other end.
   void Attach(LinkId link, int end, int vertex);
 
-  // The vertex that stands for a vertex now.
+  // The vertex that now stands for a vertex.
   int Resolve(int vertex) const;
   LinkId LinkOf(int vertex) const { return link_of_[Resolve(vertex)]; }
-  // Which end of its link a vertex is, -1 if neither.
+  // The end of its link that a vertex is; -1 if neither.
   int EndOf(int vertex) const;
 
-  // Merge every sample into the vertex that `home` names, where that is not -1.
+  // Merges every sample into its vertex `home`, unless that is -1.
   void MergeSamples(const std::vector<int>& home);
 
   MergingCounts& counts() { return counts_; }
@@ -58,7 +59,7 @@ class MergingPrimitives {
   }
   bool IsMadeFrom(const LinkVertex& vertex, int id) const;
   int IndexOf(int vertex) const;
-  // Length of what is beyond a vertex on the way to an end of its link, px.
+  // Length between a vertex and an end of its link, px.
   double StubPx(const Place& at, int end) const;
   bool CanElongate(const Place& at, int target_end, const LinkEnd& run) const;
   void Elongate(const Place& at, int target_end, const LinkEnd& run);
@@ -68,7 +69,7 @@ class MergingPrimitives {
   const DrawingOptions& options_;
   DrawingGraph* graph_;
   GraphEditor editor_;
-  std::vector<LinkId> link_of_;  // per sample that a vertex is made from
+  std::vector<LinkId> link_of_;  // per vertex, that is, sample it was made from
   mutable std::vector<int> forward_;
   MergingCounts counts_;
 };

@@ -18,11 +18,11 @@ namespace {
 
 constexpr int kRounds = 3;
 constexpr int kGaussNewtonSteps = 3;
-// Standard deviation of the pull back to where a step began, px: decides nothing but what the
-// edgels leave open.
+// Standard deviation of the weak pull to the start of a step, px. It decides only what the edgels
+// leave open.
 constexpr double kPriorSigmaPx = 3;
 
-// A curve of the sketch on its way to where its edgels agree. One entry per sample.
+// A curve of the sketch while its samples move. One entry per sample.
 struct WorkingCurve {
   std::vector<Eigen::Vector3d> position;
   std::vector<Eigen::Vector3d> tangent;
@@ -137,7 +137,8 @@ class CurveRetriangulation {
     }
   }
 
-  // The nearest edgels where the sample now is, in all views that support any of the curve.
+  // Chooses the best edgels at the new positions, in all views that support any sample of the
+  // curve.
   void UpdateSupport(const Curve3D& curve, WorkingCurve* working) const {
     std::vector<ViewId> views;
     for (const auto& support : working->support) {
@@ -154,7 +155,7 @@ class CurveRetriangulation {
         const auto match = edgels_[v]->edgels.Best(sight->position_px, sight->direction_rad, gate);
         if (match) support.push_back({v, match->edgel});
       }
-      // The anchor's own edgel stays the sample's identity while it supports it at all.
+      // The anchor keeps its own edgel while that supports the sample at all.
       for (EdgelRef& ref : support) {
         if (ref.view == curve.anchor.view) ref = OwnEdgel(curve, s);
       }
@@ -204,7 +205,7 @@ class SampleCollector {
     const int size = working.size();
     stats_->samples_in += size;
     const auto supported = [&](int s) { return working.supported[s] != 0; };
-    // Single unsupported samples do not cut a curve.
+    // A single unsupported sample does not cut a curve.
     const auto usable = [&](int s) {
       return supported(s) || (s > 0 && s + 1 < size && supported(s - 1) && supported(s + 1));
     };

@@ -10,15 +10,15 @@ namespace limn {
 
 struct RetriangulationStats {
   int64_t samples_in = 0;
-  int64_t too_few_views = 0;    // lost support when the sample moved to where its edgels agree
-  int64_t piece_too_short = 0;  // what was left of the curve between such samples
+  int64_t too_few_views = 0;    // support lost when the sample moved
+  int64_t piece_too_short = 0;  // in pieces between such samples that are too short
 };
 
-// Move every sample of the sketch to where the tangent lines of all its supporting edgels agree
-// (algorithm.md 0.1 item 2): robust least squares of their distances in all views, free across the
-// curve, fixed along it, alternated with smoothing along the curve in which every sample weighs by
-// its covariance, and with a new choice of supporting edgels. Curves are cut where support is lost.
-// Time: samples times views.
+// Moves every sample of the sketch to where the tangent lines of all its supporting edgels agree
+// (ours; ALGORITHM.md 7): robust least squares of the distances in all views, across the curve
+// only. This alternates with smoothing along the curve, in which samples are weighted by their
+// inverse covariances, and with a new choice of supporting edgels. Curves are cut where support is
+// lost. Time: samples times views.
 SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& views,
                         const std::vector<ImageCurves>& curves,
                         const std::vector<std::unique_ptr<ViewEdgels>>& edgels,

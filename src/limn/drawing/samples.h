@@ -8,7 +8,7 @@
 
 namespace limn {
 
-// Where a run of working samples comes from in the sketch.
+// The run of sketch samples that a curve of the SampleSet comes from.
 struct CurveOrigin {
   int sketch_curve = -1;
   int begin = 0;  // first sample
@@ -16,8 +16,8 @@ struct CurveOrigin {
   bool closed = false;
 };
 
-// The samples of all curves, back to back: sample ids run through curve 0, then curve 1, ... All
-// stages of the drawing speak in these ids.
+// The samples of all curves, back to back: sample ids run through curve 0, then curve 1, and so on.
+// All stages up to merging use these ids.
 struct SampleSet {
   std::vector<int> curve_begin = {0};  // one more than curves
   std::vector<CurveOrigin> origins;    // per curve
@@ -26,7 +26,7 @@ struct SampleSet {
   std::vector<Eigen::Vector3d> tangent;  // unit, along the curve
   // Inverse covariance of the position across the curve (zero along the tangent), world units.
   std::vector<Eigen::Matrix3d> information;
-  // Pixel footprint: median over the supporting views of depth / focal length, world units.
+  // Pixel footprint: median over the supporting views (model/footprint.h).
   std::vector<double> footprint;
   SupportLists support;
 
@@ -35,7 +35,7 @@ struct SampleSet {
   int Size(int curve) const { return curve_begin[curve + 1] - curve_begin[curve]; }
 };
 
-// Room for what is coming, without which growing arrays take up to three times their size.
+// Reserves memory. Growing arrays would take up to three times their size.
 void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples);
 
 // Arc length of each sample from the first of its curve, in footprints (px).

@@ -9,8 +9,8 @@
 
 namespace limn {
 
-// Points in space to be found again within a few footprints, where the footprint varies over the
-// scene: one hash grid per power of two of it. Points can be added at any time.
+// Finds points within a few footprints of a place, where the footprint varies over the scene: one
+// hash grid per power of two of the footprint. Points can be added at any time.
 class VertexGrid {
  public:
   // Cells are twice `cell_px` footprints wide at the small end of each level.
@@ -21,7 +21,7 @@ class VertexGrid {
     cells_[Key(level, Cell(position, level))].push_back(vertex);
   }
 
-  // Every vertex within about cell_px footprints of the position, and some beyond.
+  // Visits every vertex within about cell_px footprints of the position, and some beyond.
   template <typename Visit>
   void ForEachNear(const Eigen::Vector3d& position, double footprint, Visit&& visit) const {
     for (int level = Level(footprint) - 1; level <= Level(footprint) + 1; ++level) {

@@ -60,7 +60,7 @@ struct ArcCost {
   }
 };
 
-// An end of an arc slides along its circle unless it is told where to be; px.
+// Holds an end of an arc, which would otherwise slide along its circle; px.
 struct EndCost {
   const LinkSample3d& sample;
   double per_unit;  // px
@@ -126,7 +126,7 @@ std::optional<CircularArc> FitArc(const LinkSamples& link, const EndConditions& 
   Eigen::Vector3d start = link.samples.front().position;
   Eigen::Vector3d middle = MiddleOf(link);
   Eigen::Vector3d end = link.samples.back().position;
-  // Less than this sagitta, px, is no bend that a circle could be fitted to.
+  // Smallest sagitta, px, to which a circle is fitted.
   constexpr double kMinSagittaPx = 1e-3;
   const double per_unit = 1 / link.footprint;
   const auto bends = [&] {

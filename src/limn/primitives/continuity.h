@@ -7,12 +7,13 @@
 
 namespace limn {
 
-// Per link the conditions at its ends: held where other links are.
+// Per link the conditions at its ends, which are held at nodes shared with other links.
 std::vector<EndConditions> EndsOfLinks(const DrawingGraph& graph);
 
-// Give the ends of splines that continue another link, or themselves, the direction they share:
-// that of the other if it is a line or arc, else their mean. Links keep their own direction where
-// the two differ by more than 20 degrees. `shapes` as the links; null: none.
+// Gives the ends of splines that continue another link, or themselves, a common direction
+// (ALGORITHM.md 18.3): that of the other link if it is a line or arc, else the mean of both. Links
+// whose directions differ by more than 20 degrees keep their own. `shapes` holds one entry per
+// link, null if it has none.
 void ShareDirections(const DrawingGraph& graph, const std::vector<const CurveShape*>& shapes,
                      std::vector<EndConditions>* ends);
 

@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-// A link on the way.
+// State of a link between the steps.
 struct Fit {
   LinkSamples samples;
   std::optional<FittedShape> fitted;
@@ -36,7 +36,7 @@ void FitAgain(const EndConditions& ends, bool closed, const PrimitiveOptions& op
   }
   const CubicBSpline spline = FitSpline(samples, ends, closed, before.knots);
   for (const int end : {0, 1}) {
-    // Turned round: better a small bend than a loop.
+    // The spline would turn back; a small bend is better than a loop.
     if (!ends[end].direction) continue;
     const auto& points = spline.control_points;
     const Eigen::Vector3d leg =
@@ -171,7 +171,7 @@ PrimitiveResult FitPrimitives(const DrawingGraph& graph, const std::vector<View>
   PrimitiveResult result;
   result.graph = graph;
   std::vector<Fit> fits = SampleLinks(graph, views, options, context);
-  // Freely first: where the curves meet shows in their shapes.
+  // Fit freely first: the shapes tell where the curves meet.
   const std::vector<EndConditions> ends = EndsOfLinks(graph);
   Choose(std::vector<EndConditions>(ends.size()), graph, options, context, &fits);
   MoveNodes(fits, options.end_zone_px, &result.graph);

@@ -12,22 +12,22 @@
 namespace limn {
 
 struct PrimitiveResult {
-  DrawingGraph graph;  // its links with their primitives, its nodes where these meet
+  DrawingGraph graph;  // links with their primitives, nodes where these meet
   StageSummary summary;
 };
 
-// Explains every link by the simplest curve within max_residual_px: a line, a circular arc (a
-// circle if the link is closed), else a cubic B-spline with as few knots as do. Where more than one
-// would do, Bayes' information criterion chooses: squared deviations over noise_px, one independent
-// place per correlation_px, against the number of parameters. Nodes where links meet move to where
-// their shapes, fitted without them, meet, and the links' points near them along; then all shapes
-// are fitted with their ends held there. Free ends move along with the fit. Splines leave a node in
-// the direction of the link that continues them. A link that no view sees gets none. Throws
-// OptionError and Cancelled.
+// Explains every link by the simplest curve within max_residual_px (ours; ALGORITHM.md 18): a line,
+// a circular arc (a circle if the link is closed), or a cubic B-spline with as few knots as needed.
+// If several qualify, the Bayesian information criterion chooses, weighing squared deviations over
+// noise_px, one independent place per correlation_px, against the number of parameters. Nodes move
+// to where the shapes of their links, fitted freely, meet, and nearby points of the links follow;
+// then all shapes are fitted with their ends held there. Free ends move with the fit. Splines leave
+// a node in the direction of the link that continues them. A link that no view sees gets no
+// primitive. Throws OptionError and Cancelled.
 PrimitiveResult FitPrimitives(const DrawingGraph& graph, const std::vector<View>& views,
                               const PrimitiveOptions& options, const RunContext& context);
 
-// What primitives make of a drawing.
+// Statistics of the primitives of a drawing.
 struct PrimitiveStatistics {
   struct Kind {
     const char* name = "";

@@ -10,10 +10,10 @@
 
 namespace limn {
 
-// A place on a link and how its views see a deviation from it.
+// A place on a link and its metric for deviations.
 struct LinkSample3d {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  // Where it is along the link, 0 to 1 by length.
+  // Position along the link, 0 to 1 by length.
   double t = 0;
   // |across * d|^2 is the mean over the views of the squared distance, px^2, by which a small
   // offset d moves the point across the projected curve. Offsets along the curve count little.
@@ -30,11 +30,11 @@ struct LinkSamples {
   double footprint = 0;               // world units, at the middle of the link
 };
 
-// A link about every second pixel, in the views that support it (in all, if none is said to).
-// Nothing if no view sees it. Time: samples times views.
+// Samples a link about every 2 px, as seen in its supporting views (in all views if it has none).
+// Empty if no view sees it. Time: samples times views.
 LinkSamples SampleLink(const DrawingLink& link, const std::vector<View>& views);
 
-// Lets the samples within `zone_px` (at most a quarter of the length) of these ends count little.
+// Reduces the weight of samples within `zone_px` (at most a quarter of the length) of these ends.
 void DiscountEnds(const std::array<bool, 2>& ends, double zone_px, LinkSamples* link);
 
 }  // namespace limn

@@ -61,7 +61,7 @@ bool IsBetter(const FittedShape& a, const FittedShape& b, double tolerance) {
 
 FittedShape BestSpline(const LinkSamples& link, const EndConditions& ends, bool closed,
                        const PrimitiveOptions& options) {
-  // After so many steps without a better one more knots do not help.
+  // Stop after this many steps without improvement.
   constexpr int kPatience = 2;
   std::vector<double> knots = UniformKnots(closed ? kFirstClosedSpans : 1);
   std::optional<FittedShape> best;

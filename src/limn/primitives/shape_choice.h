@@ -5,7 +5,7 @@
 
 namespace limn {
 
-// A shape with how well it does.
+// A shape and the quality of its fit.
 struct FittedShape {
   CurveShape shape;
   double rms_px = 0;
@@ -14,16 +14,16 @@ struct FittedShape {
   double criterion = 0;
 };
 
-// The simplest shape that explains a link, by the rules of FitPrimitives; if none does within the
-// tolerance, the spline that comes nearest.
+// The simplest shape that explains a link (ALGORITHM.md 18.2); if none is within the tolerance, the
+// nearest spline.
 FittedShape ChooseShape(const LinkSamples& link, const EndConditions& ends, bool closed,
                         const PrimitiveOptions& options);
 
-// Judges a shape with so many free numbers.
+// Evaluates a shape with this many free parameters.
 FittedShape Judge(const CurveShape& shape, int num_parameters, const LinkSamples& link,
                   const PrimitiveOptions& options);
 
-// Of a spline with these ends.
+// Number of free parameters of a spline with these ends.
 int NumParameters(const CubicBSpline& spline, const EndConditions& ends, bool closed);
 
 }  // namespace limn

@@ -9,25 +9,25 @@
 
 namespace limn {
 
-// What a shape must keep at one of its ends.
+// Constraints on a shape at one of its ends.
 struct EndCondition {
-  // It ends exactly at the first or last sample; else where it fits best.
+  // Whether it ends exactly at the first or last sample. Otherwise it ends where it fits best.
   bool held = false;
-  // Unit direction in which it leaves this end, for splines; only at ends that are held.
+  // Splines at held ends only: unit direction in which the spline leaves the end.
   std::optional<Eigen::Vector3d> direction = std::nullopt;
 };
 
 using EndConditions = std::array<EndCondition, 2>;
 
 // Weighted least squares: every sample pulls at the nearest point of the shape with its `across`.
-// Ceres solves them; the shapes are those of the drawing's links, so starting values are near.
+// Solved by Ceres. The links provide good starting values.
 
 LineSegment FitLine(const LinkSamples& link, const EndConditions& ends);
 
-// Nothing if the samples do not bend.
+// Empty if the samples do not bend.
 std::optional<CircularArc> FitArc(const LinkSamples& link, const EndConditions& ends);
 
-// Through all samples of a closed link, from near its first one. Nothing if they lie on a line.
+// Through all samples of a closed link, from near its first one. Empty if they lie on a line.
 std::optional<CircularArc> FitCircle(const LinkSamples& link);
 
 // With these knots (see CubicBSpline) over [0, 1]. A closed spline ends where it begins; it needs

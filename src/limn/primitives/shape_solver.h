@@ -8,7 +8,7 @@
 
 namespace limn {
 
-// Shared by the fits of shape_fit.h; not for others.
+// Internal to the fits of shape_fit.h.
 
 // The weighted root of a sample's metric.
 inline Eigen::Matrix3d Root(const LinkSample3d& sample) {

@@ -8,7 +8,7 @@
 
 namespace limn {
 
-// How the cameras differ from those that were given.
+// Differences between the refined and the given cameras.
 struct CameraCorrections {
   // Per view: x_in_cam = Exp(w) * (given x_in_cam) + m, as w (rad), m (world units).
   std::vector<std::array<double, 6>> motion;
@@ -19,12 +19,12 @@ struct CameraCorrections {
 // Corrections that change nothing.
 CameraCorrections NoCorrections(const std::vector<View>& views);
 
-// The corrected views. The factor acts on the virtual pinhole camera: exact without lens
-// distortion; with it, rays off the axis differ by about twice the distortion in px times the
-// relative change of the focal length: 0.04 px where it is 20 px, for a change of 0.1 %.
+// The corrected views. The focal factor acts on the virtual pinhole camera. This is exact without
+// lens distortion; with it, pixels off the axis are wrong by about twice the distortion times the
+// relative change of the focal length: 0.04 px for a distortion of 20 px and a change of 0.1 %.
 std::vector<View> Corrected(const std::vector<View>& views, const CameraCorrections& corrections);
 
-// What a correction changes of a view.
+// The parts of a view that a correction changes.
 struct PosedCamera {
   PinholeCamera camera;
   Rigid3d cam_from_world;

@@ -8,17 +8,17 @@
 namespace limn {
 namespace {
 
-// Near a corner the edges of an image are rounded: this much of a link is not matched there, px,
-// but never more than this share of it.
+// Length at a corner, where image edges are rounded, that is not matched, px, and its largest share
+// of a link.
 constexpr double kCornerSkipPx = 3;
 constexpr double kMaxSkippedShare = 0.25;
 
-// Two ends go on smoothly and nothing else is here.
+// Returns whether two ends continue each other and no other link ends here.
 bool IsSmooth(const DrawingNode& node) {
   return node.Degree() == 2 && node.continuations.size() == 1;
 }
 
-// Whether the link end goes on smoothly in another one.
+// Returns whether the link end has a smooth continuation.
 bool GoesOn(const DrawingNode& node, const LinkEnd& end) {
   return std::any_of(node.continuations.begin(), node.continuations.end(),
                      [&](const auto& pair) { return pair.first == end || pair.second == end; });
@@ -46,7 +46,7 @@ class ControlGraphBuilder {
     const DrawingLink& link = graph_.links[id];
     const double unit = LinkFootprint(link, views_);
     const double length = Length(link.points_in_world);
-    // A link that no camera looks at has no pixels: it keeps its two ends.
+    // A link that no camera sees has no footprint: it keeps its two ends.
     const double step = unit > 0 ? spacing_px_ * unit : length;
     const Polyline3d points =
         ResampleUniform(link.points_in_world, link.closed ? std::min(step, length / 6) : step);

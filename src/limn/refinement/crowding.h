@@ -15,18 +15,18 @@ struct ImagePlace {
   double direction_rad = 0;  // undirected
 };
 
-// Where reprojected links run side by side in one view, so near that the image shows one blurred
-// edge instead of two. Immutable.
+// Finds where reprojected links run side by side in one view, so near that the image may show one
+// blurred edge instead of two. Immutable.
 class Crowding {
  public:
   explicit Crowding(std::vector<ImagePlace> places);
 
-  // Whether another link passes nearer than the distance, in nearly the same direction.
+  // Returns whether another link passes within the distance, in nearly the same direction.
   bool At(const ImagePlace& place, double distance_px) const;
 
  private:
   std::vector<ImagePlace> places_;
-  EdgelIndex index_;  // of the places, as if they were edgels
+  EdgelIndex index_;  // holds the places as edgels
 };
 
 }  // namespace limn

@@ -15,14 +15,13 @@ namespace {
 
 using RowMajor3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// Standard deviations of how far a point moves from where it was in the drawing: along its curve,
-// in any direction, and at a corner. They decide nothing but what edgels and bending leave open.
-// Px.
+// Standard deviations of the distance of a point from its place in the drawing, px: along its
+// curve, in any direction, and at a corner. They decide only what edgels and bending leave open.
 constexpr double kAlongSigmaPx = 1;
 constexpr double kWeakSigmaPx = 30;
 constexpr double kCornerSigmaPx = 3;
 // Next to a corner, changes of direction beyond this many of their standard deviations hardly count
-// (Cauchy): links that do not quite meet shall not drag each other away.
+// (Cauchy), so that links that do not quite meet do not drag each other away.
 constexpr double kCornerBendSigmas = 3;
 
 const Edgel& EdgelOf(const EdgelPull& pull, const std::vector<ImageCurves>& curves) {
@@ -63,7 +62,7 @@ std::array<double, 3> BendFactors(const Bend& bend, const RefinementOptions& opt
                                   const ControlGraph& control) {
   const double footprint = control.footprint[bend[1]];
   const auto length = [&](int a, int b) {
-    // Points that nearly coincide would make the change of direction explode.
+    // The change of direction diverges where points nearly coincide.
     return std::max((control.position[b] - control.position[a]).norm(),
                     0.25 * options.control_spacing_px * footprint);
   };
@@ -101,7 +100,8 @@ void AddBend(const Bend& bend, const RefinementOptions& options, ControlGraph* c
       position[bend[1]].data(), position[bend[2]].data());
 }
 
-// All pulls of a sample in one block; with one block each where cameras move, as theirs differ.
+// All pulls of a sample share one block; if cameras move, each has its own, since their cameras
+// differ.
 void AddPulls(const FitInput& input, const LinkSample& sample, const ControlLink& link,
               double robust_px, CameraCorrections* cameras, ControlGraph* control,
               ceres::Problem* problem) {
@@ -140,7 +140,7 @@ std::vector<Component> FindComponents(const std::vector<uint8_t>& frozen,
       unknown[point] = 1;
     }
   }
-  // Bends hold together what a frozen link is between.
+  // A bend may include both nodes of a frozen link and so connect its neighbors.
   std::vector<Bend> bends = control.bends;
   std::erase_if(bends, [&](const Bend& bend) {
     return !unknown[bend[0]] || !unknown[bend[1]] || !unknown[bend[2]];

@@ -10,17 +10,16 @@
 
 namespace limn {
 
-// What curves are fitted to.
+// The data of a fit.
 struct FitInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;
   const std::vector<LinkMatches>& matches;
-  // Per link: nonzero = its inner points are not unknowns, they follow its nodes.
+  // Per link, nonzero if its inner points are not unknowns but follow its nodes.
   const std::vector<uint8_t>& frozen;
 };
 
-// Links that hang together by nodes or bends, with the unknowns and bends among them: they share
-// no unknown with others.
+// Links connected by nodes or bends, with their unknowns and bends. Components share no unknowns.
 struct Component {
   std::vector<int> links;
   std::vector<int> points;  // ascending
@@ -29,19 +28,20 @@ struct Component {
 std::vector<Component> FindComponents(const std::vector<uint8_t>& frozen,
                                       const ControlGraph& control);
 
-// Add the terms of a component to a least squares problem whose unknowns are the positions in
-// `control`, world units, and the corrections of the cameras, if given:
+// Adds the terms of a component to a least squares problem whose unknowns are the positions in
+// `control`, world units, and the corrections of the cameras, unless null (ALGORITHM.md 16.3 to
+// 16.5):
 //   the pulls of the edgels (pull_cost.h);
-//   |change of direction|^2 / (bending_sigma^2 * length) for every bend, hardly more where it is
-//   large next to a corner;
-//   what holds points weakly where they were in the drawing: along their curve, and at corners.
+//   |change of direction|^2 / (bending_sigma^2 * length) for every bend, with a Cauchy loss next to
+//   corners;
+//   weak holds of points at their places in the drawing: along their curve, and at corners.
 void AddTerms(const FitInput& input, const RefinementOptions& options, const Component& component,
               CameraCorrections* cameras, ControlGraph* control, ceres::Problem* problem);
 
-// Weight of a pull over the variance of its distance, 1 / px^2.
+// Weight of a pull divided by the variance of its distance, 1 / px^2.
 double WeightOf(const EdgelPull& pull, const std::vector<ImageCurves>& curves);
 
-// The square of the change of direction at a bend over its variance.
+// Square of the change of direction at a bend, divided by its variance.
 double SquaredBend(const Bend& bend, const RefinementOptions& options, const ControlGraph& control);
 
 }  // namespace limn

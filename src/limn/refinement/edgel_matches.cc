@@ -12,9 +12,9 @@ namespace limn {
 namespace {
 
 constexpr double kSampleSpacingPx = 1.5;
-// Edges of an image this near to each other, px, are displaced or one.
+// Image edges nearer to each other than this displace each other or merge, px.
 constexpr double kResolvedPx = 3;
-// An edgel belongs to the link that passes this much nearer to it, px.
+// An edgel is given up if another link passes nearer to it by more than this, px.
 constexpr double kClearlyBetterPx = 0.1;
 // Half length of the stretch that decides which side of a link is the brighter one, px, and the
 // share of its edgels that must agree.
@@ -64,13 +64,13 @@ class LinkMatcher {
     double arc_px;
   };
 
-  // What a view has to say of a place.
+  // What a view shows at a place.
   struct Answer {
     bool asked = false;
     std::optional<EdgelMatch> match;
     Eigen::Vector2d pixel;
-    // The edgel runs along the link's direction, not against it: the same side is the brighter one
-    // in all views that show the same edge in the same light.
+    // Whether the edgel has the direction of the link, not the opposite one. All views of an edge
+    // in the same light agree on its brighter side.
     bool bright_left = false;
   };
 
@@ -102,7 +102,7 @@ class LinkMatcher {
     return (control_.position[to] - control_.position[from]).norm() / footprint;
   }
 
-  // Of the segment and its neighbors: a short segment alone is not sure of its direction.
+  // Over the segment and its neighbors, since the direction of a short segment alone is unreliable.
   Eigen::Vector3d Direction(const ControlLink& link, int s) const {
     const Eigen::Vector3d chord = Chord(control_, link, s - 1, s + 2);
     return chord.norm() > 0 ? Eigen::Vector3d(chord.normalized()) : Eigen::Vector3d::UnitX();
@@ -159,8 +159,8 @@ class LinkMatcher {
     });
   }
 
-  // Where nearly all edgels around a sample agree on the brighter side, the others are of another
-  // edge nearby, such as the other side of a thin bar.
+  // Where nearly all edgels around a sample agree on the brighter side, the others belong to
+  // another edge nearby, such as the other side of a thin bar.
   void KeepOneSide(const std::vector<Place>& places, LinkMatches* matches) const {
     const LinkMatches all = *matches;
     int num[2] = {0, 0};
@@ -175,8 +175,8 @@ class LinkMatcher {
     });
   }
 
-  // Views in which another link runs beside this one, too near to tell their edges apart, would
-  // pull both onto one edge: they are not heard where enough others are.
+  // Views in which another link runs too near to this one to tell their edges apart would pull both
+  // onto one edge. They are ignored where enough other views remain.
   void KeepResolved(int link, const std::vector<Place>& places,
                     const std::vector<Crowding>& crowding, LinkMatches* matches) const {
     for (size_t k = 0; k < places.size(); ++k) {
@@ -192,8 +192,8 @@ class LinkMatcher {
     }
   }
 
-  // Share of an independent observation: the step to the next sample in the image over the length
-  // over which errors are the same.
+  // Share of an independent observation: the step to the next sample in the image, divided by the
+  // correlation length.
   double Weight(ViewId view, const std::vector<Answer>& answers, int k) const {
     const int size = static_cast<int>(answers.size());
     const int other = k + 1 < size && answers[k + 1].asked ? k + 1 : k - 1;

@@ -10,29 +10,29 @@
 
 namespace limn {
 
-// An edgel that a place on a link shall pass through.
+// An edgel through whose tangent line a place on a link should project.
 struct EdgelPull {
   EdgelRef ref;
-  // How much of an independent observation it is, in (0, 1].
+  // Share of an independent observation, in (0, 1].
   double weight = 1;
   double residual_px = 0;
-  bool bright_left = false;  // which side is brighter, walking along the link
+  bool bright_left = false;  // whether the left side, walking along the link, is brighter
 };
 
-// A place on a link, t of the way along a segment, and the edgels that pull at it: one per view at
-// most, ascending by view.
+// A place on a link, at t in [0, 1] on a segment, and the edgels that pull at it: at most one per
+// view, ascending by view.
 struct LinkSample {
   int segment = 0;
   double t = 0;
   std::vector<EdgelPull> pulls;
 };
 
-// The samples of one link in order.
+// The samples of one link, in order.
 using LinkMatches = std::vector<LinkSample>;
 
-// The edgels that the links should pass through, per link: the best one within the gate in every
-// asked view that shows the stretch of the link around the sample. An edgel that another link fits
-// clearly better is not taken. Time: samples times views.
+// Per link, the edgels that pull at its samples: the best one within the gate in every supporting
+// view that shows the stretch of the link around the sample (ALGORITHM.md 16.2). An edgel that
+// another link fits clearly better is not used. Time: samples times views.
 std::vector<LinkMatches> MatchEdgels(const TopologyInput& input, const ControlGraph& control,
                                      const RefinementOptions& options, const RunContext& context);
 

@@ -8,8 +8,9 @@
 
 namespace limn {
 
-// Give a link a point every px, and vertices with its footprint and with the edgels of its matches,
-// as topology edits need them. A link that no view sees stays as it is. Linear in its length, px.
+// Resamples a link to a point per px and gives it vertices with its footprint and the matched
+// edgels, as RepairTopology needs them. A link that no view sees stays unchanged. Linear in its
+// length, px.
 void GiveVertices(const std::vector<View>& views, const LinkMatches& matches, DrawingLink* link);
 
 }  // namespace limn

@@ -17,7 +17,7 @@ double Spread(const Eigen::Matrix3Xd& points) {
   return (points.colwise() - points.rowwise().mean()).norm();
 }
 
-// Of every camera its center and the points one arm along its axes.
+// The center of every camera and the points one arm along its axes.
 Eigen::Matrix3Xd CentersAndArms(const std::vector<View>& views, const Eigen::RowVectorXd& arms) {
   Eigen::Matrix3Xd points(3, 4 * views.size());
   for (size_t v = 0; v < views.size(); ++v) {
@@ -35,7 +35,7 @@ Eigen::Affine3d GivenFromRefined(const std::vector<View>& given, const std::vect
                                  const Eigen::Vector3d& middle) {
   const Eigen::Matrix3Xd centers = Centers(given);
   const Eigen::RowVectorXd arms = (centers.colwise() - middle).colwise().norm();
-  // Centers that coincide tell no scale.
+  // Coinciding centers determine no scale.
   const double spread = Spread(centers);
   const double scale = spread > 1e-6 * arms.mean() ? Spread(Centers(refined)) / spread : 1;
   const Eigen::Matrix4d similarity =

@@ -8,15 +8,16 @@
 
 namespace limn {
 
-// The similarity that brings refined cameras back to the given ones: what images cannot tell shall
-// not change. Least squares over all cameras' centers and the points one arm, from the given center
-// to the `middle` of the scene, along their axes: cameras count by what they do to the image of the
-// scene, and even two of them fix all. The scale is 1 if all given centers are the same. Same views
-// in both, of which at least one.
+// The similarity that best maps refined cameras to the given ones (ALGORITHM.md 16.8), so that
+// place, orientation and scale, which images do not determine, stay as given. Least squares over
+// the centers of all cameras and three points per camera, along its axes at the distance of the
+// `middle` of the scene: cameras are weighted by their effect on the image of the scene, and two of
+// them determine the similarity. The scale is 1 if all given centers coincide. Precondition: the
+// same views in both, at least one.
 Eigen::Affine3d GivenFromRefined(const std::vector<View>& given, const std::vector<View>& refined,
                                  const Eigen::Vector3d& middle);
 
-// The views in a world moved by a similarity: they see the moved scene as they saw it before.
+// The views moved by a similarity along with the scene: their images of it stay the same.
 std::vector<View> Moved(const std::vector<View>& views, const Eigen::Affine3d& similarity);
 
 }  // namespace limn

@@ -7,7 +7,7 @@
 namespace limn {
 namespace {
 
-// Ends a solver between two iterations when the run is to stop.
+// Stops a solver between iterations when the run is canceled.
 class StopIfCancelled : public ceres::IterationCallback {
  public:
   explicit StopIfCancelled(const RunContext& context) : context_(context) {}
@@ -28,12 +28,12 @@ bool Minimize(int max_iterations, const RunContext& context, ceres::Problem* pro
   ceres::Solver::Options options;
   options.callbacks = {&stop};
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  // Without BLAS and threads: the same bits whatever runs beside it.
+  // Without BLAS and threads, so that results are reproducible to the bit.
   options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   options.num_threads = 1;
   options.max_num_iterations = max_iterations;
   options.function_tolerance = 1e-5;
-  // These two know units of length.
+  // Disabled, because these two depend on the unit of length.
   options.parameter_tolerance = 0;
   options.gradient_tolerance = 0;
   options.logging_type = ceres::SILENT;

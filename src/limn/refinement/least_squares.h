@@ -6,8 +6,9 @@
 
 namespace limn {
 
-// Minimize with Ceres: sparse Cholesky factors of the normal matrix, one thread. False, and nothing
-// changed, if there is no usable solution. Deterministic. Throws Cancelled.
+// Minimizes with Ceres by sparse Cholesky factorization of the normal matrix, on one thread.
+// Returns false, and changes nothing, if there is no usable solution. Deterministic. Throws
+// Cancelled.
 bool Minimize(int max_iterations, const RunContext& context, ceres::Problem* problem);
 
 }  // namespace limn

@@ -20,10 +20,10 @@ constexpr double kPointSigmaPx = 0.5;
 constexpr double kPointRobustSigmas = 2;
 // Standard deviation of a camera's change, px in the image of the scene.
 constexpr double kCameraSigmaPx = 10;
-// The rays to a scene point must differ so much from their mean.
+// Some ray to a scene point must differ from the mean ray by this angle.
 constexpr double kMinHalfParallaxDeg = 0.5;
 
-// A pixel pulls by two lines, whose distances together are robust.
+// A pixel pulls by two lines with one loss for both distances.
 ceres::CostFunction* MakePointCost(const View& view, const PointPixel& pixel) {
   std::vector<LinePull> pulls;
   for (const int axis : {0, 1}) {
@@ -104,7 +104,7 @@ class PoseProblem {
     }
   }
 
-  // Points that went behind a view that sees them.
+  // Resets points that have moved behind a view that sees them.
   void PutBackPointsBehind(const std::vector<Eigen::Vector3d>& before) {
     const std::vector<View> views = Corrected(input_.views, *corrections_);
     for (size_t p = 0; p < before.size(); ++p) {
@@ -118,7 +118,7 @@ class PoseProblem {
     }
   }
 
-  // Cameras that nothing is known of are no unknowns.
+  // Cameras without data are not unknowns.
   void AddCameraHolds() {
     int largest_side = 0;
     for (size_t v = 0; v < input_.views.size(); ++v) {
@@ -136,7 +136,7 @@ class PoseProblem {
     }
   }
 
-  // Weakly at 0, by what the unknowns move in the image.
+  // Holds unknowns weakly at 0, weighted by their effect in the image.
   void Hold(const ceres::Vector& px_per_unit, double* unknowns) {
     const ceres::Matrix factors = (px_per_unit / kCameraSigmaPx).asDiagonal();
     const ceres::Vector zero = ceres::Vector::Zero(px_per_unit.size());

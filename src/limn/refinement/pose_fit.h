@@ -7,15 +7,17 @@
 
 namespace limn {
 
-// Move cameras, control points and scene points together to minimize the sum of FitCurves, with
+// Moves cameras, control points and scene points together (ALGORITHM.md 16.7) to minimize the sum
+// of FitCurves, with
 //   sum over pixels of points of Cauchy(distance to the projected point / 0.5 px), stored px,
-// and a weak hold of every camera where it was given: a change of 10 px in the image of the scene
-// is one standard deviation. That fixes what images do not tell: place, orientation and scale of
-// the whole. Frozen links only follow their nodes and say nothing of the cameras. The views are as
-// given, not corrected. `positions` are of `points`; here those stay that fewer than two views see,
-// or all from nearly the same direction, and those that would end behind a view. False, and nothing
-// changed, if the solver fails. With Ceres, one sparse system, one thread. Deterministic. Throws
-// Cancelled. Time per step: unknowns of the curves times the square of those of the cameras.
+// and a weak hold of every camera at its given pose, with a standard deviation of 10 px in the
+// image of the scene. The holds determine place, orientation and scale of the whole, which images
+// do not. Frozen links only follow their nodes and do not affect the cameras. The views are the
+// given ones, not corrected. `positions` belong to `points`; points stay where they are if fewer
+// than two views see them, if all see them from nearly the same direction, or if they would end
+// behind a view. Returns false, and changes nothing, if the solver fails. One sparse system, solved
+// by Ceres on one thread. Deterministic. Throws Cancelled. Time per step: unknowns of the curves
+// times the square of those of the cameras.
 bool FitPoses(const FitInput& input, const std::vector<ScenePoint>& points,
               const RefinementOptions& options, const RunContext& context,
               CameraCorrections* corrections, ControlGraph* control,

@@ -7,10 +7,11 @@
 namespace limn {
 namespace {
 
-// Distance of what is behind a camera, stored px.
+// Distance of a point behind a camera, stored px: large, so that moving there never lowers the
+// cost.
 constexpr double kBehindPx = 1e3;
 
-// The signed root of Cauchy's loss, and its derivative.
+// The signed root of the Cauchy loss, and its derivative.
 struct Root {
   double value;
   double slope;
@@ -27,7 +28,7 @@ Root RootOfLoss(double distance_px, double robust_px) {
 // J' v of the header.
 Eigen::Vector3d TurnedBack(const Eigen::Vector3d& turn, const Eigen::Vector3d& v) {
   const double angle = turn.norm();
-  // Of the series of both factors only the first term counts.
+  // For small angles the first term of either series is exact enough.
   const bool is_small = angle < 1e-4;
   const double first = is_small ? 0.5 : (1 - std::cos(angle)) / (angle * angle);
   const double second = is_small ? 1.0 / 6 : (angle - std::sin(angle)) / (angle * angle * angle);

@@ -9,15 +9,15 @@
 
 namespace limn {
 
-// A line in the image of a view that a place in space shall project onto.
+// A line in the image of a view onto which a place in space should project.
 struct LinePull {
   const View* view;
   EdgelLine line;
   double scale;  // k below
 };
 
-// What images say of a place in space: the one data term of all fits, of curves with the cameras
-// fixed and of curves, scene points and cameras together.
+// The data term of all fits (ALGORITHM.md 16.3): of curves with fixed cameras, and of curves, scene
+// points and cameras together.
 //
 // Distance. A place x, world units, is the weighted sum of control points: (1 - t) a + t b at t on
 // the segment from a to b. A view with given pose (R, s), motion (w, m) and logarithm l of the
@@ -29,13 +29,13 @@ struct LinePull {
 // across the line in stored pixels (EdgelLine). Fixed cameras have w = m = 0, l = 0.
 //
 // Loss. An edgel costs k^2 c^2 log(1 + (d / c)^2) (Cauchy): (k d)^2 as long as |d| is small against
-// c = robust_px, and hardly more the farther it is beyond. k^2 = weight / variance, 1 / px^2: the
-// share of an independent observation that the edgel is (EdgelPull) over the variance of d
+// c = robust_px, and growing ever more slowly beyond. k^2 = weight / variance, 1 / px^2: the share
+// of an independent observation that the edgel is (EdgelPull) over the variance of d
 // (ResidualVariance). The residual is the signed root of the loss,
 //   r = k c sign(d) sqrt(log(1 + u^2)),   u = d / c,
 // so that least squares of r minimizes the sum of the losses. A ceres::LossFunction acts on all
-// residuals of a block together, whereas here each of a block has its own. c may be infinite:
-// r = k d. Behind the camera d is a large constant: nothing is gained by going there.
+// residuals of a block together, whereas here each of a block has its own. c may be infinite: r = k
+// d. Behind the camera d is a large constant, so that moving there never lowers the cost.
 //
 // Derivatives. dr = k h dd with h = |u| / ((1 + u^2) sqrt(log(1 + u^2))), which goes to 1 with
 // u -> 0. With g = dd/dy, px / world unit,

@@ -18,13 +18,13 @@
 namespace limn {
 namespace {
 
-// A link is fitted if so much of it is shown by enough views.
+// A link is fitted if enough views show this share of its samples.
 constexpr double kMinShownShare = 0.3;
-// A view supports a link if it shows so many of its samples, or half of them.
+// A view supports a link if it shows this many of its samples, or half of them.
 constexpr int kMinSupportedSamples = 3;
 
-// Rounds in which the cameras move: reach of the edgels, multiples of max_distance_px. The first
-// ones must reach over the errors of the cameras.
+// Rounds in which the cameras move: gate of the edgels as a multiple of max_distance_px. The first
+// ones must exceed the errors of the cameras.
 constexpr double kPoseRoundReach[] = {3, 3, 2, 1.5, 1, 1};
 
 // Samples that enough views show.
@@ -94,7 +94,7 @@ class Refiner {
   }
 
  private:
-  // Unknowns for the graph as it is.
+  // Sets up the unknowns for the current graph.
   void TakeGraph() {
     control_ = MakeControlGraph(graph_, views_, options_.control_spacing_px);
     covariances_.assign(control_.position.size(), std::nullopt);
@@ -167,7 +167,8 @@ class Refiner {
     return refined;
   }
 
-  // What images do not tell goes back to where the given cameras had it.
+  // Restores place, orientation and scale, which images do not determine, to those of the given
+  // cameras.
   void BringBack(const std::vector<ScenePoint>& given, std::vector<Eigen::Vector3d>* points) {
     const Eigen::Affine3d back =
         GivenFromRefined(input_.views, views_, MiddleOfScene(given, *points));
@@ -177,7 +178,7 @@ class Refiner {
     }
   }
 
-  // By medians: some points of a sparse model are far away.
+  // Medians, because some points of a sparse model are far away.
   Eigen::Vector3d MiddleOfScene(const std::vector<ScenePoint>& given,
                                 const std::vector<Eigen::Vector3d>& points) const {
     std::vector<Eigen::Vector3d> known = control_.position;
@@ -193,8 +194,8 @@ class Refiner {
     return middle;
   }
 
-  // How far the cameras' refinement moves the images of control points. Median over views of the
-  // median over points.
+  // Shift of the images of control points by the refinement of the cameras: median over views of
+  // the median over points.
   double MedianShiftPx() const {
     std::vector<double> shifts;
     for (size_t v = 0; v < views_.size(); ++v) {
@@ -233,15 +234,14 @@ class Refiner {
     return std::sqrt(std::max(0.0, 0.5 * (covariance->trace() - along)));
   }
 
-  // Views do not show a link as near as edgels are asked for: it is not known any better.
+  // Unfitted links have no edgel within the gate, so their sigma is at least max_distance_px.
   double LeastSigmaUnfitted(const ControlLink& link) const {
     double largest = 0;
     for (const int id : link.points) largest = std::max(largest, control_.footprint[id]);
     return options_.max_distance_px * largest;
   }
 
-  // Fitted links get their control points; the others keep their points and only follow their
-  // nodes.
+  // Fitted links get their control points; the others keep their points and follow their nodes.
   void SetGeometry() {
     for (size_t n = 0; n < graph_.nodes.size(); ++n) {
       graph_.nodes[n].position_in_world = control_.position[n];

@@ -22,16 +22,16 @@ struct RefinementInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;
   const DrawingGraph& graph;
-  // Of the sparse model; only used to refine poses. Null: there are none.
+  // Points of the sparse model, used to refine poses only; may be null.
   const std::vector<ScenePoint>* points = nullptr;
 };
 
-// The cameras that a drawing was fitted with, when they were refined.
+// The refined cameras, to which the drawing was fitted.
 struct RefinedCameras {
   std::vector<View> views;              // as in the input; poses and focal lengths are new
   std::vector<Eigen::Vector3d> points;  // positions of the input's points
-  // What refinement moved: the drawing's control points in the images, and the largest relative
-  // change of a focal length.
+  // Effect of the refinement: median shift of the drawing's control points in the images, and the
+  // largest relative change of a focal length.
   double median_shift_px = 0;
   double largest_focal_change = 0;
 };
@@ -43,22 +43,21 @@ struct RefinementResult {
   StageSummary summary;
 };
 
-// The drawing fitted to all images at once (ours; not in the paper). In every round each link is
-// matched with the edgels near its reprojections, and then control points along all links move so
-// that the reprojections pass through the tangent lines of their edgels: robust least squares over
-// all views, with links that meet sharing the control point at their node, a penalty on bending
-// that decides only where the edgels leave a place open, and none across corners. Only a link's
-// supporting views are asked, and edgels whose brighter side is not that of nearly all others are
-// left out: they belong to the other side of a thin bar. Views in which two links run so near to
-// each other that their edges blur are not heard where enough others are (crowding.h). Half of the
-// way links that others cover are removed and the topology is repaired (RepairTopology). The sigmas
-// come from the inverse of the normal matrix, scaled by how well the views agree
-// (variance_factors.h). Links that too few views show keep their shape, with sigmas of at least
-// max_distance_px. The parts of a link that was cut share its members. With `refine_poses` rounds
-// go before in which the cameras move too, together with curves and points (pose_fit.h), after
-// which place, orientation and scale of the whole are those of the given cameras again (gauge.h).
-// The result passes Validate(). Throws OptionError and Cancelled. Time: rounds times length of all
-// links in px times views.
+// Fits the drawing to all images at once (ours; ALGORITHM.md 16). Each round matches every link
+// with the edgels near its reprojections, then moves control points along all links to bring the
+// reprojections onto the tangent lines of their edgels: robust least squares over all views. Links
+// that meet share the control point at their node. A penalty on bending, except across corners,
+// decides only what the edgels leave open. Only the supporting views of a link are used, and edgels
+// whose brighter side differs from nearly all others are left out, since they belong to the other
+// side of a thin bar. Views in which two links run so near to each other that their edges blur are
+// ignored where enough others remain (crowding.h). After half of the rounds, covered links are
+// removed and the topology is repaired (RepairTopology). Sigmas come from the inverse normal
+// matrix, scaled by how well the views agree (variance_factors.h). Links that too few views show
+// keep their shape, with sigmas of at least max_distance_px. With `refine_poses`, earlier rounds
+// move the cameras together with curves and points (pose_fit.h); place, orientation and scale of
+// the whole are then restored to those of the given cameras (gauge.h). The result passes
+// Validate(). Throws OptionError and Cancelled. Time: rounds times length of all links in px times
+// views.
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const TopologyOptions& topology, const RunContext& context);
 

@@ -9,18 +9,18 @@ namespace limn {
 namespace {
 
 constexpr double kHalfWindowPx = 6;
-// Views that say beforehand that the weights are right.
+// Prior that the weights are right, in views.
 constexpr double kPriorViews = 4;
 // A curve has two directions across it.
 constexpr double kFreedoms = 2;
 
-// Residuals of the edgels of one view, each over its variance.
+// Sums over the edgels of one view: weighted residuals and weights.
 struct ViewSums {
   double weight = 0;    // 1 / px^2
   double residual = 0;  // 1 / px
 };
 
-// Of the mean residuals of the views, never below 1.
+// Reduced chi-square of the views' mean residuals, at least 1.
 double ReducedChiSquare(std::span<const LinkSample> samples,
                         const std::vector<ImageCurves>& curves) {
   std::map<ViewId, ViewSums> sums;

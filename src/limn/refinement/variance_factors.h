@@ -6,8 +6,8 @@
 
 namespace limn {
 
-// Per control point the factor, 1 or more, by which its variance at the end of the fit is larger
-// than the normal matrix of the fit has it, which trusts edgels and smoothing alike everywhere. The
+// Per control point the factor, at least 1, by which its variance exceeds that of the inverse
+// normal matrix, which trusts edgels and smoothing equally everywhere (ALGORITHM.md 16.6). The
 // product of
 //   reduced chi-square of the views around the point: an edge has its own offset in every image
 //   (light, blur, another edge beside it), so that the views are the independent samples, each with

@@ -11,8 +11,8 @@ constexpr double kDeg = M_PI / 180;
 // A hypothesis that none of the first views supports anywhere is given up.
 constexpr size_t kFirstViews = 8;
 
-// Mark in `supporting` the samples around which enough of the samples that the view contains are
-// inliers, in a window of arc length.
+// Marks in `supporting` the samples around which, in a window of arc length, enough of the samples
+// that the view contains are inliers.
 void SmoothAlongCurve(uint32_t bit, const FragmentRays& fragment, const CurveHypothesis& hypothesis,
                       const SketchOptions& options, HypothesisSupport* support) {
   const auto arc = [&](size_t j) { return fragment.arc_px[hypothesis.samples[j].vertex]; };

@@ -11,35 +11,35 @@
 
 namespace limn {
 
-// How the confirmation views see the samples of one hypothesis. Bit k of a mask stands for the k-th
-// confirmation view of the plan (at most 32).
+// How the confirmation views see the samples of one hypothesis (ALGORITHM.md 5.2). Bit k of a mask
+// stands for the k-th confirmation view of the plan (at most 32).
 struct HypothesisSupport {
   // Views whose image contains the sample.
   std::vector<uint32_t> contained;
   // Views with an edgel at the sample's place and direction.
   std::vector<uint32_t> inliers;
-  // Views in which enough of the curve around the sample is inlier: local support (ECCV 2016,
+  // Views in which enough of the samples around this one are inliers: local support (ECCV 2016,
   // section 2).
   std::vector<uint32_t> supporting;
-  // Sum over supporting views of their tangency weight: 1 where the curve crosses the epipolar
-  // lines of the primary view, little where it runs along them and would be supported at any depth.
+  // Sum of the tangency weights of the supporting views: 1 where the curve crosses the epipolar
+  // lines of the primary view, small where it runs along them and would be supported at any depth.
   std::vector<double> weighted;
   // Mean image motion over the supporting views per unit of inverse depth, px.
   std::vector<double> px_per_inverse_depth;
 };
 
-// Second view of a hypothesis that no single view has made.
+// Stands for the second view of a hypothesis that was not made with a single one.
 constexpr ViewId kNoView = -1;
 
-// The confirmation views of one primary view, ready to be asked.
+// The confirmation views of one primary view, prepared for queries.
 class ConfirmationViews {
  public:
   ConfirmationViews(ViewId primary, const std::vector<ViewId>& confirmation_views,
                     const std::vector<View>& views,
                     const std::vector<std::unique_ptr<OrientationMask>>& masks);
 
-  // Support of a hypothesis made with `second`, which does not confirm itself. Nothing if the first
-  // views, which are the most diverse ones, do not support it anywhere.
+  // Support of a hypothesis made with `second`, which does not confirm its own hypothesis. Empty if
+  // the first views, the most diverse ones, support it nowhere.
   std::optional<HypothesisSupport> Confirm(const FragmentRays& fragment,
                                            const CurveHypothesis& hypothesis, ViewId second,
                                            const SketchOptions& options) const;

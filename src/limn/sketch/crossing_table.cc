@@ -17,7 +17,7 @@ constexpr float kCellShare = 0.5;
 void CrossingTable::Fill(const std::vector<EpipolarCrossing>& crossings) {
   FindLevels(crossings);
   SortIntoCells(crossings);
-  // What fills the last batch is infinitely far from every place.
+  // Padding of the last batch is infinitely far from every place.
   const size_t size = crossings.size() + kBatch;
   crossing_.assign(size, -1);
   inverse_depth_.assign(size, kInfinity);

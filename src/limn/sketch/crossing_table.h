@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// A depth of a sample and how it changes along the fragment.
+// A depth of a sample and its change along the fragment.
 struct DepthPlace {
   float inverse_depth = 0;
   float slope_per_px = 0;
@@ -19,35 +19,35 @@ inline DepthPlace PlaceOf(double inverse_depth, double slope_per_px) {
   return {static_cast<float>(inverse_depth), static_cast<float>(slope_per_px)};
 }
 
-// The crossings of one sample, sorted by inverse depth so that those which accept a place are found
-// among few, several at once. A crossing accepts the places within its gates: so far across the
-// curve, and turned so far against it.
+// The crossings of one sample, sorted by inverse depth so that those that accept a place are found
+// quickly, several at once. A crossing accepts the places within its gates: a distance across the
+// curve and an angle to it.
 class CrossingTable {
  public:
   CrossingTable(double gate_px, double gate_rad)
       : per_gate_px_(static_cast<float>(1 / gate_px)),
         per_gate_rad_(static_cast<float>(1 / gate_rad)) {}
 
-  // Replaces what was there. Time: crossings.
+  // Replaces the contents. Linear in the number of crossings.
   void Fill(const std::vector<EpipolarCrossing>& crossings);
 
-  // Call visit(index into the crossings, squared distance in gates) for all that accept the place;
-  // some may come twice. Expected time: crossings whose depth alone comes near.
+  // Calls visit(index into the crossings, squared distance in gates) for all that accept the place;
+  // some may be visited twice. Expected time: crossings near in depth alone.
   template <typename Visit>
   void ForEachNear(const DepthPlace& place, Visit&& visit) const {
     for (const Level& level : levels_) {
       const int end =
           cell_begin_[level.first_cell + level.Cell(place.inverse_depth + level.reach) + 1];
       int i = cell_begin_[level.first_cell + level.Cell(place.inverse_depth - level.reach)];
-      // What the last batch has beyond the end is compared like the rest.
+      // The last batch may extend beyond the end: its entries are compared like the rest.
       for (; i < end; i += kBatch) VisitBatch(i, place, visit);
     }
   }
 
  private:
-  // Crossings that are compared with a place at once.
+  // Number of crossings compared with a place at once.
   static constexpr int kBatch = 8;
-  // Crossings of similar reach: how far their gates extend in inverse depth.
+  // Crossings of similar reach, the extent of their gates in inverse depth.
   struct Level {
     float reach = 0;  // the greatest
     float low = 0;    // inverse depth where the first cell begins
@@ -95,7 +95,7 @@ class CrossingTable {
   std::vector<float> slope_per_px_;
   std::vector<float> gates_per_inverse_depth_;
   std::vector<float> gates_per_slope_;
-  // Per crossing, for the sorting.
+  // Per crossing, used while sorting.
   std::vector<int> level_of_;
   std::vector<int> cell_of_;
   std::vector<int> next_in_cell_;

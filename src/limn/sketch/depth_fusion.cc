@@ -9,7 +9,7 @@ namespace limn {
 namespace {
 
 constexpr int kMaxModes = 8;
-// A second view that agrees is worth this many supporting views; more than this many count no more.
+// Each agreeing second view counts as this many supporting views, up to this many second views.
 constexpr double kAgreementBonus = 0.5;
 constexpr int kMaxAgreement = 4;
 // Cost of a jump of 1 px between neighbors, its cap, and the cost of starting or ending a stretch.

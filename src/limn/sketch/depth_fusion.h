@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// One reconstruction of an edgel of the primary view: it lies on the edgel's ray, so its inverse
-// depth says all.
+// One reconstruction of an edgel of the primary view. It lies on the edgel's ray, so its inverse
+// depth determines it.
 struct DepthCandidate {
   double inverse_depth = 0;
   // Change of inverse depth per px along the fragment, from the 3D tangent.
@@ -21,30 +21,30 @@ struct DepthCandidate {
   double weighted_support = 0;
   // Rank of the second view that made it.
   int second_rank = 0;
-  // Enough weighted support, not only enough support.
+  // Whether the weighted support, too, is enough.
   bool certain = true;
 };
 
-// The fused depth of one edgel; nothing when has_depth is false.
+// The fused depth of one edgel. The other fields count only if has_depth is true.
 struct FusedDepth {
   bool has_depth = false;
   bool certain = false;
   double inverse_depth = 0;
   double slope_per_px = 0;
-  double information = 0;  // sum over all that was averaged
+  double information = 0;  // sum over the averaged candidates
   double px_per_inverse_depth = 0;
 };
 
-// One of the depths that an edgel may have.
+// A possible depth of an edgel.
 struct DepthMode {
   double score = 0;  // in supporting views
   FusedDepth depth;
 };
 
-// Choose one mode per vertex, or none (-1), jointly along a fragment by dynamic programming, which
-// weighs their scores against jumps between neighbors that their slopes do not explain.
-// `modes[i]` belongs to vertex i. The first vertex of a closed fragment is not tied to the last.
-// Time: vertices x modes^2.
+// Chooses one mode per vertex, or none (-1), jointly along a fragment by dynamic programming, which
+// weighs scores against jumps between neighbors that their slopes do not explain. `modes[i]`
+// belongs to vertex i. The first vertex of a closed fragment is not tied to the last. Time:
+// vertices x modes^2.
 std::vector<int> ChooseModes(const FragmentRays& fragment,
                              const std::vector<std::vector<DepthMode>>& modes);
 

@@ -18,16 +18,16 @@ struct LineCrossing {
 };
 
 // The chords (edgel to next edgel) of the fragments of one view, sorted by their epipolar planes
-// with a primary view: a plane is the angle around the baseline at which both views see it. A line
-// is then one look-up, however long it is.
+// with a primary view: a plane is the angle around the baseline at which both views see it. Finding
+// what a line meets is then a single look-up, however long the line is.
 class EpipolarChords {
  public:
-  // Time and memory: chords, plus planes that those near the epipole pass.
+  // Time and memory: linear in the chords, plus the planes that chords near the epipole span.
   EpipolarChords(const View& primary, const View& other, const ImageCurves& curves_of_other);
 
-  // Append what the half plane of a primary pixel, from the baseline outwards, meets in the other
-  // view, ascending by fragment and place on it. Nothing where the views have one center. Expected
-  // time: crossings found.
+  // Appends the crossings of the other view's fragments with the half plane of a primary pixel,
+  // bounded by the baseline, ascending by fragment and place on it. There are none if the views
+  // share a center. Expected time: crossings found.
   void Find(const Eigen::Vector2d& primary_px, std::vector<LineCrossing>* crossings) const;
 
  private:
@@ -37,7 +37,7 @@ class EpipolarChords {
     Eigen::Vector2f begin;
     Eigen::Vector2f end;
     Eigen::Vector2f tangent_begin;
-    Eigen::Vector2f tangent_end;  // less than 90 degrees from the other
+    Eigen::Vector2f tangent_end;  // within 90 degrees of the other
   };
   // A chord between two planes; `begin_rad` and `end_rad` are less than pi apart.
   struct Span {

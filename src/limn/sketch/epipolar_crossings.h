@@ -9,14 +9,14 @@
 
 namespace limn {
 
-// An image curve of another view that crosses the epipolar line of a sample: one opinion on the
-// sample's depth and on how depth changes along the fragment. Hundreds of them are compared per
-// sample, so they are small: single precision is good to 1e-4 px.
+// An image curve of another view that crosses the epipolar line of a sample: an estimate of the
+// sample's depth and of its change along the fragment. Hundreds are compared per sample, so single
+// precision is used, which is accurate to 1e-4 px.
 struct EpipolarCrossing {
   // Rank of the view among those asked.
   int view = 0;
   float inverse_depth = 0;
-  // Change of inverse depth per px along the primary fragment that the curve's tangent calls for.
+  // Change of inverse depth per px along the primary fragment, from the curve's tangent.
   float slope_per_px = 0;
   // By how far the curve must move across itself, px, to change the first by 1, and by how much it
   // must turn, radians, to change the second by 1: small where it runs along the epipolar line.
@@ -34,7 +34,7 @@ class CrossingFinder {
  public:
   CrossingFinder(const View& primary, const View& other, const ImageCurves& curves_of_other);
 
-  // Append the crossings of vertex `vertex` whose inverse depth lies in the range, marked with
+  // Appends the crossings of vertex `vertex` whose inverse depth lies in the range, marked with
   // `rank`. Expected time: curves on the epipolar line.
   void Find(const FragmentRays& fragment, size_t vertex, double min_inverse_depth,
             double max_inverse_depth, int rank, std::vector<EpipolarCrossing>* crossings);

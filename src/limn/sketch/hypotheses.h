@@ -46,8 +46,7 @@ struct FragmentRays {
 
 FragmentRays MakeFragmentRays(const View& view, const ImageCurves& curves, int fragment);
 
-// Every vertex that is at least `spacing_px` of arc length from the one taken before it, and the
-// last.
+// Vertices at least `spacing_px` of arc length apart, from the first on, and the last vertex.
 std::vector<int> SpacedVertices(const FragmentRays& fragment, double spacing_px);
 
 // The fragment reduced to some of its vertices.

@@ -11,7 +11,7 @@
 
 namespace limn {
 
-// What a generator of depths knows of its primary view. Holds references.
+// A primary view as the depth finders use it. Holds references.
 struct PrimaryView {
   PrimaryView(const SketchInput& input, ViewId id, const ViewPlan& plan, const SketchEdgels& edgels,
               const SketchOptions& options);
@@ -36,7 +36,7 @@ struct PrimaryView {
   Rigid3d world_from_cam;
 };
 
-// Depths of the samples of a fragment, and why there is none.
+// Depths of the samples of a fragment, and the reasons where there is none.
 struct DepthProfile {
   std::vector<FusedDepth> depths;
   std::vector<EdgelFate> fates;  // kNoPartner, kTooFewViews or kInconsistent where there is none
@@ -48,10 +48,10 @@ struct DepthFinder {
   std::function<DepthProfile(const FragmentRays&)> find;
 };
 
-// The sketch whose depths come from local support: for every view a finder is made, asked for every
-// fragment that is long enough, and what it finds becomes curves with their support. `stage` names
-// the result. Calls for different views run in parallel. Views that the store (may be null) has are
-// taken from it; the others are sketched in blocks, whose edgels are all that is held.
+// Makes a sketch from local support: makes a finder for every view, runs it on every fragment that
+// is long enough, and turns its depths into curves with support. `stage` names the result. Views
+// are processed in parallel. Views in the store (may be null) are taken from it; the others are
+// sketched in blocks, so that only the edgels of one block are in memory.
 SketchResult SketchFragments(const char* stage, const SketchInput& input,
                              const SketchOptions& options, const RunContext& context,
                              const ViewSketchStore* store,

@@ -19,15 +19,15 @@
 
 namespace limn {
 
-// What every sketch generator works on. `curves[v]` belongs to `views[v]`, after ApplyLens.
+// Input of every sketch generator. `curves[v]` belongs to `views[v]`, after ApplyLens.
 struct SketchInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;
   const SceneHints& hints;
-  // Only what lies in this box is reconstructed.
+  // Only curves in this box are reconstructed.
   std::optional<Eigen::AlignedBox3d> box;
-  // Views that are sketched if they are primary; of the others only the curves of those in their
-  // plans matter. The original sketch is made of all views.
+  // Only these views are sketched, if they are primary; of the others only those in their plans
+  // need curves. The original sketch uses all views.
   ViewSubset only = std::nullopt;
 };
 
@@ -41,13 +41,13 @@ struct SketchResult {
 // How a sketch is made.
 enum class SketchMode { kOriginal, kEnhanced, kSweep };
 
-// Where the sketches of views are kept between runs. What a view's sketch depends on is its mode,
-// options and box, its plan, and cameras, poses, regions and image curves of the view and of the
-// views in its plan. `load` and `save` are called from several threads.
+// Keeps the sketches of views between runs. The sketch of a view depends on mode, options and box,
+// on its plan, and on cameras, poses, regions and image curves of the view and of the views in its
+// plan. `load` and `save` are called from several threads.
 struct ViewSketchStore {
-  // So many views are to be sketched.
+  // Called with the number of views to be sketched.
   std::function<void(size_t)> expect;
-  // Nothing if there is none that was made of the same.
+  // Empty if there is none made from the same input.
   std::function<std::optional<ViewSketch>(ViewId, const ViewPlan&)> load;
   std::function<void(ViewId, const ViewPlan&, const ViewSketch&)> save;
 };
@@ -61,19 +61,19 @@ SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& 
 
 // The enhanced curve sketch (ECCV 2016, section 2), the paper's baseline (ii): local support sample
 // by sample, weights near epipolar tangency, and robust averaging in inverse depth of all
-// reconstructions of the same edgel of the primary view. Views that the store has are not sketched
-// again.
+// reconstructions of the same edgel of the primary view. Views in the store are not sketched again.
 SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
                                  const RunContext& context, const ViewSketchStore* store = nullptr);
 
 // The swept sketch (ours; ALGORITHM.md 6.3): as the enhanced one, but every edgel of the primary
 // view gets its depth from the image curves that its epipolar lines cross in all confirmation views
 // at once: depths and slopes on which several views agree are chosen jointly along the fragment. No
-// pair of curves must correspond over a stretch. The store is used as by the enhanced one.
+// pair of curves must correspond over a stretch. The store is used as in the enhanced sketch.
 SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& options,
                               const RunContext& context, const ViewSketchStore* store = nullptr);
 
-// One of these. The original sketch uses no store: it compares the curves of all views.
+// Calls one of the above. The original sketch uses no store, since it compares the curves of all
+// views.
 SketchResult BuildSketch(SketchMode mode, const SketchInput& input, const SketchOptions& options,
                          const RunContext& context, const ViewSketchStore* store = nullptr);
 

@@ -9,8 +9,8 @@
 
 namespace limn {
 
-// What a sketch asks of the edges of the views: only of those it works on, so that its memory does
-// not grow with the scene. Per view, null for the others.
+// The edges of the views that a sketch is working on, so that its memory does not grow with the
+// scene. Per view; null for other views.
 struct SketchEdgels {
   explicit SketchEdgels(size_t num_views) : views(num_views), masks(num_views) {}
 
@@ -18,8 +18,8 @@ struct SketchEdgels {
   std::vector<std::unique_ptr<OrientationMask>> masks;
 };
 
-// Forget all views but these, ascending, and make what is missing of theirs. The image curves must
-// outlive them.
+// Releases all views but these (ascending) and adds those that are missing. The image curves must
+// outlive the result.
 void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const SupportGate& gate,
                const RunContext& context, SketchEdgels* edgels);
 

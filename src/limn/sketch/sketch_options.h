@@ -27,12 +27,12 @@ struct SketchOptions {
   double support_window_px = 4;
   // Share of the samples in that stretch which must be supported.
   double min_window_support = 0.7;
-  // Confirmation views that must support a sample. Few, whatever their number: many true edges show
-  // in no more, and the drawing judges whole links by what it then knows. Requiring a share of the
-  // views here, up to 6, cost more true curves than it removed false ones (ALGORITHM.md 22.2).
+  // Confirmation views that must support a sample. Few, whatever the number of views: many true
+  // edges are visible in no more, and the drawing later verifies whole links. Requiring a share of
+  // the views here, up to 6, lost more true curves than it removed false ones (ALGORITHM.md 22.2).
   int min_supporting_views = 3;
-  // Epipolar tangency: a view whose epipolar line makes an angle below the first with the curve
-  // counts with the least weight, above the second fully.
+  // Epipolar tangency: a view whose epipolar line makes an angle below the first value with the
+  // curve gets min_tangency_weight, one above the second full weight.
   double min_epipolar_angle_deg = 3;
   double max_epipolar_angle_deg = 15;
   double min_tangency_weight = 0.1;
@@ -46,8 +46,8 @@ struct SketchOptions {
   // Shorter pieces are dropped, px of arc length.
   double min_piece_length_px = 8;
 
-  // Sweep only: confirmation views in which depths are looked for, the most useful first, and the
-  // spacing of the samples, px.
+  // Swept sketch only: number of confirmation views in which depths are sought, the most useful
+  // first, and spacing of the samples, px.
   int max_sweep_views = 16;
   double sweep_spacing_px = 3;
 

@@ -13,18 +13,18 @@ namespace limn {
 std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::vector<int>& vertices,
                                      const std::vector<FusedDepth>& depths);
 
-// Fill gaps no longer than max_unsupported_gap_px, and epipolar-tangent (uncertain) stretches
-// between certain ends no longer than max_interpolated_gap_px, by inverse depth linear in arc
-// length. What was filled is marked uncertain.
+// Fills gaps no longer than max_unsupported_gap_px, and epipolar-tangent (uncertain) stretches
+// between certain ends no longer than max_interpolated_gap_px, by inverse depths linear in arc
+// length, which are marked uncertain (ALGORITHM.md 6.4).
 void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
                      std::vector<FusedDepth>* depths);
 
-// Replace every depth by the value at its place of a line fitted, weighted by information, to the
-// depths within `half_window_px` that no jump parts from it; set its slope.
+// Replaces every depth and slope by those of a line fitted, weighted by information, to the depths
+// within `half_window_px` that no jump separates from it.
 void SmoothDepths(const FragmentRays& fragment, double half_window_px,
                   std::vector<FusedDepth>* depths);
 
-// Consecutive vertices of a fragment that make one 3D curve. A closed fragment without a break
+// Consecutive vertices of a fragment that form one 3D curve. A closed fragment without a break
 // gives one run with closed = true; in other closed fragments runs may pass the last vertex: take
 // indices modulo the size.
 struct VertexRun {
@@ -33,8 +33,8 @@ struct VertexRun {
   bool closed = false;
 };
 
-// Cut at vertices without depth and at jumps in depth that the slope of neither side explains; runs
-// shorter than min_piece_length_px are not returned.
+// Cuts at vertices without depth and at jumps in depth that the slope of neither side explains;
+// drops runs shorter than min_piece_length_px.
 std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<FusedDepth>& depths,
                                 const SketchOptions& options);
 
@@ -46,8 +46,8 @@ Eigen::Vector3d TangentInCam(const PinholeCamera& camera, const FragmentRays& fr
 Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
                   const std::vector<FusedDepth>& depths, const VertexRun& run);
 
-// For every sample of a curve its own edgel in the anchor view and the best edgel within the gate
-// in each of the given views (ascending, without the anchor's).
+// Sets the support of every sample of a curve: its own edgel in the anchor view and the best edgel
+// within the gate in each of the given views (ascending, without the anchor view).
 void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                     const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
                     const std::vector<ViewId>& candidate_views, const SupportGate& gate,

@@ -9,7 +9,7 @@ namespace {
 constexpr double kDeg = M_PI / 180;
 // Candidates before they are elected anew about the means of their voters.
 constexpr size_t kMaxPreliminaryModes = 16;
-// Fewer views that agree are chance.
+// Smallest number of voters.
 constexpr int kMinVoters = 2;
 // Modes this near to a better one, in px of the other views, are the same.
 constexpr double kSamePx = 1.0;

@@ -15,19 +15,18 @@ namespace limn {
 // by their information.
 class DepthElection {
  public:
-  // Candidates found at most.
+  // Largest number of candidates.
   static constexpr size_t kMaxModes = 8;
 
   // `focal_px` is the primary view's.
   DepthElection(double focal_px, const SketchOptions& options);
 
-  // The candidates with most votes, best first: of all that any crossing proposes. `crossings` are
-  // those of one sample, grouped by view. Time: crossings squared, at
-  // worst.
+  // The candidates with most votes among all that crossings propose, best first. `crossings` are
+  // those of one sample, grouped by view. Worst-case time: crossings squared.
   std::vector<DepthMode> Find(const std::vector<EpipolarCrossing>& crossings);
 
-  // Of those near the proposed places, the ones with a score of at least `min_score`. Time:
-  // crossings times proposals.
+  // The candidates near the proposed places with a score of at least `min_score`. Time: crossings
+  // times proposals.
   std::vector<DepthMode> FindNear(const std::vector<EpipolarCrossing>& crossings,
                                   const std::vector<DepthPlace>& proposals, double min_score);
 

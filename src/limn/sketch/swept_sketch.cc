@@ -11,7 +11,7 @@ namespace {
 
 // Half width of the stretch over which depths are smoothed, px.
 constexpr double kSmoothingPx = 5;
-// Every so many-th vertex is looked at by itself.
+// Every this many-th vertex is searched among all crossings.
 constexpr size_t kAnchorSpacing = 4;
 
 class SweptDepths {
@@ -44,7 +44,8 @@ class SweptDepths {
   }
 
  private:
-  // Candidates of every vertex: of some among all crossings, of those between near theirs.
+  // Candidates of every vertex: among all crossings at some vertices (anchors), near theirs at
+  // those between.
   std::vector<std::vector<DepthMode>> Modes(const FragmentRays& fragment) {
     std::vector<std::vector<DepthMode>> modes(fragment.size());
     if (fragment.size() == 0) return modes;
@@ -92,7 +93,7 @@ class SweptDepths {
     return crossings_;
   }
 
-  // Take away the depths that too few views support, stretch by stretch.
+  // Removes depths that too few views support, stretch by stretch.
   void KeepSupported(const FragmentRays& fragment, std::vector<FusedDepth>* depths) const {
     CurveHypothesis stretch;
     for (size_t i = 0; i <= fragment.size(); ++i) {

@@ -11,16 +11,17 @@ namespace {
 
 constexpr int kGridCols = 4;
 constexpr int kGridRows = 3;
-// Depths at which overlap is looked for.
+// Number of depths at which overlap is tested.
 constexpr int kNumProbeDepths = 6;
 // Octaves of distance; the last holds all that is nearer.
 constexpr int kNumRings = 10;
 constexpr int kMaxPerRing = NeighborFinder::kMaxNeighbors / kNumRings;
-// Views of a ring that are asked for overlap.
+// Number of views of a ring that are tested for overlap.
 constexpr size_t kMaxAskedPerRing = 8 * kMaxPerRing;
 // Distance of the farthest neighbor in far depths.
 constexpr double kReach = 3;
-// Nearest cameras that suggest depths where no points do, and the near depth in far ones.
+// Number of nearest cameras from which depths are estimated where there are no points, and ratio of
+// near to far depth.
 constexpr int kNumNearest = 128;
 constexpr double kNearShare = 1.0 / 16;
 
@@ -35,7 +36,7 @@ void Thin(size_t max_size, std::vector<T>* items) {
   items->resize(max_size);
 }
 
-// By distance, ascending; what is at the center itself is left out.
+// By ascending distance, without what is at the center itself.
 std::array<Ring, kNumRings> MakeRings(const std::vector<SpatialIndex::Neighbor>& found,
                                       double reach) {
   std::array<Ring, kNumRings> rings;

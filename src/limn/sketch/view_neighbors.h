@@ -14,24 +14,25 @@ struct DepthSpan {
   double far = 0;
 };
 
-// The views that a view of a large scene may be matched with, found without looking at all of them.
+// Finds the views with which a view of a large scene may be matched, without looking at all of
+// them.
 class NeighborFinder {
  public:
-  // A scene of no more views is one neighborhood.
+  // A scene of this many views or fewer is one neighborhood.
   static constexpr int kSmallScene = 256;
-  // A view has no more neighbors in a larger one.
+  // Largest number of neighbors of a view in a larger scene.
   static constexpr int kMaxNeighbors = 160;
 
-  // Angles at a point between two views that see it, degrees, that let them be matched. The views
-  // must outlive this.
+  // Two views can be matched if the angle between them, at a point that both see, is within these
+  // limits, degrees. The views must outlive this.
   NeighborFinder(const std::vector<View>& views, double min_angle_deg, double max_angle_deg);
 
-  // Ascending. Candidates are the views that see some place of the view's image at a depth of the
-  // span under a usable angle, from at most three times as far: none of these is farther away than
-  // three times the far depth. They are thinned evenly in every octave of distance, since depths
-  // of an octave are told apart by cameras of a few octaves of distance. Without a span, the one
-  // that the distances to the nearest cameras suggest. Time: cameras within reach, a comparison
-  // each, and some thousand projections.
+  // Returns neighbors in ascending order. Candidates are the views that see some place in the
+  // view's image, at a depth within the span, under a usable angle and from at most three times the
+  // far depth. They are thinned evenly in every octave of distance, since depths of one octave are
+  // resolved by cameras within a few octaves of distance. Without a span, one is estimated from the
+  // distances to the nearest cameras. Time: one comparison per camera within reach, and some
+  // thousand projections.
   std::vector<ViewId> Find(ViewId view, const std::optional<DepthSpan>& depths) const;
 
  private:
@@ -48,8 +49,8 @@ class NeighborFinder {
 // Angle between two vectors, degrees.
 double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-// Where the pixels of a coarse grid that the photograph covers lie at these depths, in the world:
-// pixel by pixel.
+// World positions, at these depths, of the pixels of a coarse grid over the photograph, pixel by
+// pixel.
 std::vector<Eigen::Vector3d> PlacesInFront(const View& view, const std::vector<double>& depths);
 
 // Twice the median distance of the points from their mean. Precondition: there is one.

@@ -19,7 +19,8 @@ constexpr int kNumDepths = 36;
 // neighbors; those of points beyond are tried too.
 constexpr double kMinRelativeDepth = 0.05;
 constexpr double kMaxRelativeDepth = 100.0;
-// A view more alike an already chosen one than this many degrees (in parallax) adds little.
+// A view whose parallax differs from that of a chosen one by less than this many degrees adds
+// little.
 constexpr double kSecondSpreadDeg = 8.0;
 constexpr double kConfirmationSpreadDeg = 4.0;
 
@@ -279,7 +280,7 @@ std::vector<std::vector<double>> PointDepths(const std::vector<View>& views,
   return depths;
 }
 
-// What the points of a view tell, widened; nothing if they are too few.
+// Depth range of the points of a view, widened; empty if they are too few.
 std::optional<DepthSpan> SpanOfPoints(std::vector<double> depths,
                                       const ViewSelectionOptions& options) {
   if (static_cast<int>(depths.size()) < options.min_points_for_depth) return std::nullopt;

@@ -10,13 +10,13 @@
 namespace limn {
 
 struct ViewSelectionOptions {
-  // Second views a primary view is paired with to make hypotheses. More raises recall and time.
+  // Second views with which a primary view is paired to make hypotheses. More views raise recall
+  // and time.
   int max_second_views = 10;
-  // Views that confirm the hypotheses of a primary view. More raises precision and time.
+  // Views that confirm the hypotheses of a primary view. More views raise precision and time.
   int max_confirmation_views = 24;
-  // A place that more views see is sketched from some of them only, about this many; the others
-  // confirm. On 100 views of one scene this raises precision by two points and takes a third off
-  // the time.
+  // A place that more views see is sketched from about this many of them; the others only confirm.
+  // On 100 views of one scene this raised precision by two points and saved a third of the time.
   int enough_primary_views = 20;
   // Triangulation angles between primary and second view, degrees: below the smaller one depth is
   // unreliable, above the larger one the views no longer show the same edges.
@@ -33,36 +33,36 @@ struct ViewSelectionOptions {
   void Check() const;
 };
 
-// What is matched with one primary view.
+// The views with which one view is matched, and its depth range.
 struct ViewPlan {
   // Depths (z in the camera) in which curves are sought; empty range (min > max) when no other view
   // overlaps.
   double min_depth = 1;
   double max_depth = 0;
-  // Whether the view is sketched; else it only confirms what others see.
+  // Whether the view is sketched. Otherwise it only confirms others.
   bool is_primary = true;
   std::vector<ViewId> second_views;        // best first
   std::vector<ViewId> confirmation_views;  // most useful and diverse first
 };
 
-// Fewer than 3 views, or all cameras at one center, in words; empty if there is nothing to say.
+// Says in words that there are fewer than 3 views, or that all cameras share one center; empty if
+// neither holds.
 std::string WhyNothingIsTriangulated(const std::vector<View>& views);
 
-// Throws InputError if nothing can be triangulated. SelectViews does it too; to be called before
-// edges are looked for.
+// Throws InputError if nothing can be triangulated, as SelectViews does. Call it before extracting
+// edges.
 void CheckViews(const std::vector<View>& views);
 
-// Choose for every view its depth range, second views and confirmation views from the frusta:
-// sample places on a grid of pixels and depths, keep the depths that enough other views see under
-// usable angles, score the views by how much of that they see, and pick greedily with spread in
-// angle and in epipolar direction. Depths tried are those at the scale of the view's neighborhood
-// (view_neighbors.h), which a scene of few views is as a whole, and those of the points of the
-// sparse model where there are enough; points widen the depth range, too. Where more than
-// enough_primary_views see the same places, about as many of them are primary, evenly spread over
-// the order of the views; in scenes whose neighbors are thinned, at least one in eight. At most
-// max_second_views + max_confirmation_views per view, so the stages after it are linear in the
-// number of views. Time per view: some 500 projections for each of at most
-// NeighborFinder::kMaxNeighbors others.
+// Chooses depth range, second views and confirmation views of every view (ALGORITHM.md 4): samples
+// places on a grid of pixels and depths, keeps the depths that enough other views see under usable
+// angles, scores views by how much of that they see, and picks them greedily with spread in angle
+// and epipolar direction. The depths tried are those at the scale of the view's neighborhood
+// (view_neighbors.h; a small scene is one neighborhood) and those of the sparse model's points
+// where there are enough; points widen the depth range, too. Where more than enough_primary_views
+// views see the same places, about that many of them are primary, evenly spread over the order of
+// the views; in scenes whose neighbors are thinned, at least one in eight. At most max_second_views
+// + max_confirmation_views per view, so the stages after it are linear in the number of views. Time
+// per view: some 500 projections for each of at most NeighborFinder::kMaxNeighbors others.
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
                                   const ViewSelectionOptions& options, const RunContext& context);
 

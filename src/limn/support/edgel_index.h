@@ -8,7 +8,7 @@
 
 namespace limn {
 
-// How near an edgel must be to a predicted edge to support it.
+// How near an edgel must be to a predicted edge to support it (ALGORITHM.md 1.4).
 struct SupportGate {
   // Largest distance across the edgel's direction, stored pixels.
   double normal_px = 1.5;
@@ -26,29 +26,29 @@ struct EdgelMatch {
   double angle_rad = 0;
 };
 
-// Edgels of one view by place and direction, on a grid over the virtual image: cells of 4 px in
-// tiles of 32 px, of which only those with edgels exist. Memory: about 60 bytes per edgel.
+// Finds edgels of one view by place and direction, on a grid over the virtual image: cells of 4 px
+// in tiles of 32 px, of which only those with edgels exist. Memory: about 60 bytes per edgel.
 class EdgelIndex {
  public:
   // Indexes the edgels with usable[id].
   EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable);
 
-  // The edgel within the gate with the smallest
+  // Returns the edgel within the gate with the smallest
   //   (across^2 + along^2 / 4) / normal_px^2 + (angle / angle_rad)^2,
   // where across and along are the parts of the offset in stored pixels; the smallest id on ties.
   // Constant expected time.
   std::optional<EdgelMatch> Best(const Eigen::Vector2d& position_px, double direction_rad,
                                  const SupportGate& gate) const;
 
-  // Call `visit` for every edgel whose virtual position is within radius_px, by ascending cell.
+  // Calls `visit` for every edgel whose virtual position is within radius_px, by ascending cell.
   void ForEachWithin(const Eigen::Vector2d& position_px, double radius_px,
                      const std::function<void(EdgelId)>& visit) const;
 
-  // Whether there is any such edgel.
+  // Returns whether there is such an edgel.
   bool AnyWithin(const Eigen::Vector2d& position_px, double radius_px) const;
 
  private:
-  // What a look-up needs of an edgel.
+  // The part of an edgel that a look-up needs.
   struct Entry {
     Eigen::Vector2d position_px;
     // Rows that turn an offset in the virtual image into its parts across and along the edgel,
@@ -62,7 +62,7 @@ class EdgelIndex {
   void MakeTiles(const EdgeMap& edge_map, const std::vector<bool>& usable);
   Eigen::Vector2i CellAt(const Eigen::Vector2d& position_px) const;  // column, row
   size_t TileOf(const Eigen::Vector2i& cell) const;
-  // Place in cell_begin_ of the cell of an edgel whose tile exists.
+  // Index in cell_begin_ of the cell of an edgel whose tile exists.
   int CellOf(const Edgel& edgel) const;
   template <typename Visit>
   void VisitCells(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;
@@ -77,7 +77,7 @@ class EdgelIndex {
   double max_scale_ = 1;
 };
 
-// Per edgel, whether it belongs to a fragment. A lone edgel is as likely noise.
+// Per edgel, whether it belongs to a fragment. A lone edgel may well be noise.
 std::vector<bool> LinkedEdgels(const ImageCurves& curves);
 
 }  // namespace limn

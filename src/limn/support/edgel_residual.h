@@ -9,9 +9,9 @@
 
 namespace limn {
 
-// The tangent line of an edgel, ready to be asked for distances.
+// The tangent line of an edgel, prepared for distance queries (ALGORITHM.md 1.5).
 struct EdgelLine {
-  // NOLINTNEXTLINE(google-explicit-constructor): an edgel is as good where it is asked once.
+  // NOLINTNEXTLINE(google-explicit-constructor): convenient for single queries.
   EdgelLine(const Edgel& edgel);
   EdgelLine(const Eigen::Vector2d& position, const Eigen::Vector2d& row)
       : position_px(position), across(row) {}
@@ -29,29 +29,29 @@ struct EdgelResidual {
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
 };
 
-// Nothing if the point is behind the camera.
+// Empty if the point is behind the camera.
 std::optional<EdgelResidual> ResidualToEdgel(const View& view, const EdgelLine& line,
                                              const Eigen::Vector3d& point_in_world);
 std::optional<EdgelResidual> ResidualToEdgel(const PinholeCamera& camera,
                                              const Rigid3d& cam_from_world, const EdgelLine& line,
                                              const Eigen::Vector3d& point_in_world);
 
-// Variance of such a residual, px^2: what the edgel knows of its own position, and errors of
-// calibration and sampling that it does not know of.
+// Variance of such a residual, px^2: that of the edgel's own position plus that of calibration and
+// sampling.
 double ResidualVariance(const Edgel& edgel);
 
-// Direction, radians, in the virtual image in which the point moves when it moves along the
-// tangent. Nothing if the point is behind the camera or the tangent is seen end on.
+// Direction, radians, in the virtual image of a motion of the point along the tangent. Empty if the
+// point is behind the camera or the tangent is seen end on.
 std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d& point_in_world,
                                          const Eigen::Vector3d& tangent_in_world);
 
-// Where a view sees a point of a curve, and how the curve runs there, in the virtual image.
+// Position and direction of a point of a curve in the virtual image of a view.
 struct CurveSight {
   Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
   double direction_rad = 0;
 };
 
-// Nothing if the point is behind the camera or outside the image, or the tangent is seen end on.
+// Empty if the point is behind the camera or outside the image, or if the tangent is seen end on.
 std::optional<CurveSight> See(const View& view, const Eigen::Vector3d& point_in_world,
                               const Eigen::Vector3d& tangent_in_world);
 

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kMinCoveredShare = 0.7;
 constexpr double kRoundedPx = 1.5;
-// Shorter projections say nothing.
+// Shorter projections are not tested.
 constexpr double kMinProjectedPx = 3;
 // Sideways shifts of the copies that measure the background, px.
 constexpr double kShiftsPx[] = {-9, -7, -5, 5, 7, 9};
-// No background is lower than this: the images hold more than the copies see.
+// Lower limit of the background, since the copies sample little of the images.
 constexpr double kMinBackground = 0.02;
 
 bool EdgelsRunAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,

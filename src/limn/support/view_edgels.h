@@ -9,8 +9,8 @@
 
 namespace limn {
 
-// Everything the multi-view stages ask of the edges of one view. Only edgels that belong to a
-// fragment count as support: a lone edgel is as likely noise.
+// The edges of one view, indexed for the multi-view stages. Only edgels of fragments count as
+// support; a lone edgel may well be noise.
 struct ViewEdgels {
   explicit ViewEdgels(const ImageCurves& curves);
 

@@ -9,12 +9,12 @@
 namespace limn {
 namespace {
 
-// The part of a step from one point to the next that is in the core, as shares of the step; empty
-// if not enter < leave.
+// The part of a step between two points inside the core, as shares of the step; empty unless enter
+// < leave.
 struct InsidePart {
   double enter = 0;
   double leave = 1;
-  // Where it enters and leaves, if that is not at the points themselves.
+  // Where the step enters and leaves, unless at its end points.
   Eigen::Vector3d enters_at = Eigen::Vector3d::Zero();
   Eigen::Vector3d leaves_at = Eigen::Vector3d::Zero();
 
@@ -73,7 +73,7 @@ std::vector<Crossing> FindCrossings(const Eigen::AlignedBox3d& core, const Drawi
   return crossings;
 }
 
-// Give a link points where it crosses the border. Returns their indices, ascending.
+// Adds points where a link crosses the border. Returns their indices, ascending.
 std::vector<int> AddCrossings(const Eigen::AlignedBox3d& core, DrawingLink* link) {
   std::vector<int> indices;
   int num_added = 0;
@@ -102,7 +102,7 @@ void CutAtBorder(LinkId id, std::vector<int> crossings, GraphEditor* editor) {
   for (auto it = crossings.rbegin(); it != crossings.rend(); ++it) editor->Split(id, *it);
 }
 
-// Of a link that does not cross the border but at its ends.
+// For a link that crosses the border only at its ends.
 bool IsInside(const Eigen::AlignedBox3d& core, const DrawingLink& link) {
   const size_t middle = (link.points_in_world.size() - 1) / 2;
   return core.contains((link.points_in_world[middle] + link.points_in_world[middle + 1]) / 2);

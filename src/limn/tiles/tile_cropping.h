@@ -6,11 +6,11 @@
 
 namespace limn {
 
-// Remove what lies outside of the core of a tile. Links that leave it are cut, and end exactly on
-// its border. Linear in the number of points.
+// Removes everything outside the core of a tile. Links that leave it are cut and end exactly on its
+// border. Linear in the number of points.
 void CropDrawing(const Eigen::AlignedBox3d& core, DrawingGraph* graph);
 
-// Is this point, as CropDrawing makes them, on the border?
+// Returns whether a point made by CropDrawing lies exactly on the border.
 bool IsOnBorder(const Eigen::AlignedBox3d& core, const Eigen::Vector3d& point);
 
 }  // namespace limn

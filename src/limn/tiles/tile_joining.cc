@@ -16,12 +16,12 @@
 namespace limn {
 namespace {
 
-// Ends of one curve in two tiles are this near to each other, px, and turn by no more than this.
+// Largest distance, px, and turn between ends of one curve in two tiles.
 constexpr double kMaxGapPx = 3;
 constexpr double kMinCosine = 0.94;  // 20 degrees
-// The gap is closed over this length of both links, px.
+// Length of both links over which the gap is blended, px.
 constexpr double kBlendPx = 15;
-// A link that another tile does not go on with is kept from this length on, px.
+// Shortest link that is kept if no other tile continues it, px.
 constexpr double kMinOpenPx = 15;
 
 // An end on the border of its tile.
@@ -127,7 +127,7 @@ class TileJoiner {
     return pairs;
   }
 
-  // False if the two are the ends of what is shorter than a loop.
+  // Returns false for the two ends of one link that is too short for a loop.
   static bool Join(const CutEnd& cut_a, const CutEnd& cut_b, double gap_px, GraphEditor* editor) {
     const LinkEnd a = editor->Now(cut_a.end), b = editor->Now(cut_b.end);
     const double length = Length(editor->link(a.link).points_in_world);
@@ -139,8 +139,7 @@ class TileJoiner {
     return true;
   }
 
-  // Move an end, and less and less what is up to `reach` away along the link, but not its other
-  // end.
+  // Moves an end, and points within `reach` along the link by less and less, but not the other end.
   static void Bend(const LinkEnd& end, const Eigen::Vector3d& to, double reach,
                    GraphEditor* editor) {
     const std::vector<Eigen::Vector3d>& points = editor->link(end.link).points_in_world;

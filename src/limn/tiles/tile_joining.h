@@ -10,24 +10,24 @@
 
 namespace limn {
 
-// What was drawn of a tile.
+// The drawing of one tile.
 struct TileDrawing {
   Eigen::AlignedBox3d core;
-  // Of the tile's reach; its supporting views are ids in the whole scene.
+  // Covers the tile's reach. Supporting views are ids of the whole scene.
   DrawingGraph graph;
 };
 
 struct JoinedTiles {
   DrawingGraph graph;
-  int64_t joined = 0;     // pairs of ends of two tiles that became one
-  int64_t open_ends = 0;  // ends at a border, because the other tile does not have the curve
-  int64_t stubs = 0;      // links removed because they have such an end and are short
+  int64_t joined = 0;     // pairs of ends of two tiles that were joined
+  int64_t open_ends = 0;  // ends left at a border because the other tile lacks the curve
+  int64_t stubs = 0;      // short links with such an end, removed
 };
 
-// One drawing of all tiles, whose cores do not overlap. Each is cut at its border, and where a link
-// of another goes on at the same place in the same direction the two become one: both tiles saw the
-// same edgels there, and drew the same curve to a fraction of a px. Links lose their members. The
-// result passes Validate(). Time: linear in the number of points.
+// Joins the drawings of all tiles, whose cores do not overlap (ALGORITHM.md 19.2). Each is cut at
+// the border of its core. Links of two tiles that continue each other there become one: both tiles
+// saw the same edgels and drew the same curve to a fraction of a px. Links lose their members. The
+// result passes Validate(). Linear in the number of points.
 JoinedTiles JoinTiles(std::vector<TileDrawing> tiles, const std::vector<View>& views);
 
 }  // namespace limn

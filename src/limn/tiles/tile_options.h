@@ -3,10 +3,10 @@
 namespace limn {
 
 struct TileOptions {
-  // A scene of more views is drawn in tiles of at most so many, one after the other, so that memory
-  // does not grow with the scene; 0 = in one piece, however large.
+  // A scene of more views is drawn in tiles of at most this many, one after the other, so that
+  // memory does not grow with the scene. 0: always in one piece.
   int max_views = 150;
-  // How far beyond its borders a tile is drawn, so that its curves near them know their
+  // Margin around its core within which a tile is drawn, so that curves near the border have their
   // surroundings, px.
   double reach_px = 200;
 

@@ -12,17 +12,18 @@
 namespace limn {
 namespace {
 
-// A view with a smaller share of its points in a tile is not of the tile.
+// A view with a smaller share of its points in a tile does not belong to it.
 constexpr double kMinShare = 0.02;
-// Tiles are cut for so many views, as a share of max_views: views at borders are of two tiles.
+// Target number of views per tile, as a share of max_views, since views at borders belong to two
+// tiles.
 constexpr double kFill = 0.75;
 // Cutting does not help where the views of a tile have less than this share of their points in it.
 constexpr double kMinMeanShare = 0.4;
 constexpr size_t kMinPoints = 50;
-// The plane is sought among these shares of the points to either side of where it should be.
+// The plane may be moved by this share of the points to either side.
 constexpr double kPlaneSlack = 0.1;
 constexpr int kNumPlanes = 41;
-// A point that so many chosen views see asks for no more.
+// A point seen by this many selected views is covered.
 constexpr int kEnoughViews = 20;
 
 Eigen::AlignedBox3d AllSpace() {
@@ -55,7 +56,7 @@ class TilePlanner {
   }
 
  private:
-  // `near` are points that hold all those in the reach.
+  // `near` contains all points of the reach.
   void Cut(const Eigen::AlignedBox3d& core, const Eigen::AlignedBox3d& widest_reach,
            const std::vector<int>& near) {
     const std::vector<int> inside = In(core, near);
@@ -104,7 +105,7 @@ class TilePlanner {
     return counts;
   }
 
-  // Views, each counted by the share of its points that are among these.
+  // Number of views, each counted by its share of points among these.
   double WeightOf(const std::vector<int>& points) const {
     double weight = 0;
     const std::vector<int> counts = CountByView(points);
@@ -128,7 +129,7 @@ class TilePlanner {
     std::vector<double> at;
     std::vector<double> weight;
 
-    // The place that this share of the weight is up to.
+    // The place below which this share of the weight lies.
     double Quantile(double share) const {
       const auto it = std::lower_bound(weight.begin(), weight.end(), share * weight.back());
       return at[std::min<size_t>(it - weight.begin(), at.size() - 1)];
@@ -150,7 +151,7 @@ class TilePlanner {
     return places;
   }
 
-  // Of nearly all points, by their weight.
+  // Extent of nearly all points, by weight.
   double LongestExtent(const std::vector<int>& points, int* longest_axis) const {
     double longest = -1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -164,7 +165,7 @@ class TilePlanner {
     return longest;
   }
 
-  // Near the place that this share of the weight is below, where few points are within `width`.
+  // A place near this quantile with few points within `width`.
   double PlaneAt(const std::vector<int>& points, int axis, double share, double width) const {
     const Places places = PlacesAlong(points, axis);
     const double low = places.Quantile(share - kPlaneSlack);
@@ -183,7 +184,8 @@ class TilePlanner {
     return best;
   }
 
-  // As many as are allowed: always the view that sees most points which still ask for more.
+  // Greedy choice of as many views as allowed: always the one that sees most points not yet
+  // covered.
   std::vector<ViewId> Choose(const std::vector<ViewId>& views,
                              const std::vector<int>& points) const {
     std::vector<int> times_seen(points_.size(), 0);

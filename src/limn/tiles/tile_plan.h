@@ -13,24 +13,24 @@ namespace limn {
 
 // A part of space whose curves are drawn together, from the views that see it.
 struct Tile {
-  Eigen::AlignedBox3d core;   // what the tile gives to the drawing; infinite at the scene's border
-  Eigen::AlignedBox3d reach;  // core and margin, inside the box: what is drawn
+  Eigen::AlignedBox3d core;   // what the tile contributes; unbounded at the scene's border
+  Eigen::AlignedBox3d reach;  // what is drawn: the core and a margin, within the box
   std::vector<ViewId> views;  // ascending
 };
 
-// Cut space in planes across the longest extent of what lies in `box` (if there is one), near where
-// the views are halved and few of the sparse model's points lie, until no tile has more than
-// max_views views. The cores fill space without overlap. A place that more views see, and that
-// cutting does not help, is drawn from max_views of them, chosen so that every point is seen by
-// many. A view that has hardly any of its points in a tile is not of the tile; a tile may be left
-// without views. One tile with all views if these are few enough, or if there are hardly any points
-// to cut by. Throws OptionError. Time: length of all tracks times log(tiles), and max_views times
-// the tracks of tiles whose views are chosen.
+// Cuts space by planes across the longest extent of the points in `box` (if there is one), near
+// where the views are halved and few points of the sparse model lie, until no tile has more than
+// max_views views (ALGORITHM.md 19.1). The cores fill space without overlap. Where more views see
+// one place, so that cutting does not help, max_views of them are chosen so that every point is
+// seen by many. A view with hardly any of its points in a tile does not belong to it; a tile may
+// have no views. Returns one tile with all views if these are few enough or if there are hardly any
+// points. Throws OptionError. Time: length of all tracks times log(tiles), and max_views times the
+// tracks of tiles whose views are chosen.
 std::vector<Tile> PlanTiles(const std::vector<View>& views, const SceneHints& hints,
                             const std::optional<Eigen::AlignedBox3d>& box,
                             const TileOptions& options);
 
-// Is this more than the whole scene at once?
+// Returns whether the scene is split into tiles.
 bool IsInTiles(const std::vector<Tile>& tiles, const std::vector<View>& views);
 
 }  // namespace limn

@@ -13,30 +13,30 @@ namespace limn {
 namespace {
 
 constexpr double kDeg = M_PI / 180;
-// Edgels at these distances from the joint make rays, px: nearer, edges are rounded and mixed.
+// Edgels at these distances from the joint make rays, px. Nearer ones are rounded and mixed.
 constexpr int kMinRayPx = 2;
 constexpr int kMaxRayPx = 10;
-// Pixels of the ray that must have edgels.
+// Number of pixels of a ray that must have edgels.
 constexpr int kMinCoveredPx = 3;
-// How far edgels may be from the ray, px, and how much they may turn.
+// Largest distance, px, and angle of edgels from a ray.
 constexpr double kMaxMissPx = 1.0;
 constexpr double kMaxTurnRad = 25 * kDeg;
-// A ray agrees with directions this near.
+// A ray agrees with directions within this angle.
 constexpr double kRayWidthRad = 12 * kDeg;
-// Directions this near to that of a link at the joint are explained by it.
+// A link at the joint explains directions within this angle.
 constexpr double kExplainedRad = 20 * kDeg;
-// A step in space of so many px gives the direction in the image; a step that is shorter there than
-// the second figure is seen end on.
+// Length of the step in space, px, whose projection gives the direction in the image. A projection
+// shorter than the second value is seen end on.
 constexpr double kProbePx = 6;
 constexpr double kMinProbePx = 2;
-// Rays whose planes meet at less than this angle give no direction.
+// Rays whose planes meet at a smaller angle define no direction.
 constexpr double kMinPlaneAngleRad = 8 * kDeg;
-// Rays that a view without any is thought to have, on the long run.
+// Expected number of rays of a view in which none was found.
 constexpr double kMinNumRays = 0.3;
-// Rays of at most so many views, evenly spread, propose directions; all vote on them.
+// At most this many views, evenly spread, propose directions; all views vote.
 constexpr size_t kProposingViews = 24;
-// Number of directions that rays of this width tell apart, and the false alarms expected when as
-// many are tried. More than one: this only proposes, and the whole edge is judged later.
+// Number of directions that rays of this width can tell apart, and the largest expected number of
+// false alarms among them. It may exceed one, since the whole edge is tested later.
 constexpr double kNumDirections = 130;
 constexpr double kMaxFalseAlarms = 10;
 

@@ -9,16 +9,17 @@
 
 namespace limn {
 
-// A direction in space in which image edges leave a joint, and no link does yet.
+// A direction in space in which image edges, but no link, leave a joint.
 struct CornerDirection {
   Eigen::Vector3d unit = Eigen::Vector3d::Zero();
-  std::vector<ViewId> views;  // whose rays agree
+  std::vector<ViewId> views;  // with a ray that agrees
 };
 
-// In every view that sees the joint, straight edges that begin at its projection and that none of
-// its links explains are collected as rays. Rays of two views give a direction in space; the one is
-// returned that chance explains least, if rays of at least min_views views agree. Time: views times
-// pairs of rays of the views that propose directions, of which there are at most 24.
+// Collects, in every view that shows the joint, the straight edges that begin at its projection and
+// that none of its links explains (rays). Rays of two views define a direction in space. Returns
+// the direction that chance explains least, if rays of at least min_views views agree with it
+// (ALGORITHM.md 14.1, 14.2). Time: views times pairs of rays in the proposing views, of which there
+// are at most 24.
 std::optional<CornerDirection> FindCornerDirection(const Joint& joint,
                                                    const std::vector<View>& views,
                                                    const std::vector<ImageCurves>& curves,

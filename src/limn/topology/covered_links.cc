@@ -11,15 +11,15 @@
 namespace limn {
 namespace {
 
-// Links nearer than this lie side by side, px; and up to the second distance where the point is
-// known to be uncertain in that direction. Chosen on the sample scene, pavilion and vase.
+// Links within this distance lie side by side, px; up to the second distance if the point's
+// covariance allows it. Chosen on the sample scene, pavilion and vase.
 constexpr double kBesidePx = 1;
 constexpr double kMaxUncertainPx = 1.4;
 constexpr double kMaxChiSquared = 9;
-// What is left of a link that was cut back must be longer, px.
+// A link that was cut back to this length or less is removed, px.
 constexpr double kMinRestPx = 6;
 
-// Finds which points of links have another link beside them.
+// Tells which points of links have another link beside them.
 class SideBySide {
  public:
   SideBySide(const TopologyOptions& options, const DrawingGraph& graph)
@@ -28,13 +28,14 @@ class SideBySide {
         places_(CollectPlaces(graph)),
         index_(places_.position) {}
 
-  // Whether at a point of a link another link, for which counts(link, index), lies beside it.
+  // Returns whether another link, at an index for which counts(link, index) holds, lies beside a
+  // point.
   template <typename Counts>
   bool At(LinkId id, int k, Counts&& counts) {
     const DrawingLink& link = graph_.links[id];
     const LinkVertex& vertex = link.vertices[k];
     const Eigen::Vector3d direction = TangentAt(link, k);
-    // A point of the other link is no farther along it than half of the spacing.
+    // Along the link, the nearest point of the other one is at most half the spacing away.
     const double radius = std::hypot(kMaxUncertainPx, kHalfSpacingPx) * vertex.footprint;
     index_.FindWithin(link.points_in_world[k], radius, &near_);
     return std::any_of(near_.begin(), near_.end(), [&](const SpatialIndex::Neighbor& neighbor) {
@@ -64,7 +65,7 @@ class SideBySide {
   std::vector<SpatialIndex::Neighbor> near_;
 };
 
-// What is left of a link's points: [begin, end).
+// The points of a link that remain: [begin, end).
 struct Rest {
   int begin = 0;
   int end = 0;

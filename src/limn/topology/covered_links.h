@@ -8,13 +8,13 @@
 
 namespace limn {
 
-// Free ends that run along another link are cut back to where they part from it; links of which
-// little remains are removed. Links without vertices are left alone. Returns the number of ends
-// cut. O(n log n) in the number of points.
+// Cuts free ends that run along another link back to where they part from it, and removes links of
+// which little remains (ALGORITHM.md 17.1). Links without vertices are left alone. Returns the
+// number of ends cut. O(n log n) in the number of points.
 int64_t TrimEnds(const TopologyOptions& options, GraphEditor* editor);
 
-// Per link 0 if others run along nearly all of it (covered_share): they are the same edge. The
-// shorter of two goes. Time as above.
+// Per link, 0 if other links run along covered_share of it or more, so that it shows the same edge
+// as they do, else 1. Of two such links the shorter one goes (ALGORITHM.md 15.3). Time as above.
 std::vector<uint8_t> FindUncoveredLinks(const TopologyOptions& options, const DrawingGraph& graph);
 
 }  // namespace limn

@@ -21,7 +21,7 @@ void MeetEnds(const TopologyInput& input, const TopologyOptions& options, GraphE
   SnapEnds(input, options, reach, editor, counts);
 }
 
-// Returns the number of samples of the sketch in the links removed.
+// Returns the number of sketch samples in the removed links.
 int64_t RemoveDoubtfulLinks(const TopologyInput& input, const CurveSketch& sketch,
                             const TopologyOptions& options, const RunContext& context,
                             GraphEditor* editor) {
@@ -47,7 +47,7 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
   ledger.Update(*graph, EdgelFate::kDoubtfulLink);
   MeetEnds(input, options, &editor, &counts.meetings);
   counts.grown = GrowEdges(input, options, box, context, &editor);
-  MeetEnds(input, options, &editor, &counts.meetings);  // ends that grew
+  MeetEnds(input, options, &editor, &counts.meetings);  // grown links have new ends
   counts.short_edges = AddShortEdges(input, options, context, &editor);
   counts.tidy = Tidy(options, &editor);
   ledger.Update(*graph, EdgelFate::kPrunedLink);

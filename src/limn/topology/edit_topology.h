@@ -14,33 +14,33 @@
 namespace limn {
 
 struct CompletionCounts {
-  int64_t samples_doubtful = 0;  // of the sketch, in links that the images do not support enough
+  int64_t samples_doubtful = 0;  // sketch samples in links with too little support
   MeetingCounts meetings;
-  int64_t grown = 0;        // edges grown from joints
-  int64_t short_edges = 0;  // and found between two of them
+  int64_t grown = 0;        // links grown from joints
+  int64_t short_edges = 0;  // links found between two joints
   TidyCounts tidy;
   SampleFates fates;
 };
 
-// What is ours of a drawing (not in the paper), between merging and refinement: links that the
-// images do not support are removed, ends are joined across gaps, taken to corners, nodes and
-// links, edges grow that the sketch does not have, and all is tidied. Links need vertices; the
-// result has none but is finished (FinishLinks). The graph passes Validate() before and after.
+// Completes a merged drawing (ours; ALGORITHM.md 12 to 15). Removes links with too little support,
+// joins ends across gaps, at corners, at nodes and to links, grows edges that the sketch lacks, and
+// tidies the result. Links need vertices; finished links (FinishLinks) have none. The graph passes
+// Validate() before and after.
 CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,
                                  const TopologyOptions& options,
                                  const std::optional<Eigen::AlignedBox3d>& box,
                                  const RunContext& context, DrawingGraph* graph);
 
 struct RepairCounts {
-  int64_t trimmed = 0;  // free ends that ran along another link
+  int64_t trimmed = 0;  // free ends cut back from another link
   MeetingCounts meetings;
-  int64_t corners = 0;  // places where links turned sharply
+  int64_t corners = 0;  // links split where they turn sharply
 };
 
-// What a fit to the images makes visible of a drawing's topology, put right so that the next fit
-// can use it: free ends are cut back where they run along other links, joined, and taken to what
-// they meet; links are cut at corners. Links without vertices are left alone; the others need a
-// point about every px. The graph passes Validate() before and after.
+// Repairs topological errors that a fit to the images reveals, so that the next fit can benefit
+// (ours; ALGORITHM.md 17). Cuts back free ends that run along other links, joins ends, moves them
+// to the nodes and links that they meet, and splits links at corners. Links without vertices are
+// left alone; the others need a point about every px. The graph passes Validate() before and after.
 RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& options,
                             DrawingGraph* graph);
 

@@ -12,9 +12,9 @@
 namespace limn {
 namespace {
 
-// Points nearer to each other than this are thinned out, px.
+// Smallest spacing of points, px.
 constexpr double kMinSpacingPx = 0.5;
-// A view supports a link along at least this much of it, in points.
+// A supporting view has edgels at this many points of a link or more.
 constexpr int kMinSupportedPoints = 3;
 
 std::vector<LinkMember> Members(const DrawingLink& link) {

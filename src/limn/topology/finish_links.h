@@ -6,9 +6,9 @@
 
 namespace limn {
 
-// What is known of the links' vertices becomes what is known of the links: members, supporting
-// views and residuals; points that lie on each other are thinned out, smooth continuations at nodes
-// are paired, and the vertices are dropped. Linear in the number of points and edgels.
+// Derives members, supporting views and residuals of all links from their vertices, pairs
+// continuations at nodes, thins out points that nearly coincide, and drops the vertices
+// (ALGORITHM.md 15.5). Linear in the number of points and edgels.
 void FinishLinks(const TopologyInput& input, const TopologyOptions& options, DrawingGraph* graph);
 
 }  // namespace limn

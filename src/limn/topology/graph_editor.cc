@@ -6,7 +6,7 @@
 namespace limn {
 namespace {
 
-// Calls edit(values) for each list of a link that has an entry per point.
+// Calls edit(values) for each per-point list of a link.
 template <typename Edit>
 void ForEachList(DrawingLink* link, Edit&& edit) {
   edit(&link->points_in_world);
@@ -18,7 +18,7 @@ void ReverseLists(DrawingLink* link) {
   ForEachList(link, [](auto* values) { std::reverse(values->begin(), values->end()); });
 }
 
-// A vertex as a point that is added beside it has it.
+// The vertex of a point that is added beside this one: as accurate, but without support.
 LinkVertex Bare(const LinkVertex& vertex) {
   return {vertex.information, vertex.footprint, 0, {}, {}};
 }
@@ -37,13 +37,13 @@ void Absorb(const LinkVertex& vertex, LinkVertex* into) {
   into->samples.insert(into->samples.end(), vertex.samples.begin(), vertex.samples.end());
 }
 
-// Drop the last point; what supported it supports the one before.
+// Drops the last point; the one before takes over its support.
 void PopBack(DrawingLink* link) {
   if (!link->vertices.empty()) Absorb(link->vertices.back(), &link->vertices.end()[-2]);
   ForEachList(link, [](auto* values) { values->pop_back(); });
 }
 
-// Add a point at the end, as well known as the end is.
+// Appends a point with the accuracy of the last one.
 void PushBack(const Eigen::Vector3d& position, DrawingLink* link) {
   if (!link->vertices.empty()) link->vertices.push_back(Bare(link->vertices.back()));
   link->sigma.push_back(link->sigma.back());
@@ -56,13 +56,13 @@ void AppendFrom(size_t begin, std::vector<T>* more, std::vector<T>* to) {
              std::make_move_iterator(more->end()));
 }
 
-// The course of a link has changed.
+// To be called when the shape of a link has changed.
 void ForgetShape(DrawingLink* link) {
   link->primitive.reset();
   link->dense.reset();
 }
 
-// Calls edit with the link turned so that the end is its last point.
+// Calls edit() with the link oriented so that the end is its last point.
 template <typename Edit>
 void AtBack(const LinkEnd& end, DrawingLink* link, Edit&& edit) {
   if (end.end == 0) ReverseLists(link);
@@ -154,7 +154,7 @@ void GraphEditor::Remove(LinkId id) {
   graph_->links[id] = {};
 }
 
-// A closed link begins and ends at another of its points.
+// Makes a closed link begin and end at another of its points.
 void GraphEditor::RotateTo(LinkId id, int index) {
   DrawingLink& loop = graph_->links[id];
   PopBack(&loop);
@@ -249,7 +249,7 @@ void GraphEditor::DropOvershoot(const LinkEnd& end, const Eigen::Vector3d& place
   Attach(end, AddNode(end.end == 0 ? points.front() : points.back()));
 }
 
-// A link whose last point was dropped, or is not yet there, returns to its first.
+// Appends the first point to a link that does not return to it.
 void GraphEditor::Close(LinkId id) {
   DrawingLink& link = graph_->links[id];
   link.points_in_world.push_back(link.points_in_world.front());
@@ -310,7 +310,7 @@ void GraphEditor::Reverse(LinkId id) {
   ForgetShape(&link);
   const NodeId node0 = link.node0, node1 = link.node1;
   std::swap(link.node0, link.node1);
-  // By way of an end that no link has, so that a link with both ends at one node is right, too.
+  // Swap through an unused end number, so that links with both ends at one node work, too.
   for (const NodeId node : {node0, node1}) {
     Rename(node, {id, 0}, {id, 2});
     Rename(node, {id, 1}, {id, 0});

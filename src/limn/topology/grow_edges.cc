@@ -19,38 +19,38 @@ namespace limn {
 namespace {
 
 constexpr double kDeg = M_PI / 180;
-// Directions nearer than this to a link's are taken by it.
+// A direction within this angle of a link is taken by that link.
 constexpr double kTakenRad = 20 * kDeg;
-// Growing: steps, where it begins, gaps without edgels, and how far, px.
+// Growth, px: step, start, longest gap without edgels, longest and shortest link.
 constexpr double kStepPx = 1;
 constexpr double kBeginPx = 2;
 constexpr double kMaxGapPx = 3;
 constexpr double kMaxLengthPx = 100;
 constexpr double kMinLengthPx = 4;
-// The direction is fitted anew every so many steps.
+// Number of steps after which the direction is fitted again.
 constexpr int kFitSteps = 4;
-// What is not seen keeps its direction: weight of the old one, px^2.
+// Weight of the old direction in the fit, px^2: it decides where nothing is seen.
 constexpr double kOldDirectionWeight = 4;
-// An edge ends at a joint this near to its end, px, and to its line.
+// An edge ends at a joint within this distance of its end, px, and of its line.
 constexpr double kSnapPx = 4;
 constexpr double kMaxMissPx = 2;
-// Shorter segments between two joints: the joints are one.
+// Joints nearer to each other than this are taken for one, px.
 constexpr double kMinSegmentPx = 3;
-// Chance with which the images may show a grown edge by accident, and any of the segments from one
-// joint to others: a segment between two joints has more in its favor than the images.
+// Largest chance that the images show a grown edge by accident, and the same for all segments from
+// one joint together. A segment between two joints is more plausible to begin with.
 constexpr double kMaxChance = 1e-2;
 constexpr double kMaxSegmentChance = 1e-1;
 // Views in which edgels must run along an edge.
 constexpr int kMinViews = 4;
 
-// Logarithm of the chance that the images show this by accident; 0 where too few show it.
+// Logarithm of the chance that the images show this by accident; 0 if too few show it.
 double LogChanceOf(const SegmentSupport& found) {
   const auto count = static_cast<int>(found.seen_in.size());
   return count < kMinViews ? 0 : LogChance(count, found.num_views, found.background);
 }
 
-// Whether some view shows the edge with edgels that no link has yet. Without this, links grow along
-// other links at a depth of their own.
+// Returns whether some view shows the edge by edgels that no link has yet. Without this test, links
+// grow along other links at a wrong depth.
 bool IsNew(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
            const std::vector<uint8_t>& visible, const std::vector<View>& views,
            const EdgelClaims& claims) {
@@ -77,8 +77,8 @@ class EdgeGrowth {
         index_(Positions(joints_)) {}
 
   int64_t Run(const RunContext& context) {
-    // Most joints have nothing to grow: this is found out for all at once. What grows elsewhere
-    // since then may have taken a direction.
+    // Most joints have nothing to grow, which is found out in parallel. A direction is stale if a
+    // link has been added at the joint since.
     std::vector<std::optional<CornerDirection>> first(joints_.size());
     std::vector<size_t> num_leaving(joints_.size());
     ParallelFor(context, "corner edges", joints_.size(), [&](size_t i) {
@@ -120,8 +120,8 @@ class EdgeGrowth {
     return true;
   }
 
-  // How far the edge goes, px; its direction is fitted to the edgels on the way. A view that loses
-  // the edge is not asked again.
+  // Length of the edge, px. Its direction is fitted to the edgels on the way. A view that loses the
+  // edge is not asked again.
   double LengthAlong(const Joint& joint, CornerDirection* direction) const {
     std::vector<ViewId> active = direction->views;
     const size_t needed = std::max<size_t>(options_.min_junction_views, (active.size() + 1) / 2);
@@ -204,7 +204,7 @@ class EdgeGrowth {
   SpatialIndex index_;
 };
 
-// A straight edge between two joints, in the order of trust.
+// A straight edge between two joints. The most certain ones sort first.
 struct Segment {
   double log_chance = 0;
   int from = -1;
@@ -232,7 +232,7 @@ class SegmentFinder {
         joints_(joints),
         index_(Positions(joints)) {}
 
-  // Those from a joint to later ones that the images show.
+  // Segments from a joint to later joints that the images show.
   std::vector<Segment> From(int i) const {
     std::vector<Segment> found;
     const std::vector<int> near = Near(i);

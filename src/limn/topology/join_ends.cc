@@ -15,11 +15,11 @@ namespace limn {
 namespace {
 
 constexpr double kDeg = M_PI / 180;
-// The shortest loop, px.
+// Shortest loop, px, and shortest loop relative to the gap it closes.
 constexpr double kMinLoopPx = 16;
 constexpr double kLoopOverGap = 4;
 
-// The free ends of the links that have vertices, with their lines.
+// The free ends of all links with vertices, and their tips.
 struct FreeTips {
   explicit FreeTips(const GraphEditor& editor) {
     for (const LinkEnd& end : editor.FreeEnds()) {
@@ -30,7 +30,7 @@ struct FreeTips {
     }
   }
 
-  // Pairs i < j no farther apart than so many px.
+  // Pairs i < j within the radius.
   std::vector<std::pair<int, int>> NearPairs(double radius_px) const {
     std::vector<std::pair<int, int>> pairs;
     if (ends.empty()) return pairs;
@@ -50,7 +50,7 @@ struct FreeTips {
   std::vector<Eigen::Vector3d> points;
 };
 
-// The point nearest to a set of lines; nothing if they are parallel.
+// The point nearest to a set of lines; empty if they are parallel.
 std::optional<Eigen::Vector3d> IntersectLines(const std::vector<LinkTip>& lines) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -132,8 +132,7 @@ class CornerJoiner {
     return FragmentsAtEnd(input_, editor_->link(free_.ends[i].link), free_.ends[i].end);
   }
 
-  // The common corner of a set of ends, if all their lines pass it near enough, each with another
-  // link.
+  // The common corner of a set of ends of different links, if it is in reach of each of them.
   std::optional<Eigen::Vector3d> CornerOf(const std::vector<int>& group) const {
     std::vector<LinkTip> lines;
     std::set<LinkId> links;

@@ -4,17 +4,19 @@
 
 namespace limn {
 
-// Free ends that face each other on one line become one link, or close a loop, the smallest gap
-// first. What overshoots the joint is cut off. O(n log n) in the number of free ends.
+// Joins free ends that face each other on one line into one link, or closes a loop, smallest gap
+// first; points that overshoot the joint are dropped (ALGORITHM.md 13.4). O(n log n) in the number
+// of free ends.
 void JoinFacingEnds(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
                     GraphEditor* editor, MeetingCounts* counts);
 
-// Free ends whose lines meet become a node, at the point nearest to the lines of all its links.
-// Time as above.
+// Joins free ends whose lines meet into a node at the point nearest to all their lines
+// (ALGORITHM.md 13.5). Time as above.
 void JoinCorners(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
                  GraphEditor* editor, MeetingCounts* counts);
 
-// Whether a link that comes back to itself over a gap is a loop: it is much longer than the gap.
+// Returns whether a link may close over a gap between its own ends: it must be much longer than the
+// gap.
 bool MayClose(double length_px, double gap_px);
 
 }  // namespace limn

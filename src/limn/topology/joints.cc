@@ -9,11 +9,12 @@
 namespace limn {
 namespace {
 
-// Stretch of a link in which support makes the joint visible, px.
+// A view shows a joint if it supports a link within this distance, px.
 constexpr double kVisibleStretchPx = 10;
-// Edgels to either side on the fragment that belong to a claimed one: samples are about 2 px apart.
+// Neighbors of a claimed edgel on its fragment that are claimed, too, to either side: samples are
+// about 2 px apart.
 constexpr int kClaimedNeighbors = 1;
-// Between the points of a straight link, px.
+// Spacing of the points of a straight link, px.
 constexpr double kSpacingPx = 2;
 
 void MarkViews(const DrawingLink& link, int end, std::vector<uint8_t>* visible) {

@@ -11,13 +11,13 @@
 
 namespace limn {
 
-// A node that edges may grow from.
+// A node from which edges may grow.
 struct Joint {
   NodeId node = -1;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double footprint = 0;                  // mean of its ends
+  double footprint = 0;                  // mean over its ends
   std::vector<Eigen::Vector3d> leaving;  // unit directions into the links
-  std::vector<uint8_t> visible;          // per view: edgels support a link near the joint
+  std::vector<uint8_t> visible;          // per view: whether edgels support a link near the joint
 };
 
 // All nodes but those of loops, in the order of their first links.
@@ -26,8 +26,8 @@ std::vector<Joint> CollectJoints(const DrawingGraph& graph, size_t num_views);
 // Whether a link leaves the joint within the angle of the direction.
 bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_angle_rad);
 
-// Per view, the edgels of fragments: all, and those that no link is made from. Neighbors on the
-// fragment of an edgel that supports a link belong to the link too.
+// Per view, the edgels of fragments: all of them, and those that support no link. Neighbors, along
+// the fragment, of a supporting edgel count as supporting.
 struct EdgelClaims {
   EdgelIndexes all;        // those of the input, which must outlive this
   EdgelIndexes unclaimed;  // point into `owned`
@@ -35,16 +35,16 @@ struct EdgelClaims {
 };
 EdgelClaims CollectClaims(const TopologyInput& input, const DrawingGraph& graph);
 
-// What finds an edge next to a corner, where edges are rounded: wider than the gate of samples.
+// The gate near corners, where edges are rounded: wider than that of samples (ALGORITHM.md 1.4).
 SupportGate CornerGate();
 
-// Edgels of the given views at a point of an edge with this direction.
+// Edgels of the given views that support a point of an edge with this direction.
 std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
                                 const std::vector<ViewId>& in_views, const std::vector<View>& views,
                                 const EdgelIndexes& edgels, const SupportGate& gate);
 
-// Add a straight link from a joint to a free end, or to another joint if `target` is not null, with
-// the edgels of `in_views` as support. The joints know the new link afterwards.
+// Adds a straight link from a joint to a free end, or to another joint if `target` is not null,
+// supported by the edgels of `in_views`. Updates the joints.
 void AddStraightLink(const TopologyInput& input, const EdgelIndexes& edgels,
                      const Eigen::Vector3d& end, const std::vector<ViewId>& in_views, Joint* joint,
                      Joint* target, GraphEditor* editor);

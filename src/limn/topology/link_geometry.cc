@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTipSkipPx = 2;
 constexpr double kTipLengthPx = 12;
-// Nothing is known worse than this, px.
+// Upper limit of a standard deviation, px.
 constexpr double kWeakSigmaPx = 30;
 
 }  // namespace
@@ -36,7 +36,7 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
     if (k > 0) arc_px += (at(k) - at(k - 1)).norm() / footprint;
     if (arc_px >= kTipSkipPx) used.push_back(at(k));
   }
-  // Of a short link all of it, and of one with few points those that were reached.
+  // Short links are used whole; where few points remain, all that were reached are.
   if (arc_px < kTipSkipPx + kTipLengthPx || used.size() < 2) {
     used.clear();
     for (int k = 0; k < reached; ++k) used.push_back(at(k));

@@ -8,42 +8,42 @@
 
 namespace limn {
 
-// The straight line on which a link leaves at an end, fitted to its last pixels without the
-// outermost ones, which corners round.
+// The line along which a link leaves at an end: the principal axis of its last 12 px without the
+// outermost 2, which corners round (ALGORITHM.md 13.2).
 struct LinkTip {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the line, nearest to the end
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    // on the line, nearest to the end
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // unit; zero for a link without extent
   double footprint = 1;                               // at the end
 };
 LinkTip TipOf(const DrawingLink& link, int end, double footprint);
 
-// With the footprint of the link's vertices; without direction if it has none.
+// Uses the footprint of the end's vertex. A link without vertices gets a tip without direction.
 LinkTip TipOf(const DrawingLink& link, int end);
 
-// The end's position.
+// Position of the end.
 const Eigen::Vector3d& EndPoint(const DrawingLink& link, int end);
 
-// The rest needs the link's vertices.
+// ArcPx, LengthPx and NumSketchSamples need the link's vertices.
 
 // Arc length between two points of a link, from <= to, px.
 double ArcPx(const DrawingLink& link, int from, int to);
 double LengthPx(const DrawingLink& link);
 
-// Unit direction of the link at a point; zero where it has no extent.
+// Unit direction of the link at a point; zero if the neighboring points coincide.
 Eigen::Vector3d TangentAt(const DrawingLink& link, int index);
 
-// At most `count` points of a link, evenly spread, by which it is judged.
+// At most `count` point indices, evenly spaced, at which a link is tested.
 std::vector<int> ProbePoints(const DrawingLink& link, int count);
 
-// Inverse covariance of what is not known at all, per direction across the curve: it decides only
-// where no sample does.
+// Inverse variance, per direction across the curve, of a position about which nothing is known: 30
+// px of standard deviation. As a prior it matters only where no sample determines the position.
 double WeakInformation(double footprint);
 
-// Standard deviation across a curve: the root of the mean of the two variances, of which none is
-// known worse than that.
+// Standard deviation across a curve: the root of the mean of the two variances, each at most that
+// of WeakInformation.
 double SigmaAcross(const Eigen::Matrix3d& information, double footprint);
 
-// Number of the sketch's samples in a link.
+// Number of sketch samples merged into a link.
 int64_t NumSketchSamples(const DrawingLink& link);
 
 // The angle between two unit directions, rad, and the angle between the lines along them.

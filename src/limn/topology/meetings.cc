@@ -7,15 +7,15 @@
 namespace limn {
 namespace {
 
-// Of the gap that is allowed: how far ends may overshoot what they meet.
+// Overshoot allowed, as a share of the gap.
 constexpr double kOvershootShare = 0.5;
-// What of overshoot and miss is left to links that were fitted. Chosen on the sample scene,
-// pavilion and vase.
+// Shares of overshoot and miss allowed to fitted links. Chosen on the sample scene, pavilion and
+// vase.
 constexpr double kFittedOvershoot = 0.5;
 constexpr double kFittedMiss = 0.375;
-// Image curves must come this near to a projected meeting, px.
+// Fragments must pass this near to a projected meeting, px.
 constexpr double kNearPx = 6;
-// Stretch of a link that speaks for its end, px.
+// Length of the stretch around a place whose fragments are used, to either side, px.
 constexpr double kEndStretchPx = 12;
 
 void CollectFragments(const TopologyInput& input, const LinkVertex& vertex,

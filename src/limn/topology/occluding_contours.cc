@@ -10,18 +10,18 @@ namespace limn {
 namespace {
 
 constexpr double kDeg = M_PI / 180;
-// Points at which a link is asked, at most.
+// At most this many points of a link are tested.
 constexpr int kMaxProbes = 60;
-// Support over less than this share of the directions in which a link is in the image is narrow.
+// Support is narrow if its viewing directions span less than this share of the span of all views.
 constexpr double kNarrowShare = 0.5;
-// Views this near to a supporting one show where the outline went, and how far it may have gone,
+// Views within this angle of a supporting one show where the outline moved, by at most this far,
 // virtual px.
 constexpr double kBesideRad = 20 * kDeg;
 constexpr double kMaxShiftPx = 10;
-// A moved edgel keeps its direction, and lies beside the point.
+// The edgel of a moved outline keeps its direction, and lies beside the point.
 constexpr double kSameDirectionRad = 12 * kDeg;
 constexpr double kMaxAlongPx = 1.5;
-// Share of those views that must show it moved to the same side, more than to the other.
+// Share of those views, net, that must show the outline on the same side.
 constexpr double kOneSidedShare = 0.5;
 
 // A view that contains a point of a link.
@@ -43,7 +43,7 @@ double Spread(const std::vector<Sight>& sights) {
   return std::acos(std::max(smallest_cosine, -1.0));
 }
 
-// Sums over the points of a link.
+// Accumulates both signs over the points of a link.
 class ContourTest {
  public:
   ContourTest(const TopologyInput& input, const std::vector<ViewId>& near)
@@ -80,8 +80,7 @@ class ContourTest {
   }
 
  private:
-  // Cosine between the direction of the link and of an edgel, which has the brighter side on its
-  // left.
+  // Cosine of the angle between the link and an edgel, whose brighter side is on its left.
   double AlongDirection(const Sight& sight, EdgelId id) const {
     const Eigen::Vector2d along(std::cos(sight.direction), std::sin(sight.direction));
     return along.dot(input_.curves[sight.view].edge_map.edgels[id].Tangent());
@@ -93,7 +92,8 @@ class ContourTest {
     });
   }
 
-  // On which side of the point the nearest edgel like the supporting ones is: 1, -1, 0 = none.
+  // Side of the point on which the nearest edgel of the same polarity lies: 1 or -1, 0 if there is
+  // none.
   int SideOfNearest(const Sight& sight, int polarity) const {
     const Eigen::Vector2d along(std::cos(sight.direction), std::sin(sight.direction));
     const Eigen::Vector2d across(-along.y(), along.x());

@@ -6,13 +6,13 @@
 
 namespace limn {
 
-// Follows the samples of the sketch through the stages of the drawing.
+// Tracks what becomes of every sketch sample, stage by stage.
 class SampleLedger {
  public:
-  // All samples have lost their support, but for those in the links of the graph.
+  // Samples in links of the graph are drawn; all others have lost their support.
   SampleLedger(const CurveSketch& sketch, const DrawingGraph& graph);
 
-  // Samples that were in links before and are in none of the graph's now met this fate.
+  // Assigns this fate to the samples that were in links until now and are no longer.
   void Update(const DrawingGraph& graph, EdgelFate fate_of_lost);
 
   const SampleFates& fates() const { return fates_; }

@@ -11,8 +11,8 @@
 namespace limn {
 namespace {
 
-// A node this much farther away than a place on a link is still preferred, px; nearer to a node
-// than this a link is not cut.
+// A node is preferred to interior places up to this much nearer, px. Links are not split within
+// this distance of their ends, and cuts within it share a node.
 constexpr double kNodePreferencePx = 3;
 
 class EndSnapper {
@@ -45,7 +45,7 @@ class EndSnapper {
     int index = -1;
   };
 
-  // Which free node goes where. Nodes are the same whatever happens to their links.
+  // Chooses which free node moves where. Nodes keep their ids while links are edited.
   void Choose() {
     std::vector<uint8_t> leaves(editor_->graph().nodes.size(), 0);
     std::vector<uint8_t> stays(editor_->graph().nodes.size(), 0);
@@ -60,7 +60,7 @@ class EndSnapper {
         moves_.push_back({from, target.node});
         ++counts_->to_nodes;
       } else if (target.link >= 0) {
-        // The indices of a loop change when it is cut: once is enough.
+        // Splitting a loop changes its indices, so it is split at most once.
         if (std::exchange(opened[target.link], editor_->link(target.link).closed)) continue;
         cuts_.push_back({target.link, target.index, from});
         ++counts_->to_links;
@@ -98,7 +98,8 @@ class EndSnapper {
     return {};
   }
 
-  // At the node the link would not run along another one; if it is its own, it would be a loop.
+  // Returns whether, at the node, the link would part from all links there. If the node is its own
+  // other end, it must be long enough for a loop.
   bool PartsFromAll(const LinkEnd& free, const LinkTip& tip, NodeId id) const {
     const DrawingLink& own = editor_->link(free.link);
     const auto& incident = editor_->node(id).incident;
@@ -110,7 +111,7 @@ class EndSnapper {
     });
   }
 
-  // The place is inside of another link, which does not run along the end.
+  // Returns whether the place is in the interior of another link that does not run along the end.
   bool Crosses(const LinkEnd& free, const LinkTip& tip, LinkId other, int at) const {
     const DrawingLink& link = editor_->link(other);
     if (other == free.link) return false;
@@ -136,8 +137,8 @@ class EndSnapper {
     });
   }
 
-  // From the back of each link, so that indices before the cut stay. Places near each other get one
-  // node.
+  // Splits each link from the back, so that indices before the cut stay valid. Nearby places share
+  // a node.
   void CutLinks() {
     std::sort(cuts_.rbegin(), cuts_.rend());
     LinkId last_link = -1;
@@ -173,7 +174,7 @@ class EndSnapper {
   Places places_;
   SpatialIndex index_;
   std::vector<SpatialIndex::Neighbor> near_;
-  std::vector<std::pair<NodeId, NodeId>> moves_;  // free node, where it goes
+  std::vector<std::pair<NodeId, NodeId>> moves_;  // free node, its target
   std::vector<Cut> cuts_;
 };
 

@@ -4,9 +4,10 @@
 
 namespace limn {
 
-// Free ends whose line passes through a node or the inside of another link, and not along it, end
-// there; the link is cut. A node a little farther away is preferred to a place on a link. Where
-// links stay free their ids change. O(n log n) in the number of points.
+// Moves free ends whose line passes through a node or crosses another link to that place; the other
+// link is split there (ALGORITHM.md 13.6). Nodes are preferred to nearer interior places. The best
+// place is chosen by geometry; then the images are asked for it. Link ids change. O(n log n) in the
+// number of points.
 void SnapEnds(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
               GraphEditor* editor, MeetingCounts* counts);
 

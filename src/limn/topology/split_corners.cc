@@ -8,15 +8,15 @@
 namespace limn {
 namespace {
 
-// The arms of a corner, px from it: what is nearer is rounded by the smoothing.
+// The arms of a corner, px from it. Nearer points are rounded by the smoothing.
 constexpr int kArmBeginPx = 3;
 constexpr int kArmMiddlePx = 7;
 constexpr int kArmEndPx = 11;
-// Smallest turn from arm to arm, rad, and the largest share of it that is allowed within an arm: on
-// an arc of a circle it would be a quarter.
+// Smallest turn from arm to arm, rad, and the largest share of it that may lie within an arm. On a
+// circle that share is a quarter.
 constexpr double kMinCornerRad = 0.6;
 constexpr double kMaxArmShare = 0.15;
-// Corners of a link are at least this far apart, px.
+// Smallest distance between corners of a link, px.
 constexpr int kApartPx = 8;
 
 bool IsCorner(const std::vector<Eigen::Vector3d>& points, int k) {
@@ -32,12 +32,12 @@ bool IsCorner(const std::vector<Eigen::Vector3d>& points, int k) {
   return std::max(before, after) < kMaxArmShare * whole;
 }
 
-// Indices, descending.
+// Returns indices in descending order.
 std::vector<int> FindCorners(const std::vector<Eigen::Vector3d>& points) {
   std::vector<std::pair<double, int>> sharpest_first;
   for (int k = 0; k < static_cast<int>(points.size()); ++k) {
     if (!IsCorner(points, k)) continue;
-    // Of the points about a corner the one that sticks out most.
+    // Of the points around a corner, prefer the one that sticks out most.
     const Eigen::Vector3d between = 0.5 * (points[k - kArmBeginPx] + points[k + kArmBeginPx]);
     sharpest_first.push_back({-(points[k] - between).norm(), k});
   }

@@ -6,9 +6,9 @@
 
 namespace limn {
 
-// Links are cut where they turn sharply between straight arms, so that a fit does not round the
-// corner. Points must be about 1 px apart; links without vertices and loops are left alone. Returns
-// the number of cuts. Linear time.
+// Splits links where they turn sharply between straight arms, so that the next fit does not round
+// the corner (ALGORITHM.md 17.4). Points must be about 1 px apart; loops and links without vertices
+// are left alone. Returns the number of cuts. Linear time.
 int64_t SplitAtCorners(GraphEditor* editor);
 
 }  // namespace limn

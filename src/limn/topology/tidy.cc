@@ -13,9 +13,9 @@ namespace limn {
 namespace {
 
 constexpr double kDeg = M_PI / 180;
-// Links between two nodes may be short, px.
+// Shortest link between two nodes, px.
 constexpr double kMinBridgePx = 2;
-// Two turns that differ by less than this are alike, as cosines.
+// Turns are alike if their cosines differ by less than this.
 constexpr double kAlike = 0.02;
 
 struct Leaving {
@@ -24,7 +24,7 @@ struct Leaving {
   double length_px = 0;
 };
 
-// The pair of a node's links that leave it at the smallest angle; -1, -1 if there are none.
+// The two links that leave a node at the smallest angle; -1, -1 if no angle is small enough.
 std::pair<int, int> SharpestPair(const std::vector<Leaving>& leaving, double min_cosine) {
   std::pair<int, int> best = {-1, -1};
   double largest = min_cosine;
@@ -39,8 +39,8 @@ std::pair<int, int> SharpestPair(const std::vector<Leaving>& leaving, double min
   return best;
 }
 
-// Cosine of the smallest turn from a third link of the node into link `i` of a pair, -1 if there is
-// none.
+// Cosine of the smallest turn from a third link of the node into link `i` of a pair; -1 if there is
+// no third link.
 double SmallestTurn(const std::vector<Leaving>& leaving, int i, int partner) {
   double cosine = -1;
   for (int k = 0; k < static_cast<int>(leaving.size()); ++k) {
@@ -62,7 +62,7 @@ bool IsShort(const TopologyOptions& options, const GraphEditor& editor, LinkId i
   return LengthPx(link) < (is_bridge || has_grown ? kMinBridgePx : options.min_link_length_px);
 }
 
-// Remove links marked 0. Returns the number of samples of the sketch in them.
+// Removes links marked 0. Returns the number of sketch samples in them.
 int64_t RemoveCounted(const std::vector<uint8_t>& keep, GraphEditor* editor) {
   int64_t num_samples = 0;
   for (size_t l = 0; l < keep.size(); ++l) {
@@ -117,7 +117,7 @@ int64_t DissolveNodes(const TopologyOptions& options, GraphEditor* editor) {
     if (Outward(*editor, a).dot(Outward(*editor, b)) >= max_cosine) continue;
     editor->Join(a, b);
     ++num_dissolved;
-    // The new link may turn less at its ends.
+    // The longer link may now continue others at its ends.
     waiting.insert(editor->link(a.link).node0);
     waiting.insert(editor->link(a.link).node1);
   }

@@ -10,8 +10,7 @@
 
 namespace limn {
 
-// What the images say, for all that cuts and joins links. `curves[v]` and `edgels[v]` belong to
-// `views[v]`.
+// The images, as the topology stages see them. `curves[v]` and `edgels[v]` belong to `views[v]`.
 struct TopologyInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;

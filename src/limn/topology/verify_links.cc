@@ -14,17 +14,16 @@
 namespace limn {
 namespace {
 
-// Primary views whose samples a link has.
+// Primary views that the samples of a link must come from.
 constexpr int kMinMergedViews = 2;
-// An edgel this near to a claimed one belongs to the same edge, virtual px.
+// An edgel within this distance of a claimed one belongs to the same edge, virtual px.
 constexpr double kSameEdgePx = 1.5;
-// Shifts of the copies that measure what chance does, px, each in four directions.
+// Shifts of the copies that measure chance, px, each in four directions.
 constexpr double kShiftsPx[] = {6, 10};
-// Points at which an uncertain link is asked, at most.
+// At most this many points of an uncertain link are tested.
 constexpr int kMaxProbes = 60;
 
-// Mean along a link of the number of primary views that agree; points that were added have none to
-// ask.
+// Number of agreeing primary views, averaged along a link. Points that were added do not count.
 double MeanAgreement(const DrawingLink& link) {
   double sum = 0;
   double length_px = 0;
@@ -60,7 +59,7 @@ int NumPrimaryViews(const CurveSketch& sketch, const DrawingLink& link) {
   return static_cast<int>(views.size());
 }
 
-// Edgels of certain links, and what is left for the others.
+// The edgels that certain links explain.
 class Claims {
  public:
   explicit Claims(const TopologyInput& input) : input_(input) {
@@ -69,7 +68,7 @@ class Claims {
     }
   }
 
-  // Claim the edgels of one view that run along a link. Views are independent.
+  // Claims the edgels of one view that run along a link. Views may be processed in parallel.
   void Add(size_t view, const DrawingLink& link) {
     for (int k = 0; k < link.size(); ++k) {
       const EdgelId id = EdgelAt(view, link.points_in_world[k], TangentAt(link, k));
@@ -77,9 +76,8 @@ class Claims {
     }
   }
 
-  // Mean number of views in which edgels that nobody has claimed run along a link, less the number
-  // in which edgels run along its copies. Those count claimed ones too: beside edges that are
-  // known, little is worth believing.
+  // Mean number of views in which unclaimed edgels run along a link, less the number expected by
+  // chance. Copies count claimed edgels, too, so that links beside known edges need more support.
   double OwnViews(const DrawingLink& link, const std::vector<ViewId>& near) const {
     const std::vector<int> probes = ProbePoints(link, kMaxProbes);
     int64_t own = 0;
@@ -107,7 +105,7 @@ class Claims {
     int64_t num_with_edgel = 0;
   };
 
-  // A point's copies beside the link, as one view has them.
+  // Counts the shifted copies of a point in one view, and those with an edgel.
   void AddCopies(size_t view, const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
                  double footprint, Copies* copies) const {
     const Eigen::Matrix<double, 3, 2> across = footprint * TangentFrame(tangent);

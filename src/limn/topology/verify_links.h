@@ -11,14 +11,13 @@
 
 namespace limn {
 
-// Which links to believe, 1 or 0 each. Samples of two primary views must have been merged into a
-// link: curves that only agree may have been merged into another one. It must not be an occluding
-// contour (occluding_contours.h). It is certain when enough
-// primary views agree with it in the mean over its length (primary_views_share). Any other link
-// must explain edgels that no certain link explains: it is believed when such edgels run along it
-// in enough more views than any do along copies of it shifted sideways, which tell what chance does
-// (own_views_share). Ours; not in the paper.
-// Time: points of all links times views, ten times that for uncertain links.
+// Decides which links to keep: 1 or 0 each (ours; ALGORITHM.md 12.1). Samples of at least two
+// primary views must have been merged into a link, and it must not be an occluding contour
+// (occluding_contours.h). A link is certain when enough primary views agree with it, averaged over
+// its length (primary_views_share). Any other link must explain edgels that no certain link
+// explains: it is kept if such edgels run along it in enough more views than edgels run along
+// copies of it shifted sideways, which measure chance (own_views_share). Time: points of all links
+// times views; ten times as much for uncertain links.
 std::vector<uint8_t> VerifyLinks(const TopologyInput& input, const CurveSketch& sketch,
                                  const TopologyOptions& options, const DrawingGraph& graph,
                                  const RunContext& context);
