@@ -18,7 +18,6 @@ struct Reach {
   double gap_px = 0;        // ahead of the end
   double overshoot_px = 0;  // behind it: edges are rounded at corners
   double miss_px = 0;       // beside the line
-  double max_miss_px = 0;   // with an allowance for a turn
 
   // For links before and after they are fitted to the images, which makes them more accurate.
   static Reach Drawn(const TopologyOptions& options);
@@ -31,8 +30,7 @@ struct Reach {
     double along_px = 0;
     double miss_px = 0;
   };
-  // Empty if out of reach. A curve that turns by `turn_rad` on the way may miss by more, up to
-  // max_miss_px.
+  // Empty if out of reach. A curve that turns by `turn_rad` on the way may miss by more.
   std::optional<Offset> To(const LinkTip& tip, const Eigen::Vector3d& place,
                            double turn_rad = 0) const;
 };
