@@ -119,14 +119,14 @@ void VisitFields(TopologyOptions& o, Visit&& visit) {
   visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
   visit("max_junction_miss_px", o.max_junction_miss_px,
         "how near their tangent lines must pass, px");
-  visit("covered_share", o.covered_share,
-        "a link that others run along over this share of its length is dropped");
-  visit("max_short_edge_px", o.max_short_edge_px, "longest edge found from its two ends alone, px");
   visit("min_junction_views", o.min_junction_views, "images that must show the meeting");
   visit("min_junction_angle_deg", o.min_junction_angle_deg,
         "links that leave a node nearer to each other do not meet there, deg");
   visit("max_continuation_angle_deg", o.max_continuation_angle_deg,
         "two links that turn by less are one, deg");
+  visit("covered_share", o.covered_share,
+        "a link that others run along over this share of its length is dropped");
+  visit("max_short_edge_px", o.max_short_edge_px, "longest edge found from its two ends alone, px");
 }
 
 template <typename Visit>

@@ -37,6 +37,7 @@ void Append(DrawingGraph tile, DrawingGraph* whole) {
   const auto first_node = static_cast<NodeId>(whole->nodes.size());
   const auto first_link = static_cast<LinkId>(whole->links.size());
   for (DrawingNode& node : tile.nodes) {
+    for (LinkEnd& end : node.incident) end.link += first_link;
     for (auto& [a, b] : node.continuations) {
       a.link += first_link;
       b.link += first_link;

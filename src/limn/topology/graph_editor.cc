@@ -287,7 +287,7 @@ void GraphEditor::Join(const LinkEnd& a, const LinkEnd& b) {
       Absorb(second.vertices.front(), &first.vertices.back());
     AppendFrom(coincide, &second.points_in_world, &first.points_in_world);
     AppendFrom(coincide, &second.sigma, &first.sigma);
-    AppendFrom(coincide, &second.vertices, &first.vertices);
+    if (!second.vertices.empty()) AppendFrom(coincide, &second.vertices, &first.vertices);
   });
   first.members.insert(first.members.end(), second.members.begin(), second.members.end());
   Unite(second.supporting_views, &first.supporting_views);

@@ -64,6 +64,7 @@ Places CollectPlaces(const DrawingGraph& graph) {
 
 FragmentsByView FragmentsAround(const TopologyInput& input, const DrawingLink& link, int index) {
   FragmentsByView fragments;
+  if (link.vertices.empty()) return fragments;
   double arc_px = 0;
   for (int k = index; k >= 0 && arc_px <= kEndStretchPx; --k) {
     CollectFragments(input, link.vertices[k], &fragments);

@@ -45,7 +45,8 @@ struct Places {
 };
 Places CollectPlaces(const DrawingGraph& graph);
 
-// Per view, the fragments that support a stretch of a link around a point or at an end.
+// Per view, the fragments that support a stretch of a link around a point or at an end; none of a
+// link without vertices.
 using FragmentsByView = std::map<ViewId, std::set<int>>;
 FragmentsByView FragmentsAround(const TopologyInput& input, const DrawingLink& link, int index);
 FragmentsByView FragmentsAtEnd(const TopologyInput& input, const DrawingLink& link, int end);
