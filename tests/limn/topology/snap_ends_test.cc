@@ -1,7 +1,8 @@
+#include "limn/topology/snap_ends.h"
+
 #include <gtest/gtest.h>
 
 #include "limn/topology/drawing_scene.h"
-#include "limn/topology/snap_ends.h"
 
 namespace limn {
 namespace {
