@@ -21,19 +21,6 @@ void MeetEnds(const TopologyInput& input, const TopologyOptions& options, GraphE
   SnapEnds(input, options, reach, editor, counts);
 }
 
-// Returns the number of sketch samples in the removed links.
-int64_t RemoveDoubtfulLinks(const TopologyInput& input, const CurveSketch& sketch,
-                            const TopologyOptions& options, const RunContext& context,
-                            GraphEditor* editor) {
-  const std::vector<uint8_t> keep = VerifyLinks(input, sketch, options, editor->graph(), context);
-  int64_t num_samples = 0;
-  for (size_t l = 0; l < keep.size(); ++l) {
-    if (!keep[l]) num_samples += NumSketchSamples(editor->link(static_cast<LinkId>(l)));
-  }
-  editor->Keep(keep);
-  return num_samples;
-}
-
 }  // namespace
 
 CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,
@@ -43,7 +30,8 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
   CompletionCounts counts;
   GraphEditor editor(graph);
   SampleLedger ledger(sketch, *graph);
-  counts.samples_doubtful = RemoveDoubtfulLinks(input, sketch, options, context, &editor);
+  counts.samples_doubtful =
+      KeepAndCount(VerifyLinks(input, sketch, options, *graph, context), &editor);
   ledger.Update(*graph, EdgelFate::kDoubtfulLink);
   MeetEnds(input, options, &editor, &counts.meetings);
   counts.grown = GrowEdges(input, options, box, context, &editor);

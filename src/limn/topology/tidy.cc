@@ -62,8 +62,9 @@ bool IsShort(const TopologyOptions& options, const GraphEditor& editor, LinkId i
   return LengthPx(link) < (is_bridge || has_grown ? kMinBridgePx : options.min_link_length_px);
 }
 
-// Removes links marked 0. Returns the number of sketch samples in them.
-int64_t RemoveCounted(const std::vector<uint8_t>& keep, GraphEditor* editor) {
+}  // namespace
+
+int64_t KeepAndCount(const std::vector<uint8_t>& keep, GraphEditor* editor) {
   int64_t num_samples = 0;
   for (size_t l = 0; l < keep.size(); ++l) {
     if (!keep[l]) num_samples += NumSketchSamples(editor->link(static_cast<LinkId>(l)));
@@ -71,8 +72,6 @@ int64_t RemoveCounted(const std::vector<uint8_t>& keep, GraphEditor* editor) {
   editor->Keep(keep);
   return num_samples;
 }
-
-}  // namespace
 
 int64_t CutForks(const TopologyOptions& options, GraphEditor* editor) {
   const double fork = std::cos(options.min_junction_angle_deg * kDeg);
@@ -128,14 +127,14 @@ int64_t DissolveNodes(const TopologyOptions& options, GraphEditor* editor) {
 int64_t RemoveShortLinks(const TopologyOptions& options, GraphEditor* editor) {
   std::vector<uint8_t> keep;
   for (LinkId id = 0; id < editor->NumLinks(); ++id) keep.push_back(!IsShort(options, *editor, id));
-  return RemoveCounted(keep, editor);
+  return KeepAndCount(keep, editor);
 }
 
 TidyCounts Tidy(const TopologyOptions& options, GraphEditor* editor) {
   TidyCounts counts;
   counts.forks_cut = CutForks(options, editor);
   counts.dissolved_nodes += DissolveNodes(options, editor);
-  counts.samples_covered += RemoveCounted(FindUncoveredLinks(options, editor->graph()), editor);
+  counts.samples_covered += KeepAndCount(FindUncoveredLinks(options, editor->graph()), editor);
   for (bool changed = true; changed;) {
     counts.dissolved_nodes += DissolveNodes(options, editor);
     const int before = editor->NumLinks();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/topology_options.h"
@@ -35,5 +36,8 @@ int64_t DissolveNodes(const TopologyOptions& options, GraphEditor* editor);
 // shorter, and so may links that were grown from a node (they have no sketch samples). Returns the
 // number of sketch samples in the removed links.
 int64_t RemoveShortLinks(const TopologyOptions& options, GraphEditor* editor);
+
+// Removes links marked 0. Returns the number of sketch samples in them. Ids change.
+int64_t KeepAndCount(const std::vector<uint8_t>& keep, GraphEditor* editor);
 
 }  // namespace limn
