@@ -64,6 +64,13 @@ class Closure:
         return files, names
 
 
+def sources_of(file):
+    """The file, or those that CMake has put into one to compile them together (LIMN_UNITY_BUILD)."""
+    if file.parent.name != "Unity":
+        return [file]
+    return [Path(name) for name in re.findall(r'^#include "(.+)"$', file.read_text(encoding="utf-8"), re.M)]
+
+
 def flags_of(command):
     """Compiler and flags of an entry of compile_commands.json."""
     words = shlex.split(command["command"])
@@ -117,10 +124,11 @@ def main():
     commands = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     folder = build / "headers"
     folder.mkdir(exist_ok=True)
-    built = {Path(command["file"]) for command in commands}
+    built = {source for command in commands for source in sources_of(Path(command["file"]))}
     of_folder = {}
     for command in commands:
-        of_folder.setdefault(Path(command["file"]).parent, flags_of(command))
+        for source in sources_of(Path(command["file"])):
+            of_folder.setdefault(source.parent, flags_of(command))
 
     closure, work, left_out, version = Closure(), [], [], {}
     headers = sorted(file for top in ("src/limn", "colmap_ext") for file in (ROOT / top).rglob("*.h"))

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string> kEnds = {"transforms.json", "transforms_train.json",
-                                        "transforms_test.json", "transforms_val.json"};
+const std::vector<std::string> kTransformsEnds = {"transforms.json", "transforms_train.json",
+                                                  "transforms_test.json", "transforms_val.json"};
 
 // An entry of a frame, or of the whole file.
 class Entries {
@@ -165,11 +165,11 @@ Json Parse(const std::string& path) {
 bool HoldsNerfTransforms(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_regular_file(path, ignored)) return path.extension() == ".json";
-  return HoldsFile(path, kEnds);
+  return HoldsFile(path, kTransformsEnds);
 }
 
 ImportedScene ReadNerfTransforms(const ImportInput& input) {
-  const std::string path = TheFile(input.path, kEnds).string();
+  const std::string path = TheFile(input.path, kTransformsEnds).string();
   const Json file = Parse(path);
   ImportedScene scene;
   scene.notes = {"Read " + path};

@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kEnds = {".nvm"};
-constexpr char kHeader[] = "NVM_V3";
+const std::vector<std::string> kNvmEnds = {".nvm"};
+constexpr char kNvmHeader[] = "NVM_V3";
 constexpr double kMaxDistortionErrorPx = 1e-3;
 
 struct NvmCamera {
@@ -159,13 +159,13 @@ void PlaceMeasurements(ImportedScene* scene) {
 
 }  // namespace
 
-bool HoldsNvm(const fs::path& path) { return HoldsFile(path, kEnds); }
+bool HoldsNvm(const fs::path& path) { return HoldsFile(path, kNvmEnds); }
 
 ImportedScene ReadNvm(const ImportInput& input) {
-  const std::string path = TheFile(input.path, kEnds).string();
+  const std::string path = TheFile(input.path, kNvmEnds).string();
   const std::string text = ReadWholeFile(path);
   TextScanner scanner(path, text);
-  if (scanner.Word("the header NVM_V3") != kHeader) scanner.Fail("\"NVM_V3\" expected");
+  if (scanner.Word("the header NVM_V3") != kNvmHeader) scanner.Fail("\"NVM_V3\" expected");
   if (!scanner.AtEndOfLine()) {
     scanner.Fail("\"NVM_V3 " + std::string(scanner.RestOfLine().substr(0, 40)) +
                  "\": a fixed calibration is not read; export without it");

@@ -7,12 +7,12 @@
 
 #include "limn/model/footprint.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
-constexpr double kRadiansPerDegree = M_PI / 180;
 constexpr size_t kChunk = 1024;
 
 CurveSamples SampleByPixels(const std::vector<SupportedCurve>& curves,
@@ -56,8 +56,8 @@ CurveVisibility::CurveVisibility(const std::vector<SupportedCurve>& curves,
                                  const VisibilityOptions& options, const RunContext& context)
     : curves_(curves),
       views_(views),
-      gate_{options.shown_distance_px, kSpacingPx, options.shown_angle_deg * kRadiansPerDegree},
-      min_cosine_(std::cos(options.max_viewing_angle_deg * kRadiansPerDegree)),
+      gate_{options.shown_distance_px, kSpacingPx, options.shown_angle_deg * kDeg},
+      min_cosine_(std::cos(options.max_viewing_angle_deg * kDeg)),
       samples_(SampleByPixels(curves, views)),
       edgels_(BuildViewEdgels(image_curves, context)) {}
 

@@ -11,7 +11,7 @@
 namespace limn {
 namespace {
 
-constexpr size_t kChunk = 1024;
+constexpr size_t kEdgelChunk = 1024;
 
 double DistanceToNearest(const Edgel& from, const EdgeMap& to, const EdgelIndex& index,
                          const HeldOutOptions& options) {
@@ -34,11 +34,12 @@ void AppendDistances(const std::vector<Edgel>& from, const EdgeMap& to, const Ed
                      std::vector<double>* distances) {
   const size_t begin = distances->size();
   distances->resize(begin + from.size());
-  ParallelFor(context, "held-out distances", (from.size() + kChunk - 1) / kChunk, [&](size_t c) {
-    for (size_t i = c * kChunk; i < std::min(from.size(), (c + 1) * kChunk); ++i) {
-      (*distances)[begin + i] = DistanceToNearest(from[i], to, index, options);
-    }
-  });
+  ParallelFor(
+      context, "held-out distances", (from.size() + kEdgelChunk - 1) / kEdgelChunk, [&](size_t c) {
+        for (size_t i = c * kEdgelChunk; i < std::min(from.size(), (c + 1) * kEdgelChunk); ++i) {
+          (*distances)[begin + i] = DistanceToNearest(from[i], to, index, options);
+        }
+      });
 }
 
 double FragmentLength(const ImageCurves& curves, const CurveFragment& fragment) {

@@ -9,12 +9,12 @@
 
 #include "limn/formats/curve_chains.h"
 #include "limn/geometry/polygon_triangulation.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
-constexpr double kRadiansPerDegree = M_PI / 180;
 // Angles given exactly are met in spite of rounding.
 constexpr double kAngleSlackRad = 1e-9;
 
@@ -116,8 +116,8 @@ void SharpEdgeOptions::Check() const {
 
 std::vector<Polyline3d> FindSharpEdges(const TriangleMesh& mesh, const SharpEdgeOptions& options) {
   options.Check();
-  const EdgeSoup soup = SharpEdgesOf(mesh, options.min_dihedral_deg * kRadiansPerDegree);
-  const double max_turn_rad = options.min_corner_deg * kRadiansPerDegree;
+  const EdgeSoup soup = SharpEdgesOf(mesh, options.min_dihedral_deg * kDeg);
+  const double max_turn_rad = options.min_corner_deg * kDeg;
   std::vector<Polyline3d> curves;
   for (Polyline3d& chain : ChainEdges(soup).polylines) {
     BeginAtCorner(max_turn_rad, &chain);

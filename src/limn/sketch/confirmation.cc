@@ -4,10 +4,11 @@
 #include <bit>
 #include <cmath>
 
+#include "limn/util/angles.h"
+
 namespace limn {
 namespace {
 
-constexpr double kDeg = M_PI / 180;
 // A hypothesis that none of the first views supports anywhere is given up.
 constexpr size_t kFirstViews = 8;
 

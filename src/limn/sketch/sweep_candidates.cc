@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limn/util/angles.h"
+
 namespace limn {
 namespace {
 
-constexpr double kDeg = M_PI / 180;
 // Candidates before they are elected anew about the means of their voters.
 constexpr size_t kMaxPreliminaryModes = 16;
 // Smallest number of voters.

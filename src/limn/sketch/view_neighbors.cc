@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "limn/util/angles.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -124,7 +125,6 @@ bool NeighborFinder::SeesAny(ViewId other, ViewId view,
 }
 
 double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  constexpr double kDeg = M_PI / 180;
   return std::atan2(a.cross(b).norm(), a.dot(b)) / kDeg;
 }
 

@@ -8,11 +8,11 @@
 #include <Eigen/Geometry>
 
 #include "limn/support/segment_support.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
-constexpr double kDeg = M_PI / 180;
 // Edgels at these distances from the joint make rays, px. Nearer ones are rounded and mixed.
 constexpr int kMinRayPx = 2;
 constexpr int kMaxRayPx = 10;

@@ -14,11 +14,11 @@
 #include "limn/support/edgel_residual.h"
 #include "limn/support/segment_support.h"
 #include "limn/topology/corner_rays.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
-constexpr double kDeg = M_PI / 180;
 // A direction within this angle of a link is taken by that link.
 constexpr double kTakenRad = 20 * kDeg;
 // Growth, px: step, start, longest gap without edgels, longest and shortest link.

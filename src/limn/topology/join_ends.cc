@@ -9,12 +9,12 @@
 #include <Eigen/LU>
 
 #include "limn/geometry/spatial_index.h"
+#include "limn/util/angles.h"
 #include "limn/util/union_find.h"
 
 namespace limn {
 namespace {
 
-constexpr double kDeg = M_PI / 180;
 // Shortest loop, px, and shortest loop relative to the gap it closes.
 constexpr double kMinLoopPx = 16;
 constexpr double kLoopOverGap = 4;

@@ -5,11 +5,11 @@
 
 #include "limn/support/edgel_residual.h"
 #include "limn/topology/link_geometry.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
-constexpr double kDeg = M_PI / 180;
 // At most this many points of a link are tested.
 constexpr int kMaxProbes = 60;
 // Support is narrow if its viewing directions span less than this share of the span of all views.

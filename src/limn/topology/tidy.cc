@@ -8,11 +8,11 @@
 
 #include "limn/topology/covered_links.h"
 #include "limn/topology/link_geometry.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
-constexpr double kDeg = M_PI / 180;
 // Shortest link between two nodes, px.
 constexpr double kMinBridgePx = 2;
 // Turns are alike if their cosines differ by less than this.

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t kAlignment = 8;
+constexpr size_t kTextAlignment = 8;
 // Positions of the cloud are rounded to this part of the drawing's size: low bits of noise would
 // make most of the page.
 constexpr double kCloudSteps = 1 << 15;
@@ -246,7 +246,7 @@ std::string EncodePayload(const ViewerScene& scene) {
   header["arrays"] = arrays.header();
   // Names of files need not be UTF-8.
   std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);
-  while ((sizeof(uint32_t) + text.size()) % kAlignment != 0) text += ' ';
+  while ((sizeof(uint32_t) + text.size()) % kTextAlignment != 0) text += ' ';
   const auto size = static_cast<uint32_t>(text.size());
   std::string payload(reinterpret_cast<const char*>(&size), sizeof(size));
   return payload + text + arrays.bytes();
