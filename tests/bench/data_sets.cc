@@ -52,20 +52,31 @@ DataSet Abc(const std::string& data_path, const std::string& object) {
   return set;
 }
 
-// `truth` is the folder of the light below truth/, or empty.
-DataSet Sample(const std::string& sample_path, const std::string& variant,
-               const std::string& truth) {
-  const std::string root = sample_path + "/truth/" + truth;
+// Rendered scenes, judged in footprints. `truth` is the folder of their curves and junctions.
+DataSet Rendered(const std::string& name, const std::string& workspace, const std::string& truth,
+                 const NamedBox& box) {
   DataSet set;
-  set.name = set.plot = "sample-" + variant;
-  set.workspace_path = sample_path + "/" + variant;
-  set.truth_path = root + "/curves-visible.ply";
-  set.junctions_path = root + "/junctions.json";
-  set.dont_care_path = root + "/dont-care.ply";
+  set.name = set.plot = name;
+  set.workspace_path = workspace;
+  set.truth_path = truth + "/curves-visible.ply";
+  set.junctions_path = truth + "/junctions.json";
+  set.dont_care_path = truth + "/dont-care.ply";
   set.taus = {1, 2, 4};
   set.in_footprints = true;
-  set.boxes = {Box("all", -1.25, 1.25, -0.95, 0.95, 0.04, 1.05)};
+  set.boxes = {box};
   return set;
+}
+
+// `light` is the folder of the light below truth/, or empty.
+DataSet Sample(const std::string& sample_path, const std::string& variant,
+               const std::string& light) {
+  return Rendered("sample-" + variant, sample_path + "/" + variant, sample_path + "/truth/" + light,
+                  Box("all", -1.25, 1.25, -0.95, 0.95, 0.04, 1.05));
+}
+
+DataSet Room(const std::string& data_path) {
+  return Rendered("room", data_path + "/room", data_path + "/room/truth",
+                  Box("all", -0.05, 5.05, -0.05, 4.5, -0.05, 2.65));
 }
 
 DataSet WithoutTruth(const std::string& data_path, const std::string& name) {
@@ -95,6 +106,7 @@ std::vector<DataSet> KnownDataSets(const std::string& data_path, const std::stri
           Sample(sample_path, "evening", "evening"),
           Sample(sample_path, "lamp", "lamp"),
           Sample(sample_path, "mixed", "mixed"),
+          Room(data_path),
           WithoutTruth(data_path, "herz-jesu-p8"),
           WithoutTruth(data_path, "desk")};
 }
