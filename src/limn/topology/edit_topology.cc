@@ -12,13 +12,11 @@
 namespace limn {
 namespace {
 
-void MeetEnds(const TopologyInput& input, const TopologyOptions& options, GraphEditor* editor,
-              MeetingCounts* counts) {
-  const Reach reach = Reach::Drawn(options);
-  counts->refused = 0;
-  JoinFacingEnds(input, options, reach, editor, counts);
-  JoinCorners(input, options, reach, editor, counts);
-  SnapEnds(input, options, reach, editor, counts);
+void MeetEnds(const MeetingTask& task) {
+  task.counts->refused = 0;
+  JoinFacingEnds(task);
+  JoinCorners(task);
+  SnapEnds(task);
 }
 
 }  // namespace
@@ -29,13 +27,14 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
                                  const RunContext& context, DrawingGraph* graph) {
   CompletionCounts counts;
   GraphEditor editor(graph);
+  const MeetingTask meetings = {input, options, Reach::Drawn(options), &editor, &counts.meetings};
   SampleLedger ledger(sketch, *graph);
   counts.samples_doubtful =
       KeepAndCount(VerifyLinks(input, sketch, options, *graph, context), &editor);
   ledger.Update(*graph, EdgelFate::kDoubtfulLink);
-  MeetEnds(input, options, &editor, &counts.meetings);
+  MeetEnds(meetings);
   counts.grown = GrowEdges(input, options, box, context, &editor);
-  MeetEnds(input, options, &editor, &counts.meetings);  // grown links have new ends
+  MeetEnds(meetings);  // grown links have new ends
   counts.short_edges = AddShortEdges(input, options, context, &editor);
   counts.tidy = Tidy(options, &editor);
   ledger.Update(*graph, EdgelFate::kPrunedLink);
@@ -48,14 +47,12 @@ RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& o
                             DrawingGraph* graph) {
   RepairCounts counts;
   GraphEditor editor(graph);
-  const Reach reach = Reach::Fitted(options);
+  const MeetingTask meetings = {input, options, Reach::Fitted(options), &editor, &counts.meetings};
   counts.trimmed = TrimEnds(options, &editor);
-  JoinFacingEnds(input, options, reach, &editor, &counts.meetings);
-  SnapEnds(input, options, reach, &editor, &counts.meetings);
+  JoinFacingEnds(meetings);
+  SnapEnds(meetings);
   counts.corners = SplitAtCorners(&editor);
-  for (NodeId id = 0; id < static_cast<NodeId>(graph->nodes.size()); ++id) {
-    PairContinuations(options, id, graph);
-  }
+  PairContinuations(options, graph);
   return counts;
 }
 

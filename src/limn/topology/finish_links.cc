@@ -86,9 +86,7 @@ void ThinOut(DrawingLink* link) {
 }  // namespace
 
 void FinishLinks(const TopologyInput& input, const TopologyOptions& options, DrawingGraph* graph) {
-  for (NodeId id = 0; id < static_cast<NodeId>(graph->nodes.size()); ++id) {
-    PairContinuations(options, id, graph);
-  }
+  PairContinuations(options, graph);
   for (DrawingLink& link : graph->links) {
     link.members = Members(link);
     link.supporting_views = SupportingViews(link);

@@ -65,16 +65,21 @@ std::optional<Eigen::Vector3d> IntersectLines(const std::vector<LinkTip>& lines)
   return solver.solve(right);
 }
 
+// Counts a refusal.
+bool ImagesShowMeeting(const MeetingTask& task, const Eigen::Vector3d& point, const LinkEnd& a,
+                       const LinkEnd& b) {
+  const auto fragments = [&](const LinkEnd& end) {
+    return FragmentsAtEnd(task.input, task.editor->link(end.link), end.end);
+  };
+  const bool shown =
+      ImagesAgree(task.input, point, fragments(a), fragments(b), task.options.min_junction_views);
+  task.counts->refused += !shown;
+  return shown;
+}
+
 class CornerJoiner {
  public:
-  CornerJoiner(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
-               GraphEditor* editor, MeetingCounts* counts)
-      : input_(input),
-        options_(options),
-        reach_(reach),
-        editor_(editor),
-        counts_(counts),
-        free_(*editor) {}
+  explicit CornerJoiner(const MeetingTask& task) : task_(task), free_(*task.editor) {}
 
   void Run() {
     UnionFind sets(static_cast<int>(free_.ends.size()));
@@ -88,11 +93,7 @@ class CornerJoiner {
       together.insert(together.end(), members[b].begin(), members[b].end());
       const auto point = CornerOf(together);
       if (!point) continue;
-      if (!ImagesAgree(input_, *point, FragmentsOf(i), FragmentsOf(j),
-                       options_.min_junction_views)) {
-        ++counts_->refused;
-        continue;
-      }
+      if (!ImagesShowMeeting(task_, *point, free_.ends[i], free_.ends[j])) continue;
       sets.Union(a, b);
       members[a].clear();
       members[b].clear();
@@ -109,27 +110,23 @@ class CornerJoiner {
 
   std::vector<Candidate> Candidates() const {
     std::vector<Candidate> candidates;
-    const double max_cosine = std::cos(options_.max_continuation_angle_deg * kDeg);
-    for (const auto& [i, j] : free_.NearPairs(2 * reach_.Radius())) {
+    const double max_cosine = std::cos(task_.options.max_continuation_angle_deg * kDeg);
+    for (const auto& [i, j] : free_.NearPairs(2 * task_.reach.Radius())) {
       const LinkTip& a = free_.tips[i];
       const LinkTip& b = free_.tips[j];
       if (free_.ends[i].link == free_.ends[j].link) continue;
       if (std::abs(a.outward.dot(b.outward)) > max_cosine) continue;
       const auto point = CornerOf({i, j});
       if (!point) continue;
-      const auto from_a = reach_.To(a, *point);
-      const auto from_b = reach_.To(b, *point);
+      const auto from_a = task_.reach.To(a, *point);
+      const auto from_b = task_.reach.To(b, *point);
       const double miss_px = from_a->miss_px + from_b->miss_px;  // from line to line
-      if (miss_px > reach_.miss_px) continue;
+      if (miss_px > task_.reach.miss_px) continue;
       candidates.push_back(
           {std::abs(from_a->along_px) + std::abs(from_b->along_px) + miss_px, i, j});
     }
     std::sort(candidates.begin(), candidates.end());
     return candidates;
-  }
-
-  FragmentsByView FragmentsOf(int i) const {
-    return FragmentsAtEnd(input_, editor_->link(free_.ends[i].link), free_.ends[i].end);
   }
 
   // The common corner of a set of ends of different links, if it is in reach of each of them.
@@ -143,22 +140,18 @@ class CornerJoiner {
     if (links.size() != group.size()) return std::nullopt;
     const auto point = IntersectLines(lines);
     const bool reached = point && std::all_of(lines.begin(), lines.end(), [&](const LinkTip& line) {
-                           return reach_.To(line, *point).has_value();
+                           return task_.reach.To(line, *point).has_value();
                          });
     return reached ? point : std::nullopt;
   }
 
   void MakeCorner(const std::vector<int>& group) {
-    const NodeId node = editor_->AddNode(*CornerOf(group));
-    for (const int i : group) editor_->EndAt(free_.ends[i], node);
-    ++counts_->corners;
+    const NodeId node = task_.editor->AddNode(*CornerOf(group));
+    for (const int i : group) task_.editor->EndAt(free_.ends[i], node);
+    ++task_.counts->corners;
   }
 
-  const TopologyInput& input_;
-  const TopologyOptions& options_;
-  const Reach& reach_;
-  GraphEditor* editor_;
-  MeetingCounts* counts_;
+  const MeetingTask& task_;
   FreeTips free_;
 };
 
@@ -168,48 +161,39 @@ bool MayClose(double length_px, double gap_px) {
   return length_px >= std::max(kMinLoopPx, kLoopOverGap * gap_px);
 }
 
-void JoinFacingEnds(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
-                    GraphEditor* editor, MeetingCounts* counts) {
-  const FreeTips free(*editor);
+void JoinFacingEnds(const MeetingTask& task) {
+  const FreeTips free(*task.editor);
   std::vector<std::tuple<double, int, int>> candidates;  // gap, px, and two ends
-  for (const auto& [i, j] : free.NearPairs(reach.Radius())) {
+  for (const auto& [i, j] : free.NearPairs(task.reach.Radius())) {
     const LinkTip& a = free.tips[i];
     const LinkTip& b = free.tips[j];
     const double turn = AngleBetween(a.outward, -b.outward);
-    if (turn > options.max_continuation_angle_deg * kDeg) continue;
-    if (!reach.To(a, b.point, turn) || !reach.To(b, a.point, turn)) continue;
-    const double gap_px = (b.point - a.point).norm() / a.footprint;
-    candidates.push_back({gap_px, i, j});
+    if (turn > task.options.max_continuation_angle_deg * kDeg) continue;
+    if (!task.reach.To(a, b.point, turn) || !task.reach.To(b, a.point, turn)) continue;
+    candidates.push_back({(b.point - a.point).norm() / a.footprint, i, j});
   }
   std::sort(candidates.begin(), candidates.end());
   std::vector<uint8_t> used(free.ends.size(), 0);
   for (const auto& [gap_px, i, j] : candidates) {
     if (used[i] || used[j]) continue;
-    const LinkEnd a = editor->Now(free.ends[i]);
-    const LinkEnd b = editor->Now(free.ends[j]);
-    const DrawingLink& link_a = editor->link(a.link);
-    const DrawingLink& link_b = editor->link(b.link);
-    if (a.link == b.link && !MayClose(LengthPx(link_a), gap_px)) continue;
+    const LinkEnd a = task.editor->Now(free.ends[i]);
+    const LinkEnd b = task.editor->Now(free.ends[j]);
+    if (a.link == b.link && !MayClose(LengthPx(task.editor->link(a.link)), gap_px)) continue;
     if (gap_px > kSmallGapPx &&
-        !ImagesAgree(input, 0.5 * (free.points[i] + free.points[j]),
-                     FragmentsAtEnd(input, link_a, a.end), FragmentsAtEnd(input, link_b, b.end),
-                     options.min_junction_views)) {
-      ++counts->refused;
+        !ImagesShowMeeting(task, 0.5 * (free.points[i] + free.points[j]), a, b)) {
       continue;
     }
     used[i] = used[j] = 1;
-    const Eigen::Vector3d joint = EndPoint(link_b, b.end);
-    editor->DropOvershoot(a, joint);
-    editor->Join(a, b);
-    ++counts->joined;
+    task.editor->DropOvershoot(a, EndPoint(task.editor->link(b.link), b.end));
+    task.editor->Join(a, b);
+    ++task.counts->joined;
   }
-  editor->Compact();
+  task.editor->Compact();
 }
 
-void JoinCorners(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
-                 GraphEditor* editor, MeetingCounts* counts) {
-  CornerJoiner(input, options, reach, editor, counts).Run();
-  editor->Compact();
+void JoinCorners(const MeetingTask& task) {
+  CornerJoiner(task).Run();
+  task.editor->Compact();
 }
 
 }  // namespace limn

@@ -7,13 +7,11 @@ namespace limn {
 // Joins free ends that face each other on one line into one link, or closes a loop, smallest gap
 // first; points that overshoot the joint are dropped (ALGORITHM.md 13.4). O(n log n) in the number
 // of free ends.
-void JoinFacingEnds(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
-                    GraphEditor* editor, MeetingCounts* counts);
+void JoinFacingEnds(const MeetingTask& task);
 
 // Joins free ends whose lines meet into a node at the point nearest to all their lines
 // (ALGORITHM.md 13.5). Time as above.
-void JoinCorners(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
-                 GraphEditor* editor, MeetingCounts* counts);
+void JoinCorners(const MeetingTask& task);
 
 // Returns whether a link may close over a gap between its own ends: it must be much longer than the
 // gap.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "limn/util/angles.h"
+
 namespace limn {
 namespace {
 
@@ -22,6 +24,34 @@ void CollectFragments(const TopologyInput& input, const LinkVertex& vertex,
                       FragmentsByView* fragments) {
   for (const EdgelRef& ref : vertex.support) {
     (*fragments)[ref.view].insert(input.edgels[ref.view]->fragment_of[ref.edgel]);
+  }
+}
+
+void PairAt(double max_cosine, const DrawingGraph& graph, DrawingNode* node_at) {
+  DrawingNode& node = *node_at;
+  const auto known =
+      std::find_if(node.incident.begin(), node.incident.end(),
+                   [&](const LinkEnd& end) { return !graph.links[end.link].vertices.empty(); });
+  if (known == node.incident.end()) return;
+  const double footprint = TipOf(graph.links[known->link], known->end).footprint;
+  std::vector<Eigen::Vector3d> outward;
+  for (const LinkEnd& end : node.incident) {
+    outward.push_back(TipOf(graph.links[end.link], end.end, footprint).outward);
+  }
+  std::vector<std::tuple<double, size_t, size_t>> pairs;
+  for (size_t i = 0; i < outward.size(); ++i) {
+    for (size_t j = i + 1; j < outward.size(); ++j) {
+      const double cosine = outward[i].dot(outward[j]);
+      if (cosine < max_cosine) pairs.push_back({cosine, i, j});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<uint8_t> used(outward.size(), 0);
+  node.continuations.clear();
+  for (const auto& [cosine, i, j] : pairs) {
+    if (used[i] || used[j]) continue;
+    used[i] = used[j] = 1;
+    node.continuations.push_back({node.incident[i], node.incident[j]});
   }
 }
 
@@ -103,33 +133,9 @@ bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const
   return count >= min_views;
 }
 
-void PairContinuations(const TopologyOptions& options, NodeId id, DrawingGraph* graph) {
-  DrawingNode& node = graph->nodes[id];
-  const auto known =
-      std::find_if(node.incident.begin(), node.incident.end(),
-                   [&](const LinkEnd& end) { return !graph->links[end.link].vertices.empty(); });
-  if (known == node.incident.end()) return;
-  const double footprint = TipOf(graph->links[known->link], known->end).footprint;
-  std::vector<Eigen::Vector3d> outward;
-  for (const LinkEnd& end : node.incident) {
-    outward.push_back(TipOf(graph->links[end.link], end.end, footprint).outward);
-  }
-  const double max_cosine = -std::cos(options.max_continuation_angle_deg * M_PI / 180);
-  std::vector<std::tuple<double, size_t, size_t>> pairs;
-  for (size_t i = 0; i < outward.size(); ++i) {
-    for (size_t j = i + 1; j < outward.size(); ++j) {
-      const double cosine = outward[i].dot(outward[j]);
-      if (cosine < max_cosine) pairs.push_back({cosine, i, j});
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<uint8_t> used(outward.size(), 0);
-  node.continuations.clear();
-  for (const auto& [cosine, i, j] : pairs) {
-    if (used[i] || used[j]) continue;
-    used[i] = used[j] = 1;
-    node.continuations.push_back({node.incident[i], node.incident[j]});
-  }
+void PairContinuations(const TopologyOptions& options, DrawingGraph* graph) {
+  const double max_cosine = -std::cos(options.max_continuation_angle_deg * kDeg);
+  for (DrawingNode& node : graph->nodes) PairAt(max_cosine, *graph, &node);
 }
 
 }  // namespace limn

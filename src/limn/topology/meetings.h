@@ -38,6 +38,23 @@ struct Reach {
 // Gaps up to this need no support in the images.
 constexpr double kSmallGapPx = 3;
 
+struct MeetingCounts {
+  int64_t joined = 0;    // pairs of ends merged into one
+  int64_t corners = 0;   // nodes made of two or more free ends
+  int64_t to_nodes = 0;  // ends moved to a node
+  int64_t to_links = 0;  // ends moved to an interior point of a link
+  int64_t refused = 0;   // meetings in space that the images do not confirm
+};
+
+// What the steps that bring free ends together work with.
+struct MeetingTask {
+  const TopologyInput& input;
+  const TopologyOptions& options;
+  Reach reach;
+  GraphEditor* editor;
+  MeetingCounts* counts;
+};
+
 // The points of all links with vertices.
 struct Places {
   std::vector<Eigen::Vector3d> position;
@@ -56,16 +73,8 @@ FragmentsByView FragmentsAtEnd(const TopologyInput& input, const DrawingLink& li
 bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const FragmentsByView& a,
                  const FragmentsByView& b, int min_views);
 
-// Pairs the ends at a node that continue each other, smoothest first, each end at most once. A node
-// none of whose links has vertices keeps its pairs.
-void PairContinuations(const TopologyOptions& options, NodeId node, DrawingGraph* graph);
-
-struct MeetingCounts {
-  int64_t joined = 0;    // pairs of ends merged into one
-  int64_t corners = 0;   // nodes made of two or more free ends
-  int64_t to_nodes = 0;  // ends moved to a node
-  int64_t to_links = 0;  // ends moved to an interior point of a link
-  int64_t refused = 0;   // meetings in space that the images do not confirm
-};
+// Pairs the ends at each node that continue each other, smoothest first, each end at most once. A
+// node none of whose links has vertices keeps its pairs.
+void PairContinuations(const TopologyOptions& options, DrawingGraph* graph);
 
 }  // namespace limn

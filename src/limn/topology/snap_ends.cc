@@ -7,6 +7,7 @@
 
 #include "limn/geometry/spatial_index.h"
 #include "limn/topology/join_ends.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -17,15 +18,11 @@ constexpr double kNodePreferencePx = 3;
 
 class EndSnapper {
  public:
-  EndSnapper(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
-             GraphEditor* editor, MeetingCounts* counts)
-      : input_(input),
-        options_(options),
-        reach_(reach),
-        min_parting_rad_(options.min_junction_angle_deg * M_PI / 180),
-        editor_(editor),
-        counts_(counts),
-        places_(CollectPlaces(editor->graph())),
+  explicit EndSnapper(const MeetingTask& task)
+      : task_(task),
+        editor_(task.editor),
+        min_parting_rad_(task.options.min_junction_angle_deg * kDeg),
+        places_(CollectPlaces(task.editor->graph())),
         index_(places_.position) {}
 
   void Run() {
@@ -58,12 +55,12 @@ class EndSnapper {
         if (leaves[target.node]) continue;
         stays[target.node] = 1;
         moves_.push_back({from, target.node});
-        ++counts_->to_nodes;
+        ++task_.counts->to_nodes;
       } else if (target.link >= 0) {
         // Splitting a loop changes its indices, so it is split at most once.
         if (std::exchange(opened[target.link], editor_->link(target.link).closed)) continue;
         cuts_.push_back({target.link, target.index, from});
-        ++counts_->to_links;
+        ++task_.counts->to_links;
       } else {
         continue;
       }
@@ -75,11 +72,11 @@ class EndSnapper {
     Target best;
     Eigen::Vector3d best_place = Eigen::Vector3d::Zero();
     const LinkTip tip = TipOf(editor_->link(free.link), free.end);
-    index_.FindWithin(tip.point, reach_.Radius() * tip.footprint, &near_);
+    index_.FindWithin(tip.point, task_.reach.Radius() * tip.footprint, &near_);
     for (const SpatialIndex::Neighbor& neighbor : near_) {
       const auto& [other, at] = places_.point[neighbor.index];
       const Eigen::Vector3d& place = places_.position[neighbor.index];
-      const auto offset = reach_.To(tip, place);
+      const auto offset = task_.reach.To(tip, place);
       if (!offset) continue;
       const DrawingLink& link = editor_->link(other);
       const int last = link.size() - 1;
@@ -94,7 +91,7 @@ class EndSnapper {
     }
     const bool is_small = (best_place - tip.point).norm() <= kSmallGapPx * tip.footprint;
     if (best.link < 0 || is_small || ImagesShow(free, best_place, best)) return best;
-    ++counts_->refused;
+    ++task_.counts->refused;
     return {};
   }
 
@@ -105,7 +102,7 @@ class EndSnapper {
     const auto& incident = editor_->node(id).incident;
     return std::all_of(incident.begin(), incident.end(), [&](const LinkEnd& end) {
       if (end == free) return false;
-      if (end.link == free.link && !MayClose(LengthPx(own), reach_.gap_px)) return false;
+      if (end.link == free.link && !MayClose(LengthPx(own), task_.reach.gap_px)) return false;
       const LinkTip other = TipOf(editor_->link(end.link), end.end, tip.footprint);
       return AngleBetween(other.outward, tip.outward) > min_parting_rad_;
     });
@@ -124,16 +121,16 @@ class EndSnapper {
 
   // That the end meets the link, or any of the node's.
   bool ImagesShow(const LinkEnd& free, const Eigen::Vector3d& place, const Target& target) const {
-    const FragmentsByView own = FragmentsAtEnd(input_, editor_->link(free.link), free.end);
+    const FragmentsByView own = FragmentsAtEnd(task_.input, editor_->link(free.link), free.end);
     const auto agree = [&](const FragmentsByView& of_other) {
-      return ImagesAgree(input_, place, own, of_other, options_.min_junction_views);
+      return ImagesAgree(task_.input, place, own, of_other, task_.options.min_junction_views);
     };
     if (target.node < 0) {
-      return agree(FragmentsAround(input_, editor_->link(target.link), target.index));
+      return agree(FragmentsAround(task_.input, editor_->link(target.link), target.index));
     }
     const auto& incident = editor_->node(target.node).incident;
     return std::any_of(incident.begin(), incident.end(), [&](const LinkEnd& end) {
-      return agree(FragmentsAtEnd(input_, editor_->link(end.link), end.end));
+      return agree(FragmentsAtEnd(task_.input, editor_->link(end.link), end.end));
     });
   }
 
@@ -165,12 +162,9 @@ class EndSnapper {
     auto operator<=>(const Cut&) const = default;
   };
 
-  const TopologyInput& input_;
-  const TopologyOptions& options_;
-  const Reach& reach_;
-  double min_parting_rad_;
+  const MeetingTask& task_;
   GraphEditor* editor_;
-  MeetingCounts* counts_;
+  double min_parting_rad_;
   Places places_;
   SpatialIndex index_;
   std::vector<SpatialIndex::Neighbor> near_;
@@ -180,10 +174,8 @@ class EndSnapper {
 
 }  // namespace
 
-void SnapEnds(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
-              GraphEditor* editor, MeetingCounts* counts) {
-  if (editor->FreeEnds().empty()) return;
-  EndSnapper(input, options, reach, editor, counts).Run();
+void SnapEnds(const MeetingTask& task) {
+  if (!task.editor->FreeEnds().empty()) EndSnapper(task).Run();
 }
 
 }  // namespace limn

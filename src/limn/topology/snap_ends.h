@@ -8,7 +8,6 @@ namespace limn {
 // link is split there (ALGORITHM.md 13.6). Nodes are preferred to nearer interior places. The best
 // place is chosen by geometry; then the images are asked for it. Link ids change. O(n log n) in the
 // number of points.
-void SnapEnds(const TopologyInput& input, const TopologyOptions& options, const Reach& reach,
-              GraphEditor* editor, MeetingCounts* counts);
+void SnapEnds(const MeetingTask& task);
 
 }  // namespace limn

@@ -318,7 +318,7 @@ MeetingCounts DrawingScene::Meet(MeetingStage stage, const TopologyOptions& opti
   Make();
   GraphEditor editor(&graph_);
   MeetingCounts counts;
-  stage(Input(), options, Reach::Drawn(options), &editor, &counts);
+  stage({Input(), options, Reach::Drawn(options), &editor, &counts});
   ExpectValid(graph_);
   return counts;
 }

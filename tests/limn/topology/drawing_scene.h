@@ -123,8 +123,7 @@ class DrawingScene {
 
   // The stages. After each the links must make a valid graph.
 
-  using MeetingStage = void (*)(const TopologyInput&, const TopologyOptions&, const Reach&,
-                                GraphEditor*, MeetingCounts*);
+  using MeetingStage = void (*)(const MeetingTask&);
   // Within the reach of links as they were drawn.
   MeetingCounts Meet(MeetingStage stage, const TopologyOptions& options = {});
   TidyCounts Tidy(const TopologyOptions& options = {});

@@ -121,7 +121,7 @@ class FrontalScene {
   int64_t JoinFacing() {
     return Run([&](const auto& input, GraphEditor* editor) {
       MeetingCounts counts;
-      JoinFacingEnds(input, options, Reach::Fitted(options), editor, &counts);
+      JoinFacingEnds({input, options, Reach::Fitted(options), editor, &counts});
       return counts.joined;
     });
   }
@@ -129,10 +129,8 @@ class FrontalScene {
   MeetingCounts Snap() {
     return Run([&](const auto& input, GraphEditor* editor) {
       MeetingCounts counts;
-      SnapEnds(input, options, Reach::Fitted(options), editor, &counts);
-      for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
-        PairContinuations(options, id, &graph);
-      }
+      SnapEnds({input, options, Reach::Fitted(options), editor, &counts});
+      PairContinuations(options, &graph);
       return counts;
     });
   }

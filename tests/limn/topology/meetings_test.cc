@@ -114,7 +114,7 @@ std::set<std::pair<LinkEnd, LinkEnd>> Paired(const std::vector<double>& angles_r
   const NodeId node = testing::NodeAtPlace(scene.graph, FrontalPoint(0, 0));
   TopologyOptions options;
   options.max_continuation_angle_deg = max_continuation_angle_deg;
-  PairContinuations(options, node, &scene.graph);
+  PairContinuations(options, &scene.graph);
   return testing::Continuations(scene.graph.nodes[node]);
 }
 using Pairs = std::set<std::pair<LinkEnd, LinkEnd>>;
