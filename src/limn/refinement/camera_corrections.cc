@@ -4,11 +4,8 @@
 
 namespace limn {
 
-CameraCorrections NoCorrections(const std::vector<View>& views) {
-  CameraCorrections corrections;
-  corrections.motion.resize(views.size(), {0, 0, 0, 0, 0, 0});
-  for (const View& view : views) corrections.log_focal[view.camera_index] = 0;
-  return corrections;
+CameraCorrections::CameraCorrections(const std::vector<View>& views) : motion(views.size()) {
+  for (const View& view : views) log_focal[view.camera_index] = 0;
 }
 
 PosedCamera Corrected(const View& view, const double* motion, double log_focal) {

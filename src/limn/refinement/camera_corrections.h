@@ -10,14 +10,14 @@ namespace limn {
 
 // Differences between the refined and the given cameras.
 struct CameraCorrections {
+  // Those that change nothing.
+  explicit CameraCorrections(const std::vector<View>& views);
+
   // Per view: x_in_cam = Exp(w) * (given x_in_cam) + m, as w (rad), m (world units).
   std::vector<std::array<double, 6>> motion;
   // Per camera_index the logarithm of the factor on the focal length.
   std::map<int, double> log_focal;
 };
-
-// Corrections that change nothing.
-CameraCorrections NoCorrections(const std::vector<View>& views);
 
 // The corrected views. The focal factor acts on the virtual pinhole camera. This is exact without
 // lens distortion; with it, pixels off the axis are wrong by about twice the distortion times the

@@ -2,15 +2,39 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "limn/geometry/polyline.h"
+#include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
-#include "limn/model/view.h"
+#include "limn/support/edgel_residual.h"
 
 namespace limn {
+
+// An edgel through whose tangent line a place on a link should project.
+struct EdgelPull {
+  EdgelRef ref;
+  EdgelLine line;
+  // Share of an independent observation, in (0, 1], over the variance of the residual, 1 / px^2.
+  double weight = 0;
+  double residual_px = 0;
+  bool bright_left = false;  // whether the left side, walking along the link, is brighter
+  bool crowded = false;      // whether another link runs so near that their edges may blur into one
+};
+
+// A place on a link, at t in [0, 1] on a segment, and the edgels that pull at it: at most one per
+// view, ascending by view.
+struct LinkSample {
+  int segment = 0;
+  double t = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d tangent = Eigen::Vector3d::Zero();
+  double arc_px = 0;  // from the first point of the link
+  std::vector<EdgelPull> pulls;
+};
 
 // A link as the ids of its control points, first and last included; a closed one returns to the
 // first.
@@ -19,6 +43,8 @@ struct ControlLink {
   std::vector<ViewId> views;  // in which its edgels are sought, ascending
   // Data within this length of either end is ignored, px, because edges are rounded at corners.
   std::array<double, 2> skip_px = {0, 0};
+  std::vector<LinkSample> samples;  // in order, as matched last (MatchEdgels)
+  bool frozen = false;              // its inner points are no unknowns but follow its nodes
 
   int NumSegments() const { return static_cast<int>(points.size()) - 1; }
 };
@@ -26,28 +52,30 @@ struct ControlLink {
 // Three neighbors along a curve.
 using Bend = std::array<int, 3>;
 
-// The drawing as the unknowns of a fit (ALGORITHM.md 16.1). Links that meet at a node share the
-// control point there. Control point n < number of nodes is node n.
+// The drawing as the unknowns of a fit (ALGORITHM.md 16.1), and their data. Links that meet at a
+// node share the control point there. Control point n < number of nodes is node n.
 struct ControlGraph {
   std::vector<Eigen::Vector3d> position;
   std::vector<Eigen::Vector3d> start;    // position in the drawing
-  std::vector<Eigen::Vector3d> tangent;  // unit, of any link through the point
+  std::vector<Eigen::Vector3d> tangent;  // unit or zero, of any link through the point
   std::vector<double> footprint;         // world units per px (LinkFootprint)
   // Whether links meet here in different directions, so that there is no direction along which to
   // hold the point.
   std::vector<uint8_t> corner;
-  std::vector<ControlLink> links;  // as in the graph
-  std::vector<Bend> bends;         // also through smooth nodes
+  std::vector<std::optional<Eigen::Matrix3d>> covariance;  // world units squared, if fitted
+  std::vector<ControlLink> links;                          // as in the graph
+  std::vector<Bend> bends;                                 // also through smooth nodes
 };
 
 // Control points about `spacing_px` apart along every link. Linear time.
 ControlGraph MakeControlGraph(const DrawingGraph& graph, const std::vector<View>& views,
                               double spacing_px);
 
-// Vector from control point `first` to `last` of a link, clamped to its ends.
-Eigen::Vector3d Chord(const ControlGraph& control, const ControlLink& link, int first, int last);
+// Direction from control point `first` to `last` of a link, clamped to its ends; zero if they
+// coincide.
+Eigen::Vector3d Tangent(const ControlGraph& control, const ControlLink& link, int first, int last);
 
-// Unit tangents from the neighbors along the links.
+// Tangents from the neighbors along the links.
 void UpdateTangents(ControlGraph* control);
 
 // Moves a polyline to new ends: every point by a mean of the motions of both ends, the nearer end
@@ -55,7 +83,6 @@ void UpdateTangents(ControlGraph* control);
 void FollowEnds(const Eigen::Vector3d& first, const Eigen::Vector3d& last, Polyline3d* points);
 
 // The same for the control points of frozen links, whose nodes have moved since `before`.
-void FollowNodes(const std::vector<uint8_t>& frozen, const std::vector<Eigen::Vector3d>& before,
-                 ControlGraph* control);
+void FollowNodes(const std::vector<Eigen::Vector3d>& before, ControlGraph* control);
 
 }  // namespace limn

@@ -8,7 +8,6 @@
 #include <ceres/normal_prior.h>
 
 #include "limn/model/footprint.h"
-#include "limn/refinement/least_squares.h"
 #include "limn/refinement/pull_cost.h"
 #include "limn/util/median.h"
 
@@ -33,97 +32,84 @@ ceres::CostFunction* MakePointCost(const View& view, const PointPixel& pixel) {
   return new PullCost(std::move(pulls), {1}, std::numeric_limits<double>::infinity(), true);
 }
 
-bool IsInFront(const View& view, const Eigen::Vector3d& point) {
-  return (view.cam_from_world * point).z() > 0;
-}
-
-bool HasParallax(const std::vector<View>& views, const std::vector<const PointPixel*>& pixels,
+bool HasParallax(const std::vector<View>& views, const std::vector<PointPixel>& pixels,
                  const Eigen::Vector3d& point) {
-  const auto ray = [&](const PointPixel* pixel) -> Eigen::Vector3d {
-    return (point - views[pixel->view].CenterInWorld()).normalized();
-  };
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const PointPixel* pixel : pixels) mean += ray(pixel);
-  mean.normalize();
-  return std::any_of(pixels.begin(), pixels.end(), [&](const PointPixel* pixel) {
-    return ray(pixel).dot(mean) < std::cos(kMinHalfParallaxDeg * M_PI / 180);
-  });
+  Eigen::Matrix3Xd rays(3, pixels.size());
+  for (size_t i = 0; i < pixels.size(); ++i) {
+    rays.col(i) = (point - views[pixels[i].view].CenterInWorld()).normalized();
+  }
+  const Eigen::Vector3d mean = rays.rowwise().sum().normalized();
+  return (mean.transpose() * rays).minCoeff() < std::cos(kMinHalfParallaxDeg * M_PI / 180);
 }
 
-class PoseProblem {
+class PoseFit {
  public:
-  PoseProblem(const FitInput& input, const std::vector<ScenePoint>& points,
-              const RefinementOptions& options, CameraCorrections* corrections,
-              ControlGraph* control, std::vector<Eigen::Vector3d>* positions)
-      : input_(input),
+  PoseFit(const std::vector<View>& views, const std::vector<ScenePoint>& points,
+          CameraCorrections* corrections, std::vector<Eigen::Vector3d>* positions)
+      : views_(views),
         points_(points),
         corrections_(corrections),
         positions_(positions),
-        views_(Corrected(input.views, *corrections)),
-        footprints_(input.views.size()) {
-    for (const Component& component : FindComponents(input.frozen, *control)) {
-      AddTerms(input, options, component, corrections, control, &problem_);
-      for (const int link : component.links) AddFootprints(link, *control);
-    }
-    AddPoints();
-    AddCameraHolds();
-  }
+        footprints_(views.size()) {}
 
-  // False, and nothing changed, if there is no usable solution.
-  bool Solve(const RunContext& context) {
-    const std::vector<Eigen::Vector3d> before = *positions_;
+  bool Run(const RefinementOptions& options, const RunContext& context, ControlGraph* control) {
+    UpdateTangents(control);
+    const std::vector<View> views_before = Corrected(views_, *corrections_);
+    const std::vector<Eigen::Vector3d> control_before = control->position;
+    const std::vector<Eigen::Vector3d> points_before = *positions_;
+    for (const Component& component : FindComponents(*control)) {
+      AddTerms(views_, options, component, corrections_, control, &problem_);
+    }
+    AddFootprints(*control);
+    for (size_t p = 0; p < points_.size(); ++p) {
+      AddPoint(points_[p], views_before, &(*positions_)[p]);
+    }
+    AddCameraHolds();
     if (!Minimize(kMaxIterations, context, &problem_)) return false;
-    PutBackPointsBehind(before);
+    PutBackPointsBehind(views_before, points_before);
+    FollowNodes(control_before, control);
     return true;
   }
 
  private:
-  void AddFootprints(int link, const ControlGraph& control) {
-    for (const LinkSample& sample : input_.matches[link]) {
-      const Eigen::Vector3d& from = control.position[control.links[link].points[sample.segment]];
-      for (const EdgelPull& pull : sample.pulls) AddFootprint(pull.ref.view, from);
-    }
-  }
-
-  void AddPoints() {
-    for (size_t p = 0; p < points_.size(); ++p) {
-      std::vector<const PointPixel*> pixels;
-      for (const PointPixel& pixel : points_[p].pixels) {
-        if (IsInFront(views_[pixel.view], (*positions_)[p])) pixels.push_back(&pixel);
-      }
-      if (pixels.size() < 2) continue;
-      if (!HasParallax(input_.views, pixels, points_[p].position_in_world)) continue;
-      for (const PointPixel* pixel : pixels) {
-        const View& view = input_.views[pixel->view];
-        problem_.AddResidualBlock(MakePointCost(view, *pixel),
-                                  new ceres::CauchyLoss(kPointRobustSigmas),
-                                  (*positions_)[p].data(), corrections_->motion[pixel->view].data(),
-                                  &corrections_->log_focal.at(view.camera_index));
-        AddFootprint(pixel->view, (*positions_)[p]);
+  void AddFootprints(const ControlGraph& control) {
+    for (const ControlLink& link : control.links) {
+      if (link.frozen) continue;
+      for (const LinkSample& sample : link.samples) {
+        const Eigen::Vector3d& from = control.position[link.points[sample.segment]];
+        for (const EdgelPull& pull : sample.pulls) AddFootprint(pull.ref.view, from);
       }
     }
   }
 
-  // Resets points that have moved behind a view that sees them.
-  void PutBackPointsBehind(const std::vector<Eigen::Vector3d>& before) {
-    const std::vector<View> views = Corrected(input_.views, *corrections_);
-    for (size_t p = 0; p < before.size(); ++p) {
-      const std::vector<PointPixel>& pixels = points_[p].pixels;
-      const bool went_behind =
-          std::any_of(pixels.begin(), pixels.end(), [&](const PointPixel& pixel) {
-            return IsInFront(views_[pixel.view], before[p]) &&
-                   !IsInFront(views[pixel.view], (*positions_)[p]);
-          });
-      if (went_behind) (*positions_)[p] = before[p];
+  void AddFootprint(ViewId view, const Eigen::Vector3d& point) {
+    if (const auto footprint = FootprintIn(views_[view], point)) {
+      footprints_[view].push_back(*footprint);
+    }
+  }
+
+  void AddPoint(const ScenePoint& point, const std::vector<View>& corrected,
+                Eigen::Vector3d* position) {
+    std::vector<PointPixel> pixels = point.pixels;
+    std::erase_if(pixels, [&](const PointPixel& pixel) {
+      return !FootprintIn(corrected[pixel.view], *position);
+    });
+    if (pixels.size() < 2 || !HasParallax(views_, pixels, point.position_in_world)) return;
+    for (const PointPixel& pixel : pixels) {
+      const View& view = views_[pixel.view];
+      problem_.AddResidualBlock(
+          MakePointCost(view, pixel), new ceres::CauchyLoss(kPointRobustSigmas), position->data(),
+          corrections_->motion[pixel.view].data(), &corrections_->log_focal.at(view.camera_index));
+      AddFootprint(pixel.view, *position);
     }
   }
 
   // Cameras without data are not unknowns.
   void AddCameraHolds() {
     int largest_side = 0;
-    for (size_t v = 0; v < input_.views.size(); ++v) {
+    for (size_t v = 0; v < views_.size(); ++v) {
       if (footprints_[v].empty()) continue;
-      const PinholeCamera& camera = input_.views[v].camera;
+      const PinholeCamera& camera = views_[v].camera;
       ceres::Vector px_per_unit(6);
       px_per_unit << Eigen::Vector3d::Constant(camera.MeanFocal()),
           Eigen::Vector3d::Constant(1 / Median(footprints_[v]));
@@ -143,33 +129,36 @@ class PoseProblem {
     problem_.AddResidualBlock(new ceres::NormalPrior(factors, zero), nullptr, unknowns);
   }
 
-  void AddFootprint(ViewId view, const Eigen::Vector3d& point) {
-    if (const auto footprint = FootprintIn(input_.views[view], point)) {
-      footprints_[view].push_back(*footprint);
+  // Resets points that have moved behind a view that sees them.
+  void PutBackPointsBehind(const std::vector<View>& views_before,
+                           const std::vector<Eigen::Vector3d>& points_before) {
+    const std::vector<View> views = Corrected(views_, *corrections_);
+    for (size_t p = 0; p < points_.size(); ++p) {
+      const Eigen::Vector3d moved = (*positions_)[p];
+      for (const PointPixel& pixel : points_[p].pixels) {
+        if (FootprintIn(views_before[pixel.view], points_before[p]) &&
+            !FootprintIn(views[pixel.view], moved)) {
+          (*positions_)[p] = points_before[p];
+        }
+      }
     }
   }
 
-  const FitInput& input_;
+  const std::vector<View>& views_;  // not corrected
   const std::vector<ScenePoint>& points_;
   CameraCorrections* corrections_;
   std::vector<Eigen::Vector3d>* positions_;
-  std::vector<View> views_;                      // as corrected at the start
   std::vector<std::vector<double>> footprints_;  // per view, of what it shows
   ceres::Problem problem_;
 };
 
 }  // namespace
 
-bool FitPoses(const FitInput& input, const std::vector<ScenePoint>& points,
+bool FitPoses(const std::vector<View>& views, const std::vector<ScenePoint>& points,
               const RefinementOptions& options, const RunContext& context,
               CameraCorrections* corrections, ControlGraph* control,
               std::vector<Eigen::Vector3d>* positions) {
-  UpdateTangents(control);
-  const std::vector<Eigen::Vector3d> before = control->position;
-  PoseProblem problem(input, points, options, corrections, control, positions);
-  if (!problem.Solve(context)) return false;
-  FollowNodes(input.frozen, before, control);
-  return true;
+  return PoseFit(views, points, corrections, positions).Run(options, context, control);
 }
 
 }  // namespace limn

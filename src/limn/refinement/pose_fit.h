@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "limn/model/scene_hints.h"
-#include "limn/refinement/curve_terms.h"
+#include "limn/refinement/curve_fit.h"
 
 namespace limn {
 
@@ -18,7 +18,7 @@ namespace limn {
 // behind a view. Returns false, and changes nothing, if the solver fails. One sparse system, solved
 // by Ceres on one thread. Deterministic. Throws Cancelled. Time per step: unknowns of the curves
 // times the square of those of the cameras.
-bool FitPoses(const FitInput& input, const std::vector<ScenePoint>& points,
+bool FitPoses(const std::vector<View>& views, const std::vector<ScenePoint>& points,
               const RefinementOptions& options, const RunContext& context,
               CameraCorrections* corrections, ControlGraph* control,
               std::vector<Eigen::Vector3d>* positions);

@@ -29,9 +29,8 @@ struct LinePull {
 // across the line in stored pixels (EdgelLine). Fixed cameras have w = m = 0, l = 0.
 //
 // Loss. An edgel costs k^2 c^2 log(1 + (d / c)^2) (Cauchy): (k d)^2 as long as |d| is small against
-// c = robust_px, and growing ever more slowly beyond. k^2 = weight / variance, 1 / px^2: the share
-// of an independent observation that the edgel is (EdgelPull) over the variance of d
-// (ResidualVariance). The residual is the signed root of the loss,
+// c = robust_px, and growing ever more slowly beyond. k^2 is the weight of the edgel, 1 / px^2
+// (EdgelPull). The residual is the signed root of the loss,
 //   r = k c sign(d) sqrt(log(1 + u^2)),   u = d / c,
 // so that least squares of r minimizes the sum of the losses. A ceres::LossFunction acts on all
 // residuals of a block together, whereas here each of a block has its own. c may be infinite: r = k

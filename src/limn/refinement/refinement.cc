@@ -6,8 +6,10 @@
 #include <map>
 #include <utility>
 
+#include "limn/geometry/median_point.h"
+#include "limn/model/footprint.h"
 #include "limn/refinement/curve_fit.h"
-#include "limn/refinement/fitted_vertices.h"
+#include "limn/refinement/edgel_matches.h"
 #include "limn/refinement/gauge.h"
 #include "limn/refinement/pose_fit.h"
 #include "limn/refinement/variance_factors.h"
@@ -28,35 +30,58 @@ constexpr int kMinSupportedSamples = 3;
 constexpr double kPoseRoundReach[] = {3, 3, 2, 1.5, 1, 1};
 
 // Samples that enough views show.
-int NumShown(const LinkMatches& matches) {
-  return static_cast<int>(std::count_if(matches.begin(), matches.end(),
-                                        [](const LinkSample& s) { return !s.pulls.empty(); }));
+int NumShown(const ControlLink& link) {
+  return static_cast<int>(
+      std::ranges::count_if(link.samples, [](const LinkSample& s) { return !s.pulls.empty(); }));
 }
 
-std::vector<uint8_t> FindFrozen(const std::vector<LinkMatches>& matches) {
-  std::vector<uint8_t> frozen;
-  for (const LinkMatches& of_link : matches) {
-    const int shown = NumShown(of_link);
-    frozen.push_back(shown == 0 || shown < kMinShownShare * static_cast<double>(of_link.size()));
+void FindFrozen(ControlGraph* control) {
+  for (ControlLink& link : control->links) {
+    const int shown = NumShown(link);
+    link.frozen = shown == 0 || shown < kMinShownShare * static_cast<double>(link.samples.size());
   }
-  return frozen;
 }
 
-void SetSupport(const LinkMatches& matches, DrawingLink* link) {
+void SetSupport(const ControlLink& fitted, DrawingLink* link) {
   std::map<ViewId, int> samples;
   std::vector<double> residuals;
-  for (const LinkSample& sample : matches) {
+  for (const LinkSample& sample : fitted.samples) {
     for (const EdgelPull& pull : sample.pulls) {
       ++samples[pull.ref.view];
       residuals.push_back(std::abs(pull.residual_px));
     }
   }
-  const int needed = std::min(kMinSupportedSamples, (NumShown(matches) + 1) / 2);
+  const int needed = std::min(kMinSupportedSamples, (NumShown(fitted) + 1) / 2);
   link->supporting_views.clear();
   for (const auto& [view, count] : samples) {
     if (count >= needed) link->supporting_views.push_back(view);
   }
   link->residual_px = Median(std::move(residuals));
+}
+
+// Resamples a link to a point per px and gives it vertices with its footprint and, unless frozen,
+// the matched edgels, as RepairTopology needs them. A link that no view sees stays unchanged.
+void GiveVertices(const std::vector<View>& views, const ControlLink& fitted, DrawingLink* link) {
+  const double footprint = LinkFootprint(*link, views);
+  if (!(footprint > 0)) return;
+  const std::vector<double> arc = CumulativeLength(link->points_in_world);
+  link->points_in_world = ResampleUniform(link->points_in_world, footprint);
+  // Infinite before the last fit, not read after it.
+  link->sigma.assign(link->points_in_world.size(), link->sigma.front());
+  link->vertices.resize(link->points_in_world.size());
+  for (LinkVertex& vertex : link->vertices) vertex.footprint = footprint;
+  if (fitted.frozen) return;
+  const double step = arc.back() / static_cast<double>(link->size() - 1);
+  for (const LinkSample& sample : fitted.samples) {
+    const double at = (1 - sample.t) * arc[sample.segment] + sample.t * arc[sample.segment + 1];
+    LinkVertex& vertex = link->vertices[std::lround(at / step)];
+    for (const EdgelPull& pull : sample.pulls) vertex.support.push_back(pull.ref);
+  }
+  for (LinkVertex& vertex : link->vertices) {
+    std::ranges::sort(vertex.support);
+    const auto repeated = std::ranges::unique(vertex.support);
+    vertex.support.erase(repeated.begin(), repeated.end());
+  }
 }
 
 class Refiner {
@@ -76,18 +101,21 @@ class Refiner {
   RefinementResult Run() {
     RefinementResult result;
     if (options_.refine_poses) result.cameras = RefineCameras();
-    const int rounds_before = options_.num_rounds / 2;
-    for (int round = 0; round < rounds_before; ++round) Fit(nullptr);
-    if (rounds_before > 0) ChangeTopology();
-    for (int round = rounds_before; round + 1 < options_.num_rounds; ++round) Fit(nullptr);
-    Fit(&covariances_);
+    for (int round = 0; round < options_.num_rounds; ++round) {
+      if (round > 0 && round == options_.num_rounds / 2) ChangeTopology();
+      Match(1);
+      FindFrozen(&control_);
+      const bool is_last = round + 1 == options_.num_rounds;
+      FitCurves(views_, options_, context_, is_last, &control_);
+    }
     Match(1);
     ScaleCovariances();
     SetGeometry();
     for (size_t l = 0; l < graph_.links.size(); ++l) {
-      if (!frozen_[l]) SetSupport(matches_[l], &graph_.links[l]);
+      const ControlLink& fitted = control_.links[l];
+      if (!fitted.frozen) SetSupport(fitted, &graph_.links[l]);
     }
-    RemoveCovered(FindUncoveredLinks(topology_, WithVertices()));
+    RemoveCovered(WithVertices());
     result.summary = Summary();
     result.graph = std::move(graph_);
     return result;
@@ -95,10 +123,7 @@ class Refiner {
 
  private:
   // Sets up the unknowns for the current graph.
-  void TakeGraph() {
-    control_ = MakeControlGraph(graph_, views_, options_.control_spacing_px);
-    covariances_.assign(control_.position.size(), std::nullopt);
-  }
+  void TakeGraph() { control_ = MakeControlGraph(graph_, views_, options_.control_spacing_px); }
 
   // `reach`: multiple of max_distance_px.
   TopologyInput Images(double reach) const {
@@ -108,14 +133,15 @@ class Refiner {
             {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180}};
   }
 
+  void Match(double reach) { MatchEdgels(Images(reach), options_, context_, &control_); }
+
   void ChangeTopology() {
     SetGeometry();
-    DrawingGraph dense = WithVertices();
-    const std::vector<uint8_t> keep = FindUncoveredLinks(topology_, dense);
+    const DrawingGraph dense = WithVertices();
     for (size_t l = 0; l < graph_.links.size(); ++l) {
-      if (!frozen_[l]) graph_.links[l] = std::move(dense.links[l]);
+      if (!control_.links[l].frozen) graph_.links[l] = dense.links[l];
     }
-    RemoveCovered(keep);
+    RemoveCovered(dense);
     repairs_ = RepairTopology(Images(1), topology_, &graph_);
     for (DrawingLink& link : graph_.links) link.vertices.clear();
     TakeGraph();
@@ -124,36 +150,35 @@ class Refiner {
   DrawingGraph WithVertices() const {
     DrawingGraph graph = graph_;
     for (size_t l = 0; l < graph.links.size(); ++l) {
-      GiveVertices(views_, frozen_[l] ? LinkMatches() : matches_[l], &graph.links[l]);
+      GiveVertices(views_, control_.links[l], &graph.links[l]);
     }
     return graph;
   }
 
-  void RemoveCovered(const std::vector<uint8_t>& keep) {
-    RemoveLinks(keep, &graph_);
-    std::vector<uint8_t> frozen;
+  // `dense`: the graph, with vertices.
+  void RemoveCovered(const DrawingGraph& dense) {
+    const std::vector<uint8_t> keep = FindUncoveredLinks(topology_, dense);
+    num_frozen_ = 0;
     for (size_t l = 0; l < keep.size(); ++l) {
-      if (keep[l]) frozen.push_back(frozen_[l]);
+      num_covered_ += !keep[l];
+      num_frozen_ += keep[l] && control_.links[l].frozen;
     }
-    num_covered_ += static_cast<int64_t>(frozen_.size() - frozen.size());
-    frozen_ = std::move(frozen);
+    RemoveLinks(keep, &graph_);
   }
-
-  void Match(double reach) { matches_ = MatchEdgels(Images(reach), control_, options_, context_); }
 
   RefinedCameras RefineCameras() {
     static const std::vector<ScenePoint> none;
     const std::vector<ScenePoint>& points = input_.points ? *input_.points : none;
     RefinedCameras refined;
     for (const ScenePoint& point : points) refined.points.push_back(point.position_in_world);
-    CameraCorrections corrections = NoCorrections(input_.views);
+    CameraCorrections corrections(input_.views);
     for (const double reach : kPoseRoundReach) {
       Match(reach);
       RefinementOptions options = options_;
       options.robust_residual_px *= reach;
-      const bool found =
-          FitPoses({input_.views, input_.curves, matches_, FindFrozen(matches_)}, points, options,
-                   context_, &corrections, &control_, &refined.points);
+      FindFrozen(&control_);
+      const bool found = FitPoses(input_.views, points, options, context_, &corrections, &control_,
+                                  &refined.points);
       num_failed_pose_rounds_ += !found;
       views_ = Corrected(input_.views, corrections);
     }
@@ -170,28 +195,16 @@ class Refiner {
   // Restores place, orientation and scale, which images do not determine, to those of the given
   // cameras.
   void BringBack(const std::vector<ScenePoint>& given, std::vector<Eigen::Vector3d>* points) {
-    const Eigen::Affine3d back =
-        GivenFromRefined(input_.views, views_, MiddleOfScene(given, *points));
+    std::vector<Eigen::Vector3d> scene = control_.position;
+    for (size_t p = 0; p < given.size(); ++p) {
+      if (given[p].pixels.size() >= 2) scene.push_back((*points)[p]);
+    }
+    // Some points of a sparse model are far away.
+    const Eigen::Affine3d back = GivenFromRefined(input_.views, views_, MedianPoint(scene));
     views_ = Moved(views_, back);
     for (std::vector<Eigen::Vector3d>* of : {&control_.position, points}) {
       for (Eigen::Vector3d& point : *of) point = back * point;
     }
-  }
-
-  // Medians, because some points of a sparse model are far away.
-  Eigen::Vector3d MiddleOfScene(const std::vector<ScenePoint>& given,
-                                const std::vector<Eigen::Vector3d>& points) const {
-    std::vector<Eigen::Vector3d> known = control_.position;
-    for (size_t p = 0; p < points.size(); ++p) {
-      if (given[p].pixels.size() >= 2) known.push_back(points[p]);
-    }
-    Eigen::Vector3d middle;
-    for (int axis = 0; axis < 3; ++axis) {
-      std::vector<double> values;
-      for (const Eigen::Vector3d& point : known) values.push_back(point[axis]);
-      middle[axis] = Median(std::move(values));
-    }
-    return middle;
   }
 
   // Shift of the images of control points by the refinement of the cameras: median over views of
@@ -210,68 +223,62 @@ class Refiner {
     return Median(std::move(shifts));
   }
 
-  FitInput ToFit() const { return {views_, input_.curves, matches_, frozen_}; }
-
-  void Fit(Covariances* covariances) {
-    Match(1);
-    frozen_ = FindFrozen(matches_);
-    FitCurves(ToFit(), options_, context_, &control_, covariances);
-  }
-
   void ScaleCovariances() {
-    const std::vector<double> factors = VarianceFactors(ToFit(), options_, control_);
+    const std::vector<double> factors = VarianceFactors(options_, control_);
     for (size_t p = 0; p < factors.size(); ++p) {
-      if (covariances_[p]) *covariances_[p] *= factors[p];
+      if (control_.covariance[p]) *control_.covariance[p] *= factors[p];
     }
   }
 
-  // Root of the mean of the two variances across the curve; infinite before there are any.
-  double Sigma(const ControlLink& link, int k) const {
-    const auto& covariance = covariances_[link.points[k]];
-    if (!covariance) return std::numeric_limits<double>::infinity();
-    const Eigen::Vector3d tangent = Chord(control_, link, k - 1, k + 1).normalized();
-    const double along = tangent.dot(*covariance * tangent);
-    return std::sqrt(std::max(0.0, 0.5 * (covariance->trace() - along)));
-  }
-
-  // Unfitted links have no edgel within the gate, so their sigma is at least max_distance_px.
-  double LeastSigmaUnfitted(const ControlLink& link) const {
-    double largest = 0;
-    for (const int id : link.points) largest = std::max(largest, control_.footprint[id]);
-    return options_.max_distance_px * largest;
-  }
-
-  // Fitted links get their control points; the others keep their points and follow their nodes.
+  // Fitted links get their control points; the others keep their shape and follow their nodes.
   void SetGeometry() {
     for (size_t n = 0; n < graph_.nodes.size(); ++n) {
       graph_.nodes[n].position_in_world = control_.position[n];
     }
     for (size_t l = 0; l < graph_.links.size(); ++l) {
-      DrawingLink& link = graph_.links[l];
-      if (frozen_[l]) {
-        FollowEnds(control_.position[link.node0], control_.position[link.node1],
-                   &link.points_in_world);
-        const double least = LeastSigmaUnfitted(control_.links[l]);
-        for (double& sigma : link.sigma) sigma = std::max(sigma, least);
-        continue;
-      }
       const ControlLink& fitted = control_.links[l];
-      link.points_in_world.clear();
-      link.sigma.clear();
-      for (int k = 0; k <= fitted.NumSegments(); ++k) {
-        link.points_in_world.push_back(control_.position[fitted.points[k]]);
-        link.sigma.push_back(Sigma(fitted, k));
+      if (fitted.frozen) {
+        KeepShape(fitted, &graph_.links[l]);
+      } else {
+        SetPoints(fitted, &graph_.links[l]);
       }
     }
   }
 
+  // No edgel of an unfitted link is within the gate, so its sigma is at least max_distance_px.
+  void KeepShape(const ControlLink& unfitted, DrawingLink* link) const {
+    FollowEnds(control_.position[link->node0], control_.position[link->node1],
+               &link->points_in_world);
+    double footprint = 0;
+    for (const int id : unfitted.points) footprint = std::max(footprint, control_.footprint[id]);
+    const double least = options_.max_distance_px * footprint;
+    for (double& sigma : link->sigma) sigma = std::max(sigma, least);
+  }
+
+  void SetPoints(const ControlLink& fitted, DrawingLink* link) const {
+    link->points_in_world.clear();
+    link->sigma.clear();
+    for (int k = 0; k <= fitted.NumSegments(); ++k) {
+      link->points_in_world.push_back(control_.position[fitted.points[k]]);
+      link->sigma.push_back(Sigma(fitted, k));
+    }
+  }
+
+  // Root of the mean of the two variances across the curve; infinite before there are any.
+  double Sigma(const ControlLink& link, int k) const {
+    const auto& covariance = control_.covariance[link.points[k]];
+    if (!covariance) return std::numeric_limits<double>::infinity();
+    const Eigen::Vector3d tangent = Tangent(control_, link, k - 1, k + 1);
+    const double along = tangent.dot(*covariance * tangent);
+    return std::sqrt(std::max(0.0, 0.5 * (covariance->trace() - along)));
+  }
+
   StageSummary Summary() const {
-    const auto num_frozen = std::count(frozen_.begin(), frozen_.end(), uint8_t{1});
     StageSummary summary;
     summary.stage = "refinement";
     summary.in = {{"links", std::ssize(input_.graph.links)}};
     summary.kept = {{"links", std::ssize(graph_.links)},
-                    {"links not fitted: too few views", num_frozen},
+                    {"links not fitted: too few views", num_frozen_},
                     {"control points", std::ssize(control_.position)},
                     {"ends cut back from other links", repairs_.trimmed},
                     {"ends joined", repairs_.meetings.joined},
@@ -295,11 +302,9 @@ class Refiner {
   DrawingGraph graph_;
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
-  std::vector<LinkMatches> matches_;
-  std::vector<uint8_t> frozen_;
-  Covariances covariances_;
   RepairCounts repairs_;
   int64_t num_covered_ = 0;
+  int64_t num_frozen_ = 0;  // of the links that remain
   int num_failed_pose_rounds_ = 0;
 };
 

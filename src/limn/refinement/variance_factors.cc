@@ -21,16 +21,14 @@ struct ViewSums {
 };
 
 // Reduced chi-square of the views' mean residuals, at least 1.
-double ReducedChiSquare(std::span<const LinkSample> samples,
-                        const std::vector<ImageCurves>& curves) {
+double ReducedChiSquare(std::span<const LinkSample> samples) {
   std::map<ViewId, ViewSums> sums;
   for (const LinkSample& sample : samples) {
     for (const EdgelPull& pull : sample.pulls) {
-      const double weight = WeightOf(pull, curves);
       ViewSums& of_view = sums[pull.ref.view];
-      of_view.weight += weight;
+      of_view.weight += pull.weight;
       // Signed by the sides of the link, not by those of the edgel.
-      of_view.residual += weight * (pull.bright_left ? 1 : -1) * pull.residual_px;
+      of_view.residual += pull.weight * (pull.bright_left ? 1 : -1) * pull.residual_px;
     }
   }
   double chi_square = 0;
@@ -41,16 +39,10 @@ double ReducedChiSquare(std::span<const LinkSample> samples,
   return std::max(1.0, (kPriorViews + chi_square) / (kPriorViews + freedoms));
 }
 
-// The samples on the segments [begin, end).
-std::span<const LinkSample> SamplesOn(const LinkMatches& matches, int begin, int end) {
-  return {std::ranges::lower_bound(matches, begin, {}, &LinkSample::segment),
-          std::ranges::lower_bound(matches, end, {}, &LinkSample::segment)};
-}
-
 // Per control point the squared bend there, over its variance; 0 where nothing bends.
 std::vector<double> SquaredBends(const ControlGraph& control, const RefinementOptions& options) {
   std::vector<double> squares(control.position.size(), 0);
-  for (const auto& bend : control.bends) {
+  for (const Bend& bend : control.bends) {
     double& square = squares[bend[1]];
     square = std::max(square, SquaredBend(bend, options, control));
   }
@@ -59,24 +51,23 @@ std::vector<double> SquaredBends(const ControlGraph& control, const RefinementOp
 
 }  // namespace
 
-std::vector<double> VarianceFactors(const FitInput& input, const RefinementOptions& options,
-                                    const ControlGraph& control) {
+std::vector<double> VarianceFactors(const RefinementOptions& options, const ControlGraph& control) {
   const int half_window =
       std::max(1, static_cast<int>(std::lround(kHalfWindowPx / options.control_spacing_px)));
   const std::vector<double> bends = SquaredBends(control, options);
   std::vector<double> factors(control.position.size(), 1);
-  for (size_t l = 0; l < control.links.size(); ++l) {
-    if (input.frozen[l]) continue;
-    const ControlLink& link = control.links[l];
+  for (const ControlLink& link : control.links) {
+    if (link.frozen) continue;
     for (int k = 0; k <= link.NumSegments(); ++k) {
-      const auto samples = SamplesOn(input.matches[l], k - half_window, k + half_window);
-      double bend = 0;
+      const int begin = std::max(k - half_window, 0);
       const int end = std::min(k + half_window, link.NumSegments());
-      for (int i = std::max(k - half_window, 0); i <= end; ++i) {
-        bend = std::max(bend, bends[link.points[i]]);
-      }
+      double bend = 0;
+      for (int i = begin; i <= end; ++i) bend = std::max(bend, bends[link.points[i]]);
+      const std::span<const LinkSample> samples = {
+          std::ranges::lower_bound(link.samples, begin, {}, &LinkSample::segment),
+          std::ranges::lower_bound(link.samples, end, {}, &LinkSample::segment)};
       double& factor = factors[link.points[k]];
-      factor = std::max(factor, ReducedChiSquare(samples, input.curves) * (1 + bend));
+      factor = std::max(factor, ReducedChiSquare(samples) * (1 + bend));
     }
   }
   return factors;

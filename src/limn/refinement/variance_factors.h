@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "limn/refinement/curve_terms.h"
+#include "limn/refinement/curve_fit.h"
 
 namespace limn {
 
@@ -16,7 +16,6 @@ namespace limn {
 //   direction within 6 px over its variance in the smoothing: where smoothing and edgels pull
 //   against each other, neither is to be believed.
 // A node has the largest factor of its links. Time: pulls.
-std::vector<double> VarianceFactors(const FitInput& input, const RefinementOptions& options,
-                                    const ControlGraph& control);
+std::vector<double> VarianceFactors(const RefinementOptions& options, const ControlGraph& control);
 
 }  // namespace limn

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/formats/colors.h"
+#include "limn/geometry/median_point.h"
 #include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
-#include "limn/util/median.h"
 #include "limn/viewer/payload_arrays.h"
 
 namespace limn {
@@ -35,17 +35,14 @@ struct Values {
 
 // The middle of the drawing by the medians of its coordinates: stray links do not move it.
 Eigen::Vector3d CenterOf(const ViewerScene& scene) {
-  std::vector<double> values[3];
-  const auto add = [&](const Eigen::Vector3d& point) {
-    for (int axis = 0; axis < 3; ++axis) values[axis].push_back(point[axis]);
-  };
+  std::vector<Eigen::Vector3d> points;
   for (const DrawingLink& link : scene.graph.links) {
-    for (const Eigen::Vector3d& point : link.points_in_world) add(point);
+    points.insert(points.end(), link.points_in_world.begin(), link.points_in_world.end());
   }
-  if (values[0].empty()) {
-    for (const View& view : scene.views) add(view.CenterInWorld());
+  if (points.empty()) {
+    for (const View& view : scene.views) points.push_back(view.CenterInWorld());
   }
-  return {Median(std::move(values[0])), Median(std::move(values[1])), Median(std::move(values[2]))};
+  return MedianPoint(points);
 }
 
 // A power of two: what is rounded to it ends in zero bits.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/refinement/edgel_matches.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -46,13 +47,14 @@ class CurveFitTest : public ::testing::Test {
   }
 
   // The control points, fitted to what the images show.
-  ControlGraph Fit(const std::vector<ImageCurves>& curves, const std::vector<uint8_t>& frozen) {
+  ControlGraph Fit(const std::vector<ImageCurves>& curves, const std::vector<bool>& frozen) {
     const auto edgels = BuildViewEdgels(curves, {});
     ControlGraph control = MakeControlGraph(graph_, Views(), options_.control_spacing_px);
     before_ = control.position;
     const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
-    const auto matches = MatchEdgels({Views(), curves, edgels, gate}, control, options_, {});
-    FitCurves({Views(), curves, matches, frozen}, options_, {}, &control, nullptr);
+    MatchEdgels({Views(), curves, edgels, gate}, options_, {}, &control);
+    for (size_t l = 0; l < frozen.size(); ++l) control.links[l].frozen = frozen[l];
+    FitCurves(Views(), options_, {}, false, &control);
     return control;
   }
 
@@ -72,7 +74,7 @@ class CurveFitTest : public ::testing::Test {
 
 TEST_F(CurveFitTest, ALinkGoesToItsEdgels) {
   AddLink(AddNode({-0.25, 0.5 * kPx, 0}), AddNode({0.25, 0.5 * kPx, 0}));
-  const ControlGraph fitted = Fit(testing::ProjectCurves(Views(), {Edge()}), {0});
+  const ControlGraph fitted = Fit(testing::ProjectCurves(Views(), {Edge()}), {false});
   // Edgels are exact; what holds the points weighs next to nothing.
   EXPECT_LT(FarthestPx(fitted, 0), 0.01);
 }
@@ -81,9 +83,9 @@ TEST_F(CurveFitTest, AViewThatErrsHardlyCounts) {
   AddLink(AddNode({-0.25, 0, 0}), AddNode({0.25, 0, 0}));
   std::vector<ImageCurves> curves = testing::ProjectCurves(Views(), {Edge()});
   for (Edgel& edgel : curves[0].edge_map.edgels) edgel.position_px += 0.9 * edgel.Normal();
-  const double robust_px = FarthestPx(Fit(curves, {0}), 0);
+  const double robust_px = FarthestPx(Fit(curves, {false}), 0);
   options_.robust_residual_px = 100;
-  const double plain_px = FarthestPx(Fit(curves, {0}), 0);
+  const double plain_px = FarthestPx(Fit(curves, {false}), 0);
   // By Cauchy's weight, 1 / (1 + (0.9 / 0.5)^2) = 0.24 of what it would.
   EXPECT_GT(plain_px, 0.05);
   EXPECT_LT(robust_px, 0.4 * plain_px);
@@ -103,9 +105,9 @@ TEST_F(CurveFitTest, SmallerBendingSigmaIsSmoother) {
     return largest;
   };
   options_.bending_sigma = 1e-4;
-  const double smooth_px = roughness_px(Fit(noisy, {0}));
+  const double smooth_px = roughness_px(Fit(noisy, {false}));
   options_.bending_sigma = 1e3;
-  const double rough_px = roughness_px(Fit(noisy, {0}));
+  const double rough_px = roughness_px(Fit(noisy, {false}));
   // Each point is known to about the noise over the root of its edgels.
   EXPECT_GT(rough_px, 0.03);
   EXPECT_LT(smooth_px, 0.003);
@@ -115,7 +117,7 @@ TEST_F(CurveFitTest, FrozenLinksFollowTheirNodes) {
   const NodeId shared = AddNode({0.25, 0.5 * kPx, 0});
   AddLink(AddNode({-0.25, 0.5 * kPx, 0}), shared);
   AddLink(shared, AddNode({0.25, 0.3, 0}));
-  const ControlGraph fitted = Fit(testing::ProjectCurves(Views(), {Edge()}), {0, 1});
+  const ControlGraph fitted = Fit(testing::ProjectCurves(Views(), {Edge()}), {false, true});
   const Eigen::Vector3d moved = fitted.position[shared] - before_[shared];
   EXPECT_GT(moved.norm(), 0.3 * kPx);
   const std::vector<int>& points = fitted.links[1].points;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/support/edgel_residual.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -56,18 +57,21 @@ class EdgelMatchesTest : public ::testing::Test {
     RebuildIncidence(&graph_);
   }
 
-  // Of all links.
-  std::vector<LinkMatches> Match() {
+  void Match() {
     const auto edgels = BuildViewEdgels(curves_, {});
     control_ = MakeControlGraph(graph_, Views(), options_.control_spacing_px);
     const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
-    return MatchEdgels({Views(), curves_, edgels, gate}, control_, options_, {});
+    MatchEdgels({Views(), curves_, edgels, gate}, options_, {}, &control_);
   }
 
-  LinkMatches MatchFirst() { return Match()[0]; }
+  const std::vector<LinkSample>& MatchFirst() {
+    Match();
+    return control_.links[0].samples;
+  }
 
-  Eigen::Vector3d PositionOf(int link, const LinkSample& sample) const {
-    const std::vector<int>& points = control_.links[link].points;
+  // Of the first link.
+  Eigen::Vector3d PositionOf(const LinkSample& sample) const {
+    const std::vector<int>& points = control_.links[0].points;
     return (1 - sample.t) * control_.position[points[sample.segment]] +
            sample.t * control_.position[points[sample.segment + 1]];
   }
@@ -76,7 +80,7 @@ class EdgelMatchesTest : public ::testing::Test {
     return std::any_of(sample.pulls.begin(), sample.pulls.end(),
                        [&](const EdgelPull& pull) { return pull.ref.view == view; });
   }
-  static bool PullsAnywhere(ViewId view, const LinkMatches& matches) {
+  static bool PullsAnywhere(ViewId view, const std::vector<LinkSample>& matches) {
     return std::any_of(matches.begin(), matches.end(),
                        [&](const LinkSample& sample) { return Pulls(view, sample); });
   }
@@ -100,7 +104,7 @@ class EdgelMatchesTest : public ::testing::Test {
 
 TEST_F(EdgelMatchesTest, EveryViewThatShowsTheLinkPullsOnce) {
   AddLink({0, 0, 0});
-  const LinkMatches matches = MatchFirst();
+  const std::vector<LinkSample> matches = MatchFirst();
   EXPECT_GT(matches.size(), 30u);
   for (const LinkSample& sample : matches) {
     ASSERT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
@@ -125,7 +129,7 @@ TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
   Show(0, testing::Segment({-kPx, 0, 0}, {kPx, 0, 0}));
   // A stretch of 24 px shows the link in its middle.
   Show(1, testing::Segment({-12 * kPx, 0, 0}, {12 * kPx, 0, 0}));
-  const LinkMatches matches = MatchFirst();
+  const std::vector<LinkSample> matches = MatchFirst();
   EXPECT_FALSE(PullsAnywhere(0, matches));
   EXPECT_TRUE(Pulls(1, matches[matches.size() / 2]));
   EXPECT_FALSE(Pulls(1, matches.front()));
@@ -134,7 +138,7 @@ TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
 TEST_F(EdgelMatchesTest, TheOtherSideOfABarIsAnotherEdge) {
   AddLink({0, 0, 0});
   SwapSides(0);
-  const LinkMatches matches = MatchFirst();
+  const std::vector<LinkSample> matches = MatchFirst();
   for (const LinkSample& sample : matches) {
     EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews) - 1);
     EXPECT_FALSE(Pulls(0, sample));
@@ -155,9 +159,9 @@ TEST_F(EdgelMatchesTest, ViewsInWhichAnotherLinkRunsBesideAreNotHeard) {
   const Eigen::Vector3d ray = -Views()[0].CenterInWorld().normalized();
   const Eigen::Vector3d behind = 12 * kPx * ray;
   AddLink(behind);
-  const LinkMatches matches = MatchFirst();
+  const std::vector<LinkSample> matches = MatchFirst();
   const LinkSample& sample = matches[matches.size() / 2];
-  const Eigen::Vector3d position = PositionOf(0, sample);
+  const Eigen::Vector3d position = PositionOf(sample);
   int num_apart = 0;
   for (int v = 0; v < kNumViews; ++v) {
     const Eigen::Vector2d here = *Views()[v].Project(position);
@@ -177,25 +181,27 @@ TEST_F(EdgelMatchesTest, ViewsInWhichAnotherLinkRunsBesideAreNotHeard) {
 TEST_F(EdgelMatchesTest, AnEdgelBelongsToTheLinkThatFitsItBetter) {
   AddLink({0, 0, 0});
   AddLink({0, 0.6 * kPx, 0});
-  const std::vector<LinkMatches> matches = Match();
-  for (const LinkSample& sample : matches[0]) {
+  Match();
+  for (const LinkSample& sample : control_.links[0].samples) {
     EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
   }
-  for (const LinkSample& sample : matches[1]) {
+  for (const LinkSample& sample : control_.links[1].samples) {
     // Alike to a tenth of a pixel is the same.
     for (const EdgelPull& pull : sample.pulls) EXPECT_LE(std::abs(pull.residual_px), 0.1 + 1e-5);
   }
 }
 
-TEST_F(EdgelMatchesTest, WeightIsTheStepOverTheLengthOfAnError) {
+TEST_F(EdgelMatchesTest, WeightIsTheStepOverTheLengthOfAnErrorAndTheVariance) {
   AddLink({0, 0, 0});
-  const LinkMatches matches = MatchFirst();
+  const std::vector<LinkSample> matches = MatchFirst();
   for (size_t k = 0; k + 1 < matches.size(); ++k) {
     for (const EdgelPull& pull : matches[k].pulls) {
       const View& view = Views()[pull.ref.view];
       const Eigen::Vector2d step =
-          *view.Project(PositionOf(0, matches[k + 1])) - *view.Project(PositionOf(0, matches[k]));
-      EXPECT_NEAR(pull.weight, step.norm() / options_.correlation_px, 1e-9);
+          *view.Project(PositionOf(matches[k + 1])) - *view.Project(PositionOf(matches[k]));
+      const Edgel& edgel = curves_[pull.ref.view].edge_map.edgels[pull.ref.edgel];
+      EXPECT_NEAR(pull.weight * ResidualVariance(edgel), step.norm() / options_.correlation_px,
+                  1e-9);
     }
   }
 }

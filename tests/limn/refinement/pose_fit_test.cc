@@ -35,7 +35,7 @@ ScenePoint PointSeenAt(const Eigen::Vector3d& place, const Eigen::Vector3d& seen
 }
 
 struct Fit {
-  CameraCorrections corrections = NoCorrections(Views());
+  CameraCorrections corrections = CameraCorrections(Views());
   std::vector<Eigen::Vector3d> positions;
   bool found = false;
 };
@@ -44,8 +44,7 @@ Fit FitPoints(const std::vector<ScenePoint>& points, const RunContext& context =
   Fit fit;
   for (const ScenePoint& point : points) fit.positions.push_back(point.position_in_world);
   ControlGraph control;
-  fit.found = FitPoses({Views(), std::vector<ImageCurves>(4), {}, {}}, points, {}, context,
-                       &fit.corrections, &control, &fit.positions);
+  fit.found = FitPoses(Views(), points, {}, context, &fit.corrections, &control, &fit.positions);
   return fit;
 }
 
@@ -60,7 +59,7 @@ TEST(PoseFit, PointsWithoutParallaxSayNothing) {
   ScenePoint point = PointSeenAt(far, {0.1, 0, 0});
   const Fit fit = FitPoints({point});
   EXPECT_EQ(fit.positions[0], far);
-  EXPECT_EQ(fit.corrections.motion, NoCorrections(Views()).motion);
+  EXPECT_EQ(fit.corrections.motion, CameraCorrections(Views()).motion);
 }
 
 TEST(PoseFit, ViewsThatHaveAPointBehindSayNothing) {
@@ -71,7 +70,7 @@ TEST(PoseFit, ViewsThatHaveAPointBehindSayNothing) {
   point.pixels.resize(1);
   const Fit fit = FitPoints({point});
   EXPECT_EQ(fit.positions[0], behind_first);
-  EXPECT_EQ(fit.corrections.motion, NoCorrections(Views()).motion);
+  EXPECT_EQ(fit.corrections.motion, CameraCorrections(Views()).motion);
 }
 
 // All other views say that it is behind the first.

@@ -53,7 +53,7 @@ double Residual(const PullCost& cost, const Blocks& blocks) {
 
 // Distance from the edgel's tangent line by the definition, with the corrected view.
 double DistancePx(const View& view, const Edgel& edgel, const Blocks& blocks, double t) {
-  CameraCorrections corrections = NoCorrections({view});
+  CameraCorrections corrections(std::vector<View>{view});
   std::copy(blocks[2].begin(), blocks[2].end(), corrections.motion[0].begin());
   corrections.log_focal[0] = blocks[3][0];
   const View corrected = Corrected({view}, corrections)[0];

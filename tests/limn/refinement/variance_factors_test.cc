@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/refinement/curve_terms.h"
+#include "limn/refinement/curve_fit.h"
 #include "limn/support/edgel_residual.h"
 
 namespace limn {
@@ -30,36 +30,33 @@ struct Scene {
       control.footprint.push_back(1);
       if (k > 0 && k < kNumSegments) control.bends.push_back({k - 1, k, k + 1});
     }
-    curves.resize(residuals_px.size());
-    for (ImageCurves& of_view : curves) of_view.edge_map.edgels.resize(1);
-    matches.emplace_back();
     for (int s = 0; s < kNumSegments; ++s) {
-      LinkSample sample = {s, 0.5, {}};
+      LinkSample sample;
+      sample.segment = s;
+      sample.t = 0.5;
       for (size_t v = 0; v < residuals_px.size(); ++v) {
-        sample.pulls.push_back({{static_cast<ViewId>(v), 0}, 1, residuals_px[v], true});
+        const double weight = 1 / ResidualVariance(Edgel());
+        sample.pulls.push_back(
+            {{static_cast<ViewId>(v), 0}, Edgel(), weight, residuals_px[v], true});
       }
-      matches[0].push_back(sample);
+      samples().push_back(sample);
     }
   }
 
-  std::vector<double> Factors() const {
-    const std::vector<View> views(curves.size());
-    return VarianceFactors({views, curves, matches, frozen}, RefinementOptions(), control);
-  }
+  std::vector<double> Factors() const { return VarianceFactors(RefinementOptions(), control); }
 
   // Of the mean residuals, by the definition in the header.
-  double ExpectedFactor(const std::vector<double>& residuals_px) const {
-    const double variance = ResidualVariance(curves[0].edge_map.edgels[0]) / kNumNear;
+  static double ExpectedFactor(const std::vector<double>& residuals_px) {
+    const double variance = ResidualVariance(Edgel()) / kNumNear;
     double chi_square = 0;
     for (const double residual : residuals_px) chi_square += residual * residual / variance;
     const double freedoms = static_cast<double>(residuals_px.size()) - kFreedoms;
     return (kPriorViews + chi_square) / (kPriorViews + freedoms);
   }
 
+  std::vector<LinkSample>& samples() { return control.links[0].samples; }
+
   ControlGraph control;
-  std::vector<ImageCurves> curves;
-  std::vector<LinkMatches> matches;
-  std::vector<uint8_t> frozen = {0};
 };
 
 TEST(VarianceFactorsTest, WhereAllViewsAgreeNothingGrows) {
@@ -69,21 +66,21 @@ TEST(VarianceFactorsTest, WhereAllViewsAgreeNothingGrows) {
 TEST(VarianceFactorsTest, ViewsAreTheSamples) {
   const std::vector<double> residuals = {0.6, -0.6, 0.5, -0.5, 0.4, -0.4};
   const Scene scene(residuals);
-  ASSERT_GT(scene.ExpectedFactor(residuals), 2);
-  EXPECT_NEAR(scene.Factors()[kMiddle], scene.ExpectedFactor(residuals), 1e-9);
+  ASSERT_GT(Scene::ExpectedFactor(residuals), 2);
+  EXPECT_NEAR(scene.Factors()[kMiddle], Scene::ExpectedFactor(residuals), 1e-9);
 }
 
 TEST(VarianceFactorsTest, ResidualsAreSignedBySidesOfTheLink) {
   // The same offset of the edge, seen with the brighter side to the left and to the right in turn.
   const std::vector<double> residuals = {0.6, -0.6, 0.5, -0.5, 0.4, -0.4};
   Scene scene(residuals);
-  for (size_t s = 0; s < scene.matches[0].size(); s += 2) {
-    for (EdgelPull& pull : scene.matches[0][s].pulls) {
+  for (size_t s = 0; s < scene.samples().size(); s += 2) {
+    for (EdgelPull& pull : scene.samples()[s].pulls) {
       pull.bright_left = false;
       pull.residual_px = -pull.residual_px;
     }
   }
-  EXPECT_NEAR(scene.Factors()[kMiddle], scene.ExpectedFactor(residuals), 1e-9);
+  EXPECT_NEAR(scene.Factors()[kMiddle], Scene::ExpectedFactor(residuals), 1e-9);
 }
 
 TEST(VarianceFactorsTest, BendsMultiplyWhatIsNearThem) {
@@ -102,7 +99,7 @@ TEST(VarianceFactorsTest, BendsMultiplyWhatIsNearThem) {
 
 TEST(VarianceFactorsTest, LinksThatWereNotFittedSayNothing) {
   Scene scene({0.6, -0.6, 0.5, -0.5, 0.4, -0.4});
-  scene.frozen = {1};
+  scene.control.links[0].frozen = true;
   for (const double factor : scene.Factors()) EXPECT_EQ(factor, 1);
 }
 
