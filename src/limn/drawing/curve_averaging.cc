@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <span>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "limn/geometry/polyline.h"
 #include "limn/geometry/tangent_frame.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/util/map_items.h"
@@ -19,39 +19,35 @@ namespace {
 constexpr int kSearchSamples = 6;
 // Partners that are averaged at most, spread evenly over the overlapping curves: more hardly change
 // the mean and cost time.
-constexpr int kMaxPartners = 12;
+constexpr size_t kMaxPartners = 12;
 
 // Closest point to x on the other curve near `partner`; nothing where the foot is beyond the
 // curve's end.
 std::optional<Eigen::Vector3d> ClosestNear(const SampleSet& samples, int partner,
                                            const Eigen::Vector3d& x) {
   const int curve = samples.curve_of[partner];
-  const int first = std::max(samples.curve_begin[curve], partner - kSearchSamples);
-  const int last = std::min(samples.curve_begin[curve + 1] - 1, partner + kSearchSamples);
-  double best = std::numeric_limits<double>::infinity();
-  std::optional<Eigen::Vector3d> closest;
-  for (int s = first; s < last; ++s) {
-    const Eigen::Vector3d along = samples.position[s + 1] - samples.position[s];
-    const double squared = along.squaredNorm();
-    if (!(squared > 0)) continue;
-    const double t = (x - samples.position[s]).dot(along) / squared;
-    const bool beyond = (t < 0 && s == samples.curve_begin[curve]) ||
-                        (t > 1 && s + 2 == samples.curve_begin[curve + 1]);
-    const Eigen::Vector3d foot = samples.position[s] + std::clamp(t, 0.0, 1.0) * along;
-    const double distance = (x - foot).squaredNorm();
-    if (distance >= best) continue;
-    best = distance;
-    closest = beyond && !samples.origins[curve].closed ? std::nullopt : std::optional(foot);
-  }
-  return closest;
+  const int begin = samples.curve_begin[curve];
+  const int last = samples.curve_begin[curve + 1] - 1;
+  const int near_begin = std::max(begin, partner - kSearchSamples);
+  const int near_last = std::min(last, partner + kSearchSamples);
+  if (near_begin == near_last) return std::nullopt;
+  const PolylinePoint closest =
+      ClosestPoint(std::span(samples.position).subspan(near_begin, near_last - near_begin + 1), x);
+  const int segment = near_begin + closest.segment;
+  const Eigen::Vector3d along = samples.position[segment + 1] - samples.position[segment];
+  const double t = (x - samples.position[segment]).dot(along) / along.squaredNorm();
+  const bool beyond = (t < 0 && segment == begin) || (t > 1 && segment + 1 == last);
+  if (beyond && !samples.origins[curve].closed) return std::nullopt;
+  return closest.position;
 }
 
+// Where sample s goes, which is on a curve with these overlaps.
 Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap>& overlaps, int s,
-                        int k, const DrawingOptions& options) {
+                        const DrawingOptions& options) {
+  const int k = samples.NameOf(s).sample;
   const Eigen::Vector3d& x = samples.position[s];
-  const Eigen::Vector3d& tangent = samples.tangent[s];
   const double footprint = samples.footprint[s];
-  const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
+  const Eigen::Matrix<double, 3, 2> across = TangentFrame(samples.tangent[s]);
   // Every estimate is at best known to a tenth of a pixel: none may rule alone.
   const double floor = std::pow(0.1 * footprint, 2);
   const auto weight = [&](int sample) {
@@ -62,17 +58,16 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   Eigen::Matrix2d sum = weight(s);
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   const double max_distance = options.merge_distance_px * footprint;
-  const int num_partners = static_cast<int>(
-      std::count_if(overlaps.begin(), overlaps.end(),
-                    [&](const CurveOverlap& overlap) { return overlap.partner[k] >= 0; }));
-  const int stride = (num_partners + kMaxPartners - 1) / kMaxPartners;
-  int rank = 0;
+  std::vector<int> partners;
   for (const CurveOverlap& overlap : overlaps) {
-    if (overlap.partner[k] < 0 || rank++ % stride != 0) continue;
-    const auto foot = ClosestNear(samples, overlap.partner[k], x);
+    if (overlap.partner[k] >= 0) partners.push_back(overlap.partner[k]);
+  }
+  const size_t stride = (partners.size() + kMaxPartners - 1) / kMaxPartners;
+  for (size_t i = 0; i < partners.size(); i += stride) {
+    const auto foot = ClosestNear(samples, partners[i], x);
     if (!foot || (*foot - x).norm() > 3 * max_distance) continue;
     const Eigen::Vector2d offset = across.transpose() * (*foot - x);
-    const Eigen::Matrix2d w = weight(overlap.partner[k]);
+    const Eigen::Matrix2d w = weight(partners[i]);
     // Distance in units of the better determined direction, so that depth errors do not exclude.
     const double mahalanobis_px = std::sqrt(offset.dot(w * offset) / w.trace()) / footprint;
     if (mahalanobis_px > options.merge_distance_px) continue;
@@ -82,49 +77,35 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   return x + across * sum.inverse() * right;
 }
 
-// Where a curve's samples go in one round.
-struct AveragedCurve {
-  std::vector<Eigen::Vector3d> position;
-  double moved_px = 0;  // by the sample that goes farthest
-};
-
-AveragedCurve AverageCurve(const SampleSet& samples, const std::vector<CurveOverlap>& overlaps,
-                           int curve, const DrawingOptions& options) {
-  AveragedCurve averaged;
-  averaged.position.reserve(samples.Size(curve));
-  for (int k = 0; k < samples.Size(curve); ++k) {
-    const int s = samples.curve_begin[curve] + k;
-    averaged.position.push_back(Average(samples, overlaps, s, k, options));
-    averaged.moved_px =
-        std::max(averaged.moved_px,
-                 (averaged.position[k] - samples.position[s]).norm() / samples.footprint[s]);
-  }
-  return averaged;
-}
-
 }  // namespace
 
-int AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
-                  const RunContext& context, SampleSet* samples) {
-  if (samples->NumCurves() == 0) return 0;
-  std::vector<int> overlapping;
-  for (int c = 0; c < samples->NumCurves(); ++c) {
-    if (!network.overlaps[c].empty()) overlapping.push_back(c);
-  }
-  for (int round = 1; round <= options.max_averaging_rounds; ++round) {
-    const auto averaged = MapItems(context, "averaging", overlapping.size(), [&](size_t i) {
-      const int c = overlapping[i];
-      return AverageCurve(*samples, network.overlaps[c], c, options);
+AveragingResult AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
+                              const RunContext& context, SampleSet* samples) {
+  const int num_curves = samples->NumCurves();
+  AveragingResult result;
+  result.converged = num_curves == 0;
+  while (!result.converged && result.rounds < options.max_averaging_rounds) {
+    const auto averages = MapItems(context, "averaging", num_curves, [&](size_t c) {
+      std::vector<Eigen::Vector3d> of_curve;
+      if (network.overlaps[c].empty()) return of_curve;
+      for (int s = samples->curve_begin[c]; s < samples->curve_begin[c + 1]; ++s) {
+        of_curve.push_back(Average(*samples, network.overlaps[c], s, options));
+      }
+      return of_curve;
     });
-    bool is_done = true;
-    for (size_t i = 0; i < averaged.size(); ++i) {
-      std::copy(averaged[i].position.begin(), averaged[i].position.end(),
-                samples->position.begin() + samples->curve_begin[overlapping[i]]);
-      is_done = is_done && averaged[i].moved_px <= options.averaging_tolerance_px;
+    result.last_move_px = 0;
+    for (int c = 0; c < num_curves; ++c) {
+      int s = samples->curve_begin[c];
+      for (const Eigen::Vector3d& average : averages[c]) {
+        const double move_px = (average - samples->position[s]).norm() / samples->footprint[s];
+        result.last_move_px = std::max(result.last_move_px, move_px);
+        samples->position[s++] = average;
+      }
     }
-    if (is_done) return round;
+    ++result.rounds;
+    result.converged = result.last_move_px <= options.averaging_tolerance_px;
   }
-  return options.max_averaging_rounds;
+  return result;
 }
 
 }  // namespace limn

@@ -4,14 +4,20 @@
 
 namespace limn {
 
+struct AveragingResult {
+  int rounds = 0;
+  // In the last round no sample moved by more than averaging_tolerance_px.
+  bool converged = false;
+  double last_move_px = 0;  // of the sample that moved farthest in the last round
+};
+
 // Iterative robust averaging (ECCV 2016, section 3; ALGORITHM.md 10). In each round every sample
 // moves to the average of its own position and the closest points of the curves it overlaps,
 // weighted by their inverse covariances across the curve. Points beyond the merge gate and feet
 // beyond the end of a curve are left out. All samples move at once, until none moves by more than
-// averaging_tolerance_px or max_averaging_rounds have been made. Returns the number of rounds;
-// max_averaging_rounds does not tell whether the last one converged. Time: rounds times samples
-// times at most 12 partners.
-int AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
-                  const RunContext& context, SampleSet* samples);
+// averaging_tolerance_px or max_averaging_rounds have been made. Time: rounds times samples times
+// at most 12 partners.
+AveragingResult AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
+                              const RunContext& context, SampleSet* samples);
 
 }  // namespace limn

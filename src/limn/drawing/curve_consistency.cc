@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -21,63 +22,56 @@ struct RawOverlap {
   double strong_length_px = 0;
 };
 
-std::map<int, RawOverlap> RawOverlaps(const SampleSet& samples, const LocalConsistency& network,
-                                      const DrawingOptions& options, int curve,
-                                      const std::vector<double>& arc) {
+// By the other curve, regularized.
+std::map<int, RawOverlap> RawOverlaps(const SampleSet& samples,
+                                      const std::vector<SampleLink>& links, int curve,
+                                      const DrawingOptions& options) {
+  const std::vector<double> arc = ArcPx(samples, curve);
   std::map<int, RawOverlap> overlaps;
-  const int begin = samples.curve_begin[curve];
-  for (size_t k = 0; k < arc.size(); ++k) {
-    const size_t s = begin + k;
-    for (size_t l = network.begin[s]; l < network.begin[s + 1]; ++l) {
-      const SampleLink& link = network.links[l];
-      RawOverlap& overlap = overlaps[samples.curve_of[link.other]];
-      if (overlap.partner.empty()) overlap.partner.assign(arc.size(), -1);
-      overlap.partner[k] = link.other;
-      if (link.votes >= options.strong_link_views) overlap.strong_length_px += OwnLength(arc, k);
-    }
+  for (const SampleLink& link : links) {
+    const size_t k = samples.NameOf(link.sample).sample;
+    RawOverlap& overlap = overlaps[samples.curve_of[link.other]];
+    overlap.partner.resize(arc.size(), -1);
+    overlap.partner[k] = link.other;
+    if (link.votes >= options.strong_link_views) overlap.strong_length_px += OwnLength(arc, k);
+  }
+  for (auto& [other, overlap] : overlaps) {
+    RegularizeOverlap(arc, options.overlap_regularity_px, &overlap.partner);
   }
   return overlaps;
 }
 
 }  // namespace
 
-void RegularizeOverlap(const std::vector<double>& arc, double max_gap, double min_run,
+void RegularizeOverlap(const std::vector<double>& arc, double regularity_px,
                        std::vector<int>* partner) {
-  const int count = static_cast<int>(partner->size());
-  int last = -1;
-  for (int k = 0; k < count; ++k) {
-    if ((*partner)[k] < 0) continue;
-    if (last >= 0 && k > last + 1 && arc[k] - arc[last] <= max_gap) {
-      for (int i = last + 1; i < k; ++i) {
-        const double t = static_cast<double>(i - last) / (k - last);
-        (*partner)[i] =
-            static_cast<int>(std::lround((1 - t) * (*partner)[last] + t * (*partner)[k]));
-      }
+  std::vector<int>& at = *partner;
+  const int count = static_cast<int>(at.size());
+  const auto has_partner = [&](int k) { return at[k] >= 0; };
+  ForEachRun(count, std::not_fn(has_partner), [&](int begin, int end) {
+    if (begin == 0 || end == count || arc[end] - arc[begin - 1] > regularity_px) return;
+    for (int k = begin; k < end; ++k) {
+      const double t = static_cast<double>(k - begin + 1) / (end - begin + 1);
+      at[k] = static_cast<int>(std::lround((1 - t) * at[begin - 1] + t * at[end]));
     }
-    last = k;
-  }
-  const double needed = std::min(min_run, 0.5 * arc.back());
-  int begin = 0;
-  for (int k = 0; k <= count; ++k) {
-    if (k < count && (*partner)[k] >= 0) continue;
-    if (k > begin && arc[k - 1] - arc[begin] < needed) {
-      std::fill(partner->begin() + begin, partner->begin() + k, -1);
-    }
-    begin = k + 1;
-  }
+  });
+  const double needed = std::min(regularity_px, 0.5 * arc.back());
+  ForEachRun(count, has_partner, [&](int begin, int end) {
+    if (arc[end - 1] - arc[begin] >= needed) return;
+    std::fill(at.begin() + begin, at.begin() + end, -1);
+  });
 }
 
 CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalConsistency& network,
                                        const DrawingOptions& options, const RunContext& context) {
   const int num_curves = samples.NumCurves();
   std::vector<std::map<int, RawOverlap>> raw(num_curves);
-  std::vector<std::vector<double>> arcs(num_curves);
   ParallelFor(context, "curve consistency", num_curves, [&](size_t c) {
-    arcs[c] = ArcPx(samples, static_cast<int>(c));
-    raw[c] = RawOverlaps(samples, network, options, static_cast<int>(c), arcs[c]);
+    raw[c] = RawOverlaps(samples, network[c], static_cast<int>(c), options);
   });
   CurveConsistency result;
   result.overlaps.resize(num_curves);
+  result.num_clusters = num_curves;
   UnionFind components(num_curves);
   for (int c = 0; c < num_curves; ++c) {
     for (auto& [other, overlap] : raw[c]) {
@@ -87,35 +81,21 @@ CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalCons
       if (std::max(overlap.strong_length_px, reverse_length) < options.min_linked_length_px) {
         continue;
       }
-      RegularizeOverlap(arcs[c], options.overlap_regularity_px, options.overlap_regularity_px,
-                        &overlap.partner);
-      if (std::all_of(overlap.partner.begin(), overlap.partner.end(),
-                      [](int p) { return p < 0; })) {
-        continue;
-      }
-      components.Union(c, other);
+      if (std::ranges::max(overlap.partner) < 0) continue;
+      result.num_clusters -= components.Union(c, other);
       result.overlaps[c].push_back({other, std::move(overlap.partner)});
     }
   }
-  for (int c = 0; c < num_curves; ++c) result.cluster.push_back(components.Find(c));
   return result;
 }
 
-std::vector<int> CountAgreeingViews(const SampleSet& samples, const CurveConsistency& network) {
-  std::vector<int> counts(samples.NumSamples(), 0);
-  for (int c = 0; c < samples.NumCurves(); ++c) {
-    std::vector<std::set<ViewId>> views(samples.Size(c));
-    for (auto& of_sample : views) of_sample.insert(samples.origins[c].anchor_view);
-    for (const CurveOverlap& overlap : network.overlaps[c]) {
-      for (size_t k = 0; k < views.size(); ++k) {
-        if (overlap.partner[k] >= 0) views[k].insert(samples.origins[overlap.other].anchor_view);
-      }
-    }
-    for (size_t k = 0; k < views.size(); ++k) {
-      counts[samples.curve_begin[c] + k] = static_cast<int>(views[k].size());
-    }
+int CountAgreeingViews(const SampleSet& samples, const CurveConsistency& network, int s) {
+  const auto [curve, k] = samples.NameOf(s);
+  std::set<ViewId> views = {samples.origins[curve].anchor_view};
+  for (const CurveOverlap& overlap : network.overlaps[curve]) {
+    if (overlap.partner[k] >= 0) views.insert(samples.origins[overlap.other].anchor_view);
   }
-  return counts;
+  return static_cast<int>(views.size());
 }
 
 }  // namespace limn

@@ -18,21 +18,20 @@ struct CurveOverlap {
 // are regularized along the curve.
 struct CurveConsistency {
   std::vector<std::vector<CurveOverlap>> overlaps;  // per curve, ascending by other
-  // Per curve its connected component, named by the smallest curve in it.
-  std::vector<int> cluster;
+  int num_clusters = 0;                             // connected components
 };
 
 CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalConsistency& network,
                                        const DrawingOptions& options, const RunContext& context);
 
-// Closes gaps (runs of -1 with partners on both sides) up to max_gap of arc length, interpolating
-// the partners, then removes runs of partners shorter than min_run or half the curve, whichever is
-// less. Runs that touch an end of the curve are treated like any other.
-void RegularizeOverlap(const std::vector<double>& arc, double max_gap, double min_run,
+// Closes gaps (runs of -1 with partners on both sides) up to this arc length, interpolating the
+// partners, then removes runs of partners shorter than it or half the curve, whichever is less.
+// Runs that touch an end of the curve are treated like any other.
+void RegularizeOverlap(const std::vector<double>& arc, double regularity_px,
                        std::vector<int>* partner);
 
-// Per sample, the number of primary views, its own included, whose curves overlap it (its
-// agreement, ALGORITHM.md 9).
-std::vector<int> CountAgreeingViews(const SampleSet& samples, const CurveConsistency& network);
+// The number of primary views, its own included, whose curves overlap a sample (its agreement,
+// ALGORITHM.md 9).
+int CountAgreeingViews(const SampleSet& samples, const CurveConsistency& network, int sample);
 
 }  // namespace limn

@@ -1,7 +1,7 @@
 #include "limn/drawing/drawing.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
 
 #include "limn/drawing/curve_averaging.h"
 #include "limn/drawing/curve_consistency.h"
@@ -13,38 +13,31 @@
 namespace limn {
 namespace {
 
-int64_t NumClusters(const CurveConsistency& network) {
-  return static_cast<int64_t>(std::set<int>(network.cluster.begin(), network.cluster.end()).size());
-}
-
-// The drawing of the paper, with counts for the summary.
-struct MergedSketch {
-  DrawingGraph graph;
+struct DrawingCounts {
   RetriangulationStats retriangulation;
-  int64_t num_clusters = 0;
-  int averaging_rounds = 0;
+  int64_t clusters = 0;
+  AveragingResult averaging;
   MergingCounts merging;
+  CompletionCounts completion;
 };
 
-MergedSketch MergeSketch(const DrawingInput& input, const TopologyInput& images,
-                         const DrawingOptions& options, const RunContext& context) {
-  MergedSketch result;
-  SampleSet samples = Retriangulate(input.sketch, input.views, input.curves, images.edgels, options,
-                                    context, &result.retriangulation);
+// The drawing of the paper.
+DrawingGraph MergeSketch(const CurveSketch& sketch, const TopologyInput& images,
+                         const DrawingOptions& options, const RunContext& context,
+                         DrawingCounts* counts) {
+  SampleSet samples = Retriangulate(sketch, images, options, context, &counts->retriangulation);
   const CurveConsistency network = BuildCurveConsistency(
-      samples, BuildLocalConsistency(samples, input.curves, options, context), options, context);
-  result.num_clusters = NumClusters(network);
-  const std::vector<int> agreeing_views = CountAgreeingViews(samples, network);
-  result.averaging_rounds = AverageCurves(network, options, context, &samples);
-  MergedCurves merged = MergeCurves(samples, network, input.views, options, context);
-  result.merging = merged.counts;
-  result.graph = std::move(merged.graph);
-  FitLinks(samples, agreeing_views, options, &result.graph);
-  return result;
+      samples, BuildLocalConsistency(samples, images.curves, options, context), options, context);
+  counts->clusters = network.num_clusters;
+  counts->averaging = AverageCurves(network, options, context, &samples);
+  DrawingGraph graph =
+      MergeCurves(samples, network, images.views, options, context, &counts->merging);
+  FitLinks(samples, network, options, &graph);
+  return graph;
 }
 
-StageSummary Summarize(const DrawingInput& input, const MergedSketch& merged,
-                       const CompletionCounts& completion, const DrawingGraph& graph) {
+StageSummary Summarize(const CurveSketch& sketch, const DrawingCounts& counts,
+                       const DrawingGraph& graph) {
   int64_t samples_in_links = 0;
   for (const DrawingLink& link : graph.links) {
     for (const LinkMember& member : link.members) samples_in_links += member.end - member.begin;
@@ -52,14 +45,18 @@ StageSummary Summarize(const DrawingInput& input, const MergedSketch& merged,
   const auto num_junctions =
       std::count_if(graph.nodes.begin(), graph.nodes.end(),
                     [](const DrawingNode& node) { return node.kind == NodeKind::kJunction; });
-  const MergingCounts& merging = merged.merging;
+  const MergingCounts& merging = counts.merging;
+  const CompletionCounts& completion = counts.completion;
   const MeetingCounts& meetings = completion.meetings;
   StageSummary summary;
   summary.stage = "drawing";
-  summary.in = {{"curves", static_cast<int64_t>(input.sketch.curves.size())},
-                {"samples", merged.retriangulation.samples_in},
-                {"clusters", merged.num_clusters},
-                {"averaging rounds", merged.averaging_rounds}};
+  summary.in = {{"curves", static_cast<int64_t>(sketch.curves.size())},
+                {"samples", counts.retriangulation.samples_in},
+                {"clusters", counts.clusters},
+                {"averaging rounds", counts.averaging.rounds},
+                {"averaging converged (1: yes)", counts.averaging.converged},
+                {"last movement of averaging, 1/1000 px",
+                 std::llround(1000 * counts.averaging.last_move_px)}};
   summary.kept = {{"samples", samples_in_links},
                   {"links", static_cast<int64_t>(graph.links.size())},
                   {"nodes", static_cast<int64_t>(graph.nodes.size())},
@@ -79,8 +76,8 @@ StageSummary Summarize(const DrawingInput& input, const MergedSketch& merged,
                   {"forks cut", completion.tidy.forks_cut},
                   {"dissolved nodes", completion.tidy.dissolved_nodes}};
   summary.dropped = {
-      {"samples: too few views after re-triangulation", merged.retriangulation.too_few_views},
-      {"samples: piece too short after re-triangulation", merged.retriangulation.piece_too_short},
+      {"samples: too few views after re-triangulation", counts.retriangulation.too_few_views},
+      {"samples: piece too short after re-triangulation", counts.retriangulation.piece_too_short},
       {"samples: in links with too little support", completion.samples_doubtful},
       {"samples: in short links", completion.tidy.samples_short},
       {"samples: in links that run along others", completion.tidy.samples_covered},
@@ -95,13 +92,13 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   options.Check();
   const auto edgels = BuildViewEdgels(input.curves, context);
   const TopologyInput images = {input.views, input.curves, edgels, options.Gate()};
-  MergedSketch merged = MergeSketch(input, images, options, context);
+  DrawingCounts counts;
   DrawingResult result;
-  result.graph = std::move(merged.graph);
-  CompletionCounts completion =
+  result.graph = MergeSketch(input.sketch, images, options, context, &counts);
+  counts.completion =
       CompleteDrawing(images, input.sketch, options.topology, input.box, context, &result.graph);
-  result.summary = Summarize(input, merged, completion, result.graph);
-  result.fates = std::move(completion.fates);
+  result.summary = Summarize(input.sketch, counts, result.graph);
+  result.fates = std::move(counts.completion.fates);
   return result;
 }
 

@@ -12,84 +12,50 @@
 namespace limn {
 namespace {
 
-class LinkFitter {
- public:
-  LinkFitter(const SampleSet& samples, const std::vector<int>& agreeing_views,
-             const DrawingOptions& options)
-      : samples_(samples), agreeing_views_(agreeing_views), options_(options) {}
-
-  void Fit(DrawingLink* link) const {
-    for (int k = 0; k < link->size(); ++k) {
-      MoveToMean(link->vertices[k], &link->points_in_world[k]);
-    }
-    Smooth(link);
-    for (LinkVertex& vertex : link->vertices) Describe(&vertex);
-    for (int k = 0; k < link->size(); ++k) {
-      link->sigma[k] = SigmaAcross(link->vertices[k].information, link->vertices[k].footprint);
-    }
+// Weighted mean, across the curve, of the samples merged into a vertex.
+void MoveToMean(const SampleSet& samples, const LinkVertex& vertex, Eigen::Vector3d* position) {
+  if (vertex.samples.empty()) return;
+  const Eigen::Vector3d& tangent = samples.tangent[samples.IdOf(vertex.samples.front())];
+  const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
+  Eigen::Matrix2d sum = WeakInformation(vertex.footprint) * Eigen::Matrix2d::Identity();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (const SketchSample& sample : vertex.samples) {
+    const int s = samples.IdOf(sample);
+    const Eigen::Matrix2d weight = across.transpose() * samples.information[s] * across;
+    sum += weight;
+    right += weight * (across.transpose() * (samples.position[s] - *position));
   }
+  *position += across * sum.inverse() * right;
+}
 
- private:
-  int IdOf(const SketchSample& sample) const {
-    return samples_.curve_begin[sample.curve] + sample.sample;
+void Smooth(double bending_sigma_px, DrawingLink* link) {
+  CurveSamples curve;
+  curve.position = link->points_in_world;
+  if (link->closed) curve.position.pop_back();  // the repeated first point
+  for (int k = 0; k < curve.NumSamples(); ++k) {
+    const Eigen::Vector3d direction = DirectionAt(curve.position, link->closed, k, 1);
+    curve.tangent.push_back(direction.isZero(0) ? Eigen::Vector3d(1, 0, 0) : direction);
+    curve.information.push_back(link->vertices[k].information);
+    curve.footprint.push_back(link->vertices[k].footprint);
   }
+  link->points_in_world = SmoothCurve(curve, link->closed, bending_sigma_px);
+  if (link->closed) link->points_in_world.push_back(link->points_in_world.front());
+}
 
-  // Weighted mean, across the curve, of the samples merged into a vertex.
-  void MoveToMean(const LinkVertex& vertex, Eigen::Vector3d* position) const {
-    if (vertex.samples.empty()) return;
-    const Eigen::Vector3d& tangent = samples_.tangent[IdOf(vertex.samples.front())];
-    const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
-    Eigen::Matrix2d sum = WeakInformation(vertex.footprint) * Eigen::Matrix2d::Identity();
-    Eigen::Vector2d right = Eigen::Vector2d::Zero();
-    for (const SketchSample& sample : vertex.samples) {
-      const int s = IdOf(sample);
-      const Eigen::Matrix2d weight = across.transpose() * samples_.information[s] * across;
-      sum += weight;
-      right += weight * (across.transpose() * (samples_.position[s] - *position));
-    }
-    *position += across * sum.inverse() * right;
+void Describe(const SampleSet& samples, const CurveConsistency& network, LinkVertex* vertex) {
+  for (SketchSample& sample : vertex->samples) {
+    const int s = samples.IdOf(sample);
+    vertex->agreeing_views =
+        std::max(vertex->agreeing_views, CountAgreeingViews(samples, network, s));
+    const auto support = samples.support.Of(s);
+    vertex->support.insert(vertex->support.end(), support.begin(), support.end());
+    const CurveOrigin& origin = samples.origins[sample.curve];
+    sample = {origin.sketch_curve, origin.begin + sample.sample};
   }
-
-  void Smooth(DrawingLink* link) const {
-    // Without the repeated first point of a loop.
-    const int count = link->size() - (link->closed ? 1 : 0);
-    std::vector<Eigen::Vector3d> position(link->points_in_world.begin(),
-                                          link->points_in_world.begin() + count);
-    std::vector<Eigen::Vector3d> tangent;
-    std::vector<Eigen::Matrix3d> information;
-    std::vector<double> footprint;
-    for (int k = 0; k < count; ++k) {
-      const int before = link->closed ? (k + count - 1) % count : std::max(k - 1, 0);
-      const int after = link->closed ? (k + 1) % count : std::min(k + 1, count - 1);
-      const Eigen::Vector3d chord = position[after] - position[before];
-      tangent.push_back(chord.norm() > 0 ? chord.normalized().eval()
-                                         : Eigen::Vector3d::UnitX().eval());
-      information.push_back(link->vertices[k].information);
-      footprint.push_back(link->vertices[k].footprint);
-    }
-    link->points_in_world = SmoothCurve({position, tangent, information, footprint, link->closed},
-                                        options_.bending_sigma_px, false);
-    if (link->closed) link->points_in_world.push_back(link->points_in_world.front());
-  }
-
-  void Describe(LinkVertex* vertex) const {
-    for (SketchSample& sample : vertex->samples) {
-      const int s = IdOf(sample);
-      vertex->agreeing_views = std::max(vertex->agreeing_views, agreeing_views_[s]);
-      const auto support = samples_.support.Of(s);
-      vertex->support.insert(vertex->support.end(), support.begin(), support.end());
-      const CurveOrigin& origin = samples_.origins[sample.curve];
-      sample = {origin.sketch_curve, origin.begin + sample.sample};
-    }
-    std::vector<EdgelRef>& all = vertex->support;
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-  }
-
-  const SampleSet& samples_;
-  const std::vector<int>& agreeing_views_;
-  const DrawingOptions& options_;
-};
+  std::vector<EdgelRef>& all = vertex->support;
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+}
 
 // Moves nodes to the mean of their link ends after the fit.
 void MoveNodes(DrawingGraph* graph) {
@@ -104,10 +70,19 @@ void MoveNodes(DrawingGraph* graph) {
 
 }  // namespace
 
-void FitLinks(const SampleSet& samples, const std::vector<int>& agreeing_views,
+void FitLinks(const SampleSet& samples, const CurveConsistency& network,
               const DrawingOptions& options, DrawingGraph* graph) {
-  const LinkFitter fitter(samples, agreeing_views, options);
-  for (DrawingLink& link : graph->links) fitter.Fit(&link);
+  for (DrawingLink& link : graph->links) {
+    for (int k = 0; k < link.size(); ++k) {
+      MoveToMean(samples, link.vertices[k], &link.points_in_world[k]);
+    }
+    Smooth(options.bending_sigma_px, &link);
+    for (int k = 0; k < link.size(); ++k) {
+      LinkVertex& vertex = link.vertices[k];
+      Describe(samples, network, &vertex);
+      link.sigma[k] = SigmaAcross(vertex.information, vertex.footprint);
+    }
+  }
   MoveNodes(graph);
 }
 

@@ -8,20 +8,18 @@
 
 namespace limn {
 
-// The sample of another curve with which a sample shares most edgels.
+// A sample and that of another curve with which it shares most edgels.
 struct SampleLink {
-  int other = -1;  // sample id
-  int votes = 0;   // views in which both are supported by the same edgel (phi)
+  int sample = -1;
+  int other = -1;
+  int votes = 0;  // views in which both are supported by the same edgel (phi)
 };
 
 // The multiview local consistency network (ECCV 2016, section 3; MLN in the paper; ALGORITHM.md 8).
-// Samples of curves from different primary views are linked if edgels support both.
-struct LocalConsistency {
-  // Links of sample s: links[begin[s] .. begin[s + 1]), at most one per other curve, ascending by
-  // curve, each with at least dense_link_views votes.
-  std::vector<size_t> begin = {0};
-  std::vector<SampleLink> links;
-};
+// Samples of curves from different primary views are linked if edgels support both. Per curve the
+// links of its samples, ascending by sample and other; a sample has at most one to each curve. Each
+// has at least dense_link_views votes.
+using LocalConsistency = std::vector<std::vector<SampleLink>>;
 
 // Leaves out links between samples whose directions differ by more than max_link_angle_deg, or that
 // are supported by edgels side by side (two parallel bars) in as many views as agree. Time: sum

@@ -9,20 +9,15 @@
 
 namespace limn {
 
-struct MergedCurves {
-  // Links before their geometry is fitted. Every vertex lists the samples merged into it, as curves
-  // and samples of the SampleSet, beginning with the one it was made from.
-  DrawingGraph graph;
-  MergingCounts counts;
-};
-
 // Merges the averaged curves into links (ECCV 2016, section 3; ALGORITHM.md 11). Curves are taken
 // longest first. A sample that runs along an existing link, by the consistency network or because
 // both reproject within the merge distance, is absorbed. The runs between absorbed samples become
 // links; where the curve continues along an existing link, a primitive attaches the run to it
-// (MergingPrimitives). Every sample ends up in a link.
-MergedCurves MergeCurves(const SampleSet& samples, const CurveConsistency& network,
+// (MergingPrimitives). Every sample ends up in a link. The geometry of the links is not fitted yet;
+// every vertex lists the samples merged into it, as curves and samples of the SampleSet, beginning
+// with the one it was made from.
+DrawingGraph MergeCurves(const SampleSet& samples, const CurveConsistency& network,
                          const std::vector<View>& views, const DrawingOptions& options,
-                         const RunContext& context);
+                         const RunContext& context, MergingCounts* counts);
 
 }  // namespace limn

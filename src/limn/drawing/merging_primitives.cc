@@ -1,7 +1,6 @@
 #include "limn/drawing/merging_primitives.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "limn/topology/link_geometry.h"
 
@@ -20,138 +19,129 @@ MergingPrimitives::MergingPrimitives(const SampleSet& samples, const DrawingOpti
       graph_(graph),
       editor_(graph),
       link_of_(samples.NumSamples(), -1),
-      forward_(samples.NumSamples()) {
-  std::iota(forward_.begin(), forward_.end(), 0);
-}
+      home_(samples.NumSamples(), -1) {}
 
-int MergingPrimitives::Resolve(int vertex) const {
-  while (forward_[vertex] != vertex) vertex = forward_[vertex] = forward_[forward_[vertex]];
-  return vertex;
-}
-
-bool MergingPrimitives::IsMadeFrom(const LinkVertex& vertex, int id) const {
-  return std::any_of(vertex.samples.begin(), vertex.samples.end(),
-                     [&](const SketchSample& sample) { return IdOf(sample) == id; });
+int MergingPrimitives::HomeOf(int sample) const {
+  while (sample >= 0 && !IsVertex(sample)) sample = home_[sample];
+  return sample;
 }
 
 int MergingPrimitives::IndexOf(int vertex) const {
   const std::vector<LinkVertex>& vertices = editor_.link(link_of_[vertex]).vertices;
-  const auto found = std::find_if(vertices.begin(), vertices.end(), [&](const LinkVertex& of_link) {
-    return IsMadeFrom(of_link, vertex);
+  const auto found = std::ranges::find_if(vertices, [&](const LinkVertex& of_link) {
+    return std::ranges::count(of_link.samples, samples_.NameOf(vertex)) > 0;
   });
   return static_cast<int>(found - vertices.begin());
 }
 
-int MergingPrimitives::EndOf(int vertex) const {
-  const DrawingLink& link = editor_.link(LinkOf(vertex));
-  if (IsMadeFrom(link.vertices.back(), vertex)) return 1;
-  return !link.closed && IsMadeFrom(link.vertices.front(), vertex) ? 0 : -1;
+std::optional<LinkEnd> MergingPrimitives::EndOf(int vertex) const {
+  const LinkId id = link_of_[vertex];
+  const DrawingLink& link = editor_.link(id);
+  const int index = IndexOf(vertex);
+  if (index == link.size() - 1) return LinkEnd{id, 1};
+  if (index == 0 && !link.closed) return LinkEnd{id, 0};
+  return std::nullopt;
 }
 
 void MergingPrimitives::SetLink(LinkId link) {
   for (const LinkVertex& vertex : editor_.link(link).vertices) {
-    for (const SketchSample& sample : vertex.samples) link_of_[IdOf(sample)] = link;
+    for (const SketchSample& sample : vertex.samples) link_of_[samples_.IdOf(sample)] = link;
   }
 }
 
-LinkId MergingPrimitives::AddRun(const std::vector<int>& run, bool closed) {
+void MergingPrimitives::AddRun(const std::vector<int>& run, bool closed) {
   DrawingLink link;
   for (const int id : run) {
+    home_[id] = id;
     link.points_in_world.push_back(samples_.position[id]);
     link.vertices.push_back(
-        {samples_.information[id], samples_.footprint[id], 0, {}, {SampleOf(id)}});
-  }
-  if (closed) {
-    link.points_in_world.push_back(link.points_in_world.front());
-    link.vertices.push_back(link.vertices.front());
-    link.vertices.back().samples.clear();
+        {samples_.information[id], samples_.footprint[id], 0, {}, {samples_.NameOf(id)}});
   }
   link.sigma.assign(link.points_in_world.size(), 0);
   const LinkId id = editor_.Add(std::move(link));
+  if (closed) editor_.Join({id, 0}, {id, 1});
   SetLink(id);
-  return id;
 }
 
-double MergingPrimitives::StubPx(const Place& at, int end) const {
-  const DrawingLink& link = editor_.link(at.link);
-  return end == 0 ? ArcPx(link, 0, at.index) : ArcPx(link, at.index, link.size() - 1);
+double MergingPrimitives::StubPx(const LinkEnd& end, int index) const {
+  const DrawingLink& link = editor_.link(end.link);
+  return end.end == 0 ? ArcPx(link, 0, index) : ArcPx(link, index, link.size() - 1);
 }
 
-// Returns whether the end is free, the stub between it and the vertex short, and the run continues
-// it.
-bool MergingPrimitives::CanElongate(const Place& at, int target_end, const LinkEnd& run) const {
-  const DrawingLink& target = editor_.link(at.link);
-  if (target.closed || !editor_.IsFree({at.link, target_end})) return false;
-  if (StubPx(at, target_end) >= options_.min_branch_length_px) return false;
-  return TipOf(target, target_end).outward.dot(TipOf(editor_.link(run.link), run.end).outward) <
-         -kMinElongationCosine;
+// Returns whether the target is a free end, the stub between it and the vertex short, and the run
+// continues it.
+bool MergingPrimitives::CanElongate(const LinkEnd& target, int index, const LinkEnd& run) const {
+  if (editor_.link(target.link).closed || !editor_.IsFree(target)) return false;
+  if (StubPx(target, index) >= options_.min_branch_length_px) return false;
+  const LinkTip tip = TipOf(editor_.link(target.link), target.end);
+  return tip.outward.dot(TipOf(editor_.link(run.link), run.end).outward) < -kMinElongationCosine;
 }
 
 // Replaces the stub by the run.
-void MergingPrimitives::Elongate(const Place& at, int target_end, const LinkEnd& run) {
-  const DrawingLink& target = editor_.link(at.link);
+void MergingPrimitives::Elongate(const LinkEnd& target, int index, const LinkEnd& run) {
+  const DrawingLink& link = editor_.link(target.link);
   const std::vector<LinkVertex>& of_run = editor_.link(run.link).vertices;
   const LinkVertex& first = run.end == 0 ? of_run.front() : of_run.back();
   // A link needs two points.
-  const int begin = target_end == 0 ? std::min(at.index, target.size() - 2) : 0;
-  const int end = target_end == 0 ? target.size() : std::max(at.index + 1, 2);
-  for (int k = 0; k < target.size(); ++k) {
+  const int begin = target.end == 0 ? std::min(index, link.size() - 2) : 0;
+  const int end = target.end == 0 ? link.size() : std::max(index + 1, 2);
+  for (int k = 0; k < link.size(); ++k) {
     if (k >= begin && k < end) continue;
-    for (const SketchSample& sample : target.vertices[k].samples) {
-      forward_[IdOf(sample)] = IdOf(first.samples.front());
+    for (const SketchSample& sample : link.vertices[k].samples) {
+      home_[samples_.IdOf(sample)] = samples_.IdOf(first.samples.front());
     }
   }
-  editor_.CutTo(at.link, begin, end);
-  editor_.Join({at.link, target_end}, run);
-  SetLink(at.link);
+  editor_.CutTo(target.link, begin, end);
+  editor_.Join(target, run);
+  SetLink(target.link);
 }
 
-void MergingPrimitives::Attach(LinkId link, int end, int vertex) {
-  vertex = Resolve(vertex);
-  const Place at = {link_of_[vertex], IndexOf(vertex)};
-  const DrawingLink& target = editor_.link(at.link);
-  if (at.link == link) {
+void MergingPrimitives::Attach(int tip, int vertex) {
+  const std::optional<LinkEnd> run = EndOf(HomeOf(tip));
+  if (!run) return;
+  vertex = HomeOf(vertex);
+  const LinkId target = link_of_[vertex];
+  const int index = IndexOf(vertex);
+  if (target == run->link) {
     // The run meets its own link: it closes a loop if it meets its other end.
-    const bool is_free = editor_.IsFree({link, 0}) && editor_.IsFree({link, 1});
-    if (!is_free || StubPx(at, 1 - end) >= options_.min_branch_length_px) return;
-    editor_.Join({link, 0}, {link, 1});
-    ++counts_.rejoined;
+    const LinkEnd other = {target, 1 - run->end};
+    if (!editor_.IsFree(*run) || !editor_.IsFree(other)) return;
+    if (StubPx(other, index) < options_.min_branch_length_px)
+      editor_.Join({target, 0}, {target, 1});
     return;
   }
-  for (const int target_end : {0, 1}) {
-    if (!CanElongate(at, target_end, {link, end})) continue;
-    Elongate(at, target_end, {link, end});
+  const LinkEnd ends[] = {{target, 0}, {target, 1}};
+  for (const LinkEnd& end : ends) {
+    if (!CanElongate(end, index, *run)) continue;
+    Elongate(end, index, *run);
     ++counts_.elongated;
     return;
   }
-  for (const int target_end : {0, 1}) {
-    if (target.closed || StubPx(at, target_end) > options_.junction_distance_px) continue;
-    editor_.EndAt({link, end}, editor_.NodeAt({at.link, target_end}));
+  for (const LinkEnd& end : ends) {
+    if (editor_.link(target).closed) continue;
+    if (StubPx(end, index) > options_.junction_distance_px) continue;
+    editor_.EndAt(*run, editor_.NodeAt(end));
     ++counts_.multi_attached;
     return;
   }
   const LinkId second = editor_.NumLinks();
-  const NodeId node = editor_.Split(at.link, at.index);
+  const NodeId node = editor_.Split(target, index);
   if (second < editor_.NumLinks()) SetLink(second);
-  editor_.EndAt({link, end}, node);
+  editor_.EndAt(*run, node);
   ++counts_.branched;
 }
 
-void MergingPrimitives::MergeSamples(const std::vector<int>& home) {
+void MergingPrimitives::ListSamples() {
   editor_.Compact();
-  std::vector<Place> place_of(samples_.NumSamples());
-  for (LinkId id = 0; id < editor_.NumLinks(); ++id) {
-    for (int k = 0; k < editor_.link(id).size(); ++k) {
-      for (const SketchSample& sample : editor_.link(id).vertices[k].samples) {
-        place_of[IdOf(sample)] = {id, k};
-      }
+  std::vector<LinkVertex*> vertex_of(samples_.NumSamples());
+  for (DrawingLink& link : graph_->links) {
+    for (LinkVertex& vertex : link.vertices) {
+      for (const SketchSample& sample : vertex.samples) vertex_of[samples_.IdOf(sample)] = &vertex;
     }
   }
-  for (int s = 0; s < static_cast<int>(home.size()); ++s) {
-    if (home[s] < 0) continue;
-    const Place& place = place_of[Resolve(home[s])];
-    LinkVertex& vertex = graph_->links[place.link].vertices[place.index];
-    if (!IsMadeFrom(vertex, s)) vertex.samples.push_back(SampleOf(s));
+  for (int s = 0; s < samples_.NumSamples(); ++s) {
+    LinkVertex* vertex = vertex_of[HomeOf(s)];
+    if (vertex_of[s] != vertex) vertex->samples.push_back(samples_.NameOf(s));
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "limn/drawing/drawing_options.h"
@@ -19,50 +20,41 @@ struct MergingCounts {
 };
 
 // Makes links of runs of samples and attaches runs to links. A vertex is named by the sample it was
-// made from and keeps its name in whatever link it ends up. The vertices of a stub that is cut off
-// forward to the vertex that replaces them.
+// made from and keeps its name in whatever link it ends up. The home of every other sample is the
+// vertex that it is merged into. The vertices of a stub that is cut off are merged into the vertex
+// that replaces them.
 class MergingPrimitives {
  public:
   MergingPrimitives(const SampleSet& samples, const DrawingOptions& options, DrawingGraph* graph);
 
   // Adds a link whose vertices are made from these samples, in order.
-  LinkId AddRun(const std::vector<int>& run, bool closed);
+  void AddRun(const std::vector<int>& run, bool closed);
 
-  // Attaches end `end` of link `link` at `vertex` of another link: elongates that link if the
-  // vertex is near its free end and the directions agree, ends at its node if one is near, and
-  // splits it otherwise. At a vertex of the same link, closes a loop if the vertex is near the
-  // other end.
-  void Attach(LinkId link, int end, int vertex);
+  // Attaches the end of a link that is vertex `tip` at `vertex` of another link: elongates that
+  // link if the vertex is near its free end and the directions agree, ends at its node if one is
+  // near, and splits it otherwise. At a vertex of the same link, closes a loop if the vertex is
+  // near the other end. Does nothing if `tip` is at no end.
+  void Attach(int tip, int vertex);
 
-  // The vertex that now stands for a vertex.
-  int Resolve(int vertex) const;
-  LinkId LinkOf(int vertex) const { return link_of_[Resolve(vertex)]; }
-  // The end of its link that a vertex is; -1 if neither.
-  int EndOf(int vertex) const;
+  bool IsVertex(int sample) const { return home_[sample] == sample; }
+  void SetHome(int sample, int vertex) { home_[sample] = vertex; }
+  // The vertex that a sample is merged into, or is; -1 if there is none yet.
+  int HomeOf(int sample) const;
+  LinkId LinkOf(int sample) const { return link_of_[HomeOf(sample)]; }
 
-  // Merges every sample into its vertex `home`, unless that is -1.
-  void MergeSamples(const std::vector<int>& home);
+  // Lists the samples, which all have homes, in their vertices. To be called once, in the end.
+  void ListSamples();
 
   MergingCounts& counts() { return counts_; }
 
  private:
-  struct Place {
-    LinkId link = -1;
-    int index = -1;
-  };
-  int IdOf(const SketchSample& sample) const {
-    return samples_.curve_begin[sample.curve] + sample.sample;
-  }
-  SketchSample SampleOf(int id) const {
-    const int curve = samples_.curve_of[id];
-    return {curve, id - samples_.curve_begin[curve]};
-  }
-  bool IsMadeFrom(const LinkVertex& vertex, int id) const;
+  // The end of its link that a vertex is.
+  std::optional<LinkEnd> EndOf(int vertex) const;
   int IndexOf(int vertex) const;
-  // Length between a vertex and an end of its link, px.
-  double StubPx(const Place& at, int end) const;
-  bool CanElongate(const Place& at, int target_end, const LinkEnd& run) const;
-  void Elongate(const Place& at, int target_end, const LinkEnd& run);
+  // Length between an end and a vertex of its link, px.
+  double StubPx(const LinkEnd& end, int index) const;
+  bool CanElongate(const LinkEnd& target, int index, const LinkEnd& run) const;
+  void Elongate(const LinkEnd& target, int index, const LinkEnd& run);
   void SetLink(LinkId link);
 
   const SampleSet& samples_;
@@ -70,7 +62,7 @@ class MergingPrimitives {
   DrawingGraph* graph_;
   GraphEditor editor_;
   std::vector<LinkId> link_of_;  // per vertex, that is, sample it was made from
-  mutable std::vector<int> forward_;
+  std::vector<int> home_;        // per sample: itself if it is a vertex, else one nearer to it
   MergingCounts counts_;
 };
 

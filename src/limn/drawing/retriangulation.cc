@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <Eigen/LU>
 
@@ -21,102 +22,62 @@ constexpr int kGaussNewtonSteps = 3;
 // Standard deviation of the weak pull to the start of a step, px. It decides only what the edgels
 // leave open.
 constexpr double kPriorSigmaPx = 3;
+// Samples to either side between which the direction of a curve is measured.
+constexpr int kTangentReach = 2;
 
-// A curve of the sketch while its samples move. One entry per sample.
-struct WorkingCurve {
-  std::vector<Eigen::Vector3d> position;
-  std::vector<Eigen::Vector3d> tangent;
-  std::vector<Eigen::Matrix3d> information;
-  std::vector<double> footprint;
-  std::vector<std::vector<EdgelRef>> support;
-  std::vector<uint8_t> supported;  // by enough views, in the end
-  bool closed = false;
-
-  int size() const { return static_cast<int>(position.size()); }
+struct MovedCurve {
+  CurveSamples samples;
+  SupportLists support;
+  std::vector<uint8_t> supported;  // per sample: by enough views
 };
 
-std::vector<ViewId> ViewsOf(const std::vector<EdgelRef>& support) {
-  std::vector<ViewId> views;
-  for (const EdgelRef& ref : support) views.push_back(ref.view);
-  return views;
-}
-
+// Moves the samples of one curve of the sketch.
 class CurveRetriangulation {
  public:
-  CurveRetriangulation(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                       const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
+  CurveRetriangulation(const Curve3D& curve, const TopologyInput& images, const ViewFinder& finder,
                        const DrawingOptions& options)
-      : views_(views), curves_(curves), edgels_(edgels), options_(options), finder_(views) {}
+      : curve_(curve), images_(images), finder_(finder), options_(options) {}
 
-  WorkingCurve Run(const Curve3D& curve) const {
-    WorkingCurve working;
-    working.closed = curve.closed;
-    working.position = curve.points_in_world;
-    working.tangent = curve.tangents_in_world;
-    working.information.resize(curve.size());
-    working.footprint.resize(curve.size());
-    for (size_t s = 0; s < curve.size(); ++s) {
-      const auto edgels = curve.support.Of(s);
-      working.support.emplace_back(edgels.begin(), edgels.end());
-    }
+  MovedCurve Run() {
+    samples_.position = curve_.points_in_world;
+    samples_.tangent = curve_.tangents_in_world;
+    samples_.information.resize(curve_.size());
+    samples_.footprint.resize(curve_.size());
+    support_ = curve_.support;
     for (int round = 0; round < kRounds; ++round) {
-      for (int s = 0; s < working.size(); ++s) MoveToEdgels(s, &working);
-      working.position = SmoothCurve({working.position, working.tangent, working.information,
-                                      working.footprint, working.closed},
-                                     options_.bending_sigma_px, false);
-      UpdateTangents(&working);
-      UpdateSupport(curve, &working);
+      for (int s = 0; s < samples_.NumSamples(); ++s) MoveToEdgels(s);
+      samples_.position = SmoothCurve(samples_, curve_.closed, options_.bending_sigma_px);
+      UpdateTangents();
+      UpdateSupport();
     }
-    const std::vector<ViewId> near = finder_.NearAnyOf(working.position);
-    for (int s = 0; s < working.size(); ++s) {
-      working.supported.push_back(IsSupported(s, near, working));
-    }
-    return working;
+    const std::vector<ViewId> near = finder_.NearAnyOf(samples_.position);
+    std::vector<uint8_t> supported;
+    for (int s = 0; s < samples_.NumSamples(); ++s) supported.push_back(IsSupported(s, near));
+    return {std::move(samples_), std::move(support_), std::move(supported)};
   }
 
  private:
-  const Edgel& EdgelOf(const EdgelRef& ref) const {
-    return curves_[ref.view].edge_map.edgels[ref.edgel];
-  }
-
-  struct WeightedLine {
-    const View* view;
-    EdgelLine line;
-    double variance;
-  };
-
-  std::vector<WeightedLine> LinesOf(const std::vector<EdgelRef>& support) const {
-    std::vector<WeightedLine> lines;
-    lines.reserve(support.size());
-    for (const EdgelRef& ref : support) {
-      const Edgel& edgel = EdgelOf(ref);
-      lines.push_back({&views_[ref.view], edgel, ResidualVariance(edgel)});
-    }
-    return lines;
-  }
-
   // Robust Gauss-Newton in the plane across the curve.
-  void MoveToEdgels(int s, WorkingCurve* working) const {
-    const std::vector<EdgelRef>& support = working->support[s];
-    Eigen::Vector3d& position = working->position[s];
+  void MoveToEdgels(int s) {
+    Eigen::Vector3d& position = samples_.position[s];
     const Eigen::Vector3d start = position;
-    const double footprint = MedianFootprint(position, ViewsOf(support), views_);
-    working->footprint[s] = footprint > 0 ? footprint : working->footprint[s];
-    const Eigen::Vector3d& tangent = working->tangent[s];
-    const Eigen::Matrix<double, 3, 2> across = TangentFrame(tangent);
-    const double prior = 1 / std::pow(kPriorSigmaPx * working->footprint[s], 2);
-    const std::vector<WeightedLine> lines = LinesOf(support);
+    std::vector<ViewId> views;
+    for (const EdgelRef& ref : support_.Of(s)) views.push_back(ref.view);
+    const double footprint = MedianFootprint(position, views, images_.views);
+    if (footprint > 0) samples_.footprint[s] = footprint;
+    const Eigen::Matrix<double, 3, 2> across = TangentFrame(samples_.tangent[s]);
+    const double prior = 1 / std::pow(kPriorSigmaPx * samples_.footprint[s], 2);
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     for (int step = 0; step < kGaussNewtonSteps; ++step) {
       information.setZero();
       Eigen::Vector2d right = -prior * (across.transpose() * (position - start));
-      for (const WeightedLine& line : lines) {
-        const auto residual = ResidualToEdgel(*line.view, line.line, position);
+      for (const EdgelRef& ref : support_.Of(s)) {
+        const Edgel& edgel = images_.curves[ref.view].edge_map.edgels[ref.edgel];
+        const auto residual = ResidualToEdgel(images_.views[ref.view], edgel, position);
         if (!residual) continue;
         const double size = std::abs(residual->residual_px);
-        const double robust =
-            size > options_.robust_residual_px ? options_.robust_residual_px / size : 1;
-        const double weight = robust / line.variance;
+        const double robust = std::min(1.0, options_.robust_residual_px / size);
+        const double weight = robust / ResidualVariance(edgel);
         const Eigen::Vector2d gradient = across.transpose() * residual->gradient;
         information += weight * gradient * gradient.transpose();
         right -= weight * gradient * residual->residual_px;
@@ -124,149 +85,124 @@ class CurveRetriangulation {
       const Eigen::Matrix2d damped = information + prior * Eigen::Matrix2d::Identity();
       position += across * damped.inverse() * right;
     }
-    working->information[s] = across * information * across.transpose();
+    samples_.information[s] = across * information * across.transpose();
   }
 
-  static void UpdateTangents(WorkingCurve* working) {
-    const int size = working->size();
-    for (int s = 0; s < size; ++s) {
-      const int before = working->closed ? (s + size - 2) % size : std::max(s - 2, 0);
-      const int after = working->closed ? (s + 2) % size : std::min(s + 2, size - 1);
-      const Eigen::Vector3d chord = working->position[after] - working->position[before];
-      if (chord.norm() > 0) working->tangent[s] = chord.normalized();
+  void UpdateTangents() {
+    for (int s = 0; s < samples_.NumSamples(); ++s) {
+      const Eigen::Vector3d tangent =
+          DirectionAt(samples_.position, curve_.closed, s, kTangentReach);
+      if (!tangent.isZero(0)) samples_.tangent[s] = tangent;
     }
   }
 
   // Chooses the best edgels at the new positions, in all views that support any sample of the
-  // curve.
-  void UpdateSupport(const Curve3D& curve, WorkingCurve* working) const {
-    std::vector<ViewId> views;
-    for (const auto& support : working->support) {
-      for (const EdgelRef& ref : support) views.push_back(ref.view);
-    }
-    std::sort(views.begin(), views.end());
-    views.erase(std::unique(views.begin(), views.end()), views.end());
-    const SupportGate gate = options_.Gate();
-    for (int s = 0; s < working->size(); ++s) {
-      std::vector<EdgelRef> support;
+  // curve. The anchor keeps its own edgel while that supports the sample at all.
+  void UpdateSupport() {
+    std::set<ViewId> views;
+    for (const EdgelRef& ref : support_.edgels) views.insert(ref.view);
+    support_ = {};
+    for (int s = 0; s < samples_.NumSamples(); ++s) {
+      std::vector<EdgelRef> of_sample;
       for (const ViewId v : views) {
-        const auto sight = See(views_[v], working->position[s], working->tangent[s]);
+        const auto sight = See(images_.views[v], samples_.position[s], samples_.tangent[s]);
         if (!sight) continue;
-        const auto match = edgels_[v]->edgels.Best(sight->position_px, sight->direction_rad, gate);
-        if (match) support.push_back({v, match->edgel});
+        const auto match =
+            images_.edgels[v]->edgels.Best(sight->position_px, sight->direction_rad, images_.gate);
+        if (!match) continue;
+        of_sample.push_back(v == curve_.anchor.view ? OwnEdgel(s) : EdgelRef{v, match->edgel});
       }
-      // The anchor keeps its own edgel while that supports the sample at all.
-      for (EdgelRef& ref : support) {
-        if (ref.view == curve.anchor.view) ref = OwnEdgel(curve, s);
-      }
-      working->support[s] = std::move(support);
+      support_.Append(of_sample);
     }
   }
 
+  // The anchor's edgel that the sample was made from.
+  EdgelRef OwnEdgel(int s) const {
+    const auto support = curve_.support.Of(s);
+    return *std::ranges::find(support, curve_.anchor.view, &EdgelRef::view);
+  }
+
   // `near` holds the views that may contain the curve.
-  bool IsSupported(int s, const std::vector<ViewId>& near, const WorkingCurve& working) const {
+  bool IsSupported(int s, const std::vector<ViewId>& near) const {
     const auto num_containing = std::count_if(near.begin(), near.end(), [&](ViewId v) {
-      return views_[v].Project(working.position[s]).has_value();
+      return images_.views[v].Project(samples_.position[s]).has_value();
     });
-    return static_cast<int>(working.support[s].size()) >=
+    return static_cast<int>(support_.Of(s).size()) >=
            NumRequiredViews(static_cast<int>(num_containing), options_.supporting_views_share,
                             options_.min_supporting_views, options_.max_supporting_views);
   }
 
-  EdgelRef OwnEdgel(const Curve3D& curve, int s) const {
-    for (const EdgelRef& ref : curve.support.Of(s)) {
-      if (ref.view == curve.anchor.view) return ref;
-    }
-    return {};
-  }
-
-  const std::vector<View>& views_;
-  const std::vector<ImageCurves>& curves_;
-  const std::vector<std::unique_ptr<ViewEdgels>>& edgels_;
+  const Curve3D& curve_;
+  const TopologyInput& images_;
+  const ViewFinder& finder_;
   const DrawingOptions& options_;
-  ViewFinder finder_;
+  CurveSamples samples_;
+  SupportLists support_;
 };
 
-class SampleCollector {
- public:
-  SampleCollector(const CurveSketch& sketch, const DrawingOptions& options,
-                  RetriangulationStats* stats)
-      : options_(options), stats_(stats) {
-    size_t num_samples = 0;
-    size_t num_edgels = 0;
-    for (const Curve3D& curve : sketch.curves) {
-      num_samples += curve.size();
-      num_edgels += curve.support.edgels.size();
-    }
-    Reserve(num_samples, num_edgels, &samples_);
+// Makes samples [begin, end) of a curve a curve of the set.
+void AppendPiece(const MovedCurve& curve, int begin, int end, const CurveOrigin& origin,
+                 SampleSet* samples) {
+  samples->curve_of.resize(samples->curve_of.size() + end - begin, samples->NumCurves());
+  samples->origins.push_back(origin);
+  for (int s = begin; s < end; ++s) {
+    samples->position.push_back(curve.samples.position[s]);
+    samples->tangent.push_back(curve.samples.tangent[s]);
+    samples->information.push_back(curve.samples.information[s]);
+    samples->footprint.push_back(curve.samples.footprint[s]);
+    samples->support.Append(curve.support.Of(s));
   }
+  samples->curve_begin.push_back(samples->NumSamples());
+}
 
-  void Add(const WorkingCurve& working, int sketch_curve, ViewId anchor_view) {
-    const int size = working.size();
-    stats_->samples_in += size;
-    const auto supported = [&](int s) { return working.supported[s] != 0; };
-    // A single unsupported sample does not cut a curve.
-    const auto usable = [&](int s) {
-      return supported(s) || (s > 0 && s + 1 < size && supported(s - 1) && supported(s + 1));
-    };
-    int begin = 0;
-    for (int s = 0; s <= size; ++s) {
-      if (s < size && usable(s)) continue;
-      AddRun(working, begin, s, sketch_curve, anchor_view);
-      if (s < size) ++stats_->too_few_views;
-      begin = s + 1;
-    }
-  }
-
-  SampleSet Take() { return std::move(samples_); }
-
- private:
-  void AddRun(const WorkingCurve& working, int begin, int end, int sketch_curve,
-              ViewId anchor_view) {
-    if (begin == end) return;
-    double length_px = 0;
-    for (int s = begin + 1; s < end; ++s) {
-      length_px += (working.position[s] - working.position[s - 1]).norm() / working.footprint[s];
-    }
-    if (length_px < options_.min_linked_length_px) {
-      stats_->piece_too_short += end - begin;
+// Appends the supported pieces of a curve that are long enough. Returns the number of samples in
+// the others.
+int AppendPieces(const MovedCurve& curve, const CurveOrigin& whole, double min_length_px,
+                 SampleSet* samples) {
+  const int size = curve.samples.NumSamples();
+  const auto is_supported = [&](int s) { return s >= 0 && s < size && curve.supported[s]; };
+  // A single unsupported sample does not cut a curve.
+  const auto is_usable = [&](int s) {
+    return is_supported(s) || (is_supported(s - 1) && is_supported(s + 1));
+  };
+  int in_short_pieces = 0;
+  ForEachRun(size, is_usable, [&](int begin, int end) {
+    if (LengthPx(curve.samples, begin, end) < min_length_px) {
+      in_short_pieces += end - begin;
       return;
     }
-    const int curve = samples_.NumCurves();
-    const bool whole = end - begin == working.size();
-    samples_.origins.push_back({sketch_curve, begin, anchor_view, working.closed && whole});
-    for (int s = begin; s < end; ++s) {
-      samples_.curve_of.push_back(curve);
-      samples_.position.push_back(working.position[s]);
-      samples_.tangent.push_back(working.tangent[s]);
-      samples_.information.push_back(working.information[s]);
-      samples_.footprint.push_back(working.footprint[s]);
-      samples_.support.Append(working.support[s]);
-    }
-    samples_.curve_begin.push_back(samples_.NumSamples());
-  }
-
-  const DrawingOptions& options_;
-  RetriangulationStats* stats_;
-  SampleSet samples_;
-};
+    const bool closed = whole.closed && end - begin == size;
+    AppendPiece(curve, begin, end, {whole.sketch_curve, begin, whole.anchor_view, closed}, samples);
+  });
+  return in_short_pieces;
+}
 
 }  // namespace
 
-SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& views,
-                        const std::vector<ImageCurves>& curves,
-                        const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
+SampleSet Retriangulate(const CurveSketch& sketch, const TopologyInput& images,
                         const DrawingOptions& options, const RunContext& context,
                         RetriangulationStats* stats) {
-  const CurveRetriangulation retriangulation(views, curves, edgels, options);
-  SampleCollector collector(sketch, options, stats);
+  SampleSet samples;
+  size_t num_edgels = 0;
+  for (const Curve3D& curve : sketch.curves) {
+    stats->samples_in += static_cast<int64_t>(curve.size());
+    num_edgels += curve.support.edgels.size();
+  }
+  Reserve(stats->samples_in, num_edgels, &samples);
+  const ViewFinder finder(images.views);
   MapItemsInBlocks(
       context, "re-triangulation", sketch.curves.size(),
-      [&](size_t c) { return retriangulation.Run(sketch.curves[c]); },
-      [&](size_t c, const WorkingCurve& working) {
-        collector.Add(working, static_cast<int>(c), sketch.curves[c].anchor.view);
+      [&](size_t c) {
+        return CurveRetriangulation(sketch.curves[c], images, finder, options).Run();
+      },
+      [&](size_t c, const MovedCurve& moved) {
+        const Curve3D& curve = sketch.curves[c];
+        stats->piece_too_short +=
+            AppendPieces(moved, {static_cast<int>(c), 0, curve.anchor.view, curve.closed},
+                         options.min_linked_length_px, &samples);
       });
-  return collector.Take();
+  stats->too_few_views = stats->samples_in - stats->piece_too_short - samples.NumSamples();
+  return samples;
 }
 
 }  // namespace limn

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <memory>
-
 #include "limn/drawing/drawing_options.h"
 #include "limn/drawing/samples.h"
-#include "limn/support/view_edgels.h"
+#include "limn/topology/topology_input.h"
 
 namespace limn {
 
@@ -19,9 +17,7 @@ struct RetriangulationStats {
 // only. This alternates with smoothing along the curve, in which samples are weighted by their
 // inverse covariances, and with a new choice of supporting edgels. Curves are cut where support is
 // lost. Time: samples times views.
-SampleSet Retriangulate(const CurveSketch& sketch, const std::vector<View>& views,
-                        const std::vector<ImageCurves>& curves,
-                        const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
+SampleSet Retriangulate(const CurveSketch& sketch, const TopologyInput& images,
                         const DrawingOptions& options, const RunContext& context,
                         RetriangulationStats* stats);
 

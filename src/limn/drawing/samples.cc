@@ -1,8 +1,25 @@
 #include "limn/drawing/samples.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace limn {
+
+double LengthPx(const CurveSamples& samples, int begin, int end) {
+  double length_px = 0;
+  for (int s = begin + 1; s < end; ++s) {
+    length_px += (samples.position[s] - samples.position[s - 1]).norm() / samples.footprint[s];
+  }
+  return length_px;
+}
+
+Eigen::Vector3d DirectionAt(const std::vector<Eigen::Vector3d>& curve, bool closed, int k,
+                            int reach) {
+  const int size = static_cast<int>(curve.size());
+  const int before = closed ? (k + size - reach) % size : std::max(k - reach, 0);
+  const int after = closed ? (k + reach) % size : std::min(k + reach, size - 1);
+  return (curve[after] - curve[before]).normalized();
+}
 
 void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples) {
   samples->curve_of.reserve(num_samples);

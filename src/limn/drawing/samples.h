@@ -5,8 +5,39 @@
 #include <Eigen/Core>
 
 #include "limn/model/curve3d.h"
+#include "limn/model/drawing_graph.h"
 
 namespace limn {
+
+// Samples of a curve, or of several back to back. All arrays are per sample.
+struct CurveSamples {
+  std::vector<Eigen::Vector3d> position;
+  std::vector<Eigen::Vector3d> tangent;  // unit, along the curve
+  // Inverse covariance of the position across the curve (zero along the tangent), world units.
+  std::vector<Eigen::Matrix3d> information;
+  // Pixel footprint: median over the supporting views (model/footprint.h).
+  std::vector<double> footprint;
+
+  int NumSamples() const { return static_cast<int>(position.size()); }
+};
+
+// Length of the curve through samples [begin, end), in footprints (px).
+double LengthPx(const CurveSamples& samples, int begin, int end);
+
+// Unit direction of a curve at its sample k: from the sample `reach` before it to the one `reach`
+// after it, or to the curve's end. Zero if these are at one place.
+Eigen::Vector3d DirectionAt(const std::vector<Eigen::Vector3d>& curve, bool closed, int k,
+                            int reach);
+
+// Calls visit(begin, end) for every longest run [begin, end) of indices below `count` that are in.
+template <typename IsIn, typename Visit>
+void ForEachRun(int count, const IsIn& is_in, const Visit& visit) {
+  for (int begin = 0, k = 0; k <= count; ++k) {
+    if (k < count && is_in(k)) continue;
+    if (k > begin) visit(begin, k);
+    begin = k + 1;
+  }
+}
 
 // The run of sketch samples that a curve of the SampleSet comes from.
 struct CurveOrigin {
@@ -18,21 +49,17 @@ struct CurveOrigin {
 
 // The samples of all curves, back to back: sample ids run through curve 0, then curve 1, and so on.
 // All stages up to merging use these ids.
-struct SampleSet {
+struct SampleSet : CurveSamples {
   std::vector<int> curve_begin = {0};  // one more than curves
   std::vector<CurveOrigin> origins;    // per curve
   std::vector<int> curve_of;           // per sample
-  std::vector<Eigen::Vector3d> position;
-  std::vector<Eigen::Vector3d> tangent;  // unit, along the curve
-  // Inverse covariance of the position across the curve (zero along the tangent), world units.
-  std::vector<Eigen::Matrix3d> information;
-  // Pixel footprint: median over the supporting views (model/footprint.h).
-  std::vector<double> footprint;
   SupportLists support;
 
   int NumCurves() const { return static_cast<int>(origins.size()); }
-  int NumSamples() const { return static_cast<int>(position.size()); }
   int Size(int curve) const { return curve_begin[curve + 1] - curve_begin[curve]; }
+  // Ids and names of samples, whose curves are those of this set.
+  int IdOf(const SketchSample& name) const { return curve_begin[name.curve] + name.sample; }
+  SketchSample NameOf(int id) const { return {curve_of[id], id - curve_begin[curve_of[id]]}; }
 };
 
 // Reserves memory. Growing arrays would take up to three times their size.

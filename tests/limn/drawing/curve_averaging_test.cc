@@ -50,7 +50,7 @@ struct Scene {
     }
   }
 
-  int Average() { return AverageCurves(network, options, {}, &samples); }
+  AveragingResult Average() { return AverageCurves(network, options, {}, &samples); }
 
   Vector3d At(int curve, int k) const { return samples.position[samples.curve_begin[curve] + k]; }
 
@@ -72,7 +72,7 @@ TEST(CurveAveragingTest, EqualCurvesMeetInTheMiddle) {
   Scene scene({{0, 0, 0}, {0, 0.3, -0.4}});
   scene.OverlapBoth(0, 1);
   const SampleSet before = scene.samples;
-  EXPECT_EQ(scene.Average(), 2);  // the second moves nothing
+  EXPECT_EQ(scene.Average().rounds, 2);  // the second moves nothing
   ExpectRow(scene, 0, {0, 0.15, -0.2}, 1e-6);
   ExpectRow(scene, 1, {0, 0.15, -0.2}, 1e-6);
   EXPECT_EQ(scene.samples.tangent, before.tangent);
@@ -278,10 +278,12 @@ TEST(CurveAveragingTest, AfterwardsNoSampleMovesByMoreThanTheTolerance) {
     Scene scene = NoisyCopies();
     scene.options.averaging_tolerance_px = tolerance_px;
     scene.options.max_averaging_rounds = 50;
-    const int rounds = scene.Average();
-    EXPECT_LT(rounds, 50);
-    EXPECT_GT(rounds, last_rounds);
-    last_rounds = rounds;
+    const AveragingResult result = scene.Average();
+    EXPECT_TRUE(result.converged);
+    EXPECT_LE(result.last_move_px, tolerance_px);
+    EXPECT_LT(result.rounds, 50);
+    EXPECT_GT(result.rounds, last_rounds);
+    last_rounds = result.rounds;
     const SampleSet before = scene.samples;
     scene.options.max_averaging_rounds = 1;
     scene.Average();
@@ -309,8 +311,22 @@ TEST(CurveAveragingTest, ToleranceIsInFootprints) {
     scene.samples.footprint.assign(scene.samples.footprint.size(), footprint);
     for (Matrix3d& information : scene.samples.information) information /= footprint * footprint;
     scene.OverlapBoth(0, 1);
-    EXPECT_EQ(scene.Average(), 2);
+    EXPECT_EQ(scene.Average().rounds, 2);
   }
+}
+
+// The last movement, too, is in footprints.
+TEST(CurveAveragingTest, LastMovementIsThatOfTheSampleThatMovedFarthest) {
+  const double footprint = 5;
+  Scene scene({{0, 0, 0}, {0, 0.4 * footprint, 0}, {0, 40, 0}, {0, 40 + 0.2 * footprint, 0}});
+  scene.samples.footprint.assign(scene.samples.footprint.size(), footprint);
+  for (Matrix3d& information : scene.samples.information) information /= footprint * footprint;
+  scene.OverlapBoth(0, 1);
+  scene.OverlapBoth(2, 3);
+  scene.options.max_averaging_rounds = 1;
+  const AveragingResult result = scene.Average();
+  EXPECT_NEAR(result.last_move_px, 0.2, 1e-6);
+  EXPECT_FALSE(result.converged);
 }
 
 // Three rows, the middle one overlaps both: in every round, the outer ones come half as near.
@@ -321,8 +337,12 @@ TEST(CurveAveragingTest, RoundsAreCountedAndLimited) {
     scene.OverlapBoth(1, 2);
     scene.options.averaging_tolerance_px = 1e-9;
     scene.options.max_averaging_rounds = rounds;
-    EXPECT_EQ(scene.Average(), rounds);
+    const AveragingResult result = scene.Average();
+    EXPECT_EQ(result.rounds, rounds);
+    EXPECT_FALSE(result.converged);
     const double offset = 0.3 * std::pow(0.5, rounds);
+    // In the last round they came half as near, that is, by as much as is left.
+    EXPECT_NEAR(result.last_move_px, rounds == 0 ? 0 : offset, 1e-6);
     ExpectRow(scene, 0, {0, -offset, 0}, 1e-6);
     ExpectRow(scene, 1, {0, 0, 0}, 1e-6);
     ExpectRow(scene, 2, {0, offset, 0}, 1e-6);
@@ -331,7 +351,9 @@ TEST(CurveAveragingTest, RoundsAreCountedAndLimited) {
 
 TEST(CurveAveragingTest, NothingTakesNoRound) {
   Scene none({});
-  EXPECT_EQ(none.Average(), 0);
+  const AveragingResult result = none.Average();
+  EXPECT_EQ(result.rounds, 0);
+  EXPECT_TRUE(result.converged);
 }
 
 TEST(CurveAveragingTest, OneOfAFewPartnersCountsAsMuchAsTheOthers) {

@@ -27,7 +27,7 @@ std::vector<int> Partners(size_t count, const std::vector<std::pair<int, int>>& 
 
 TEST(RegularizeOverlapTest, FillsGapUpToMaxGapByInterpolation) {
   std::vector<int> partner = Partners(60, {{0, 20}, {26, 60}});
-  RegularizeOverlap(UnitArc(60), 7, 5, &partner);
+  RegularizeOverlap(UnitArc(60), 7, &partner);
   EXPECT_EQ(partner, Partners(60, {{0, 60}}));
 }
 
@@ -36,14 +36,14 @@ TEST(RegularizeOverlapTest, InterpolatesDescendingPartners) {
   for (int k = 0; k < 40; ++k) partner[k] = 200 - k;
   const std::vector<int> full = partner;
   for (int k = 10; k < 14; ++k) partner[k] = -1;
-  RegularizeOverlap(UnitArc(40), 9, 5, &partner);
+  RegularizeOverlap(UnitArc(40), 9, &partner);
   EXPECT_EQ(partner, full);
 }
 
 TEST(RegularizeOverlapTest, KeepsLongerGap) {
   const std::vector<int> before = Partners(80, {{0, 30}, {45, 80}});
   std::vector<int> partner = before;
-  RegularizeOverlap(UnitArc(80), 9, 5, &partner);
+  RegularizeOverlap(UnitArc(80), 9, &partner);
   EXPECT_EQ(partner, before);
 }
 
@@ -52,52 +52,52 @@ TEST(RegularizeOverlapTest, GapIsMeasuredInArcLengthNotSamples) {
   for (double& a : arc) a *= 3;
   const std::vector<int> before = Partners(40, {{0, 18}, {22, 40}});  // 15 long, 4 samples
   std::vector<int> partner = before;
-  RegularizeOverlap(arc, 9, 5, &partner);
+  RegularizeOverlap(arc, 9, &partner);
   EXPECT_EQ(partner, before);
 }
 
 TEST(RegularizeOverlapTest, RemovesShortRunInside) {
   std::vector<int> partner = Partners(100, {{0, 30}, {45, 49}, {65, 100}});
-  RegularizeOverlap(UnitArc(100), 9, 9, &partner);
+  RegularizeOverlap(UnitArc(100), 9, &partner);
   EXPECT_EQ(partner, Partners(100, {{0, 30}, {65, 100}}));
 }
 
 TEST(RegularizeOverlapTest, RemovesShortRunsAtBothEnds) {
   std::vector<int> partner = Partners(100, {{0, 4}, {30, 60}, {96, 100}});
-  RegularizeOverlap(UnitArc(100), 9, 9, &partner);
+  RegularizeOverlap(UnitArc(100), 9, &partner);
   EXPECT_EQ(partner, Partners(100, {{30, 60}}));
 }
 
 TEST(RegularizeOverlapTest, DoesNotExtendToTheEnds) {
   const std::vector<int> before = Partners(100, {{3, 97}});
   std::vector<int> partner = before;
-  RegularizeOverlap(UnitArc(100), 9, 9, &partner);
+  RegularizeOverlap(UnitArc(100), 9, &partner);
   EXPECT_EQ(partner, before);
 }
 
 TEST(RegularizeOverlapTest, ShortRunsNearEachOtherJoinBeforeTheyAreJudged) {
   std::vector<int> partner = Partners(100, {{40, 45}, {50, 55}});
-  RegularizeOverlap(UnitArc(100), 9, 9, &partner);
+  RegularizeOverlap(UnitArc(100), 9, &partner);
   EXPECT_EQ(partner, Partners(100, {{40, 55}}));
 }
 
 TEST(RegularizeOverlapTest, LessIsAskedOfShortCurves) {
   const std::vector<int> before = Partners(11, {{3, 10}});  // 6 of 10, but less than 9
   std::vector<int> partner = before;
-  RegularizeOverlap(UnitArc(11), 2, 9, &partner);
+  RegularizeOverlap(UnitArc(11), 9, &partner);
   EXPECT_EQ(partner, before);
 }
 
 TEST(RegularizeOverlapTest, NothingStaysNothing) {
   std::vector<int> partner(20, -1);
-  RegularizeOverlap(UnitArc(20), 9, 9, &partner);
+  RegularizeOverlap(UnitArc(20), 9, &partner);
   EXPECT_EQ(partner, std::vector<int>(20, -1));
 }
 
 TEST(RegularizeOverlapTest, RunOfJustTheLengthNeededStays) {
   const std::vector<int> before = Partners(100, {{20, 30}, {50, 59}});  // 9 and 8 long
   std::vector<int> partner = before;
-  RegularizeOverlap(UnitArc(100), 9, 9, &partner);
+  RegularizeOverlap(UnitArc(100), 9, &partner);
   EXPECT_EQ(partner, Partners(100, {{20, 30}}));
 }
 
@@ -106,7 +106,7 @@ TEST(RegularizeOverlapTest, RunIsMeasuredInArcLengthNotSamples) {
   for (double& a : arc) a *= 3;
   const std::vector<int> before = Partners(100, {{40, 44}});  // 9 long
   std::vector<int> partner = before;
-  RegularizeOverlap(arc, 9, 9, &partner);
+  RegularizeOverlap(arc, 9, &partner);
   EXPECT_EQ(partner, before);
 }
 
@@ -129,10 +129,9 @@ class NetworkScene {
   }
 
   CurveConsistency Build() const {
-    LocalConsistency network;
-    for (const std::map<int, int>& of_sample : votes_) {
-      for (const auto& [other, votes] : of_sample) network.links.push_back({other, votes});
-      network.begin.push_back(network.links.size());
+    LocalConsistency network(samples.NumCurves());
+    for (int s = 0; s < samples.NumSamples(); ++s) {
+      for (const auto& [other, votes] : votes_[s]) network[s / kSize].push_back({s, other, votes});
     }
     return BuildCurveConsistency(samples, network, options, {});
   }
@@ -209,7 +208,7 @@ TEST(CurveConsistencyTest, DenseLinksJoinTheOverlapButDoNotMakeOne) {
   const CurveConsistency network = scene.Build();
   ASSERT_EQ(NetworkScene::Others(network, 0), Others{2});
   EXPECT_EQ(network.overlaps[0][0].partner, NetworkScene::PartnersOn(2, {{10, 50}}));
-  EXPECT_EQ(network.cluster, (std::vector<int>{0, 1, 0}));
+  EXPECT_EQ(network.num_clusters, 2);
 }
 
 TEST(CurveConsistencyTest, StrongLinksInEitherDirectionSuffice) {
@@ -230,7 +229,7 @@ TEST(CurveConsistencyTest, CurveWithoutLinksOfItsOwnOverlapsNothing) {
   const CurveConsistency network = scene.Build();
   EXPECT_EQ(NetworkScene::Others(network, 0), Others());
   EXPECT_EQ(NetworkScene::Others(network, 1), Others{0});
-  EXPECT_EQ(network.cluster, (std::vector<int>{0, 0}));
+  EXPECT_EQ(network.num_clusters, 1);
 }
 
 TEST(CurveConsistencyTest, GapsAreFilledAndSpecklesRemoved) {
@@ -257,7 +256,7 @@ TEST(CurveConsistencyTest, SpecklesAloneLinkNothing) {
   scene.Link(0, 1, 40, 46, 4);
   const CurveConsistency network = scene.Build();
   EXPECT_EQ(NetworkScene::Others(network, 0), Others());
-  EXPECT_EQ(network.cluster, (std::vector<int>{0, 1}));
+  EXPECT_EQ(network.num_clusters, 2);
 }
 
 TEST(CurveConsistencyTest, OverlapsAscendByCurve) {
@@ -266,7 +265,7 @@ TEST(CurveConsistencyTest, OverlapsAscendByCurve) {
   EXPECT_EQ(NetworkScene::Others(scene.Build(), 2), (Others{0, 1, 3}));
 }
 
-TEST(CurveConsistencyTest, ClustersAreComponentsNamedByTheirSmallestCurve) {
+TEST(CurveConsistencyTest, ClustersAreComponents) {
   NetworkScene scene(8);
   const auto link = [&](int a, int b) {
     scene.Link(a, b, 10, 40, 4);
@@ -276,13 +275,13 @@ TEST(CurveConsistencyTest, ClustersAreComponentsNamedByTheirSmallestCurve) {
   link(4, 1);
   link(6, 7);
   link(5, 2);
-  EXPECT_EQ(scene.Build().cluster, (std::vector<int>{0, 1, 2, 3, 1, 2, 1, 1}));
+  EXPECT_EQ(scene.Build().num_clusters, 4);  // 0, 3, {1, 4, 6, 7} and {2, 5}
 }
 
 TEST(CurveConsistencyTest, NothingOfNothing) {
   const CurveConsistency network = NetworkScene(0).Build();
   EXPECT_TRUE(network.overlaps.empty());
-  EXPECT_TRUE(network.cluster.empty());
+  EXPECT_EQ(network.num_clusters, 0);
 }
 
 TEST(CountAgreeingViewsTest, CountsDifferentPrimaryViewsItsOwnIncluded) {
@@ -299,7 +298,10 @@ TEST(CountAgreeingViewsTest, CountsDifferentPrimaryViewsItsOwnIncluded) {
   for (int k = 0; k < 60; ++k) expected.push_back(1 + (k < 40) + (k >= 10 && k < 50));
   for (int k = 0; k < 3 * 60; ++k) expected.push_back(1);
   for (int k = 0; k < 60; ++k) expected.push_back(1 + (k >= 45));
-  EXPECT_EQ(CountAgreeingViews(scene.samples, scene.Build()), expected);
+  const CurveConsistency network = scene.Build();
+  for (int s = 0; s < scene.samples.NumSamples(); ++s) {
+    EXPECT_EQ(CountAgreeingViews(scene.samples, network, s), expected[s]) << s;
+  }
 }
 
 }  // namespace

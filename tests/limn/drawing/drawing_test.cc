@@ -1,5 +1,6 @@
 #include "limn/drawing/drawing.h"
 
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -23,13 +24,13 @@ std::vector<testing::SceneCurve> CubeWithCircle() {
 }
 
 DrawingResult Draw(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                   int num_threads) {
+                   int num_threads, const DrawingOptions& options = {}) {
   RunContext context;
   context.num_threads = num_threads;
   const SceneHints no_hints;
   const SketchResult sketch =
       BuildEnhancedSketch({views, curves, no_hints, std::nullopt}, SketchOptions(), context);
-  return BuildDrawing({views, curves, sketch.sketch}, DrawingOptions(), context);
+  return BuildDrawing({views, curves, sketch.sketch}, options, context);
 }
 
 const std::vector<View>& Views() {
@@ -190,6 +191,26 @@ TEST(DrawingTest, NoisyCubeIsComplete) {
   const TauResult row = Evaluate(NoisyDrawing().graph, 1);
   EXPECT_GE(row.recall.value(), 0.95);
   EXPECT_LE(row.duplicated.value(), 0.05);
+}
+
+TEST(DrawingTest, SummaryTellsWhetherAveragingConverged) {
+  const std::string rounds = "averaging rounds";
+  const std::string converged = "averaging converged (1: yes)";
+  const std::string movement = "last movement of averaging, 1/1000 px";
+  const DrawingOptions defaults;
+  const StageSummary::Counts& in = NoisyDrawing().summary.in;
+  EXPECT_EQ(Count(in, converged),
+            Count(in, movement) <= std::llround(1000 * defaults.averaging_tolerance_px));
+
+  DrawingOptions impatient;
+  impatient.averaging_tolerance_px = 1e-9;
+  impatient.max_averaging_rounds = 1;
+  const StageSummary::Counts stopped =
+      Draw(Views(), testing::ProjectCurves(Views(), CubeWithCircle(), 0.3), 2, impatient)
+          .summary.in;
+  EXPECT_EQ(Count(stopped, rounds), 1);
+  EXPECT_EQ(Count(stopped, converged), 0);
+  EXPECT_GT(Count(stopped, movement), 0);
 }
 
 TEST(DrawingTest, EmptySketchGivesEmptyGraph) {

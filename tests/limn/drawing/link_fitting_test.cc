@@ -17,10 +17,13 @@ using Eigen::Vector3d;
 // A link per curve that is a link of its own, with the samples of the others at its points.
 struct Merged {
   SampleSet samples;
+  CurveConsistency network;
   DrawingGraph graph;
 
   explicit Merged(const std::vector<std::vector<Vector3d>>& curves)
-      : samples(testing::MakeSamples(curves)) {}
+      : samples(testing::MakeSamples(curves)) {
+    network.overlaps.resize(curves.size());
+  }
 
   void AddLink(int curve, NodeId node0 = -1) {
     DrawingLink link;
@@ -33,8 +36,8 @@ struct Merged {
     link.node0 = node0;
     GraphEditor(&graph).Add(std::move(link));
   }
-  void Fit(const std::vector<int>& agreeing_views) {
-    FitLinks(samples, agreeing_views, {}, &graph);
+  void Fit() {
+    FitLinks(samples, network, {}, &graph);
     testing::ExpectValid(graph);
   }
 };
@@ -49,17 +52,17 @@ TEST(FitLinksTest, VerticesHaveWhatIsKnownOfAllTheirSamples) {
   }
   merged.AddLink(0);
   merged.graph.links[0].vertices[3].samples.push_back({1, 0});
-  std::vector<int> agreeing(12, 2);
-  agreeing[10] = 5;
-  merged.Fit(agreeing);
+  // Only the second curve overlaps the other one.
+  merged.network.overlaps[1] = {{0, {3, 4}}};
+  merged.Fit();
   const DrawingLink& link = merged.graph.links[0];
   const LinkVertex& both = link.vertices[3];
   EXPECT_EQ(both.samples, (std::vector<SketchSample>{{4, 33}, {2, 7}}));
   EXPECT_EQ(both.support, (std::vector<EdgelRef>{{0, 10}, {1, 3}, {2, 5}}));
-  EXPECT_EQ(both.agreeing_views, 5);
+  EXPECT_EQ(both.agreeing_views, 2);
   EXPECT_EQ(link.vertices[4].samples, (std::vector<SketchSample>{{4, 34}}));
   EXPECT_EQ(link.vertices[4].support, (std::vector<EdgelRef>{{1, 4}, {2, 5}}));
-  EXPECT_EQ(link.vertices[4].agreeing_views, 2);
+  EXPECT_EQ(link.vertices[4].agreeing_views, 1);
   for (int k = 0; k < link.size(); ++k) {
     EXPECT_EQ(link.sigma[k], SigmaAcross(link.vertices[k].information, link.vertices[k].footprint));
     EXPECT_NEAR(link.sigma[k], 0.1, 1e-9);
@@ -84,7 +87,7 @@ TEST(FitLinksTest, NodeIsAtTheMeanOfItsEnds) {
     for (int k = 0; k < 30; ++k)
       merged.graph.links[link].vertices[k].samples.push_back({link + 3, k});
   }
-  merged.Fit(std::vector<int>(merged.samples.NumSamples(), 2));
+  merged.Fit();
   const DrawingNode& node = merged.graph.nodes[merged.graph.links[0].node0];
   ASSERT_EQ(node.Degree(), 3);
   // The weak prior holds the points back by a part in ten thousand.

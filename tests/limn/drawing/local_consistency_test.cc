@@ -67,10 +67,10 @@ class Scene {
   std::map<int, int> LinksOf(int sample) const {
     const LocalConsistency network = Build();
     std::map<int, int> links;
-    for (size_t l = network.begin.at(sample); l < network.begin.at(sample + 1); ++l) {
-      links[network.links.at(l).other] = network.links[l].votes;
+    for (const SampleLink& link : network.at(samples.curve_of.at(sample))) {
+      if (link.sample != sample) continue;
+      EXPECT_TRUE(links.emplace(link.other, link.votes).second);
     }
-    EXPECT_EQ(links.size(), network.begin[sample + 1] - network.begin[sample]);
     return links;
   }
 
@@ -249,7 +249,7 @@ TEST(LocalConsistencyTest, ViewsOfOneSampleAloneAreNotCompared) {
   EXPECT_EQ(apart.LinksOf(d), Links());
 }
 
-TEST(LocalConsistencyTest, LinksAscendByCurveAndEverySampleHasItsPlace) {
+TEST(LocalConsistencyTest, LinksAscendByCurveAndEveryCurveHasItsPlace) {
   Scene scene;
   const Sample lonely{In({5, 6, 7}, 30)};
   const Sample shared{In({0, 1, 2}, 5)};
@@ -261,12 +261,17 @@ TEST(LocalConsistencyTest, LinksAscendByCurveAndEverySampleHasItsPlace) {
   scene.AddCurve(0, {{In({2, 3, 4}, 6)}, {}});   // 8, 9
   for (const int num_threads : {1, 3}) {
     const LocalConsistency network = scene.Build(num_threads);
-    EXPECT_EQ(network.begin, (std::vector<size_t>{0, 1, 3, 3, 3, 5, 6, 8, 10, 10, 10}));
-    std::vector<int> others, votes;
-    for (const SampleLink& link : network.links) {
-      others.push_back(link.other);
-      votes.push_back(link.votes);
+    ASSERT_EQ(network.size(), 5u);
+    std::vector<int> of_samples, others, votes;
+    for (size_t c = 0; c < network.size(); ++c) {
+      for (const SampleLink& link : network[c]) {
+        EXPECT_EQ(scene.samples.curve_of.at(link.sample), static_cast<int>(c));
+        of_samples.push_back(link.sample);
+        others.push_back(link.other);
+        votes.push_back(link.votes);
+      }
     }
+    EXPECT_EQ(of_samples, (std::vector<int>{0, 1, 1, 4, 4, 5, 6, 6, 7, 7}));
     EXPECT_EQ(others, (std::vector<int>{5, 4, 7, 1, 7, 0, 1, 7, 1, 4}));
     EXPECT_EQ(votes, std::vector<int>(10, 3));
   }
@@ -274,11 +279,11 @@ TEST(LocalConsistencyTest, LinksAscendByCurveAndEverySampleHasItsPlace) {
 
 TEST(LocalConsistencyTest, NothingOfNothing) {
   Scene scene;
-  EXPECT_EQ(scene.Build().begin, std::vector<size_t>{0});
+  EXPECT_TRUE(scene.Build().empty());
   scene.AddCurve(0, {{}, {}});
   const LocalConsistency network = scene.Build();
-  EXPECT_EQ(network.begin, (std::vector<size_t>{0, 0, 0}));
-  EXPECT_TRUE(network.links.empty());
+  ASSERT_EQ(network.size(), 1u);
+  EXPECT_TRUE(network[0].empty());
 }
 
 }  // namespace

@@ -44,17 +44,15 @@ class MergingPrimitivesTest : public ::testing::TestWithParam<std::tuple<bool, b
     samples_ = MakeSamples(curves);
     primitives_.emplace(samples_, options_, &graph_);
   }
-  LinkId AddTarget(std::vector<int> samples, bool closed = false) {
+  void AddTarget(std::vector<int> samples, bool closed = false) {
     if (std::get<0>(GetParam())) std::reverse(samples.begin(), samples.end());
-    return primitives_->AddRun(samples, closed);
+    primitives_->AddRun(samples, closed);
   }
-  LinkId AddRun(std::vector<int> samples) {
+  void AddRun(std::vector<int> samples) {
     if (RunBackwards()) std::reverse(samples.begin(), samples.end());
-    return primitives_->AddRun(samples, false);
+    primitives_->AddRun(samples, false);
   }
   bool RunBackwards() const { return std::get<1>(GetParam()); }
-  // The end of a run that is its first sample.
-  int FirstEnd() const { return RunBackwards() ? 1 : 0; }
   const MergingCounts& counts() { return primitives_->counts(); }
 
   int IdOf(const SketchSample& sample) const {
@@ -83,7 +81,7 @@ class MergingPrimitivesTest : public ::testing::TestWithParam<std::tuple<bool, b
     Compact();
     for (int s = 0; s < samples_.NumSamples(); ++s) {
       const auto made_from = SamplesOf(graph_.links.at(primitives_->LinkOf(s)));
-      EXPECT_EQ(std::count(made_from.begin(), made_from.end(), primitives_->Resolve(s)), 1)
+      EXPECT_EQ(std::count(made_from.begin(), made_from.end(), primitives_->HomeOf(s)), 1)
           << "sample " << s;
     }
   }
@@ -120,20 +118,21 @@ class MergingPrimitivesTest : public ::testing::TestWithParam<std::tuple<bool, b
 
 TEST_P(MergingPrimitivesTest, RunIsALinkOfItsSamples) {
   Start({Row({0, 0, 0}, kX, 10)});
-  const LinkId link = AddTarget(Range(0, 10));
+  AddTarget(Range(0, 10));
   ExpectConsistent();
-  const bool backwards = std::get<0>(GetParam());
-  EXPECT_EQ(primitives_->EndOf(0), backwards ? 1 : 0);
-  EXPECT_EQ(primitives_->EndOf(9), backwards ? 0 : 1);
-  EXPECT_EQ(primitives_->EndOf(4), -1);
-  EXPECT_EQ(graph_.links[link].vertices[3].footprint, 1);
-  EXPECT_EQ(graph_.links[link].vertices[3].information, samples_.information[3]);
+  const DrawingLink& link = graph_.links[primitives_->LinkOf(0)];
+  std::vector<int> order = SamplesOf(link);
+  if (std::get<0>(GetParam())) std::reverse(order.begin(), order.end());
+  EXPECT_EQ(order, Range(0, 10));
+  EXPECT_EQ(link.vertices[3].footprint, 1);
+  EXPECT_EQ(link.vertices[3].information, samples_.information[3]);
 }
 
 TEST_P(MergingPrimitivesTest, RunBeyondAFreeEndElongates) {
   Start({Row({0, 0, 0}, kX, 50), Row({50, 0, 0}, kX, 40)});
   AddTarget(Range(0, 50));
-  primitives_->Attach(AddRun(Range(50, 40)), FirstEnd(), 49);
+  AddRun(Range(50, 40));
+  primitives_->Attach(50, 49);
   ExpectConsistent();
   const DrawingGraph graph = Compact();
   ASSERT_EQ(graph.links.size(), 1u);
@@ -148,19 +147,21 @@ TEST_P(MergingPrimitivesTest, ElongationReplacesAShortStub) {
   // Leaves the target 4 px before its end.
   Start({Row({0, 0, 0}, kX, 50), Row({46, 0.5, 0}, kX, 40)});
   AddTarget(Range(0, 50));
-  primitives_->Attach(AddRun(Range(50, 40)), FirstEnd(), 45);
+  AddRun(Range(50, 40));
+  primitives_->Attach(50, 45);
   ExpectConsistent();
   ASSERT_EQ(Compact().links.size(), 1u);
   EXPECT_EQ(Compact().links[0].size(), 46 + 40);
   // The stub's vertices live on where the run begins.
-  EXPECT_EQ(primitives_->Resolve(48), 50);
+  EXPECT_EQ(primitives_->HomeOf(48), 50);
   EXPECT_EQ(primitives_->LinkOf(48), primitives_->LinkOf(60));
 }
 
 TEST_P(MergingPrimitivesTest, RunThatLeavesTheInsideBranches) {
   Start({Row({0, 0, 0}, kX, 61), Row({30, 1, 0}, kY, 40)});
   AddTarget(Range(0, 61));
-  primitives_->Attach(AddRun(Range(61, 40)), FirstEnd(), 30);
+  AddRun(Range(61, 40));
+  primitives_->Attach(61, 30);
   ExpectConsistent();
   EXPECT_EQ(counts().branched, 1);
   EXPECT_EQ(Degrees(), std::vector<int>({3}));
@@ -173,9 +174,10 @@ TEST_P(MergingPrimitivesTest, RunBetweenTwoFreeEndsMakesOneLink) {
   Start({Row({0, 0, 0}, kX, 40), Row({60, 0, 0}, kX, 40), Row({40, 0, 0}, kX, 20)});
   AddTarget(Range(0, 40));
   AddTarget(Range(40, 40));
-  primitives_->Attach(AddRun(Range(80, 20)), FirstEnd(), 39);
+  AddRun(Range(80, 20));
+  primitives_->Attach(80, 39);
   // The run's other end is now an end of the longer link.
-  primitives_->Attach(primitives_->LinkOf(99), primitives_->EndOf(99), 40);
+  primitives_->Attach(99, 40);
   ExpectConsistent();
   const DrawingGraph graph = Compact();
   ASSERT_EQ(graph.links.size(), 1u);
@@ -191,24 +193,34 @@ TEST_P(MergingPrimitivesTest, RunBetweenTwoFreeEndsMakesOneLink) {
 TEST_P(MergingPrimitivesTest, RunToAnExistingNodeEndsThere) {
   Start({Row({0, 0, 0}, kX, 61), Row({30, 1, 0}, kY, 40), Row({30, 0, 1}, {0, 0, 1}, 40)});
   AddTarget(Range(0, 61));
-  primitives_->Attach(AddRun(Range(61, 40)), FirstEnd(), 30);
-  primitives_->Attach(AddRun(Range(101, 40)), FirstEnd(), 29);
+  AddRun(Range(61, 40));
+  primitives_->Attach(61, 30);
+  AddRun(Range(101, 40));
+  primitives_->Attach(101, 29);
   ExpectConsistent();
   EXPECT_EQ(Degrees(), std::vector<int>({4}));
   EXPECT_EQ(counts().multi_attached, 1);
 }
 
+TEST_P(MergingPrimitivesTest, OnlyEndsAreAttached) {
+  Start({Row({0, 0, 0}, kX, 61), Row({30, 1, 0}, kY, 40)});
+  AddTarget(Range(0, 61));
+  AddRun(Range(61, 40));
+  primitives_->Attach(80, 30);
+  ExpectConsistent();
+  EXPECT_TRUE(Degrees().empty());
+  EXPECT_EQ(Compact().links.size(), 2u);
+}
+
 TEST_P(MergingPrimitivesTest, LoopCloses) {
   Start({CircleOf(120, 20)});
-  const LinkId link = AddTarget(Range(0, 120));
-  const auto& vertices = graph_.links[link].vertices;
-  const int end = RunBackwards() ? 0 : 1;
-  primitives_->Attach(link, end, MadeFrom(end == 1 ? vertices.front() : vertices.back()));
+  AddTarget(Range(0, 120));
+  const int first = RunBackwards() ? 119 : 0;
+  primitives_->Attach(119 - first, first);
   ExpectConsistent();
   ASSERT_EQ(Compact().links.size(), 1u);
   EXPECT_TRUE(Compact().links[0].closed);
   EXPECT_TRUE(Degrees().empty());
-  EXPECT_EQ(counts().rejoined, 1);
 }
 
 TEST_P(MergingPrimitivesTest, BranchFromALoopMakesItBeginAtTheJunction) {
@@ -216,7 +228,8 @@ TEST_P(MergingPrimitivesTest, BranchFromALoopMakesItBeginAtTheJunction) {
   std::vector<int> loop = Range(0, 120);
   std::rotate(loop.begin(), loop.begin() + 60, loop.end());  // sample 0 is inside
   AddTarget(loop, true);
-  primitives_->Attach(AddRun(Range(120, 30)), FirstEnd(), 0);
+  AddRun(Range(120, 30));
+  primitives_->Attach(120, 0);
   ExpectConsistent();
   EXPECT_EQ(Degrees(), std::vector<int>({3}));
   const std::vector<std::array<int, 3>> expected = {{31, 0, 1}, {121, 0, 2}};
@@ -228,10 +241,12 @@ TEST_P(MergingPrimitivesTest, SamplesAreMergedIntoTheVerticesOfTheirHomes) {
   // the stub that the run replaces.
   Start({Row({0, 0, 0}, kX, 50), Row({46, 0.5, 0}, kX, 40), Row({20, 1, 0}, kX, 3)});
   AddTarget(Range(0, 50));
-  primitives_->Attach(AddRun(Range(50, 40)), FirstEnd(), 45);
-  std::vector<int> home = Range(0, 90);
-  home.insert(home.end(), {20, 20, 48});
-  primitives_->MergeSamples(home);
+  AddRun(Range(50, 40));
+  primitives_->Attach(50, 45);
+  for (const auto& [sample, home] : {std::pair(90, 20), std::pair(91, 20), std::pair(92, 48)}) {
+    primitives_->SetHome(sample, home);
+  }
+  primitives_->ListSamples();
   testing::ExpectValid(graph_);
   ASSERT_EQ(graph_.links.size(), 1u);
   std::vector<int> all;

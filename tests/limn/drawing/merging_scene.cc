@@ -48,10 +48,12 @@ CurveConsistency MergingScene::MakeNetwork(const SampleSet& samples) const {
 MergingCounts MergingScene::Merge(const DrawingOptions& options) {
   Make();
   const SampleSet samples = MakeSampleSet();
-  MergedCurves merged = MergeCurves(samples, MakeNetwork(samples), views(), options, {});
-  FitLinks(samples, std::vector<int>(samples.NumSamples(), 2), options, &merged.graph);
-  SetGraph(std::move(merged.graph));
-  return merged.counts;
+  const CurveConsistency network = MakeNetwork(samples);
+  MergingCounts counts;
+  DrawingGraph graph = MergeCurves(samples, network, views(), options, {}, &counts);
+  FitLinks(samples, network, options, &graph);
+  SetGraph(std::move(graph));
+  return counts;
 }
 
 }  // namespace limn::testing

@@ -163,8 +163,8 @@ Outcome Retriangulated(const Scene& scene, const std::vector<Curve3D>& sketch,
                        const DrawingOptions& options = {}) {
   Outcome outcome;
   const auto support = BuildViewEdgels(scene.curves, {});
-  outcome.samples =
-      Retriangulate({sketch}, scene.views, scene.curves, support, options, {}, &outcome.stats);
+  const TopologyInput images = {scene.views, scene.curves, support, options.Gate()};
+  outcome.samples = Retriangulate({sketch}, images, options, {}, &outcome.stats);
   ExpectWellFormed(outcome.samples);
   int64_t samples_in = 0;
   for (const Curve3D& curve : sketch) samples_in += static_cast<int64_t>(curve.size());
