@@ -252,7 +252,9 @@ class Refiner {
     double footprint = 0;
     for (const int id : unfitted.points) footprint = std::max(footprint, control_.footprint[id]);
     const double least = options_.max_distance_px * footprint;
-    for (double& sigma : link->sigma) sigma = std::max(sigma, least);
+    for (double& sigma : link->sigma) {
+      sigma = std::isfinite(sigma) ? std::max(sigma, least) : least;
+    }
   }
 
   void SetPoints(const ControlLink& fitted, DrawingLink* link) const {
