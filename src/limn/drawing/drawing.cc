@@ -94,12 +94,12 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
                            const RunContext& context) {
   options.Check();
   const auto edgels = BuildViewEdgels(input.curves, context);
-  const TopologyInput images = {input.views, input.curves, edgels, options.Gate()};
+  const TopologyInput images = {input.views, input.curves, edgels, options.Gate(), input.box};
   MergedSketch merged = MergeSketch(input, images, options, context);
   DrawingResult result;
   result.graph = std::move(merged.graph);
   CompletionCounts completion =
-      CompleteDrawing(images, input.sketch, options.topology, input.box, context, &result.graph);
+      CompleteDrawing(images, input.sketch, options.topology, context, &result.graph);
   result.summary = Summarize(input, merged, completion, result.graph);
   result.fates = std::move(completion.fates);
   return result;
