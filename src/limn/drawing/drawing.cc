@@ -91,12 +91,12 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
                            const RunContext& context) {
   options.Check();
   const auto edgels = BuildViewEdgels(input.curves, context);
-  const TopologyInput images = {input.views, input.curves, edgels, options.Gate()};
+  const TopologyInput images = {input.views, input.curves, edgels, options.Gate(), input.box};
   DrawingCounts counts;
   DrawingResult result;
   result.graph = MergeSketch(input.sketch, images, options, context, &counts);
   counts.completion =
-      CompleteDrawing(images, input.sketch, options.topology, input.box, context, &result.graph);
+      CompleteDrawing(images, input.sketch, options.topology, context, &result.graph);
   result.summary = Summarize(input.sketch, counts, result.graph);
   result.fates = std::move(counts.completion.fates);
   return result;

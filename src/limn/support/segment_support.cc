@@ -45,7 +45,8 @@ std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> ProjectSegment(
 
 SegmentSupport FindSegmentSupport(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                   const std::vector<uint8_t>& visible,
-                                  const std::vector<View>& views, const EdgelIndexes& edgels,
+                                  const std::vector<View>& views,
+                                  const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
                                   const SupportGate& gate) {
   SegmentSupport result;
   int num_copies = 0;
@@ -54,12 +55,13 @@ SegmentSupport FindSegmentSupport(const Eigen::Vector3d& from, const Eigen::Vect
     const auto ends = visible[v] ? ProjectSegment(views[v], from, to) : std::nullopt;
     if (!ends) continue;
     const auto& [a, b] = *ends;
+    const EdgelIndex& index = edgels[v]->edgels;
     ++result.num_views;
-    if (EdgelsRunAlong(a, b, *edgels[v], gate)) result.seen_in.push_back(static_cast<ViewId>(v));
+    if (EdgelsRunAlong(a, b, index, gate)) result.seen_in.push_back(static_cast<ViewId>(v));
     const Eigen::Vector2d across = Eigen::Vector2d(a.y() - b.y(), b.x() - a.x()).normalized();
     for (const double shift : kShiftsPx) {
       ++num_copies;
-      num_hits += EdgelsRunAlong(a + shift * across, b + shift * across, *edgels[v], gate);
+      num_hits += EdgelsRunAlong(a + shift * across, b + shift * across, index, gate);
     }
   }
   const double share = num_copies > 0 ? static_cast<double>(num_hits) / num_copies : 1;
@@ -71,15 +73,6 @@ bool ShowsSegment(const View& view, const Eigen::Vector3d& from, const Eigen::Ve
                   const EdgelIndex& edgels, const SupportGate& gate) {
   const auto ends = ProjectSegment(view, from, to);
   return ends && EdgelsRunAlong(ends->first, ends->second, edgels, gate);
-}
-
-bool IsSeen(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-            const std::vector<uint8_t>& visible, const std::vector<View>& views,
-            const EdgelIndexes& edgels, const SupportGate& gate) {
-  for (size_t v = 0; v < views.size(); ++v) {
-    if (visible[v] && ShowsSegment(views[v], from, to, *edgels[v], gate)) return true;
-  }
-  return false;
 }
 
 double LogChance(int k, int n, double p) {

@@ -1,18 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "limn/model/curve_fragment.h"
 #include "limn/model/view.h"
-#include "limn/support/edgel_index.h"
+#include "limn/support/view_edgels.h"
 
 namespace limn {
-
-// Per view, the edgels that are searched.
-using EdgelIndexes = std::vector<const EdgelIndex*>;
 
 // Support of a straight edge in space by the images (ALGORITHM.md 1.7).
 struct SegmentSupport {
@@ -30,18 +27,14 @@ struct SegmentSupport {
 // Views with visible[v] = 0 are ignored.
 SegmentSupport FindSegmentSupport(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                   const std::vector<uint8_t>& visible,
-                                  const std::vector<View>& views, const EdgelIndexes& edgels,
+                                  const std::vector<View>& views,
+                                  const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
                                   const SupportGate& gate);
 
 // Returns whether edgels run along the segment in this view, as above. False if an end is outside
 // the image or the segment is seen end on.
 bool ShowsSegment(const View& view, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                   const EdgelIndex& edgels, const SupportGate& gate);
-
-// Returns whether edgels run along the segment in any visible view, as above.
-bool IsSeen(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-            const std::vector<uint8_t>& visible, const std::vector<View>& views,
-            const EdgelIndexes& edgels, const SupportGate& gate);
 
 // Hoeffding's bound on the natural logarithm of the probability that k or more of n views show by
 // accident what each of them shows with probability p; 0 if k does not exceed the expected number.

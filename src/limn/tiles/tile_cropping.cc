@@ -95,7 +95,8 @@ std::vector<int> AddCrossings(const Eigen::AlignedBox3d& core, DrawingLink* link
 void CutAtBorder(LinkId id, std::vector<int> crossings, GraphEditor* editor) {
   if (!crossings.empty() && editor->link(id).closed) {
     const int start = crossings.front();
-    editor->Open(id, start);
+    editor->Split(id, start);
+    editor->Free({id, 1});
     crossings.erase(crossings.begin());
     for (int& crossing : crossings) crossing -= start;
   }

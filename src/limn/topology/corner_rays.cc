@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -40,12 +41,6 @@ constexpr size_t kProposingViews = 24;
 constexpr double kNumDirections = 130;
 constexpr double kMaxFalseAlarms = 10;
 
-struct Ray {
-  ViewId view = -1;
-  double angle = 0;        // in the virtual image, pointing away from the joint
-  Eigen::Vector3d normal;  // of the plane through the camera center and the ray, world, unit
-};
-
 double AngleBetween(double a, double b) { return std::abs(std::remainder(a - b, 2 * M_PI)); }
 
 // Direction in the image in which a point leaves the joint; nothing if end on.
@@ -60,163 +55,144 @@ std::optional<double> ImageDirection(const View& view, const Joint& joint,
   return std::atan2(offset.y(), offset.x());
 }
 
-// The rays of one view.
-class RayFinder {
- public:
-  RayFinder(const Joint& joint, const View& view, const EdgeMap& edge_map, const EdgelIndex& edgels,
-            const Eigen::Vector2d& center)
-      : joint_(joint), view_(view), center_(center) {
-    edgels.ForEachWithin(center, kMaxRayPx,
-                         [&](EdgelId id) { near_.push_back(&edge_map.edgels[id]); });
-  }
+// A direction in the image, away from the joint, and the edgels along it.
+struct ImageRay {
+  double angle = 0;
+  int num_pixels = 0;     // that have edgels
+  double correction = 0;  // turn towards the edgels, radians
+};
 
-  // The direction in which edgels cover most pixels first; its neighborhood then no longer counts.
-  std::vector<double> Find() const {
-    std::vector<double> rays;
-    std::vector<double> candidates = Candidates();
-    while (true) {
-      double best = 0;
-      int most = 0;
-      for (const double angle : candidates) {
-        const int covered = Cover(angle).num_pixels;
-        if (covered <= most) continue;
-        most = covered;
-        best = angle;
-      }
-      if (most < kMinCoveredPx) return rays;
-      rays.push_back(best + Cover(best).correction);
-      std::erase_if(candidates,
-                    [&](double other) { return AngleBetween(other, best) < 1.5 * kRayWidthRad; });
-    }
+// `near` holds edgels, with positions relative to the joint.
+ImageRay RayAlong(double angle, const std::vector<Edgel>& near) {
+  const Eigen::Vector2d unit(std::cos(angle), std::sin(angle));
+  unsigned pixels = 0;
+  double sum = 0;
+  double weight = 0;
+  for (const Edgel& edgel : near) {
+    const double along = edgel.position_px.dot(unit);
+    const double across = unit.x() * edgel.position_px.y() - unit.y() * edgel.position_px.x();
+    if (along < kMinRayPx || along >= kMaxRayPx || std::abs(across) > kMaxMissPx) continue;
+    if (std::abs(edgel.Tangent().dot(unit)) < std::cos(kMaxTurnRad)) continue;
+    pixels |= 1u << static_cast<int>(along);
+    sum += along * across;
+    weight += along * along;
   }
+  return {angle, std::popcount(pixels), weight > 0 ? sum / weight : 0};
+}
 
- private:
-  // Towards the edgels, and along those that point at the joint.
-  std::vector<double> Candidates() const {
-    std::vector<double> candidates;
-    for (const Edgel* edgel : near_) {
-      const Eigen::Vector2d offset = edgel->position_px - center_;
-      if (offset.norm() < kMinRayPx) continue;
-      if (std::abs(edgel->Normal().dot(offset)) > 2 * kMaxMissPx) continue;
-      candidates.push_back(std::atan2(offset.y(), offset.x()));
-      const bool outward = offset.dot(edgel->Tangent()) > 0;
-      candidates.push_back(outward ? edgel->tangent_rad : edgel->tangent_rad + M_PI);
-    }
-    std::vector<double> explained;
-    for (const Eigen::Vector3d& leaving : joint_.leaving) {
-      const auto angle = ImageDirection(view_, joint_, leaving);
-      if (angle) explained.push_back(*angle);
-    }
-    std::erase_if(candidates, [&](double angle) {
-      return std::any_of(explained.begin(), explained.end(),
-                         [&](double taken) { return AngleBetween(taken, angle) < kExplainedRad; });
-    });
-    return candidates;
+// Directions towards the edgels, and along those that point at the joint.
+std::vector<double> CandidateAngles(const std::vector<Edgel>& near) {
+  std::vector<double> angles;
+  for (const Edgel& edgel : near) {
+    const Eigen::Vector2d& offset = edgel.position_px;
+    if (offset.norm() < kMinRayPx) continue;
+    if (std::abs(edgel.Normal().dot(offset)) > 2 * kMaxMissPx) continue;
+    angles.push_back(std::atan2(offset.y(), offset.x()));
+    const bool outward = offset.dot(edgel.Tangent()) > 0;
+    angles.push_back(outward ? edgel.tangent_rad : edgel.tangent_rad + M_PI);
   }
+  return angles;
+}
 
-  struct Coverage {
-    int num_pixels = 0;
-    double correction = 0;  // turn towards the edgels, radians
+// Directions in which edges leave the joint in one view, apart from its links. The one in which
+// edgels cover most pixels comes first; its neighborhood then no longer counts.
+std::vector<double> RayAngles(const View& view, const Joint& joint,
+                              const std::vector<Edgel>& near) {
+  std::vector<ImageRay> candidates;
+  for (const double angle : CandidateAngles(near)) candidates.push_back(RayAlong(angle, near));
+  const auto erase_near = [&](double angle, double width) {
+    std::erase_if(candidates,
+                  [&](const ImageRay& ray) { return AngleBetween(ray.angle, angle) < width; });
   };
-
-  Coverage Cover(double angle) const {
-    const Eigen::Vector2d unit(std::cos(angle), std::sin(angle));
-    unsigned pixels = 0;
-    double sum = 0;
-    double weight = 0;
-    for (const Edgel* edgel : near_) {
-      const Eigen::Vector2d offset = edgel->position_px - center_;
-      const double along = offset.dot(unit);
-      const double across = unit.x() * offset.y() - unit.y() * offset.x();
-      if (along < kMinRayPx || along >= kMaxRayPx || std::abs(across) > kMaxMissPx) continue;
-      if (std::abs(edgel->Tangent().dot(unit)) < std::cos(kMaxTurnRad)) continue;
-      pixels |= 1u << static_cast<int>(along);
-      sum += along * across;
-      weight += along * along;
-    }
-    return {std::popcount(pixels), weight > 0 ? sum / weight : 0};
+  for (const Eigen::Vector3d& leaving : joint.leaving) {
+    const auto explained = ImageDirection(view, joint, leaving);
+    if (explained) erase_near(*explained, kExplainedRad);
   }
+  std::vector<double> angles;
+  while (!candidates.empty()) {
+    const ImageRay best = *std::ranges::max_element(candidates, {}, &ImageRay::num_pixels);
+    if (best.num_pixels < kMinCoveredPx) break;
+    angles.push_back(best.angle + best.correction);
+    erase_near(best.angle, 1.5 * kRayWidthRad);
+  }
+  return angles;
+}
 
-  const Joint& joint_;
-  const View& view_;
-  Eigen::Vector2d center_;
-  std::vector<const Edgel*> near_;
+struct Ray {
+  ViewId view = -1;
+  double angle = 0;        // in the virtual image, pointing away from the joint
+  Eigen::Vector3d normal;  // of the plane through the camera center and the ray, world, unit
 };
 
 class DirectionFinder {
  public:
-  DirectionFinder(const Joint& joint, const std::vector<View>& views,
-                  const std::vector<ImageCurves>& curves, const EdgelIndexes& edgels,
-                  size_t min_views)
-      : joint_(joint), views_(views), min_views_(min_views) {
-    for (size_t v = 0; v < views.size(); ++v) {
-      const auto center = joint.visible[v] ? views[v].Project(joint.position) : std::nullopt;
-      if (!center) continue;
-      const Rigid3d& pose = views[v].cam_from_world;
-      const Eigen::Vector3d point = pose * joint.position;
-      const RayFinder finder(joint, views[v], curves[v].edge_map, *edgels[v], *center);
-      std::vector<Ray> of_view;
-      for (const double angle : finder.Find()) {
-        const Eigen::Vector3d along(std::cos(angle) / views[v].camera.fx,
-                                    std::sin(angle) / views[v].camera.fy, 0);
-        rays_.push_back({static_cast<ViewId>(v), angle,
-                         pose.rotation.conjugate() * point.cross(along).normalized()});
-      }
-      seen_in_.push_back({static_cast<ViewId>(v), rays_.size()});
+  DirectionFinder(const TopologyInput& input, const Joint& joint, size_t min_views)
+      : input_(input), joint_(joint), min_views_(min_views) {
+    for (ViewId v = 0; v < static_cast<ViewId>(input.views.size()); ++v) {
+      if (!joint.visible[v]) continue;
+      const auto center = input.views[v].Project(joint.position);
+      if (center) seen_in_.push_back({v, RaysIn(v, *center)});
     }
   }
 
   std::optional<CornerDirection> Find() const {
     std::optional<CornerDirection> best;
     double best_chance = std::log(kMaxFalseAlarms / kNumDirections);
-    const std::vector<size_t> proposing = ProposingRays();
+    const std::vector<const Ray*> proposing = ProposingRays();
     for (size_t i = 0; i < proposing.size(); ++i) {
       for (size_t j = i + 1; j < proposing.size(); ++j) {
-        const auto start = DirectionOf(rays_[proposing[i]], rays_[proposing[j]]);
+        const auto start = DirectionOf(*proposing[i], *proposing[j]);
         if (!start) continue;
         Vote vote = VotesFor(*start);
-        if (vote.rays.size() < min_views_ || vote.LogChance() >= best_chance) continue;
+        if (vote.log_chance >= best_chance) continue;
         const Eigen::Vector3d direction = Fit(*start, vote.rays);
         vote = VotesFor(direction);
-        if (vote.rays.size() < min_views_ || vote.LogChance() >= best_chance) continue;
-        best_chance = vote.LogChance();
+        if (vote.log_chance >= best_chance) continue;
+        best_chance = vote.log_chance;
         best = CornerDirection{direction, {}};
-        for (const int r : vote.rays) best->views.push_back(rays_[r].view);
+        for (const Ray* ray : vote.rays) best->views.push_back(ray->view);
       }
     }
     return best;
   }
 
  private:
-  struct SeenIn {
-    ViewId view;
-    size_t rays_end;  // its rays end here and begin where those of the view before end
-  };
   struct Vote {
-    std::vector<int> rays;  // at most one per view
-    int num_views = 0;
-    double background = 0;
-    double LogChance() const {
-      return limn::LogChance(static_cast<int>(rays.size()), num_views, background);
-    }
+    std::vector<const Ray*> rays;  // at most one per view
+    double log_chance = 0;         // 0 if there are too few
   };
 
-  std::vector<size_t> ProposingRays() const {
+  std::vector<Ray> RaysIn(ViewId v, const Eigen::Vector2d& center) const {
+    const View& view = input_.views[v];
+    std::vector<Edgel> near;
+    input_.edgels[v]->edgels.ForEachWithin(center, kMaxRayPx, [&](EdgelId id) {
+      near.push_back(input_.EdgelOf({v, id}));
+      near.back().position_px -= center;
+    });
+    const Eigen::Vector3d point = view.cam_from_world * joint_.position;
+    std::vector<Ray> rays;
+    for (const double angle : RayAngles(view, joint_, near)) {
+      const Eigen::Vector3d along(std::cos(angle) / view.camera.fx,
+                                  std::sin(angle) / view.camera.fy, 0);
+      rays.push_back(
+          {v, angle, view.cam_from_world.rotation.conjugate() * point.cross(along).normalized()});
+    }
+    return rays;
+  }
+
+  std::vector<const Ray*> ProposingRays() const {
     const size_t num_views = seen_in_.size();
     const size_t num_proposing = std::min(num_views, kProposingViews);
-    std::vector<size_t> rays;
-    size_t begin = 0;
+    std::vector<const Ray*> rays;
     for (size_t i = 0; i < num_views; ++i) {
-      const size_t end = seen_in_[i].rays_end;
-      const bool proposes = i * num_proposing / num_views != (i + 1) * num_proposing / num_views;
-      for (size_t r = begin; proposes && r < end; ++r) rays.push_back(r);
-      begin = end;
+      if (i * num_proposing / num_views == (i + 1) * num_proposing / num_views) continue;
+      for (const Ray& ray : seen_in_[i].second) rays.push_back(&ray);
     }
     return rays;
   }
 
   bool PointsAlong(const Ray& ray, const Eigen::Vector3d& direction) const {
-    const auto angle = ImageDirection(views_[ray.view], joint_, direction);
+    const auto angle = ImageDirection(input_.views[ray.view], joint_, direction);
     return angle && AngleBetween(*angle, ray.angle) < kRayWidthRad;
   }
 
@@ -233,53 +209,46 @@ class DirectionFinder {
 
   Vote VotesFor(const Eigen::Vector3d& direction) const {
     Vote vote;
+    int num_views = 0;
     double background = 0;
-    size_t begin = 0;
-    for (const SeenIn& seen : seen_in_) {
-      const size_t first = begin;
-      begin = seen.rays_end;
-      const auto angle = ImageDirection(views_[seen.view], joint_, direction);
+    for (const auto& [view, rays] : seen_in_) {
+      const auto angle = ImageDirection(input_.views[view], joint_, direction);
       if (!angle) continue;
-      ++vote.num_views;
-      const double num_rays = std::max(kMinNumRays, static_cast<double>(seen.rays_end - first));
+      ++num_views;
+      const double num_rays = std::max(kMinNumRays, static_cast<double>(rays.size()));
       background += num_rays * kRayWidthRad / M_PI;
-      int best = -1;
-      double best_turn = kRayWidthRad;
-      for (size_t r = first; r < seen.rays_end; ++r) {
-        const double turn = AngleBetween(rays_[r].angle, *angle);
-        if (turn >= best_turn) continue;
-        best_turn = turn;
-        best = static_cast<int>(r);
-      }
-      if (best >= 0) vote.rays.push_back(best);
+      const auto turn = [&](const Ray& ray) { return AngleBetween(ray.angle, *angle); };
+      const auto nearest = std::ranges::min_element(rays, {}, turn);
+      if (nearest != rays.end() && turn(*nearest) < kRayWidthRad) vote.rays.push_back(&*nearest);
     }
-    if (vote.num_views > 0) vote.background = std::min(0.99, background / vote.num_views);
+    if (vote.rays.size() >= min_views_) {
+      vote.log_chance = LogChance(static_cast<int>(vote.rays.size()), num_views,
+                                  std::min(0.99, background / num_views));
+    }
     return vote;
   }
 
   // The direction nearest to all planes of the rays.
-  Eigen::Vector3d Fit(const Eigen::Vector3d& start, const std::vector<int>& chosen) const {
+  static Eigen::Vector3d Fit(const Eigen::Vector3d& start, const std::vector<const Ray*>& rays) {
     Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (const int r : chosen) scatter += rays_[r].normal * rays_[r].normal.transpose();
+    for (const Ray* ray : rays) scatter += ray->normal * ray->normal.transpose();
     const Eigen::Vector3d direction =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
     return direction.dot(start) < 0 ? Eigen::Vector3d(-direction) : direction;
   }
 
+  const TopologyInput& input_;
   const Joint& joint_;
-  const std::vector<View>& views_;
   size_t min_views_;
-  std::vector<Ray> rays_;  // by view
-  std::vector<SeenIn> seen_in_;
+  // Views that show the joint, and their rays.
+  std::vector<std::pair<ViewId, std::vector<Ray>>> seen_in_;
 };
 
 }  // namespace
 
-std::optional<CornerDirection> FindCornerDirection(const Joint& joint,
-                                                   const std::vector<View>& views,
-                                                   const std::vector<ImageCurves>& curves,
-                                                   const EdgelIndexes& edgels, int min_views) {
-  return DirectionFinder(joint, views, curves, edgels, static_cast<size_t>(min_views)).Find();
+std::optional<CornerDirection> FindCornerDirection(const TopologyInput& input, const Joint& joint,
+                                                   size_t min_views) {
+  return DirectionFinder(input, joint, min_views).Find();
 }
 
 }  // namespace limn

@@ -20,9 +20,7 @@ struct CornerDirection {
 // the direction that chance explains least, if rays of at least min_views views agree with it
 // (ALGORITHM.md 14.1, 14.2). Time: views times pairs of rays in the proposing views, of which there
 // are at most 24.
-std::optional<CornerDirection> FindCornerDirection(const Joint& joint,
-                                                   const std::vector<View>& views,
-                                                   const std::vector<ImageCurves>& curves,
-                                                   const EdgelIndexes& edgels, int min_views);
+std::optional<CornerDirection> FindCornerDirection(const TopologyInput& input, const Joint& joint,
+                                                   size_t min_views);
 
 }  // namespace limn

@@ -72,18 +72,17 @@ struct Rest {
   int end = 0;
 
   bool Contains(int k) const { return k >= begin && k < end; }
+  bool operator==(const Rest&) const = default;
 };
 
 }  // namespace
 
 int64_t TrimEnds(const TopologyOptions& options, GraphEditor* editor) {
-  const std::vector<LinkEnd> free_ends = editor->FreeEnds();
-  if (free_ends.empty()) return 0;
   SideBySide beside(options, editor->graph());
   std::vector<Rest> rest;
   for (LinkId id = 0; id < editor->NumLinks(); ++id) rest.push_back({0, editor->link(id).size()});
   int64_t num_trimmed = 0;
-  for (const LinkEnd& free : free_ends) {
+  for (const LinkEnd& free : editor->FreeEnds()) {
     if (editor->link(free.link).vertices.empty()) continue;
     Rest& own = rest[free.link];
     const auto is_covered = [&](int k) {
@@ -96,11 +95,9 @@ int64_t TrimEnds(const TopologyOptions& options, GraphEditor* editor) {
     } else {
       while (own.begin < own.end && is_covered(own.end - 1)) --own.end;
     }
-    if (own.begin == before.begin && own.end == before.end) continue;
+    if (own == before) continue;
     ++num_trimmed;
-    const bool is_little = own.end - own.begin < 2 ||
-                           ArcPx(editor->link(free.link), own.begin, own.end - 1) <= kMinRestPx;
-    if (is_little) own = {0, 0};
+    if (ArcPx(editor->link(free.link), own.begin, own.end - 1) <= kMinRestPx) own = {0, 0};
   }
   for (LinkId id = 0; id < static_cast<LinkId>(rest.size()); ++id) {
     if (rest[id].end == 0) {
@@ -120,7 +117,6 @@ std::vector<uint8_t> FindUncoveredLinks(const TopologyOptions& options, const Dr
     if (graph.links[l].vertices.empty()) continue;
     by_length.push_back({LengthPx(graph.links[l]), static_cast<LinkId>(l)});
   }
-  if (by_length.empty()) return keep;
   SideBySide beside(options, graph);
   std::sort(by_length.begin(), by_length.end());
   for (const auto& [length, id] : by_length) {

@@ -22,23 +22,24 @@ void MeetEnds(const MeetingTask& task) {
 }  // namespace
 
 CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,
-                                 const TopologyOptions& options,
-                                 const std::optional<Eigen::AlignedBox3d>& box,
-                                 const RunContext& context, DrawingGraph* graph) {
+                                 const TopologyOptions& options, const RunContext& context,
+                                 DrawingGraph* graph) {
   CompletionCounts counts;
   GraphEditor editor(graph);
   const MeetingTask meetings = {input, options, Reach::Drawn(options), &editor, &counts.meetings};
-  SampleLedger ledger(sketch, *graph);
+  for (const Curve3D& curve : sketch.curves) {
+    counts.fates.emplace_back(curve.size(), EdgelFate::kDrawn);
+  }
+  UpdateFates(*graph, EdgelFate::kLostSupport, &counts.fates);
   counts.samples_doubtful =
       KeepAndCount(VerifyLinks(input, sketch, options, *graph, context), &editor);
-  ledger.Update(*graph, EdgelFate::kDoubtfulLink);
+  UpdateFates(*graph, EdgelFate::kDoubtfulLink, &counts.fates);
   MeetEnds(meetings);
-  counts.grown = GrowEdges(input, options, box, context, &editor);
+  counts.grown = GrowEdges(input, options, context, &editor);
   MeetEnds(meetings);  // grown links have new ends
   counts.short_edges = AddShortEdges(input, options, context, &editor);
   counts.tidy = Tidy(options, &editor);
-  ledger.Update(*graph, EdgelFate::kPrunedLink);
-  counts.fates = ledger.fates();
+  UpdateFates(*graph, EdgelFate::kPrunedLink, &counts.fates);
   FinishLinks(input, options, graph);
   return counts;
 }

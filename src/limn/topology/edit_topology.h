@@ -1,9 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-
-#include <Eigen/Geometry>
 
 #include "limn/model/curve3d.h"
 #include "limn/model/edgel_fate.h"
@@ -27,9 +24,8 @@ struct CompletionCounts {
 // tidies the result. Links need vertices; finished links (FinishLinks) have none. The graph passes
 // Validate() before and after.
 CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,
-                                 const TopologyOptions& options,
-                                 const std::optional<Eigen::AlignedBox3d>& box,
-                                 const RunContext& context, DrawingGraph* graph);
+                                 const TopologyOptions& options, const RunContext& context,
+                                 DrawingGraph* graph);
 
 struct RepairCounts {
   int64_t trimmed = 0;  // free ends cut back from another link

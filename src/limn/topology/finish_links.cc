@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "limn/support/edgel_residual.h"
 #include "limn/topology/meetings.h"
 #include "limn/util/median.h"
 
@@ -55,9 +54,7 @@ double MedianResidualPx(const TopologyInput& input, const DrawingLink& link) {
   std::vector<double> residuals;
   for (int k = 0; k < link.size(); ++k) {
     for (const EdgelRef& ref : link.vertices[k].support) {
-      const auto residual =
-          ResidualToEdgel(input.views[ref.view], input.curves[ref.view].edge_map.edgels[ref.edgel],
-                          link.points_in_world[k]);
+      const auto residual = input.Residual(ref, link.points_in_world[k]);
       if (residual) residuals.push_back(std::abs(residual->residual_px));
     }
   }
@@ -65,22 +62,22 @@ double MedianResidualPx(const TopologyInput& input, const DrawingLink& link) {
 }
 
 void ThinOut(DrawingLink* link) {
+  std::vector<Eigen::Vector3d>& points = link->points_in_world;
   const int last = link->size() - 1;
-  const Eigen::Vector3d end = link->points_in_world.back();
-  std::vector<Eigen::Vector3d> points = {link->points_in_world.front()};
-  std::vector<double> sigma = {link->sigma.front()};
+  int kept = 0;
+  const auto keep = [&](int k) {
+    points[kept] = points[k];
+    link->sigma[kept++] = link->sigma[k];
+  };
+  keep(0);
   for (int k = 1; k < last; ++k) {
-    const Eigen::Vector3d& point = link->points_in_world[k];
     const double spacing = kMinSpacingPx * link->vertices[k].footprint;
-    if ((point - points.back()).norm() < spacing) continue;
-    if ((point - end).norm() < spacing && last - k < 3) continue;
-    points.push_back(point);
-    sigma.push_back(link->sigma[k]);
+    const bool is_near_end = (points[k] - points[last]).norm() < spacing && last - k < 3;
+    if (!is_near_end && (points[k] - points[kept - 1]).norm() >= spacing) keep(k);
   }
-  points.push_back(end);
-  sigma.push_back(link->sigma.back());
-  link->points_in_world = std::move(points);
-  link->sigma = std::move(sigma);
+  keep(last);
+  points.resize(kept);
+  link->sigma.resize(kept);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "limn/topology/graph_editor.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
+
+#include "limn/topology/link_geometry.h"
 
 namespace limn {
 namespace {
@@ -25,10 +28,9 @@ LinkVertex Bare(const LinkVertex& vertex) {
 
 template <typename T>
 void Unite(const std::vector<T>& more, std::vector<T>* to) {
-  const auto middle = static_cast<std::ptrdiff_t>(to->size());
-  to->insert(to->end(), more.begin(), more.end());
-  std::inplace_merge(to->begin(), to->begin() + middle, to->end());
-  to->erase(std::unique(to->begin(), to->end()), to->end());
+  std::vector<T> all;
+  std::set_union(to->begin(), to->end(), more.begin(), more.end(), std::back_inserter(all));
+  *to = std::move(all);
 }
 
 void Absorb(const LinkVertex& vertex, LinkVertex* into) {
@@ -71,8 +73,6 @@ void AtBack(const LinkEnd& end, DrawingLink* link, Edit&& edit) {
 }
 
 }  // namespace
-
-GraphEditor::GraphEditor(DrawingGraph* graph) : graph_(graph) {}
 
 std::vector<LinkEnd> GraphEditor::FreeEnds() const {
   std::vector<LinkEnd> ends;
@@ -167,11 +167,6 @@ void GraphEditor::RotateTo(LinkId id, int index) {
   ForgetShape(&loop);
 }
 
-void GraphEditor::Open(LinkId id, int index) {
-  RotateTo(id, index);
-  Free({id, 1});
-}
-
 NodeId GraphEditor::Split(LinkId id, int index) {
   if (graph_->links[id].closed) {
     RotateTo(id, index);
@@ -208,9 +203,8 @@ void GraphEditor::EndAt(const LinkEnd& end, NodeId node) {
 }
 
 void GraphEditor::Free(const LinkEnd& end) {
-  const NodeId node = AddNode(graph_->nodes[NodeAt(end)].position_in_world);
   Detach(end);
-  Attach(end, node);
+  Attach(end, AddNode(EndPoint(link(end.link), end.end)));
 }
 
 void GraphEditor::CutTo(LinkId id, int begin, int end) {
@@ -218,26 +212,22 @@ void GraphEditor::CutTo(LinkId id, int begin, int end) {
   const int size = link.size();
   if (begin == 0 && end == size) return;
   const bool is_cut[2] = {begin > 0 || link.closed, end < size || link.closed};
-  for (const int e : {0, 1}) {
-    if (is_cut[e]) Detach({id, e});
-  }
   ForEachList(&link, [&](auto* values) {
     values->erase(values->begin() + end, values->end());
     values->erase(values->begin(), values->begin() + begin);
   });
   ForgetShape(&link);
   for (const int e : {0, 1}) {
-    if (!is_cut[e]) continue;
-    Attach({id, e}, AddNode(e == 0 ? link.points_in_world.front() : link.points_in_world.back()));
+    if (is_cut[e]) Free({id, e});
   }
 }
 
-void GraphEditor::DropOvershoot(const LinkEnd& end, const Eigen::Vector3d& place, int min_points) {
+void GraphEditor::DropOvershoot(const LinkEnd& end, const Eigen::Vector3d& place) {
   DrawingLink& link = graph_->links[end.link];
   const std::vector<Eigen::Vector3d>& points = link.points_in_world;
   const int before = link.size();
   AtBack(end, &link, [&] {
-    while (link.size() > min_points) {
+    while (link.size() > 2) {
       const Eigen::Vector3d ahead = points.back() - points.end()[-2];
       if (place == points.back() || (place - points.back()).dot(ahead) > 0) break;
       PopBack(&link);
@@ -245,8 +235,7 @@ void GraphEditor::DropOvershoot(const LinkEnd& end, const Eigen::Vector3d& place
   });
   if (link.size() == before) return;
   ForgetShape(&link);
-  Detach(end);
-  Attach(end, AddNode(end.end == 0 ? points.front() : points.back()));
+  Free(end);
 }
 
 // Appends the first point to a link that does not return to it.
@@ -302,21 +291,6 @@ void GraphEditor::Join(const LinkEnd& a, const LinkEnd& b) {
 LinkEnd GraphEditor::Now(LinkEnd end) const {
   for (auto it = moved_.find(end); it != moved_.end(); it = moved_.find(end)) end = it->second;
   return end;
-}
-
-void GraphEditor::Reverse(LinkId id) {
-  DrawingLink& link = graph_->links[id];
-  ReverseLists(&link);
-  ForgetShape(&link);
-  const NodeId node0 = link.node0, node1 = link.node1;
-  std::swap(link.node0, link.node1);
-  // Swap through an unused end number, so that links with both ends at one node work, too.
-  for (const NodeId node : {node0, node1}) {
-    Rename(node, {id, 0}, {id, 2});
-    Rename(node, {id, 1}, {id, 0});
-    Rename(node, {id, 2}, {id, 1});
-    if (node0 == node1) break;
-  }
 }
 
 void GraphEditor::MoveNode(NodeId id, const Eigen::Vector3d& position) {

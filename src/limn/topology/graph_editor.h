@@ -21,7 +21,7 @@ namespace limn {
 class GraphEditor {
  public:
   // The graph must pass Validate. It is edited in place, and passes Validate again after Compact().
-  explicit GraphEditor(DrawingGraph* graph);
+  explicit GraphEditor(DrawingGraph* graph) : graph_(graph) {}
 
   const DrawingGraph& graph() const { return *graph_; }
   const DrawingLink& link(LinkId id) const { return graph_->links[id]; }
@@ -43,23 +43,20 @@ class GraphEditor {
   NodeId AddNode(Eigen::Vector3d position);
 
   // Splits an open link at an interior point; the second part becomes the last link. A closed link
-  // is only rotated to begin and end at the given point; it opens when another end is attached
-  // there. Returns the node at the cut. Linear in the points of the link.
+  // is only rotated to begin and end at the given point; it opens when one of its ends is freed or
+  // another end is attached there. Returns the node at the cut. Linear in the points of the link.
   NodeId Split(LinkId id, int index);
-
-  // Opens a closed link at a point, with two free ends there.
-  void Open(LinkId id, int index);
 
   // Moves a free end to a node: drops points that overshoot it, then appends its position.
   void EndAt(const LinkEnd& end, NodeId node);
-  // Gives an end that shares its node a node of its own at the same place.
+  // Gives an end that shares its node a node of its own, where the link ends.
   void Free(const LinkEnd& end);
   // Keeps only the points [begin, end) of a link, at least two. Ends that were cut are free. The
   // support of the dropped points is lost.
   void CutTo(LinkId id, int begin, int end);
   // Drops points at an end that lie beyond `place` along the link, so that a point appended there
-  // does not run back. The new end takes over their support. Keeps `min_points`.
-  void DropOvershoot(const LinkEnd& end, const Eigen::Vector3d& place, int min_points = 2);
+  // does not run back. The new end takes over their support. Keeps two points.
+  void DropOvershoot(const LinkEnd& end, const Eigen::Vector3d& place);
 
   // Joins two free ends, or the two ends at a node of degree two. The link of `b` is appended to
   // that of `a`, which keeps its direction, and is removed. Joining the two ends of one link closes
@@ -68,7 +65,6 @@ class GraphEditor {
   // The current name of an end whose link Join appended to another one.
   LinkEnd Now(LinkEnd end) const;
 
-  void Reverse(LinkId id);
   void MoveNode(NodeId id, const Eigen::Vector3d& position);
   // Moves an interior point of a link.
   void MovePoint(LinkId id, int index, const Eigen::Vector3d& position);

@@ -3,24 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <iterator>
-#include <limits>
 #include <utility>
 
 #include <Eigen/LU>
 
 #include "limn/geometry/spatial_index.h"
 #include "limn/geometry/tangent_frame.h"
-#include "limn/support/edgel_residual.h"
 #include "limn/support/segment_support.h"
 #include "limn/topology/corner_rays.h"
-#include "limn/util/angles.h"
+#include "limn/util/map_items.h"
 
 namespace limn {
 namespace {
 
-// A direction within this angle of a link is taken by that link.
-constexpr double kTakenRad = 20 * kDeg;
 // Growth, px: step, start, longest gap without edgels, longest and shortest link.
 constexpr double kStepPx = 1;
 constexpr double kBeginPx = 2;
@@ -43,54 +38,39 @@ constexpr double kMaxSegmentChance = 1e-1;
 // Views in which edgels must run along an edge.
 constexpr int kMinViews = 4;
 
-// Logarithm of the chance that the images show this by accident; 0 if too few show it.
-double LogChanceOf(const SegmentSupport& found) {
-  const auto count = static_cast<int>(found.seen_in.size());
-  return count < kMinViews ? 0 : LogChance(count, found.num_views, found.background);
-}
+// A straight edge, from one joint to another if it has two. The most certain ones sort first.
+struct Segment {
+  double log_chance = 0;
+  int from = -1;
+  int to = -1;
+  std::vector<ViewId> seen_in;
 
-// Returns whether some view shows the edge by edgels that no link has yet. Without this test, links
-// grow along other links at a wrong depth.
-bool IsNew(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-           const std::vector<uint8_t>& visible, const std::vector<View>& views,
-           const EdgelClaims& claims) {
-  return IsSeen(from, to, visible, views, claims.unclaimed, CornerGate());
-}
+  auto operator<=>(const Segment&) const = default;
+};
 
-std::vector<Eigen::Vector3d> Positions(const std::vector<Joint>& joints) {
-  std::vector<Eigen::Vector3d> positions;
-  for (const Joint& joint : joints) positions.push_back(joint.position);
-  return positions;
-}
-
-class EdgeGrowth {
+class EdgeFinder {
  public:
-  EdgeGrowth(const TopologyInput& input, const TopologyOptions& options,
-             const std::optional<Eigen::AlignedBox3d>& box, GraphEditor* editor)
-      : views_(input.views),
-        input_(input),
-        claims_(CollectClaims(input, editor->graph())),
-        box_(box),
+  EdgeFinder(const TopologyInput& input, const TopologyOptions& options, GraphEditor* editor)
+      : input_(input),
         options_(options),
         editor_(editor),
+        unclaimed_(UnclaimedEdgels(input, editor->graph())),
         joints_(CollectJoints(editor->graph(), input.views.size())),
         index_(Positions(joints_)) {}
 
-  int64_t Run(const RunContext& context) {
+  int64_t GrowAll(const RunContext& context) {
     // Most joints have nothing to grow, which is found out in parallel. A direction is stale if a
     // link has been added at the joint since.
-    std::vector<std::optional<CornerDirection>> first(joints_.size());
-    std::vector<size_t> num_leaving(joints_.size());
-    ParallelFor(context, "corner edges", joints_.size(), [&](size_t i) {
-      first[i] = DirectionAt(joints_[i]);
-      num_leaving[i] = joints_[i].leaving.size();
-    });
+    auto first = MapItems(context, "corner edges", joints_.size(),
+                          [&](size_t i) { return DirectionAt(joints_[i]); });
+    std::vector<size_t> num_leaving;
+    for (const Joint& joint : joints_) num_leaving.push_back(joint.leaving.size());
     int64_t added = 0;
     for (size_t i = 0; i < joints_.size(); ++i) {
       ThrowIfCancelled(context);
       const bool is_current = joints_[i].leaving.size() == num_leaving[i];
       auto direction = is_current ? std::move(first[i]) : DirectionAt(joints_[i]);
-      while (direction && Grow(static_cast<int>(i), *std::move(direction))) {
+      while (direction && Grow(*std::move(direction), &joints_[i])) {
         ++added;
         direction = DirectionAt(joints_[i]);
       }
@@ -98,26 +78,42 @@ class EdgeGrowth {
     return added;
   }
 
- private:
-  std::optional<CornerDirection> DirectionAt(const Joint& joint) const {
-    return FindCornerDirection(joint, views_, input_.curves, claims_.all, kMinViews);
+  int64_t AddSegments(const RunContext& context) {
+    const auto of_joint = MapItems(context, "short edges", joints_.size(),
+                                   [&](size_t i) { return SegmentsFrom(static_cast<int>(i)); });
+    std::vector<Segment> found;
+    for (const auto& segments : of_joint) {
+      found.insert(found.end(), segments.begin(), segments.end());
+    }
+    std::sort(found.begin(), found.end());
+    int64_t added = 0;
+    for (const auto& [log_chance, from, to, seen_in] : found) {
+      added += AddStraightLink(input_, joints_[to].position, seen_in, &joints_[from], &joints_[to],
+                               editor_);
+    }
+    return added;
   }
 
-  // Whether a link was added.
-  bool Grow(int id, CornerDirection direction) {
-    Joint& joint = joints_[id];
-    const double length_px = LengthAlong(joint, &direction);
+ private:
+  static std::vector<Eigen::Vector3d> Positions(const std::vector<Joint>& joints) {
+    std::vector<Eigen::Vector3d> positions;
+    for (const Joint& joint : joints) positions.push_back(joint.position);
+    return positions;
+  }
+
+  std::optional<CornerDirection> DirectionAt(const Joint& joint) const {
+    return FindCornerDirection(input_, joint, kMinViews);
+  }
+
+  // Returns whether a link was added.
+  bool Grow(CornerDirection direction, Joint* joint) {
+    const double length_px = LengthAlong(*joint, &direction);
     if (length_px < kMinLengthPx) return false;
-    Eigen::Vector3d end = joint.position + length_px * joint.footprint * direction.unit;
-    if (!IsBelieved(joint, end)) return false;
-    const int target = JointNear(id, end, direction.unit);
-    if (target >= 0) end = joints_[target].position;
-    const Eigen::Vector3d course = (end - joint.position).normalized();
-    if (IsTaken(joint, course, kTakenRad)) return false;
-    if (target >= 0 && IsTaken(joints_[target], -course, kTakenRad)) return false;
-    AddStraightLink(input_, claims_.all, end, direction.views, &joint,
-                    target >= 0 ? &joints_[target] : nullptr, editor_);
-    return true;
+    const Eigen::Vector3d end = joint->position + length_px * joint->footprint * direction.unit;
+    if (!Shown(joint->position, end, joint->visible, kMaxChance)) return false;
+    Joint* target = JointNear(end, direction.unit, *joint);
+    return AddStraightLink(input_, target ? target->position : end, direction.views, joint, target,
+                           editor_);
   }
 
   // Length of the edge, px. Its direction is fitted to the edgels on the way. A view that loses the
@@ -125,21 +121,20 @@ class EdgeGrowth {
   double LengthAlong(const Joint& joint, CornerDirection* direction) const {
     std::vector<ViewId> active = direction->views;
     const size_t needed = std::max<size_t>(options_.min_junction_views, (active.size() + 1) / 2);
-    std::vector<double> seen_at(views_.size(), kBeginPx);
+    std::vector<double> seen_at(input_.views.size(), kBeginPx);
     Footing footing;
     double length_px = 0;
-    int num_steps = 0;
     for (double at = kBeginPx; at <= kMaxLengthPx; at += kStepPx) {
       const Eigen::Vector3d point = joint.position + at * joint.footprint * direction->unit;
-      if (box_ && !box_->contains(point)) break;
-      auto support = SupportAt(point, direction->unit, active, views_, claims_.all, CornerGate());
+      if (input_.box && !input_.box->contains(point)) break;
+      auto support = SupportAt(input_, point, direction->unit, active, kCornerGate);
       for (const EdgelRef& ref : support) seen_at[ref.view] = at;
       std::erase_if(active, [&](ViewId v) { return at - seen_at[v] > kMaxGapPx; });
       if (active.size() < needed) break;
       if (support.size() < needed) continue;
       length_px = at;
       footing.push_back({at, std::move(support)});
-      if (++num_steps % kFitSteps == 0) direction->unit = Fit(joint, direction->unit, footing);
+      if (footing.size() % kFitSteps == 0) direction->unit = Fit(joint, direction->unit, footing);
     }
     direction->unit = Fit(joint, direction->unit, footing);
     return length_px;
@@ -157,9 +152,7 @@ class EdgeGrowth {
     for (const auto& [at, support] : footing) {
       const double arm = at * joint.footprint;
       for (const EdgelRef& ref : support) {
-        const Edgel& edgel = input_.curves[ref.view].edge_map.edgels[ref.edgel];
-        const auto residual =
-            ResidualToEdgel(views_[ref.view], edgel, joint.position + arm * direction);
+        const auto residual = input_.Residual(ref, joint.position + arm * direction);
         if (!residual) continue;
         const Eigen::Vector2d gradient = arm * across.transpose() * residual->gradient;
         sum += gradient * gradient.transpose();
@@ -169,141 +162,89 @@ class EdgeGrowth {
     return (direction + across * sum.inverse() * right).normalized();
   }
 
-  bool IsBelieved(const Joint& joint, const Eigen::Vector3d& end) const {
+  // What shows a straight edge, if enough views do, chance does not explain them, and some view
+  // shows it by edgels that no link has yet. Without the last test, links grow along other links at
+  // a wrong depth.
+  std::optional<Segment> Shown(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                               const std::vector<uint8_t>& visible, double max_chance) const {
     const SegmentSupport found =
-        FindSegmentSupport(joint.position, end, joint.visible, views_, claims_.all, CornerGate());
-    return LogChanceOf(found) <= std::log(kMaxChance) &&
-           IsNew(joint.position, end, joint.visible, views_, claims_);
+        FindSegmentSupport(from, to, visible, input_.views, input_.edgels, kCornerGate);
+    const auto count = static_cast<int>(found.seen_in.size());
+    const double log_chance = LogChance(count, found.num_views, found.background);
+    if (count < kMinViews || log_chance > std::log(max_chance)) return std::nullopt;
+    for (size_t v = 0; v < visible.size(); ++v) {
+      if (visible[v] && ShowsSegment(input_.views[v], from, to, unclaimed_[v], kCornerGate)) {
+        return Segment{log_chance, -1, -1, found.seen_in};
+      }
+    }
+    return std::nullopt;
   }
 
-  int JointNear(int from, const Eigen::Vector3d& end, const Eigen::Vector3d& direction) const {
-    const double footprint = joints_[from].footprint;
+  // The joint at which an edge in this direction ends.
+  Joint* JointNear(const Eigen::Vector3d& end, const Eigen::Vector3d& direction,
+                   const Joint& from) {
     std::vector<SpatialIndex::Neighbor> near;
-    index_.FindWithin(end, kSnapPx * footprint, &near);
-    int best = -1;
-    double best_squared = std::numeric_limits<double>::infinity();
-    for (const SpatialIndex::Neighbor& neighbor : near) {
-      if (neighbor.index == from || neighbor.squared_distance >= best_squared) continue;
-      const Eigen::Vector3d offset = joints_[neighbor.index].position - joints_[from].position;
+    index_.FindWithin(end, kSnapPx * from.footprint, &near);
+    std::erase_if(near, [&](const SpatialIndex::Neighbor& neighbor) {
+      const Eigen::Vector3d offset = joints_[neighbor.index].position - from.position;
       const double along = offset.dot(direction);
       const double miss = (offset - along * direction).norm();
-      if (along < kBeginPx * footprint || miss > kMaxMissPx * footprint) continue;
-      best = neighbor.index;
-      best_squared = neighbor.squared_distance;
-    }
-    return best;
+      return along < kBeginPx * from.footprint || miss > kMaxMissPx * from.footprint;
+    });
+    const auto nearest =
+        std::ranges::min_element(near, {}, &SpatialIndex::Neighbor::squared_distance);
+    return nearest == near.end() ? nullptr : &joints_[nearest->index];
   }
 
-  const std::vector<View>& views_;
-  const TopologyInput& input_;
-  const EdgelClaims claims_;
-  const std::optional<Eigen::AlignedBox3d>& box_;
-  const TopologyOptions& options_;
-  GraphEditor* editor_;
-  std::vector<Joint> joints_;
-  SpatialIndex index_;
-};
-
-// A straight edge between two joints. The most certain ones sort first.
-struct Segment {
-  double log_chance = 0;
-  int from = -1;
-  int to = -1;
-  std::vector<ViewId> seen_in;
-
-  auto operator<=>(const Segment&) const = default;
-};
-
-bool CanHaveSegment(const Joint& a, const Joint& b, const TopologyOptions& options) {
-  const Eigen::Vector3d offset = b.position - a.position;
-  const double length_px = offset.norm() / a.footprint;
-  if (length_px < kMinSegmentPx || length_px > options.max_short_edge_px) return false;
-  const Eigen::Vector3d direction = offset.normalized();
-  return !IsTaken(a, direction, kTakenRad) && !IsTaken(b, -direction, kTakenRad);
-}
-
-class SegmentFinder {
- public:
-  SegmentFinder(const TopologyInput& input, const TopologyOptions& options,
-                const EdgelClaims& claims, const std::vector<Joint>& joints)
-      : input_(input),
-        options_(options),
-        claims_(claims),
-        joints_(joints),
-        index_(Positions(joints)) {}
+  bool CanHaveSegment(const Joint& a, const Joint& b) const {
+    const Eigen::Vector3d offset = b.position - a.position;
+    const double length_px = offset.norm() / a.footprint;
+    if (length_px < kMinSegmentPx || length_px > options_.max_short_edge_px) return false;
+    const Eigen::Vector3d direction = offset.normalized();
+    return !IsTaken(a, direction) && !IsTaken(b, -direction);
+  }
 
   // Segments from a joint to later joints that the images show.
-  std::vector<Segment> From(int i) const {
+  std::vector<Segment> SegmentsFrom(int i) const {
+    const Joint& from = joints_[i];
+    std::vector<SpatialIndex::Neighbor> near;
+    index_.FindWithin(from.position, options_.max_short_edge_px * from.footprint, &near);
+    std::erase_if(near, [&](const SpatialIndex::Neighbor& neighbor) {
+      return neighbor.index <= i || !CanHaveSegment(from, joints_[neighbor.index]);
+    });
     std::vector<Segment> found;
-    const std::vector<int> near = Near(i);
-    for (const int j : near) {
-      std::vector<uint8_t> visible = joints_[i].visible;
-      for (size_t v = 0; v < visible.size(); ++v) visible[v] &= joints_[j].visible[v];
-      const Eigen::Vector3d& from = joints_[i].position;
-      const Eigen::Vector3d& to = joints_[j].position;
-      SegmentSupport seen =
-          FindSegmentSupport(from, to, visible, input_.views, claims_.all, CornerGate());
-      const double chance = LogChanceOf(seen);
-      if (chance <= std::log(kMaxSegmentChance / static_cast<double>(near.size())) &&
-          IsNew(from, to, visible, input_.views, claims_)) {
-        found.push_back({chance, i, j, std::move(seen.seen_in)});
-      }
+    for (const SpatialIndex::Neighbor& neighbor : near) {
+      const Joint& to = joints_[neighbor.index];
+      std::vector<uint8_t> visible = from.visible;
+      for (size_t v = 0; v < visible.size(); ++v) visible[v] &= to.visible[v];
+      auto segment = Shown(from.position, to.position, visible,
+                           kMaxSegmentChance / static_cast<double>(near.size()));
+      if (!segment) continue;
+      segment->from = i;
+      segment->to = neighbor.index;
+      found.push_back(*std::move(segment));
     }
     return found;
   }
 
- private:
-  std::vector<int> Near(int i) const {
-    std::vector<SpatialIndex::Neighbor> neighbors;
-    const double radius = options_.max_short_edge_px * joints_[i].footprint;
-    index_.FindWithin(joints_[i].position, radius, &neighbors);
-    std::vector<int> near;
-    for (const SpatialIndex::Neighbor& neighbor : neighbors) {
-      const int j = neighbor.index;
-      if (j > i && CanHaveSegment(joints_[i], joints_[j], options_)) near.push_back(j);
-    }
-    return near;
-  }
-
   const TopologyInput& input_;
   const TopologyOptions& options_;
-  const EdgelClaims& claims_;
-  const std::vector<Joint>& joints_;
+  GraphEditor* editor_;
+  const std::vector<EdgelIndex> unclaimed_;
+  std::vector<Joint> joints_;
   SpatialIndex index_;
 };
 
 }  // namespace
 
 int64_t GrowEdges(const TopologyInput& input, const TopologyOptions& options,
-                  const std::optional<Eigen::AlignedBox3d>& box, const RunContext& context,
-                  GraphEditor* editor) {
-  if (editor->NumLinks() == 0) return 0;
-  return EdgeGrowth(input, options, box, editor).Run(context);
+                  const RunContext& context, GraphEditor* editor) {
+  return EdgeFinder(input, options, editor).GrowAll(context);
 }
 
 int64_t AddShortEdges(const TopologyInput& input, const TopologyOptions& options,
                       const RunContext& context, GraphEditor* editor) {
-  std::vector<Joint> joints = CollectJoints(editor->graph(), input.views.size());
-  if (options.max_short_edge_px < kMinSegmentPx || joints.empty()) return 0;
-  const EdgelClaims claims = CollectClaims(input, editor->graph());
-  const SegmentFinder finder(input, options, claims, joints);
-  std::vector<std::vector<Segment>> of_joint(joints.size());
-  ParallelFor(context, "short edges", joints.size(),
-              [&](size_t i) { of_joint[i] = finder.From(static_cast<int>(i)); });
-  std::vector<Segment> found;
-  for (auto& segments : of_joint) {
-    std::move(segments.begin(), segments.end(), std::back_inserter(found));
-  }
-  std::sort(found.begin(), found.end());
-  int64_t added = 0;
-  for (const Segment& segment : found) {
-    Joint& from = joints[segment.from];
-    Joint& to = joints[segment.to];
-    if (!CanHaveSegment(from, to, options)) continue;  // one before has taken it
-    AddStraightLink(input, claims.all, to.position, segment.seen_in, &from, &to, editor);
-    ++added;
-  }
-  return added;
+  return EdgeFinder(input, options, editor).AddSegments(context);
 }
 
 }  // namespace limn

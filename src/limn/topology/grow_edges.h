@@ -1,9 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-
-#include <Eigen/Geometry>
 
 #include "limn/topology/joints.h"
 #include "limn/topology/topology_options.h"
@@ -19,8 +16,7 @@ namespace limn {
 // link has yet; then the next direction is tried. Nothing grows out of the box, except to a joint
 // there. Returns the number of links added. Time per joint: see FindCornerDirection.
 int64_t GrowEdges(const TopologyInput& input, const TopologyOptions& options,
-                  const std::optional<Eigen::AlignedBox3d>& box, const RunContext& context,
-                  GraphEditor* editor);
+                  const RunContext& context, GraphEditor* editor);
 
 // Adds straight links between joints at most max_short_edge_px apart, neither with a link in that
 // direction, where edgels run along the segment in enough views, as above (ALGORITHM.md 14.4).

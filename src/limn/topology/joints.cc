@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "limn/support/edgel_residual.h"
 #include "limn/topology/link_geometry.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -14,6 +15,8 @@ constexpr double kVisibleStretchPx = 10;
 // Neighbors of a claimed edgel on its fragment that are claimed, too, to either side: samples are
 // about 2 px apart.
 constexpr int kClaimedNeighbors = 1;
+// A direction within this angle of a link is taken by that link.
+constexpr double kTakenRad = 20 * kDeg;
 // Spacing of the points of a straight link, px.
 constexpr double kSpacingPx = 2;
 
@@ -26,18 +29,18 @@ void MarkViews(const DrawingLink& link, int end, std::vector<uint8_t>* visible) 
   }
 }
 
-LinkVertex MakeVertex(const TopologyInput& input, const EdgelIndexes& edgels,
-                      const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
-                      double footprint, const std::vector<ViewId>& in_views) {
+LinkVertex MakeVertex(const TopologyInput& input, const Eigen::Vector3d& position,
+                      const Eigen::Vector3d& direction, double footprint,
+                      const std::vector<ViewId>& in_views) {
   LinkVertex vertex;
   vertex.footprint = footprint;
-  vertex.support = SupportAt(position, direction, in_views, input.views, edgels, CornerGate());
+  vertex.support = SupportAt(input, position, direction, in_views, kCornerGate);
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const EdgelRef& ref : vertex.support) {
-    const Edgel& edgel = input.curves[ref.view].edge_map.edgels[ref.edgel];
-    const auto residual = ResidualToEdgel(input.views[ref.view], edgel, position);
+    const auto residual = input.Residual(ref, position);
     if (!residual) continue;
-    information += residual->gradient * residual->gradient.transpose() / ResidualVariance(edgel);
+    information +=
+        residual->gradient * residual->gradient.transpose() / ResidualVariance(input.EdgelOf(ref));
   }
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - direction * direction.transpose();
   vertex.information = across * information * across;
@@ -56,8 +59,8 @@ std::vector<Joint> CollectJoints(const DrawingGraph& graph, size_t num_views) {
       const NodeId node = link.NodeAt(end);
       if (of_node[node] < 0) {
         of_node[node] = static_cast<int>(joints.size());
-        joints.push_back({node, graph.nodes[node].position_in_world, 0, {}, {}});
-        joints.back().visible.assign(num_views, 0);
+        joints.push_back(
+            {node, graph.nodes[node].position_in_world, 0, {}, std::vector<uint8_t>(num_views, 0)});
       }
       Joint& joint = joints[of_node[node]];
       const LinkTip tip = TipOf(link, end);
@@ -69,14 +72,14 @@ std::vector<Joint> CollectJoints(const DrawingGraph& graph, size_t num_views) {
   return joints;
 }
 
-bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_angle_rad) {
-  const double min_cosine = std::cos(max_angle_rad);
+bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction) {
+  const double min_cosine = std::cos(kTakenRad);
   return std::any_of(
       joint.leaving.begin(), joint.leaving.end(),
       [&](const Eigen::Vector3d& leaving) { return leaving.dot(direction) > min_cosine; });
 }
 
-EdgelClaims CollectClaims(const TopologyInput& input, const DrawingGraph& graph) {
+std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph) {
   std::vector<std::vector<bool>> claimed;
   for (const ImageCurves& of_view : input.curves) {
     claimed.emplace_back(of_view.edge_map.edgels.size());
@@ -86,12 +89,11 @@ EdgelClaims CollectClaims(const TopologyInput& input, const DrawingGraph& graph)
       for (const EdgelRef& ref : vertex.support) claimed[ref.view][ref.edgel] = true;
     }
   }
-  EdgelClaims result;
-  for (size_t v = 0; v < input.curves.size(); ++v) {
-    std::vector<bool> unclaimed(claimed[v].size(), false);
+  std::vector<EdgelIndex> result;
+  for (size_t v = 0; v < claimed.size(); ++v) {
+    std::vector<bool> unclaimed = LinkedEdgels(input.curves[v]);
     for (const CurveFragment& fragment : input.curves[v].fragments) {
       const auto size = static_cast<int>(fragment.edgel_ids.size());
-      for (const EdgelId id : fragment.edgel_ids) unclaimed[id] = true;
       for (int i = 0; i < size; ++i) {
         if (!claimed[v][fragment.edgel_ids[i]]) continue;
         const int last = std::min(size - 1, i + kClaimedNeighbors);
@@ -100,33 +102,28 @@ EdgelClaims CollectClaims(const TopologyInput& input, const DrawingGraph& graph)
         }
       }
     }
-    result.all.push_back(&input.edgels[v]->edgels);
-    result.owned.emplace_back(input.curves[v].edge_map, unclaimed);
+    result.emplace_back(input.curves[v].edge_map, unclaimed);
   }
-  for (const EdgelIndex& index : result.owned) result.unclaimed.push_back(&index);
   return result;
 }
 
-SupportGate CornerGate() { return {1.5, 1.5, 25 * M_PI / 180}; }
-
-std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
-                                const std::vector<ViewId>& in_views, const std::vector<View>& views,
-                                const EdgelIndexes& edgels, const SupportGate& gate) {
+std::vector<EdgelRef> SupportAt(const TopologyInput& input, const Eigen::Vector3d& position,
+                                const Eigen::Vector3d& direction,
+                                const std::vector<ViewId>& in_views, const SupportGate& gate) {
   std::vector<EdgelRef> support;
   for (const ViewId v : in_views) {
-    const auto sight = See(views[v], position, direction);
-    if (!sight) continue;
-    const auto match = edgels[v]->Best(sight->position_px, sight->direction_rad, gate);
-    if (match) support.push_back({v, match->edgel});
+    const auto edgel = input.EdgelAt(v, position, direction, gate);
+    if (edgel) support.push_back(*edgel);
   }
   return support;
 }
 
-void AddStraightLink(const TopologyInput& input, const EdgelIndexes& edgels,
-                     const Eigen::Vector3d& end, const std::vector<ViewId>& in_views, Joint* joint,
-                     Joint* target, GraphEditor* editor) {
+bool AddStraightLink(const TopologyInput& input, const Eigen::Vector3d& end,
+                     const std::vector<ViewId>& in_views, Joint* joint, Joint* target,
+                     GraphEditor* editor) {
   const Eigen::Vector3d begin = joint->position;
   const Eigen::Vector3d direction = (end - begin).normalized();
+  if (IsTaken(*joint, direction) || (target && IsTaken(*target, -direction))) return false;
   const double length_px = (end - begin).norm() / joint->footprint;
   const int count = std::max(3, static_cast<int>(std::lround(length_px / kSpacingPx)) + 1);
   DrawingLink link;
@@ -135,13 +132,13 @@ void AddStraightLink(const TopologyInput& input, const EdgelIndexes& edgels,
   for (int k = 0; k < count; ++k) {
     const Eigen::Vector3d position = begin + (end - begin) * k / (count - 1.0);
     link.points_in_world.push_back(position);
-    link.vertices.push_back(
-        MakeVertex(input, edgels, position, direction, joint->footprint, in_views));
+    link.vertices.push_back(MakeVertex(input, position, direction, joint->footprint, in_views));
     link.sigma.push_back(SigmaAcross(link.vertices.back().information, joint->footprint));
   }
   editor->Add(std::move(link));
   joint->leaving.push_back(direction);
   if (target) target->leaving.push_back(-direction);
+  return true;
 }
 
 }  // namespace limn

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "limn/support/segment_support.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/topology_input.h"
 
@@ -23,30 +23,26 @@ struct Joint {
 // All nodes but those of loops, in the order of their first links.
 std::vector<Joint> CollectJoints(const DrawingGraph& graph, size_t num_views);
 
-// Whether a link leaves the joint within the angle of the direction.
-bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction, double max_angle_rad);
+// Returns whether a link leaves the joint within 20 degrees of the direction.
+bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction);
 
-// Per view, the edgels of fragments: all of them, and those that support no link. Neighbors, along
-// the fragment, of a supporting edgel count as supporting.
-struct EdgelClaims {
-  EdgelIndexes all;        // those of the input, which must outlive this
-  EdgelIndexes unclaimed;  // point into `owned`
-  std::vector<EdgelIndex> owned;
-};
-EdgelClaims CollectClaims(const TopologyInput& input, const DrawingGraph& graph);
+// Per view, the edgels of fragments that support no link. Neighbors, along the fragment, of a
+// supporting edgel count as supporting.
+std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph);
 
 // The gate near corners, where edges are rounded: wider than that of samples (ALGORITHM.md 1.4).
-SupportGate CornerGate();
+inline constexpr SupportGate kCornerGate = {1.5, 1.5, 25 * M_PI / 180};
 
 // Edgels of the given views that support a point of an edge with this direction.
-std::vector<EdgelRef> SupportAt(const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
-                                const std::vector<ViewId>& in_views, const std::vector<View>& views,
-                                const EdgelIndexes& edgels, const SupportGate& gate);
+std::vector<EdgelRef> SupportAt(const TopologyInput& input, const Eigen::Vector3d& position,
+                                const Eigen::Vector3d& direction,
+                                const std::vector<ViewId>& in_views, const SupportGate& gate);
 
 // Adds a straight link from a joint to a free end, or to another joint if `target` is not null,
-// supported by the edgels of `in_views`. Updates the joints.
-void AddStraightLink(const TopologyInput& input, const EdgelIndexes& edgels,
-                     const Eigen::Vector3d& end, const std::vector<ViewId>& in_views, Joint* joint,
-                     Joint* target, GraphEditor* editor);
+// supported by the edgels of `in_views`. Updates the joints. Returns false, and adds nothing, if
+// the direction is taken at one of them.
+bool AddStraightLink(const TopologyInput& input, const Eigen::Vector3d& end,
+                     const std::vector<ViewId>& in_views, Joint* joint, Joint* target,
+                     GraphEditor* editor);
 
 }  // namespace limn

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <Eigen/Eigenvalues>
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kTipSkipPx = 2;
 constexpr double kTipLengthPx = 12;
+constexpr int kMaxProbes = 60;
 // Upper limit of a standard deviation, px.
 constexpr double kWeakSigmaPx = 30;
 
@@ -28,25 +30,21 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
   LinkTip tip;
   tip.point = at(0);
   tip.footprint = footprint;
-  std::vector<Eigen::Vector3d> used;
+  std::vector<Eigen::Vector3d> reached;
+  size_t num_rounded = 0;
   double arc_px = 0;
-  int reached = 0;
-  for (; reached < size && arc_px <= kTipSkipPx + kTipLengthPx; ++reached) {
-    const int k = reached;
+  for (int k = 0; k < size && arc_px <= kTipSkipPx + kTipLengthPx; ++k) {
     if (k > 0) arc_px += (at(k) - at(k - 1)).norm() / footprint;
-    if (arc_px >= kTipSkipPx) used.push_back(at(k));
+    num_rounded += arc_px < kTipSkipPx;
+    reached.push_back(at(k));
   }
   // Short links are used whole; where few points remain, all that were reached are.
-  if (arc_px < kTipSkipPx + kTipLengthPx || used.size() < 2) {
-    used.clear();
-    for (int k = 0; k < reached; ++k) used.push_back(at(k));
-  }
+  const bool is_long = arc_px >= kTipSkipPx + kTipLengthPx && reached.size() >= num_rounded + 2;
+  const auto used = std::span(reached).subspan(is_long ? num_rounded : 0);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& point : used) mean += point / static_cast<double>(used.size());
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& point : used) {
-    scatter += (point - mean) * (point - mean).transpose();
-  }
+  for (const Eigen::Vector3d& point : used) scatter += (point - mean) * (point - mean).transpose();
   Eigen::Vector3d direction =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
   const Eigen::Vector3d outwards = used.front() - used.back();
@@ -80,8 +78,8 @@ Eigen::Vector3d TangentAt(const DrawingLink& link, int index) {
       .stableNormalized();
 }
 
-std::vector<int> ProbePoints(const DrawingLink& link, int count) {
-  const int step = std::max(1, (link.size() + count - 1) / count);
+std::vector<int> ProbePoints(const DrawingLink& link) {
+  const int step = std::max(1, (link.size() + kMaxProbes - 1) / kMaxProbes);
   std::vector<int> points;
   for (int k = 0; k < link.size(); k += step) points.push_back(k);
   return points;

@@ -32,8 +32,8 @@ double LengthPx(const DrawingLink& link);
 // Unit direction of the link at a point; zero if the neighboring points coincide.
 Eigen::Vector3d TangentAt(const DrawingLink& link, int index);
 
-// At most `count` point indices, evenly spaced, at which a link is tested.
-std::vector<int> ProbePoints(const DrawingLink& link, int count);
+// At most 60 point indices, evenly spaced, at which a link is tested.
+std::vector<int> ProbePoints(const DrawingLink& link);
 
 // Inverse variance, per direction across the curve, of a position about which nothing is known: 30
 // px of standard deviation. As a prior it matters only where no sample determines the position.

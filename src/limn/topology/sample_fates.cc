@@ -1,32 +1,20 @@
 #include "limn/topology/sample_fates.h"
 
-namespace limn {
-namespace {
+#include <algorithm>
 
-void SetFates(const DrawingGraph& graph, EdgelFate fate, SampleFates* fates) {
+namespace limn {
+
+void UpdateFates(const DrawingGraph& graph, EdgelFate fate_of_lost, SampleFates* fates) {
+  for (std::vector<EdgelFate>& of_curve : *fates) {
+    std::replace(of_curve.begin(), of_curve.end(), EdgelFate::kDrawn, fate_of_lost);
+  }
   for (const DrawingLink& link : graph.links) {
     for (const LinkVertex& vertex : link.vertices) {
-      for (const SketchSample& from : vertex.samples) (*fates)[from.curve][from.sample] = fate;
+      for (const SketchSample& from : vertex.samples) {
+        (*fates)[from.curve][from.sample] = EdgelFate::kDrawn;
+      }
     }
   }
-}
-
-}  // namespace
-
-SampleLedger::SampleLedger(const CurveSketch& sketch, const DrawingGraph& graph) {
-  for (const Curve3D& curve : sketch.curves) {
-    fates_.emplace_back(curve.size(), EdgelFate::kLostSupport);
-  }
-  SetFates(graph, EdgelFate::kDrawn, &fates_);
-}
-
-void SampleLedger::Update(const DrawingGraph& graph, EdgelFate fate_of_lost) {
-  for (std::vector<EdgelFate>& of_curve : fates_) {
-    for (EdgelFate& fate : of_curve) {
-      if (fate == EdgelFate::kDrawn) fate = fate_of_lost;
-    }
-  }
-  SetFates(graph, EdgelFate::kDrawn, &fates_);
 }
 
 }  // namespace limn

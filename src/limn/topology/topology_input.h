@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "limn/model/curve_fragment.h"
-#include "limn/model/view.h"
-#include "limn/support/edgel_index.h"
+#include <Eigen/Geometry>
+
+#include "limn/model/curve3d.h"
+#include "limn/support/edgel_residual.h"
 #include "limn/support/view_edgels.h"
 
 namespace limn {
@@ -17,6 +19,24 @@ struct TopologyInput {
   const std::vector<std::unique_ptr<ViewEdgels>>& edgels;
   // How near an edgel must be to a curve to support it.
   SupportGate gate;
+  // Links do not grow out of this box.
+  std::optional<Eigen::AlignedBox3d> box = std::nullopt;
+
+  const Edgel& EdgelOf(const EdgelRef& ref) const {
+    return curves[ref.view].edge_map.edgels[ref.edgel];
+  }
+  // The distance of a point from an edgel; empty if it is behind the camera.
+  std::optional<EdgelResidual> Residual(const EdgelRef& ref, const Eigen::Vector3d& point) const {
+    return ResidualToEdgel(views[ref.view], EdgelOf(ref), point);
+  }
+  // The edgel that best supports a point of a curve with this tangent, if the view shows one.
+  std::optional<EdgelRef> EdgelAt(ViewId view, const Eigen::Vector3d& point,
+                                  const Eigen::Vector3d& tangent, const SupportGate& within) const {
+    const auto sight = See(views[view], point, tangent);
+    if (!sight) return std::nullopt;
+    const auto match = edgels[view]->edgels.Best(sight->position_px, sight->direction_rad, within);
+    return match ? std::optional(EdgelRef{view, match->edgel}) : std::nullopt;
+  }
 };
 
 }  // namespace limn

@@ -1,12 +1,11 @@
 #include "limn/topology/verify_links.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <set>
 
 #include "limn/geometry/tangent_frame.h"
 #include "limn/model/view_finder.h"
-#include "limn/support/edgel_residual.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/topology/occluding_contours.h"
 #include "limn/util/map_items.h"
@@ -18,10 +17,8 @@ namespace {
 constexpr int kMinMergedViews = 2;
 // An edgel within this distance of a claimed one belongs to the same edge, virtual px.
 constexpr double kSameEdgePx = 1.5;
-// Shifts of the copies that measure chance, px, each in four directions.
-constexpr double kShiftsPx[] = {6, 10};
-// At most this many points of an uncertain link are tested.
-constexpr int kMaxProbes = 60;
+// Shifts of the copies that measure chance, px, each in two directions across the link.
+constexpr double kShiftsPx[] = {-10, -6, 6, 10};
 
 // Number of agreeing primary views, averaged along a link. Points that were added do not count.
 double MeanAgreement(const DrawingLink& link) {
@@ -59,105 +56,86 @@ int NumPrimaryViews(const CurveSketch& sketch, const DrawingLink& link) {
   return static_cast<int>(views.size());
 }
 
-// The edgels that certain links explain.
-class Claims {
- public:
-  explicit Claims(const TopologyInput& input) : input_(input) {
-    for (const ImageCurves& of_view : input.curves) {
-      claimed_.emplace_back(of_view.edge_map.edgels.size());
-    }
-  }
-
-  // Claims the edgels of one view that run along a link. Views may be processed in parallel.
-  void Add(size_t view, const DrawingLink& link) {
-    for (int k = 0; k < link.size(); ++k) {
-      const EdgelId id = EdgelAt(view, link.points_in_world[k], TangentAt(link, k));
-      if (id != kInvalidEdgel) claimed_[view][id] = true;
-    }
-  }
-
-  // Mean number of views in which unclaimed edgels run along a link, less the number expected by
-  // chance. Copies count claimed edgels, too, so that links beside known edges need more support.
-  double OwnViews(const DrawingLink& link, const std::vector<ViewId>& near) const {
-    const std::vector<int> probes = ProbePoints(link, kMaxProbes);
-    int64_t own = 0;
-    int64_t contained = 0;
-    Copies copies;
-    for (const int k : probes) {
-      const Eigen::Vector3d& point = link.points_in_world[k];
-      const Eigen::Vector3d tangent = TangentAt(link, k);
-      for (const ViewId v : near) {
-        if (!input_.views[v].Project(point)) continue;
-        ++contained;
-        const EdgelId id = EdgelAt(v, point, tangent);
-        own += id != kInvalidEdgel && !IsClaimed(v, id);
-        AddCopies(v, point, tangent, link.vertices[k].footprint, &copies);
-      }
-    }
-    if (copies.num == 0) return 0;
-    const double chance = static_cast<double>(copies.num_with_edgel) / copies.num;
-    return (own - chance * contained) / static_cast<double>(probes.size());
-  }
-
- private:
-  struct Copies {
-    int64_t num = 0;
-    int64_t num_with_edgel = 0;
-  };
-
-  // Counts the shifted copies of a point in one view, and those with an edgel.
-  void AddCopies(size_t view, const Eigen::Vector3d& point, const Eigen::Vector3d& tangent,
-                 double footprint, Copies* copies) const {
-    const Eigen::Matrix<double, 3, 2> across = footprint * TangentFrame(tangent);
-    for (const double shift : kShiftsPx) {
-      for (const Eigen::Vector3d offset : across.colwise()) {
-        for (const double sign : {-1.0, 1.0}) {
-          const Eigen::Vector3d copy = point + sign * shift * offset;
-          if (!input_.views[view].Project(copy)) continue;
-          ++copies->num;
-          copies->num_with_edgel += EdgelAt(view, copy, tangent) != kInvalidEdgel;
-        }
-      }
-    }
-  }
-
-  EdgelId EdgelAt(size_t view, const Eigen::Vector3d& point, const Eigen::Vector3d& tangent) const {
-    const auto sight = See(input_.views[view], point, tangent);
-    if (!sight) return kInvalidEdgel;
-    const auto match =
-        input_.edgels[view]->edgels.Best(sight->position_px, sight->direction_rad, input_.gate);
-    return match ? match->edgel : kInvalidEdgel;
-  }
-
-  bool IsClaimed(size_t view, EdgelId id) const {
-    bool claimed = false;
-    input_.edgels[view]->edgels.ForEachWithin(
-        input_.curves[view].edge_map.edgels[id].position_px, kSameEdgePx,
-        [&](EdgelId near) { claimed = claimed || claimed_[view][near]; });
-    return claimed;
-  }
-
-  const TopologyInput& input_;
-  std::vector<std::vector<bool>> claimed_;  // per view, per edgel
-};
-
 enum class Belief : uint8_t { kNo, kUncertain, kCertain };
 
 struct FirstJudgment {
   Belief belief = Belief::kNo;
-  std::vector<ViewId> near;  // views that may contain the link
+  double num_containing = 0;  // mean number of views that contain a point of the link
+  std::vector<ViewId> near;   // views that may contain the link
 };
 
-Belief FirstBelief(const TopologyInput& input, const CurveSketch& sketch,
-                   const TopologyOptions& options, const DrawingLink& link,
-                   const std::vector<ViewId>& near) {
+FirstJudgment Judge(const TopologyInput& input, const CurveSketch& sketch,
+                    const TopologyOptions& options, const DrawingLink& link,
+                    std::vector<ViewId> near) {
+  const double num_containing = MeanContaining(link, near, input.views);
+  const double required = std::clamp(options.primary_views_share * num_containing,
+                                     options.min_primary_views, options.max_primary_views);
+  Belief belief = MeanAgreement(link) >= required ? Belief::kCertain : Belief::kUncertain;
   if (NumPrimaryViews(sketch, link) < kMinMergedViews || IsOccludingContour(input, link, near)) {
-    return Belief::kNo;
+    belief = Belief::kNo;
   }
-  const double required =
-      std::clamp(options.primary_views_share * MeanContaining(link, near, input.views),
-                 options.min_primary_views, options.max_primary_views);
-  return MeanAgreement(link) >= required ? Belief::kCertain : Belief::kUncertain;
+  return {belief, num_containing, std::move(near)};
+}
+
+// The edgels of a view that certain links explain.
+EdgelIndex ClaimedEdgels(const TopologyInput& input, const DrawingGraph& graph,
+                         const std::vector<FirstJudgment>& first, ViewId view) {
+  const EdgeMap& edge_map = input.curves[view].edge_map;
+  std::vector<bool> claimed(edge_map.edgels.size());
+  for (size_t l = 0; l < first.size(); ++l) {
+    if (first[l].belief != Belief::kCertain) continue;
+    if (!std::ranges::binary_search(first[l].near, view)) continue;
+    const DrawingLink& link = graph.links[l];
+    for (int k = 0; k < link.size(); ++k) {
+      const auto edgel =
+          input.EdgelAt(view, link.points_in_world[k], TangentAt(link, k), input.gate);
+      if (edgel) claimed[edgel->edgel] = true;
+    }
+  }
+  return {edge_map, claimed};
+}
+
+// Copies of a point of a link, shifted across it.
+std::vector<Eigen::Vector3d> ShiftedCopies(const DrawingLink& link, int index) {
+  const Eigen::Matrix<double, 3, 2> across =
+      link.vertices[index].footprint * TangentFrame(TangentAt(link, index));
+  std::vector<Eigen::Vector3d> copies;
+  for (const double shift : kShiftsPx) {
+    for (const Eigen::Vector3d offset : across.colwise()) {
+      copies.push_back(link.points_in_world[index] + shift * offset);
+    }
+  }
+  return copies;
+}
+
+// Mean number of views in which unclaimed edgels run along a link, less the number expected by
+// chance. Copies count claimed edgels, too, so that links beside known edges need more support.
+double OwnViews(const TopologyInput& input, const std::vector<std::optional<EdgelIndex>>& claimed,
+                const DrawingLink& link, const std::vector<ViewId>& near) {
+  const std::vector<int> probes = ProbePoints(link);
+  int64_t own = 0;
+  int64_t contained = 0;
+  int64_t num_copies = 0;
+  int64_t num_with_edgel = 0;
+  for (const int k : probes) {
+    const Eigen::Vector3d& point = link.points_in_world[k];
+    const Eigen::Vector3d tangent = TangentAt(link, k);
+    const std::vector<Eigen::Vector3d> copies = ShiftedCopies(link, k);
+    for (const ViewId v : near) {
+      if (!input.views[v].Project(point)) continue;
+      ++contained;
+      const auto edgel = input.EdgelAt(v, point, tangent, input.gate);
+      own += edgel && !claimed[v]->AnyWithin(input.EdgelOf(*edgel).position_px, kSameEdgePx);
+      for (const Eigen::Vector3d& copy : copies) {
+        if (!input.views[v].Project(copy)) continue;
+        ++num_copies;
+        num_with_edgel += input.EdgelAt(v, copy, tangent, input.gate).has_value();
+      }
+    }
+  }
+  if (num_copies == 0) return 0;
+  const double chance = static_cast<double>(num_with_edgel) / num_copies;
+  return (own - chance * contained) / static_cast<double>(probes.size());
 }
 
 }  // namespace
@@ -167,28 +145,19 @@ std::vector<uint8_t> VerifyLinks(const TopologyInput& input, const CurveSketch& 
                                  const RunContext& context) {
   const ViewFinder finder(input.views);
   const auto first = MapItems(context, "link agreement", graph.links.size(), [&](size_t l) {
-    FirstJudgment judgment;
-    judgment.near = finder.NearAnyOf(graph.links[l].points_in_world);
-    judgment.belief = FirstBelief(input, sketch, options, graph.links[l], judgment.near);
-    return judgment;
+    const DrawingLink& link = graph.links[l];
+    return Judge(input, sketch, options, link, finder.NearAnyOf(link.points_in_world));
   });
-  Claims claims(input);
-  std::vector<std::vector<size_t>> certain_in(input.views.size());
-  for (size_t l = 0; l < first.size(); ++l) {
-    if (first[l].belief != Belief::kCertain) continue;
-    for (const ViewId v : first[l].near) certain_in[v].push_back(l);
-  }
-  ParallelFor(context, "claimed edgels", input.views.size(), [&](size_t v) {
-    for (const size_t l : certain_in[v]) claims.Add(v, graph.links[l]);
+  std::vector<std::optional<EdgelIndex>> claimed(input.views.size());
+  ParallelFor(context, "claimed edgels", claimed.size(), [&](size_t v) {
+    claimed[v] = ClaimedEdgels(input, graph, first, static_cast<ViewId>(v));
   });
   return MapItems(context, "link support", first.size(), [&](size_t l) -> uint8_t {
-    const auto& [belief, near] = first[l];
+    const auto& [belief, num_containing, near] = first[l];
     if (belief != Belief::kUncertain) return belief == Belief::kCertain;
-    const DrawingLink& link = graph.links[l];
-    const double required =
-        std::clamp(options.own_views_share * MeanContaining(link, near, input.views),
-                   options.min_own_views, options.max_own_views);
-    return claims.OwnViews(link, near) >= required;
+    const double required = std::clamp(options.own_views_share * num_containing,
+                                       options.min_own_views, options.max_own_views);
+    return OwnViews(input, claimed, graph.links[l], near) >= required;
   });
 }
 

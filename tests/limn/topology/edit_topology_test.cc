@@ -168,7 +168,7 @@ class CompleteDrawingTest : public ::testing::Test {
       link.vertices[1].samples.push_back({static_cast<int>(sketch_.curves.size()) - 1, sample});
     }
     const CompletionCounts counts =
-        CompleteDrawing(scene_.Input(), sketch_, scene_.options, std::nullopt, {}, &scene_.graph);
+        CompleteDrawing(scene_.Input(), sketch_, scene_.options, {}, &scene_.graph);
     testing::ExpectValid(scene_.graph);
     return counts;
   }

@@ -142,9 +142,10 @@ class FrontalScene {
   }
   // The links added by growth, as polylines from their joint.
   std::vector<Polyline3d> Grow(const std::optional<Eigen::AlignedBox3d>& box = std::nullopt) {
-    return Run([&](const auto& input, GraphEditor* editor) {
+    return Run([&](TopologyInput input, GraphEditor* editor) {
+      input.box = box;
       const auto before = graph.links.size();
-      return Added(before, GrowEdges(input, options, box, {}, editor));
+      return Added(before, GrowEdges(input, options, {}, editor));
     });
   }
   std::vector<Polyline3d> AddShort() {
@@ -180,11 +181,9 @@ class FrontalScene {
     return found.empty() ? Joint() : found.front();
   }
   // A direction in which image edges leave the joint at a place.
-  std::optional<CornerDirection> DirectionAt(const Eigen::Vector3d& place, int min_views) {
+  std::optional<CornerDirection> DirectionAt(const Eigen::Vector3d& place, size_t min_views) {
     Build();
-    EdgelIndexes edgels;
-    for (const auto& of_view : edgels_) edgels.push_back(&of_view->edgels);
-    return FindCornerDirection(JointAt(place), views_, curves_, edgels, min_views);
+    return FindCornerDirection(Input(), JointAt(place), min_views);
   }
 
   double LengthPx(LinkId link) const {
@@ -227,8 +226,6 @@ class FrontalScene {
     link.points_in_world.back() = ends.back();
     link.sigma.assign(link.points_in_world.size(), 1);
     const Polyline3d& edge = drawn_[id].edge;
-    EdgelIndexes edgels;
-    for (const auto& of_view : edgels_) edgels.push_back(&of_view->edgels);
     for (int k = 0; k < link.size(); ++k) {
       const double share = static_cast<double>(k) / (link.size() - 1);
       const Eigen::Vector3d place = on_edge
@@ -237,7 +234,7 @@ class FrontalScene {
       const Eigen::Vector3d along = on_edge ? TangentAt(link, k) : (edge[1] - edge[0]).normalized();
       LinkVertex vertex;
       vertex.footprint = kFrontalPx;
-      vertex.support = SupportAt(place, along, drawn_[id].views, views_, edgels, Input().gate);
+      vertex.support = SupportAt(Input(), place, along, drawn_[id].views, Input().gate);
       vertex.samples = {{id, k}};
       link.vertices.push_back(std::move(vertex));
     }

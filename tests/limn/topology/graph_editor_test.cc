@@ -200,11 +200,12 @@ TEST(SplitTest, EndThatComesToASplitLoopMakesAJunction) {
   EXPECT_EQ(graph.nodes[node].Degree(), 3);
 }
 
-TEST(OpenTest, LoopHasTwoFreeEndsAtThePoint) {
+TEST(FreeTest, SplitLoopHasTwoFreeEndsAtThePoint) {
   for (const int index : {0, 1, 3}) {
     DrawingGraph graph = GraphWithVertices({Square()});
     GraphEditor editor(&graph);
-    editor.Open(0, index);
+    editor.Split(0, index);
+    editor.Free({0, 1});
     ExpectSound(graph, "open");
     const DrawingLink& link = graph.links[0];
     EXPECT_FALSE(link.closed);
@@ -387,14 +388,12 @@ TEST(DropOvershootTest, NothingIsCutOffBeforeThePlace) {
   EXPECT_FALSE(editor.IsFree({0, 1}));
 }
 
-TEST(DropOvershootTest, SomePointsAreKept) {
-  for (const int min_points : {2, 5}) {
-    DrawingGraph graph = GraphWithVertices({Row(0, 9)});
-    GraphEditor(&graph).DropOvershoot({0, 1}, {-20, 0, 0}, min_points);
-    ExpectSound(graph, "drop");
-    EXPECT_EQ(graph.links[0].size(), min_points);
-    EXPECT_EQ(NumSketchSamples(graph.links[0]), 10);
-  }
+TEST(DropOvershootTest, TwoPointsAreKept) {
+  DrawingGraph graph = GraphWithVertices({Row(0, 9)});
+  GraphEditor(&graph).DropOvershoot({0, 1}, {-20, 0, 0});
+  ExpectSound(graph, "drop");
+  EXPECT_EQ(graph.links[0].size(), 2);
+  EXPECT_EQ(NumSketchSamples(graph.links[0]), 10);
 }
 
 // Links along the x axis from 0 to 3 and from 5 to 8, each in either direction, that become one.
@@ -514,7 +513,8 @@ TEST(JoinOfOneLinkTest, LoopCloses) {
 TEST(JoinOfOneLinkTest, OpenedLoopClosesWithoutAnotherPoint) {
   DrawingGraph graph = GraphWithVertices({Square()});
   GraphEditor editor(&graph);
-  editor.Open(0, 2);
+  editor.Split(0, 2);
+  editor.Free({0, 1});
   editor.Join({0, 0}, {0, 1});
   ExpectSound(graph, "join");
   EXPECT_TRUE(graph.links[0].closed);
@@ -561,30 +561,6 @@ TEST(NowTest, ChainsOfJoinsEndInOneLink) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(ReverseTest, PointsAndWhatIsKnownOfThemTurnAround) {
-  DrawingGraph graph = GraphWithVertices({Row(0, 3), Row(3, 5), Row(-2, 0)});
-  graph.nodes[NodeAtPlace(graph, {3, 0, 0})].continuations = {{{0, 1}, {1, 0}}};
-  graph.nodes[NodeAtPlace(graph, {0, 0, 0})].continuations = {{{2, 1}, {0, 0}}};
-  GraphEditor(&graph).Reverse(0);
-  ExpectSound(graph, "reverse");
-  EXPECT_EQ(graph.links[0].points_in_world, Row(3, 0));
-  EXPECT_EQ(graph.links[0].sigma, (std::vector<double>{4, 3, 2, 1}));
-  EXPECT_EQ(Samples(graph.links[0]), (std::vector<std::vector<int>>{{3}, {2}, {1}, {0}}));
-  EXPECT_EQ(ContinuationsAt(graph, {3, 0, 0}), (Pairs{{{0, 0}, {1, 0}}}));
-  EXPECT_EQ(ContinuationsAt(graph, {0, 0, 0}), (Pairs{{{0, 1}, {2, 1}}}));
-}
-
-TEST(ReverseTest, BothEndsMayBeAtOneNode) {
-  DrawingGraph graph = GraphWithVertices({Square(), Row(-3, 0), Row(0, -3)});
-  graph.links[0].closed = false;
-  const NodeId node = NodeAtPlace(graph, {0, 0, 0});
-  graph.nodes[node].continuations = {{{0, 0}, {1, 1}}};
-  GraphEditor(&graph).Reverse(0);
-  ExpectSound(graph, "reverse");
-  EXPECT_EQ(graph.links[0].points_in_world, Reversed(Square()));
-  EXPECT_EQ(Continuations(graph.nodes[node]), (Pairs{{{0, 1}, {1, 1}}}));
-}
-
 TEST(MoveNodeTest, AllEndsMoveWithIt) {
   DrawingGraph graph = GraphWithVertices({Row(-3, 0), Row(0, 3), Square()});
   graph.links[2].closed = false;
@@ -622,7 +598,6 @@ TEST(ForgetShapeTest, EditsOfTheCourseDropPrimitiveAndDenseClass) {
        [](GraphEditor* editor) {
          editor->Join({0, 1}, {1, 0});
        }},
-      {"Reverse", [](GraphEditor* editor) { editor->Reverse(0); }},
       {"MoveNode",
        [](GraphEditor* editor) {
          editor->MoveNode(0, {0, 1, 0});

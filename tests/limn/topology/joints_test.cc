@@ -77,20 +77,20 @@ TEST(IsTakenTest, DirectionsNearALinksAre) {
   scene.Draw(PxSegment(0, 0, 0, 60));
   const Joint joint = scene.JointAt(FrontalPoint(0, 0));
   const auto taken = [&](double angle) {
-    return IsTaken(joint, {std::cos(angle), std::sin(angle), 0}, 0.3);
+    return IsTaken(joint, {std::cos(angle), std::sin(angle), 0});
   };
-  EXPECT_TRUE(taken(0.29));
-  EXPECT_TRUE(taken(-0.29));
-  EXPECT_FALSE(taken(0.31));
-  EXPECT_TRUE(taken(M_PI / 2 + 0.29));
+  EXPECT_TRUE(taken(0.34));
+  EXPECT_TRUE(taken(-0.34));
+  EXPECT_FALSE(taken(0.36));
+  EXPECT_TRUE(taken(M_PI / 2 + 0.34));
   EXPECT_FALSE(taken(M_PI));
-  EXPECT_FALSE(IsTaken(Joint(), {1, 0, 0}, 0.3));
+  EXPECT_FALSE(IsTaken(Joint(), {1, 0, 0}));
 }
 
 // One view with an edge of 21 edgels and one that is in no fragment, and a link made from some.
-class CollectClaimsTest : public ::testing::Test {
+class UnclaimedEdgelsTest : public ::testing::Test {
  protected:
-  CollectClaimsTest() {
+  UnclaimedEdgelsTest() {
     curves_ =
         testing::ProjectCurves(views_, {testing::Segment(FrontalPoint(0, 0), FrontalPoint(20, 0))});
     for (ImageCurves& of_view : curves_) {
@@ -110,9 +110,7 @@ class CollectClaimsTest : public ::testing::Test {
       graph.links[0].vertices.back().support = {{0, ids[place]}};
     }
     const auto support = BuildViewEdgels(curves_, {});
-    const EdgelClaims edgels = CollectClaims({views_, curves_, support, {}}, graph);
-    EXPECT_EQ(Held(*edgels.all[view], view).size(), 21u);
-    return Held(*edgels.unclaimed[view], view);
+    return Held(UnclaimedEdgels({views_, curves_, support, {}}, graph)[view], view);
   }
 
   std::vector<int> Held(const EdgelIndex& index, ViewId view) const {
@@ -141,30 +139,30 @@ class CollectClaimsTest : public ::testing::Test {
   EdgelId lone_ = kInvalidEdgel;
 };
 
-TEST_F(CollectClaimsTest, NeighborsOfAClaimedEdgelAreClaimed) {
+TEST_F(UnclaimedEdgelsTest, NeighborsOfAClaimedEdgelAreClaimed) {
   EXPECT_EQ(Unclaimed({}), Without({}));
   EXPECT_EQ(Unclaimed({10}), Without({9, 10, 11}));
   EXPECT_EQ(Unclaimed({6, 8}), Without({5, 6, 7, 8, 9}));
 }
 
-TEST_F(CollectClaimsTest, FragmentsEnd) {
+TEST_F(UnclaimedEdgelsTest, FragmentsEnd) {
   EXPECT_EQ(Unclaimed({0}), Without({0, 1}));
   EXPECT_EQ(Unclaimed({20}), Without({19, 20}));
 }
 
-TEST_F(CollectClaimsTest, OtherViewsAreNotConcerned) { EXPECT_EQ(Unclaimed({10}, 1), Without({})); }
+TEST_F(UnclaimedEdgelsTest, OtherViewsAreNotConcerned) {
+  EXPECT_EQ(Unclaimed({10}, 1), Without({}));
+}
 
 TEST(SupportAtTest, EdgelsOfTheViewsAskedAreFound) {
   const auto views = testing::FrontalViews(3, 1, 0.75);
   const auto curves =
       testing::ProjectCurves(views, {testing::Segment(FrontalPoint(0, 0), FrontalPoint(20, 0))});
   const auto support = BuildViewEdgels(curves, {});
-  EdgelIndexes edgels;
-  for (const auto& of_view : support) edgels.push_back(&of_view->edgels);
+  const TopologyInput input = {views, curves, support, {}};
   const auto views_at = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
     std::vector<ViewId> found;
-    for (const EdgelRef& ref :
-         SupportAt(point, direction, {0, 2}, views, edgels, {1.5, 1.5, 0.4})) {
+    for (const EdgelRef& ref : SupportAt(input, point, direction, {0, 2}, {1.5, 1.5, 0.4})) {
       found.push_back(ref.view);
     }
     return found;
@@ -174,25 +172,24 @@ TEST(SupportAtTest, EdgelsOfTheViewsAskedAreFound) {
   EXPECT_TRUE(views_at(FrontalPoint(10, 0), {0, 1, 0}).empty());
 }
 
-// A link that ends at the origin, and an edge that leaves it along y.
+// A link that ends at the origin, an edge that leaves it along y, and another link.
 class AddStraightLinkTest : public ::testing::Test {
  protected:
   AddStraightLinkTest() {
     scene_.ShowAndDraw(PxSegment(-60, 0, 0, 0));
     scene_.Show(PxSegment(0, 0, 0, 20), {0, 1, 2, 3});
+    scene_.Draw(PxSegment(-60, 40, 0, 40));
     scene_.Build();
     joints_ = CollectJoints(scene_.graph, scene_.views().size());
     if (joints_[0].position != FrontalPoint(0, 0)) std::swap(joints_[0], joints_[1]);
   }
 
-  const DrawingLink& Add(double x_px, double y_px, const std::vector<ViewId>& in_views,
-                         Joint* target) {
+  bool Add(double x_px, double y_px, const std::vector<ViewId>& in_views, Joint* target) {
     GraphEditor editor(&scene_.graph);
-    const EdgelClaims claims = CollectClaims(scene_.Input(), scene_.graph);
-    AddStraightLink(scene_.Input(), claims.all, FrontalPoint(x_px, y_px), in_views, &joints_[0],
-                    target, &editor);
+    const bool added = AddStraightLink(scene_.Input(), FrontalPoint(x_px, y_px), in_views,
+                                       &joints_[0], target, &editor);
     testing::ExpectValid(scene_.graph);
-    return scene_.graph.links.back();
+    return added;
   }
 
   FrontalScene scene_;
@@ -200,7 +197,8 @@ class AddStraightLinkTest : public ::testing::Test {
 };
 
 TEST_F(AddStraightLinkTest, PointsKnowTheEdgelsOfTheViewsGiven) {
-  const DrawingLink& link = Add(0, 20, {1, 2, 3, 7}, nullptr);
+  ASSERT_TRUE(Add(0, 20, {1, 2, 3, 7}, nullptr));
+  const DrawingLink& link = scene_.graph.links.back();
   EXPECT_EQ(link.points_in_world.front(), FrontalPoint(0, 0));
   EXPECT_EQ(link.points_in_world.back(), FrontalPoint(0, 20));
   EXPECT_NEAR(LengthPx(link), 20, 1e-9);
@@ -220,17 +218,28 @@ TEST_F(AddStraightLinkTest, PointsKnowTheEdgelsOfTheViewsGiven) {
 }
 
 TEST_F(AddStraightLinkTest, JointsKnowTheNewLink) {
-  Add(0, 20, {0, 1, 2, 3}, nullptr);
-  EXPECT_TRUE(IsTaken(joints_[0], Eigen::Vector3d::UnitY(), 1e-6));
+  ASSERT_TRUE(Add(0, 20, {0, 1, 2, 3}, nullptr));
+  EXPECT_EQ(joints_[0].leaving.back(), Eigen::Vector3d::UnitY());
   EXPECT_EQ(scene_.Degree(0, 0), 2);
   EXPECT_EQ(scene_.Degree(0, 20), 1);
 }
 
 TEST_F(AddStraightLinkTest, TargetIsItsEnd) {
-  const DrawingLink& link = Add(-60, 0, {}, &joints_[1]);
-  EXPECT_EQ(link.node1, joints_[1].node);
-  EXPECT_TRUE(IsTaken(joints_[1], Eigen::Vector3d::UnitX(), 1e-6));
-  EXPECT_EQ(scene_.Degree(-60, 0), 2);
+  Joint* target = &joints_[2];
+  ASSERT_EQ(target->position, FrontalPoint(-60, 40));
+  ASSERT_TRUE(Add(-60, 40, {}, target));
+  EXPECT_EQ(scene_.graph.links.back().node1, target->node);
+  EXPECT_EQ(target->leaving.back(), -joints_[0].leaving.back());
+  EXPECT_EQ(scene_.Degree(-60, 40), 2);
+}
+
+TEST_F(AddStraightLinkTest, DirectionsThatAreTakenAreNot) {
+  const size_t num_links = scene_.graph.links.size();
+  EXPECT_FALSE(Add(-50, 5, {}, nullptr));
+  // At the target alone.
+  joints_[2].leaving.push_back((joints_[0].position - joints_[2].position).normalized());
+  EXPECT_FALSE(Add(-60, 40, {}, &joints_[2]));
+  EXPECT_EQ(scene_.graph.links.size(), num_links);
 }
 
 }  // namespace

@@ -138,10 +138,12 @@ TEST(TangentAtTest, RunsFromTheNeighborBeforeToTheOneAfter) {
 }
 
 TEST(ProbePointsTest, AreEvenlySpreadAndNotTooMany) {
-  EXPECT_EQ(ProbePoints(LinkOf(Row(0, 4)), 10), (std::vector<int>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(ProbePoints(LinkOf(Row(0, 4)), 5), (std::vector<int>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(ProbePoints(LinkOf(Row(0, 4)), 4), (std::vector<int>{0, 2, 4}));
-  EXPECT_EQ(ProbePoints(LinkOf(Row(0, 99)), 60).size(), 50u);
+  EXPECT_EQ(ProbePoints(LinkOf(Row(0, 4))), (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(ProbePoints(LinkOf(Row(0, 59))).size(), 60u);
+  const std::vector<int> every_other = ProbePoints(LinkOf(Row(0, 60)));
+  EXPECT_EQ(every_other.size(), 31u);
+  EXPECT_EQ(every_other[1], 2);
+  EXPECT_EQ(ProbePoints(LinkOf(Row(0, 99))).size(), 50u);
 }
 
 TEST(SigmaAcrossTest, IsOfTheInverseInformation) {

@@ -15,7 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 using testing::ExpectSound;
-using testing::Reversed;
 
 // A random graph and its random edits. What they do to the samples is counted beside.
 class RandomEdits {
@@ -28,12 +27,12 @@ class RandomEdits {
   std::string Step() {
     using Edit = std::string (RandomEdits::*)();
     static constexpr Edit kEdits[] = {
-        &RandomEdits::Add,     &RandomEdits::Split,    &RandomEdits::Split,
-        &RandomEdits::Open,    &RandomEdits::EndAt,    &RandomEdits::EndAt,
-        &RandomEdits::Free,    &RandomEdits::CutTo,    &RandomEdits::DropOvershoot,
-        &RandomEdits::Join,    &RandomEdits::Join,     &RandomEdits::Join,
-        &RandomEdits::Reverse, &RandomEdits::MoveNode, &RandomEdits::MovePoint,
-        &RandomEdits::Remove,  &RandomEdits::Keep,     &RandomEdits::Compact};
+        &RandomEdits::Add,      &RandomEdits::Split,     &RandomEdits::Split,
+        &RandomEdits::Open,     &RandomEdits::EndAt,     &RandomEdits::EndAt,
+        &RandomEdits::Free,     &RandomEdits::CutTo,     &RandomEdits::DropOvershoot,
+        &RandomEdits::Join,     &RandomEdits::Join,      &RandomEdits::Join,
+        &RandomEdits::MoveNode, &RandomEdits::MovePoint, &RandomEdits::Remove,
+        &RandomEdits::Keep,     &RandomEdits::Compact};
     const auto edit = kEdits[Int(static_cast<int>(std::size(kEdits)))];
     const std::string name = (this->*edit)();
     if (!name.empty()) ++num_edits_[name];
@@ -139,7 +138,8 @@ class RandomEdits {
   std::string Open() {
     const LinkId id = SomeLink(true);
     if (id < 0) return "";
-    editor_.Open(id, Int(editor_.link(id).size()));
+    editor_.Split(id, Int(editor_.link(id).size()));
+    editor_.Free({id, Int(2)});
     return "Open";
   }
 
@@ -192,7 +192,7 @@ class RandomEdits {
   std::string DropOvershoot() {
     const LinkId id = SomeLink();
     if (id < 0) return "";
-    editor_.DropOvershoot({id, Int(2)}, Place() + Vector3d(Uniform(0, 1), 0, 0), 2 + Int(2));
+    editor_.DropOvershoot({id, Int(2)}, Place() + Vector3d(Uniform(0, 1), 0, 0));
     return "DropOvershoot";
   }
 
@@ -232,15 +232,6 @@ class RandomEdits {
     const LinkEnd now = editor_.Now({b.link, 1 - b.end});
     EXPECT_EQ(EndPoint(editor_.link(now.link), now.end), far);
     return name;
-  }
-
-  std::string Reverse() {
-    const LinkId id = SomeLink();
-    if (id < 0) return "";
-    const Polyline3d before = editor_.link(id).points_in_world;
-    editor_.Reverse(id);
-    EXPECT_EQ(editor_.link(id).points_in_world, Reversed(before));
-    return "Reverse";
   }
 
   std::string MoveNode() {
@@ -312,8 +303,8 @@ TEST_P(RandomEditsTest, GraphIsSoundAfterEveryEdit) {
   }
   for (const char* name :
        {"Add", "Split", "Split closed", "Open", "EndAt", "Free", "CutTo", "DropOvershoot", "Join",
-        "Join at a node", "Join to a loop", "Join at a node to a loop", "Reverse", "MoveNode",
-        "MovePoint", "Remove", "Keep", "Compact"}) {
+        "Join at a node", "Join to a loop", "Join at a node to a loop", "MoveNode", "MovePoint",
+        "Remove", "Keep", "Compact"}) {
     EXPECT_TRUE(edits.num_edits().contains(name)) << name;
   }
 }

@@ -7,15 +7,6 @@ namespace {
 
 using enum EdgelFate;
 
-CurveSketch SketchOfSizes(const std::vector<size_t>& sizes) {
-  CurveSketch sketch;
-  for (const size_t size : sizes) {
-    sketch.curves.emplace_back();
-    sketch.curves.back().points_in_world.resize(size);
-  }
-  return sketch;
-}
-
 // One link per list, of these samples (curve, sample), a point per list within.
 DrawingGraph GraphOf(const std::vector<std::vector<std::vector<SketchSample>>>& links) {
   DrawingGraph graph;
@@ -29,36 +20,45 @@ DrawingGraph GraphOf(const std::vector<std::vector<std::vector<SketchSample>>>& 
   return graph;
 }
 
-TEST(SampleLedgerTest, SamplesThatAreInNoLinkLostTheirSupport) {
-  const SampleLedger ledger(SketchOfSizes({4, 3, 1}),
-                            GraphOf({{{{0, 0}}, {{0, 1}}}, {{{1, 2}}, {{0, 2}}}}));
-  EXPECT_EQ(ledger.fates(), (SampleFates{{kDrawn, kDrawn, kDrawn, kLostSupport},
-                                         {kLostSupport, kLostSupport, kDrawn},
-                                         {kLostSupport}}));
+// All samples are drawn.
+SampleFates DrawnOfSizes(const std::vector<size_t>& sizes) {
+  SampleFates fates;
+  for (const size_t size : sizes) fates.emplace_back(size, kDrawn);
+  return fates;
 }
 
-TEST(SampleLedgerTest, EachSampleMeetsItsFirstFate) {
-  SampleLedger ledger(SketchOfSizes({5}), GraphOf({{{{0, 0}}, {{0, 1}}}, {{{0, 2}}, {{0, 3}}}}));
-  ledger.Update(GraphOf({{{{0, 0}}, {{0, 1}}}, {{{0, 2}}}}), kPrunedLink);
-  ledger.Update(GraphOf({{{{0, 0}}}}), kDoubtfulLink);
-  EXPECT_EQ(ledger.fates(),
+TEST(UpdateFatesTest, SamplesThatAreInNoLinkAreLost) {
+  SampleFates fates = DrawnOfSizes({4, 3, 1});
+  UpdateFates(GraphOf({{{{0, 0}}, {{0, 1}}}, {{{1, 2}}, {{0, 2}}}}), kLostSupport, &fates);
+  EXPECT_EQ(fates, (SampleFates{{kDrawn, kDrawn, kDrawn, kLostSupport},
+                                {kLostSupport, kLostSupport, kDrawn},
+                                {kLostSupport}}));
+}
+
+TEST(UpdateFatesTest, EachSampleMeetsItsFirstFate) {
+  SampleFates fates = DrawnOfSizes({5});
+  UpdateFates(GraphOf({{{{0, 0}}, {{0, 1}}}, {{{0, 2}}, {{0, 3}}}}), kLostSupport, &fates);
+  UpdateFates(GraphOf({{{{0, 0}}, {{0, 1}}}, {{{0, 2}}}}), kPrunedLink, &fates);
+  UpdateFates(GraphOf({{{{0, 0}}}}), kDoubtfulLink, &fates);
+  EXPECT_EQ(fates,
             (SampleFates{{kDrawn, kDoubtfulLink, kDoubtfulLink, kPrunedLink, kLostSupport}}));
-  ledger.Update(DrawingGraph(), kPrunedLink);
-  EXPECT_EQ(ledger.fates(),
+  UpdateFates(DrawingGraph(), kPrunedLink, &fates);
+  EXPECT_EQ(fates,
             (SampleFates{{kPrunedLink, kDoubtfulLink, kDoubtfulLink, kPrunedLink, kLostSupport}}));
 }
 
-TEST(SampleLedgerTest, AllSamplesMergedIntoAPointAreInTheLink) {
-  SampleLedger ledger(SketchOfSizes({2, 2}), GraphOf({{{{0, 0}, {1, 0}}, {}, {{1, 1}, {0, 1}}}}));
-  EXPECT_EQ(ledger.fates(), (SampleFates{{kDrawn, kDrawn}, {kDrawn, kDrawn}}));
-  ledger.Update(GraphOf({{{{1, 1}, {0, 0}}}}), kPrunedLink);
-  EXPECT_EQ(ledger.fates(), (SampleFates{{kDrawn, kPrunedLink}, {kPrunedLink, kDrawn}}));
+TEST(UpdateFatesTest, AllSamplesMergedIntoAPointAreInTheLink) {
+  SampleFates fates = DrawnOfSizes({2, 2});
+  UpdateFates(GraphOf({{{{0, 0}, {1, 0}}, {}, {{1, 1}, {0, 1}}}}), kLostSupport, &fates);
+  EXPECT_EQ(fates, (SampleFates{{kDrawn, kDrawn}, {kDrawn, kDrawn}}));
+  UpdateFates(GraphOf({{{{1, 1}, {0, 0}}}}), kPrunedLink, &fates);
+  EXPECT_EQ(fates, (SampleFates{{kDrawn, kPrunedLink}, {kPrunedLink, kDrawn}}));
 }
 
-TEST(SampleLedgerTest, GrownLinksHaveNoSamples) {
-  SampleLedger ledger(SketchOfSizes({1}), GraphOf({{{{0, 0}}}}));
-  ledger.Update(GraphOf({{{{0, 0}}}, {{}, {}}}), kPrunedLink);
-  EXPECT_EQ(ledger.fates(), (SampleFates{{kDrawn}}));
+TEST(UpdateFatesTest, GrownLinksHaveNoSamples) {
+  SampleFates fates = DrawnOfSizes({1});
+  UpdateFates(GraphOf({{{{0, 0}}}, {{}, {}}}), kPrunedLink, &fates);
+  EXPECT_EQ(fates, (SampleFates{{kDrawn}}));
 }
 
 }  // namespace
