@@ -1,4 +1,5 @@
 // The main job on the whole sample scene with default options, judged against the truth.
+#include <cmath>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -80,6 +81,12 @@ TEST(Sample, DrawingAgreesWithTheTruth) {
   EXPECT_GE(result.junction_recall.value(), kMinJunctionRecall);
   EXPECT_LE(report.normalized_errors->variance.value(), kMaxVarianceFactor);
   EXPECT_GE(report.normalized_errors->variance.value(), 1 / kMaxVarianceFactor);
+}
+
+TEST(Sample, EveryPointHasAFiniteSigma) {
+  for (const DrawingLink& link : Drawing().links) {
+    for (const double sigma : link.sigma) ASSERT_TRUE(std::isfinite(sigma));
+  }
 }
 
 TEST(Sample, StraightEdgesAreLinesAndCirclesAreCircles) {
