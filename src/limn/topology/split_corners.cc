@@ -34,12 +34,16 @@ bool IsCorner(const std::vector<Eigen::Vector3d>& points, int k) {
 
 // Returns indices in descending order.
 std::vector<int> FindCorners(const std::vector<Eigen::Vector3d>& points) {
+  // How far a point sticks out.
+  const auto height_at = [&](int k) {
+    return (points[k] - 0.5 * (points[k - kArmBeginPx] + points[k + kArmBeginPx])).norm();
+  };
   std::vector<std::pair<double, int>> sharpest_first;
   for (int k = 0; k < static_cast<int>(points.size()); ++k) {
-    if (!IsCorner(points, k)) continue;
-    // Of the points around a corner, prefer the one that sticks out most.
-    const Eigen::Vector3d between = 0.5 * (points[k - kArmBeginPx] + points[k + kArmBeginPx]);
-    sharpest_first.push_back({-(points[k] - between).norm(), k});
+    // Near an end, the arms do not fit around the corner itself, only around points beside it.
+    if (!IsCorner(points, k) || height_at(k) < std::max(height_at(k - 1), height_at(k + 1)))
+      continue;
+    sharpest_first.push_back({-height_at(k), k});
   }
   std::sort(sharpest_first.begin(), sharpest_first.end());
   std::vector<int> corners;
