@@ -31,8 +31,8 @@ DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<Vie
 DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views,
                           size_t num_model_images);
 
-// The points of several files, each opened by its extension. Throws IoError, also if `paths` is
-// empty.
+// The points of several files, each opened by its extension. Precondition: at least one path.
+// Throws IoError, also if there are no points.
 DenseCloud OpenClouds(const std::vector<std::filesystem::path>& paths,
                       const std::vector<View>& views, size_t num_model_images);
 

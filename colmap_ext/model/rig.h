@@ -41,8 +41,8 @@ std::vector<Frame> ReadFramesText(std::istream& in, const std::string& path);
 // Replaces the poses of the images file by the composed ones, as COLMAP does. The two differ if a
 // tool edited only the images file: a warning counts the images whose pose changed by more than
 // 1e-6 (rad, or relative to the distances). Images in no frame, of an unknown rig or of a camera
-// without a pose in its rig keep their pose; they and images in two frames (the first wins) are
-// counted in another warning.
+// without a pose in its rig keep their pose, which is counted in a warning, as are images in two
+// frames (the first wins).
 void ApplyRigs(const std::vector<Rig>& rigs, const std::vector<Frame>& frames, SparseModel* model);
 
 }  // namespace limn::colmap_ext
