@@ -7,9 +7,9 @@
 namespace limn {
 
 // The fields of every options struct, in order: visit(name, field, help). `field` is a reference to
-// a double, int, bool or std::string, `help` an OptionHelp or its text. The one list that command
-// line, ini files, cache keys and provenance are made from. Nested structs are groups of their own:
-// see VisitGroups.
+// a double, int, bool or std::string, `help` an OptionHelp or its text. The only list of options:
+// command line, ini files, cache keys and provenance are made from it. Nested structs are groups of
+// their own: see VisitGroups.
 
 template <typename Visit>
 void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
@@ -103,7 +103,7 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
         "original mode: support of the best match over that of the next");
 }
 
-// In the group of the drawing, which they belong to for a user.
+// Part of the group Drawing for users.
 template <typename Visit>
 void VisitFields(TopologyOptions& o, Visit&& visit) {
   visit("primary_views_share", o.primary_views_share,
