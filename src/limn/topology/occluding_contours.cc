@@ -10,7 +10,8 @@
 namespace limn {
 namespace {
 
-// At most this many points of a link are tested.
+// The thresholds were chosen on midday, mixed light, vase and day. At most this many points of a
+// link are tested.
 constexpr int kMaxProbes = 60;
 // Support is narrow if its viewing directions span less than this share of the span of all views.
 constexpr double kNarrowShare = 0.5;
