@@ -3,11 +3,11 @@
   blender --python scripts/blender_clean_truth.py -- --curves truth.ply --model sparse/0 --images images \
       --export clean.ply
 
-makes one mesh of edges, "truth", and a camera for every image of the COLMAP model (text or binary, pinhole:
+Creates a mesh of edges, "truth", and a camera for every image of the COLMAP model (text or binary, pinhole:
 undistort others first) with its photograph behind the scene. Frame 1, 2, ... of the timeline looks through the
 first, second, ... camera (0 on the number pad). In edit mode delete, add and move what is wrong; then
 File > Export > Limn curves (.ply), or --background to export at once. All edges of all visible mesh objects are
-written. Vertices that were not moved keep their coordinates to the last bit.
+written. Vertices that were not moved keep their exact coordinates.
 """
 
 import argparse

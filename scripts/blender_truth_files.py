@@ -1,4 +1,4 @@
-"""COLMAP models, Blender's cameras and PLY curves for blender_clean_truth.py. Needs Python alone.
+"""COLMAP models, Blender's cameras and PLY curves for blender_clean_truth.py. Needs Python only.
 
 A pixel of COLMAP covers [x, x + 1) and so does Blender's: a photograph fills the frame of its camera and no half
 pixel is added.

@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
-"""Check that every header compiles alone: a file that includes nothing else must compile.
+"""Check that every header compiles in a file that includes nothing else.
 
     scripts/check_headers.py build/release
 
-Each header of src/limn and colmap_ext is compiled with -fsyntax-only and the flags of its folder, as
-compile_commands.json of the build folder has them. A header whose own source file is not part of the
-build (STEP files without OpenCASCADE) is left out.
+Each header of src/limn and colmap_ext is compiled with -fsyntax-only and the flags of its folder from
+compile_commands.json of the build folder. Headers whose source file is not part of the build (STEP files
+without OpenCASCADE) are skipped.
 
-Most of the time would go into Eigen. It is precompiled, and used only for headers that include it
+Eigen would take most of the time. It is precompiled, and used only for headers that include it
 themselves or through another header of the project, so that it hides no missing include. The
 standard library and the project's own precompiled headers are never used.
 
 A header that passed is not compiled again until it, a header that it includes, the flags or the compiler
-change; headers/passed.json in the build folder keeps what passed.
+change; headers/passed.json in the build folder records those that passed.
 """
 
 import hashlib

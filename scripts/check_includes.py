@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Check the layer rule: an include points down or to its own module, never up or sideways.
+"""Check the layer rule: a module includes lower layers and itself only.
 
 The layers of src/limn are those of src/README.md, the layers of colmap_ext those of
 colmap_ext/README.md. Every module must have a layer here, and the order of the CMakeLists.txt
 beside the modules must follow the layers.
-Third-party libraries stay where the table at the end allows them.
+Third-party libraries are used only where the table at the end allows it.
 """
 
 import re
 import sys
 from pathlib import Path
 
-# Modules of one layer do not see each other.
+# Modules of one layer must not include each other.
 LIMN_LAYERS = [
     ["util"],
     ["geometry"],

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Build, then time the main job beside COLMAP's feature_extractor and exhaustive_matcher (CPU) on the same images.
+# Build, then time the main job and COLMAP's feature_extractor and exhaustive_matcher (CPU) on the same images.
 #
 #   scripts/compare_colmap.sh WORKSPACE [runs]
 set -euo pipefail

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Builds two commits beside each other (build/compare/<commit>) and measures them in alternation on this machine.
+# Builds two commits (in build/compare/<commit>) and measures them alternately on this machine.
 #
 #   scripts/compare_commits.sh A B [--repeat 3] [--sets sample-day,vase]         stage_report of both
 #   scripts/compare_commits.sh A B [--repeat 3] --workspace FOLDER               limn automatic_drawer of both: for
 #                                                                   commits that have no stage_report yet
 #   scripts/compare_commits.sh A B [--repeat 3] --target T -- COMMAND ...        any command, measured as a whole;
-#                                     {build} is the build folder, {new} a fresh folder, T what has to be built
+#                                     {build} is the build folder, {new} a fresh folder, T the target to build
 #
 # Prints the table of scripts/bench/compare_reports.py; the reports stay in build/compare/A..B.
 set -euo pipefail
@@ -37,7 +37,7 @@ if [[ -n $workspace ]]; then
 fi
 [[ -n $target || ${#command[@]} == 0 ]] || usage
 
-# The folder of a commit, with a work tree of it that is kept for the next comparison.
+# The folder of a commit with its work tree, kept for later comparisons.
 tree_of() {
   local tree=$root/build/compare/$1
   [[ -d $tree ]] || git worktree add --detach "$tree" "$1" >&2
@@ -45,7 +45,7 @@ tree_of() {
 }
 
 build() {
-  # Built as scripts/test.sh does, so that ccache has most of it.
+  # Built like in scripts/test.sh, so that ccache has most of it.
   (cd "$1" && cmake --preset release -DLIMN_WARNINGS_AS_ERRORS=ON) >"$1/configure.log"
   nice cmake --build "$1/build/release" --target "${target:-stage_report}" >"$1/build.log" || {
     tail -20 "$1/build.log" >&2
@@ -78,7 +78,7 @@ out=build/compare/${hashes[0]}..${hashes[1]}
 rm -rf "$out"
 mkdir -p "$out"
 for ((i = 1; i <= repeat; ++i)); do
-  # Who goes first changes, so that a machine that warms up or slows down favors none.
+  # Alternates the order, so that a machine that warms up or slows down favors neither.
   order=(0 1)
   ((i % 2)) || order=(1 0)
   for side in "${order[@]}"; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Format all C++ sources, and the JavaScript of the viewer where a build has installed prettier. With --check:
-# change nothing, fail if something would change.
+# Format all C++ sources, and the viewer's JavaScript if a build has installed prettier. With --check: change
+# nothing, fail if something would change.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

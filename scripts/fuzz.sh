@@ -2,8 +2,8 @@
 # Build the fuzzers of all readers (clang with libFuzzer and sanitizers: packages clang and libclang-rt-14-dev)
 # into build/fuzz and run each for some seconds:
 #   scripts/fuzz.sh [seconds per target = 60] [targets ...]
-# Inputs that a reader crashes on, hangs on or takes too much memory for go to build/fuzz/findings, and the
-# script ends with 1. What was learned about the formats stays in build/fuzz/corpus.
+# Inputs that make a reader crash, hang or use too much memory are stored in build/fuzz/findings, and the exit code
+# is 1. The grown corpus stays in build/fuzz/corpus.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,14 +17,14 @@ cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz
 findings=build/fuzz/findings
 mkdir -p "$findings"
-# What the address sanitizer holds back counts as resident memory.
+# The address sanitizer's quarantine counts as resident memory.
 export ASAN_OPTIONS=quarantine_size_mb=32
 
 # run <target> <arguments ...>
 run() {
   "build/fuzz/tests/fuzz/fuzz_$1" -max_len=20000 -rss_limit_mb=512 -malloc_limit_mb=256 -timeout=5 "${@:2}"
 }
-# Whether an input of the target still fails: on a busy machine five seconds of the clock are easily lost.
+# Whether an input still fails: on a busy machine five seconds of wall time pass easily.
 still_fails() {
   for input in "$findings/$1"-*; do
     [[ -e $input ]] || continue

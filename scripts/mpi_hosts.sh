@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The main job by MPI on several hosts, shown on one machine: a host is a network namespace with a name and an address
-# of its own and one rank; what ranks say to each other goes over TCP through a switch. Draws the sample scene:
+# Demonstrates the main job by MPI on several hosts, on one machine: a host is a network namespace with its own name and
+# address and one rank; ranks communicate over TCP through a switch. Draws the sample scene:
 #
 #   scripts/mpi_hosts.sh [hosts, 2] [options of automatic_drawer]
 #
-# tells whether the results are the bytes of one process, and how many bytes crossed the wires, and ends with 1 if the
-# results differ. Needs root, iproute2, openmpi-bin and build/release/limn. The hosts are gone when it ends; results are
-# in build/mpi_hosts.
+# Prints whether the results are the same bytes as those of one process and the volume of network traffic; exit code 1 if
+# they differ. Needs root, iproute2, openmpi-bin and build/release/limn. The hosts are removed at the end; results are in
+# build/mpi_hosts.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -59,7 +59,7 @@ run_on_hosts() {
   OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "$agent" "${names[0]}" "mpirun $arguments"
 }
 
-# By all hosts together, headers included.
+# Of all hosts together, including headers.
 bytes_sent() {
   local sum=0
   for name in "${names[@]}"; do

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Check that the tests notice small mutations of the core.
+"""Check that the tests detect small mutations of the core.
 
 The mutations are in scripts/mutations.txt, a block of lines each:
 
@@ -9,8 +9,8 @@ The mutations are in scripts/mutations.txt, a block of lines each:
     new   text that replaces it, may be empty
     test  program filter
 
-A file is named by the end of its path under src/, its name alone if that is unique, so that files may move. White
-space in `old` matches any white space. The filter is GoogleTest's; without one all tests of the program are run.
+A file is given by the end of its path under src/, only its name if that is unique, so that files may move. White
+space in `old` matches any white space. The filter is GoogleTest's; without one all tests of the program run.
 
 The tests must pass without mutations, and every mutant must compile. A test that fails, crashes or takes longer than
 --timeout kills the mutant.

@@ -1,6 +1,6 @@
 # cmake -DNPM=<npm> -DSOURCE_DIR=<with package.json and its lock> -DBUILD_DIR=<where node_modules goes>
 #       -P npm_packages.cmake
-# What npm's cache holds is not fetched again, so that a build without network works after one with it.
+# Packages in npm's cache are not fetched again, so that later builds work without a network.
 file(MAKE_DIRECTORY ${BUILD_DIR})
 file(COPY ${SOURCE_DIR}/package.json ${SOURCE_DIR}/package-lock.json DESTINATION ${BUILD_DIR})
 execute_process(

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Draw the curves of precision and recall of a quality report.
+"""Plot the precision-recall curves of a quality report.
 
     scripts/plot_quality.py build/quality/report.json [output folder]
 
 One PNG per plot name of the report's data sets (fixed and mixed light of the pavilion share one):
 a column per tau, a row per box. Each method is a line through its swept thresholds; the big mark
-is what it gives with default options. Needs Debian's python3-matplotlib.
+is the result with default options. Needs Debian's python3-matplotlib.
 """
 
 import json

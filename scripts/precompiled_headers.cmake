@@ -1,13 +1,13 @@
-# Headers of the standard library, Eigen, nlohmann/json and GoogleTest, read once for all targets with the same
-# flags. None of ours is among them: a change would compile everything anew. Sources include what they use
-# all the same: a build without precompiled headers (LIMN_PRECOMPILED_HEADERS=OFF, sanitizers, clang) must work.
+# Headers of the standard library, Eigen, nlohmann/json and GoogleTest, compiled once for all targets with the same
+# flags. Our own headers are not among them, since a change would recompile everything. Sources still include
+# what they use: a build without precompiled headers (LIMN_PRECOMPILED_HEADERS=OFF, sanitizers, clang) must work.
 set(compiler_precompiles OFF)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT LIMN_SANITIZE)
   set(compiler_precompiles ON)
 endif()
 option(LIMN_PRECOMPILED_HEADERS "Precompile the headers that most files include" ${compiler_precompiles})
 
-# ccache and GCC: what is precompiled counts by its content.
+# ccache and GCC: identify precompiled headers by content.
 if(LIMN_PRECOMPILED_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-fpch-preprocess)
 endif()

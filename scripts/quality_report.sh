@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Install, build, measure all data sets that are present, draw the curves of precision and recall. Results: build/quality.
+# Install, build, measure all available data sets, plot precision-recall curves. Results: build/quality.
 # Arguments go to quality_report: `scripts/quality_report.sh --quick 1 --sets sample-day,vase`.
 set -euo pipefail
 cd "$(dirname "$0")/.."

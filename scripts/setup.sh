@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Install what Limn is built from and tested with (Debian 12), and the packages named as arguments. Does nothing
-# when all is there.
+# Install the packages for building and testing Limn (Debian 12), and those given as arguments. Does nothing if all
+# are installed.
 set -euo pipefail
 
 packages=(
@@ -12,8 +12,7 @@ packages=(
   "$@"
 )
 
-# The viewer's page is bundled with node 18 or newer and npm; where they come from elsewhere, Debian's are not
-# needed.
+# The viewer's page is bundled with node 18 or newer and npm. Debian's are installed only if there are no others.
 command -v node >/dev/null || packages+=(nodejs)
 command -v npm >/dev/null || packages+=(npm)
 
@@ -30,8 +29,8 @@ echo "Installing: ${missing[*]}"
 as_root=()
 ((EUID == 0)) || as_root=(sudo)
 
-# apt_get <arguments>: waits up to ten minutes for others that install. Its option does so for dpkg's lock only, not
-# for that of the package lists.
+# apt_get <arguments>: waits up to ten minutes for other installations. apt's own option waits only for dpkg's lock,
+# not for that of the package lists.
 apt_get() {
   local log status deadline=$((SECONDS + 600))
   log=$(mktemp)

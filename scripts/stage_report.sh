@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Install, build, measure time, memory and accuracy of every stage on the data sets that are present.
+# Install, build, measure time, memory and accuracy of every stage on all available data sets.
 # Results: build/stages. Arguments go to stage_report: `scripts/stage_report.sh --repeat 3 --sets sample-day,vase`.
 set -euo pipefail
 cd "$(dirname "$0")/.."

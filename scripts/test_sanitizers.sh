@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Build with the address and undefined-behavior sanitizers, into build/asan, and run tests:
 #   scripts/test_sanitizers.sh [test programs ...]
-# all but the slow ones, unless named.
+# All except the slow ones by default.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# Leaks of libraries that are not to be reported, and why.
+# Suppressed leaks of libraries, with reasons.
 export LSAN_OPTIONS="suppressions=$PWD/tests/lsan_suppressions.txt"
 cmake --preset asan
 if (($# == 0)); then

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Build the tests of what runs in parallel with the thread sanitizer, into build/tsan, and run them:
+# Build the tests of parallel code with the thread sanitizer, into build/tsan, and run them:
 #   scripts/test_threads.sh [test programs ...]
-# What is not to be reported, and why, is in tests/tsan_suppressions.txt.
+# Suppressions, with reasons, are in tests/tsan_suppressions.txt.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,7 +13,7 @@ fi
 cmake --preset tsan >/dev/null
 cmake --build --preset tsan --target "${tests[@]}"
 
-# Suppressions are found by the older of two accesses too, and need its stack: a long history.
+# Suppressions may match the stack of the older access, which needs a long history.
 export TSAN_OPTIONS="suppressions=$PWD/tests/tsan_suppressions.txt halt_on_error=1 history_size=7"
 # Minutes by itself; FindsMostOfTheCube runs the same loops.
 export GTEST_FILTER=-OriginalSketchTest.CurvesAreSound

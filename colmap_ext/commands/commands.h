@@ -3,8 +3,8 @@
 namespace limn::colmap_ext {
 
 // One function per command: declare options, parse, read, call, write. `argv` begins with the name
-// of the command. They return the exit code and throw what main.cc turns into one line and exit
-// code 1.
+// of the command. Returns the exit code. Exceptions are turned into one line and exit code 1 by
+// main.cc.
 int RunAutomaticDrawer(int argc, const char* const* argv);
 int RunCurveDrawer(int argc, const char* const* argv);
 int RunCurveLinker(int argc, const char* const* argv);

@@ -10,7 +10,7 @@
 
 namespace limn::colmap_ext {
 
-// A cloud on disk, read anew at every call of `points`.
+// A cloud on disk, read again at every call of `points`.
 struct DenseCloud {
   uint64_t num_points = 0;
   bool has_normals = false;
@@ -18,22 +18,21 @@ struct DenseCloud {
   DensePointStream points;
 };
 
-// fused.ply or any other PLY cloud, with <path>.vis if it is there: the views that see each point,
-// by the order of the model's images. `num_model_images` is the number of images in the model.
-// Throws IoError here or from `points`: not readable, another number of points in .vis than in the
-// cloud, bytes after them, an image number that the model does not have.
+// fused.ply or any other PLY cloud, with <path>.vis if it exists: the views that see each point, as
+// indices into the model's images, of which there are `num_model_images`. Throws IoError here or
+// from `points`: unreadable file, .vis with a different number of points or trailing bytes, an
+// image number that the model does not have.
 DenseCloud OpenPlyCloud(const std::filesystem::path& path, const std::vector<View>& views,
                         size_t num_model_images);
 
-// PMVS's patches. Images that are not among the views are left out. Colors are those of the .ply
-// file of the same name beside it, as PMVS writes it, or gray without one.
-// Throws IoError, also for image numbers that neither the list of images nor, without one, the
-// model has.
+// PMVS's patches. Images that are not among the views are ignored. Colors are those of the .ply
+// file of the same name that PMVS writes beside it, or gray without one. Throws IoError, also for
+// image numbers outside the list of images or, without a list, outside the model.
 DenseCloud OpenPatchCloud(const std::filesystem::path& path, const std::vector<View>& views,
                           size_t num_model_images);
 
-// All points of several files, each by its extension; at least one. Throws IoError, also when there
-// are none.
+// The points of several files, each opened by its extension. Precondition: at least one path.
+// Throws IoError, also if there are no points.
 DenseCloud OpenClouds(const std::vector<std::filesystem::path>& paths,
                       const std::vector<View>& views, size_t num_model_images);
 

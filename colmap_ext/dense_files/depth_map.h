@@ -8,9 +8,9 @@
 
 namespace limn::colmap_ext {
 
-// COLMAP's .bin arrays: depth maps (1 channel: depth along the optical axis, <= 0 = unknown) and
-// normal maps (3 channels: unit normal in the camera frame). May be smaller than the image. COLMAP
-// relates them to 3D by K^-1 (column, row, 1) with the unshifted K of its own convention.
+// A .bin array of COLMAP: a depth map (1 channel: depth along the optical axis, <= 0 = unknown) or
+// a normal map (3 channels: unit normal in the camera frame). May be smaller than the image.
+// COLMAP's ray of a pixel is K^-1 (column, row, 1), without a shift by half a pixel.
 struct FloatMap {
   int width = 0;
   int height = 0;
@@ -22,16 +22,16 @@ struct FloatMap {
   }
 };
 
-// "W&H&C&" in ASCII, then little-endian floats. The streams must be seekable. Throw IoError: bad
-// header, sides above 10^6, data short or too long.
+// "W&H&C&" in ASCII, then little-endian floats. The streams must be seekable. Throws IoError: bad
+// header, sides above 10^6, too few or too many data.
 FloatMap ReadFloatMap(std::istream& in, const std::string& path);
 FloatMap ReadFloatMap(const std::filesystem::path& path);
 
-// Throws IoError if it cannot be written.
+// Throws IoError if the file cannot be written.
 void WriteFloatMap(const FloatMap& map, std::ostream& out);
 void WriteFloatMap(const FloatMap& map, const std::filesystem::path& path);
 
-// The two kinds of the dense stage; throw IoError unless the file has 1 or 3 channels.
+// Throw IoError unless the file has 1 channel, or 3 channels.
 FloatMap ReadDepthMap(const std::filesystem::path& path);
 FloatMap ReadNormalMap(const std::filesystem::path& path);
 

@@ -11,19 +11,19 @@
 
 namespace limn::colmap_ext {
 
-// Depth maps of a folder stereo/ with the normal maps beside them: the geometric ones, else the
-// photometric ones. A view without a map knows no depths. The source throws IoError for maps that
-// are damaged or of another shape than their view.
+// Depth maps of a folder stereo/ with their normal maps: the geometric ones, else the photometric
+// ones. All depths of a view without a map are unknown. The source throws IoError for maps that are
+// damaged or whose aspect is not that of their view.
 DepthSource DepthMapSource(const std::filesystem::path& stereo_dir, const std::vector<View>& views);
 
-// Number of views that have a depth map there.
+// Number of views with a depth map in that folder.
 size_t CountDepthMaps(const std::filesystem::path& stereo_dir, const std::vector<View>& views);
 
-// Depths that the views see of a cloud (SplatPoints), made for several views at a time; to be asked
-// in ascending order.
+// Depths of a cloud (SplatPoints), made for several views at a time; views must be requested in
+// ascending order.
 DepthSource CloudDepthSource(DensePointStream points, const std::vector<View>& views);
 
-// Depths of a mesh (RenderDepth), at one depth pixel per pixel.
+// Depths of a mesh (RenderDepth), one depth pixel per pixel.
 DepthSource MeshDepthSource(TriangleMesh mesh, const std::vector<View>& views);
 
 }  // namespace limn::colmap_ext

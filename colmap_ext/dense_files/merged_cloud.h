@@ -16,17 +16,16 @@ struct CloudPoint {
   std::vector<ViewId> views;
 };
 
-// What meshers are given of the curves: every sample once for each of the faces beside it that are
-// known, with that face's normal. Samples without a known face are left out: they would tell a
-// mesher of a surface that is not there. (More points to the sides, on the faces, made the sample
-// scene's mesh worse.)
+// The points of the curves for meshers: every sample once for each known face beside it, with that
+// face's normal. Samples without a known face are left out, since a mesher would put a surface
+// there. (More points on the faces to the sides made the sample scene's mesh worse.)
 std::vector<CloudPoint> PointsForMeshing(const std::vector<CurvePoint>& points);
 
-// A folder for COLMAP's meshers: fused-with-curves.ply, the points of `fused` followed by those of
-// the curves, in COLMAP's own format, and fused-with-curves.ply.vis, if `fused` has one, in the
-// order of the model's images. So that it is a workspace of delaunay_mesher too, fused.ply and
-// fused.ply.vis are links to these two, and sparse/ to that of the model (copies where the file
-// system has no links). Existing files of these names are replaced; nothing else is touched. Throws
+// Writes a folder for COLMAP's meshers: fused-with-curves.ply, the points of `fused` followed by
+// those of the curves, in COLMAP's own format, and fused-with-curves.ply.vis, if `fused` has one,
+// in the order of the model's images. fused.ply, fused.ply.vis and sparse/ link to these two and to
+// the model (copies where the file system has no links), so that the folder is also a workspace for
+// delaunay_mesher. Existing files of these names are replaced; nothing else is touched. Throws
 // IoError.
 void WriteMeshingFolder(const std::filesystem::path& folder, const std::filesystem::path& fused,
                         const std::filesystem::path& model_dir,

@@ -9,9 +9,9 @@
 
 namespace limn::colmap_ext {
 
-// For PMVS's tools: <base>.patch, one oriented patch per sample of the curves with the images that
-// see it (see PmvsNumbers), after those of the `files`, if these are .patch files; and
-// <base>.ply, all points of these files, open as `cloud`, and the curves in PMVS's own PLY format.
+// Writes, for PMVS's tools: <base>.patch, the patches of `files` if these are .patch files, then
+// one oriented patch per sample of the curves with the images that see it (see PmvsNumbers); and
+// <base>.ply, all points of these files (opened as `cloud`) and of the curves in PMVS's PLY format.
 // Throws IoError.
 void WritePmvsWithCurves(const std::filesystem::path& base,
                          const std::vector<std::filesystem::path>& files, const DenseCloud& cloud,

@@ -8,9 +8,9 @@
 
 namespace limn::colmap_ext {
 
-// The model with samples of the curves as 3D points: each has a track over the views that see it,
-// at least two, with a new 2D point at its reprojection in every one of them. Neighboring samples
-// of a link are `every` samples apart.
+// Adds samples of the curves to the model as 3D points, every `every`-th sample of a link. Each has
+// a track over the views that see it, at least two, with a new 2D point at its reprojection in each
+// of them.
 SparseModel AddCurvePoints(SparseModel model, const std::vector<CurvePoint>& points,
                            const std::vector<View>& views, int every);
 

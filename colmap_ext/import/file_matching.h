@@ -8,24 +8,24 @@
 
 namespace limn::colmap_ext {
 
-// Which image each of several camera files belongs to.
+// The image that each camera file belongs to.
 struct FileMatches {
-  // Per file the name of its image, to be given to ImageFolder::Find; an empty string if there is
-  // none and missing images are skipped.
+  // Per file the name of its image, for ImageFolder::Find; empty if it has none and missing images
+  // are skipped.
   std::vector<std::string> names;
-  // The rule that was used, in words.
+  // The rule that was used, for the user.
   std::string note;
 };
 
-// Match camera files, one per image and in natural order, to the images of input.images. The rule
-// is the first of these that applies:
-//   list     a list of images is given: its k-th line is the image of the k-th file
-//   name     some file has an image of its name (without extensions): so must all
-//   number   some file has an image with the same last number in its name (001.projmatrix and
+// Matches camera files, one per image and in natural order, to the images of input.images, by the
+// first of these rules that applies:
+//   list     a list of images is given: line k names the image of file k
+//   name     some file and some image have the same name without extension: then all must
+//   number   some file and some image have the same last number in their names (001.projmatrix and
 //            midday-640x-0001.png); no number may occur twice on either side
-//   order    there are as many images as files: the k-th goes with the k-th, both in natural order
-// Images without a file are left out. Throws IoError if no rule applies or a file finds no image;
-// a file without an image is left out if missing images are to be skipped.
+//   order    there are as many images as files: file k goes with image k, both in natural order
+// Images without a file are ignored. Throws IoError if no rule applies, or if a file has no image
+// and missing images are not skipped.
 FileMatches MatchFilesToImages(const std::vector<std::filesystem::path>& files,
                                const ImportInput& input);
 

@@ -7,9 +7,9 @@
 
 namespace limn::colmap_ext {
 
-// One row of the table of formats that cameras are imported from.
+// An entry of the table of camera formats that can be imported.
 struct ImportFormat {
-  const char* name;  // of --input_type
+  const char* name;  // value of --input_type
   PixelCenters pixel_centers;
   bool (*recognize)(const std::filesystem::path& path);
   ImportedScene (*read)(const ImportInput& input);
@@ -17,10 +17,10 @@ struct ImportFormat {
 
 const std::vector<ImportFormat>& ImportFormats();
 
-// The format of this name; null if there is none.
+// Null if there is no format of this name.
 const ImportFormat* FindImportFormat(const std::string& name);
 
-// The only format that recognizes the path. Throws IoError if none does, or several.
+// The one format that recognizes the path. Throws IoError if none or several do.
 const ImportFormat& RecognizeFormat(const std::filesystem::path& path);
 
 }  // namespace limn::colmap_ext

@@ -10,17 +10,17 @@
 
 namespace limn::colmap_ext {
 
-// An image of the image folder.
+// An image in the image folder.
 struct FoundImage {
   std::string name;  // relative to the image folder, '/' between folders, as in a COLMAP model
   ImageSize size;
 };
 
-// The folder of the images that cameras are read for.
+// The folder with the images of the imported cameras.
 class ImageFolder {
  public:
-  // With `skip_missing` images that are not there are left out instead of being an error. Throws
-  // IoError if there is no such folder.
+  // With `skip_missing`, images that do not exist are skipped instead of being an error. Throws
+  // IoError if the folder does not exist.
   ImageFolder(std::filesystem::path path, bool skip_missing);
 
   const std::filesystem::path& path() const { return path_; }
@@ -29,16 +29,16 @@ class ImageFolder {
   // The names of the image files directly in the folder, sorted.
   std::vector<std::string> Names() const;
 
-  // The image that a file of cameras means by `name`; the first that exists of
+  // The image that a camera file calls `name`: the first that exists of
   //   name          in the image folder
   //   name          relative to `base`, if that leads into the image folder
   //   file name     (without folders, either slash) in the image folder
-  // Throws IoError via `place` if there is none, and IoError if its size cannot be read. Nothing if
-  // it is missing and missing images are skipped; they are kept count of.
+  // Throws IoError via `place` if there is none, and IoError if its size cannot be read. Returns
+  // nothing, and records the name, if it is missing and missing images are skipped.
   std::optional<FoundImage> Find(const std::string& name, const std::filesystem::path& base,
                                  const FilePlace& place);
 
-  // Names that were looked for in vain.
+  // Names of images that were not found.
   const std::vector<std::string>& missing() const { return missing_; }
 
  private:

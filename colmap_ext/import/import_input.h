@@ -9,36 +9,36 @@
 
 namespace limn::colmap_ext {
 
-// What every reader is given.
+// The input of every reader.
 struct ImportInput {
-  // A file of the format, or a folder that holds one.
+  // A file of the format, or a folder that contains one.
   std::filesystem::path path;
   ImageFolder* images = nullptr;
   // Text file with one image name per line, in the order of the cameras. Empty = not given. Only
   // formats that do not name their images read it.
   std::string list_path;
-  // Which of several models a file holds; -1 = the one with most images.
+  // Index of the model in a file with several; -1 = the one with the most images.
   int model_index = -1;
 };
 
-// The regular files of a folder whose names end like this, in natural order (a2 before a10). No
-// folder: none.
+// The regular files in a folder whose names end with `end`, in natural order (a2 before a10). Empty
+// if there is no such folder.
 std::vector<std::filesystem::path> FilesEndingWith(const std::filesystem::path& folder,
                                                    const std::string& end);
 
 // `path` if it is a file, else the only file of the folder whose name ends with one of `ends`.
-// Throws IoError if there is none, or several, which are named.
+// Throws IoError if there is none, or if there are several, with their names.
 std::filesystem::path TheFile(const std::filesystem::path& path,
                               const std::vector<std::string>& ends);
 
 // Whether `path` is a file whose name ends with one of `ends`, or a folder that holds one.
 bool HoldsFile(const std::filesystem::path& path, const std::vector<std::string>& ends);
 
-// Whether the text at the start of a file is this, after white space. False if it cannot be read.
+// Whether a file begins with this text, after white space. False if it cannot be read.
 bool BeginsWith(const std::filesystem::path& file, const std::string& text);
 
 // The names in a list of images: one per line, blank lines left out; the two numbers that Bundler
-// may write after a name are no part of it. Throws IoError.
+// may write after a name are dropped. Throws IoError.
 std::vector<std::string> ReadImageList(const std::string& path);
 
 // a2 before a10: runs of digits compare as numbers.

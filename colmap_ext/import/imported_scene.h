@@ -9,48 +9,47 @@
 
 namespace limn::colmap_ext {
 
-// Where a format has the centers of pixels.
+// Where a format places pixel centers.
 enum class PixelCenters {
   kInteger,  // the center of the top-left pixel is (0, 0): half a pixel is added for COLMAP
   kHalf,     // it is (0.5, 0.5), as in COLMAP
 };
 
-// A camera as a reader found it.
+// An image with its camera, as read.
 struct ImportedImage {
   std::string name;  // relative to the image folder
-  // Without an id. Its principal point is in the pixels of the format, origin at the top left.
+  // Has no id. The principal point is in the pixels of the format, origin at the top left.
   Camera camera;
   Rigid3d cam_from_world;
-  // In the same pixels.
+  // In the pixels of the format.
   std::vector<Observation> observations;
-  // Where it was found, for messages.
+  // Where in the file it was found, for messages.
   std::string path;
   const char* unit = "line";
   uint64_t number = 1;
 };
 
-// What a file of another program holds, in COLMAP's axes (x right, y down, z forward).
+// The content of another program's file, in COLMAP's axes (x right, y down, z forward).
 struct ImportedScene {
   std::vector<ImportedImage> images;
   // Tracks refer to images by index + 1.
   std::vector<ModelPoint> points;
-  // What the user should know: which file was read, how images were matched, what was left out.
+  // For the user: which file was read, how images were matched, what was skipped.
   std::vector<std::string> notes;
 };
 
-// Give a scene its points. Precondition: they are of its images.
+// Sets the points of a scene. Precondition: their tracks refer to its images.
 void SetPoints(TrackedPoints tracked, ImportedScene* scene);
 
 struct SparseModelOptions {
   PixelCenters pixel_centers = PixelCenters::kHalf;
-  // Images of one size share a camera, that of the first of them, if this moves no pixel by more
-  // (pinhole part), pixels; and if their distortions agree to 1e-10.
+  // Images of the same size share the camera of the first of them if that moves no pixel by more
+  // than this (pinhole part), and if their distortion parameters agree to 1e-10.
   double share_cameras_px = 1e-7;
 };
 
-// The model of a scene; image ids count from 1. Throws IoError with the place of the
-// image for what ReadModel would refuse, too: names that occur twice, focal lengths that are not
-// positive, anything not finite.
+// The model of a scene; image ids start at 1. Throws IoError with the place of the image for what
+// ReadModel rejects, too: duplicate names, focal lengths that are not positive, non-finite numbers.
 SparseModel ToSparseModel(ImportedScene scene, const SparseModelOptions& options);
 
 }  // namespace limn::colmap_ext

@@ -10,12 +10,12 @@ namespace limn::colmap_ext {
 //
 // Pixel centers: integer coordinates, as in VXL.
 
-// Whether the folder has *.extrinsic.
+// Whether the folder has *.extrinsic files.
 bool HoldsIntrinsicExtrinsic(const std::filesystem::path& path);
 
-// Throws IoError with file and line: wrong number of numbers, K that is no calibration, R that is
-// no rotation, no image for a file (see MatchFilesToImages), and for frames with a file .origin or
-// .scale (cropped and scaled images), which are not read.
+// Throws IoError with file and line: wrong count of numbers, K that is not a calibration, R that is
+// not a rotation, no image for a file (see MatchFilesToImages), a frame with a .origin or .scale
+// file (cropped and scaled images are not supported).
 ImportedScene ReadIntrinsicExtrinsic(const ImportInput& input);
 
 }  // namespace limn::colmap_ext

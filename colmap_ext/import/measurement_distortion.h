@@ -7,7 +7,7 @@ namespace limn::colmap_ext {
 
 // VisualSFM's lens, p = m (1 + r |m|^2), goes from the measured position m to the pinhole's p (both
 // over the focal length, from the principal point); COLMAP's lenses go the other way. The inverse,
-// m as a function of p, is no polynomial, but the radial part of COLMAP's FULL_OPENCV,
+// m as a function of p, is not a polynomial, but the radial part of COLMAP's FULL_OPENCV,
 //   m = p (1 + k1 u + k2 u^2 + k3 u^3) / (1 + k4 u + k5 u^2 + k6 u^3)   with u = |p|^2,
 // fits it closely over an image.
 
@@ -18,7 +18,7 @@ struct InvertedDistortion {
   double max_error = 0;
 };
 
-// Fitted by least squares for |m| <= max_radius. Nothing if the lens folds over within that.
+// Fitted by least squares for |m| <= max_radius. Nothing if the lens folds within that radius.
 std::optional<InvertedDistortion> InvertMeasurementDistortion(double r, double max_radius);
 
 }  // namespace limn::colmap_ext

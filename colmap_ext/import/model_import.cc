@@ -61,7 +61,7 @@ void ImporterOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("skip_missing_images", &skip_missing_images,
                     BasicOption("leave out cameras without an image"));
   parser->AddOption("model_index", &model_index,
-                    "which model of an nvm file; -1 = the one with most images");
+                    "which model of an nvm file; -1 = the one with the most images");
 }
 
 void ImporterOptions::Check() const {

@@ -26,8 +26,8 @@ struct ImporterOptions {
   void Check() const;
 };
 
-// Reads cameras in the format that was named, or that the path shows, and writes what the user
-// should know of them to `notes`, a line each. Throws IoError.
+// Reads cameras in the given format, or in the one recognized from the path. Writes what the user
+// should know to `notes`, one line each. Throws IoError.
 SparseModel ImportModel(const ImporterOptions& options, std::ostream& notes);
 
 }  // namespace limn::colmap_ext

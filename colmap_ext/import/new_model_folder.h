@@ -8,12 +8,12 @@ namespace limn::colmap_ext {
 
 enum class ModelFlavor { kBinary, kText };
 
-// Throws IoError unless there is no such folder yet, or an empty one.
+// Throws IoError if the folder exists and is not empty.
 void CheckNewModelFolder(const std::filesystem::path& folder);
 
-// Write cameras, images and points3D into a folder that must be new or empty (checked). All three
-// files appear together or none: they are written to "<folder>.tmp", which is then renamed. Missing
-// parent folders are made. Throws IoError; then nothing is left but parent folders.
+// Writes cameras, images and points3D into a folder that must be new or empty (checked). The three
+// files appear together or not at all: they are written to "<folder>.tmp", which is then renamed.
+// Missing parent folders are created. Throws IoError; then only parent folders are left behind.
 void WriteNewModel(const SparseModel& model, const std::filesystem::path& folder,
                    ModelFlavor flavor);
 

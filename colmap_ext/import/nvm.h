@@ -5,24 +5,24 @@
 namespace limn::colmap_ext {
 
 // A VisualSFM file, NVM_V3: cameras (name, focal length, quaternion w x y z, camera center, radial
-// distortion, 0) and points with their measurements. Of several models in a file the one with most
-// images is read, or number model_index. Double quotes in names stand for blanks.
+// distortion, 0) and points with their measurements. If a file has several models, the one with the
+// most images is read, or number model_index. Double quotes in names stand for spaces.
 //
-// The principal point is the center of the image. VisualSFM has its measurements relative to it;
-// COLMAP's exporter writes them from the corner of the image. A file without any negative one is
-// taken for the latter, which is said.
+// The principal point is the center of the image. VisualSFM's measurements are relative to it;
+// COLMAP's exporter writes them relative to the corner of the image. A file without negative
+// measurements is taken for the latter, with a note to the user.
 //
-// A camera without distortion becomes SIMPLE_PINHOLE. VisualSFM's distortion maps the other way
-// than those of COLMAP (see measurement_distortion.h); it becomes FULL_OPENCV, with less than 0.001
-// px of error at any place of the image, or is refused.
+// A camera without distortion becomes SIMPLE_PINHOLE. VisualSFM's distortion maps in the opposite
+// direction of COLMAP's (see measurement_distortion.h); it becomes FULL_OPENCV, with an error below
+// 0.001 px everywhere in the image, or is an error.
 //
-// Pixel centers: half, that is, the center of the image lies w/2 pixels from its left border.
+// Pixel centers: half, that is, the center of the image is w/2 pixels from its left border.
 
 bool HoldsNvm(const std::filesystem::path& path);
 
-// Throws IoError with the line: other versions and fixed calibrations (NVM_V3 FixedK), counts that
-// do not fit, missing or non-finite numbers, a zero quaternion, a focal length that is not
-// positive, a distortion too strong, a missing image, no model of this index.
+// Throws IoError with the line: other versions and fixed calibrations (NVM_V3 FixedK), inconsistent
+// counts, missing or non-finite numbers, a zero quaternion, a focal length that is not positive, a
+// distortion that is too strong, a missing image, no model of this index.
 ImportedScene ReadNvm(const ImportInput& input);
 
 }  // namespace limn::colmap_ext

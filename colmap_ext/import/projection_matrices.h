@@ -4,14 +4,15 @@
 
 namespace limn::colmap_ext {
 
-// A folder with one text file per image that holds a 3x4 projection matrix P, row by row:
+// A folder with one text file per image, containing a 3x4 projection matrix P row by row:
 // *.projmatrix if there are any (the Barcelona Pavilion and DTU Vase data sets), else all *.txt,
 // with or without the line CONTOUR at the top (PMVS). x ~ P X; P is decomposed to K [R | t].
 //
-// Pixel centers: integer coordinates, as PMVS and MATLAB-like tools sample. But matrices written by
-// COLMAP's image_undistorter, and those made from a Blender camera as w/2, h/2, have them at half.
+// Pixel centers: integer coordinates, as in PMVS and MATLAB-like tools. But matrices written by
+// COLMAP's image_undistorter, and those of Blender cameras with the principal point at w/2, h/2,
+// have them at half.
 
-// Whether the folder looks like that.
+// Whether the folder has such files.
 bool HoldsProjectionMatrices(const std::filesystem::path& path);
 
 // Throws IoError with file and line: not twelve finite numbers, a singular matrix, skewed pixels,

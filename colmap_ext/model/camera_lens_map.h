@@ -8,7 +8,7 @@
 
 namespace limn::colmap_ext {
 
-// The virtual pinhole of a COLMAP camera: its focal lengths and principal point, the latter moved
+// The virtual pinhole of a COLMAP camera: its focal lengths and principal point, the latter shifted
 // to Limn's pixels (center of the top-left pixel at (0, 0)).
 PinholeCamera VirtualPinhole(const Intrinsics& intrinsics, int width, int height);
 

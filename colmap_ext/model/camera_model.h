@@ -29,8 +29,8 @@ enum class CameraModelId : int32_t {
   kEquirectangular = 17,
 };
 
-// One row of the table of models. Parameters come as focal lengths (1 or 2; 0 for EQUIRECTANGULAR),
-// cx, cy, then the extra (distortion) parameters.
+// An entry of the table of models. Parameters are ordered as focal lengths (1 or 2; 0 for
+// EQUIRECTANGULAR), cx, cy, then the extra (distortion) parameters.
 struct CameraModel {
   CameraModelId id;
   const char* name;
@@ -42,7 +42,7 @@ struct CameraModel {
 const CameraModel* FindCameraModel(int32_t id);
 const CameraModel* FindCameraModel(std::string_view name);
 
-// Every model that can be used (all but EQUIRECTANGULAR), comma-separated, for messages.
+// All supported models (all but EQUIRECTANGULAR), comma-separated, for messages.
 std::string SupportedCameraModels();
 
 // A camera as stored in cameras.bin or cameras.txt. Lengths in pixels; COLMAP's convention: the
@@ -55,7 +55,7 @@ struct Camera {
   std::vector<double> params;
 };
 
-// Parameters of any usable model in one shape; single focal lengths are doubled.
+// Parameters of any supported model in a common form; a single focal length is stored twice.
 struct Intrinsics {
   CameraModelId model = CameraModelId::kPinhole;
   double fx = 1;
@@ -65,7 +65,7 @@ struct Intrinsics {
   std::vector<double> extra;
 };
 
-// Precondition: the number of parameters fits the model, which is not EQUIRECTANGULAR.
+// Precondition: the model is not EQUIRECTANGULAR and has the right number of parameters.
 Intrinsics IntrinsicsOf(const Camera& camera);
 
 // The same camera for an image resized by these factors: focal lengths and principal point scale
@@ -74,7 +74,7 @@ Intrinsics Rescaled(Intrinsics intrinsics, double scale_x, double scale_y);
 
 // Whether the stored image is a pinhole image: a pinhole model, or a model without its own fisheye
 // mapping whose distortion parameters are all at most 1e-8 (image_undistorter keeps such cameras).
-// Fisheye models never are, whatever their parameters.
+// Fisheye models never are.
 bool IsPinhole(const Intrinsics& intrinsics);
 
 }  // namespace limn::colmap_ext

@@ -14,18 +14,18 @@ namespace limn::colmap_ext {
 //
 // A model is used only where it can be inverted: up to the smallest angle from the optical axis at
 // which the Jacobian of the distortion stops having a positive determinant in any direction
-// (polynomial distortions fold over beyond it), and at most 75 degrees. Immutable, safe to share
-// between threads.
+// (polynomial distortions fold beyond it), and at most 75 degrees. Immutable, safe to share between
+// threads.
 class CameraProjection {
  public:
-  // The construction samples the domain: about 10^4 evaluations of the model.
+  // Samples the domain: about 10^4 evaluations of the model.
   explicit CameraProjection(Intrinsics intrinsics);
 
   // Nothing outside the domain.
   std::optional<Eigen::Vector2d> PixelFromRay(const Eigen::Vector2d& ray) const;
 
-  // Newton's method from a tabulated start; nothing if the pixel shows no ray of the domain, or if
-  // the iteration does not converge to 1e-12 of the focal length.
+  // Newton's method from a tabulated start. Nothing if the pixel is not in the image of the domain,
+  // or if the iteration does not converge to 1e-12 of the focal length.
   std::optional<Eigen::Vector2d> RayFromPixel(const Eigen::Vector2d& pixel) const;
 
   // Largest |(u, v)| of the domain; 0 if the model is degenerate even on the axis.

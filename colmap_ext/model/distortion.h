@@ -43,7 +43,7 @@ Point<T> Radial(const Point<T>& p, const double* k, int count) {
   return {p.u * (1.0 + sum), p.v * (1.0 + sum)};
 }
 
-// What the tangential parameters add at p; p1 goes with 2uv in u.
+// The tangential distortion at p; p1 multiplies 2uv in u.
 template <typename T>
 Point<T> Tangential(const Point<T>& p, double p1, double p2) {
   const T uv = p.u * p.v;
@@ -148,7 +148,7 @@ Point<T> Distort(const Intrinsics& intrinsics, const Point<T>& p) {
       return Eucm(p, e[0], e[1]);
     case CameraModelId::kSimplePinhole:
     case CameraModelId::kPinhole:
-    case CameraModelId::kEquirectangular:  // refused before it gets here
+    case CameraModelId::kEquirectangular:  // rejected earlier
       break;
   }
   return p;

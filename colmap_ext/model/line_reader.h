@@ -15,7 +15,7 @@ class LineReader {
  public:
   LineReader(std::istream& in, std::string path) : in_(in), path_(std::move(path)) {}
 
-  // The next line, whatever it holds, without CR or LF. False at the end of the file.
+  // The next line, without CR or LF. False at the end of the file.
   bool NextLine();
   // The next line that is neither blank nor a comment.
   bool NextRecord();
@@ -30,8 +30,8 @@ class LineReader {
   uint64_t number_ = 0;
 };
 
-// The fields of one line, separated by white space; numbers use '.' whatever the locale. Every
-// failure is an IoError with the line.
+// The fields of one line, separated by white space; numbers use '.' in any locale. Every failure is
+// an IoError with the line.
 class Fields {
  public:
   explicit Fields(const LineReader& reader) : rest_(reader.line()), place_(reader.Here()) {}
@@ -39,7 +39,7 @@ class Fields {
   bool AtEnd();
   // The next field; fails if there is none.
   std::string_view Next(const char* what);
-  // Everything that is left, without white space at either end.
+  // The rest of the line, without white space at either end.
   std::string_view Rest();
   const FilePlace& place() const { return place_; }
 

@@ -33,10 +33,10 @@ struct ModelImage {
   // Relative to the image folder, '/' between folders.
   std::string name;
   std::vector<Observation> observations;
-  // The file in the image folder where that is not the name (PMVS folders); else empty.
+  // The file in the image folder if it differs from the name (PMVS folders); else empty.
   std::string file = "";
 
-  // Whether this observation exists and is of this 3D point.
+  // Whether this observation exists and belongs to this 3D point.
   bool Shows(uint64_t point3D_id, uint32_t observation) const {
     return observation < observations.size() && observations[observation].point3D_id == point3D_id;
   }
@@ -58,36 +58,36 @@ struct ModelPoint {
 struct SparseModel {
   std::filesystem::path folder;
   std::vector<Camera> cameras;
-  // In file order, which .vis files, consistency graphs and PMVS numbering refer to.
+  // In file order, to which .vis files, consistency graphs and PMVS numbers refer.
   std::vector<ModelImage> images;
   std::vector<ModelPoint> points;
-  // Some rig has several cameras: their poses were composed. (COLMAP 3.12 and later write a rig for
+  // Some rig has several cameras, whose poses were composed. (COLMAP 3.12 and later write a rig for
   // every single camera, too.)
   bool has_rigs = false;
-  // Oddities that did not stop the reading, in words.
+  // Problems that did not prevent reading, for the user.
   std::vector<std::string> warnings;
 
-  // Precondition: the camera exists (always true for the images of a model that was read).
+  // Precondition: the camera exists, as it does for every image of a model that was read.
   const Camera& CameraOf(const ModelImage& image) const;
 };
 
-// Whether the folder holds cameras and images, in binary or in text.
+// Whether the folder contains cameras and images, in binary or text format.
 bool HoldsColmapModel(const std::filesystem::path& folder);
 
-// Of a folder that is no model: which file is missing beside the others, "images.bin is missing
-// beside cameras.bin". Empty if the folder has neither cameras nor images, or is a model.
+// Which file an incomplete model lacks, such as "images.bin is missing beside cameras.bin". Empty
+// if the folder has neither cameras nor images, or is a model.
 std::string MissingColmapFile(const std::filesystem::path& folder);
 
 // Number of registered images, without reading them. Throws IoError.
 uint64_t CountColmapImages(const std::filesystem::path& folder);
 
-// Read a model: binary when cameras.bin and images.bin exist, else text; a flavor with points3D
-// comes before one without. A missing points3D file is a warning, poses alone are enough. Poses
-// composed from rigs and frames, where both exist, replace those of the images file, as in COLMAP.
+// Reads a model: binary if cameras.bin and images.bin exist, else text; a format with points3D is
+// preferred. A missing points3D file is a warning, since poses are enough. Poses composed from rigs
+// and frames, where both exist, replace those of the images file, as in COLMAP.
 //
 // Throws IoError naming file, byte or line, and reason: missing, truncated or trailing data, counts
-// that do not fit the file, unknown camera model, wrong number of parameters, focal length or size
-// that is no positive number, EQUIRECTANGULAR, duplicate ids or names, unknown camera_id, zero or
+// too large for the file, unknown camera model, wrong number of parameters, focal length or size
+// that is not positive, EQUIRECTANGULAR, duplicate ids or names, unknown camera_id, zero or
 // non-finite poses, image names that are empty or lead out of the image folder.
 SparseModel ReadColmapModel(const std::filesystem::path& folder);
 

@@ -13,16 +13,16 @@
 
 namespace limn::colmap_ext {
 
-// Collects the records of both file flavors and guards what every model must satisfy (see
-// ReadModel for the list). Order of the calls: all cameras, all images, all points.
+// Collects the records of both file formats and enforces the invariants of a model (listed at
+// ReadColmapModel). Order of the calls: all cameras, all images, all points.
 class ModelBuilder {
  public:
   void AddCamera(Camera camera, const FilePlace& place);
   // `quaternion` is w, x, y, z as stored; image.cam_from_world.rotation is set from it.
   void AddImage(ModelImage image, const std::array<double, 4>& quaternion, const FilePlace& place);
-  // Points that are not finite or whose id was seen before, and elements of tracks without their
-  // image, are left out and counted in a warning. So are, without being left out, elements whose 2D
-  // point is missing or belongs to another 3D point.
+  // Points that are not finite or have a duplicate id, and track elements of unknown images, are
+  // dropped and counted in a warning. Track elements whose 2D point is missing or belongs to
+  // another 3D point are kept and counted in another.
   void AddPoint(ModelPoint point);
   void Warn(std::string warning) { model_.warnings.push_back(std::move(warning)); }
 

@@ -8,8 +8,8 @@
 namespace limn::colmap_ext {
 
 // The files of a model as COLMAP 3.8 writes them, in the order of the model's vectors. Numbers in
-// text are the shortest that read back the same. Preconditions are those a model that was read
-// satisfies.
+// text are the shortest that read back the same. Preconditions: the invariants of a model that was
+// read.
 void WriteCamerasBinary(const SparseModel& model, std::ostream& out);
 void WriteImagesBinary(const SparseModel& model, std::ostream& out);
 void WritePointsBinary(const SparseModel& model, std::ostream& out);

@@ -8,7 +8,7 @@
 
 namespace limn::colmap_ext {
 
-// Cameras after and before refinement, and where the hints' points are now.
+// Views after and before refinement, and the refined positions of the hints' points.
 struct RefinedScene {
   const std::vector<View>& views;
   const std::vector<View>& given_views;
@@ -16,10 +16,10 @@ struct RefinedScene {
   const std::vector<Eigen::Vector3d>& points;
 };
 
-// Put refined cameras into the model that the given views and hints were made from. Focal lengths
-// are multiplied by the factor that those of the views have changed by; distortion and principal
-// points stay, images without a view keep their poses. The errors of the points are no longer
-// known. Throws IoError, and changes nothing, if this is another model.
+// Applies refined cameras to the model that the given views and hints were made from. Focal lengths
+// are multiplied by the factor by which those of the views changed; distortion and principal points
+// stay, images without a view keep their poses. The errors of the points become unknown. Throws
+// IoError, and changes nothing, if this is another model.
 void ApplyRefinement(const RefinedScene& refined, SparseModel* model);
 
 }  // namespace limn::colmap_ext

@@ -10,8 +10,8 @@
 
 namespace limn::colmap_ext {
 
-// Rigs and frames (COLMAP 3.12 and later): cameras mounted together, and the moments they were
-// triggered at. cam_from_world = cam_from_rig * rig_from_world. Other sensors than cameras are
+// Rigs and frames (COLMAP 3.12 and later): cameras mounted together, and the instants at which they
+// were triggered. cam_from_world = cam_from_rig * rig_from_world. Sensors other than cameras are
 // skipped.
 
 // A sensor of a rig; the reference sensor is the origin of the rig.
@@ -38,11 +38,11 @@ std::vector<Rig> ReadRigsText(std::istream& in, const std::string& path);
 std::vector<Frame> ReadFramesBinary(std::istream& in, const std::string& path);
 std::vector<Frame> ReadFramesText(std::istream& in, const std::string& path);
 
-// Replace the poses of the images file by the composed ones, as COLMAP does. The two differ when a
+// Replaces the poses of the images file by the composed ones, as COLMAP does. The two differ if a
 // tool edited only the images file: a warning counts the images whose pose changed by more than
-// 1e-6 (rad, or of the distances involved). Images in no frame, of an unknown rig or of a camera
-// without a pose in its rig keep their pose, which is counted in another warning; so is an image in
-// two frames (first wins).
+// 1e-6 (rad, or relative to the distances). Images in no frame, of an unknown rig or of a camera
+// without a pose in its rig keep their pose, which is counted in a warning, as are images in two
+// frames (the first wins).
 void ApplyRigs(const std::vector<Rig>& rigs, const std::vector<Frame>& frames, SparseModel* model);
 
 }  // namespace limn::colmap_ext

@@ -7,7 +7,7 @@
 
 namespace limn::colmap_ext {
 
-// Which image is each camera of a file; -1 = left out.
+// Index of the image of each camera in a file; -1 = skipped.
 using ImageOfCamera = std::vector<int>;
 
 // The points of a Bundler or VisualSFM file.
@@ -18,10 +18,10 @@ struct TrackedPoints {
   std::vector<std::vector<Observation>> observations;
 };
 
-// Read points as Bundler and VisualSFM write them: position, color, then the number of
-// measurements and for each camera index, feature index, x and y. Measurements of cameras that are
-// left out are dropped. Throws IoError with the line: missing or non-finite numbers, colors
-// outside 0..255, a camera index that is none.
+// Reads points as Bundler and VisualSFM write them: position, color, then the number of
+// measurements and, for each, camera index, feature index, x and y. Measurements of skipped cameras
+// are dropped. Throws IoError with the line: missing or non-finite numbers, colors outside 0..255,
+// an invalid camera index.
 TrackedPoints ReadTrackedPoints(int count, const ImageOfCamera& image_of_camera,
                                 TextScanner* scanner);
 

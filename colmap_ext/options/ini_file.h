@@ -6,7 +6,8 @@
 
 namespace limn {
 
-// `key = value` lines under [Group] headers, as COLMAP's project.ini; the key becomes "Group.key".
+// A `key = value` line under a [Group] header, as in COLMAP's project.ini; the key becomes
+// "Group.key".
 struct IniEntry {
   std::string key;
   std::string value;

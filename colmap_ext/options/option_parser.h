@@ -18,7 +18,7 @@ namespace limn {
 //   --help_all                  every option
 //
 // Each option is bound to a variable, whose value at the time of AddOption is the default. Names
-// are written out in full; an option may be given once. Bools are 0, 1, true or false.
+// cannot be abbreviated; an option may be given once. Bools are 0, 1, true or false.
 class OptionParser {
  public:
   enum class Outcome { kRun, kHelp };
@@ -34,7 +34,7 @@ class OptionParser {
   void AddOption(const std::string& name, std::string* value, const OptionHelp& help);
   // Numbers separated by commas.
   void AddOption(const std::string& name, std::vector<double>* value, const OptionHelp& help);
-  // One of a list of words; the help text names them.
+  // One of a list of words, which the help text lists.
   void AddOption(const std::string& name, std::string* value, std::vector<std::string> allowed,
                  const OptionHelp& help);
   // An enum by its words.
@@ -44,12 +44,12 @@ class OptionParser {
 
   // Sets the variables. Throws OptionError (one line, naming option and value) for unknown,
   // repeated or incomplete options and bad values, IoError for an ini file that cannot be read. The
-  // variables are unspecified after an exception. On kHelp the help text has been written and
-  // nothing set.
+  // variables are unspecified after an exception. kHelp: the help text was written and nothing was
+  // set.
   Outcome Parse(int argc, const char* const* argv, std::ostream& help_out);
 
-  // Every option with its present value, readable with --project_path: first those without a group,
-  // then a section per group. Writes to a temporary name and renames. Throws IoError.
+  // Writes every option with its current value, readable with --project_path: first those without a
+  // group, then a section per group. Writes to a temporary file and renames it. Throws IoError.
   void WriteIni(const std::string& path) const;
   void WriteIni(std::ostream& out) const;
 
@@ -60,7 +60,7 @@ class OptionParser {
   struct Option {
     std::string name;
     OptionHelp help;
-    // Returns what the value must be, or an empty string if it was set.
+    // Returns what the value must be, or an empty string on success.
     std::function<std::string(const std::string& text)> set;
     std::function<std::string()> get;
     bool given = false;

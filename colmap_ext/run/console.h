@@ -16,7 +16,7 @@
 
 namespace limn::colmap_ext {
 
-// What was told of a run, for its report.
+// The stages and warnings of a run, for its report.
 struct RunLog {
   struct Stage {
     StageSummary summary;
@@ -27,28 +27,28 @@ struct RunLog {
   std::vector<std::string> warnings;
 };
 
-// What the user sees of a run on standard output: progress with the time left (one line that is
-// rewritten on a terminal; otherwise a plain line every 10 %, not more than one in 2 seconds), and
-// a summary after every stage. SIGINT and SIGTERM end the run (see InterruptWatch), and what is
-// kept of it is said.
+// Prints a run on standard output: progress with the remaining time (one line that is rewritten on
+// a terminal; otherwise a plain line every 10 %, at most one in 2 seconds), and a summary after
+// every stage. SIGINT and SIGTERM end the run (see InterruptWatch) with a line that says what is
+// kept.
 class Console {
  public:
-  // One console at a time. One that does not speak writes nothing.
+  // At most one console may exist at a time. If `speaks` is false it prints nothing.
   explicit Console(int num_threads, bool speaks = true);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
   ~Console();
 
-  // For the stages. Refers to this console.
+  // The context for the stages. Refers to this console.
   const RunContext& context() const { return context_; }
 
-  // Lines that begin with "WARNING: " are kept for the log.
+  // Prints a line. Lines that begin with "WARNING: " are added to the log.
   void Say(const std::string& line);
-  // Counts in, kept and dropped, seconds since the last summary, peak memory of the program. What
-  // the stage found in the cache, what it had to make again and what it could not keep goes before,
-  // one line each.
+  // Prints what the stage reused from the cache, recomputed and could not store, one line each;
+  // then the counts in, kept and dropped, the seconds since the last summary and the peak memory of
+  // the program.
   void Report(const StageSummary& summary);
-  // From now on the run keeps its results here.
+  // The cache that results are stored in from now on.
   void SetCache(std::shared_ptr<const ResultCache> cache);
 
   const RunLog& log() const { return log_; }
@@ -57,7 +57,7 @@ class Console {
   using Clock = std::chrono::steady_clock;
 
   void ReportCache();
-  // What an interrupted run leaves behind.
+  // The line that says what an interrupted run leaves behind.
   std::string WhatIsKept() const;
   void ShowProgress(const char* stage, size_t done, size_t total);
   void ClearProgressLine();

@@ -27,7 +27,7 @@ std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv
   auto parser = ParseRunOptions("automatic_drawer", "make the 3D drawing of a COLMAP project",
                                 groups, argc, argv, &options->run, [&](OptionParser* more) {
                                   more->AddOption("account", &options->account,
-                                                  BasicOption("tell what became of every edgel"));
+                                                  BasicOption("report what became of every edgel"));
                                   more->AddOption("page", &options->page,
                                                   BasicOption("write drawing.html, with a report"));
                                   options->truth.AddOptions(/*are_basic=*/false, more);

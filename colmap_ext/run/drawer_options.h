@@ -10,7 +10,7 @@ namespace limn::colmap_ext {
 // The options of automatic_drawer.
 struct DrawerOptions {
   RunOptions run;
-  // Tell what became of every edgel.
+  // Report what became of every edgel.
   bool account = false;
   // Write drawing.html with a report, judged by this truth if there is one.
   bool page = true;
@@ -20,7 +20,7 @@ struct DrawerOptions {
   void Check() const;
 };
 
-// As ParseRunOptions.
+// Like ParseRunOptions.
 std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv,
                                                DrawerOptions* options);
 

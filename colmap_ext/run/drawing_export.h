@@ -25,14 +25,14 @@ struct ExporterOptions {
   void Check() const;
 };
 
-// A drawing as its file will show it, and how it is written.
+// A drawing in the coordinates of its file, and the options it is written with.
 struct ExportedDrawing {
   DrawingFile drawing;
   DrawingFormatOptions format;
 };
 
-// Reads the drawing and what goes with it, scaled and turned. Throws IoError, and OptionError for a
-// view that there is not.
+// Reads the drawing and what is exported with it, scaled and rotated. Throws IoError, and
+// OptionError for a view that does not exist.
 ExportedDrawing PrepareExport(const ExporterOptions& options);
 
 }  // namespace limn::colmap_ext

@@ -22,11 +22,11 @@ struct EvaluatorOptions {
   void Check() const;
 };
 
-// Judges the file of the options; with a workspace saw-teeth too, and the errors of a drawing over
-// its sigmas. Throws IoError and InputError.
+// Evaluates the input file. With a workspace also measures saw-teeth and, of a drawing, the
+// normalized errors. Throws IoError and InputError.
 EvaluationReport EvaluateFile(const EvaluatorOptions& options);
 
-// To standard output and to the files that were asked for. Throws IoError.
+// Writes the report to standard output and to the requested files. Throws IoError.
 void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options);
 
 }  // namespace limn::colmap_ext

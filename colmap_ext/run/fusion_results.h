@@ -14,7 +14,7 @@
 
 namespace limn::colmap_ext {
 
-// The options of drawing_fuser beside paths and selection.
+// The options of drawing_fuser other than paths and selection.
 struct FuserOptions {
   std::string drawing_path;
   DenseOptionsPaths paths;
@@ -28,35 +28,36 @@ struct FuserOptions {
 
 constexpr const char* kFusedDrawing = "drawing-fused.json";
 
-// Of a drawing fused with these options that says in `drawing_provenance` how it was made.
+// Provenance of the fusion, with these options, of a drawing with provenance `drawing_provenance`.
 std::string FusionProvenance(const RunOptions& options, const FuserOptions& fuser,
                              const std::string& drawing_provenance);
 
-// The dense results, open.
+// The opened dense results.
 struct DenseInput {
   DenseProducts products;
   DepthSource depths;
-  // Of PMVS or fused.ply; with depth maps the fused cloud beside them, if there is one.
+  // PMVS's or fused.ply; with depth maps, the fused cloud if there is one.
   std::optional<DenseCloud> cloud;
-  // Its points around the project's origin.
+  // Its points, relative to the project's origin.
   DensePointStream points;
-  // fused.ply, if it is there and has normals as meshers need them; else empty.
+  // fused.ply, if it exists and has the normals that meshers need; else empty.
   std::filesystem::path for_meshers;
 };
 
-// Finds and opens them and says what was chosen. Throws IoError, also when no view has a depth map.
+// Finds and opens the dense results and prints what was chosen. Throws IoError, also if no view has
+// a depth map.
 DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
                           const std::string& workspace_path, Console* console);
 
-// Length of the drawing by class, and what it adds to the dense results.
+// Prints the length of the drawing by class, and what it adds to the dense results.
 void SayLengths(const FusionResult& result, const DenseOptions& options, Console* console);
 
-// Every point gets its color from the photograph of the first of its views.
+// Colors every point from the photograph of the first of its views.
 void ColorCurvePoints(const Project& project, const RunContext& context,
                       std::vector<CurvePoint>* points);
 
 // Writes drawing-fused.{ply,json,obj} and, as far as the dense results allow, with-curves/,
-// pmvs-with-curves.{patch,ply} and sparse-with-curves/; says what meshers to call.
+// pmvs-with-curves.{patch,ply} and sparse-with-curves/; prints the meshers' commands.
 void WriteFusionResults(const Project& project, const RunOptions& options,
                         const FuserOptions& fuser, const DenseInput& dense,
                         const DrawingMetadata& metadata, const FusionResult& result,

@@ -8,11 +8,11 @@
 
 namespace limn::colmap_ext {
 
-// The exit code of a run that was interrupted, as shells have it.
+// The exit code of an interrupted run, as in shells.
 constexpr int kInterruptedExitCode = 130;
 
-// While it lives SIGINT and SIGTERM wait. Threads that begin then never take them: they are left to
-// the InterruptWatch that this process will have, whatever library the threads belong to.
+// Blocks SIGINT and SIGTERM during its lifetime. Threads that start meanwhile, in any library,
+// inherit this and leave the signals to the InterruptWatch that the process creates later.
 class InterruptsBlocked {
  public:
   InterruptsBlocked();
@@ -24,16 +24,16 @@ class InterruptsBlocked {
   sigset_t before_;
 };
 
-// Turns SIGINT and SIGTERM into the end of a run. Stages are asked to stop and have a second for
-// it; then, or at a second signal, the process ends where it is: files appear whole or not at all
-// whenever that happens, and no library that is called (image codecs, solvers) can delay it.
+// Ends the run on SIGINT and SIGTERM. Stages are asked to stop and have a second to do so; then, or
+// at a second signal, the process exits immediately: files are written atomically, and no library
+// call (image codecs, solvers) can delay it.
 class InterruptWatch {
  public:
-  // Takes over both signals, for threads that begin from now on too. `last_words` is what the run
-  // says when it was interrupted, a line or nothing; it is called once at most, from any thread.
-  // One at a time.
+  // Handles both signals, also for threads that start later. `last_words` returns the line to print
+  // on interruption, or nothing; it is called at most once, from any thread. At most one
+  // InterruptWatch may exist.
   explicit InterruptWatch(std::function<std::string()> last_words);
-  // If the run is being left because it was interrupted, says the last words.
+  // Prints the last words if the run ends because it was interrupted.
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;

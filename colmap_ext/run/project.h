@@ -15,14 +15,13 @@
 
 namespace limn::colmap_ext {
 
-// A COLMAP project that has been read: where things are, the views, and their photographs.
+// A COLMAP project that has been read: its folders, views and photographs.
 class Project {
  public:
-  // Finds and reads the model and the headers of all images, and says what was chosen. Throws
-  // OptionError, IoError and InputError; nothing is written but the file of the lock, which keeps
-  // other commands away from the output folder as long as the project lives, but for other shards
-  // where it is one. Temporary files of a run that was killed there are removed, unless shards may
-  // be at work.
+  // Finds and reads the model and the headers of all images, and prints what was chosen. Throws
+  // OptionError, IoError and InputError. Writes only the lock file, which keeps other commands (for
+  // a shard: all but other shards) out of the output folder during the lifetime of the project.
+  // Removes temporary files of a killed run, unless other shards may be running.
   Project(const RunOptions& options, Console* console);
   Project(const Project&) = delete;
   Project& operator=(const Project&) = delete;
@@ -31,15 +30,15 @@ class Project {
   const ViewSet& view_set() const { return view_set_; }
   const std::vector<View>& views() const { return view_set_.views; }
   const ImageSource& images() const { return images_; }
-  // Views and hints are the model's with this subtracted from all positions (see SceneOrigin), and
-  // so is all that is computed from them; files hold the model's coordinates.
+  // Subtracted from all positions of the model (see SceneOrigin): views, hints and everything
+  // computed from them are relative to it. Files store the model's coordinates.
   const Eigen::Vector3d& origin() const { return origin_; }
 
-  // Image curves and sketches that runs leave for later ones.
+  // Image curves and sketches stored for later runs.
   ResultCache* cache() const { return cache_.get(); }
-  // A file beside fused.ply.
+  // Path of a file beside fused.ply.
   std::string DrawingPath(const std::string& name) const;
-  // A file in the folder of curves.
+  // Path of a file in the folder of curves.
   std::string CurvesPath(const std::string& name) const;
 
  private:
@@ -51,11 +50,10 @@ class Project {
   ImageSource images_;
 };
 
-// The box of the options around the project's origin; nothing if none was given.
+// The box of the options, relative to the project's origin; nothing if none was given.
 std::optional<Eigen::AlignedBox3d> ProjectBox(const Project& project, const RunOptions& options);
 
-// The image curves of all views, from the project's cache where it holds them; reports what was
-// done.
+// The image curves of all views, from the project's cache where possible; prints a summary.
 CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
                                   Console* console);
 

@@ -7,15 +7,15 @@
 
 namespace limn::colmap_ext {
 
-// The processes that mpirun or srun started together: a thin layer over Boost.MPI. A process that
-// was started by itself is rank 0 of 1.
+// The processes that mpirun or srun started together: a thin layer over Boost.MPI. A process
+// started on its own is rank 0 of 1.
 
-// For main: joins the others for as long as it lives.
+// Initializes MPI during its lifetime; for main.
 class MpiSession {
  public:
-  // Throws OptionError if it was started by MPI and Limn is built without.
+  // Throws OptionError if the process was started by MPI but Limn was built without it.
   MpiSession();
-  // Waits for the others.
+  // Waits for the other ranks.
   ~MpiSession();
   MpiSession(const MpiSession&) = delete;
   MpiSession& operator=(const MpiSession&) = delete;
@@ -24,27 +24,27 @@ class MpiSession {
 int Rank();
 int NumRanks();
 
-// Wait until all ranks are here.
+// Waits until all ranks have called it.
 void WaitForAllRanks();
 
-// Rank 0's word: every rank gets the value that rank 0 calls it with.
+// Broadcasts rank 0's value to every rank.
 bool AsRankZero(bool value);
 
-// All ranks as a team, and what they tell each other.
+// All ranks as a team that exchanges results.
 class RankTeam : public Team {
  public:
   int Rank() const override;
   int Size() const override;
   std::vector<std::string> Exchange(const std::string& mine) override;
 
-  // Of all ranks together, to each of the others.
+  // Bytes sent by all ranks together, to each of the others.
   size_t bytes_exchanged() const { return bytes_exchanged_; }
 
  private:
   size_t bytes_exchanged_ = 0;
 };
 
-// End the processes of all ranks with this exit code; with one rank it returns.
+// Ends the processes of all ranks with this exit code; returns if there is only one.
 void AbortRanks(int exit_code);
 
 }  // namespace limn::colmap_ext

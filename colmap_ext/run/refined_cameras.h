@@ -8,20 +8,20 @@
 
 namespace limn::colmap_ext {
 
-// The refined cameras go to refined/ beside the drawing. To be called before any work: throws
-// OptionError if the model that is read is there itself, or binary files, rigs or frames that
-// would be read with the text files or instead of them. Does nothing unless poses are refined.
+// To be called before any work if poses are refined (else it does nothing): throws OptionError if
+// refined/, beside the drawing, is the input model itself, or has binary files, rigs or frames that
+// would be read with or instead of the text files.
 void CheckRefinedFolder(const Project& project, const RunOptions& options);
 
-// The views that the drawing fits: refined ones if there are any.
+// The views that the drawing fits: the refined ones if there are any.
 const std::vector<View>& ViewsOfDrawing(const Project& project,
                                         const std::optional<RefinedCameras>& cameras);
 
-// Write refined/cameras.txt, images.txt and points3D.txt: the model that was read, with refined
-// poses, focal lengths and points (see ApplyRefinement). Rigs and frames are not written: the poses
-// were refined each for itself, which is said, as is how far the cameras moved. Without refined
-// cameras this only warns of those that an earlier run has left there. To be called before the
-// drawing is written: no drawing without its cameras.
+// Writes refined/cameras.txt, images.txt and points3D.txt: the input model with refined poses,
+// focal lengths and points (see ApplyRefinement). Prints how far the cameras moved, and that rigs
+// and frames are not written since every pose was refined separately. Without refined cameras it
+// only warns if an earlier run left some. To be called before the drawing is written, so that no
+// drawing lacks its cameras.
 void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
                        Console* console);
 

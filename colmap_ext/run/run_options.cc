@@ -19,7 +19,7 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
   parser->AddOption("image_path", &layout.image_path, BasicOption("images instead of those found"));
   parser->AddOption("output_path", &layout.output_path, BasicOption(groups.output_help));
   parser->AddOption("model_index", &layout.model_index,
-                    "which of several models, -1 = the one with most images");
+                    "which of several models, -1 = the one with the most images");
   parser->AddOption("image_list_path", &view.image_list_path,
                     "file with the names of the images to use");
   parser->AddOption("mask_path", &view.mask_path, BasicOption("folder of masks, <image name>.png"));
@@ -30,8 +30,9 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
       {{"low", Quality::kLow}, {"medium", Quality::kMedium}, {"high", Quality::kHigh}},
       BasicOption("defaults of the other options"));
   if (groups.writes_drawing) {
-    parser->AddOption("overwrite", &options->overwrite,
-                      BasicOption("replace a drawing made with other options or of other images"));
+    parser->AddOption(
+        "overwrite", &options->overwrite,
+        BasicOption("replace a drawing made with other options or from other images"));
   }
   if (groups.shards) {
     parser->AddOption("shard", &options->shard,

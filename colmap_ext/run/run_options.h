@@ -14,10 +14,10 @@
 
 namespace limn::colmap_ext {
 
-// How far a shard goes.
+// The last stage of a shard.
 enum class ShardStage { kCurves, kSketches };
 
-// What the commands that work on photographs have in common.
+// Options common to the commands that work on photographs.
 struct RunOptions {
   LayoutOptions layout;
   ViewOptions view;
@@ -27,19 +27,19 @@ struct RunOptions {
   std::vector<double> box;
   Quality quality = Quality::kMedium;
   int num_threads = -1;
-  // Do only this part of the views, "i/n", into the cache; empty = everything.
+  // Compute only this part of the views, "i/n", for the cache; empty = everything.
   std::string shard;
   ShardStage shard_stage = ShardStage::kSketches;
-  // Another process holds the lock of the output folder for this one. Not an option of users.
+  // Another process holds the lock of the output folder for this one. Not a user option.
   bool is_led = false;
-  // Replace a drawing that was made in another way.
+  // Replace a drawing made with other options or from other images.
   bool overwrite = false;
 
   // Throws OptionError.
   void Check() const;
 };
 
-// Groups of options a command has beside paths and selection.
+// The option groups of a command, in addition to paths and selection.
 struct OptionGroups {
   bool linking = false;
   bool sketch = false;
@@ -47,21 +47,20 @@ struct OptionGroups {
   bool refinement = false;
   bool dense = false;
   bool tiles = false;
-  // It can do a part of its work, and has --shard.
+  // Has --shard.
   bool shards = false;
-  // It writes a drawing, and has --overwrite.
+  // Writes a drawing and has --overwrite.
   bool writes_drawing = false;
-  // What --output_path is for.
+  // Help text of --output_path.
   const char* output_help = "where results go instead";
 };
 
-// "x0,x1,y0,y1,z0,z1" as a box; nothing if there are no numbers. Throws OptionError.
+// The box x0,x1,y0,y1,z0,z1; nothing if there are no numbers. Throws OptionError.
 std::optional<Eigen::AlignedBox3d> BoxFromNumbers(const std::vector<double>& numbers);
 
-// Parse the command line of a command with run options. The level of quality sets the defaults that
-// single options override, wherever they stand. `add_more` declares further options; it is called
-// twice. Returns the parser, for WriteIni, or nothing when help was asked for and printed. Throws
-// OptionError and IoError.
+// Parses the command line of a command with run options. --quality sets the defaults of other
+// options, which override it in any order. `add_more` declares further options; it is called twice.
+// Returns the parser, for WriteIni, or nothing if help was printed. Throws OptionError and IoError.
 std::optional<OptionParser> ParseRunOptions(
     const std::string& command, const std::string& summary, const OptionGroups& groups, int argc,
     const char* const* argv, RunOptions* options,

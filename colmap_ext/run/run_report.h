@@ -11,10 +11,10 @@
 namespace limn::colmap_ext {
 
 // Writes drawing.html with the report of the run: counts, times and memory of its stages, warnings,
-// options that differ from the defaults, links by number of supporting views; with a truth
-// precision and recall, and both again for the links of at least so many views. The graph and
-// `views`, the cameras that it fits, are around the project's origin. Says so where limn was built
-// without the page. Throws IoError.
+// options that differ from the defaults, links by number of supporting views; with a truth also
+// precision and recall, overall and for the links with at least n supporting views. The graph and
+// `views`, the cameras that it fits, are relative to the project's origin. Prints a line if Limn
+// was built without the page. Throws IoError.
 void WritePageWithReport(const Project& project, const RunOptions& options,
                          const std::vector<View>& views, const DrawingGraph& graph,
                          const TruthInput& truth, Console* console);

@@ -9,13 +9,13 @@
 
 namespace limn::colmap_ext {
 
-// PlanTiles. What takes all of a scene together is refused where there are several, before work
-// starts. Throws OptionError.
+// PlanTiles. Throws OptionError, before work starts, if there are several tiles and an option needs
+// the whole scene at once.
 std::vector<Tile> PlanSceneTiles(const PipelineInput& input, const DrawerOptions& options,
                                  Console* console);
 
-// Draws the scene in this process, or together with the other ranks: those that only help get
-// nothing. Of a scene in tiles there is only the graph. Throws what DrawScene and DrawTiles throw.
+// Draws the scene in this process, or together with the other ranks; only rank 0 gets a result. For
+// a scene in tiles it has only the graph. Throws what DrawScene and DrawTiles throw.
 std::optional<PipelineResult> DrawSceneOrTiles(const PipelineInput& input,
                                                const std::vector<Tile>& tiles,
                                                const PipelineOptions& options, Console* console);

@@ -8,18 +8,18 @@
 
 namespace limn::colmap_ext {
 
-// Keep the results of the views of the options' shard in the input's cache, and say what was done:
-// of a scene of more than one tile, the drawings of its tiles. Throws as MakeShardCurves,
-// MakeShardSketches and MakeShardTiles do.
+// Stores the results of the options' shard in the input's cache, with a summary: those of its views
+// or, for a scene of several tiles, the drawings of its tiles. Throws what MakeShardCurves,
+// MakeShardSketches and MakeShardTiles throw.
 void DoShard(const PipelineInput& input, const std::vector<Tile>& tiles, const RunOptions& options,
              Console* console);
 
-// With several ranks: each keeps the results of its shard, and all of them are there when this
-// returns. The original sketch is left to the run that goes on. Throws as DoShard does.
+// With several ranks: each stores the results of its shard; all of them are in the cache on return.
+// The original sketch is not made here. Throws what DoShard throws.
 void FillCacheByRanks(const PipelineInput& input, const std::vector<Tile>& tiles,
                       const PipelineOptions& options, Console* console);
 
-// DrawTiles of a scene with photographs.
+// DrawTiles for a scene with photographs.
 DrawingGraph DrawProjectTiles(const PipelineInput& input, const std::vector<Tile>& tiles,
                               const PipelineOptions& options, Console* console);
 

@@ -93,7 +93,7 @@ void SvgSource::AddOptions(OptionParser* parser) {
                     "SVG of an image: which dense results, as in drawing_fuser");
   parser->AddOption("hidden", &style.hidden_parts,
                     {{"removed", SvgHiddenParts::kRemoved}, {"dashed", SvgHiddenParts::kDashed}},
-                    "SVG: hidden parts, where depth is there");
+                    "SVG: hidden parts, where depths are known");
   parser->AddOption("show_hidden", &show_hidden, "SVG: do not look for hidden parts");
   parser->AddOption("photo", &photo,
                     BasicOption("SVG of an image: the photograph beneath the drawing"));
@@ -102,7 +102,7 @@ void SvgSource::AddOptions(OptionParser* parser) {
                      {"link", SvgColors::kLink},
                      {"primitive", SvgColors::kPrimitive},
                      {"class", SvgColors::kClass}},
-                    BasicOption("SVG: what colors stand for"));
+                    BasicOption("SVG: meaning of colors"));
   parser->AddOption("line_width_px", &style.line_width_px, "SVG: width of lines, px");
   parser->AddOption("sheet_scale", &sheet.scale_denominator,
                     BasicOption("SVG: n of 1:n for units of a meter, 0 = the largest that fits on "

@@ -9,13 +9,14 @@
 
 namespace limn::colmap_ext {
 
-// What a drawing is seen from in an SVG picture, and what hides it.
+// The view of a drawing in an SVG picture, and what hides it.
 struct SvgSource {
   // top, front, side or axonometric: a sheet to scale; else the name of an image.
   std::string view = "axonometric";
-  // Of the image, and of its dense results.
+  // Where the image and its dense results are.
   LayoutOptions layout;
-  // What hides parts: for images as in drawing_fuser, for sheets a mesh or cloud named here.
+  // What hides parts of the drawing: for images as in drawing_fuser, for sheets a mesh or cloud
+  // given here.
   DenseOptionsPaths dense;
   bool show_hidden = false;
   bool photo = false;
@@ -28,9 +29,10 @@ struct SvgSource {
   void Check() const;
 };
 
-// A picture of `graph`, and the graph as it shows it: on sheets the given one (z up; what hides it
-// is turned by `model_to_sheet` and `scale`, as the graph was), in images that of the model's
-// coordinates. Throws IoError, and OptionError for an image that the model does not have.
+// A picture of `graph`, and the graph in its coordinates: on sheets the given graph (z up; what
+// hides it is transformed by `z_up_from_model` and `scale`, as the graph was), in images the graph
+// in the model's coordinates. Throws IoError, and OptionError for an image that the model does not
+// have.
 struct SvgScene {
   SvgPicture picture;
   DrawingGraph graph;

@@ -15,7 +15,8 @@ void TruthInput::AddOptions(bool are_basic, OptionParser* parser) {
       "junctions_path", &junctions_path,
       help("JSON file of the truth's junctions: {\"junctions\": [{\"position\": [x, y, "
            "z], \"degree\": n}, ...]}"));
-  parser->AddOption("dont_care_path", &dont_care_path, help("curves near which nothing counts"));
+  parser->AddOption("dont_care_path", &dont_care_path,
+                    help("curves near which results are ignored"));
   parser->AddOption("taus", &evaluation.taus, help("distances at which a curve counts as found"));
   parser->AddOption("unit", &unit, {{"world", Unit::kWorld}, {"footprint", Unit::kFootprint}},
                     help("unit of taus: the model's, or the size of a pixel there"));

@@ -8,7 +8,7 @@
 
 namespace limn::colmap_ext {
 
-// What curves are judged by.
+// The truth that curves are evaluated against.
 struct TruthInput {
   enum class Unit { kWorld, kFootprint };
 
@@ -17,13 +17,13 @@ struct TruthInput {
   Unit unit = Unit::kWorld;
 
   bool IsGiven() const { return !truth_path.empty(); }
-  // `are_basic`: the command is there to judge.
+  // `are_basic`: list them in the basic help, for commands whose purpose is evaluation.
   void AddOptions(bool are_basic, OptionParser* parser);
-  // Of a truth that is given. Throws OptionError.
+  // Precondition: a truth is given. Throws OptionError.
   void Check() const;
 };
 
-// The files of a truth, read.
+// The content of the files of a truth.
 struct Truth {
   CurveSet curves;
   CurveSet dont_care;
@@ -32,7 +32,7 @@ struct Truth {
 // Throws IoError.
 Truth ReadTruth(const TruthInput& input);
 
-// EvaluateCurves, in the unit that was asked for. `views` are only needed for footprints.
+// EvaluateCurves in the requested unit. `views` are only needed for footprints.
 EvaluationReport Evaluate(const CurveSet& reconstruction, const Truth& truth,
                           const TruthInput& input, const std::vector<View>& views,
                           const RunContext& context);

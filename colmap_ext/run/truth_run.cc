@@ -31,23 +31,24 @@ void ExtractorOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("cloud_path", &cloud_path,
                     BasicOption("or a dense cloud, .ply: its points near image edges"));
   parser->AddOption("min_dihedral_deg", &sharp_edges.min_dihedral_deg,
-                    BasicOption("least angle by which the surface bends at a sharp edge"));
+                    BasicOption("smallest angle by which the surface bends at a sharp edge"));
   parser->AddOption("min_corner_deg", &sharp_edges.min_corner_deg,
                     "curves end where they turn by more");
   parser->AddOption("min_views", &truth.min_views,
-                    BasicOption("so many views must show what is kept"));
+                    BasicOption("number of views that must show what is kept"));
   parser->AddOption("require_edges", &truth.require_edges,
                     BasicOption("a view shows what has edgels along it; 0 = whatever is visible"));
   parser->AddOption("max_distance_px", &truth.max_distance_px, "farthest edgel, px");
-  parser->AddOption("max_angle_deg", &truth.max_angle_deg, "most different direction of an edgel");
+  parser->AddOption("max_angle_deg", &truth.max_angle_deg,
+                    "largest difference in direction of an edgel");
   parser->AddOption("occlusion_px", &truth.occlusion_px,
-                    "visible points may be so far behind the surface, pixel footprints");
+                    "visible points may be this far behind the surface, pixel footprints");
   parser->AddOption("max_gap_px", &truth.max_gap_px, "shorter gaps of curves are closed, px");
   parser->AddOption("min_length_px", &truth.min_length_px, "shorter runs are dropped, px");
   parser->AddOption("splat_px", &truth.splat_px,
                     "a point of the cloud hides a disc of this radius, px");
   parser->AddOption("max_chance", &truth.max_chance,
-                    "most likely that chance alone puts so many edgels near a point of the cloud");
+                    "largest probability that the edgels near a point of the cloud are accidental");
 }
 
 void ExtractorOptions::Check() const {

@@ -11,7 +11,7 @@
 
 namespace limn::colmap_ext {
 
-// The options of truth_extractor beside those of the project.
+// The options of truth_extractor other than those of the project.
 struct ExtractorOptions {
   std::string mesh_path, cloud_path;
   SharpEdgeOptions sharp_edges;
@@ -22,12 +22,12 @@ struct ExtractorOptions {
   void Check() const;
 };
 
-// The truth is one file; what is kept of the images goes to curves/cache beside it, where
-// automatic_drawer has it too when it writes there. Returns the file, and makes its folder the
-// output path. Throws OptionError.
+// The output is a single file, so its folder becomes the output path: the cache of the images is
+// curves/cache beside it, shared with automatic_drawer if that writes there. Returns the file.
+// Throws OptionError.
 std::string TakeTruthPath(LayoutOptions* layout);
 
-// What the truth is looked for in: a surface with its sharp edges, or points.
+// What the truth is extracted from: a mesh with its sharp edges, or a cloud.
 struct TruthSource {
   TriangleMesh mesh;
   std::vector<Polyline3d> edges;
@@ -37,7 +37,7 @@ struct TruthSource {
 // Throws IoError.
 TruthSource ReadTruthSource(const ExtractorOptions& options, Console* console);
 
-// What the photographs show of the source, and says how much. Throws InputError if it is nothing.
+// What the photographs show of the source; prints how much. Throws InputError if that is nothing.
 ExtractedTruth ExtractProjectTruth(const Project& project, const RunOptions& run,
                                    const TruthSource& source, const TruthOptions& options,
                                    Console* console);

@@ -9,13 +9,13 @@
 
 namespace limn::colmap_ext {
 
-// What a page shows.
+// The options of drawing_viewer.
 struct ViewerOptions {
   // Empty: the newest drawing in the output folder.
   std::string drawing_path;
   // JSON file for the tab Report; empty: none.
   std::string report_path;
-  // "auto" (the first of the others that is there), "dense", "sparse" or "none".
+  // "auto" (the first of the others that exists), "dense", "sparse" or "none".
   std::string cloud = "auto";
   int max_points = 200000;
   int thumbnail_size = 320;
@@ -27,16 +27,16 @@ struct ViewerOptions {
 
 constexpr const char* kViewerPage = "drawing.html";
 
-// The drawing of the options. If they name none: drawing-fused.json, which says more, unless
-// drawing.json has been drawn again since.
+// Path of the drawing to show. By default drawing-fused.json, which has more, unless drawing.json
+// is newer.
 std::string DrawingToView(const Project& project, const ViewerOptions& options);
 
-// The text of the report; empty if the options name none. Throws IoError.
+// The text of the report; empty if none is given. Throws IoError.
 std::string ReadReport(const ViewerOptions& options);
 
 // Writes drawing.html beside the drawing. The graph and `views`, the cameras that it fits, are
-// around the project's origin. `report_json`: see ViewerScene. Throws IoError, also when the cloud
-// that was asked for is not there, and InputError.
+// relative to the project's origin. `report_json`: see ViewerScene. Throws IoError, also if the
+// requested cloud does not exist, and InputError.
 void WriteViewerResult(const Project& project, const std::string& workspace_path,
                        const std::vector<View>& views, const DrawingGraph& graph,
                        const ViewerOptions& options, const std::string& report_json,

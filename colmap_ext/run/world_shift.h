@@ -11,8 +11,8 @@
 
 namespace limn::colmap_ext {
 
-// The same things with `shift` added to all positions. Files hold the coordinates of the model that
-// was read; the stages work around Project::origin().
+// Copies with `shift` added to all positions. Files store the coordinates of the model; the stages
+// work relative to Project::origin().
 DrawingGraph Moved(DrawingGraph graph, const Eigen::Vector3d& shift);
 CurveSketch Moved(CurveSketch sketch, const Eigen::Vector3d& shift);
 std::vector<View> Moved(std::vector<View> views, const Eigen::Vector3d& shift);

@@ -9,12 +9,12 @@
 namespace limn::colmap_ext {
 
 // Size from the header of a PNG (IHDR chunk) or JPEG (first start-of-frame marker) file, without
-// decoding it. Nothing for other formats, damaged headers and files that cannot be opened.
+// decoding it. Nothing for other formats, damaged headers and unreadable files.
 std::optional<ImageSize> ReadSizeFromHeader(std::istream& in);
 std::optional<ImageSize> ReadSizeFromHeader(const std::filesystem::path& path);
 
-// Whether a PNG or JPEG file ends before its pixels do: no IEND chunk, no end-of-image marker after
-// the first scan. Decoders fill the missing part with gray. False for other formats.
+// Whether a PNG or JPEG file is truncated: no IEND chunk, or no end-of-image marker after the first
+// scan. Decoders would fill the missing part with gray. False for other formats.
 bool IsTruncated(std::istream& in);
 bool IsTruncated(const std::filesystem::path& path);
 

@@ -14,22 +14,22 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-// Size of the pixels as stored (no EXIF rotation, which COLMAP ignores too). JPEG and PNG headers
-// are parsed, other formats decoded. Throws IoError.
+// Size as stored (no EXIF rotation, which COLMAP ignores too). JPEG and PNG headers are parsed,
+// other formats decoded. Throws IoError.
 ImageSize ReadImageSize(const std::filesystem::path& path);
 
-// The size after --max_image_size: unchanged if neither side is longer than max_image_size or that
-// is -1, else the longer side becomes max_image_size and the other is rounded.
+// The size after --max_image_size: unchanged if that is -1 or not exceeded by either side; else the
+// longer side becomes max_image_size and the other is rounded.
 ImageSize ShrunkSize(ImageSize size, int max_image_size);
 
-// Decode a photograph: 8 or 16 bits per channel, gray or color (alpha is dropped), EXIF rotation
+// Decodes a photograph: 8 or 16 bits per channel, gray or color (alpha is dropped), EXIF rotation
 // ignored; values in gray levels 0..255, color as RGB. Shrunk by an area filter to ShrunkSize.
-// Throws IoError if the file is missing, cannot be decoded, or has another depth.
+// Throws IoError if the file is missing, cannot be decoded, or has another bit depth.
 Image ReadImage(const std::filesystem::path& path, int max_image_size = -1);
 
-// Decode a mask and shrink it likewise: nonzero where the file is nonzero in all that a pixel
-// covers. Throws IoError, also when the mask is not of size `expected` (the size as stored of its
-// photograph).
+// Decodes a mask and shrinks it likewise: nonzero where the file is nonzero in the whole area of a
+// pixel. Throws IoError, also if the size of the mask is not `expected` (that of its photograph as
+// stored).
 std::vector<unsigned char> ReadMask(const std::filesystem::path& path, ImageSize expected,
                                     int max_image_size = -1);
 

@@ -7,16 +7,16 @@ namespace limn::colmap_ext {
 
 // The path options of a command. Empty = not given.
 struct LayoutOptions {
-  // Folder of the COLMAP project. May be left out if the other three paths are given.
+  // Folder of the COLMAP project. Optional if the other three paths are given.
   std::string workspace_path;
   // Folder of the sparse model (cameras, images, points3D) instead of the one found.
   std::string input_path;
   // Folder of the images instead of the one found.
   std::string image_path;
-  // Folder for everything that is written, instead of the one beside the dense results.
+  // Output folder, instead of the one beside the dense results.
   std::string output_path;
-  // Which of several models: the <i> of dense/<i> or sparse/<i>. -1 = the one with most registered
-  // images (the lowest number if several have as many).
+  // Which of several models: the <i> of dense/<i> or sparse/<i>. -1 = the one with the most
+  // registered images (the lowest number on ties).
   int model_index = -1;
 
   // Throws OptionError.
@@ -34,22 +34,22 @@ struct OutputLayout {
 struct WorkspaceLayout {
   std::filesystem::path model_dir;
   std::filesystem::path image_dir;
-  // The dense workspace (fused.ply, stereo/); empty if the model is not that of a dense workspace.
+  // The dense workspace (fused.ply, stereo/); empty if the model does not belong to one.
   std::filesystem::path dense_dir;
   OutputLayout output;
   // What was chosen, in one line for the user.
   std::string description;
 };
 
-// Finds model, images and output folders. The workspace W is read as the first of
+// Finds model, images and output folders. The workspace W is interpreted as the first of
 //   W            W/sparse holds a model and W/images exists (a dense workspace)
 //   W/dense/<i>  holds the same; then W/dense itself
 //   W/sparse/<i> or W/sparse, with W/images; then the same in W/colmap/sparse
 //   W, W/pmvs    a PMVS folder (pmvs_model.h), with its visualize/
 //   W/<i> or W   a model itself, with `images` in W, its parent or the parent of that
-// Overrides replace the parts they name; with an image folder given, no `images` is asked for.
+// The other paths override the folders found; with image_path, no `images` folder is required.
 //
-// Throws OptionError if too few paths are given, IoError saying what was found if nothing fits.
+// Throws OptionError if too few paths are given, IoError saying what was found if nothing matches.
 WorkspaceLayout ResolveLayout(const LayoutOptions& options);
 
 }  // namespace limn::colmap_ext

@@ -8,8 +8,7 @@
 
 namespace limn::colmap_ext {
 
-// A folder with a sparse model: COLMAP's files (see model.h), or else a PMVS folder (see
-// pmvs_model.h).
+// A folder with a sparse model: COLMAP's files (model.h), or else a PMVS folder (pmvs_model.h).
 
 bool HoldsModel(const std::filesystem::path& folder);
 

@@ -4,8 +4,8 @@
 
 namespace limn::colmap_ext {
 
-// Throws IoError unless files can be made in this folder, or the folder itself can. Nothing is
-// written: to be called before hours of work.
+// Throws IoError unless files can be created in this folder, or the folder itself can. Writes
+// nothing; to be called before a long run.
 void CheckWritable(const std::filesystem::path& folder);
 
 }  // namespace limn::colmap_ext

@@ -5,25 +5,26 @@
 
 namespace limn::colmap_ext {
 
-// Who may work in a folder of curves beside this process: nobody, or others that share it too.
+// Whether other processes may use the folder of curves at the same time: none, or those that share
+// the lock.
 enum class LockMode { kExclusive, kShared };
 
-// A lock (flock) on the file `.lock` in the folder of curves, for as long as the object lives. The
-// system takes it away with the process, however that ends: a file that a killed process has left
-// means nothing. Works between hosts where the file system does (NFS: yes).
+// A lock (flock) on the file `.lock` in the folder of curves, during the lifetime of the object.
+// The system releases it when the process ends in any way, so a file left by a killed process means
+// nothing. Works across hosts if the file system supports it (NFS does).
 class OutputLock {
  public:
-  // Makes the folder. Throws IoError, naming the file and the process that is at work, if the lock
-  // cannot be had at once (within a second where it is to be shared).
+  // Creates the folder. Throws IoError, with the file and the process that holds the lock, if it
+  // cannot be acquired at once (a shared one: within a second).
   OutputLock(const std::filesystem::path& folder, LockMode mode);
-  // Removes the file if no other process holds it, and the folders that were made for it if they
-  // are still empty.
+  // Removes the file if no other process holds the lock, and the folders that were created for it
+  // if they are empty.
   ~OutputLock();
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;
 
  private:
-  // False if another process has removed the file in the meantime.
+  // False if another process removed the file in the meantime.
   bool TryLock(LockMode mode);
 
   std::filesystem::path path_;

@@ -13,26 +13,26 @@
 
 namespace limn::colmap_ext {
 
-// Which images are used, and how large.
+// Which images are used, and at which size.
 struct ViewOptions {
   // Text file with the names of the images to use, one per line. Empty = all registered images.
   std::string image_list_path;
-  // Folder of masks, <mask_path>/<image name>.png as for COLMAP: nothing is drawn where they are 0.
-  // An image without a mask file is used whole. Empty = no masks.
+  // Folder of masks, <mask_path>/<image name>.png as in COLMAP: pixels where they are 0 are not
+  // used. An image without a mask is used entirely. Empty = no masks.
   std::string mask_path;
-  // Longer side of the images in pixels; larger ones are shrunk by an area filter: faster, coarser.
-  // -1 = as stored.
+  // Longer side of the images in pixels; larger ones are shrunk by an area filter, which is faster
+  // and coarser. -1 = as stored.
   int max_image_size = -1;
-  // Width of the strip along the image borders that is left out, pixels: lenses are at their worst
-  // there and filters see no neighborhood.
+  // Width of the ignored strip along the image borders, pixels: lenses are worst there, and filters
+  // reach beyond the image.
   double border_margin_px = 8;
 
   // Throws OptionError.
   void Check() const;
 };
 
-// Views and, per view at the same index, where its files are. Only the indices into the model
-// depend on its order and on the ids of its images and cameras.
+// Views and their files, by view. Nothing but model indices depends on the order or ids of the
+// model's images and cameras.
 struct ViewSet {
   std::vector<View> views;  // sorted by name; View::id is the index
   SceneHints hints;         // points sorted by id
@@ -45,10 +45,10 @@ struct ViewSet {
 
 // The only place where COLMAP's conventions become Limn's. Principal points move by -0.5 pixel;
 // cameras with distortion get a LensMap onto a virtual pinhole of the same focal length and
-// principal point. Intrinsics follow the size of the file when its aspect is the camera's (within
-// one pixel), and max_image_size. Headers of all images and masks are read, in parallel.
+// principal point. Intrinsics are rescaled to the size of the file, if its aspect is the camera's
+// within one pixel, and to max_image_size. Headers of all images and masks are read, in parallel.
 //
-// Throws IoError: an image is missing or unreadable, its size does not fit its camera, a name in
+// Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
 // the list is not registered, a mask has the wrong size. Throws InputError if no image is left.
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
                 const ViewOptions& options, const RunContext& context = {});

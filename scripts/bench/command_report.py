@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Measures commands as a whole and writes the report that tests/bench/stage_report writes of stages.
+"""Measures commands as a whole and writes a report like that of tests/bench/stage_report.
 
     command_report.py --output report.json --commit abc123 --name midday COMMAND [ARGUMENT ...]
 
 `{new}` in an argument becomes a fresh folder, which is removed afterwards. Where the command prints the summaries of
-`limn automatic_drawer` ("drawing: 1.2 s, peak memory 300 MB"), these become stages with the time of the clock and
-the peak memory so far, without processor time; "total" is the whole process.
+`limn automatic_drawer` ("drawing: 1.2 s, peak memory 300 MB"), these become stages with wall time and
+the peak memory so far, without CPU time; "total" is the whole process.
 """
 
 import argparse

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""The main job beside the COLMAP steps that every user waits for, on the same images, in alternation.
+"""Times the main job and COLMAP's first steps alternately on the same images.
 
     compare_colmap.py LIMN WORKSPACE [RUNS]
 
 `colmap feature_extractor` and `colmap exhaustive_matcher` on the CPU into a fresh database, with all cores and
-COLMAP's defaults, and `limn automatic_drawer` into a fresh folder. Prints medians and, of several runs, the smallest
-and the largest; the ratio is that of the sums of each run.
+COLMAP's defaults, and `limn automatic_drawer` into a fresh folder. Prints medians and, for several runs, minima and
+maxima; the ratio is that of the sums of each run.
 """
 
 import os

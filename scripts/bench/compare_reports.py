@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """Compares reports of stages (tests/bench/stage_costs.h) of two commits, as a Markdown table.
 
-    compare_reports.py FOLDER     with a-1.json, b-1.json, a-2.json, b-2.json, ...: run i of A beside run i of B
+    compare_reports.py FOLDER     with a-1.json, b-1.json, a-2.json, b-2.json, ...: run i of A is paired with run i of B
 
 Ratios are the median of B over the median of A and, in brackets, the smallest and the largest ratio of a pair of
-runs. Differences of precision, recall and F are in points of a percent, B minus A, at each tau in the first box.
+runs. Differences of precision, recall and F are in percentage points, B minus A, at each tau in the first box.
 """
 
 import json

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""How time and memory of the main job grow with the number of views of one scene.
+"""Measures how time and memory of the main job grow with the number of views of a scene.
 
     measure_scaling.py LIMN WORKSPACE [RUNS]
 
 The workspace has image lists views-<number>.txt (scripts/sample_scene/build_long.sh). Prints medians per number of
-views, stage by stage, and the exponents of the least-squares lines of log(figure) over log(views).
+views, stage by stage, and the exponents of the least-squares lines of log(value) over log(views).
 """
 
 import math

@@ -1,4 +1,4 @@
-"""What a command takes: wall and processor time and peak memory, by wait4. Imported by the scripts beside it."""
+"""Measures wall time, CPU time and peak memory of a command by wait4. Imported by the other scripts here."""
 
 import os
 import subprocess

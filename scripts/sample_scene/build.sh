@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the committed sample scene anew: about 40 minutes on two cores. For maintainers; users and CI take the
+# Rebuilds the committed sample scene: about 40 minutes on two cores. For maintainers; users and CI use the
 # committed files. Needs Debian 12's blender, colmap, python3-numpy, python3-opencv and python3-scipy.
 #
 #   scripts/sample_scene/build.sh [folder for frames and COLMAP's databases]

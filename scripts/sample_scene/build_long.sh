@@ -1,6 +1,6 @@
 #!/bin/sh
 # Renders the sample scene by day on its long path of 100 views, for scripts/measure_scaling.sh. Never committed.
-# Needs Debian 12's blender, python3-numpy and python3-opencv. Frames that are there already are kept.
+# Needs Debian 12's blender, python3-numpy and python3-opencv. Existing frames are kept.
 #
 #   scripts/sample_scene/build_long.sh [folder]      default: build/long
 set -eu

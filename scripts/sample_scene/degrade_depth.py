@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Dense results as real ones are, from the exact depth maps of the sample scene.
+"""Simulates real dense results from the exact depth maps of the sample scene.
 
     degrade_depth.py datasets/sample/day OUT
 
-makes OUT a dense workspace of COLMAP: links to images and model, and in stereo/ depth and normal maps
-with what multi-view stereo does to them:
-  - holes where the image is flat: there is nothing to match;
-  - fattened edges: near surfaces grow over far ones by half a matching window;
+Makes OUT a dense workspace of COLMAP: links to images and model, and in stereo/ depth and normal maps
+with the artifacts of multi-view stereo:
+  - holes where the image is flat and nothing can be matched;
+  - fattened edges: near surfaces extend over far ones by half a matching window;
   - smoothed edges: a matching window mixes the depths it covers;
   - noise, smooth over a few pixels, and stray depths.
 Needs numpy and OpenCV. The same input gives the same output.

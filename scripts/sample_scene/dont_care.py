@@ -1,4 +1,4 @@
-"""Curves that images show but that are no part of the truth: cast shadows and occluding contours.
+"""Curves that images show but that are not part of the truth: cast shadows and occluding contours.
 
 Runs inside Blender (ray casting).
 """

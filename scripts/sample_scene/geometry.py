@@ -1,9 +1,9 @@
 """Solids with exactly known edges and paint, from which the sample scene is made.
 
-A solid is a prism (any planar outline, extruded) or a pyramid. It knows its mesh (for rendering and
+A solid is a prism (any planar outline, extruded) or a pyramid. It provides its mesh (for rendering and
 ray casting), its sharp edges and the borders of its paint (the truth), whether a point lies inside
 it (to remove edges buried in another solid), and where its smooth sides turn away from a viewpoint
-(occluding contours, which are no true curves). Lengths are meters, the world's z axis points up.
+(occluding contours, which are not true curves). Lengths are meters, the world's z axis points up.
 This file needs numpy only.
 """
 

@@ -1,8 +1,8 @@
-"""Writes the surfaces of the sample scene as one mesh, the truth that `limn truth_extractor` can start from.
+"""Writes the surfaces of the sample scene as one mesh, an input for `limn truth_extractor`.
 
   /usr/bin/python3 mesh.py --output datasets/sample/truth/mesh.ply
 
-Polygons as the solids have them, and the ground; every solid has vertices of its own. Needs numpy only.
+The polygons of the solids and the ground; solids share no vertices. Needs numpy only.
 """
 
 import argparse

@@ -3,7 +3,7 @@
   blender --background --python render.py -- --light day --output /tmp/frames/day [--views 0,6] [--samples 64]
           [--distorted] [--scale 1.0] [--long]
 
-Writes one lossless PNG per view. A frame that is there already is kept, so a broken run can be resumed.
+Writes one lossless PNG per view. Existing frames are kept, so that an interrupted run can be resumed.
 """
 
 import argparse

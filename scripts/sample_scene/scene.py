@@ -1,4 +1,4 @@
-"""The sample scene: its solids, lights and cameras. Needs numpy only; read by every other script."""
+"""The sample scene: its solids, lights and cameras. Needs numpy only; used by all other scripts."""
 
 import numpy as np
 

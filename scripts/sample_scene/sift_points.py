@@ -1,9 +1,9 @@
-"""COLMAP's own part: does its mapper register the views, and real points for the day's workspace.
+"""Checks that COLMAP's mapper registers the views, and makes real points for the day's workspace.
 
   /usr/bin/python3 sift_points.py --sample datasets/sample --work /tmp/colmap [--points] [--sets day]
 
 The mapper is only a check (its poses are not used). With --points, features of the day are triangulated with the
-exact poses held fixed and the most often seen points are written into day/sparse.
+exact poses held fixed and the points seen by the most views are written to day/sparse.
 """
 
 import argparse

@@ -1,7 +1,7 @@
-"""From the solids' own edges to the curves that exist in the scene. Needs numpy and scipy.
+"""Derives the curves of the scene from the edges of the solids. Needs numpy and scipy.
 
-An edge buried in another solid, or enclosed between solids that touch, is no curve of the scene. Where two
-solids share an edge it is kept once. What stays includes the contact lines of solids that stand on or butt
+An edge buried in another solid, or enclosed between solids that touch, is not a curve of the scene. An edge
+shared by two solids is kept once. The result includes the contact lines of solids that stand on or butt
 against each other: in this scene these are always edges of one of the two.
 """
 

@@ -1,11 +1,11 @@
-"""Measures how well the truth, projected, meets the edges of the committed images. Runs inside Blender.
+"""Measures how well the projected truth agrees with edges of the committed images. Runs inside Blender.
 
   blender --background --python verify.py -- --sample datasets/sample --sets day,distorted [--overlays /tmp/overlays]
 
 For every unoccluded sample of the visible truth the gradient's maximum is located along the normal of the
 projected curve. Printed: medians of the offset towards the brighter side, the spread, and the common shift
-(dx, dy) that would explain the offsets. The measurement is made on linear light (gray levels bend an edge's
-profile, which moves the maximum of its gradient towards the dark side) and on the gray levels as stored.
+(dx, dy) that would explain the offsets. Measured in linear light (the gamma of gray levels moves the maximum
+of an edge's gradient towards the dark side) and in the stored gray levels.
 """
 
 import argparse

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The main job on a Slurm cluster as a job array: nothing but a file system that all nodes share is needed, and a
-# node that dies costs its shard, which the last job then makes.
+# The main job on a Slurm cluster as a job array. Needs only a shared file system; if a node dies, the last job makes
+# its shard.
 #
 #   scripts/slurm/shards.sh WORKSPACE SHARDS [options of automatic_drawer]
 #

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Make base/sparse, the small valid model that every case of the corpus spoils.
+"""Make base/sparse, the small valid model that every case of the corpus corrupts.
 
   colmap model_converter --input_path datasets/sample/day/sparse --output_path /tmp/txt --output_type TXT
   tests/corpus/make_base.py /tmp/txt

@@ -1,4 +1,4 @@
-"""Tests of scripts/blender_truth_files.py: what the Blender script does outside of Blender."""
+"""Tests of scripts/blender_truth_files.py: the parts of the Blender script that need no Blender."""
 
 import math
 import struct

@@ -1,5 +1,5 @@
-"""SVG drawings by write_pictures (argument), drawn by rsvg-convert: lines are where the scene's own projection has
-them and nowhere else, hidden parts are gone, and an XML parser finds every link."""
+"""SVG drawings by write_pictures (argument), rendered by rsvg-convert: lines are exactly where the scene projects,
+hidden parts are missing, and an XML parser finds every link."""
 
 import math
 import shutil

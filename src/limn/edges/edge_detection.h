@@ -20,8 +20,8 @@ struct EdgeDetectionOptions {
   // weaker edges and more false edgels (together with min_run_px: in white noise 3 per 1,000 px^2).
   double noise_factor = 2.3;
 
-  // Weakest edge whatever the noise, gray levels per px, >= 0. Below 0.6 the 8-bit banding of
-  // smooth shading makes edges.
+  // Weakest edge at any noise, gray levels per px, >= 0. Below 0.6, the 8-bit banding of smooth
+  // shading causes edges.
   double min_strength = 0.6;
 
   // An edgel weaker than strong_ratio times its threshold is dropped unless it belongs to a run of
@@ -29,15 +29,15 @@ struct EdgeDetectionOptions {
   double min_run_px = 7;
   double strong_ratio = 1.75;
 
-  // Also look in the red and blue channels, for edges that the main channel does not show.
+  // Also search the red and blue channels, for edges that the main channel does not show.
   bool find_isoluminant = true;
 
-  // As noise_factor and min_strength, for edges found in red or blue only.
+  // Like noise_factor and min_strength, for edges found only in red or blue.
   double isoluminant_noise_factor = 3.5;
   double isoluminant_min_strength = 1.5;
 
-  // A red or blue edgel is dropped if a main edgel of similar direction is this near, px, >= 0.
-  // Must exceed the lens's dispersion, or edges are doubled.
+  // A red or blue edgel is dropped if an edgel of the main channel with a similar direction is
+  // within this distance, px, >= 0. Must exceed the lens's dispersion, or edges are doubled.
   double isoluminant_distance_px = 3.0;
 
   // Border of the image without edgels, px, >= 0.
@@ -47,16 +47,16 @@ struct EdgeDetectionOptions {
   void Check() const;
 };
 
-// Find the edgels of an image: the local maxima of the gradient magnitude along the gradient, that
-// is the zeros of the second directional derivative I_nn, with a sub-pixel position and an
+// Finds the edgels of an image: the local maxima of the gradient magnitude along the gradient, that
+// is, the zeros of the second directional derivative I_nn, with a sub-pixel position and an
 // orientation that uses derivatives up to third order (Tamrakar and Kimia, "No grouping left
 // behind", ICCV 2007).
 //
 // Candidates come from the gradient on the pixel grid. Each is refined with derivatives evaluated
 // at the sub-pixel position by Newton steps on the logarithm of the gradient's profile along the
 // normal, which is a parabola for a blurred step, then shifted against the bias that smoothing
-// gives to curved edges. At most one edgel per pixel, none closer than 0.35 px to another. Weak
-// edgels need company: see min_run_px.
+// causes at curved edges. At most one edgel per pixel, none closer than 0.35 px to another. Weak
+// edgels must be part of a run: see min_run_px.
 //
 // Positions are in the image as stored (stored_from_virtual is the identity, position_px =
 // stored_px). Pixels where the mask is 0 hold no edgel, nor do those within sigma of one. Throws

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// What the refinement of a candidate needs to know.
+// Parameters of the refinement of a candidate.
 struct RefinementContext {
   double sigma_px = 1.5;
   NoiseModel noise;

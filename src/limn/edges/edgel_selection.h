@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// What tells whether edgels are near each other and continue each other.
+// What decides whether edgels are near and continue each other.
 struct EdgelPlace {
   Eigen::Vector2d position;
   Eigen::Vector2d tangent;
@@ -18,16 +18,16 @@ class EdgelRaster {
  public:
   EdgelRaster(int width, int height);
 
-  // Add those whose pixel is free and that have no edgel within 0.35 px. The strongest come first,
+  // Adds the edgels whose pixel is free and that have no other within 0.35 px, strongest first,
   // ties in the given order.
   void AddStrongestFirst(const std::vector<RefinedEdgel>& edgels);
 
-  // Is there an edgel within `radius_px` of a position whose tangent is so near to parallel to
-  // `direction`, which has any length, that the cosine between them is at least `min_cosine`?
+  // Whether an edgel within `radius_px` of a position has a tangent whose undirected angle to
+  // `direction`, of any length, has a cosine of at least `min_cosine`.
   bool HasParallelNear(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
                        double radius_px, double min_cosine) const;
 
-  // Drop edgels less significant than `strong_ratio` in runs that extend over less than
+  // Drops edgels less significant than `strong_ratio` in runs that extend over less than
   // `min_run_px`. A run is a set of edgels connected by steps of at most 2 px that follow the
   // tangent of either.
   void DropWeakShortRuns(double strong_ratio, double min_run_px);
@@ -36,9 +36,9 @@ class EdgelRaster {
   std::vector<Edgel> Edgels() const;
 
  private:
-  // Let a pixel hold the edgel of this index, if it is free and there is none too near.
+  // Assigns the edgel of this index to its pixel if that is free and no other edgel is too near.
   void TryHold(int index);
-  // Forget the edgels that no pixel holds and bring the others in row-major order.
+  // Removes edgels without a pixel and sorts the others in row-major order.
   void Compact();
   // Whether `test(place of an edgel)` holds for any in pixels overlapping the square of half-size
   // `radius_px`.
@@ -50,8 +50,7 @@ class EdgelRaster {
   int width_;
   int height_;
   std::vector<int> index_of_pixel_;  // -1: none
-  // Those that a pixel holds and some that none does. About in row-major order, so that look-ups
-  // nearby are near in memory.
+  // Includes some edgels without a pixel. Roughly in row-major order, for locality of look-ups.
   std::vector<RefinedEdgel> edgels_;
   std::vector<EdgelPlace> places_;  // of edgels_
 };

@@ -17,10 +17,10 @@ struct PaddedPlane {
   float* Row(int y) { return values.data() + (y + pad) * stride + pad; }
 };
 
-// Border that the filters below need at this scale.
+// Border required by the filters below at this scale.
 int GaussianPadding(double sigma_px);
 
-// Pad a plane of width x height values in row-major order. Both sizes must be positive.
+// Pads a plane of width x height values in row-major order. Both sizes must be positive.
 PaddedPlane MakePaddedPlane(const std::vector<float>& values, int width, int height, int pad);
 
 // The Gaussian-smoothed channel and its first derivatives on the pixel grid, row-major, gray levels
@@ -45,9 +45,9 @@ struct Jet {
 };
 
 // Derivatives between the pixels, by direct convolution with Gaussian kernels shifted by the
-// fraction of a pixel: no interpolation, hence no bias towards the grid or the axes. They are taken
-// at nodes, kNodesPerPx of them per pixel, whose kernels are made once. The image is a sum of
-// pixels sampled at integers, so an area-sampled step appears with variance sigma^2 + 1/12.
+// fraction of a pixel: no interpolation, hence no bias towards the grid or the axes. They are
+// evaluated at nodes, kNodesPerPx per pixel, with precomputed kernels. Pixels are area samples, so
+// a step appears blurred with variance sigma^2 + 1/12.
 class SubpixelDerivatives {
  public:
   static constexpr int kNodesPerPx = 256;
@@ -55,7 +55,7 @@ class SubpixelDerivatives {
   // `plane` must outlive this object and have GaussianPadding(sigma_px).
   SubpixelDerivatives(const PaddedPlane& plane, double sigma_px);
 
-  // The node that is nearest to a coordinate, which is not below -1.
+  // The node nearest to a coordinate >= -1.
   static double NearestNode(double coordinate) {
     return static_cast<double>(static_cast<int>((coordinate + 1) * kNodesPerPx + 0.5)) /
                kNodesPerPx -
@@ -68,7 +68,7 @@ class SubpixelDerivatives {
 
  private:
   // The Gaussian and its first three derivatives, shifted by a fraction of a pixel: 4 x row_size_
-  // taps, those beyond 2 half_size_ + 1 are 0.
+  // taps, of which those beyond 2 half_size_ + 1 are 0.
   const float* KernelAt(double fraction) const;
 
   const PaddedPlane& plane_;

@@ -12,8 +12,8 @@
 namespace limn {
 
 // Curves cut into cells of equal arc length, each represented by the sample in its middle, so that
-// sums over samples are integrals over length. A set without polylines is sampled as its points,
-// each of weight 1; points beside polylines are left out.
+// sums over samples are integrals over length. The samples of a set without polylines are its
+// points, each of weight 1; otherwise points are ignored.
 class CurveSamples {
  public:
   // step_of(polyline) > 0: the longest allowed cell.
@@ -33,8 +33,8 @@ class CurveSamples {
   // Begin, middle and end of the cell: two segments.
   std::span<const Eigen::Vector3d> Cell(int sample) const { return {CellBegin(sample), 3}; }
 
-  // Distance from a point to the curves: to the cells around the nearest sample. Infinity if there
-  // is no sample.
+  // Distance from a point to the curves, that is, to the cells around the nearest sample. Infinity
+  // without samples.
   double Distance(const Eigen::Vector3d& query) const;
 
   // Samples whose cell may come within `radius` of the query, ascending.

@@ -14,11 +14,11 @@
 namespace limn {
 
 struct VisibilityOptions {
-  // What a view sees of a sample under a viewing angle that differs by less than this tells whether
-  // another view sees it. Raising it judges more of the curves, also where a surface may hide them.
+  // Whether a view sees a sample is inferred from known views whose viewing angle differs by less
+  // than this. Raising it judges more of the curves, also where a surface may hide them.
   double max_viewing_angle_deg = 30;
-  // One of a curve's supporting views shows a sample if a linked edgel there is this near across
-  // the edge, px, and so near in direction.
+  // One of a curve's supporting views shows a sample if a linked edgel is within this distance
+  // across the edge, px, and within this angle.
   double shown_distance_px = 2;
   double shown_angle_deg = 20;
 
@@ -26,16 +26,16 @@ struct VisibilityOptions {
   void Check() const;
 };
 
-// What a view should show of curves, one edgel per sample.
+// The predicted edgels of curves in a view, one per sample.
 struct ForetoldView {
   std::vector<Edgel> sure;  // surely visible
   EdgeMap possible;         // may be visible, or is surely so
 };
 
-// Foretells what a new view sees of curves that were made from others. No surface is known, so the
-// known views beside the new one tell. Surely visible: the two that look at the sample most nearly
-// as the new view does, of all that have it in their image, both show it. May be visible: any view
-// within max_viewing_angle_deg shows it.
+// Predicts what a new view sees of curves that were made from other views. No surface is known, so
+// it is inferred from the neighboring known views. Surely visible: of all views that have the
+// sample in their image, the two with the most similar viewing direction both show it. May be
+// visible: any view within max_viewing_angle_deg shows it.
 class CurveVisibility {
  public:
   // Samples are a pixel footprint apart: their spacing in a view is about this, px.

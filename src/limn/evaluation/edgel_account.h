@@ -10,7 +10,7 @@
 
 namespace limn {
 
-// What an account is made from: the results of the stages, all of one run.
+// The input of an account: the results of all stages of one run.
 struct AccountInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;
@@ -20,13 +20,13 @@ struct AccountInput {
   const DrawingGraph& graph;
 };
 
-// What became of every edgel of every view: whether the drawing holds it (kDrawn) or projects onto
-// it from a link that the view supports (kExplained: within 1.5 px and 20 degrees), and for all
-// others the stage that lost them. Time: edgels + projected length of the drawing.
+// What became of every edgel of every view: drawn (kDrawn), within 1.5 px and 20 degrees of the
+// projection of a link that the view supports (kExplained), or the stage that dropped it. Time:
+// edgels + projected length of the drawing.
 EdgelFates AccountEdgels(const AccountInput& input, const RunContext& context);
 
-// One line per view and one for all: the number of edgels of each fate, with a header line; comma
-// separated.
+// Writes a header line, then one line per view and one for all with the number of edgels of each
+// fate, comma-separated.
 void WriteAccountCsv(const std::vector<View>& views, const EdgelFates& fates, std::ostream& out);
 
 }  // namespace limn

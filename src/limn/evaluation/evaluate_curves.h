@@ -15,23 +15,23 @@
 namespace limn {
 
 struct EvaluationOptions {
-  // Distances at which a curve counts as found, in world units or pixel footprints; each gives a
-  // row.
+  // Distances up to which a curve counts as found, in world units or pixel footprints; one row
+  // each.
   std::vector<double> taus;
-  // Only samples inside count; distances are to the whole other set. None: everything counts.
+  // Only samples inside count; distances are to all of the other set. None: everything counts.
   std::optional<Eigen::AlignedBox3d> region;
-  // Reconstructed samples and junctions nearer than this many taus to a don't-care curve are left
-  // out of every share. Raising it forgives more.
+  // Reconstructed samples and junctions nearer than this many taus to a don't-care curve are
+  // ignored. Raising it forgives more.
   double dont_care_taus = 2.0;
-  // A junction is found by one of the other set's nearer than this many taus.
+  // A junction is found if the other set has one nearer than this many taus.
   double junction_taus = 2.0;
-  // Whether to tell the duplicated share. In sets of many copies most of the time goes there.
+  // Whether to compute the duplicated share, which takes most of the time in sets with many copies.
   bool find_duplicates = true;
 
   void Check() const;
 };
 
-// Shares are within [0, 1] and absent where there is nothing to take a share of.
+// Shares are in [0, 1], and absent if the total is zero.
 struct TauResult {
   double tau = 0;
   // Share of the reconstructed length (or points) within tau of the truth.
@@ -44,12 +44,12 @@ struct TauResult {
   // reconstruction, in the unit of tau.
   std::optional<double> accuracy, median_accuracy;
   std::optional<double> completeness, median_completeness;
-  // Share of the reconstructed length that runs alongside another link: see duplicates.h.
+  // Share of the reconstructed length that runs alongside another link (duplicates.h).
   std::optional<double> duplicated;
-  // What the shares are of: length in world units, or points.
+  // The totals of the shares: length in world units, or points.
   double reconstructed_length = 0;
   double true_length = 0;
-  // Shares of the junctions (nodes of degree >= 3) that the other set has too; absent without any.
+  // Shares of the junctions (nodes of degree >= 3) that the other set has, too.
   std::optional<double> junction_precision, junction_recall;
   int num_junctions = 0;
   int num_true_junctions = 0;
@@ -65,18 +65,18 @@ struct EvaluationReport {
   double mean_link_length = 0;
   int num_components = 0;
   std::map<int, int> nodes_by_degree;
-  // Points left out because the set has polylines too.
+  // Points ignored because the set has polylines.
   int num_ignored_points = 0;
-  // Of all links. Needs views: whoever has them fills it in.
+  // Of all links. Filled in by callers that have views.
   std::optional<SawTeeth> saw_teeth;
-  // Of a drawing with sigmas. Needs views and graph: whoever has them fills it in.
+  // Of a drawing with sigmas. Filled in by callers that have views and the graph.
   std::optional<NormalizedErrors> normalized_errors;
 };
 
-// Compare curves or points with ground truth. Both sets are cut into cells of tau/4 or less along
-// their length and judged at the cells' middles; distances are to the other set's curves. Copies of
-// an edge all count, in the truth too; those in the reconstruction make its duplicated share
-// (duplicates.h). Points count one each. An empty reconstruction has recall 0 and
+// Compares curves or points with ground truth. Both sets are cut into cells of at most tau/4 along
+// their length and judged at the cells' middles; distances are to the other set's curves. All
+// copies of an edge count, also in the truth; the duplicated share measures those in the
+// reconstruction (duplicates.h). Every point counts as 1. An empty reconstruction has recall 0 and
 // no precision. Throws OptionError, or InputError if the truth is empty or a point is not finite.
 // Time: O(n log n) in the number of cells, that is, total length / tau, times the number of copies.
 EvaluationReport EvaluateCurves(const CurveSet& reconstruction, const CurveSet& truth,
@@ -91,7 +91,7 @@ EvaluationReport EvaluateCurvesInFootprints(const CurveSet& reconstruction, cons
                                             const CurveSet& dont_care = {},
                                             const RunContext& context = {});
 
-// What needs no truth: the report without rows. Linear in the number of points.
+// The part of the report that needs no truth, without rows. Linear in the number of points.
 EvaluationReport CountCurves(const CurveSet& reconstruction);
 
 }  // namespace limn

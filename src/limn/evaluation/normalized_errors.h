@@ -13,16 +13,15 @@ namespace limn {
 struct NormalizedErrorOptions {
   // Only vertices inside count. None: all.
   std::optional<Eigen::AlignedBox3d> region;
-  // A vertex farther from the truth is no inaccurate vertex but a false one, footprints.
+  // A vertex farther from the truth is false, not inaccurate, footprints.
   double max_distance = 2;
-  // False vertices this near to a don't-care curve count nowhere, footprints.
+  // False vertices within this distance of a don't-care curve are ignored, footprints.
   double dont_care_distance = 2;
 };
 
-// How well the sigmas of a drawing tell its errors. Of every vertex the error is its offset across
-// the nearest true curve, and its square over that of two sigmas, one for each direction across, is
-// the normalized square: 1 in the mean if the sigmas are right, ln 2 in the median if errors are
-// normal.
+// How well the sigmas of a drawing predict its errors. The error of a vertex is its offset across
+// the nearest true curve. The normalized square, error^2 / (2 sigma^2) since there are two
+// directions across, has mean 1 if the sigmas are right, and median ln 2 if errors are also normal.
 struct NormalizedErrors {
   int num_inliers = 0;  // vertices with a sigma near the truth
   int num_false = 0;    // others with a sigma

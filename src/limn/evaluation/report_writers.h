@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// A table for the screen: one row per tau, then what the reconstruction consists of. Absent shares
-// are "-".
+// A table for the screen: one row per tau, then the counts of the reconstruction. Absent shares are
+// "-".
 void PrintReport(const EvaluationReport& report, std::ostream& out);
 
 // One header line and one row per tau; absent shares are empty cells.

@@ -9,28 +9,27 @@
 namespace limn {
 
 struct SawTeethOptions {
-  // Arc length over which a curve is smoothed, pixel footprints. Longer windows see slower teeth
-  // and take more of a sharp bend for one.
+  // Arc length over which a curve is smoothed, pixel footprints. Longer windows detect slower teeth
+  // but also count sharp bends more.
   double window_px = 15;
 
   void Check() const;
 };
 
-// How much longer curves are than they look: 1 is smooth, saw-teeth across the depth make it more.
+// Length of curves relative to their smoothed length: 1 is smooth, saw-teeth in depth increase it.
 // Absent if no curve is as long as the window.
 struct SawTeeth {
-  // Over the curves, each counting once.
+  // Over the curves, unweighted.
   std::optional<double> median, p90;
-  // Over the length: each curve counts by its smoothed length.
+  // Over the curves, weighted by smoothed length.
   std::optional<double> median_by_length, p90_by_length;
-  int num_curves = 0;  // that are as long as the window
+  int num_curves = 0;  // at least as long as the window
 };
 
 // The length of a curve over the length of its running mean, where a pixel is FootprintOfCurve. The
-// mean at an arc length is over the window around it, cut on both sides alike where the curve ends,
-// so that ends stay in place; a closed curve is cut at its first point. A circle of radius R
-// footprints gives (w/2R) / sin(w/2R): 1.02 for R = 20. Absent if the curve is shorter than the
-// window.
+// mean at an arc length is over the window around it, shortened symmetrically near the ends so that
+// these stay in place; a closed curve is cut at its first point. A circle of radius R footprints
+// gives (w/2R) / sin(w/2R): 1.02 for R = 20. Absent if the curve is shorter than the window.
 std::optional<double> LengthOverSmoothed(const Polyline3d& curve, const std::vector<View>& views,
                                          const SawTeethOptions& options = {});
 

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// A curve and the views whose images it was made from.
+// A curve and the views that it was made from.
 struct SupportedCurve {
   Polyline3d points_in_world;
   std::vector<ViewId> supporting_views;  // ascending

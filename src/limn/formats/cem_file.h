@@ -9,12 +9,13 @@ namespace limn {
 
 // Curve fragments with their edge map in the text format of the MSEL tools (`.cem` version 2, also
 // gzipped): [Edgemap] with "(x, y) dir conf d2f" per edgel, [Contours] with "[id id ... ]" per
-// fragment, [Contour Properties], which are passed over. A fragment whose last id is its first is
-// closed. Reading fills position_px and stored_px alike; there is no link graph. Throws IoError.
+// fragment, [Contour Properties], which are ignored. A fragment whose last id equals its first is
+// closed. Reading sets position_px and stored_px to the same values; there is no link graph. Throws
+// IoError.
 ImageCurves ReadCem(const std::string& path);
 
-// Positions and directions in the virtual pinhole image. Of the properties only length (edgels) and
-// mean strength are known, the others are 0.
+// Writes positions and directions in the virtual pinhole image. Of the properties only length
+// (edgels) and mean strength are set, the others are 0.
 void WriteCem(const ImageCurves& curves, std::ostream& out);
 
 }  // namespace limn

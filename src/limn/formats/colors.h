@@ -10,8 +10,8 @@ struct Color {
   uint8_t blue = 0;
 };
 
-// A bright, saturated color for a curve; always the same for the same id, and well apart for ids
-// that follow each other.
+// A bright, saturated color for a curve: constant for an id, and very different for consecutive
+// ids.
 Color ColorOfCurve(int id);
 
 }  // namespace limn

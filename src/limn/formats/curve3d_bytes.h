@@ -5,16 +5,16 @@
 
 namespace limn {
 
-// A curve with its support as bytes of a stage file:
+// A curve with its support in a stage file:
 //   i32 anchor view, fragment, begin | u8 closed | u64 samples, each: f64[3] point | f64[3] tangent
 //   | f64 depth sigma | u8 certain | u32 supporting edgels, each: i32 view | i32 edgel
-// The least bytes of a curve.
+// The smallest size of a curve in bytes.
 constexpr size_t kCurve3dBytes = 3 * sizeof(int32_t) + 1 + sizeof(uint64_t);
 
-// Throws InputError if the curve's lists differ in length: it would be read back as another one.
+// Throws InputError if the curve's lists differ in length.
 void PutCurve3d(const Curve3D& curve, ByteWriter* out);
 
-// Everything read is checked (ids in range, numbers finite but for unknown sigmas); throws IoError.
+// Everything read is checked (ids in range, numbers finite except unknown sigmas); throws IoError.
 Curve3D GetCurve3d(ByteReader* in, int num_views);
 
 }  // namespace limn

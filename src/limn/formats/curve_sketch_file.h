@@ -10,7 +10,7 @@ namespace limn {
 
 struct StoredCurveSketch {
   CurveSketch sketch;
-  // Names of the views the sketch's view ids are indices of, and the options it was made with.
+  // Names of the views that the sketch's view ids index, and the options it was made with.
   DrawingMetadata metadata;
 };
 
@@ -19,9 +19,9 @@ struct StoredCurveSketch {
 void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
                       const DrawingMetadata& metadata, const std::string& identity);
 
-// Nothing if the file was made from another input or by another version of limn: make it anew.
-// An empty `identity` accepts any. Everything read is checked (ids in range, sizes agree, numbers
-// finite but for unknown sigmas); throws IoError.
+// Nothing if the file was made from other input or by another version of Limn, and must be made
+// again. An empty `identity` accepts any. Everything read is checked (ids in range, sizes agree,
+// numbers finite except unknown sigmas); throws IoError.
 std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
                                                  const std::string& identity);
 

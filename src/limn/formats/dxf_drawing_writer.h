@@ -7,12 +7,12 @@
 
 namespace limn {
 
-// What makes a layer of a DXF file.
+// How links are assigned to layers of a DXF file.
 enum class DxfLayers {
   // "line", "arc", "circle", "spline", "polyline" (links without a primitive); after drawing_fuser
-  // with the class behind it: "line_boundary".
+  // with the class appended: "line_boundary".
   kClass,
-  // A connected component: "component_1" is the longest.
+  // A layer per connected component: "component_1" is the longest.
   kComponent,
   // All on "drawing".
   kSingle,
@@ -24,10 +24,10 @@ struct DxfOptions {
   bool junctions = true;
 };
 
-// A drawing as ASCII DXF of AutoCAD 2000 (AC1015): per link a LINE, ARC, CIRCLE, SPLINE of degree
-// 3, or a 3D POLYLINE where it has no primitive. Arcs and circles are in their object coordinate
-// system (arbitrary axis algorithm). Every entity has extended data of the application LIMN: the id
-// of its link (code 1071), or of its node at points. Colors are those of the layers.
+// Writes a drawing as ASCII DXF of AutoCAD 2000 (AC1015): per link a LINE, ARC, CIRCLE, SPLINE of
+// degree 3, or a 3D POLYLINE where it has no primitive. Arcs and circles are in their object
+// coordinate system (arbitrary axis algorithm). Every entity has extended data of the application
+// LIMN: the id of its link, or of its node for points (code 1071). Colors are those of the layers.
 void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, LengthUnit unit,
                      std::ostream& out);
 

@@ -8,7 +8,7 @@ namespace limn {
 
 constexpr const char* kDxfApplication = "LIMN";
 
-// The entities of the model space, each with a handle from `*next_handle` on.
+// Writes the entities of the model space with handles from `*next_handle` on.
 void PutDxfEntities(const DrawingGraph& graph, const DxfLayerPlan& plan, int model_space,
                     int* next_handle, DxfWriter* writer);
 

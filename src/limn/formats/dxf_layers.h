@@ -13,11 +13,11 @@ struct DxfLayer {
   int color = 7;  // AutoCAD's color index
 };
 
-// The layers that have something on them, and where things go.
+// The nonempty layers, and the layer of every link and of the junctions.
 struct DxfLayerPlan {
   std::vector<DxfLayer> layers;
   std::vector<int> of_link;
-  int of_junctions = -1;  // -1: they are not drawn
+  int of_junctions = -1;  // -1: not drawn
 };
 
 DxfLayerPlan PlanDxfLayers(const DrawingGraph& graph, const DxfOptions& options);

@@ -9,19 +9,19 @@
 
 namespace limn {
 
-// The block records that own what is in model and paper space.
+// The block records that own the entities of model and paper space.
 struct DxfSpaces {
   int model = 0;
   int paper = 0;
 };
 
-// The section TABLES: what AutoCAD asks for, the layers, and a view from above of all of `extent`
-// (which may be empty). Handles are taken from `*next_handle` on.
+// Writes the section TABLES: the entries that AutoCAD requires, the layers, and a top view of all
+// of `extent` (which may be empty). Uses handles from `*next_handle` on.
 DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::AlignedBox3d& extent,
                        int* next_handle, DxfWriter* writer);
 
-// The sections BLOCKS and OBJECTS, which hold the empty blocks of the two spaces and the dictionary
-// that every file must have.
+// The sections BLOCKS and OBJECTS, with the empty blocks of the two spaces and the dictionary that
+// every file must have.
 void PutDxfBlocks(const DxfSpaces& spaces, int* next_handle, DxfWriter* writer);
 void PutDxfObjects(int* next_handle, DxfWriter* writer);
 

@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// The lines of an ASCII DXF file: a group code, then its value.
+// Writes the lines of an ASCII DXF file: a group code, then its value.
 class DxfWriter {
  public:
   explicit DxfWriter(std::ostream& out) : out_(out) {}

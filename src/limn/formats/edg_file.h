@@ -10,13 +10,13 @@ namespace limn {
 // Edge maps of the VXL tools, text (`.edg`, also gzipped): a version line, the keys WIDTH, HEIGHT
 // and EDGE_COUNT, then one edgel per line:
 //   [ix, iy]  idir iconf  [x, y]  dir conf uncertainty        (the last number is absent before v3)
-// Edgel ids are the order of the lines. Pixels have the center of the top-left one at (0, 0), as
-// here. Which of the two directions along the edge `dir` means is taken as it is. Reading fills
-// position_px and stored_px alike; throws IoError.
+// Edgel ids are the order of the lines. The center of the top-left pixel is (0, 0), as here. The
+// sense of `dir` along the edge is kept. Reading sets position_px and stored_px to the same values;
+// throws IoError.
 EdgeMap ReadEdg(const std::string& path);
 
 // Version 3: positions and directions in the virtual pinhole image, strength as conf, sigma as
-// uncertainty; all come back exactly but for directions below 0, which gain 2 pi.
+// uncertainty; all are read back exactly, except that directions below 0 gain 2 pi.
 void WriteEdg(const EdgeMap& edge_map, std::ostream& out);
 
 }  // namespace limn

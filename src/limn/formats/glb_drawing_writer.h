@@ -18,11 +18,11 @@ struct GlbPoint {
 struct GlbOptions {
   // The junctions of the graph as points.
   bool junctions = true;
-  // Points of a cloud to go with the drawing, in its coordinates; finite.
+  // Points of a cloud to export with the drawing, in its coordinates; finite.
   std::vector<GlbPoint> cloud;
 };
 
-// A drawing as binary glTF 2.0 (.glb), for Blender and other programs of scenes:
+// Writes a drawing as binary glTF 2.0 (.glb), for Blender and other 3D programs:
 //   node "drawing"           its translation is the middle of the links
 //     node "link_<id>"       a line strip with the link's points in its color (ColorOfCurve), an
 //                            object of its own; a closed one returns to its first vertex by index.
@@ -30,11 +30,11 @@ struct GlbOptions {
 //                            known "primitive" and "class"
 //     node "junctions"       points, white; extras: "nodes", their ids in order
 //     node "cloud"           points in their colors
-// The graph has z up, glTF y up: (x, y, z) is written as (x, z, -y), which Blender's import turns
-// back. Positions are floats from the middle of the links, so that places far from the origin keep
-// their digits; the translation is written with all of them. Colors are linear, as glTF asks.
-// Throws InputError if the file would be too large for the format (4 GB), or a coordinate is for a
-// float.
+// The graph has z up, glTF y up: (x, y, z) is written as (x, z, -y), which Blender's importer
+// reverts. Positions are floats relative to the middle of the links, so that places far from the
+// origin keep their digits; the translation is written with full precision. Colors are linear, as
+// glTF requires. Throws InputError if the file exceeds the format's 4 GB, or a coordinate the range
+// of float.
 void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out);
 
 }  // namespace limn

@@ -6,10 +6,10 @@
 
 namespace limn {
 
-// The graph of a drawing as GraphML, undirected: a node "n<id>" per node with x, y, z, kind and
-// degree; an edge "l<id>" per link with link (its id), length (of its points), points (how many),
-// primitive ("line", "arc", "circle", "spline", or "polyline" where it has none), views (how many
-// support it), residual_px and class (of dense surfaces, "unknown" where nobody asked). Closed
+// Writes the graph of a drawing as undirected GraphML: a node "n<id>" per node with x, y, z, kind
+// and degree; an edge "l<id>" per link with link (its id), length (of its points), points (how
+// many), primitive ("line", "arc", "circle", "spline", or "polyline" where it has none), views (how
+// many support it), residual_px and class (DenseClass, "unknown" before drawing_fuser). Closed
 // links are loops, parallel links parallel edges.
 void WriteDrawingGraphml(const DrawingGraph& graph, std::ostream& out);
 

@@ -12,9 +12,9 @@ namespace limn {
 void WriteImageCurves(const std::string& path, const ImageCurves& curves,
                       const std::string& identity);
 
-// Nothing if the file was made from another input or by another version of limn: make it anew.
-// An empty `identity` accepts any. Everything read is checked (ids in range, numbers finite);
-// throws IoError.
+// Nothing if the file was made from other input or by another version of Limn, and must be made
+// again. An empty `identity` accepts any. Everything read is checked (ids in range, numbers
+// finite); throws IoError.
 std::optional<ImageCurves> ReadImageCurves(const std::string& path, const std::string& identity);
 
 }  // namespace limn

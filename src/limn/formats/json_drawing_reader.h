@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// What a drawing file says beside the graph.
+// What a drawing file contains besides the graph.
 struct DrawingMetadata {
   // Names of the run's views; a link's supporting views are indices into it.
   std::vector<std::string> view_names;
@@ -23,11 +23,11 @@ struct DrawingFile {
 constexpr const char* kDrawingJsonFormat = "limn-drawing";
 constexpr int kDrawingJsonVersion = 1;
 
-// A drawing.json as json_drawing_writer.h writes it. Throws IoError, also when the graph breaks one
-// of the invariants of Validate.
+// Reads a drawing.json as written by json_drawing_writer.h. Throws IoError, also if the graph
+// violates an invariant of Validate.
 DrawingFile ReadDrawingJson(const std::string& path);
 
-// The same of the text of one, which messages call `name`.
+// The same from the text of a file, called `name` in messages.
 DrawingFile ParseDrawingJson(const std::string& name, const std::string& text);
 
 }  // namespace limn

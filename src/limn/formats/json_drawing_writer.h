@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// A drawing as JSON, to be read back by ReadDrawingJson without loss:
+// Writes a drawing as JSON, which ReadDrawingJson reads back without loss:
 //   {"format": "limn-drawing", "format_version": 1, "limn_version": "...",
 //    "views": [name, ...], "options": {...},
 //    "nodes": [{"id", "position": [x, y, z], "kind": "end"|"junction"|"loop_anchor", "degree",
@@ -24,7 +24,7 @@ namespace limn {
 //               "supporting_views": [name, ...], "members": [[curve, begin, end], ...],
 //               "points": [[x, y, z], ...], "sigma": [..., null = unknown]}]}
 // One node or link per line. Throws InputError if a supporting view has no name in the metadata or
-// its options are no JSON object.
+// the options are not a JSON object.
 void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata,
                       std::ostream& out);
 

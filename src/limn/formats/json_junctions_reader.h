@@ -7,10 +7,10 @@
 
 namespace limn {
 
-// True junctions as the sample scene has them: a JSON object with "junctions", a list of objects
-// with "position" [x, y, z] and "degree"; other members are passed over. They are CurveSet::nodes
-// of the truth, and say more than its polylines, which do not share a point where one ends at
-// another's middle. Throws IoError.
+// Reads true junctions in the format of the sample scene: a JSON object with "junctions", a list of
+// objects with "position" [x, y, z] and "degree"; other members are ignored. They become
+// CurveSet::nodes of the truth, whose polylines share no point where one ends at the middle of
+// another. Throws IoError.
 std::vector<CurveNode> ReadJunctions(const std::string& path);
 
 }  // namespace limn

@@ -6,11 +6,11 @@
 
 namespace limn {
 
-// The JSON of a file, with the members of objects in the order of the file. Throws IoError when it
-// is no JSON or nested more than 100 deep (the JSON library writes and copies recursively).
+// Parses the JSON text of a file, keeping the order of members. Throws IoError if it is invalid or
+// nested more than 100 deep (the JSON library writes and copies recursively).
 nlohmann::ordered_json ParseJson(const std::string& path, const std::string& text);
 
-// A number that is an int, without silent truncation. Throws InputError.
+// A number as an int. Throws InputError if it is not one, instead of truncating.
 int IntFromJson(const nlohmann::ordered_json& json);
 
 }  // namespace limn

@@ -2,7 +2,7 @@
 
 namespace limn {
 
-// What one unit of a file's coordinates is. Models have no unit of their own.
+// The unit of a file's coordinates. Models themselves have no unit.
 enum class LengthUnit { kNone, kMillimeter, kCentimeter, kMeter, kInch, kFoot };
 
 // 1 for kNone.

@@ -4,7 +4,7 @@
 
 namespace limn {
 
-// The words files use for a link.
+// Names of kinds of links in files.
 
 // "line", "arc", "circle", "spline", or "polyline" where the link has no primitive.
 inline const char* PrimitiveName(const DrawingLink& link) {

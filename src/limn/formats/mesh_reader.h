@@ -6,10 +6,10 @@
 
 namespace limn {
 
-// A surface from a file, by its extension: .ply (elements vertex and face, whose list is
+// Reads a surface from a file, by its extension: .ply (elements vertex and face, whose list is
 // vertex_indices or vertex_index; ascii or binary of either byte order) or .obj (v and f
 // statements). Faces are polygons of any number of corners; vertices at the same place are welded
-// (MakeTriangleMesh). Throws IoError: also for a file without faces or whose faces have no area.
+// (MakeTriangleMesh). Throws IoError, also if there are no faces or none has an area.
 TriangleMesh ReadMesh(const std::string& path);
 
 }  // namespace limn

@@ -6,8 +6,8 @@
 
 namespace limn {
 
-// A drawing as Wavefront OBJ: the nodes' vertices first, then per link an object "link_<id>" with
-// its inner vertices and one polyline element.
+// Writes a drawing as Wavefront OBJ: the nodes' vertices first, then per link an object "link_<id>"
+// with its inner vertices and one polyline element.
 void WriteDrawingObj(const DrawingGraph& graph, std::ostream& out);
 
 }  // namespace limn

@@ -9,9 +9,9 @@
 
 namespace limn {
 
-// The v, l and p statements of a Wavefront OBJ file (others are passed over). Line elements of one
-// object or group (o, g) are joined by ChainEdges. Vertices no statement uses are left out if there
-// is any l or p; else all vertices are points. Throws IoError.
+// Reads the v, l and p statements of a Wavefront OBJ file; others are ignored. Line elements of one
+// object or group (o, g) are joined by ChainEdges. If there is any l or p, unused vertices are
+// dropped; else all vertices are points. Throws IoError.
 CurveSet ReadObjCurves(const std::string& path);
 
 // The v and f statements: vertices, and per face the indices of its corners, at least three.
@@ -20,7 +20,7 @@ struct FaceSoup {
   std::vector<std::vector<int>> faces;
 };
 
-// Other statements are passed over. Throws IoError.
+// Other statements are ignored. Throws IoError.
 FaceSoup ReadObjFaces(const std::string& path);
 
 }  // namespace limn

@@ -6,9 +6,9 @@
 
 namespace limn {
 
-// Curves or points of a PLY file: ascii or binary of either byte order, coordinates of any type,
-// properties in any order, unknown elements (faces) and properties passed over. Edges are joined to
-// polylines by ChainEdges; an edge property `link` names the polyline. Throws IoError.
+// Reads curves or points from a PLY file: ascii or binary of either byte order, coordinates of any
+// type, properties in any order, unknown elements (faces) and properties ignored. Edges are joined
+// to polylines by ChainEdges; an edge property `link` names the polyline. Throws IoError.
 CurveSet ReadPlyCurves(const std::string& path);
 
 }  // namespace limn

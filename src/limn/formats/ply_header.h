@@ -11,7 +11,7 @@ enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, 
 
 size_t PlyTypeSize(PlyType type);
 
-// The number in a little-endian file's bytes, or, with `swap`, in a big-endian one's.
+// The number stored in bytes of a little-endian file, or with `swap` of a big-endian one.
 double PlyValue(PlyType type, const char* bytes, bool swap);
 
 struct PlyProperty {

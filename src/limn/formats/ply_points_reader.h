@@ -15,8 +15,8 @@ struct PlyPoint {
   std::array<uint8_t, 3> color = {};
 };
 
-// The vertices of a PLY file one after the other, however many there are: ascii or binary, colors
-// named red or diffuse_red. The vertices must be the file's first element and have no lists.
+// Streams the vertices of a PLY file of any size: ascii or binary, colors named red or diffuse_red.
+// The vertices must be the file's first element and have no lists.
 struct PlyPointsInfo {
   uint64_t count = 0;
   bool has_normals = false;
@@ -26,7 +26,7 @@ struct PlyPointsInfo {
 // Throws IoError.
 PlyPointsInfo ReadPlyPointsInfo(const std::string& path);
 
-// Throws IoError naming line or byte: too short, numbers that are not finite.
+// Throws IoError with line or byte: too short, non-finite numbers.
 void ReadPlyPoints(const std::string& path, const std::function<void(const PlyPoint&)>& visit);
 
 }  // namespace limn

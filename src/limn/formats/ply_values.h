@@ -13,7 +13,7 @@
 
 namespace limn {
 
-// The values of a PLY file's data part, one after the other, ascii or binary of either byte order.
+// Reads the values in the data part of a PLY file in order, ascii or binary of either byte order.
 // Throws IoError with the place.
 class PlyValues {
  public:
@@ -21,11 +21,11 @@ class PlyValues {
   PlyValues(const std::string& path, std::string_view bytes, const PlyHeader& header);
 
   double Next(PlyType type);
-  // The next list, in place of what `values` held.
+  // The next list, replacing the content of `values`.
   void NextList(const PlyProperty& property, std::vector<double>* values);
 
   // Throws unless the rest of the file can hold the element, so that nothing is allocated for
-  // counts that cannot be true.
+  // impossible counts.
   void CheckRoomFor(const PlyElement& element) const;
 
   [[noreturn]] void Fail(const std::string& reason) const;
@@ -41,16 +41,16 @@ class PlyValues {
   std::unique_ptr<TextScanner> text_;
 };
 
-// `row` holds the element's properties in order (lists are 0), `list` the values of one of them.
+// `row` has the element's properties in order (lists are 0), `list` the values of one list.
 using TakePlyRow =
     std::function<void(const std::vector<double>& row, const std::vector<double>& list)>;
 
-// Reads one element and calls `take` with each of its rows. `list_property` is the index of the
-// list that is wanted, -1 = none; other lists are passed over.
+// Reads one element and calls `take` for each row. `list_property` is the index of the requested
+// list, -1 = none; other lists are ignored.
 void ReadPlyRows(const PlyElement& element, int list_property, PlyValues* values,
                  const TakePlyRow& take);
 
-// Index of a property that is no list; throws IoError if there is none of that name.
+// Index of the scalar property of this name; throws IoError if there is none.
 int FindPlyScalar(const std::string& path, const PlyElement& element, const char* name);
 
 // The positions of element vertex: x, y, z, all finite.

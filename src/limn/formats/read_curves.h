@@ -6,12 +6,12 @@
 
 namespace limn {
 
-// Curves or points of any file limn knows, by its extension:
+// Reads curves or points from a file of any supported format, by its extension:
 //   .ply               vertices, edges                  ReadPlyCurves
 //   .obj               v, l, p                          ReadObjCurves
 //   .json              a drawing of limn's              ReadDrawingJson
 //   .txt .xyz (.gz)    points, one per line             ReadTextPoints
-// `edges_path` gives the edges of a .txt file of points (ReadIndexedCurves) and is empty otherwise.
+// `edges_path` is the file of edges for a .txt file of points (ReadIndexedCurves), else empty.
 // Throws IoError.
 CurveSet ReadCurves(const std::string& path, const std::string& edges_path = "");
 

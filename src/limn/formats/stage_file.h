@@ -14,18 +14,18 @@ enum class StageKind : uint32_t {
   kDrawing = 4
 };
 
-// The result of a stage on disk, all numbers little endian:
+// Writes the result of a stage, all numbers little-endian:
 //   char[8] "limnfile" | u32 format version | u32 kind | u64 n, char[n] identity |
 //   u64 size of the payload | u64 m, byte[m] payload (zlib; image curves
 //   stored without compression) | u32 crc32 of all bytes before
-// `identity` stands for everything the payload depends on (options, input); the caller chooses it.
-// The same input gives the same bytes. Throws IoError.
+// `identity`, chosen by the caller, represents everything that the payload depends on (options,
+// input). The same input gives the same bytes. Throws IoError.
 void WriteStageFile(const std::string& path, StageKind kind, std::string_view identity,
                     std::string_view payload);
 
-// The payload, or nothing if the file was made from something else: an identity other than
-// `identity` (empty: any will do) or another format version, so that the caller makes it anew.
-// Throws IoError if there is no such file, or it is cut, damaged, or of another kind.
+// The payload, or nothing if it must be made again because the file has another identity than
+// `identity` (empty: any is accepted) or another format version. Throws IoError if the file is
+// missing, truncated, damaged, or of another kind.
 std::optional<std::string> ReadStageFile(const std::string& path, StageKind kind,
                                          std::string_view identity);
 

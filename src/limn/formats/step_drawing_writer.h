@@ -7,11 +7,11 @@
 
 namespace limn {
 
-// A drawing as STEP AP214, an edge-based wireframe in millimeters (units without a name are taken
-// for these): a connected edge set "path_<i>" per path (PathsOf), which readers make a wire of,
-// with an edge "link_<id>" per link: a line, a circle, a cubic B-spline, or a B-spline of degree 1
-// through the points of a link without a primitive. Edges that meet at a node share its vertex.
-// Throws InputError for a drawing without links, and where OpenCASCADE does not take a curve.
+// Writes a drawing as STEP AP214, an edge-based wireframe in millimeters (LengthUnit::kNone is
+// taken for these): a connected edge set "path_<i>" per path (PathsOf), which readers turn into a
+// wire, with an edge "link_<id>" per link: a line, a circle, a cubic B-spline, or a B-spline of
+// degree 1 through the points of a link without a primitive. Edges that meet at a node share its
+// vertex. Throws InputError for a drawing without links, and if OpenCASCADE rejects a curve.
 void WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& out);
 
 }  // namespace limn

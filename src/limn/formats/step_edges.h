@@ -10,15 +10,15 @@
 
 namespace limn {
 
-// The edges of a drawing as entities of a STEP file; only for drawing_step.cc.
+// The edges of a drawing as entities of a STEP file; only for step_drawing_writer.cc.
 struct StepEdges {
   std::vector<opencascade::handle<StepShape_EdgeCurve>> of_link;
   // The largest distance between a vertex and the end of a curve there.
   double gap = 0;
 };
 
-// Every link as its path walks it: where that is against its curve, the edge says so. Coordinates
-// in millimeters. Throws InputError where OpenCASCADE does not take a curve.
+// Every link is directed as in its path; the edge is marked reversed where its curve runs the other
+// way. Coordinates in millimeters. Throws InputError if OpenCASCADE rejects a curve.
 StepEdges MakeStepEdges(const DrawingGraph& graph, const std::vector<DrawingPath>& paths);
 
 }  // namespace limn

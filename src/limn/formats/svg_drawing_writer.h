@@ -10,15 +10,15 @@
 
 namespace limn {
 
-// Drawings as vector pictures:
+// Drawings as SVG pictures:
 //   <title>, <desc> (what it shows; on sheets scale and origin), <style>
 //   <image>             only with a photograph
-//   <g id="links">      per link that is seen a <path id="link_<id>">, or, where hidden parts are
-//                       dashed and there are some, a <g id="link_<id>"> with a path for the visible
-//                       and one with class "hidden" for the others. Classes: line, arc, circle,
-//                       spline or polyline (no shape known), and surface, boundary, free or unknown
-//                       (only after drawing_fuser)
-//   <g id="junctions">  <circle id="node_<id>"> per junction at which a link is seen
+//   <g id="links">      per visible link a <path id="link_<id>">, or, if hidden parts are
+//                       dashed and it has some, a <g id="link_<id>"> with a path for the visible
+//                       parts and one with class "hidden" for the others. Classes: line, arc,
+//                       circle, spline or polyline (no shape known), and surface, boundary, free or
+//                       unknown (only after drawing_fuser)
+//   <g id="junctions">  <circle id="node_<id>"> per junction at which a link is visible
 //   <g id="legend">     only on sheets: scale bar and directions of the axes
 // The same drawing gives the same bytes.
 
@@ -43,29 +43,29 @@ struct SvgOptions {
   // See LinkPathOptions.
   double tolerance_px = 0.1;
   double min_run_px = 6;
-  // Beneath the drawing in views, as a file or URL relative to the picture; empty: none.
+  // Photograph beneath the drawing in views, as a file or URL relative to the picture; empty: none.
   std::string photo;
-  // Of the photograph, in [0, 1]; lower lets the lines stand out.
+  // Of the photograph, in [0, 1]; lower makes the lines stand out.
   double photo_opacity = 0.6;
 
   // Throws OptionError.
   void Check() const;
 };
 
-// What became of the links; the sum is the number of links.
+// Numbers of links by outcome; the sum is the number of links.
 struct SvgSummary {
   int num_drawn = 0;
-  int num_hidden = 0;   // behind something from end to end, and left out
-  int num_outside = 0;  // of the picture
+  int num_hidden = 0;   // hidden entirely, and left out
+  int num_outside = 0;  // outside of the picture
 };
 
-// As seen in a photograph, through its lens; width and height are those of the stored image. Throws
-// OptionError.
+// Writes the drawing as seen in a photograph, through its lens; width and height are those of the
+// stored image. Throws OptionError.
 SvgSummary WriteDrawingSvg(const DrawingGraph& graph, const View& view, const IsHidden& is_hidden,
                            const SvgOptions& options, std::ostream& out);
 
-// In parallel projection to scale; width and height are in mm, units those of the model. The sheet
-// is of the same drawing. Throws OptionError.
+// Writes the drawing in parallel projection to scale; width and height are in mm, units those of
+// the model. The sheet was made for the same drawing. Throws OptionError.
 SvgSummary WriteDrawingSvg(const DrawingGraph& graph, const SvgSheet& sheet,
                            const IsHidden& is_hidden, const SvgOptions& options, std::ostream& out);
 

@@ -11,13 +11,12 @@
 
 namespace limn {
 
-// Whether something stands before a point, seen from where the picture is seen. Empty: nothing
-// does.
+// Whether a point is hidden in the picture. Empty: nothing is.
 using IsHidden = std::function<bool(const Eigen::Vector3d& point_in_world)>;
 
-// Behind a depth image of a view (of a depth map, cloud or mesh) by more than `tolerance_px` pixel
-// footprints, in its pixel and within `margin_px` to all sides: curves that are a pixel off do not
-// vanish behind the outline beside them. Both are kept by the result.
+// Hidden is what is behind a view's depth image (of a depth map, cloud or mesh) by more than
+// `tolerance_px` pixel footprints, in its pixel and within `margin_px` to all sides, so that curves
+// that are a pixel off do not vanish behind the outline beside them.
 IsHidden HiddenInView(View view, DepthImage depth, double tolerance_px = 4, double margin_px = 1);
 
 // The same in parallel projection, for sheets; tolerance and margin in depth pixels.
@@ -30,16 +29,16 @@ struct ShownRun {
   bool hidden = false;
 };
 
-// Places of a curve, ascending, and the length of the drawn curve up to them.
+// A position on a curve and the length of the drawn curve up to it.
 struct CurveSample {
   double t = 0;
   double length_px = 0;
 };
 
-// The visible and the hidden parts of a curve, in turns, as told by its samples; borders between
-// samples are found by halving. Parts shorter than `min_run_px` go with what is around them: first
-// hidden ones, then visible ones, so that single wrong depths leave no gaps and no crumbs. At least
-// two samples.
+// The alternating visible and hidden parts of a curve, from its ascending samples; borders between
+// samples are found by bisection. Parts shorter than `min_run_px` are merged with their neighbors,
+// first hidden, then visible ones, so that single wrong depths leave no gaps or fragments.
+// Precondition: at least two samples.
 std::vector<ShownRun> FindRuns(const std::function<Eigen::Vector3d(double)>& point_at,
                                const std::vector<CurveSample>& samples, const IsHidden& is_hidden,
                                double min_run_px);

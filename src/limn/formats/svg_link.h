@@ -11,9 +11,9 @@
 namespace limn {
 
 struct LinkPathOptions {
-  // The shapes of links where they are known, else their points.
+  // Draw the primitives of links where known, else their points.
   bool use_primitives = true;
-  // Curves that are drawn for others stay this near to them.
+  // Largest deviation of approximated curves.
   double tolerance_px = 0.1;
   // See FindRuns.
   double min_run_px = 6;
@@ -21,11 +21,11 @@ struct LinkPathOptions {
   int decimals = 2;
 };
 
-// What is seen of one link.
+// The visible and hidden parts of one link.
 struct LinkPath {
   SvgPath visible;
   SvgPath hidden;
-  // Nothing stands before the link's two ends.
+  // Whether the link's two ends are visible.
   bool end_is_open[2] = {true, true};
 };
 
@@ -35,7 +35,7 @@ LinkPath DrawLink(const View& view, const DrawingLink& link, const IsHidden& is_
                   const LinkPathOptions& options);
 
 // On a sheet, in its units. Lines, arcs (as parts of ellipses) and splines are exact; a circle seen
-// from its side, and what has no shape, within the tolerance.
+// edge-on, and a link without a shape, within the tolerance.
 LinkPath DrawLink(const SvgSheet& sheet, const DrawingLink& link, const IsHidden& is_hidden,
                   const LinkPathOptions& options);
 

@@ -6,17 +6,17 @@
 
 namespace limn {
 
-// A number as short text: rounded to so many decimals, without zeros that say nothing.
+// A number rounded to this many decimals, without trailing zeros.
 std::string ShortNumber(double value, int decimals);
 
-// Decimals at which rounding to them moves nothing by more than `largest_error` > 0.
+// Number of decimals at which rounding errors are at most `largest_error` > 0.
 int DecimalsFor(double largest_error);
 
 // Text for an element or an attribute in double quotes.
 std::string XmlEscaped(const std::string& text);
 
-// The `d` attribute of a path, in relative commands. Places are rounded to the decimals and the
-// differences of rounded places are written, so that errors do not add up.
+// The `d` attribute of a path, in relative commands. Writes differences of rounded positions, so
+// that rounding errors do not accumulate.
 class SvgPath {
  public:
   explicit SvgPath(int decimals);
@@ -25,8 +25,8 @@ class SvgPath {
   void LineTo(const Eigen::Vector2d& point);
   void CubicTo(const Eigen::Vector2d& first, const Eigen::Vector2d& second,
                const Eigen::Vector2d& point);
-  // Along an ellipse with these radii whose first axis is turned by `rotation_deg`, by less than
-  // half a turn.
+  // Along an ellipse with these radii whose first axis is rotated by `rotation_deg`; less than half
+  // a turn.
   void ArcTo(const Eigen::Vector2d& radii, double rotation_deg, bool positive_turn,
              const Eigen::Vector2d& point);
 
@@ -37,7 +37,7 @@ class SvgPath {
   Eigen::Matrix<long long, 2, 1> Rounded(const Eigen::Vector2d& point) const;
   void PutCommand(char command);
   void PutText(const std::string& number);
-  // Of a rounded place, relative to the last one.
+  // Writes a rounded position relative to the last one.
   void PutOffset(const Eigen::Vector2d& point);
 
   int decimals_;

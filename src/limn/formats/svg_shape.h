@@ -10,13 +10,13 @@
 
 namespace limn {
 
-// Append pieces of curves to a path, each after a move to its start.
+// Both append curves to a path, each after a move to its start.
 
-// FitBeziers through the points. What has no length becomes a dot.
+// Appends FitBeziers of the points. A polyline without length becomes a dot.
 void AppendFitted(const std::vector<Eigen::Vector2d>& points, double tolerance, SvgPath* path);
 
-// The part of a shape between 0 <= t0 < t1 <= 1, exactly; an arc whose ellipse is narrower than
-// `tolerance` becomes a line.
+// Appends the part of a shape between 0 <= t0 < t1 <= 1, exactly; an arc whose ellipse is narrower
+// than `tolerance` becomes a line.
 void AppendShape(const SvgSheet& sheet, const CurveShape& shape, double t0, double t1,
                  double tolerance, SvgPath* path);
 

@@ -19,15 +19,15 @@ enum class SvgProjection {
 
 struct SheetOptions {
   SvgProjection projection = SvgProjection::kTop;
-  // Where the eye of an axonometric projection is: its direction turned about z from +x toward +y,
-  // and above the plane z = 0, in [-90, 90]. The default is isometric, from the front right: the
-  // three axes are shortened alike, to 0.816.
+  // Viewpoint of an axonometric projection: its direction about z, from +x toward +y, and above the
+  // plane z = 0, in [-90, 90]. The default is isometric, from the front right: all three axes are
+  // shortened to 0.816.
   double azimuth_deg = -45;
   double elevation_deg = 35.264389682754654;
-  // n of 1:n, where a model unit is a meter. 0: the largest of 1, 2 and 5 times a power of ten
-  // that fits on a sheet of A3.
+  // n of 1:n, where a model unit is a meter. 0: the largest scale with n = 1, 2 or 5 times a power
+  // of ten that fits on A3.
   double scale_denominator = 0;
-  // Of empty paper around the drawing.
+  // Empty margin around the drawing.
   double margin_mm = 10;
   // A scale bar and the directions of the axes below the drawing.
   bool legend = true;
@@ -40,19 +40,19 @@ struct SheetOptions {
 struct SvgSheet {
   // Unit rows: right, down, forward in the world.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  // What is taken off (right, down): zero but for drawings far from the origin, 1000 times as far
-  // as they are large, whose places would have too many digits.
+  // Subtracted from (right, down): zero except for drawings more than 1000 times as far from the
+  // origin as they are large, whose coordinates would have too many digits.
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
-  // Corners of the paper and of the drawing on it, after the origin has been taken off.
+  // Corners of the paper and of the drawing on it, after subtracting the origin.
   Eigen::Vector2d paper_min = Eigen::Vector2d::Zero();
   Eigen::Vector2d paper_max = Eigen::Vector2d::Zero();
   Eigen::Vector2d drawing_min = Eigen::Vector2d::Zero();
   Eigen::Vector2d drawing_max = Eigen::Vector2d::Zero();
   double scale_denominator = 1;
-  // There is room for one in the lower margin.
+  // The lower margin has room for a legend.
   bool has_legend = false;
 
-  // Model units of a millimeter of paper, and of a pixel (1/96 inch).
+  // Model units per millimeter of paper, and per pixel (1/96 inch).
   double mm() const { return scale_denominator / 1000; }
   double px() const { return 25.4 / 96 * mm(); }
   Eigen::Vector2d PaperMm() const { return (paper_max - paper_min) / mm(); }
@@ -64,8 +64,8 @@ struct SvgSheet {
 // Throws OptionError, or InputError if the drawing has no links.
 SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options);
 
-// The part of the sheet with the drawing on it, for a depth image of what hides it: a depth pixel
-// per pixel of the sheet, or larger ones where these were more than 4096 in a row.
+// The part of the sheet with the drawing, for a depth image of what hides it: a depth pixel per
+// pixel of the sheet, or larger ones if there would be more than 4096 in a row.
 OrthographicFrame DepthFrame(const SvgSheet& sheet);
 
 // "1:50", or "20:1" for enlargements.

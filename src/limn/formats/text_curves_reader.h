@@ -6,12 +6,12 @@
 
 namespace limn {
 
-// Points, one "x y z" per line; further columns are passed over, as are lines that start with '#'.
+// Reads points, one "x y z" per line; further columns and lines that start with '#' are ignored.
 // The file may be gzipped. Throws IoError.
 CurveSet ReadTextPoints(const std::string& path);
 
-// Polylines as points plus edges: a second file of 1-based point indices, two per edge, in any
-// layout of lines (the Pavilion's gt-points.txt and gt-edges.txt). Copies of an edge are one edge.
+// Reads polylines as points plus edges: a second file of 1-based point indices, two per edge, with
+// any line breaks (the Pavilion's gt-points.txt and gt-edges.txt). Copies of an edge are merged.
 CurveSet ReadIndexedCurves(const std::string& points_path, const std::string& edges_path);
 
 }  // namespace limn

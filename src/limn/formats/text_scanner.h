@@ -7,17 +7,16 @@
 
 namespace limn {
 
-// Walks through the words and numbers of a text and knows where it is. Errors are IoError with path
-// and line.
+// Scans the words and numbers of a text. Errors are IoError with path and line.
 class TextScanner {
  public:
   // The text must outlive the scanner. `first_line` is the number of the text's first line.
   TextScanner(std::string path, std::string_view text, int first_line = 1)
       : path_(std::move(path)), text_(text), line_(first_line) {}
 
-  // Skips white space, line ends included; whether nothing is left.
+  // Skips white space, line ends included; returns whether nothing is left.
   bool AtEnd();
-  // Skips blanks but not line ends; whether the line has nothing more.
+  // Skips blanks but not line ends; returns whether nothing is left on the line.
   bool AtEndOfLine();
   // The next character, 0 at the end.
   char Peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
@@ -27,12 +26,12 @@ class TextScanner {
   double Number(const char* what);
   // The next number, which must be finite.
   double FiniteNumber(const char* what);
-  // The next number, which must be a whole one from 0 to 10^9.
+  // The next number, which must be an integer from 0 to 10^9.
   int Count(const char* what);
   Eigen::Vector3d Point();
   // The rest of the line, without its end.
   std::string_view RestOfLine();
-  // Number of the line it stands in, from 1.
+  // Current line number, from 1.
   int line() const { return line_; }
 
   [[noreturn]] void Fail(const std::string& reason) const;

@@ -11,9 +11,9 @@ namespace limn {
 void WriteViewSketch(const std::string& path, const ViewSketch& sketch,
                      const std::string& identity);
 
-// Nothing if the file was made from another input or by another version of limn: make it anew.
-// An empty `identity` accepts any. Everything read is checked (ids of views below `num_views`,
-// numbers finite but for unknown sigmas); throws IoError.
+// Nothing if the file was made from other input or by another version of Limn, and must be made
+// again. An empty `identity` accepts any. Everything read is checked (ids of views below
+// `num_views`, numbers finite except unknown sigmas); throws IoError.
 std::optional<ViewSketch> ReadViewSketch(const std::string& path, int num_views,
                                          const std::string& identity);
 

@@ -4,10 +4,10 @@
 
 namespace limn {
 
-// The bytes of a file; a gzip file comes back unpacked. Throws IoError.
+// The bytes of a file; gzip files are decompressed. Throws IoError.
 std::string ReadWholeFile(const std::string& path);
 
-// Lower-case extension with its dot, that before ".gz" if there is one.
+// Lower-case extension with its dot, ignoring a final ".gz".
 std::string FileExtension(const std::string& path);
 
 }  // namespace limn

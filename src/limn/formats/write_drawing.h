@@ -19,7 +19,7 @@ constexpr const char* kAutoFormat = "auto";
 
 // How an SVG picture sees the drawing.
 struct SvgPicture {
-  // The photograph's view; none: the sheet.
+  // The view of the photograph; none: use the sheet.
   std::optional<View> view;
   SheetOptions sheet;
   IsHidden is_hidden;
@@ -27,29 +27,27 @@ struct SvgPicture {
 };
 
 struct DrawingFormatOptions {
-  // One of DrawingFormats(), or kAutoFormat: the one that the path's extension names.
+  // One of DrawingFormats(), or kAutoFormat: by the path's extension.
   std::string format = kAutoFormat;
   DxfOptions dxf;
   GlbOptions glb;
   SvgPicture svg;
-  // What one unit of the coordinates is; for formats that say so (DXF, STEP).
+  // Unit of the coordinates, for formats that store it (DXF, STEP).
   LengthUnit unit = LengthUnit::kNone;
 };
 
-// The names of the formats that drawings are written in: "ply", "obj", ... Those of a build without
-// OpenCASCADE lack "step".
+// The names of the formats for drawings: "ply", "obj", ... Builds without OpenCASCADE lack "step".
 std::vector<std::string> DrawingFormats();
 
-// The name of the format that a drawing is written in at this path. Throws IoError if none is.
+// The name of the format of a drawing written to this path. Throws IoError if there is none.
 std::string DrawingFormatOf(const std::string& path, const DrawingFormatOptions& options);
 
-// Write a drawing. The same graph gives the same bytes. The file appears whole or not at all.
-// Throws IoError, also for an extension or format that is not known, or InputError if the graph
-// breaks an invariant of Validate.
+// Writes a drawing atomically. The same graph gives the same bytes. Throws IoError, also for an
+// unknown extension or format, or InputError if the graph violates an invariant of Validate.
 void WriteDrawing(const std::string& path, const DrawingGraph& graph,
                   const DrawingMetadata& metadata, const DrawingFormatOptions& options = {});
 
-// WriteSketchPly and WriteTracks to a path, whole or not at all.
+// WriteSketchPly and WriteTracks to a path, atomically.
 void WriteSketch(const std::string& path, const CurveSketch& sketch);
 void WriteTracks(const std::string& path, const DrawingGraph& graph,
                  const std::vector<View>& views);

@@ -4,8 +4,8 @@
 
 namespace limn {
 
-// A symmetric positive definite system A x = b whose entries vanish further than `half_width` from
-// the diagonal. Add entries (either triangle, each pair once), then solve in place. O(n
+// A symmetric positive definite system A x = b whose entries are zero farther than `half_width`
+// from the diagonal. Add entries (of either triangle, each once), then solve in place. O(n
 // half_width^2).
 class BandedSystem {
  public:

@@ -15,7 +15,7 @@ using CubicBezier3d = std::array<Eigen::Vector3d, 4>;
 using CubicBezier2d = std::array<Eigen::Vector2d, 4>;
 
 // The part of a spline between 0 <= t0 < t1 <= 1 as cubic Bezier curves end to end, exactly: one
-// per interval of knots that it touches.
+// per knot interval that it overlaps.
 std::vector<CubicBezier3d> BezierPieces(const CubicBSpline& spline, double t0 = 0, double t1 = 1);
 
 // A piece of a fitted curve: a straight line from the first to the last control point, or a curve.
@@ -24,10 +24,10 @@ struct FittedPiece {
   bool is_straight = false;
 };
 
-// Lines and cubic Bezier curves end to end that stay within `tolerance` > 0 of a polyline in the
-// plane, and it of them; they meet smoothly but for corners of the polyline (30 degrees or more). A
-// polyline that returns to its first point is smooth there, too. Nothing for a polyline without
-// length. Time: points and length over tolerance, times the number of pieces.
+// Fits lines and cubic Bezier curves, end to end, to a polyline in the plane: each is within
+// `tolerance` > 0 of the other. They meet smoothly except at corners of the polyline (30 degrees or
+// more). A polyline that returns to its first point is treated as smooth there. Empty for a
+// polyline without length. Time: points and length over tolerance, times the number of pieces.
 std::vector<FittedPiece> FitBeziers(std::span<const Eigen::Vector2d> points, double tolerance);
 
 }  // namespace limn

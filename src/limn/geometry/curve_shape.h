@@ -31,9 +31,8 @@ struct CircularArc {
   bool IsCircle() const;
 };
 
-// Cubic B-spline over [knots[3], knots[n]], n control points, n + 4 knots that never descend; the
-// first four are equal, and the last four, so that it begins and ends at its first and last control
-// points.
+// Clamped cubic B-spline over [knots[3], knots[n]]: n control points, n + 4 nondecreasing knots, of
+// which the first four and the last four are equal.
 struct CubicBSpline {
   std::vector<double> knots;
   std::vector<Eigen::Vector3d> control_points;
@@ -44,30 +43,31 @@ using CurveShape = std::variant<LineSegment, CircularArc, CubicBSpline>;
 // "line", "arc", "circle" or "spline".
 const char* ShapeName(const CurveShape& shape);
 
-// What is wrong with it in words, empty if nothing: numbers that are not finite, a line without
-// length, axes that are no unit vectors at a right angle, a radius or sweep out of range, knots
-// that descend, are not clamped, do not fit the control points or leave a jump.
+// Describes what is wrong with a shape; empty if nothing: non-finite numbers, a line without
+// length, axes that are not orthonormal, a radius or sweep out of range, knots that decrease, are
+// not clamped, have the wrong number or allow a jump.
 std::string ValidateShape(const CurveShape& shape);
 
 Eigen::Vector3d PointAt(const CurveShape& shape, double t);
 // With respect to t.
 Eigen::Vector3d DerivativeAt(const CurveShape& shape, double t);
 
-// The four basis functions that are not zero at t, and the index of the first of them.
+// The four basis functions that are nonzero at t, and the index of the first.
 struct SplineBasis {
   int first = 0;
   double value[4] = {};
 };
 SplineBasis BasisAt(const std::vector<double>& knots, double t);
 
-// Points from start to end; the polyline stays within `tolerance` > 0 of the shape. A circle
-// returns to its start.
+// Points from start to end whose polyline is within `tolerance` > 0 of the shape. A circle returns
+// to its start.
 Polyline3d SampleShape(const CurveShape& shape, double tolerance);
 
-// Numbers that a file holds of it: 6 of a line, 11 of an arc, knots and control points of a spline.
+// Count of numbers that describe it in a file: 6 for a line, 11 for an arc, knots and control
+// points for a spline.
 size_t NumNumbers(const CurveShape& shape);
 
-// The same shape moved: x -> scale * rotation * x + translation; scale > 0.
+// The shape under x -> scale * rotation * x + translation, scale > 0.
 CurveShape Transformed(const CurveShape& shape, double scale, const Eigen::Matrix3d& rotation,
                        const Eigen::Vector3d& translation);
 

@@ -22,7 +22,7 @@ struct PinholeCamera {
     return {fx * point_in_cam.x() * inverse_z + cx, fy * point_in_cam.y() * inverse_z + cy};
   }
 
-  // Direction of the ray through a pixel, with z = 1: multiplied by the depth it is the point.
+  // Direction of the ray through a pixel, scaled to z = 1, so that depth times it is the point.
   Eigen::Vector3d RayFromPixel(const Eigen::Vector2d& pixel) const {
     return {(pixel.x() - cx) / fx, (pixel.y() - cy) / fy, 1.0};
   }

@@ -6,8 +6,8 @@
 
 namespace limn {
 
-// Median distance of a point of a cloud to its nearest neighbor, of a thousand points spread over
-// the list; copies of a point count as none. 0 if no point has a neighbor. O(n log n).
+// Median distance of a point to its nearest neighbor, over a thousand points spread over the list;
+// copies of a point are not neighbors. 0 if no point has a neighbor. O(n log n).
 double PointSpacing(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace limn

@@ -8,14 +8,13 @@
 
 namespace limn {
 
-// Twice the area of a polygon in space times its unit normal (Newell): the corners go round it
-// counter-clockwise. Exact for planar polygons, a mean plane for others.
+// Twice the area of a polygon in space times its unit normal (Newell), around which the corners are
+// counterclockwise. Exact for planar polygons, a mean plane for others.
 Eigen::Vector3d PolygonAreaVector(std::span<const Eigen::Vector3d> corners);
 
-// Cuts a simple polygon in space, convex or not, into triangles of its corners (indices), by
-// clipping ears in the coordinate plane that it faces most. Triangles keep its orientation; those
-// of no area are left out. A polygon that crosses itself gives some triangles of its corners.
-// O(n^2).
+// Triangulates a simple polygon in space, convex or not, by ear clipping in the coordinate plane
+// that it faces most. Returns corner indices. Triangles keep the orientation; those without area
+// are dropped. For a self-intersecting polygon the triangles are arbitrary. O(n^2).
 std::vector<std::array<int, 3>> TriangulatePolygon(std::span<const Eigen::Vector3d> corners);
 
 }  // namespace limn

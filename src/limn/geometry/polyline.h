@@ -22,16 +22,16 @@ struct PolylinePoint {
   double squared_distance = 0;
 };
 
-// The closest point of a polyline of at least two vertices. Linear time; first one wins on ties.
+// The closest point of a polyline of at least two vertices; the first on ties. Linear time.
 PolylinePoint ClosestPoint(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& query);
 
 // Samples at equal arc-length steps no longer than `max_step` > 0, first and last vertex included.
 // A polyline of zero length gives its first vertex.
 Polyline3d ResampleUniform(std::span<const Eigen::Vector3d> points, double max_step);
 
-// The part between two arc lengths, 0 <= from <= to <= length, with all vertices in between. Whole
-// ends keep their vertices to the last bit. At least two points. Linear time. Precondition: at
-// least two vertices.
+// The part between two arc lengths, 0 <= from <= to <= length, with all vertices in between; at
+// least two points. At arc length 0 and at the full length the vertices are kept bit for bit.
+// Linear time. Precondition: at least two vertices.
 Polyline3d CutPolyline(std::span<const Eigen::Vector3d> points, double from, double to);
 
 }  // namespace limn

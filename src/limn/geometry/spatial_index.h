@@ -8,8 +8,8 @@
 namespace limn {
 
 // Exact nearest-neighbor look-up in a fixed set of 3D points: a single kd-tree (FLANN), leaves of
-// 16 points. Building takes O(n log n), a look-up O(log n + found). Immutable once built, so that
-// several threads may ask at the same time.
+// 16 points. Building takes O(n log n), a look-up O(log n + found). Immutable, hence safe to share
+// between threads.
 class SpatialIndex {
  public:
   struct Neighbor {
@@ -28,8 +28,8 @@ class SpatialIndex {
   // The nearest point; the smallest index wins on ties. Precondition: size() > 0.
   Neighbor Nearest(const Eigen::Vector3d& query) const;
 
-  // The `count` nearest points, all if there are fewer, nearest first and the smaller index first
-  // on ties; `found` is cleared first.
+  // The `count` nearest points, or all if there are fewer, nearest first, on ties the smaller
+  // index; `found` is cleared first.
   void FindNearest(const Eigen::Vector3d& query, size_t count, std::vector<Neighbor>* found) const;
 
   // All points closer than `radius`, ascending by index; `found` is cleared first.

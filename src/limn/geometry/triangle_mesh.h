@@ -7,21 +7,21 @@
 
 namespace limn {
 
-// A surface of polygons. Vertices have positions of their own: no two are at the same place.
+// A surface of polygons. No two vertices have the same position.
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   // Per polygon its corners in order, at least three vertex indices. Orientations may differ.
   std::vector<std::vector<int>> polygons;
   // All polygons cut into triangles.
   std::vector<std::array<int, 3>> triangles;
-  // Polygons that were left out: without area, and copies (same corners) of others.
+  // Polygons that were dropped: those without area, and copies (same corners) of others.
   int num_degenerate = 0;
   int num_copies = 0;
 };
 
-// A mesh from polygons over vertices in any number of copies: vertices at exactly the same position
-// become one, corners that repeat the one before vanish. Precondition: indices are in range and
-// coordinates finite. O(n log n) but for large polygons, see TriangulatePolygon.
+// Makes a mesh from polygons whose vertices may have copies: vertices at exactly the same position
+// are merged, and consecutive equal corners are too. Precondition: indices in range, coordinates
+// finite. O(n log n) except for large polygons, see TriangulatePolygon.
 TriangleMesh MakeTriangleMesh(const std::vector<Eigen::Vector3d>& vertices,
                               const std::vector<std::vector<int>>& polygons);
 

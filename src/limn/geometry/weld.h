@@ -6,7 +6,7 @@
 
 namespace limn {
 
-// Per point the smallest index of a point at exactly the same position. O(n log n).
+// Per point, the smallest index of a point at exactly the same position. O(n log n).
 std::vector<int> WeldPoints(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace limn

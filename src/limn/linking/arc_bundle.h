@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// What an arc that passes an edgel must meet: its place and direction, up to the tolerances.
+// What an arc through an edgel must meet within the tolerances: its position and direction.
 struct ArcSample {
   Eigen::Vector2d position;
   Eigen::Vector2f tangent;
@@ -21,11 +21,11 @@ struct ArcSample {
 
 ArcSample MakeArcSample(const Edgel& edgel, const LinkingOptions& options);
 
-// An interval of curvatures, 1/px, for every perturbation (a cell) of an anchor: its position
-// across the curve times its direction. Empty where low >= high.
+// An interval of curvatures, 1/px, for every perturbation (cell) of an anchor: shifts across the
+// curve times turns. Empty where low >= high.
 struct ArcBundle {
   static constexpr int kShifts = 9;
-  // Seven turns, of which the last is there twice.
+  // Seven turns, of which the last is stored twice.
   Float8 low[kShifts];
   Float8 high[kShifts];
 };
@@ -37,13 +37,13 @@ struct ArcCells {
   Float8 turn_sin;
 };
 
-// Arcs through an anchor, in its frame: x along its tangent, y across, towards the left with y up.
+// Arcs through an anchor, in its frame: x along its tangent, y across, to the left with y up.
 class ArcAnchor {
  public:
   ArcAnchor(const ArcSample& sample, double max_curvature);
 
-  // Those that are not too sharp and meet another sample, which is at `offset` in the anchor's
-  // frame. Returns whether there are any.
+  // The arcs within the curvature limit that meet another sample, which is at `offset` in the
+  // anchor's frame. Returns whether there are any.
   bool ArcsTo(const ArcSample& other, const Eigen::Vector2f& offset, ArcBundle* bundle) const;
 
  private:
@@ -52,7 +52,7 @@ class ArcAnchor {
   ArcCells cells_;
 };
 
-// The arcs in both bundles. Returns whether there are any.
+// Intersects two bundles. Returns whether any arc is left.
 bool Intersect(const ArcBundle& a, const ArcBundle& b, ArcBundle* both);
 
 }  // namespace limn

@@ -14,18 +14,17 @@ namespace limn {
 // of their tangents.
 using Curvelet = std::vector<EdgelId>;
 
-// The curvelets through an edgel (Guo et al. 2014; "CC3D" bundles). The edgel's position across the
-// curve and its direction may be off by the tolerances; for every such perturbation (a cell of a
-// small grid) the neighbors that an arc must pass leave an interval of curvatures, the bundle.
-// Starting from each neighbor that is in no curvelet yet, others are added nearest first as long
-// as some cell's interval is not empty. Time: neighbors times curvelets.
+// The curvelets through an edgel (Guo et al. 2014; "CC3D" bundles). The edgel may be off by the
+// tolerances, across the curve and in direction; for every such perturbation (a cell of a small
+// grid) the neighbors that an arc must pass leave an interval of curvatures, the bundle. Starting
+// from each neighbor that is in no curvelet yet, others are added nearest first as long as some
+// cell's interval is not empty. Time: neighbors times curvelets.
 class CurveletBuilder {
  public:
   // `options` must outlive the builder.
   CurveletBuilder(const std::vector<Edgel>& edgels, const LinkingOptions& options);
 
-  // Valid until the next call. Not from several threads at once: what is collected on the way is
-  // kept to be filled again.
+  // The result is valid until the next call. Not thread-safe: buffers are reused.
   std::span<const Curvelet> Around(EdgelId anchor);
 
  private:
@@ -36,13 +35,13 @@ class CurveletBuilder {
     Eigen::Vector2f offset;
   };
   static bool Follow(const Neighbor& a, const Neighbor& b);
-  // Fill neighbors_ with those that can be in a curvelet with the anchor, nearest first.
+  // Fills neighbors_ with those that can be in a curvelet with the anchor, nearest first.
   void FindNeighbors(const Neighbor& anchor);
-  // Fill bundles_, and forget the neighbors that no arc meets.
+  // Fills bundles_, and drops the neighbors that no arc meets.
   void FindBundles(EdgelId anchor);
-  // Fill members_ with the anchor, this neighbor and others that fit, and mark these as grouped.
+  // Fills members_ with the anchor, this neighbor and others that fit, and marks these as grouped.
   void GroupFrom(size_t seed, const Neighbor& anchor);
-  // Add members_ to the curvelets, if these are enough.
+  // Adds members_ to the curvelets if there are enough.
   void KeepMembers();
 
   const LinkingOptions& options_;
@@ -53,7 +52,7 @@ class CurveletBuilder {
   std::vector<ArcBundle> bundles_;  // of neighbors_
   std::vector<uint8_t> grouped_;    // of neighbors_
   std::vector<Neighbor> members_;
-  std::vector<Curvelet> curvelets_;  // and emptied ones
+  std::vector<Curvelet> curvelets_;  // the first num_curvelets_ are in use
   size_t num_curvelets_ = 0;
 };
 

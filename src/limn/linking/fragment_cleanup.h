@@ -7,24 +7,24 @@
 
 namespace limn {
 
-// The geometric clean-up of chains. Each returns the number of changes it made.
+// The geometric cleanup of chains. Each function returns the number of its changes.
 
 // Open chains that are known to have no corner.
 struct SmoothChains {
   std::vector<EdgelId> last_of;  // their last edgels by their first; kInvalidEdgel = none
 };
 
-// Break chains at corners: vertices where the arms turn by more than the corner angle and more
-// sharply than the curve turns beside them (so that small circles stay whole). Chains in `known`
-// are not looked at again; those found to have no corner are added.
+// Breaks chains at corners: vertices where the arms turn by more than the corner angle and more
+// sharply than the curve beside them (so that small circles stay whole). Chains in `known` are
+// skipped; those found to have no corner are added to it.
 int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
                    SmoothChains* known, Chaining* chaining);
 
-// Join the end of a chain to the beginning of another one (or its own: a closed curve) where the
+// Joins the end of a chain to the beginning of another one (or its own: a closed curve) where the
 // gap is short and the continuation smooth; shortest and smoothest first.
 int BridgeGaps(const std::vector<Edgel>& edgels, const LinkingOptions& options, Chaining* chaining);
 
-// Break chains where the end of another chain abuts at an angle.
+// Breaks chains where the end of another chain abuts at an angle.
 int BreakAtJunctions(const std::vector<Edgel>& edgels, const LinkingOptions& options,
                      Chaining* chaining);
 

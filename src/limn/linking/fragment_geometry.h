@@ -23,7 +23,7 @@ class FragmentPath {
 
   // Visit the vertices after vertex i (direction +1) or before it (-1), nearest first, up to
   // `reach_px` of arc length: visit(index, arc length from i > 0). Wraps around closed fragments,
-  // never reaches i again.
+  // but never returns to i.
   template <typename Visit>
   void Walk(int i, int direction, double reach_px, const Visit& visit) const {
     double walked = 0;

@@ -14,9 +14,9 @@ struct Chaining {
   std::vector<EdgelId> prev;
 
   explicit Chaining(size_t count) : next(count, kInvalidEdgel), prev(count, kInvalidEdgel) {}
-  // Both places must be free.
+  // `from` must have no successor and `to` no predecessor.
   void Join(EdgelId from, EdgelId to);
-  // Remove the link from `from` to its successor.
+  // Removes the link from `from` to its successor.
   void BreakAfter(EdgelId from);
 };
 
@@ -24,8 +24,8 @@ struct Chaining {
 std::vector<EdgelLink> BuildLinkGraph(const std::vector<Edgel>& edgels,
                                       const LinkingOptions& options, int64_t* num_curvelets);
 
-// Keep the links that are the best one ahead of one edgel and the best one behind the other: most
-// votes, then shortest. Linear time.
+// Keeps the links that are the best ahead of one edgel and the best behind the other: most votes,
+// then shortest. Linear time.
 Chaining ChainMutualBest(const std::vector<Edgel>& edgels, const std::vector<EdgelLink>& links);
 
 // The chains of two edgels or more, ordered by their first edgel. A closed chain begins at its

@@ -9,7 +9,7 @@ namespace limn {
 // All distances are pixels of the stored image and all counts arc lengths, not numbers of edgels.
 struct LinkingOptions {
   // Radius of the neighborhood in which curvelets are built, (1, 10]. Larger: more robust grouping
-  // in noise, corners and parallel strands suffer, slower (R in Guo et al.).
+  // in noise, but worse at corners and parallel strands, and slower (R in Guo et al.).
   double neighbor_radius_px = 3.5;
 
   // Tolerance of a curvelet on edgel positions, across the curve, (0, 2]; never less than twice the
@@ -37,9 +37,9 @@ struct LinkingOptions {
   double corner_arm_px = 5;
   double corner_angle_deg = 35;
 
-  // A fragment is broken where the end of another one (of at least junction_stem_px) heads for its
-  // interior from this near at more than the angle, >= 0, >= 0 and [0, 90]. Smoothing makes a stem
-  // end about two detection sigmas before the bar.
+  // A fragment is broken where the end of another one (of at least junction_stem_px) within this
+  // distance heads for its interior at more than the angle, >= 0, >= 0 and [0, 90]. Because of
+  // smoothing a stem ends about two detection sigmas before the bar.
   double junction_distance_px = 3.5;
   double junction_stem_px = 15;
   double junction_angle_deg = 30;
@@ -47,8 +47,8 @@ struct LinkingOptions {
   // Shorter fragments are dropped, >= 0.
   double min_length_px = 6;
 
-  // Tangents of linked edgels are re-estimated by an arc fitted to this much of the fragment on
-  // either side, (0, 50]. Larger: less noise, rounder bends.
+  // Tangents of linked edgels are re-estimated by a parabola fitted to this length of the fragment
+  // on either side, (0, 50]. Larger: less noise, rounder bends.
   double tangent_arm_px = 4;
 
   // Throws OptionError.
@@ -78,18 +78,19 @@ struct LinkingResult {
   LinkingStats stats;
 };
 
-// Group the edgels of one image into curve fragments.
+// Groups the edgels of one image into curve fragments.
 //
 // 1. Around every edgel, curvelets: groups of neighbors that fit one circular arc within the
 //    tolerances (Tamrakar and Kimia 2007; Guo, Kumar, Narayanan and Kimia, "A multi-stage approach
 //    to curve extraction", ECCV 2014). Consecutive edgels of a curvelet vote for a link.
-// 2. Every edgel continues to the link with most votes ahead and behind, where both ends agree.
-//    Directed tangents must not oppose: a fragment has its bright side on one side throughout.
+// 2. Every edgel keeps the link with the most votes ahead and the one behind, where both ends
+//    agree. Directed tangents must not oppose: a fragment has its bright side on one side
+//    throughout.
 // 3. Chains are broken at corners, joined over small gaps, broken at T junctions, and dropped if
 // short.
 // 4. Tangents of linked edgels are re-estimated along the fragment; their sense is kept.
 //
-// Works in the image as stored, hence before ApplyLens. An edgel is in at most one fragment;
+// Works in the image as stored, that is, before ApplyLens. An edgel is in at most one fragment;
 // fragments run along the tangents of their edgels and are ordered by their first edgel. Time:
 // linear in edgels, about 2 microseconds each.
 LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options);

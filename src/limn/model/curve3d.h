@@ -44,15 +44,15 @@ struct CurveAnchor {
   int begin = 0;
 };
 
-// A reconstructed curve: every generator makes these, the drawing consumes them.
+// A reconstructed curve, made by every sketch generator and used by the drawing.
 struct Curve3D {
   std::vector<Eigen::Vector3d> points_in_world;
-  // Unit vectors, along the order of the points.
+  // Unit vectors, in the direction of the points' order.
   std::vector<Eigen::Vector3d> tangents_in_world;
   // Standard deviation along the anchor's viewing ray, world units; infinity if unknown.
   std::vector<double> depth_sigma;
-  // False where the depth is interpolated across an epipolar-tangent portion: keeps topology, tells
-  // nothing about geometry.
+  // False where the depth is interpolated across a portion tangent to epipolar lines: this keeps
+  // the topology but does not measure the geometry.
   std::vector<uint8_t> certain;
   CurveAnchor anchor;
   // Supporting edgels of each sample, the anchor's own edgel included.
@@ -62,7 +62,7 @@ struct Curve3D {
   size_t size() const { return points_in_world.size(); }
 };
 
-// The original or the enhanced curve sketch: an unorganized set of 3D curves.
+// A curve sketch (original, enhanced or swept): an unorganized set of 3D curves.
 struct CurveSketch {
   std::vector<Curve3D> curves;
 };

@@ -21,12 +21,11 @@ struct EdgelLink {
   int votes = 0;
 };
 
-// What is known of the curves of one image: input of every multi-view stage.
+// The curves of one image: input of every multi-view stage.
 struct ImageCurves {
   EdgeMap edge_map;
   std::vector<CurveFragment> fragments;
-  // The whole link graph, sorted by (a, b). It holds links that no fragment uses: support for
-  // corners and junctions.
+  // The whole link graph, sorted by (a, b). It includes links that no fragment uses.
   std::vector<EdgelLink> link_graph;
 };
 

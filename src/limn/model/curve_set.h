@@ -16,8 +16,7 @@ struct CurveNode {
   int degree = 0;  // number of curve ends here
 };
 
-// Curves or points as any program may have made them: what files of curves hold and what evaluation
-// and pictures look at.
+// Curves or points of any origin, as read from files and used by evaluation and pictures.
 struct CurveSet {
   std::vector<Polyline3d> polylines;
   // Points that belong to no polyline.

@@ -19,7 +19,7 @@ using LinkId = int;
 enum class NodeKind {
   kEnd,         // degree 1, or degree 2 where two links meet at a corner
   kJunction,    // degree 3 or more
-  kLoopAnchor,  // where a closed link begins and ends; both its ends are here and nothing else
+  kLoopAnchor,  // where a closed link begins and ends; both its ends are here, and no others
 };
 
 const char* NodeKindName(NodeKind kind);
@@ -50,20 +50,20 @@ struct LinkMember {
   int end = 0;
 };
 
-// Where a curve is on a dense surface (depth maps, cloud or mesh).
+// Where a curve lies relative to a dense surface (depth maps, cloud or mesh).
 enum class DenseClass {
   kUnknown,
-  kSurface,   // the surface goes on at both sides: paint or a fold
+  kSurface,   // the surface continues on both sides: paint or a fold
   kBoundary,  // on one side only: an occluding contour or a rim
   kFree,      // in front of the surface, or where there is none
 };
 
 const char* DenseClassName(DenseClass dense_class);
 
-// What a dense surface says of a link (limn/dense/).
+// How a link lies relative to a dense surface (limn/dense/).
 struct LinkDense {
   DenseClass dense_class = DenseClass::kUnknown;  // of most of its length
-  double added_share = 0;                         // of its length: without a dense point near it
+  double added_share = 0;                         // of its length, without a dense point nearby
   // Share of its supporting views, over its samples, in which it is behind the surface.
   double occluded_share = 0;
   bool behind_surface = false;
@@ -71,11 +71,11 @@ struct LinkDense {
   double fold_deg = -1;
 };
 
-// The simplest parametric curve that explains a link (limn/primitives/). It begins and ends at the
-// link's nodes where these have other links, too.
+// The simplest parametric curve that explains a link (limn/primitives/). It begins and ends at
+// those nodes of the link that have other links, too.
 struct LinkPrimitive {
   CurveShape shape;
-  // Of the link's points to the shape, as the supporting views see them, px.
+  // Distances of the link's points from the shape in the supporting views, px.
   double rms_px = 0;
   double max_px = 0;
 };
@@ -88,7 +88,7 @@ struct SketchSample {
   auto operator<=>(const SketchSample&) const = default;
 };
 
-// What is known of a point of a link while the drawing is built.
+// Data of a link's point while the drawing is built.
 struct LinkVertex {
   // Inverse covariance of the position across the curve, world units.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -106,7 +106,7 @@ struct DrawingLink {
   std::vector<Eigen::Vector3d> points_in_world;
   // Isotropic standard deviation across the curve per point, world units.
   std::vector<double> sigma;
-  // As many as points while the drawing is built, otherwise empty.
+  // One per point while the drawing is built, otherwise empty.
   std::vector<LinkVertex> vertices;
   NodeId node0 = -1;
   NodeId node1 = -1;
@@ -117,9 +117,9 @@ struct DrawingLink {
   std::vector<LinkMember> members;
   // Median distance of the reprojected link to its supporting edgels, pixels.
   double residual_px = 0;
-  // Only after drawing_fuser.
+  // Set by drawing_fuser only.
   std::optional<LinkDense> dense = std::nullopt;
-  // As the points; absent in drawings of earlier versions.
+  // The same curve as the points; absent in drawings of earlier versions.
   std::optional<LinkPrimitive> primitive = std::nullopt;
 
   int size() const { return static_cast<int>(points_in_world.size()); }
@@ -132,17 +132,17 @@ struct DrawingGraph {
   std::vector<DrawingLink> links;
 };
 
-// Broken invariants in words, empty if there are none: ids in range, incidence symmetric, link ends
-// at their nodes' positions, all numbers finite, links of at least two points, no link of zero
-// length, as many sigmas as points, and vertices if there are any, primitives that ValidateShape
-// accepts, junction <=> degree >= 3, loop anchors have exactly the two ends of one closed link.
-// Linear time.
+// Descriptions of violated invariants, empty if there are none: ids in range, incidence symmetric,
+// link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
+// zero length, one sigma (and one vertex, if there are any) per point, primitives that
+// ValidateShape accepts, junction <=> degree >= 3, loop anchors with exactly the two ends of one
+// closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
-// Recompute `incident` and `kind` of every node from the links' node0, node1 and closed.
+// Recomputes `incident` and `kind` of every node from the links' node0, node1 and closed.
 void RebuildIncidence(DrawingGraph* graph);
 
-// Remove links marked 0, and nodes without links; the others keep their order. Rebuilds the
+// Removes links marked 0, and nodes without links; the others keep their order. Rebuilds the
 // incidence.
 void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph);
 

@@ -6,11 +6,11 @@
 
 namespace limn {
 
-// Per link the number of its connected component. Components are numbered from 0 by falling length,
-// those of the same length by their first link. O(links * log(links)).
+// Per link, the index of its connected component. Components are ordered by decreasing length, on
+// ties by their first link. O(links * log(links)).
 std::vector<int> ComponentsOfLinks(const DrawingGraph& graph);
 
-// A link as part of a path: walked from its first point to its last, or back.
+// A link as part of a path: traversed from its first point to its last, or in reverse.
 struct PathStep {
   LinkId link = -1;
   bool reversed = false;
@@ -21,9 +21,9 @@ struct PathStep {
 // Links end to end: each begins at the node where the one before it ends.
 using DrawingPath = std::vector<PathStep>;
 
-// Every link in exactly one path. A path goes on where a node says that two link ends continue each
-// other, and through nodes of degree 2; it ends where neither holds, or where it comes back to its
-// start. In the order of their smallest link. Linear time.
+// Partitions the links into paths. A path continues where a node lists two link ends as
+// continuations of each other, and through nodes of degree 2; it ends where neither holds, or where
+// it returns to its start. Ordered by smallest link. Linear time.
 std::vector<DrawingPath> PathsOf(const DrawingGraph& graph);
 
 }  // namespace limn

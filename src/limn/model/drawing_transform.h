@@ -6,15 +6,15 @@
 
 namespace limn {
 
-// The same drawing moved: x -> scale * rotation * x + translation, of nodes, points and primitives;
-// sigmas are scaled. Requires scale > 0 and a rotation. What is in pixels stays.
+// The drawing under x -> scale * rotation * x + translation: nodes, points and primitives are
+// transformed, sigmas scaled, values in pixels kept. Precondition: scale > 0.
 DrawingGraph Transformed(DrawingGraph graph, double scale, const Eigen::Matrix3d& rotation,
                          const Eigen::Vector3d& translation);
 
 enum class SignedAxis { kX, kY, kZ, kMinusX, kMinusY, kMinusZ };
 
-// The rotation that takes an axis to z, made of zeros and ones: coordinates change places and signs
-// but not values. Of -y, which is up in most models of COLMAP, it keeps x and makes z the y axis.
+// The rotation that takes an axis to z, by permuting axes and changing signs only. For -y, which is
+// up in most COLMAP models, it keeps x and takes z to y.
 Eigen::Matrix3d ZUpFrom(SignedAxis up);
 
 }  // namespace limn

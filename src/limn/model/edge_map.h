@@ -16,14 +16,14 @@ struct EdgeMap {
   // Standard deviation of one component of the smoothed gradient due to noise, gray levels per
   // pixel.
   double gradient_noise = 0;
-  // Edgels not taken over: outside the lens model's valid range or masked out.
+  // Edgels that could not be mapped: outside the lens model's valid range.
   int num_outside_lens = 0;
 };
 
-// Move edgels from stored pixels to the virtual pinhole image: position, tangent and Jacobian.
-// Ids keep their meaning: an edgel the lens cannot map (beyond its valid range) stays in the map
-// with strength 0 and is counted in num_outside_lens; `usable[id]` tells which were mapped. With a
-// null lens this only fills stored_px.
+// Maps edgels from stored pixels to the virtual pinhole image: position, tangent and Jacobian. Ids
+// stay valid: an edgel that the lens cannot map (outside its valid range) stays in the map with
+// strength 0 and is counted in num_outside_lens. Returns, per id, whether it was mapped. A null
+// lens only fills stored_px.
 std::vector<bool> ApplyLens(const LensMap* lens, EdgeMap* edge_map);
 
 }  // namespace limn

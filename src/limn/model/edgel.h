@@ -17,8 +17,8 @@ struct Edgel {
   // Position in the view's virtual pinhole image (the stored image itself when it has no
   // distortion).
   Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
-  // Direction of the edge in the virtual image, in [-pi, pi], such that luminance rises along
-  // (sin t, -cos t): towards the left on screen when walking along (cos t, sin t).
+  // Direction of the edge in the virtual image, in [-pi, pi], such that luminance rises along (sin
+  // t, -cos t), the left side on screen when walking along (cos t, sin t).
   double tangent_rad = 0;
   // Gradient magnitude at the edge, gray levels per pixel.
   float strength = 0;
@@ -26,8 +26,7 @@ struct Edgel {
   float position_sigma_px = 0;
   // Position in the image as stored.
   Eigen::Vector2f stored_px = Eigen::Vector2f::Zero();
-  // Jacobian d stored / d virtual at the edgel: gates given in stored pixels are applied through
-  // it.
+  // Jacobian d stored / d virtual at the edgel, for gates in stored pixels.
   Eigen::Matrix2f stored_from_virtual = Eigen::Matrix2f::Identity();
 
   Eigen::Vector2d Tangent() const { return {std::cos(tangent_rad), std::sin(tangent_rad)}; }

@@ -5,25 +5,25 @@
 
 namespace limn {
 
-// How far an edgel came as a sample of its own view's curves, and what stopped it.
+// The last stage that an edgel reached as a sample of its own view's curves, or why it was dropped.
 enum class EdgelFate : uint8_t {
   kNotLinked,         // in no fragment
-  kNotSketched,       // in a view that only confirms the curves of others
+  kNotSketched,       // in a view that only confirms curves of other views
   kFragmentTooShort,  // in a fragment too short to be matched
   kNoPartner,         // no curve of another view fits it at any depth
   kTooFewViews,       // at no depth do enough views support it
-  kInconsistent,      // supported, but not at a depth that goes along with its neighbors'
-  kPieceTooShort,     // what was reconstructed around it is too short
+  kInconsistent,      // supported, but not at a depth consistent with its neighbors'
+  kPieceTooShort,     // in a reconstructed piece that is too short
   kSketched,          // in a curve of the sketch
-  kLostSupport,       // of the sketch, but too few views support it where all its edgels agree
+  kLostSupport,       // sketched, but re-triangulated to where too few views support it
   kDoubtfulLink,      // in a link with too little support: see topology/verify_links.h
   kPrunedLink,        // in a link that was too short, or ran along another
   kDrawn,             // merged into a link of the drawing
-  kExplained,         // not drawn itself, but a link of the drawing projects onto it
+  kExplained,         // not drawn, but a link of the drawing projects onto it
 };
 constexpr int kNumEdgelFates = static_cast<int>(EdgelFate::kExplained) + 1;
 
-// In words, for tables.
+// A description, for tables.
 const char* EdgelFateName(EdgelFate fate);
 
 // Per view, per edgel of its edge map.

@@ -13,10 +13,10 @@
 namespace limn {
 
 // The pixel footprint rho of a point: depth / focal length, that is, the width of a pixel there in
-// world units. The only unit of length in space. Views that have the point in front of them have a
-// footprint of it; occlusion is not looked at.
+// world units. The only unit of length in space. Defined for views that have the point in front of
+// them; occlusion is ignored.
 
-// Nothing behind the camera.
+// Nothing if the point is behind the camera.
 std::optional<double> FootprintIn(const View& view, const Eigen::Vector3d& point_in_world);
 
 // Median over some of the views; 0 if none of them has the point in front.
@@ -31,8 +31,8 @@ double LinkFootprint(const DrawingLink& link, const Eigen::Vector3d& point_in_wo
 // At the link's middle point: one footprint for the whole link.
 double LinkFootprint(const DrawingLink& link, const std::vector<View>& views);
 
-// At a point that no view is known to support: the median over the views that contain it, else over
-// those that have it in front; behind all cameras the least distance / focal length. Always
+// At a point without known supporting views: the median over the views that contain it, else over
+// those that have it in front; behind all cameras, the smallest distance / focal length. Always
 // positive. Linear in the number of views. Precondition: there is a view.
 double PixelFootprint(const std::vector<View>& views, const Eigen::Vector3d& point_in_world);
 

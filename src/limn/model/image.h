@@ -4,8 +4,8 @@
 
 namespace limn {
 
-// A decoded photograph: interleaved rows of RGB (or one gray) channel, values in gray levels 0..255
-// whatever the depth of the file. `mask` is empty, or holds one byte per pixel, 0 = do not use.
+// A decoded photograph: interleaved rows of RGB or one gray channel, values in gray levels 0..255
+// for any bit depth of the file. `mask` is empty or has one byte per pixel, 0 = do not use.
 struct Image {
   int width = 0;
   int height = 0;

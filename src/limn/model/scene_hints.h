@@ -20,14 +20,13 @@ struct PointPixel {
 struct ScenePoint {
   Eigen::Vector3d position_in_world;
   std::vector<ViewId> views;  // ascending
-  // Where views see it, as far as that is known; ascending by view.
+  // Where views see it, as far as known; ascending by view.
   std::vector<PointPixel> pixels = {};
   // Order of the point in the COLMAP model file.
   int model_index = -1;
 };
 
-// What structure from motion knows of the scene beyond the poses. May be empty: a bonus, never
-// needed.
+// What structure from motion found in addition to the poses. May be empty: no stage requires it.
 struct SceneHints {
   std::vector<ScenePoint> points;
 };

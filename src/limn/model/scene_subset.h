@@ -11,10 +11,10 @@ namespace limn {
 struct SceneSubset {
   std::vector<ViewId> ids;  // per view, in the whole scene
   std::vector<View> views;
-  SceneHints hints;  // that name these views only, and no others
+  SceneHints hints;  // restricted to these views
 };
 
-// `ids` ascend. Linear in the size of the hints.
+// `ids` must be ascending. Linear in the size of the hints.
 SceneSubset SubsetOf(const std::vector<View>& views, const SceneHints& hints,
                      const std::vector<ViewId>& ids);
 

@@ -20,7 +20,7 @@ using ViewId = int32_t;
 struct ImageRegion {
   Eigen::Vector2d min_px = Eigen::Vector2d::Zero();
   Eigen::Vector2d max_px = Eigen::Vector2d::Zero();
-  // Edge length of a cell; 0 when the box alone decides.
+  // Edge length of a cell; 0 if there are no cells, only the box.
   double cell_px = 0;
   int cols = 0;
   int rows = 0;
@@ -34,18 +34,18 @@ struct ImageRegion {
   bool CellIsValid(const Eigen::Vector2d& pixel) const;
 };
 
-// One photograph: a pinhole camera at a pose. Immutable after it has been made.
+// A photograph: a pinhole camera with a pose. Immutable once made.
 struct View {
-  // Order of the image in the COLMAP model file, for .vis and PMVS numbering.
+  // Index of the image in the COLMAP model file, for .vis and PMVS numbering.
   int model_index = 0;
-  // As in the model: relative to the image folder, with its sub-folders.
+  // As in the model: relative to the image folder, with subfolders.
   std::string name;
   // Views with the same number were taken by one camera and share its focal length.
   int camera_index = 0;
   PinholeCamera camera;
   Rigid3d cam_from_world;
   ImageRegion region;
-  // Null when the stored image is a pinhole image.
+  // Null if the stored image is a pinhole image.
   std::shared_ptr<const LensMap> lens;
 
   Eigen::Vector3d CenterInWorld() const;
@@ -55,8 +55,8 @@ struct View {
   std::optional<Eigen::Vector2d> StoredFromVirtual(const Eigen::Vector2d& virtual_px) const;
 };
 
-// The region of a photograph: its rectangle less a margin, less what the mask (stored pixels, one
-// byte each, 0 = do not use; empty = none) excludes, less what the lens cannot map.
+// The region of a photograph: its rectangle without a margin, without what the mask excludes
+// (stored pixels, one byte each, 0 = do not use; empty = none), without what the lens cannot map.
 ImageRegion MakeImageRegion(const PinholeCamera& camera, const LensMap* lens,
                             const std::vector<unsigned char>& mask, double margin_px);
 

@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// What a sketch has of one primary view.
+// The part of a sketch that comes from one primary view.
 struct ViewSketch {
   std::vector<Curve3D> curves;   // anchored in this view, by fragment
   std::vector<EdgelFate> fates;  // per edgel of the view

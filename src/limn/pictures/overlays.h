@@ -13,7 +13,7 @@ namespace limn {
 struct PictureOptions {
   // Enlargement, 1..8; 0 doubles pictures whose longer side is below 1000 px.
   int scale = 0;
-  // What the photograph's gray levels are multiplied by, in [0, 1]; lower lets the lines stand out.
+  // Factor on the photograph's gray levels, in [0, 1]; lower makes the lines stand out.
   double brightness = 0.55;
   // Width of the lines and radius of a junction's disc, pixels of the picture.
   int line_width_px = 2;
@@ -25,7 +25,7 @@ struct PictureOptions {
 // A drawing over a photograph, in stored pixels, through the lens: one color per link
 // (ColorOfCurve), links this view does not support thin and faded; junctions as discs, ends as
 // small squares, loop anchors as diamonds, at nodes with a link this view supports. Occlusion is
-// not known. Throws InputError if the photograph has not the size of the view's camera.
+// ignored. Throws InputError if the photograph does not have the size of the view's camera.
 Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const DrawingGraph& graph,
                     const PictureOptions& options = {});
 

@@ -15,12 +15,12 @@ struct Picture {
   const uint8_t* At(int x, int y) const { return &rgb[3 * (static_cast<size_t>(y) * width + x)]; }
 };
 
-// Write as PNG, whole or not at all; missing folders are made, so that image names keep theirs.
-// Throws IoError.
+// Writes a PNG atomically and creates missing folders (image names may contain folders). Throws
+// IoError.
 void WritePng(const std::string& path, const Picture& picture);
 
 // "sub/a.jpg" under "overlays" is "overlays/sub/a.jpg.png": two photographs never share a picture,
-// even if their names differ by the extension only.
+// even if their names differ only in the extension.
 std::string PicturePath(const std::string& folder, const std::string& image_name);
 
 }  // namespace limn

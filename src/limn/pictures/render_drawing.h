@@ -12,15 +12,15 @@ namespace limn {
 
 // A camera on a circle around a drawing. Angles in degrees.
 struct OrbitOptions {
-  // Around `up`, counted from an arbitrary but fixed direction; any value.
+  // Around `up`, from an arbitrary but fixed direction; any value.
   double azimuth_deg = 30.0;
   // Above the plane across `up`, in (-90, 90).
   double elevation_deg = 25.0;
   // Size of the picture, pixels.
   int width = 1200;
   int height = 900;
-  // Share of the points of the drawing that must be in the picture, in (0, 1]: stray links do not
-  // decide how far away the camera is. Raising it steps back.
+  // Share of the points of the drawing that must be in the picture, in (0, 1], so that stray links
+  // do not decide the distance of the camera. Raising it moves the camera back.
   double kept_share = 0.98;
 
   void Check() const;

@@ -20,8 +20,8 @@ struct Thumbnail {
 
 // The photograph, undistorted if the view has a lens, shrunk (never enlarged) such that its longer
 // side has `longer_side` >= 16 pixels. With a lens it covers the view's region, at most twice the
-// image's size to each side of its middle (wide lenses reach very far), black where the photograph
-// is not. Throws InputError if the photograph has not the size of the view's camera.
+// image's size to each side of its middle (wide lenses reach very far), black outside the
+// photograph. Throws InputError if the photograph does not have the size of the view's camera.
 Thumbnail MakeThumbnail(const Image& photo, const View& view, int longer_side);
 
 }  // namespace limn

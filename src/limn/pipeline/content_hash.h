@@ -9,8 +9,7 @@
 
 namespace limn {
 
-// 64-bit FNV-1a hash of a stream of bytes: tells whether two contents are the same, no protection
-// against intent.
+// 64-bit FNV-1a hash of a stream of bytes, to tell contents apart; not cryptographic.
 class ContentHash {
  public:
   void Add(std::string_view bytes) {

@@ -12,9 +12,9 @@
 
 namespace limn {
 
-// Texts that differ whenever something differs that results are made from; see ContentHash.
+// Keys that differ if the inputs of a result differ; see ContentHash.
 
-// A box, or that there is none.
+// Of a box, or its absence.
 std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box);
 
 // Name, camera, pose and region of a view, all of its edgels, and its fragments. Linear in the
@@ -26,7 +26,7 @@ std::vector<std::string> ViewKeys(const std::vector<View>& views,
                                   const std::vector<ImageCurves>& curves,
                                   const RunContext& context);
 
-// Of all views together: what a sketch made from these curves is valid for.
+// Of all views together: the key of a sketch made from these curves.
 std::string CurvesKey(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                       const RunContext& context);
 

@@ -16,20 +16,19 @@
 
 namespace limn {
 
-// Where the photographs of the views come from. Both functions are called from several threads.
+// The source of the photographs. Both functions must be thread-safe.
 struct ImageSource {
   std::function<Image(ViewId)> read;
-  // A text that differs whenever the pixels that `read` returns differ: cached results are found by
-  // it.
+  // A key that differs if the pixels that `read` returns differ, for cached results.
   std::function<std::string(ViewId)> identity;
 };
 
 struct ExtractionInput {
   const std::vector<View>& views;
   const ImageSource& images;
-  // Edge maps and fragments of earlier runs; what is made is kept there. Never null.
+  // Edge maps and fragments of earlier runs, where new ones are stored. Never null.
   ResultCache* cache;
-  // Views that are asked for; the others get none.
+  // The requested views; the others get empty results.
   ViewSubset only = std::nullopt;
 };
 
@@ -43,18 +42,18 @@ struct CurvesResult {
   StageSummary summary;
 };
 
-// The edge maps of the views, which the cache keeps. At most one image per thread is in memory.
+// Edge maps of the views, stored in the cache. At most one image per thread is in memory.
 EdgeMapsResult ExtractEdgeMaps(const ExtractionInput& input, const EdgeDetectionOptions& edges,
                                const RunContext& context);
 
-// Edges, fragments and lens of the views. Edgels keep the ids that the detector gave them; where
-// the lens cannot map an edgel its fragment is split. The cache keeps the fragments. At most one
+// Edges and fragments of the views, mapped by their lenses. Edgels keep the detector's ids; a
+// fragment is split at edgels that the lens cannot map. The cache stores the fragments. At most one
 // image per thread is in memory.
 CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOptions& edges,
                            const LinkingOptions& linking, const RunContext& context);
 
-// Remove from fragments and link graph the edgels that are not usable: fragments are cut there,
-// runs of fewer than two edgels vanish, a closed fragment that is cut becomes open.
+// Removes unusable edgels from fragments and link graph: fragments are cut there, runs of fewer
+// than two edgels dropped, a closed fragment becomes open.
 void RemoveUnusableEdgels(const std::vector<bool>& usable, ImageCurves* curves);
 
 }  // namespace limn

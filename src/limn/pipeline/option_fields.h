@@ -7,9 +7,9 @@
 namespace limn {
 
 // The fields of every options struct, in order: visit(name, field, help). `field` is a reference to
-// a double, int, bool or std::string, `help` an OptionHelp or its text. The one list that command
-// line, ini files, cache keys and provenance are made from. Nested structs are groups of their own:
-// see VisitGroups.
+// a double, int, bool or std::string, `help` an OptionHelp or its text. The only list of options:
+// command line, ini files, cache keys and provenance are made from it. Nested structs are groups of
+// their own: see VisitGroups.
 
 template <typename Visit>
 void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
@@ -17,14 +17,14 @@ void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
   visit("sigma_px", o.sigma_px, "scale of the Gaussian derivatives, px");
   visit("noise_factor", o.noise_factor, "weakest edge in multiples of the image's gradient noise");
   visit("min_strength", o.min_strength, BasicOption("weakest edge, gray levels per px"));
-  visit("min_run_px", o.min_run_px, "weak edgels need a run of edgels of this length, px");
-  visit("strong_ratio", o.strong_ratio, "multiple of the threshold from which they need none");
+  visit("min_run_px", o.min_run_px, "shortest run of edgels that keeps weak ones, px");
+  visit("strong_ratio", o.strong_ratio, "edgels above this multiple of the threshold need no run");
   visit("find_isoluminant", o.find_isoluminant, "also find edges in red or blue only");
   visit("isoluminant_noise_factor", o.isoluminant_noise_factor, "noise_factor in red and blue");
   visit("isoluminant_min_strength", o.isoluminant_min_strength, "min_strength in red and blue");
   visit("isoluminant_distance_px", o.isoluminant_distance_px,
-        "drop red and blue edgels this near to a similar main one, px");
-  visit("margin_px", o.margin_px, "border of the image that is not used, px");
+        "red and blue edgels within this of a similar main one are dropped, px");
+  visit("margin_px", o.margin_px, "unused border of the image, px");
 }
 
 template <typename Visit>
@@ -32,20 +32,21 @@ void VisitFields(LinkingOptions& o, Visit&& visit) {
   visit("neighbor_radius_px", o.neighbor_radius_px, "neighborhood of a curvelet, px");
   visit("position_tolerance_px", o.position_tolerance_px, "curvelets: tolerance across, px");
   visit("max_position_tolerance_px", o.max_position_tolerance_px,
-        "upper limit of the tolerance for uncertain edgels, px");
+        "largest tolerance, for uncertain edgels, px");
   visit("angle_tolerance_deg", o.angle_tolerance_deg, "curvelets: tolerance on directions, deg");
   visit("max_curvature", o.max_curvature, "largest curvature of a curvelet, 1/px");
   visit("min_curvelet_px", o.min_curvelet_px, "shortest curvelet that links, px");
-  visit("max_bridge_px", o.max_bridge_px, "longest gap to join fragments over, px");
+  visit("max_bridge_px", o.max_bridge_px, "longest gap over which fragments are joined, px");
   visit("max_bridge_angle_deg", o.max_bridge_angle_deg, "largest turn at such a gap, deg");
   visit("corner_arm_px", o.corner_arm_px, "length of the arms that show a corner, px");
   visit("corner_angle_deg", o.corner_angle_deg, "fragments break at larger turns, deg");
   visit("junction_distance_px", o.junction_distance_px,
         "an end this near to another fragment breaks it, px");
-  visit("junction_stem_px", o.junction_stem_px, "least length of the fragment that ends, px");
-  visit("junction_angle_deg", o.junction_angle_deg, "least angle between the two, deg");
+  visit("junction_stem_px", o.junction_stem_px, "shortest fragment that breaks another, px");
+  visit("junction_angle_deg", o.junction_angle_deg, "smallest angle between the two, deg");
   visit("min_length_px", o.min_length_px, "shorter fragments are dropped, px");
-  visit("tangent_arm_px", o.tangent_arm_px, "directions are fitted to this length either side, px");
+  visit("tangent_arm_px", o.tangent_arm_px,
+        "directions are fitted to this length on either side, px");
 }
 
 template <typename Visit>
@@ -53,17 +54,17 @@ void VisitFields(ViewSelectionOptions& o, Visit&& visit) {
   visit("max_second_views", o.max_second_views, "views that a view is paired with");
   visit("max_confirmation_views", o.max_confirmation_views, "views that confirm its curves");
   visit("enough_primary_views", o.enough_primary_views,
-        "a place that more views see is sketched from about so many");
-  visit("min_pair_angle_deg", o.min_pair_angle_deg, "least triangulation angle of a pair, deg");
+        "a place seen by more views is sketched from about this many");
+  visit("min_pair_angle_deg", o.min_pair_angle_deg, "smallest triangulation angle of a pair, deg");
   visit("max_pair_angle_deg", o.max_pair_angle_deg, "largest triangulation angle of a pair, deg");
   visit("min_confirmation_angle_deg", o.min_confirmation_angle_deg,
-        "least angle of a confirmation view, deg");
+        "smallest angle of a confirmation view, deg");
   visit("max_confirmation_angle_deg", o.max_confirmation_angle_deg,
         "largest angle of a confirmation view, deg");
   visit("min_points_for_depth", o.min_points_for_depth,
-        "with fewer 3D points in a view they say nothing of its depth range");
+        "3D points of a view needed to use them for its depth range");
   visit("points_depth_widening", o.points_depth_widening,
-        "factor that widens the depth range of the points");
+        "factor by which the points' depth range is widened");
 }
 
 template <typename Visit>
@@ -71,25 +72,25 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
   visit("min_fragment_length_px", o.min_fragment_length_px,
         "shorter fragments are not matched, px");
   visit("min_overlap_px", o.min_overlap_px, "shortest stretch that two fragments share, px");
-  visit("sample_spacing_px", o.sample_spacing_px, "spacing at which depths are sought, px");
+  visit("sample_spacing_px", o.sample_spacing_px, "spacing of samples with depths, px");
   visit("max_support_distance_px", o.max_support_distance_px,
-        "an edgel this near across the edge supports a sample, px");
+        "largest distance of a supporting edgel across the edge, px");
   visit("max_support_angle_deg", o.max_support_angle_deg, "and within this angle, deg");
-  visit("support_window_px", o.support_window_px,
-        "half length of the stretch that decides on local support, px");
-  visit("min_window_support", o.min_window_support, "share of it that must be supported");
+  visit("support_window_px", o.support_window_px, "half length of the window of local support, px");
+  visit("min_window_support", o.min_window_support, "share of the window that must be supported");
   visit("min_supporting_views", o.min_supporting_views,
         "confirmation views that must support a sample");
   visit("min_epipolar_angle_deg", o.min_epipolar_angle_deg,
-        "nearer to the epipolar line a view counts least, deg");
-  visit("max_epipolar_angle_deg", o.max_epipolar_angle_deg, "farther from it fully, deg");
+        "below this angle to the epipolar line a view has the least weight, deg");
+  visit("max_epipolar_angle_deg", o.max_epipolar_angle_deg,
+        "above this angle it has full weight, deg");
   visit("min_tangency_weight", o.min_tangency_weight, "the least weight");
-  visit("depth_gate_px", o.depth_gate_px, "reconstructions of an edgel this near agree, px");
+  visit("depth_gate_px", o.depth_gate_px, "reconstructions of an edgel within this agree, px");
   visit("max_unsupported_gap_px", o.max_unsupported_gap_px, "longest unsupported gap, px");
   visit("max_interpolated_gap_px", o.max_interpolated_gap_px,
         "longest epipolar-tangent stretch to interpolate, px");
   visit("min_piece_length_px", o.min_piece_length_px, "shorter curves are dropped, px");
-  visit("max_sweep_views", o.max_sweep_views, "sweep mode: views asked for depths");
+  visit("max_sweep_views", o.max_sweep_views, "sweep mode: views used to find depths");
   visit("sweep_spacing_px", o.sweep_spacing_px, "sweep mode: spacing of the samples, px");
   visit("original_min_fragment_length_px", o.original_min_fragment_length_px,
         "original mode: shorter fragments are not matched, px");
@@ -103,105 +104,110 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
         "original mode: support of the best match over that of the next");
 }
 
-// In the group of the drawing, which they belong to for a user.
+// Part of the group Drawing for users.
 template <typename Visit>
 void VisitFields(TopologyOptions& o, Visit&& visit) {
   visit("primary_views_share", o.primary_views_share,
-        "share of the views containing a link that must have made it in the mean");
-  visit("min_primary_views", o.min_primary_views, "but at least these");
-  visit("max_primary_views", o.max_primary_views, "and at most these");
+        "mean number of primary views that must agree with a link, as a share of its views");
+  visit("min_primary_views", o.min_primary_views, "lower limit of that number");
+  visit("max_primary_views", o.max_primary_views, "upper limit of that number");
   visit("own_views_share", o.own_views_share,
-        "share of them with edgels of its own, beyond chance, that makes up for this");
-  visit("min_own_views", o.min_own_views, "at least so many views");
-  visit("max_own_views", o.max_own_views, "never asked for more than so many");
+        "else views with edgels of its own, beyond chance, as a share of its views");
+  visit("min_own_views", o.min_own_views, "lower limit of that number");
+  visit("max_own_views", o.max_own_views, "upper limit of that number");
   visit("min_link_length_px", o.min_link_length_px,
         BasicOption("shorter loose links are dropped, px"));
   visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
   visit("max_junction_miss_px", o.max_junction_miss_px,
-        "how near their tangent lines must pass, px");
-  visit("min_junction_views", o.min_junction_views, "images that must show the meeting");
+        "largest sideways distance from their lines, px");
+  visit("min_junction_views", o.min_junction_views, "views that must show the meeting");
   visit("min_junction_angle_deg", o.min_junction_angle_deg,
-        "links that leave a node nearer to each other do not meet there, deg");
+        "links that leave a node at a smaller angle form no junction, deg");
   visit("max_continuation_angle_deg", o.max_continuation_angle_deg,
-        "two links that turn by less are one, deg");
-  visit("covered_share", o.covered_share,
-        "a link that others run along over this share of its length is dropped");
-  visit("max_short_edge_px", o.max_short_edge_px, "longest edge found from its two ends alone, px");
+        "two ends that turn by less continue each other, deg");
+  visit("covered_share", o.covered_share, "a link is dropped if others run along this share of it");
+  visit("max_short_edge_px", o.max_short_edge_px,
+        "longest edge inferred from its two ends alone, px");
 }
 
 template <typename Visit>
 void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("max_support_distance_px", o.max_support_distance_px,
-        "an edgel this near across the edge supports a sample, px");
+        "largest distance of a supporting edgel across the edge, px");
   visit("max_support_angle_deg", o.max_support_angle_deg, "and within this angle, deg");
   visit("robust_residual_px", o.robust_residual_px, "larger residuals count linearly, px");
   visit("bending_sigma_px", o.bending_sigma_px,
         "allowed change of direction between samples; smaller is smoother, px");
   visit("supporting_views_share", o.supporting_views_share,
-        "share of the views that contain a sample which must support it");
+        "share of the views containing a sample that must support it");
   visit("min_supporting_views", o.min_supporting_views,
-        BasicOption("what fewer views support is not drawn"));
-  visit("max_supporting_views", o.max_supporting_views, "never asked for more than so many");
-  visit("strong_link_views", o.strong_link_views, "views with common edgels of a strong link");
-  visit("dense_link_views", o.dense_link_views, "the same of a dense link");
+        BasicOption("curves supported by fewer views are not drawn"));
+  visit("max_supporting_views", o.max_supporting_views, "upper limit of that number");
+  visit("strong_link_views", o.strong_link_views, "views with shared edgels for a strong link");
+  visit("dense_link_views", o.dense_link_views, "the same for a dense link");
   visit("min_linked_length_px", o.min_linked_length_px,
         "strongly linked length that links two curves, px");
   visit("overlap_regularity_px", o.overlap_regularity_px,
         "shorter gaps in an overlap are filled, shorter overlaps removed, px");
   visit("max_link_angle_deg", o.max_link_angle_deg, "largest angle of linked curves, deg");
-  visit("averaging_tolerance_px", o.averaging_tolerance_px, "averaging stops below it, px");
-  visit("max_averaging_rounds", o.max_averaging_rounds, "or after so many rounds");
-  visit("merge_distance_px", o.merge_distance_px, "samples this near to a link belong to it, px");
-  visit("min_branch_length_px", o.min_branch_length_px, "shorter stubs are no branches, px");
-  visit("junction_distance_px", o.junction_distance_px, "ends this near meet in a node, px");
+  visit("averaging_tolerance_px", o.averaging_tolerance_px,
+        "averaging stops when samples move less, px");
+  visit("max_averaging_rounds", o.max_averaging_rounds, "or after this many rounds");
+  visit("merge_distance_px", o.merge_distance_px, "samples within this of a link belong to it, px");
+  visit("min_branch_length_px", o.min_branch_length_px, "shorter stubs are not branches, px");
+  visit("junction_distance_px", o.junction_distance_px, "ends within this meet in a node, px");
   VisitFields(o.topology, visit);
 }
 
 template <typename Visit>
 void VisitFields(RefinementOptions& o, Visit&& visit) {
-  visit("num_rounds", o.num_rounds, "rounds of matching and fitting, 0 = do not refine");
+  visit("num_rounds", o.num_rounds, "rounds of matching and fitting, 0 = no refinement");
   visit("control_spacing_px", o.control_spacing_px, "spacing of control points, px");
   visit("max_distance_px", o.max_distance_px,
-        "an edgel this near across the edge pulls at a link, px");
+        "largest distance of an edgel that pulls at a link, px");
   visit("max_angle_deg", o.max_angle_deg, "and within this angle, deg");
   visit("support_window_px", o.support_window_px,
-        "half length of the stretch that decides whether a view shows it, px");
-  visit("min_window_support", o.min_window_support, "share of it that edgels must cover");
-  visit("min_views", o.min_views, "views that must show a place for its edgels to count");
+        "half length of the window that decides whether a view shows it, px");
+  visit("min_window_support", o.min_window_support, "share of the window that edgels must cover");
+  visit("min_views", o.min_views, "views that must show a sample for its edgels to count");
   visit("robust_residual_px", o.robust_residual_px, "much larger residuals hardly count, px");
-  visit("correlation_px", o.correlation_px, "edgels of an image this near err together, px");
-  visit("bending_sigma", o.bending_sigma, "allowed change of direction over one px, rad");
+  visit("correlation_px", o.correlation_px, "correlation length of edgel errors in an image, px");
+  visit("bending_sigma", o.bending_sigma,
+        "standard deviation of the change of direction over 1 px, rad");
   visit("refine_poses", o.refine_poses, BasicOption("refine camera poses and focal lengths too"));
 }
 
 template <typename Visit>
 void VisitFields(PrimitiveOptions& o, Visit&& visit) {
   visit("max_residual_px", o.max_residual_px,
-        "a primitive is nowhere farther from its link in the mean of the views, px");
+        "largest distance of a primitive from its link, RMS over the views, px");
   visit("noise_px", o.noise_px, "standard deviation of drawn curves, px");
-  visit("correlation_px", o.correlation_px, "length over which their errors are the same, px");
-  visit("end_zone_px", o.end_zone_px, "places this near to a node count little, px");
+  visit("correlation_px", o.correlation_px, "correlation length of their errors, px");
+  visit("end_zone_px", o.end_zone_px, "samples within this of a node have little weight, px");
 }
 
 template <typename Visit>
 void VisitFields(TileOptions& o, Visit&& visit) {
-  visit("max_views", o.max_views, "scenes of more views are drawn in tiles of so many, 0 = never");
-  visit("reach_px", o.reach_px, "how far a tile is drawn beyond its borders, px");
+  visit("max_views", o.max_views,
+        "larger scenes are drawn in tiles of at most this many views, 0 = never");
+  visit("reach_px", o.reach_px, "margin by which tiles overlap, px");
 }
 
 template <typename Visit>
 void VisitFields(DenseOptions& o, Visit&& visit) {
   visit("depth_tolerance_px", o.depth_tolerance_px,
         BasicOption("a curve this near in depth is on the surface, footprints"));
-  visit("side_offset_px", o.side_offset_px, "where the surface beside a curve is looked at, px");
-  visit("near_px", o.near_px, "a dense point this near is of the same place, footprints");
+  visit("side_offset_px", o.side_offset_px,
+        "distance from a curve at which the surface is examined, px");
+  visit("near_px", o.near_px, "dense points within this are at the same place, footprints");
   visit("sample_spacing_px", o.sample_spacing_px,
         "distance of the samples along a link, footprints");
   visit("max_occluded_share", o.max_occluded_share,
-        "a link is behind the surface where more of its supporting views say so");
-  visit("min_judged_share", o.min_judged_share, "share of them that must be able to say anything");
+        "a link is behind the surface if a larger share of judgments says so");
+  visit("min_judged_share", o.min_judged_share,
+        "share of samples that supporting views must be able to judge");
   visit("enough_visible_views", o.enough_visible_views,
-        "a link that so many of them see is never behind the surface");
+        "a link seen by this many supporting views is never behind the surface");
 }
 
 // visit(group name, options struct) for every group of the pipeline.

@@ -16,14 +16,14 @@
 
 namespace limn {
 
-// Everything a drawing is made from.
+// Everything that a drawing is made from.
 struct PipelineInput {
   const std::vector<View>& views;
   const SceneHints& hints;
   const ImageSource& images;
   // Only what lies in this box is reconstructed.
   std::optional<Eigen::AlignedBox3d> box;
-  // Image curves and sketches of earlier runs; what is made is kept there. Never null.
+  // Image curves and sketches of earlier runs, where new ones are stored. Never null.
   ResultCache* cache;
 };
 
@@ -32,15 +32,15 @@ struct PipelineResult {
   CurveSketch sketch;
   EdgelFates sketch_fates;
   DrawingGraph graph;
-  // Only with RefinementOptions::refine_poses: what the drawing fits.
+  // The cameras that the drawing fits; only with RefinementOptions::refine_poses.
   std::optional<RefinedCameras> cameras;
   SampleFates sample_fates;
 };
 
-// Hears of every stage when it has ended.
+// Called at the end of every stage.
 using StageObserver = std::function<void(const StageSummary& summary)>;
 
-// A scene whose image curves are there.
+// A scene with its image curves.
 struct CurvesScene {
   const std::vector<View>& views;
   const SceneHints& hints;
@@ -55,24 +55,24 @@ struct DrawnCurves {
   DrawingResult drawing;
 };
 
-// Sketch and drawing of the image curves. What DrawScene throws.
+// Sketch and drawing of the image curves. Throws what DrawScene throws.
 DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end);
 
-// What comes before the refinement.
+// The results before the refinement.
 struct UnrefinedScene {
   CurvesResult image_curves;
   DrawnCurves drawn;
 };
 
-// DrawScene up to the refinement: what the processes of the context's team do together, each of
-// them on all of the input. What it throws, too.
+// DrawScene up to the refinement: the part that the processes of the context's team run together,
+// each on the whole input. Throws what DrawScene throws.
 UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& options,
                              const RunContext& context, const StageObserver& on_stage_end);
 
-// The whole way from photographs to the drawing (ECCV 2016): edges and fragments of every image,
-// the sketch, the drawing graph, its refinement, its primitives. Throws OptionError, InputError,
-// what `images` throws, and Cancelled.
+// From photographs to the drawing (ECCV 2016): edges and fragments of every image, sketch, drawing
+// graph, refinement, primitives. Throws OptionError, InputError, what `images` throws, and
+// Cancelled.
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end);
 

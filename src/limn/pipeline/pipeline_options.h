@@ -24,13 +24,13 @@ struct PipelineOptions {
   PrimitiveOptions primitives;
   TileOptions tiles;
 
-  // Throws OptionError naming group and option.
+  // Throws OptionError with group and option.
   void Check() const;
 };
 
 enum class Quality { kLow, kMedium, kHigh };
 
-// What a level of quality means. Single options given beside it override it.
+// The options of a quality level. Options given explicitly override them.
 struct QualityPreset {
   PipelineOptions options;
   // Longer side of the images, pixels; -1 = as stored.
@@ -50,11 +50,11 @@ std::string OptionsAsJson(const PipelineOptions& options);
 // The same of one group: {name: value}.
 std::string OptionsAsJson(const DenseOptions& options);
 
-// One group as "name=value" lines: two structs have the same text if and only if they are the same.
+// One group as "name=value" lines: two structs have the same text if and only if they are equal.
 std::string OptionsAsText(const EdgeDetectionOptions& options);
 std::string OptionsAsText(const LinkingOptions& options);
 std::string OptionsAsText(const ViewSelectionOptions& options);
-// Without those of the view selection, a group of its own.
+// Without the view selection, which is a group of its own.
 std::string OptionsAsText(const SketchOptions& options);
 
 }  // namespace limn

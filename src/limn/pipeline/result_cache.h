@@ -11,44 +11,44 @@
 
 namespace limn {
 
-// What is kept between runs: per view, and drawings per tile.
+// Results stored between runs: per view, and drawings per tile.
 enum class CachedKind { kEdges, kFragments, kSketch, kDrawing };
 constexpr int kNumCachedKinds = static_cast<int>(CachedKind::kDrawing) + 1;
 
-// What became of the kept results of one kind in a stage.
+// How a stage used the stored results of one kind.
 struct CacheUse {
-  const char* what = "";   // in words: "image curves"
-  const char* items = "";  // what there is one of them for: "images"
-  int round = 0;           // how many stages have needed some
-  int64_t total = 0;       // how many the stage needs
+  const char* what = "";   // name for users: "image curves"
+  const char* items = "";  // one result per: "images"
+  int round = 0;           // number of stages that needed some
+  int64_t total = 0;       // number that the stage needs
   int64_t reused = 0;
-  int64_t outdated = 0;  // made of something else, or by another version: made again
-  int64_t damaged = 0;   // cannot be read: made again
+  int64_t outdated = 0;  // from other input or another version: made again
+  int64_t damaged = 0;   // unreadable: made again
   int64_t stored = 0;
   int64_t not_stored = 0;
-  std::string damage;       // file and reason of the first that was damaged, by path
+  std::string damage;       // file and reason of the first damaged one, by path
   std::string write_error;  // the same of the first that could not be written
 
   bool IsComplete() const { return NumKept() + not_stored >= total; }
   int64_t NumKept() const { return reused + stored; }
 };
 
-// Results of earlier runs, <dir>/<kind>/<name>.bin, found again by what they were made of. A
-// damaged file and one that cannot be written cost time, never the run: they are counted. All
-// functions may be called from several threads.
+// Results of earlier runs in <dir>/<kind>/<name>.bin, valid if they were made from the same input.
+// Files that are damaged or cannot be written cost time but never fail the run; they are counted.
+// Thread-safe.
 class ResultCache {
  public:
-  // An empty folder name keeps nothing.
+  // An empty folder name stores nothing.
   explicit ResultCache(std::string dir);
 
   const std::string& dir() const { return dir_; }
   bool IsOn() const { return !dir_.empty(); }
 
-  // A stage begins that needs so many results of this kind: they are counted from here on.
+  // To be called when a stage begins that needs `total` results of this kind; resets their counts.
   void Expect(CachedKind kind, size_t total);
 
-  // `read(path)` reads a file; it returns nothing if it was made of something else, and throws
-  // IoError if it is damaged. Nothing if there is no good one.
+  // `read(path)` reads a file; it returns nothing if the file was made from other input, and throws
+  // IoError if it is damaged. Returns nothing if there is no valid file.
   template <typename Result>
   std::optional<Result> Find(CachedKind kind, const std::string& name,
                              const std::function<std::optional<Result>(const std::string&)>& read) {

@@ -10,33 +10,33 @@
 
 namespace limn {
 
-// A scene that is drawn tile by tile, so that no more than one of them is in memory.
+// A scene that is drawn tile by tile, with only one tile in memory.
 struct TiledInput {
   const std::vector<View>& views;
   const SceneHints& hints;
-  // Sketches and drawings of tiles of earlier runs; what is made is kept there. Never null.
+  // Sketches and drawings of tiles of earlier runs, where new ones are stored. Never null.
   ResultCache* cache;
   const std::vector<Tile>& tiles;  // of PlanTiles
-  // Makes the image curves of some views, or gets them from where they are kept.
+  // Makes or loads the image curves of some views.
   std::function<CurvesResult(const SceneSubset&)> curves_of;
 };
 
-// The image curves of some views of a scene with photographs, by way of its cache.
+// The image curves of some views of a scene with photographs, using its cache.
 std::function<CurvesResult(const SceneSubset&)> CurvesFromImages(const PipelineInput& input,
                                                                  const PipelineOptions& options,
                                                                  const RunContext& context);
 
-// Throws OptionError for options that ask for what tiles cannot do: poses are refined with all
-// views together.
+// Throws OptionError for options that are not possible with tiles: refining poses needs all views
+// together.
 void CheckTiled(const PipelineOptions& options);
 
-// Like DrawScene, but every tile is drawn for itself, up to the refinement, and then the tiles are
-// joined (JoinTiles) and the primitives fitted. Throws what DrawScene and CheckTiled throw.
+// Like DrawScene, but every tile is drawn and refined separately; then the tiles are joined
+// (JoinTiles) and the primitives fitted. Throws what DrawScene and CheckTiled throw.
 DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end);
 
-// Keep the drawings of the tiles of a shard. Throws IoError if one could not be kept, and what
-// DrawTiles throws.
+// Makes and stores the drawings of the tiles of a shard. Throws IoError if one could not be stored,
+// and what DrawTiles throws.
 void MakeShardTiles(const TiledInput& input, const PipelineOptions& options, const Shard& shard,
                     const RunContext& context, const StageObserver& on_stage_end);
 

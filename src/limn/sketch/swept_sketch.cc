@@ -11,7 +11,8 @@ namespace {
 
 // Half width of the stretch over which depths are smoothed, px.
 constexpr double kSmoothingPx = 5;
-// Every this many-th vertex is searched among all crossings.
+// Every this many-th vertex is searched among all crossings. F of the sketch on midday, day with 1,
+// that is, all vertices: -1.2, -.5.
 constexpr size_t kAnchorSpacing = 4;
 
 class SweptDepths {

@@ -15,8 +15,9 @@ struct ViewSelectionOptions {
   int max_second_views = 10;
   // Views that confirm the hypotheses of a primary view. More views raise precision and time.
   int max_confirmation_views = 24;
-  // A place that more views see is sketched from about this many of them; the others only confirm.
-  // On 100 views of one scene this raised precision by two points and saved a third of the time.
+  // A place seen by more views is sketched from about this many of them; the others only confirm.
+  // On 100 views of the sample scene this raised F at 1 px by 1.3 points and saved a third of the
+  // time.
   int enough_primary_views = 20;
   // Triangulation angles between primary and second view, degrees: below the smaller one depth is
   // unreliable, above the larger one the views no longer show the same edges.
@@ -45,8 +46,7 @@ struct ViewPlan {
   std::vector<ViewId> confirmation_views;  // most useful and diverse first
 };
 
-// Says in words that there are fewer than 3 views, or that all cameras share one center; empty if
-// neither holds.
+// Message if there are fewer than 3 views, or if all cameras share one center; else empty.
 std::string WhyNothingIsTriangulated(const std::vector<View>& views);
 
 // Throws InputError if nothing can be triangulated, as SelectViews does. Call it before extracting

@@ -77,7 +77,7 @@ class EdgelIndex {
   double max_scale_ = 1;
 };
 
-// Per edgel, whether it belongs to a fragment. A lone edgel may well be noise.
+// Per edgel, whether it belongs to a fragment. An isolated edgel may be noise.
 std::vector<bool> LinkedEdgels(const ImageCurves& curves);
 
 }  // namespace limn

@@ -11,7 +11,7 @@ namespace limn {
 
 // A raster over the virtual image that answers "is there an edgel near here with this direction?"
 // with two memory accesses: 16 orientation bins of 11.25 degrees per pixel, in tiles of which only
-// those near edgels exist. It rounds to a pixel and a bin, so it serves to count many hypotheses;
+// those near edgels exist. It is accurate to a pixel and a bin, for testing many hypotheses;
 // EdgelIndex finds the exact edgel. Memory: about 70 bytes per edgel and 1/16 byte per pixel.
 class OrientationMask {
  public:

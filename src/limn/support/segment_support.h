@@ -39,7 +39,9 @@ bool ShowsSegment(const View& view, const Eigen::Vector3d& from, const Eigen::Ve
 // Hoeffding's bound on the natural logarithm of the probability that k or more of n views show by
 // accident what each of them shows with probability p; 0 if k does not exceed the expected number.
 // Neighboring views are not independent trials, since accidents persist while the camera moves. So
-// more than kIndependentViews views count as that many with the same share k / n.
+// more than kIndependentViews views count as that many with the same share k / n: chosen on 100
+// views of the sample scene (14: fewer junctions; 20 to 30: F at 1 px -.1 to -1.1), checked on 50
+// and 25 views, day, lamp, evening, midday and vase.
 constexpr int kIndependentViews = 18;
 double LogChance(int k, int n, double p);
 

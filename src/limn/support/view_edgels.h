@@ -10,7 +10,7 @@
 namespace limn {
 
 // The edges of one view, indexed for the multi-view stages. Only edgels of fragments count as
-// support; a lone edgel may well be noise.
+// support; an isolated edgel may be noise.
 struct ViewEdgels {
   explicit ViewEdgels(const ImageCurves& curves);
 

@@ -14,7 +14,7 @@ namespace limn {
 
 static_assert(std::endian::native == std::endian::little, "byte swapping is not written yet");
 
-// Appends numbers and strings to a buffer, little endian, without padding.
+// Appends numbers and strings to a buffer, little-endian, without padding.
 class ByteWriter {
  public:
   template <typename T>
@@ -47,8 +47,8 @@ class ByteReader {
  public:
   // The bytes must outlive the reader. `path` is for messages.
   ByteReader(std::string path, std::string_view bytes);
-  // From the present position of a seekable stream, which must outlive the reader. The stream is
-  // read in blocks, ahead of what has been asked for.
+  // From the current position of a seekable stream, which must outlive the reader. Reads ahead in
+  // blocks.
   ByteReader(std::string path, std::istream& in);
   ByteReader(const ByteReader&) = delete;
   ByteReader& operator=(const ByteReader&) = delete;
@@ -60,8 +60,8 @@ class ByteReader {
     CopyTo(&value, sizeof(T), what);
     return value;
   }
-  // A count of items of at least `item_bytes` each, which the rest of the bytes can hold: it is
-  // safe to reserve memory for them.
+  // A count of items of at least `item_bytes` each, checked to fit in the remaining bytes, so that
+  // reserving memory is safe.
   size_t GetCount(size_t item_bytes);
   template <typename T>
   void GetArray(T* values, size_t count, const char* what = "an array") {
@@ -69,10 +69,10 @@ class ByteReader {
     CopyTo(values, count * sizeof(T), what);
   }
   std::string GetString() { return std::string(Take(GetCount(1))); }
-  // The next bytes; until the next call to the reader, of a stream.
+  // The next bytes. For a stream, valid until the next call.
   std::string_view Take(size_t count);
 
-  // Bytes read so far, and left.
+  // Bytes read so far, and remaining.
   uint64_t at() const { return at_; }
   uint64_t Remaining() const { return size_ - at_; }
   // Throws unless everything has been read.
@@ -92,21 +92,21 @@ class ByteReader {
     std::memcpy(out, window_.data(), count);
     Advance(count);
   }
-  // The same where it takes more than the window holds.
+  // The same beyond the end of the window.
   void CopyAcross(void* out, size_t count, const char* what);
   void Advance(size_t count) {
     window_.remove_prefix(count);
     at_ += count;
   }
   void ExpectBytes(uint64_t count, const char* what) const;
-  // Makes the window hold `count` bytes of the stream, which has them.
+  // Extends the window to `count` bytes. Precondition: the stream has them.
   void Refill(size_t count, const char* what);
   void ReadStream(char* out, size_t count, const char* what);
 
   std::string path_;
-  std::istream* in_ = nullptr;  // none: all bytes are in the window
-  std::string buffer_;          // what the window shows of the stream
-  std::string_view window_;     // what comes next
+  std::istream* in_ = nullptr;  // null: all bytes are in the window
+  std::string buffer_;          // storage of the window of a stream
+  std::string_view window_;     // the next bytes
   uint64_t at_ = 0;
   uint64_t size_ = 0;
 };

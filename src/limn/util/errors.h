@@ -6,8 +6,8 @@
 
 namespace limn {
 
-// A file that cannot be read or written as asked. The text names the path, the place in it (byte
-// offset or line) and the reason.
+// A file cannot be read or written. The text names the path, the place in it (byte offset or line)
+// and the reason.
 class IoError : public std::runtime_error {
  public:
   IoError(const std::string& path, const std::string& reason);
@@ -24,13 +24,13 @@ struct FilePlace {
   [[noreturn]] void Fail(const std::string& reason) const;
 };
 
-// An option or argument outside its allowed range. The text names option, value and constraint.
+// An option or argument is outside its allowed range. The text names option, value and constraint.
 class OptionError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-// Input that is well-formed but that nothing can be computed from, e.g. all cameras at one center.
+// Input is well-formed but unusable, e.g. all cameras have the same center.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -42,7 +42,7 @@ class Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-// Throw OptionError "<name> = <value>: must be <constraint>" unless `ok`.
+// Throws OptionError "<name> = <value>: must be <constraint>" unless `ok`.
 void CheckOption(bool ok, const char* name, double value, const char* constraint);
 
 }  // namespace limn

@@ -5,13 +5,13 @@
 
 namespace limn {
 
-// Stands for a field of any type where the fields of a struct are counted.
+// Converts to a field of any type, for counting fields.
 struct AnyField {
   template <class T>
   operator T() const;  // NOLINT(google-explicit-constructor)
 };
 
-// Number of fields of an aggregate: as many as it can be initialized from.
+// Number of fields of an aggregate: the most initializers that it accepts.
 template <class T, class... Fields>
 constexpr size_t NumFields() {
   if constexpr (requires { T{Fields{}..., AnyField{}}; }) {

@@ -5,14 +5,14 @@
 
 namespace limn {
 
-// Four floats that are calculated with at once, by the vector types of GCC and Clang: SSE2 on every
-// x86-64, so that results do not depend on the machine. Operators work element by element, also
-// with a float on one side; `a < b ? x : y` chooses element by element.
+// Four floats as a vector type of GCC and Clang: SSE2 on every x86-64, so that results do not
+// depend on the machine. Operators work elementwise, also with a float on one side, as does `a < b
+// ? x : y`.
 using Float4 = float __attribute__((vector_size(16)));
-// What comparing two of them gives: all bits of an element are set where it holds.
+// Result of a comparison: all bits of an element are set where it holds.
 using Mask4 = int32_t __attribute__((vector_size(16)));
 
-// From and to any address: it need not be aligned.
+// The address need not be aligned.
 inline Float4 Load4(const float* from) {
   Float4 values;
   std::memcpy(&values, from, sizeof(values));

@@ -5,9 +5,9 @@
 
 namespace limn {
 
-// Eight floats that are calculated with at once, as Float4 (float4.h): with AVX2 in one register,
-// without in two of SSE2. Both round alike, as nothing is fused or reordered, so that results do
-// not depend on the machine.
+// Eight floats as a vector type, like Float4 (float4.h): one register with AVX2, two with SSE2.
+// Both round alike, since nothing is fused or reordered, so that results do not depend on the
+// machine.
 //
 // A kernel is written once, as a function that is always inlined and calls nothing else, and
 // compiled twice:
@@ -16,12 +16,12 @@ namespace limn {
 //   LIMN_FOR_AVX2 void ScaleByAvx2(...) { Scale(...); }
 //   void ScaleBySse2(...) { Scale(...); }
 //
-// and HasAvx2() chooses. Such values go in and out by reference: how they are passed by value
-// depends on the instruction set.
+// and HasAvx2() chooses. Pass such values by reference: passing by value depends on the instruction
+// set.
 //
-// GCC aligns them to 16 bytes without AVX and to 32 with it, unless told.
+// Without the attribute GCC aligns them to 16 bytes without AVX and to 32 with it.
 using Float8 = float __attribute__((vector_size(32), aligned(32)));
-// What comparing two of them gives: all bits of an element are set where it holds.
+// Result of a comparison: all bits of an element are set where it holds.
 using Mask8 = int32_t __attribute__((vector_size(32), aligned(32)));
 
 #define LIMN_INLINE_KERNEL inline __attribute__((always_inline))
@@ -33,7 +33,7 @@ inline bool HasAvx2() { return __builtin_cpu_supports("avx2") != 0; }
 inline bool HasAvx2() { return false; }
 #endif
 
-// From and to any address: it need not be aligned.
+// The address need not be aligned.
 LIMN_INLINE_KERNEL void Load8(const float* from, Float8* values) {
   std::memcpy(values, from, sizeof(*values));
 }

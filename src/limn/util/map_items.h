@@ -14,8 +14,8 @@ namespace limn {
 
 namespace internal {
 
-// Runs make(i) for i in [0, count), with a team each on one rank, whose result the others take
-// over by put(i) and get(i).
+// Runs make(i) for i in [0, count). With a team, each i runs on one rank, and put(i) and get(i)
+// copy its result to the others.
 void ShareOut(const RunContext& context, const char* stage, size_t count,
               const std::function<void(size_t)>& make,
               const std::function<void(size_t, ByteWriter*)>& put,
@@ -23,11 +23,10 @@ void ShareOut(const RunContext& context, const char* stage, size_t count,
 
 }  // namespace internal
 
-// The results of make(i) for i in [0, count): made by all threads and, if the context has a team,
-// by all its ranks, each of which gets all results. They are the same for any number of threads and
-// ranks if make depends on nothing that another call of it writes. A result is a value that
-// Serialize (serialize.h) knows; it is not serialized without a team. See ParallelFor for
-// exceptions and `stage`.
+// The results of make(i) for i in [0, count), computed by all threads and, if the context has a
+// team, by all its ranks, each of which gets all results. They are the same for any number of
+// threads and ranks if calls of make are independent. Results must be serializable (serialize.h),
+// but are serialized only with a team. See ParallelFor for exceptions and `stage`.
 template <class Make>
 auto MapItems(const RunContext& context, const char* stage, size_t count, const Make& make) {
   using Result = std::invoke_result_t<const Make&, size_t>;
@@ -41,8 +40,8 @@ auto MapItems(const RunContext& context, const char* stage, size_t count, const 
   return results;
 }
 
-// MapItems for results that are too large to be in memory all at once: each is handed to
-// take(i, result), in the order of i, before those of the next block of items are made.
+// MapItems for results that do not all fit in memory: each is passed to take(i, result), in the
+// order of i, before the next block of items is computed.
 template <class Make, class Take>
 void MapItemsInBlocks(const RunContext& context, const char* stage, size_t count, const Make& make,
                       const Take& take) {

@@ -5,7 +5,7 @@
 
 namespace limn {
 
-// The value in the middle, of an even number the upper of the two; 0 if there are none. Linear
+// The median, for an even count the upper of the two middle values; 0 if there are none. Linear
 // time.
 inline double Median(std::vector<double> values) {
   if (values.empty()) return 0;

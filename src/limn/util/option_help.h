@@ -5,8 +5,8 @@
 
 namespace limn {
 
-// What a help text says of an option. Basic options are those that every user understands: help
-// shows them first, the others only when all are asked for.
+// The help text of an option. -h shows only basic options, those that every user understands;
+// --help_all shows all.
 struct OptionHelp {
   OptionHelp(const char* text_, bool is_basic_ = false) : text(text_), is_basic(is_basic_) {}
   OptionHelp(std::string text_, bool is_basic_ = false)

@@ -12,9 +12,9 @@
 
 namespace limn {
 
-// Plain values as bytes, for other processes of the same program: numbers, enums, strings,
-// Eigen matrices of fixed size, vectors and optionals of plain values, and structs of up to eight
-// public fields that are plain values. Nothing has to be declared.
+// Converts plain values to bytes, for other processes of the same program: numbers, enums, strings,
+// fixed-size Eigen matrices, vectors and optionals of plain values, and structs of up to eight
+// public fields of plain values, without declarations.
 template <class T>
 void Serialize(const T& value, ByteWriter* out);
 template <class T>

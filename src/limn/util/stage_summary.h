@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// What a stage did, in words and counts, in the order to be printed. Every item that went in is
-// accounted for: the sum over `kept` and `dropped` of a unit equals its count in `in`.
+// Counts of what a stage did, in the order to be printed. Every input item is accounted for: the
+// sum over `kept` and `dropped` of a unit equals its count in `in`.
 struct StageSummary {
   using Counts = std::vector<std::pair<std::string, int64_t>>;
   std::string stage;

@@ -7,7 +7,7 @@
 namespace limn {
 
 // Disjoint sets of 0..n-1. The representative of a set is its smallest member, so that results do
-// not depend on the order of the unions. Amortised near-constant time per call.
+// not depend on the order of the unions. Amortized near-constant time per call.
 class UnionFind {
  public:
   explicit UnionFind(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }

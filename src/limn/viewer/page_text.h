@@ -4,8 +4,8 @@
 
 namespace limn {
 
-// The page before and behind its payload. The build makes them from page/ (page/build.mjs); both
-// are empty if it was told not to (CMake option LIMN_WITH_VIEWER).
+// The page before and after its payload, made from page/ by the build (page/build.mjs). Empty if
+// the CMake option LIMN_WITH_VIEWER is OFF.
 extern const std::string_view kPageHead;
 extern const std::string_view kPageTail;
 

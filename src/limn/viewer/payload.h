@@ -11,11 +11,12 @@ namespace limn {
 //   multiple of 8 bytes
 // The header names the arrays: {"arrays": {name: {"type": "f32"|"f64"|"u32"|"i32"|"u8", "offset",
 // "length"}}}, offsets counted from the end of the header. Numbers of several bytes are stored in
-// planes, the first bytes of all numbers, then the second ..., which packs better. Positions are
-// relative to the header's "center", so that 32 bits are enough far from the origin, too.
+// planes, the first bytes of all numbers, then the second bytes, ..., which compresses better.
+// Positions are relative to the header's "center", so that 32 bits are enough even far from the
+// origin.
 //
-// Throws InputError if the scene does not fit together: thumbnails or supporting views without
-// views, a report that is no JSON object.
+// Throws InputError if the scene is inconsistent: thumbnails or supporting views without views, a
+// report that is not a JSON object.
 std::string EncodePayload(const ViewerScene& scene);
 
 }  // namespace limn

@@ -6,12 +6,12 @@
 
 namespace limn {
 
-// Whether this build has the page in it (CMake option LIMN_WITH_VIEWER).
+// Whether this build includes the page (CMake option LIMN_WITH_VIEWER).
 bool HasViewerPage();
 
-// A page that shows the scene: one HTML file that needs nothing else, no network and no server. The
-// same scene gives the same bytes. Throws InputError if the scene does not fit together (payload.h)
-// or the build has no page.
+// Writes a page that shows the scene: one self-contained HTML file, which needs no network and no
+// server. The same scene gives the same bytes. Throws InputError if the scene is inconsistent
+// (payload.h) or the build has no page.
 void WriteViewerPage(const ViewerScene& scene, std::ostream& out);
 
 }  // namespace limn

@@ -27,7 +27,7 @@ struct ViewerPoint {
   std::array<uint8_t, 3> color = {};
 };
 
-// All that a page shows. Positions are in the model's coordinates, which the page tells its reader.
+// Everything that a page shows. Positions are in the model's coordinates, which the page displays.
 struct ViewerScene {
   std::string title;
   DrawingGraph graph;
@@ -36,8 +36,7 @@ struct ViewerScene {
   // One per view, or none at all.
   std::vector<ViewerThumbnail> thumbnails;
   std::vector<ViewerPoint> cloud;
-  // The text of a JSON object for the tab "Report" (page/README.md says which members it may have);
-  // empty = no such tab.
+  // The text of a JSON object for the tab "Report" (members: page/README.md); empty = no such tab.
   std::string report_json;
 };
 

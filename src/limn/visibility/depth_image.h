@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// How far a view sees, along the optical axis, on a grid over its virtual image.
+// Depths along the optical axis on a grid over a view's virtual image.
 struct DepthImage {
   int width = 0;
   int height = 0;
@@ -17,9 +17,9 @@ struct DepthImage {
   // virtual image. A depth map of COLMAP's has its origin at (-0.5, -0.5).
   Eigen::Vector2d origin_px = Eigen::Vector2d::Zero();
   Eigen::Vector2d cell_px = Eigen::Vector2d::Ones();
-  // Rows in order: z in the camera frame, 0 = nothing there, or unknown.
+  // Row-major: z in the camera frame, 0 = nothing there, or unknown.
   std::vector<float> depth;
-  // Unit normals in the world, facing the view; zero = unknown. Empty: none is known.
+  // Unit normals in the world, facing the view; zero = unknown. Empty: all unknown.
   std::vector<Eigen::Vector3f> normal_in_world;
 
   bool Contains(int column, int row) const {
@@ -32,7 +32,7 @@ struct DepthImage {
   Eigen::Vector2d FromVirtual(const Eigen::Vector2d& virtual_px) const {
     return (virtual_px - origin_px).cwiseQuotient(cell_px);
   }
-  // The nearest depth pixel's column and row, perhaps outside.
+  // Column and row of the nearest depth pixel, which may be outside.
   Eigen::Vector2i CellAt(const Eigen::Vector2d& virtual_px) const {
     return FromVirtual(virtual_px).array().round().cast<int>();
   }
@@ -45,20 +45,19 @@ struct DepthImage {
 // Precondition: scale > 0.
 DepthImage MakeDepthImage(const View& view, double scale);
 
-// Whether a place of the virtual image, at depth z, is farther by more than `tolerance` than all of
-// the (up to four) depth pixels around it: the farthest decides, so that edges at the border of a
-// surface are not behind it. Nothing is behind where one of them is unknown. Constant time.
+// Whether a position in the virtual image, at depth z, is farther by more than `tolerance` than all
+// of the (up to four) depth pixels around it: the farthest counts, so that edges at the border of a
+// surface are not behind it. False if one of them is unknown. Constant time.
 bool IsBehind(const DepthImage& depth, const Eigen::Vector2d& virtual_px, double z,
               double tolerance);
 
-// Whether the view contains a point and sees it in front of what the depth image holds: behind by
-// no more than `tolerance_px` pixel footprints, by IsBehind. Constant time.
+// Whether the view contains a point and the depth image does not hide it: not behind (IsBehind) by
+// more than `tolerance_px` pixel footprints. Constant time.
 bool IsVisible(const View& view, const DepthImage& depth, const Eigen::Vector3d& point_in_world,
                double tolerance_px);
 
-// The normal of the surface at a depth pixel, in the world, facing the view: the one that is
-// stored, else that of the four depths around, if there is no step between them. Nothing if
-// unknown.
+// The normal of the surface at a depth pixel, in the world, facing the view: the stored one, else
+// from the four neighboring depths if there is no step between them. Nothing if unknown.
 std::optional<Eigen::Vector3d> NormalAt(const View& view, const DepthImage& image, int column,
                                         int row);
 

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// A rectangle of a plane that is looked at along its normal.
+// A rectangle in a plane that is viewed along its normal.
 struct OrthographicFrame {
   // Unit rows: right, down, forward (away from the eye), as axes of the world.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -20,23 +20,23 @@ struct OrthographicFrame {
   double cell = 1;
 };
 
-// How far one sees in parallel projection: `image` has its "virtual pixels" in world units along
-// right and down, and depths along forward, from `front` on.
+// Depths in parallel projection: "virtual pixels" of `image` are world units along right and down,
+// depths are along forward, from `front` on.
 struct OrthographicDepth {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   double front = 0;
   DepthImage image;
 };
 
-// Of a mesh: as RenderDepth. Time: triangles plus depth pixels covered.
+// Of a mesh, like RenderDepth. Time: triangles plus depth pixels covered.
 OrthographicDepth RenderOrthographicDepth(const TriangleMesh& mesh, const OrthographicFrame& frame);
 
-// Of a cloud whose points are discs of `radius`, world units: as SplatDepth. PointSpacing, or a
+// Of a cloud whose points are discs of `radius`, world units, like SplatDepth. PointSpacing, or a
 // little more, is a good radius.
 OrthographicDepth SplatOrthographicDepth(const std::vector<Eigen::Vector3d>& points,
                                          const OrthographicFrame& frame, double radius);
 
-// As IsBehind of depth images; `tolerance` in world units.
+// Like IsBehind for depth images; `tolerance` in world units.
 bool IsBehind(const OrthographicDepth& depth, const Eigen::Vector3d& point_in_world,
               double tolerance);
 

@@ -9,15 +9,15 @@
 
 namespace limn {
 
-// Fill a depth image where it is unknown or farther.
+// Both functions change only depth pixels that are unknown or farther.
 
-// The centers of depth pixels inside a convex polygon, its border included, at `depth_at` of their
-// place in the virtual image. Corners are in depth pixels (DepthImage::FromVirtual).
+// Sets the depth pixels with centers in a convex polygon, border included, to `depth_at` of their
+// position in the virtual image. Corners are in depth pixels (DepthImage::FromVirtual).
 void FillPolygon(const std::vector<Eigen::Vector2d>& corners,
                  const std::function<double(const Eigen::Vector2d& virtual_px)>& depth_at,
                  DepthImage* image);
 
-// The centers within `radius` of a place, both in depth pixels, at depth z.
+// Sets the depth pixels with centers within `radius` of a position, both in depth pixels, to z.
 void FillDisc(const Eigen::Vector2d& center, double radius, float z, DepthImage* image);
 
 }  // namespace limn

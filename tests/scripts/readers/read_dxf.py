@@ -1,6 +1,6 @@
-"""Prints what a DXF file holds as JSON, read and audited by ezdxf: read_dxf.py file
+"""Prints the content of a DXF file as JSON, read and audited by ezdxf: read_dxf.py file
 
-Points along entities are ezdxf's own: arcs and circles go through its object coordinate systems.
+Points along entities are computed by ezdxf, with its object coordinate systems for arcs and circles.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Prints what a GraphML file holds as JSON, read by Python's XML parser: read_graphml.py file"""
+"""Prints the content of a GraphML file as JSON, read by Python's XML parser: read_graphml.py file"""
 
 import json
 import sys

@@ -1,4 +1,4 @@
-"""Imports a file into Blender and prints what came of it as JSON:
+"""Imports a file into Blender and prints the result as JSON:
 
   blender --background --factory-startup --python-exit-code 1 --python read_in_blender.py -- file
 """
