@@ -28,7 +28,7 @@ constexpr double kMaxTurnRad = 25 * kDeg;
 // +.2.
 constexpr double kRayWidthRad = 12 * kDeg;
 // A link at the joint explains directions within this angle. F on day, room with 14 or 28 degrees,
-// also for kTakenRad of grow_edges.cc: -.1, 0.
+// also for kTakenRad of joints.cc: -.1, 0.
 constexpr double kExplainedRad = 20 * kDeg;
 // Length of the step in space, px, whose projection gives the direction in the image. A projection
 // shorter than the second value is seen end on.

@@ -15,7 +15,8 @@ constexpr double kVisibleStretchPx = 10;
 // Neighbors of a claimed edgel on its fragment that are claimed, too, to either side: samples are
 // about 2 px apart.
 constexpr int kClaimedNeighbors = 1;
-// A direction within this angle of a link is taken by that link.
+// A direction within this angle of a link is taken by that link. For F see kExplainedRad of
+// corner_rays.cc.
 constexpr double kTakenRad = 20 * kDeg;
 // Spacing of the points of a straight link, px.
 constexpr double kSpacingPx = 2;
