@@ -53,9 +53,10 @@ StageSummary Summarize(const CurveSketch& sketch, const DrawingCounts& counts,
   summary.in = {{"curves", static_cast<int64_t>(sketch.curves.size())},
                 {"samples", counts.retriangulation.samples_in},
                 {"clusters", counts.clusters},
-                {"averaging rounds", counts.averaging.rounds},
-                {"averaging converged (1: yes)", counts.averaging.converged},
-                {"last movement of averaging, 1/1000 px",
+                {counts.averaging.converged ? "averaging rounds until convergence"
+                                            : "averaging rounds without convergence",
+                 counts.averaging.rounds},
+                {"largest movement in the last round, px/1000",
                  std::llround(1000 * counts.averaging.last_move_px)}};
   summary.kept = {{"samples", samples_in_links},
                   {"links", static_cast<int64_t>(graph.links.size())},
