@@ -184,7 +184,8 @@ void JoinFacingEnds(const MeetingTask& task) {
       continue;
     }
     used[i] = used[j] = 1;
-    task.editor->DropOvershoot(a, EndPoint(task.editor->link(b.link), b.end));
+    const Eigen::Vector3d joint = EndPoint(task.editor->link(b.link), b.end);
+    task.editor->DropOvershoot(a, joint);
     task.editor->Join(a, b);
     ++task.counts->joined;
   }
