@@ -116,25 +116,13 @@ class CurveMerger {
   void MergeCurve(int curve) {
     const int first = samples_.curve_begin[curve];
     const int size = samples_.Size(curve);
-    const std::vector<double> arc = ArcPx(samples_, curve);
     std::vector<int> home;
     for (int k = 0; k < size; ++k) home.push_back(FindHome(curve, k));
     const auto is_free = [&](int k) { return home[k] < 0; };
-    ForEachRun(size, is_free, [&](int begin, int end) { AbsorbNoise(arc, begin, end, &home); });
     for (int k = 0; k < size; ++k) primitives_.SetHome(first + k, home[k]);
     ForEachRun(size, is_free, [&](int begin, int end) {
       MergeRun(curve, begin, end, begin > 0 ? home[begin - 1] : -1, end < size ? home[end] : -1);
     });
-  }
-
-  // A short stretch without a home between two that have one is noise in the overlap.
-  static void AbsorbNoise(const std::vector<double>& arc, int begin, int end,
-                          std::vector<int>* home) {
-    const auto at = home->begin();
-    if (begin == 0 || end == std::ssize(*home) || arc[end] - arc[begin - 1] > kMinRunPx) return;
-    const int middle = (begin + end + 1) / 2;
-    std::fill(at + begin, at + middle, at[begin - 1]);
-    std::fill(at + middle, at + end, at[end]);
   }
 
   // `before` and `after`: the vertices where the curve leaves and rejoins existing links; -1 if it
@@ -152,7 +140,10 @@ class CurveMerger {
     const bool is_between = before >= 0 && after >= 0;
     if (length_px < kMinRunPx ||
         (is_between && length_px < options_.min_branch_length_px && Near(before, after))) {
-      for (const int sample : run) primitives_.SetHome(sample, before >= 0 ? before : after);
+      const size_t to_before = after < 0 ? run.size() : before < 0 ? 0 : (run.size() + 1) / 2;
+      for (size_t i = 0; i < run.size(); ++i) {
+        primitives_.SetHome(run[i], i < to_before ? before : after);
+      }
       return;
     }
     if (is_between) {
