@@ -84,6 +84,7 @@ TEST(Sample, DrawingAgreesWithTheTruth) {
 }
 
 TEST(Sample, EveryPointHasAFiniteSigma) {
+  EXPECT_FALSE(Drawing().links.empty());
   for (const DrawingLink& link : Drawing().links) {
     for (const double sigma : link.sigma) ASSERT_TRUE(std::isfinite(sigma));
   }

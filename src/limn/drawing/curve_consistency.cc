@@ -91,9 +91,9 @@ CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalCons
 
 int CountAgreeingViews(const SampleSet& samples, const CurveConsistency& network, int s) {
   const auto [curve, k] = samples.NameOf(s);
-  std::set<ViewId> views = {samples.origins[curve].anchor_view};
+  std::set<ViewId> views = {samples.origins[curve].primary_view};
   for (const CurveOverlap& overlap : network.overlaps[curve]) {
-    if (overlap.partner[k] >= 0) views.insert(samples.origins[overlap.other].anchor_view);
+    if (overlap.partner[k] >= 0) views.insert(samples.origins[overlap.other].primary_view);
   }
   return static_cast<int>(views.size());
 }

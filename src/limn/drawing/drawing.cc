@@ -72,7 +72,7 @@ StageSummary Summarize(const CurveSketch& sketch, const DrawingCounts& counts,
                   {"corners", meetings.corners},
                   {"T junctions", meetings.to_links},
                   {"ends joined to nodes", meetings.to_nodes},
-                  {"edges grown from corners", completion.grown},
+                  {"edges grown from joints", completion.grown},
                   {"short edges between nodes", completion.short_edges},
                   {"forks cut", completion.tidy.forks_cut},
                   {"dissolved nodes", completion.tidy.dissolved_nodes}};

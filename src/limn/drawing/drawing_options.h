@@ -15,8 +15,8 @@ struct DrawingOptions {
   // Strength of the smoothing along a curve: standard deviation of the change of direction from one
   // sample to the next, px. Smaller is smoother; well determined samples prevail over it.
   double bending_sigma_px = 0.03;
-  // Views, the anchor included, that must support a sample after re-triangulation: this share of
-  // those that contain it, at least min and at most max.
+  // Views, the primary one included, that must support a sample after re-triangulation: this share
+  // of those that contain it, at least min and at most max.
   double supporting_views_share = 0.25;
   int min_supporting_views = 3;
   int max_supporting_views = 5;
@@ -26,7 +26,7 @@ struct DrawingOptions {
   int strong_link_views = 3;
   int dense_link_views = 3;
   // Curve consistency network: two curves are linked by strong links over this arc length (tau_sl),
-  // px.
+  // px. Shorter pieces are dropped after re-triangulation.
   double min_linked_length_px = 4;
   // Gaps in the overlap of two curves up to this length are filled, overlaps below it removed, px.
   double overlap_regularity_px = 9;
@@ -39,9 +39,11 @@ struct DrawingOptions {
 
   // A sample belongs to a link if their reprojections are within this distance, px (tau_merge).
   double merge_distance_px = 0.7;
-  // Stubs shorter than this are not branches, px (tau_branch).
+  // Stubs shorter than this are not branches, and bubbles whose ends are nearer are absorbed, px
+  // (tau_branch).
   double min_branch_length_px = 10;
-  // A run that meets a link within this distance of its end ends at the node there, px (tau_junc).
+  // A run that meets a link within this distance of its end ends at the node there, and a vertex
+  // stands for samples up to this far along the curve, px (tau_junc).
   double junction_distance_px = 4;
 
   // Edits after merging, and between the fits of the refinement.

@@ -47,11 +47,11 @@ int CountSideBySide(const SampleSet& samples, const std::vector<ImageCurves>& cu
 // edgel, ascending.
 std::vector<int> SharingSamples(const SampleSet& samples, const EdgelClaims& claims, int s) {
   std::vector<int> sharing;
-  const auto anchor = [&](int id) { return samples.origins[samples.curve_of[id]].anchor_view; };
+  const auto primary = [&](int id) { return samples.origins[samples.curve_of[id]].primary_view; };
   for (const EdgelRef& ref : samples.support.Of(s)) {
     for (const auto& [edgel, other] : std::ranges::equal_range(claims[ref.view], ref.edgel, {},
                                                                &std::pair<EdgelId, int>::first)) {
-      if (anchor(other) != anchor(s)) sharing.push_back(other);
+      if (primary(other) != primary(s)) sharing.push_back(other);
     }
   }
   std::sort(sharing.begin(), sharing.end());

@@ -72,12 +72,11 @@ class CurveRetriangulation {
       information.setZero();
       Eigen::Vector2d right = -prior * (across.transpose() * (position - start));
       for (const EdgelRef& ref : support_.Of(s)) {
-        const Edgel& edgel = images_.curves[ref.view].edge_map.edgels[ref.edgel];
-        const auto residual = ResidualToEdgel(images_.views[ref.view], edgel, position);
+        const auto residual = images_.Residual(ref, position);
         if (!residual) continue;
         const double size = std::abs(residual->residual_px);
         const double robust = std::min(1.0, options_.robust_residual_px / size);
-        const double weight = robust / ResidualVariance(edgel);
+        const double weight = robust / ResidualVariance(images_.EdgelOf(ref));
         const Eigen::Vector2d gradient = across.transpose() * residual->gradient;
         information += weight * gradient * gradient.transpose();
         right -= weight * gradient * residual->residual_px;
@@ -97,7 +96,7 @@ class CurveRetriangulation {
   }
 
   // Chooses the best edgels at the new positions, in all views that support any sample of the
-  // curve. The anchor keeps its own edgel while that supports the sample at all.
+  // curve. The primary view keeps the sample's own edgel while it shows any within the gate.
   void UpdateSupport() {
     std::set<ViewId> views;
     for (const EdgelRef& ref : support_.edgels) views.insert(ref.view);
@@ -105,12 +104,9 @@ class CurveRetriangulation {
     for (int s = 0; s < samples_.NumSamples(); ++s) {
       std::vector<EdgelRef> of_sample;
       for (const ViewId v : views) {
-        const auto sight = See(images_.views[v], samples_.position[s], samples_.tangent[s]);
-        if (!sight) continue;
-        const auto match =
-            images_.edgels[v]->edgels.Best(sight->position_px, sight->direction_rad, images_.gate);
-        if (!match) continue;
-        of_sample.push_back(v == curve_.anchor.view ? OwnEdgel(s) : EdgelRef{v, match->edgel});
+        const auto ref =
+            images_.EdgelAt(v, samples_.position[s], samples_.tangent[s], images_.gate);
+        if (ref) of_sample.push_back(v == curve_.anchor.view ? OwnEdgel(s) : *ref);
       }
       support_.Append(of_sample);
     }
@@ -167,12 +163,14 @@ int AppendPieces(const MovedCurve& curve, const CurveOrigin& whole, double min_l
   };
   int in_short_pieces = 0;
   ForEachRun(size, is_usable, [&](int begin, int end) {
-    if (LengthPx(curve.samples, begin, end) < min_length_px) {
+    // A curve has two samples, whatever the shortest length is.
+    if (end - begin < 2 || LengthPx(curve.samples, begin, end) < min_length_px) {
       in_short_pieces += end - begin;
       return;
     }
     const bool closed = whole.closed && end - begin == size;
-    AppendPiece(curve, begin, end, {whole.sketch_curve, begin, whole.anchor_view, closed}, samples);
+    AppendPiece(curve, begin, end, {whole.sketch_curve, begin, whole.primary_view, closed},
+                samples);
   });
   return in_short_pieces;
 }

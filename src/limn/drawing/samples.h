@@ -43,7 +43,7 @@ void ForEachRun(int count, const IsIn& is_in, const Visit& visit) {
 struct CurveOrigin {
   int sketch_curve = -1;
   int begin = 0;  // first sample
-  ViewId anchor_view = -1;
+  ViewId primary_view = -1;
   bool closed = false;
 };
 

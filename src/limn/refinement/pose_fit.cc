@@ -14,7 +14,7 @@
 namespace limn {
 namespace {
 
-constexpr int kMaxIterations = 10;
+constexpr int kMaxPoseIterations = 10;
 constexpr double kPointSigmaPx = 0.5;
 constexpr double kPointRobustSigmas = 2;
 // Standard deviation of a camera's change, px in the image of the scene.
@@ -65,7 +65,7 @@ class PoseFit {
       AddPoint(points_[p], views_before, &(*positions_)[p]);
     }
     AddCameraHolds();
-    if (!Minimize(kMaxIterations, context, &problem_)) return false;
+    if (!Minimize(kMaxPoseIterations, context, &problem_)) return false;
     PutBackPointsBehind(views_before, points_before);
     FollowNodes(control_before, control);
     return true;

@@ -286,7 +286,7 @@ class Refiner {
                     {"ends joined", repairs_.meetings.joined},
                     {"ends taken to nodes", repairs_.meetings.to_nodes},
                     {"ends taken to links", repairs_.meetings.to_links},
-                    {"links cut at corners", repairs_.corners}};
+                    {"links cut at corners", repairs_.splits}};
     summary.dropped = {{"links: others run along them", num_covered_}};
     if (num_failed_pose_rounds_ > 0) {
       summary.warnings.push_back(std::to_string(num_failed_pose_rounds_) + " of " +

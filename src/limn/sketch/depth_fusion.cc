@@ -49,7 +49,7 @@ VertexModes FindModes(const std::vector<DepthCandidate>& candidates, double gate
       taken[i] = true;
       members.push_back(static_cast<int>(i));
       seconds |= 1u << std::min(candidates[i].second_rank, 31);
-      const double w = candidates[i].information + 1e-12;
+      const double w = candidates[i].weight + 1e-12;
       mode.depth.inverse_depth += w * candidates[i].inverse_depth;
       mode.depth.slope_per_px += w * candidates[i].slope_per_px;
       weight += w;
@@ -88,7 +88,7 @@ FusedDepth Average(const std::vector<DepthCandidate>& candidates, const std::vec
                    double px_per_inverse_depth) {
   std::vector<std::pair<double, double>> values;
   for (const int i : members) {
-    values.push_back({candidates[i].inverse_depth, candidates[i].information + 1e-12});
+    values.push_back({candidates[i].inverse_depth, candidates[i].weight + 1e-12});
   }
   const double median = WeightedMedian(values);
   for (auto& [value, weight] : values) value = std::abs(value - median);
@@ -101,10 +101,10 @@ FusedDepth Average(const std::vector<DepthCandidate>& candidates, const std::vec
   for (const int i : members) {
     const DepthCandidate& candidate = candidates[i];
     if (std::abs(candidate.inverse_depth - median) > gate) continue;
-    const double w = candidate.information + 1e-12;
+    const double w = candidate.weight + 1e-12;
     fused.inverse_depth += w * candidate.inverse_depth;
     weight += w;
-    fused.information += candidate.information;
+    fused.weight += candidate.weight;
     fused.certain |= candidate.certain;
   }
   fused.inverse_depth /= weight;

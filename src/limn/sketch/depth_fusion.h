@@ -15,8 +15,9 @@ struct DepthCandidate {
   double slope_per_px = 0;
   // Image motion per unit of inverse depth in the confirmation views, px.
   double px_per_inverse_depth = 0;
-  // (sine of the triangulation angle x sine of the epipolar angle)^2: information about the depth.
-  double information = 0;
+  // (sine of the triangulation angle x sine of the epipolar angle)^2: how well the depth is
+  // determined.
+  double weight = 0;
   // Supporting views, weighted by tangency.
   double weighted_support = 0;
   // Rank of the second view that made it.
@@ -31,7 +32,7 @@ struct FusedDepth {
   bool certain = false;
   double inverse_depth = 0;
   double slope_per_px = 0;
-  double information = 0;  // sum over the averaged candidates
+  double weight = 0;  // sum over the averaged candidates
   double px_per_inverse_depth = 0;
 };
 
@@ -52,7 +53,7 @@ std::vector<int> ChooseModes(const FragmentRays& fragment,
 // ALGORITHM.md 6.2). At every vertex the candidates form modes (within options.depth_gate_px of
 // each other in the confirmation views); the modes are chosen jointly along the fragment by dynamic
 // programming, which weighs their support against jumps between neighbors that their tangents do
-// not explain; the candidates of the chosen mode are averaged by information after dropping those
+// not explain; the candidates of the chosen mode are averaged by weight after dropping those
 // beyond two robust standard deviations. `candidates[i]` belongs to vertex i. Time: vertices x
 // (candidates log candidates + modes^2).
 std::vector<FusedDepth> FuseDepths(const FragmentRays& fragment,

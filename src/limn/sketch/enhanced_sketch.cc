@@ -59,7 +59,7 @@ class PairedDepths {
     candidate.inverse_depth = 1 / sample.depth;
     candidate.px_per_inverse_depth = support.px_per_inverse_depth[j];
     candidate.slope_per_px = Slope(fragment, sample);
-    candidate.information = sine * sine;
+    candidate.weight = sine * sine;
     candidate.weighted_support = support.weighted[j];
     candidate.second_rank = rank;
     candidate.certain = verdict.certain;

@@ -79,7 +79,7 @@ std::vector<FusedDepth> AsDepths(const FragmentRays& fragment, const CurveHypoth
     depth.has_depth = true;
     depth.certain = true;
     depth.inverse_depth = 1 / sample.depth;
-    depth.information = sine * sine;
+    depth.weight = sine * sine;
     depth.px_per_inverse_depth = support.px_per_inverse_depth[j];
   }
   return depths;

@@ -35,7 +35,7 @@ void FillBetween(const FragmentRays& fragment, int from, int to, std::vector<Fus
     FusedDepth& depth = (*depths)[i];
     depth.has_depth = true;
     depth.certain = false;
-    depth.information = 0;
+    depth.weight = 0;
     depth.inverse_depth = (1 - t) * first.inverse_depth + t * last.inverse_depth;
     depth.px_per_inverse_depth = first.px_per_inverse_depth;
   }
@@ -109,7 +109,7 @@ std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::ve
       depth = t < 0.5 ? a : b;
       depth.certain = a.certain && b.certain;
       depth.inverse_depth = (1 - t) * a.inverse_depth + t * b.inverse_depth;
-      depth.information = (1 - t) * a.information + t * b.information;
+      depth.weight = (1 - t) * a.weight + t * b.weight;
     }
   }
   return all;
@@ -158,8 +158,7 @@ void SmoothDepths(const FragmentRays& fragment, double half_window_px,
     if (!raw[j].has_depth) continue;
     LineFit fit;
     const auto add = [&](int k) {
-      fit.Add(fragment.arc_px[k] - fragment.arc_px[j], raw[k].inverse_depth,
-              raw[k].information + 1e-9);
+      fit.Add(fragment.arc_px[k] - fragment.arc_px[j], raw[k].inverse_depth, raw[k].weight + 1e-9);
     };
     add(j);
     for (int k = j + 1; k < count && Connected(raw, k - 1, k) &&
@@ -234,7 +233,7 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
     const int i = (run.begin + k) % count;
     arc.push_back(ArcBetween(fragment, run.begin, run.begin + k));
     inverse_depth.push_back(depths[i].inverse_depth);
-    weight.push_back(depths[i].information + 1e-9);
+    weight.push_back(depths[i].weight + 1e-9);
   }
   const double focal = view.camera.MeanFocal();
   for (int k = 0; k < run.size; ++k) {
@@ -245,9 +244,9 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
         TangentInCam(view.camera, fragment, i, q, FitSlope(arc, inverse_depth, weight, k));
     curve.points_in_world.push_back(world_from_cam * point);
     curve.tangents_in_world.push_back(world_from_cam.rotation * tangent);
-    const double information = depths[i].information;
-    curve.depth_sigma.push_back(information > 0
-                                    ? kEdgelSigmaPx / (q * focal * std::sqrt(information))
+    const double depth_weight = depths[i].weight;
+    curve.depth_sigma.push_back(depth_weight > 0
+                                    ? kEdgelSigmaPx / (q * focal * std::sqrt(depth_weight))
                                     : std::numeric_limits<double>::infinity());
     curve.certain.push_back(depths[i].certain);
   }

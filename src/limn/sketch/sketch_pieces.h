@@ -19,7 +19,7 @@ std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::ve
 void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
                      std::vector<FusedDepth>* depths);
 
-// Replaces every depth and slope by those of a line fitted, weighted by information, to the depths
+// Replaces every depth and slope by those of a line fitted, weighted, to the depths
 // within `half_window_px` that no jump separates from it.
 void SmoothDepths(const FragmentRays& fragment, double half_window_px,
                   std::vector<FusedDepth>* depths);
@@ -46,8 +46,8 @@ Eigen::Vector3d TangentInCam(const PinholeCamera& camera, const FragmentRays& fr
 Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
                   const std::vector<FusedDepth>& depths, const VertexRun& run);
 
-// Sets the support of every sample of a curve: its own edgel in the anchor view and the best edgel
-// within the gate in each of the given views (ascending, without the anchor view).
+// Sets the support of every sample of a curve: its own edgel in the primary view and the best edgel
+// within the gate in each of the given views (ascending, without the primary view).
 void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                     const std::vector<std::unique_ptr<ViewEdgels>>& edgels,
                     const std::vector<ViewId>& candidate_views, const SupportGate& gate,

@@ -40,7 +40,7 @@ class Ballot {
     mode.depth.inverse_depth /= depth_weight_;
     mode.depth.slope_per_px /= slope_weight_;
     mode.depth.px_per_inverse_depth /= num_voters_;
-    mode.depth.information = depth_weight_ * Square(mode.depth.inverse_depth / focal_px);
+    mode.depth.weight = depth_weight_ * Square(mode.depth.inverse_depth / focal_px);
     return mode;
   }
 

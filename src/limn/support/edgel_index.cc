@@ -129,7 +129,7 @@ std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px, d
         (angle * angle) / (gate.angle_rad * gate.angle_rad);
     if (cost < best_cost || (cost == best_cost && edgel.id < best.edgel)) {
       best_cost = cost;
-      best = {edgel.id, normal, angle};
+      best = {edgel.id, normal};
     }
   });
   if (best.edgel == kInvalidEdgel) return std::nullopt;

@@ -23,7 +23,6 @@ struct EdgelMatch {
   // Signed distance of the query from the edgel's tangent line along the edgel's normal, stored
   // pixels.
   double normal_residual_px = 0;
-  double angle_rad = 0;
 };
 
 // Finds edgels of one view by place and direction, on a grid over the virtual image: cells of 4 px

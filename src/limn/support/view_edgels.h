@@ -18,7 +18,7 @@ struct ViewEdgels {
   EdgelIndex edgels;
 };
 
-// One per view; the curves must outlive the result.
+// One per view.
 std::vector<std::unique_ptr<ViewEdgels>> BuildViewEdgels(const std::vector<ImageCurves>& curves,
                                                          const RunContext& context);
 

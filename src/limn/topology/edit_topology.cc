@@ -52,7 +52,7 @@ RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& o
   counts.trimmed = TrimEnds(options, &editor);
   JoinFacingEnds(meetings);
   SnapEnds(meetings);
-  counts.corners = SplitAtCorners(&editor);
+  counts.splits = SplitAtCorners(&editor);
   PairContinuations(options, graph);
   return counts;
 }

@@ -30,7 +30,7 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
 struct RepairCounts {
   int64_t trimmed = 0;  // free ends cut back from another link
   MeetingCounts meetings;
-  int64_t corners = 0;  // links split where they turn sharply
+  int64_t splits = 0;  // of links where they turn sharply
 };
 
 // Repairs topological errors that a fit to the images reveals, so that the next fit can benefit

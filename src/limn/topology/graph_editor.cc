@@ -222,7 +222,7 @@ void GraphEditor::CutTo(LinkId id, int begin, int end) {
   }
 }
 
-void GraphEditor::DropOvershoot(const LinkEnd& end, const Eigen::Vector3d& place) {
+void GraphEditor::DropOvershoot(const LinkEnd& end, Eigen::Vector3d place) {
   DrawingLink& link = graph_->links[end.link];
   const std::vector<Eigen::Vector3d>& points = link.points_in_world;
   const int before = link.size();

@@ -56,7 +56,7 @@ class GraphEditor {
   void CutTo(LinkId id, int begin, int end);
   // Drops points at an end that lie beyond `place` along the link, so that a point appended there
   // does not run back. The new end takes over their support. Keeps two points.
-  void DropOvershoot(const LinkEnd& end, const Eigen::Vector3d& place);
+  void DropOvershoot(const LinkEnd& end, Eigen::Vector3d place);
 
   // Joins two free ends, or the two ends at a node of degree two. The link of `b` is appended to
   // that of `a`, which keeps its direction, and is removed. Joining the two ends of one link closes

@@ -10,7 +10,7 @@
 #include "limn/geometry/spatial_index.h"
 #include "limn/geometry/tangent_frame.h"
 #include "limn/support/segment_support.h"
-#include "limn/topology/corner_rays.h"
+#include "limn/topology/joint_rays.h"
 #include "limn/util/map_items.h"
 
 namespace limn {
@@ -30,7 +30,7 @@ constexpr double kOldDirectionWeight = 4;
 // An edge ends at a joint within this distance of its end, px, and of its line. F on day, room with
 // .7 times both: 0, 0; 1.4: 0, +.1.
 constexpr double kSnapPx = 4;
-constexpr double kMaxMissPx = 2;
+constexpr double kMaxEdgeMissPx = 2;
 // Joints nearer to each other than this are taken for one, px.
 constexpr double kMinSegmentPx = 3;
 // Largest chance that the images show a grown edge by accident, and the same for all segments from
@@ -66,7 +66,7 @@ class EdgeFinder {
   int64_t GrowAll(const RunContext& context) {
     // Most joints have nothing to grow, which is found out in parallel. A direction is stale if a
     // link has been added at the joint since.
-    auto first = MapItems(context, "corner edges", joints_.size(),
+    auto first = MapItems(context, "edges from joints", joints_.size(),
                           [&](size_t i) { return DirectionAt(joints_[i]); });
     std::vector<size_t> num_leaving;
     for (const Joint& joint : joints_) num_leaving.push_back(joint.leaving.size());
@@ -106,12 +106,12 @@ class EdgeFinder {
     return positions;
   }
 
-  std::optional<CornerDirection> DirectionAt(const Joint& joint) const {
-    return FindCornerDirection(input_, joint, kMinViews);
+  std::optional<JointDirection> DirectionAt(const Joint& joint) const {
+    return FindJointDirection(input_, joint, kMinViews);
   }
 
   // Returns whether a link was added.
-  bool Grow(CornerDirection direction, Joint* joint) {
+  bool Grow(JointDirection direction, Joint* joint) {
     const double length_px = LengthAlong(*joint, &direction);
     if (length_px < kMinLengthPx) return false;
     const Eigen::Vector3d end = joint->position + length_px * joint->footprint * direction.unit;
@@ -123,7 +123,7 @@ class EdgeFinder {
 
   // Length of the edge, px. Its direction is fitted to the edgels on the way. A view that loses the
   // edge is not asked again.
-  double LengthAlong(const Joint& joint, CornerDirection* direction) const {
+  double LengthAlong(const Joint& joint, JointDirection* direction) const {
     std::vector<ViewId> active = direction->views;
     const size_t needed = std::max<size_t>(options_.min_junction_views, (active.size() + 1) / 2);
     std::vector<double> seen_at(input_.views.size(), kBeginPx);
@@ -132,7 +132,7 @@ class EdgeFinder {
     for (double at = kBeginPx; at <= kMaxLengthPx; at += kStepPx) {
       const Eigen::Vector3d point = joint.position + at * joint.footprint * direction->unit;
       if (input_.box && !input_.box->contains(point)) break;
-      auto support = SupportAt(input_, point, direction->unit, active, kCornerGate);
+      auto support = SupportAt(input_, point, direction->unit, active, kJointGate);
       for (const EdgelRef& ref : support) seen_at[ref.view] = at;
       std::erase_if(active, [&](ViewId v) { return at - seen_at[v] > kMaxGapPx; });
       if (active.size() < needed) break;
@@ -173,12 +173,12 @@ class EdgeFinder {
   std::optional<Segment> Shown(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                const std::vector<uint8_t>& visible, double max_chance) const {
     const SegmentSupport found =
-        FindSegmentSupport(from, to, visible, input_.views, input_.edgels, kCornerGate);
+        FindSegmentSupport(from, to, visible, input_.views, input_.edgels, kJointGate);
     const auto count = static_cast<int>(found.seen_in.size());
     const double log_chance = LogChance(count, found.num_views, found.background);
     if (count < kMinViews || log_chance > std::log(max_chance)) return std::nullopt;
     for (size_t v = 0; v < visible.size(); ++v) {
-      if (visible[v] && ShowsSegment(input_.views[v], from, to, unclaimed_[v], kCornerGate)) {
+      if (visible[v] && ShowsSegment(input_.views[v], from, to, unclaimed_[v], kJointGate)) {
         return Segment{log_chance, -1, -1, found.seen_in};
       }
     }
@@ -194,7 +194,7 @@ class EdgeFinder {
       const Eigen::Vector3d offset = joints_[neighbor.index].position - from.position;
       const double along = offset.dot(direction);
       const double miss = (offset - along * direction).norm();
-      return along < kBeginPx * from.footprint || miss > kMaxMissPx * from.footprint;
+      return along < kBeginPx * from.footprint || miss > kMaxEdgeMissPx * from.footprint;
     });
     const auto nearest =
         std::ranges::min_element(near, {}, &SpatialIndex::Neighbor::squared_distance);

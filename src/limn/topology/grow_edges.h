@@ -10,11 +10,11 @@ namespace limn {
 
 // Adds straight links for edges that leave a joint and that the sketch lacks, because they are too
 // short or too broken in the images: the height of a step, a seam (ours; ALGORITHM.md 14). The best
-// direction in which image edges leave the joint (FindCornerDirection) is followed as long as half
+// direction in which image edges leave the joint (FindJointDirection) is followed as long as half
 // of its views have edgels there; a joint that it reaches ends it. The link is kept if edgels run
 // along it (FindSegmentSupport) in more views than chance explains, in one of them edgels that no
 // link has yet; then the next direction is tried. Nothing grows out of the box, except to a joint
-// there. Returns the number of links added. Time per joint: see FindCornerDirection.
+// there. Returns the number of links added. Time per joint: see FindJointDirection.
 int64_t GrowEdges(const TopologyInput& input, const TopologyOptions& options,
                   const RunContext& context, GraphEditor* editor);
 

@@ -91,13 +91,13 @@ class CornerJoiner {
       if (a == b) continue;
       std::vector<int> together = members[a];
       together.insert(together.end(), members[b].begin(), members[b].end());
+      std::sort(together.begin(), together.end());
       const auto point = CornerOf(together);
       if (!point) continue;
       if (!ImagesShowMeeting(task_, *point, free_.ends[i], free_.ends[j])) continue;
       sets.Union(a, b);
       members[a].clear();
       members[b].clear();
-      std::sort(together.begin(), together.end());
       members[sets.Find(a)] = std::move(together);
     }
     for (const std::vector<int>& group : members) {
@@ -184,8 +184,7 @@ void JoinFacingEnds(const MeetingTask& task) {
       continue;
     }
     used[i] = used[j] = 1;
-    const Eigen::Vector3d joint = EndPoint(task.editor->link(b.link), b.end);
-    task.editor->DropOvershoot(a, joint);
+    task.editor->DropOvershoot(a, EndPoint(task.editor->link(b.link), b.end));
     task.editor->Join(a, b);
     ++task.counts->joined;
   }

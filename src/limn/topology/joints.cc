@@ -16,7 +16,7 @@ constexpr double kVisibleStretchPx = 10;
 // about 2 px apart.
 constexpr int kClaimedNeighbors = 1;
 // A direction within this angle of a link is taken by that link. For F see kExplainedRad of
-// corner_rays.cc.
+// joint_rays.cc.
 constexpr double kTakenRad = 20 * kDeg;
 // Spacing of the points of a straight link, px.
 constexpr double kSpacingPx = 2;
@@ -35,7 +35,7 @@ LinkVertex MakeVertex(const TopologyInput& input, const Eigen::Vector3d& positio
                       const std::vector<ViewId>& in_views) {
   LinkVertex vertex;
   vertex.footprint = footprint;
-  vertex.support = SupportAt(input, position, direction, in_views, kCornerGate);
+  vertex.support = SupportAt(input, position, direction, in_views, kJointGate);
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const EdgelRef& ref : vertex.support) {
     const auto residual = input.Residual(ref, position);

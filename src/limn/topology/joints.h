@@ -31,7 +31,7 @@ bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction);
 std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph);
 
 // The gate near corners, where edges are rounded: wider than that of samples (ALGORITHM.md 1.4).
-inline constexpr SupportGate kCornerGate = {1.5, 1.5, 25 * M_PI / 180};
+inline constexpr SupportGate kJointGate = {1.5, 1.5, 25 * M_PI / 180};
 
 // Edgels of the given views that support a point of an edge with this direction.
 std::vector<EdgelRef> SupportAt(const TopologyInput& input, const Eigen::Vector3d& position,

@@ -44,7 +44,7 @@ struct MeetingCounts {
   int64_t corners = 0;   // nodes made of two or more free ends
   int64_t to_nodes = 0;  // ends moved to a node
   int64_t to_links = 0;  // ends moved to an interior point of a link
-  int64_t refused = 0;   // meetings in space that the images do not confirm
+  int64_t refused = 0;   // meetings in space that the images do not confirm, last pass
 };
 
 // What the steps that bring free ends together work with.

@@ -32,9 +32,9 @@ int64_t CutForks(const TopologyOptions& options, GraphEditor* editor);
 // dissolved.
 int64_t DissolveNodes(const TopologyOptions& options, GraphEditor* editor);
 
-// Removes links shorter than min_link_length_px with a free end. Links between two nodes may be
-// shorter, and so may links that were grown from a node (they have no sketch samples). Returns the
-// number of sketch samples in the removed links.
+// Removes links shorter than min_link_length_px, loops included. Links between two different nodes,
+// and those grown from a node (they have no sketch samples), are removed below 2 px only. Returns
+// the number of sketch samples in the removed links.
 int64_t RemoveShortLinks(const TopologyOptions& options, GraphEditor* editor);
 
 // Removes links marked 0. Returns the number of sketch samples in them. Ids change.

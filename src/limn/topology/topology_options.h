@@ -15,7 +15,7 @@ struct TopologyOptions {
   double own_views_share = 0.12;
   double min_own_views = 3;
   double max_own_views = 6;
-  // Shorter links with a free end are dropped.
+  // Shorter loops and links with a free end are dropped.
   double min_link_length_px = 14;
   // Longest gap between an end and what it meets, and the largest sideways distance from its line.
   // Links that were fitted to the images get less: see Reach.

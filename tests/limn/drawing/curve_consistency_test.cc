@@ -288,7 +288,7 @@ TEST(CountAgreeingViewsTest, CountsDifferentPrimaryViewsItsOwnIncluded) {
   NetworkScene scene(5);
   // Curves 1 and 2 come from one view, curve 3 from curve 0's own.
   const ViewId anchors[] = {7, 2, 2, 7, 4};
-  for (int c = 0; c < 5; ++c) scene.samples.origins[c].anchor_view = anchors[c];
+  for (int c = 0; c < 5; ++c) scene.samples.origins[c].primary_view = anchors[c];
   scene.Link(0, 1, 0, 30, 4);
   scene.Link(0, 2, 20, 40, 4);
   scene.Link(0, 3, 0, 60, 4);

@@ -587,8 +587,8 @@ TEST(RetriangulationTest, CurvesKeepTheirOrderAndTheirOrigins) {
   ASSERT_EQ(Pieces(outcome.samples), (PieceList{{0, 5}, {0, 6}}));
   EXPECT_EQ(outcome.samples.origins[0].sketch_curve, 1);
   EXPECT_EQ(outcome.samples.origins[1].sketch_curve, 2);
-  EXPECT_EQ(outcome.samples.origins[0].anchor_view, 1);
-  EXPECT_EQ(outcome.samples.origins[1].anchor_view, 4);
+  EXPECT_EQ(outcome.samples.origins[0].primary_view, 1);
+  EXPECT_EQ(outcome.samples.origins[1].primary_view, 4);
   EXPECT_EQ(outcome.stats.too_few_views, 5);
 }
 

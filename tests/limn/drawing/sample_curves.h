@@ -28,7 +28,7 @@ inline SampleSet MakeSamples(const std::vector<std::vector<Eigen::Vector3d>>& cu
   for (size_t c = 0; c < curves.size(); ++c) {
     CurveOrigin origin;
     origin.sketch_curve = static_cast<int>(c);
-    origin.anchor_view = static_cast<ViewId>(c);
+    origin.primary_view = static_cast<ViewId>(c);
     samples.origins.push_back(origin);
     for (const Eigen::Vector3d& point : curves[c]) {
       samples.position.push_back(point);

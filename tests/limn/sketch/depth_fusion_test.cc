@@ -22,7 +22,7 @@ DepthCandidate Candidate(double inverse_depth, double support, int second_rank) 
   DepthCandidate candidate;
   candidate.inverse_depth = inverse_depth;
   candidate.px_per_inverse_depth = 1000;
-  candidate.information = 0.1;
+  candidate.weight = 0.1;
   candidate.weighted_support = support;
   candidate.second_rank = second_rank;
   return candidate;
@@ -44,13 +44,13 @@ TEST(DepthFusionTest, ModeWithMostSupportWins) {
 
 TEST(DepthFusionTest, CandidatesOfAModeAreAveragedByInformation) {
   DepthCandidate strong = Candidate(0.2000, 8, 0), weak = Candidate(0.2001, 8, 1);  // 0.1 px apart
-  strong.information = 0.3;
+  strong.weight = 0.3;
   const auto fused =
       FuseDepths(StraightFragment(10), std::vector<std::vector<DepthCandidate>>(10, {strong, weak}),
                  SketchOptions());
   for (const FusedDepth& depth : fused) {
     EXPECT_NEAR(depth.inverse_depth, (0.3 * 0.2000 + 0.1 * 0.2001) / 0.4, 1e-9);
-    EXPECT_NEAR(depth.information, 0.4, 1e-9);
+    EXPECT_NEAR(depth.weight, 0.4, 1e-9);
   }
 }
 

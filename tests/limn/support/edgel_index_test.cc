@@ -73,8 +73,6 @@ TEST_F(EdgelIndexTest, FindsAnEdgelWhereverOneIsInTheGate) {
     // Directions are kept in single precision.
     EXPECT_NEAR(best->normal_residual_px, edgel.Normal().dot(queries_[q] - edgel.position_px),
                 1e-6);
-    EXPECT_NEAR(best->angle_rad,
-                OffsetOf(edgel, queries_[q], directions_[q], gate).angle * gate.angle_rad, 1e-6);
     // None is better in every respect.
     const Offset of_best = OffsetOf(edgel, queries_[q], directions_[q], gate);
     for (const EdgelId id : inside) {

@@ -97,7 +97,7 @@ TEST(RepairTopologyTest, LinksAreCutAtCornersButNotOnArcs) {
   FrontalScene scene;
   scene.Draw({{-50, -20}, {0, -20}, {0, -70}});
   scene.Draw(testing::ArcFromOrigin(12, M_PI));
-  EXPECT_EQ(scene.Repair().corners, 1);
+  EXPECT_EQ(scene.Repair().splits, 1);
   ASSERT_EQ(scene.graph.links.size(), 3u);
   EXPECT_EQ(scene.Degree(0, -20), 2);
   EXPECT_TRUE(scene.Node(0, -20).continuations.empty());
@@ -114,7 +114,7 @@ TEST(RepairTopologyTest, ReachIsThatOfFittedLinks) {
 TEST(RepairTopologyTest, NothingIsDoneToNothing) {
   FrontalScene none;
   const RepairCounts counts = none.Repair();
-  EXPECT_EQ(counts.trimmed + counts.corners + counts.meetings.joined, 0);
+  EXPECT_EQ(counts.trimmed + counts.splits + counts.meetings.joined, 0);
 }
 
 TEST(RepairTopologyTest, LinksWithoutVerticesStayAsTheyAre) {
@@ -126,7 +126,7 @@ TEST(RepairTopologyTest, LinksWithoutVerticesStayAsTheyAre) {
   for (const LinkId id : {0, 1, 2}) scene.Freeze(id);
   const DrawingGraph before = scene.graph;
   const RepairCounts counts = scene.Repair();
-  EXPECT_EQ(counts.trimmed + counts.corners + counts.meetings.joined, 0);
+  EXPECT_EQ(counts.trimmed + counts.splits + counts.meetings.joined, 0);
   EXPECT_EQ(counts.meetings.to_nodes + counts.meetings.to_links, 0);
   ASSERT_EQ(scene.graph.links.size(), 3u);
   for (const LinkId id : {0, 1, 2}) {

@@ -12,12 +12,12 @@
 #include <gtest/gtest.h>
 
 #include "limn/geometry/polyline.h"
-#include "limn/topology/corner_rays.h"
 #include "limn/topology/covered_links.h"
 #include "limn/topology/edit_topology.h"
 #include "limn/topology/graph_fixture.h"
 #include "limn/topology/grow_edges.h"
 #include "limn/topology/join_ends.h"
+#include "limn/topology/joint_rays.h"
 #include "limn/topology/snap_ends.h"
 #include "limn/topology/split_corners.h"
 #include "support/synthetic_scene.h"
@@ -181,9 +181,9 @@ class FrontalScene {
     return found.empty() ? Joint() : found.front();
   }
   // A direction in which image edges leave the joint at a place.
-  std::optional<CornerDirection> DirectionAt(const Eigen::Vector3d& place, size_t min_views) {
+  std::optional<JointDirection> DirectionAt(const Eigen::Vector3d& place, size_t min_views) {
     Build();
-    return FindCornerDirection(Input(), JointAt(place), min_views);
+    return FindJointDirection(Input(), JointAt(place), min_views);
   }
 
   double LengthPx(LinkId link) const {

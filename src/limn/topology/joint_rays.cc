@@ -1,4 +1,4 @@
-#include "limn/topology/corner_rays.h"
+#include "limn/topology/joint_rays.h"
 
 #include <algorithm>
 #include <bit>
@@ -140,8 +140,8 @@ class DirectionFinder {
     }
   }
 
-  std::optional<CornerDirection> Find() const {
-    std::optional<CornerDirection> best;
+  std::optional<JointDirection> Find() const {
+    std::optional<JointDirection> best;
     double best_chance = std::log(kMaxFalseAlarms / kNumDirections);
     const std::vector<const Ray*> proposing = ProposingRays();
     for (size_t i = 0; i < proposing.size(); ++i) {
@@ -154,7 +154,7 @@ class DirectionFinder {
         vote = VotesFor(direction);
         if (vote.log_chance >= best_chance) continue;
         best_chance = vote.log_chance;
-        best = CornerDirection{direction, {}};
+        best = JointDirection{direction, {}};
         for (const Ray* ray : vote.rays) best->views.push_back(ray->view);
       }
     }
@@ -251,8 +251,8 @@ class DirectionFinder {
 
 }  // namespace
 
-std::optional<CornerDirection> FindCornerDirection(const TopologyInput& input, const Joint& joint,
-                                                   size_t min_views) {
+std::optional<JointDirection> FindJointDirection(const TopologyInput& input, const Joint& joint,
+                                                 size_t min_views) {
   return DirectionFinder(input, joint, min_views).Find();
 }
 

@@ -1,4 +1,4 @@
-#include "limn/topology/corner_rays.h"
+#include "limn/topology/joint_rays.h"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ constexpr double kDeg = M_PI / 180;
 // Four views, a few px, edgels without errors.
 constexpr double kExactRad = 1 * kDeg;
 
-double AngleTo(const CornerDirection& found, const Eigen::Vector3d& direction) {
+double AngleTo(const JointDirection& found, const Eigen::Vector3d& direction) {
   return std::acos(std::min(found.unit.dot(direction.normalized()), 1.0));
 }
 
@@ -38,7 +38,7 @@ FrontalScene Corner(const Eigen::Vector3d& edge_px) {
   return Corner(edge_px, FrontalScene().AllViews());
 }
 
-TEST(FindCornerDirectionTest, DirectionOfAnEdgeIsFound) {
+TEST(FindJointDirectionTest, DirectionOfAnEdgeIsFound) {
   for (const Eigen::Vector3d& edge : std::vector<Eigen::Vector3d>{
            {0, 30, 0}, {0, -30, 0}, {-30, 0, 0}, {20, 25, 0}, {0, 20, 20}, {-20, 10, -20}}) {
     FrontalScene scene = Corner(edge);
@@ -49,7 +49,7 @@ TEST(FindCornerDirectionTest, DirectionOfAnEdgeIsFound) {
   }
 }
 
-TEST(FindCornerDirectionTest, ViewsWhoseRaysAgreeAreTold) {
+TEST(FindJointDirectionTest, ViewsWhoseRaysAgreeAreTold) {
   const std::vector<ViewId> some = {0, 3, 6, 9, 10, 12, 15};
   FrontalScene scene = Corner({0, 30, 0}, some);
   const auto found = scene.DirectionAt(Origin(), 4);
@@ -57,13 +57,13 @@ TEST(FindCornerDirectionTest, ViewsWhoseRaysAgreeAreTold) {
   EXPECT_EQ(found->views, some);
 }
 
-TEST(FindCornerDirectionTest, EnoughViewsMustAgree) {
+TEST(FindJointDirectionTest, EnoughViewsMustAgree) {
   FrontalScene scene = Corner({0, 30, 0}, {0, 2, 5, 7, 9});
   EXPECT_TRUE(scene.DirectionAt(Origin(), 5));
   EXPECT_FALSE(scene.DirectionAt(Origin(), 6));
 }
 
-TEST(FindCornerDirectionTest, ViewsThatDoNotSeeTheCornerAreNotAsked) {
+TEST(FindJointDirectionTest, ViewsThatDoNotSeeTheCornerAreNotAsked) {
   FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0), {0, 2, 5, 7});
   scene.Show(PxSegment(0, 0, 0, 30));
@@ -72,7 +72,7 @@ TEST(FindCornerDirectionTest, ViewsThatDoNotSeeTheCornerAreNotAsked) {
   EXPECT_EQ(found->views, (std::vector<ViewId>{0, 2, 5, 7}));
 }
 
-TEST(FindCornerDirectionTest, WhatALinkExplainsIsNoNewDirection) {
+TEST(FindJointDirectionTest, WhatALinkExplainsIsNoNewDirection) {
   const auto found = [](double angle_deg) {
     const double angle = angle_deg * kDeg;
     FrontalScene scene = Corner({30 * std::cos(angle), 30 * std::sin(angle), 0});
@@ -84,7 +84,7 @@ TEST(FindCornerDirectionTest, WhatALinkExplainsIsNoNewDirection) {
   EXPECT_TRUE(found(180));
 }
 
-TEST(FindCornerDirectionTest, TwoViewsGiveTheDirectionAndItsSign) {
+TEST(FindJointDirectionTest, TwoViewsGiveTheDirectionAndItsSign) {
   for (const double sign : {-1.0, 1.0}) {
     FrontalScene scene;
     scene.ShowAndDraw(PxSegment(0, 0, 60, 0), {0, 7});
@@ -95,7 +95,7 @@ TEST(FindCornerDirectionTest, TwoViewsGiveTheDirectionAndItsSign) {
   }
 }
 
-TEST(FindCornerDirectionTest, MoreViewsWin) {
+TEST(FindJointDirectionTest, MoreViewsWin) {
   // Whether they come first or last.
   const auto found = [](const std::vector<ViewId>& few, ViewId begin, ViewId end) {
     FrontalScene scene = Corner({0, 30, 0}, few);
@@ -108,14 +108,14 @@ TEST(FindCornerDirectionTest, MoreViewsWin) {
   }
 }
 
-TEST(FindCornerDirectionTest, EdgesThatPassByAreNoRays) {
+TEST(FindJointDirectionTest, EdgesThatPassByAreNoRays) {
   FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
   scene.Show(PxSegment(-4, -30, -4, 30));
   EXPECT_FALSE(scene.DirectionAt(Origin(), 4));
 }
 
-TEST(FindCornerDirectionTest, EdgesThatDoNotMeetInSpaceAreNoDirection) {
+TEST(FindJointDirectionTest, EdgesThatDoNotMeetInSpaceAreNoDirection) {
   // In every view an edge leaves the corner in another direction: 24 degrees from one to the next,
   // twice the width in which they agree.
   FrontalScene scene;
@@ -127,7 +127,7 @@ TEST(FindCornerDirectionTest, EdgesThatDoNotMeetInSpaceAreNoDirection) {
   EXPECT_FALSE(scene.DirectionAt(Origin(), 4));
 }
 
-TEST(FindCornerDirectionTest, ShortEdgesAreRaysToo) {
+TEST(FindJointDirectionTest, ShortEdgesAreRaysToo) {
   FrontalScene scene = Corner({0, 6, 0});
   EXPECT_TRUE(scene.DirectionAt(Origin(), 4));
   // What ends where edges are rounded says nothing.

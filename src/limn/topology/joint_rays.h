@@ -10,7 +10,7 @@
 namespace limn {
 
 // A direction in space in which image edges, but no link, leave a joint.
-struct CornerDirection {
+struct JointDirection {
   Eigen::Vector3d unit = Eigen::Vector3d::Zero();
   std::vector<ViewId> views;  // with a ray that agrees
 };
@@ -20,7 +20,7 @@ struct CornerDirection {
 // the direction that chance explains least, if rays of at least min_views views agree with it
 // (ALGORITHM.md 14.1, 14.2). Time: views times pairs of rays in the proposing views, of which there
 // are at most 24.
-std::optional<CornerDirection> FindCornerDirection(const TopologyInput& input, const Joint& joint,
-                                                   size_t min_views);
+std::optional<JointDirection> FindJointDirection(const TopologyInput& input, const Joint& joint,
+                                                 size_t min_views);
 
 }  // namespace limn
