@@ -203,8 +203,7 @@ class EdgeFinder {
 
   bool CanHaveSegment(const Joint& a, const Joint& b) const {
     const Eigen::Vector3d offset = b.position - a.position;
-    const double length_px = offset.norm() / a.footprint;
-    if (length_px < kMinSegmentPx || length_px > options_.max_short_edge_px) return false;
+    if (offset.norm() < kMinSegmentPx * a.footprint) return false;
     const Eigen::Vector3d direction = offset.normalized();
     return !IsTaken(a, direction) && !IsTaken(b, -direction);
   }

@@ -30,6 +30,13 @@ TEST(FindUncoveredLinksTest, ShorterOfTwoOnTheSameEdgeGoes) {
   EXPECT_EQ(Uncovered(&scene), (Kept{1, 0, 1, 1}));
 }
 
+TEST(FindUncoveredLinksTest, OneOfTwoAlikeStays) {
+  FrontalScene scene;
+  scene.Draw({{-60, 0}, {60, 0}});
+  scene.Draw({{-60, 0.5}, {59, 0.5}});
+  EXPECT_EQ(Uncovered(&scene), (Kept{1, 0}));
+}
+
 TEST(FindUncoveredLinksTest, ShareIsAnOption) {
   // Of 50 px, 35 run along the other link.
   const auto kept = [](double covered_share) {

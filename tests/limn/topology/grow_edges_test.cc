@@ -47,6 +47,14 @@ TEST(GrowEdgesTest, MissingEdgeGrowsToItsEndAndNotBeyond) {
   }
 }
 
+TEST(GrowEdgesTest, DirectionFollowsTheEdge) {
+  // From a joint beside the edge, the first pixels point across it.
+  FrontalScene scene;
+  scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
+  scene.Show(PxSegment(1, 0, 1, 60));
+  ExpectGrownTo(scene.Grow(), 1, 60);
+}
+
 TEST(GrowEdgesTest, EdgeInDepthGrowsToo) {
   FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0));

@@ -41,6 +41,15 @@ class JoinFacingEndsTest : public DrawingSceneTest {
     scene_.AddLink(Path({Polar(2, turn_deg), Polar(50, turn_deg)}));
   }
 
+  // The second link begins 10 px ahead and 3.8 px beside, and turns by this angle.
+  void AddAside(double turn_deg) {
+    const LinkTraits on_edge = {.image_curve =
+                                    scene_.AddImageCurve(Path({{-60, 0, 0}, {60, 0, 0}}))};
+    const Vector3d start(10, 3.8, 0);
+    scene_.AddLink(Path({{-60, 0, 0}, {0, 0, 0}}), on_edge);
+    scene_.AddLink(Path({start, start + Polar(50, turn_deg)}), on_edge);
+  }
+
   // Expects that the two links became one from end to end, without loss of samples.
   void ExpectJoined() {
     const Picture picture = scene_.Look();
@@ -101,6 +110,18 @@ TEST_P(JoinFacingEndsTest, MissLimitIsAnOption) {
   AddFacing(5, 2.5);
   EXPECT_EQ(Join({.max_junction_miss_px = 2}).joined, 0);
   EXPECT_EQ(Join({.max_junction_miss_px = 3}).joined, 1);
+}
+
+// At -25 degrees the line of the second link passes 7.7 px beside the end of the first, at 25
+// degrees .8 px; the second link begins within reach of the first one's line in either case.
+TEST_P(JoinFacingEndsTest, LineThatMissesTheOtherEndIsNoContinuation) {
+  AddAside(-25);
+  EXPECT_EQ(Join().joined, 0);
+}
+
+TEST_P(JoinFacingEndsTest, LineThatMeetsTheOtherEndIs) {
+  AddAside(25);
+  EXPECT_EQ(Join().joined, 1);
 }
 
 TEST_P(JoinFacingEndsTest, TurnWithinTheLimitIsAccepted) {
