@@ -186,6 +186,21 @@ TEST(FitPrimitives, EndsAreHeldWhereTheirCurvesMeet) {
   }
 }
 
+TEST(FitPrimitives, EndsOfArcsAreHeldToo) {
+  Scene scene;
+  const Eigen::Vector3d start = Arc(0.4, 2)(0);
+  const NodeId node = scene.AddNode(start + Eigen::Vector3d(0, 0, 1.5 * kPx));
+  scene.AddLink(node, scene.AddNode(Arc(0.4, 2)(1)), Arc(0.4, 2), 0.8);
+  for (const Eigen::Vector3d& end :
+       {Eigen::Vector3d(0.9, 0.3, 0), Eigen::Vector3d(0.6, -0.5, 0.1)}) {
+    scene.AddLink(node, scene.AddNode(end), Line(start, end), 0.6);
+  }
+  const PrimitiveResult result = Fit(scene.graph());
+  ASSERT_STREQ(ShapeName(ShapeOf(result, 0)), "arc");
+  EXPECT_LT((PointAt(ShapeOf(result, 0), 0) - result.graph.nodes[node].position_in_world).norm(),
+            1e-9);
+}
+
 TEST(FitPrimitives, ContinuationsShareTheirTangent) {
   Scene scene;
   const NodeId first = scene.AddNode(Wave(-1, 1)(0));
