@@ -18,7 +18,7 @@ constexpr int kClosedOverlap = 20;
 
 // In the two below, unknown k is the displacement of sample s.
 
-void AddData(const CurveSamples& curve, int s, int k, BandedSystem* system) {
+void AddData(const SampleArrays& curve, int s, int k, BandedSystem* system) {
   const double footprint = curve.footprint[s];
   const Eigen::Vector3d& tangent = curve.tangent[s];
   const Eigen::Matrix3d weight =
@@ -30,7 +30,7 @@ void AddData(const CurveSamples& curve, int s, int k, BandedSystem* system) {
   }
 }
 
-void AddBending(const CurveSamples& curve, int before, int s, int after, int k,
+void AddBending(const SampleArrays& curve, int before, int s, int after, int k,
                 double bending_sigma_px, BandedSystem* system) {
   const double footprint = curve.footprint[s];
   const Eigen::Vector3d first = curve.position[s] - curve.position[before];
@@ -53,7 +53,7 @@ void AddBending(const CurveSamples& curve, int before, int s, int after, int k,
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> SmoothCurve(const CurveSamples& curve, bool closed,
+std::vector<Eigen::Vector3d> SmoothCurve(const SampleArrays& curve, bool closed,
                                          double bending_sigma_px) {
   const int size = curve.NumSamples();
   if (size < 3) return curve.position;

@@ -13,7 +13,7 @@ namespace limn {
 // where Y are the positions of the samples of a curve and Lambda their information (ALGORITHM.md
 // 7.2). A penalty on bending leaves lines and circles nearly unchanged, hardly moves well
 // determined samples, and bridges what the data determine badly (the depth). Linear time.
-std::vector<Eigen::Vector3d> SmoothCurve(const CurveSamples& curve, bool closed,
+std::vector<Eigen::Vector3d> SmoothCurve(const SampleArrays& curve, bool closed,
                                          double bending_sigma_px);
 
 }  // namespace limn

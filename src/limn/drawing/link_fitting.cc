@@ -29,7 +29,7 @@ void MoveToMean(const SampleSet& samples, const LinkVertex& vertex, Eigen::Vecto
 }
 
 void Smooth(double bending_sigma_px, DrawingLink* link) {
-  CurveSamples curve;
+  SampleArrays curve;
   curve.position = link->points_in_world;
   if (link->closed) curve.position.pop_back();  // the repeated first point
   for (int k = 0; k < curve.NumSamples(); ++k) {

@@ -26,7 +26,7 @@ constexpr double kPriorSigmaPx = 3;
 constexpr int kTangentReach = 2;
 
 struct MovedCurve {
-  CurveSamples samples;
+  SampleArrays samples;
   SupportLists support;
   std::vector<uint8_t> supported;  // per sample: by enough views
 };
@@ -132,7 +132,7 @@ class CurveRetriangulation {
   const TopologyInput& images_;
   const ViewFinder& finder_;
   const DrawingOptions& options_;
-  CurveSamples samples_;
+  SampleArrays samples_;
   SupportLists support_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace limn {
 
-double LengthPx(const CurveSamples& samples, int begin, int end) {
+double LengthPx(const SampleArrays& samples, int begin, int end) {
   double length_px = 0;
   for (int s = begin + 1; s < end; ++s) {
     length_px += (samples.position[s] - samples.position[s - 1]).norm() / samples.footprint[s];

@@ -10,7 +10,7 @@
 namespace limn {
 
 // Samples of a curve, or of several back to back. All arrays are per sample.
-struct CurveSamples {
+struct SampleArrays {
   std::vector<Eigen::Vector3d> position;
   std::vector<Eigen::Vector3d> tangent;  // unit, along the curve
   // Inverse covariance of the position across the curve (zero along the tangent), world units.
@@ -22,7 +22,7 @@ struct CurveSamples {
 };
 
 // Length of the curve through samples [begin, end), in footprints (px).
-double LengthPx(const CurveSamples& samples, int begin, int end);
+double LengthPx(const SampleArrays& samples, int begin, int end);
 
 // Unit direction of a curve at its sample k: from the sample `reach` before it to the one `reach`
 // after it, or to the curve's end. Zero if these are at one place.
@@ -49,7 +49,7 @@ struct CurveOrigin {
 
 // The samples of all curves, back to back: sample ids run through curve 0, then curve 1, and so on.
 // All stages up to merging use these ids.
-struct SampleSet : CurveSamples {
+struct SampleSet : SampleArrays {
   std::vector<int> curve_begin = {0};  // one more than curves
   std::vector<CurveOrigin> origins;    // per curve
   std::vector<int> curve_of;           // per sample
