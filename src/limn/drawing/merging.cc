@@ -5,7 +5,6 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <span>
 
 #include "limn/geometry/spatial_index.h"
 #include "limn/support/edgel_residual.h"

@@ -133,8 +133,8 @@ class StopIfCancelled : public ceres::IterationCallback {
   const RunContext& context_;
 };
 
-// Of the component's points. None if the normal matrix is singular, which the holds prevent but for
-// numbers beyond all scale.
+// Sets the covariances of a component's points, unless the normal matrix is singular, which the
+// holds prevent except with extreme numbers.
 void SetCovariances(const Component& component, ControlGraph* control, ceres::Problem* problem) {
   ceres::Problem::EvaluateOptions evaluation;
   for (const int point : component.points) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "limn/refinement/crowding.h"
 #include "limn/support/edgel_residual.h"
@@ -135,17 +136,20 @@ void AddView(const TopologyInput& input, const RefinementOptions& options, ViewI
 // Where nearly all edgels around a sample agree on the brighter side, the others belong to another
 // edge nearby, such as the other side of a thin bar.
 void KeepOneSide(std::vector<LinkSample>* samples) {
-  const std::vector<LinkSample> all = *samples;
   int num[2] = {0, 0};
   const auto count = [&](int k, int sign) {
-    for (const EdgelPull& pull : all[k].pulls) num[pull.bright_left] += sign;
+    for (const EdgelPull& pull : (*samples)[k].pulls) num[pull.bright_left] += sign;
   };
-  SlideWindow(all, kSideWindowPx, count, [&](int k) {
+  // Pulls are dropped at the end, since the windows of other samples count them, too.
+  std::vector<std::pair<int, bool>> agreed;  // sample, side
+  SlideWindow(*samples, kSideWindowPx, count, [&](int k) {
     const bool major = num[1] > num[0];
-    if (num[major] < kSameSideShare * (num[0] + num[1])) return;
-    std::erase_if((*samples)[k].pulls,
-                  [&](const EdgelPull& pull) { return pull.bright_left != major; });
+    if (num[major] >= kSameSideShare * (num[0] + num[1])) agreed.push_back({k, major});
   });
+  for (const auto& [k, major] : agreed) {
+    std::erase_if((*samples)[k].pulls,
+                  [side = major](const EdgelPull& pull) { return pull.bright_left != side; });
+  }
 }
 
 // Views in which another link runs too near to this one to tell their edges apart would pull both

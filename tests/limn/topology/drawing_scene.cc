@@ -7,6 +7,7 @@
 
 #include "limn/topology/finish_links.h"
 #include "limn/topology/graph_fixture.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn::testing {
@@ -14,7 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDeg = M_PI / 180;
 constexpr double kFocalPx = 600;  // of LookAt
 
 std::vector<ViewId> AllViews() {

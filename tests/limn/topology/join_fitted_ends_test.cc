@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "limn/topology/frontal_scene.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
 using testing::FrontalScene;
 using testing::PxLine;
-
-constexpr double kDeg = M_PI / 180;
 
 // Ends of links that were fitted to the images: see join_facing_ends_test.cc for others.
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/topology/frontal_scene.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -14,7 +15,6 @@ using testing::FrontalScene;
 using testing::kFrontalPx;
 using testing::PxSegment;
 
-constexpr double kDeg = M_PI / 180;
 // Four views, a few px, edgels without errors.
 constexpr double kExactRad = 1 * kDeg;
 

@@ -8,12 +8,12 @@
 #include "limn/geometry/polyline.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/view_edgels.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
 
-constexpr double kDeg = M_PI / 180;
 constexpr double kDistance = 5;
 constexpr double kRadius = 1;  // of a ball around the origin: 120 px
 

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 using testing::ExpectSound;
 
-// A random graph and its random edits. What they do to the samples is counted beside.
+// A random graph and its random edits. Keeps count of the samples that must be in the links.
 class RandomEdits {
  public:
   explicit RandomEdits(unsigned seed) : random_(seed), editor_(&graph_) {
