@@ -18,7 +18,7 @@ LIMN_LAYERS = [
     ["model"],
     ["support", "visibility"],
     ["topology"],
-    ["edges", "linking", "sketch", "drawing", "refinement", "primitives", "dense", "tiles"],
+    ["edges", "linking", "sketch", "drawing", "refinement", "belief", "primitives", "kinds", "dense", "tiles"],
     ["formats"],
     ["pictures", "evaluation", "viewer"],
     ["pipeline"],

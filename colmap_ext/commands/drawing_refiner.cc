@@ -4,6 +4,8 @@
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
+#include "limn/belief/link_judge.h"
+#include "limn/kinds/classify_kinds.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
 
@@ -35,12 +37,19 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
       options.pipeline.refinement, options.pipeline.drawing.topology, console.context());
   console.Report(result.summary);
   const std::vector<View>& views = ViewsOfDrawing(project, result.cameras);
+  const BeliefResult judged =
+      JudgeLinks({views, image_curves.curves, result.graph, result.fitted}, options.pipeline.belief,
+                 options.pipeline.drawing.topology, console.context());
+  console.Report(judged.summary);
   const PrimitiveResult primitives =
-      FitPrimitives(result.graph, views, options.pipeline.primitives, console.context());
+      FitPrimitives(judged.graph, views, options.pipeline.primitives, console.context());
   console.Report(primitives.summary);
-  CheckGraph(primitives.graph);
+  const KindsResult kinds =
+      ClassifyKinds({views, project.images().read, primitives.graph}, console.context());
+  console.Report(kinds.summary);
+  CheckGraph(kinds.graph);
   WriteRefinedModel(project, result.cameras, &console);
-  WriteDrawingResults(project, views, primitives.graph, provenance, &console);
+  WriteDrawingResults(project, views, kinds.graph, provenance, &console);
   return 0;
 }
 

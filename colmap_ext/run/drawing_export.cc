@@ -32,11 +32,14 @@ SvgScene SceneOf(const ExporterOptions& options, const DrawingGraph& graph) {
 }
 
 void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
-  parser->AddOption("layers", &format->dxf.layers,
-                    {{"class", DxfLayers::kClass},
-                     {"component", DxfLayers::kComponent},
-                     {"single", DxfLayers::kSingle}},
-                    "DXF: what makes a layer, the kind of curve or the connected component");
+  parser->AddOption(
+      "layers", &format->dxf.layers,
+      {{"class", DxfLayers::kClass},
+       {"kind", DxfLayers::kKind},
+       {"component", DxfLayers::kComponent},
+       {"single", DxfLayers::kSingle}},
+      "DXF: what makes a layer, the shape of the curve (class), the kind of edge or the "
+      "connected component");
   parser->AddOption("unit", &format->unit,
                     {{"none", LengthUnit::kNone},
                      {"mm", LengthUnit::kMillimeter},
@@ -67,6 +70,7 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
                     BasicOption("the axis of the model that points up, often -y; it becomes z"));
   parser->AddOption("junctions", &junctions,
                     BasicOption("DXF, GLB and SVG: junctions as points on their own layer"));
+  selection.AddOptions(parser);
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, BasicOption("GLB: a cloud to go with it, .ply"));
   svg.AddOptions(parser);
@@ -75,6 +79,7 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
 void ExporterOptions::Check() const {
   if (input_path.empty()) throw OptionError("--input_path must be given");
   if (output_path.empty()) throw OptionError("--output_path must be given");
+  selection.Selection();  // throws
   CheckOption(scale > 0, "scale", scale, "> 0");
   if (!cloud_path.empty() && FormatName(*this) != "glb") {
     throw OptionError("cloud_path: only .glb files hold a cloud");
@@ -89,6 +94,7 @@ void ExporterOptions::Check() const {
 ExportedDrawing PrepareExport(const ExporterOptions& options) {
   ExportedDrawing exported = {ReadDrawingJson(options.input_path), options.format};
   DrawingGraph& graph = exported.drawing.graph;
+  graph = Selected(std::move(graph), options.selection.Selection());
   DrawingFormatOptions& format = exported.format;
   graph = Transformed(std::move(graph), options.scale, ZUpFrom(options.up_axis),
                       Eigen::Vector3d::Zero());

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/selection_options.h"
 #include "colmap_ext/run/svg_source.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/write_drawing.h"
@@ -14,6 +15,7 @@ namespace limn::colmap_ext {
 struct ExporterOptions {
   std::string input_path, output_path;
   bool junctions = true;
+  SelectionOptions selection;
   std::string cloud_path;
   DrawingFormatOptions format;
   double scale = 1;

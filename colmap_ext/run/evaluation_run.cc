@@ -5,9 +5,11 @@
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/to_views.h"
+#include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/json_kinds_reader.h"
 #include "limn/formats/read_curves.h"
 #include "limn/util/errors.h"
 
@@ -19,11 +21,17 @@ std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& c
   return ToViews(ReadModel(layout.model_dir), layout.image_dir, {}, context).views;
 }
 
+bool IsDrawing(const EvaluatorOptions& options) { return options.input_path.ends_with(".json"); }
+
 }  // namespace
 
 void EvaluatorOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("input_path", &input_path, BasicOption("curves or points to judge"));
   truth.AddOptions(/*are_basic=*/true, parser);
+  selection.AddOptions(parser);
+  parser->AddOption("true_kinds_path", &true_kinds_path,
+                    BasicOption("true curves with their kinds, .json: also compare the kinds of "
+                                "the links of a drawing.json"));
   parser->AddOption("box", &box, BasicOption("only what is inside counts: x0,x1,y0,y1,z0,z1"));
   parser->AddOption("workspace_path", &layout.workspace_path,
                     BasicOption("COLMAP project whose pixels are the unit footprint; with it "
@@ -44,6 +52,10 @@ void EvaluatorOptions::Check() const {
   require(input_path, "input_path");
   require(truth.truth_path, "truth_path");
   truth.Check();
+  selection.Selection();  // throws
+  if (!true_kinds_path.empty() && !IsDrawing(*this)) {
+    throw OptionError("true_kinds_path: only links of a drawing.json have kinds");
+  }
   if (truth.unit == TruthInput::Unit::kFootprint) require(layout.workspace_path, "workspace_path");
   CheckOption(num_threads == -1 || num_threads >= 1, "num_threads", num_threads, "-1 or >= 1");
 }
@@ -53,20 +65,41 @@ EvaluationReport EvaluateFile(const EvaluatorOptions& options) {
   context.num_threads = options.num_threads;
   TruthInput input = options.truth;
   input.evaluation.region = BoxFromNumbers(options.box);
-  const CurveSet reconstruction = ReadCurves(options.input_path);
+  std::optional<DrawingGraph> drawing;
+  if (IsDrawing(options)) {
+    drawing = Selected(ReadDrawingJson(options.input_path).graph, options.selection.Selection());
+  }
+  const CurveSet reconstruction = drawing ? ToCurveSet(*drawing) : ReadCurves(options.input_path);
   const Truth truth = ReadTruth(input);
   const bool has_views = !options.layout.workspace_path.empty();
   const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
   EvaluationReport report = Evaluate(reconstruction, truth, input, views, context);
   if (!has_views) return report;
   report.saw_teeth = MeasureSawTeeth(reconstruction.polylines, views);
-  if (options.input_path.ends_with(".json")) {
+  if (drawing) {
     NormalizedErrorOptions of_sigmas;
     of_sigmas.region = input.evaluation.region;
-    report.normalized_errors = MeasureNormalizedErrors(
-        ReadDrawingJson(options.input_path).graph, truth.curves, truth.dont_care, views, of_sigmas);
+    report.normalized_errors =
+        MeasureNormalizedErrors(*drawing, truth.curves, truth.dont_care, views, of_sigmas);
   }
   return report;
+}
+
+void WriteKindConfusion(const EvaluatorOptions& options) {
+  if (options.true_kinds_path.empty()) return;
+  RunContext context;
+  context.num_threads = options.num_threads;
+  const std::vector<double>& taus = options.truth.evaluation.taus;
+  KindConfusionOptions of_kinds;
+  of_kinds.tau = taus[taus.size() / 2];
+  of_kinds.region = BoxFromNumbers(options.box);
+  const bool in_footprints = options.truth.unit == TruthInput::Unit::kFootprint;
+  const DrawingGraph drawing =
+      Selected(ReadDrawingJson(options.input_path).graph, options.selection.Selection());
+  PrintKindConfusion(
+      CompareKinds(drawing, ReadJsonKinds(options.true_kinds_path),
+                   in_footprints ? ReadViews(options, context) : std::vector<View>(), of_kinds),
+      std::cout);
 }
 
 void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options) {

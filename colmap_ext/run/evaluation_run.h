@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "colmap_ext/run/selection_options.h"
 #include "colmap_ext/run/truth_input.h"
 #include "colmap_ext/workspace/layout.h"
 
@@ -12,6 +13,10 @@ namespace limn::colmap_ext {
 struct EvaluatorOptions {
   std::string input_path;
   TruthInput truth;
+  // Of a drawing.
+  SelectionOptions selection;
+  // Curves with their kinds, for a confusion table; empty: none.
+  std::string true_kinds_path;
   std::vector<double> box;
   LayoutOptions layout;
   std::string output_csv, output_json;
@@ -25,6 +30,10 @@ struct EvaluatorOptions {
 // Evaluates the input file. With a workspace also measures saw-teeth and, of a drawing, the
 // normalized errors. Throws IoError and InputError.
 EvaluationReport EvaluateFile(const EvaluatorOptions& options);
+
+// Prints how the kinds of the links agree with the true ones, if these are given, at the middle one
+// of the taus. Throws IoError.
+void WriteKindConfusion(const EvaluatorOptions& options);
 
 // Writes the report to standard output and to the requested files. Throws IoError.
 void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options);

@@ -12,6 +12,7 @@
 #include "limn/evaluation/edgel_account.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/write_drawing.h"
+#include "limn/model/link_selection.h"
 #include "limn/pictures/overlays.h"
 #include "limn/pipeline/curves_key.h"
 #include "limn/primitives/fit_primitives.h"
@@ -113,6 +114,7 @@ std::string DrawingProvenance(const RunOptions& options, const std::string& sket
   Json json = Json::parse(sketch_provenance);
   json["Drawing"] = Json::parse(OptionsAsJson(options.pipeline))["Drawing"];
   json["DrawingRefinement"] = nullptr;
+  json["Belief"] = nullptr;
   json["Primitives"] = nullptr;
   return json.dump();
 }
@@ -121,6 +123,7 @@ std::string RefinementProvenance(const RunOptions& options, const std::string& d
   Json json = Json::parse(drawing_provenance);
   const Json now = Json::parse(OptionsAsJson(options.pipeline));
   json["DrawingRefinement"] = now["DrawingRefinement"];
+  json["Belief"] = now["Belief"];
   json["Primitives"] = now["Primitives"];
   return json.dump();
 }
@@ -160,8 +163,10 @@ void WriteDrawingResults(const Project& project, const std::vector<View>& views,
                          Console* console) {
   const DrawingMetadata metadata = Metadata(project, provenance);
   const DrawingGraph in_model = Moved(graph, project.origin());
-  for (const char* name : {"drawing.ply", "drawing.json", "drawing.obj"}) {
-    WriteDrawing(project.DrawingPath(name), in_model, metadata);
+  WriteDrawing(project.DrawingPath("drawing.json"), in_model, metadata);
+  const DrawingGraph selected = Selected(in_model, {});
+  for (const char* name : {"drawing.ply", "drawing.obj"}) {
+    WriteDrawing(project.DrawingPath(name), selected, metadata);
   }
   WriteTracks(project.CurvesPath("tracks.txt"), graph, views);
   WritePictures(project, "overlays", console->context(), [&](ViewId v) {

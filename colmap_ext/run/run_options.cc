@@ -74,6 +74,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
   }
   if (groups.drawing) AddGroup("Drawing", &pipeline.drawing, parser);
   if (groups.refinement) AddGroup("DrawingRefinement", &pipeline.refinement, parser);
+  if (groups.refinement) AddGroup("Belief", &pipeline.belief, parser);
   if (groups.refinement) AddGroup("Primitives", &pipeline.primitives, parser);
   if (groups.tiles) AddGroup("Tiles", &pipeline.tiles, parser);
   if (groups.dense) AddGroup("DenseFusion", &options->dense, parser);

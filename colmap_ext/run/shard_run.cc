@@ -14,8 +14,12 @@ StageObserver ReportTo(Console* console) {
 
 TiledInput TiledProject(const PipelineInput& input, const std::vector<Tile>& tiles,
                         const PipelineOptions& options, const Console& console) {
-  return {input.views, input.hints, input.cache, tiles,
-          CurvesFromImages(input, options, console.context())};
+  return {input.views,
+          input.hints,
+          input.cache,
+          tiles,
+          CurvesFromImages(input, options, console.context()),
+          input.images.read};
 }
 
 void MakeTiles(const PipelineInput& input, const std::vector<Tile>& tiles,

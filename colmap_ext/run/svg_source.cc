@@ -101,7 +101,8 @@ void SvgSource::AddOptions(OptionParser* parser) {
                     {{"black", SvgColors::kBlack},
                      {"link", SvgColors::kLink},
                      {"primitive", SvgColors::kPrimitive},
-                     {"class", SvgColors::kClass}},
+                     {"class", SvgColors::kClass},
+                     {"kind", SvgColors::kKind}},
                     BasicOption("SVG: meaning of colors"));
   parser->AddOption("line_width_px", &style.line_width_px, "SVG: width of lines, px");
   parser->AddOption("sheet_scale", &sheet.scale_denominator,

@@ -22,7 +22,12 @@ void TruthInput::AddOptions(bool are_basic, OptionParser* parser) {
                     help("unit of taus: the model's, or the size of a pixel there"));
   parser->AddOption("dont_care_taus", &evaluation.dont_care_taus,
                     "reach of don't-care curves, taus");
-  parser->AddOption("junction_taus", &evaluation.junction_taus, "reach of a junction, taus");
+  parser->AddOption("junction_taus", &evaluation.junction_taus,
+                    "reach of a junction or of a true end, taus");
+  parser->AddOption("chain_taus", &evaluation.chain_taus,
+                    "shortest true curve whose links are counted, taus");
+  parser->AddOption("cover_taus", &evaluation.cover_taus,
+                    "how much of a true curve a link on it covers, taus");
 }
 
 void TruthInput::Check() const {

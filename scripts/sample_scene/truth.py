@@ -41,6 +41,12 @@ def write(path, curves, what):
     print(f"{path}: {len(curves)} curves, {total_length(curves):.2f} m")
 
 
+def write_kinds(path, curves):
+    """The curves with their kinds, to 0.1 mm."""
+    entries = [{"kind": c.kind, "points": np.round(simplified(c.points), 4).tolist()} for c in curves]
+    path.write_text(json.dumps({"curves": entries}, separators=(",", ":")))
+
+
 def total_length(curves):
     return sum(np.linalg.norm(np.diff(c.points, axis=0), axis=1).sum() for c in curves)
 
@@ -73,6 +79,7 @@ def write_set(name, sample, caster, solids, curves, occlusion, contours):
     print(f"{name}: junctions by degree", {d: degrees.count(d) for d in sorted(set(degrees))},
           {k: sum(j["kind"] == k for j in found) for k in ("corner", "t", "crossing")})
     shadows = [c for light in LIGHTS_OF_SET[name] for c in shadow_curves(caster, solids, curves, light)]
+    write_kinds(folder / "kinds.json", visible_parts(curves, visible) + shadows + contours)
     write(folder / "dont-care.ply", shadows + contours,
           "no part of the truth: cast shadows, occluding contours of smooth bodies per view")
 

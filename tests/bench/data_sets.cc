@@ -14,6 +14,21 @@ NamedBox Box(const std::string& name, double x0, double x1, double y0, double y1
   return {name, Eigen::AlignedBox3d(Eigen::Vector3d(x0, y0, z0), Eigen::Vector3d(x1, y1, z1))};
 }
 
+// Stored results of Line3D++ and of the curve sketch's program of 2010; `mcs_runs`: the file's name
+// after the scene and what it means.
+std::vector<PeerResult> Peers(const std::string& data_path, const std::string& scene,
+                              const std::vector<std::pair<std::string, std::string>>& mcs_runs) {
+  const std::string root = data_path + "/peers/";
+  std::vector<PeerResult> peers = {{"Line3D++", root + "line3dpp-" + scene + ".obj.gz"}};
+  for (const auto& [run, meaning] : mcs_runs) {
+    peers.push_back({"2010 program, " + meaning, root + "mcs-" + scene + "-" + run + ".obj.gz"});
+  }
+  return peers;
+}
+
+constexpr const char* kPublished = "published thresholds, 50 inliers";
+constexpr const char* kShortKept = "short curves kept, no inliers asked for";
+
 // Mesh edges marked by hand, meters. Box A: the chairs and the floor around; box B: without it.
 DataSet Pavilion(const std::string& data_path, const std::string& light) {
   const std::string root = data_path + "/pavilion";
@@ -27,6 +42,10 @@ DataSet Pavilion(const std::string& data_path, const std::string& light) {
   set.boxes = {Box("A", -0.2, 3.2, -2.2, 1.9, 1.45, 2.6),
                Box("B", -0.2, 3.2, -2.2, 1.9, 1.53, 2.6)};
   set.cloud_path = set.workspace_path + "/pmvs/models/option-all.ply";
+  set.peers = Peers(data_path, set.name, {{"short-s0", kShortKept}});
+  if (light == "midday") {
+    set.peers = Peers(data_path, set.name, {{"pub-s50", kPublished}, {"short-s0", kShortKept}});
+  }
   return set;
 }
 
@@ -38,6 +57,7 @@ DataSet Vase(const std::string& data_path) {
   set.truth_path = set.workspace_path + "/ground_truth/vase-edge-gt3-017.txt.gz";
   set.taus = {0.0005, 0.001, 0.002};
   set.judge_around_truth = true;
+  set.peers = Peers(data_path, set.name, {{"pub-s50", kPublished}});
   set.cloud_path = set.workspace_path + "/pmvs/models/option-all.ply";
   return set;
 }

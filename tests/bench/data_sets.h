@@ -15,6 +15,12 @@ struct NamedBox {
   std::optional<Eigen::AlignedBox3d> region;
 };
 
+// What another program made of a data set: curves in a file.
+struct PeerResult {
+  std::string program;
+  std::string path;
+};
+
 // A COLMAP workspace and what is known of its scene. Empty paths: there is none.
 struct DataSet {
   std::string name;  // fit for a file name
@@ -36,6 +42,8 @@ struct DataSet {
   std::vector<NamedBox> boxes = {{"all", std::nullopt}};
   // Judge also in the box around the truth and 5 % of its diagonal on every side.
   bool judge_around_truth = false;
+  // May be missing.
+  std::vector<PeerResult> peers;
 };
 
 // All data sets that quality is followed on, present or not: those below `data_path` (see its

@@ -18,6 +18,7 @@
 #include "limn/formats/atomic_file.h"
 #include "limn/model/view_subset.h"
 #include "limn/pipeline/tiled_scene.h"
+#include "support/synthetic_image.h"
 
 namespace limn::bench {
 namespace {
@@ -77,9 +78,13 @@ void RunTiles(const Street& street, int tile_views, const RunContext& context,
   const auto curves_of = [&](const SceneSubset& part) {
     return CurvesResult{CurvesOf(street, part.ids, context), {}};
   };
+  const auto gray = [&](ViewId view) {
+    const PinholeCamera& camera = scene.views[view].camera;
+    return testing::ConstantImage(camera.width, camera.height, {128});
+  };
   const StageMeter meter;
-  const DrawingGraph graph = DrawTiles({scene.views, scene.hints, &none, tiles, curves_of}, options,
-                                       context, [&](const StageSummary& summary) {
+  const DrawingGraph graph = DrawTiles({scene.views, scene.hints, &none, tiles, curves_of, gray},
+                                       options, context, [&](const StageSummary& summary) {
                                          std::cout << summary.stage << ':';
                                          for (const auto& [what, count] : summary.kept)
                                            std::cout << ' ' << count << ' ' << what;

@@ -119,6 +119,26 @@ void MeasureSweep(const Measured& measured, Workbench* workbench, Console* conso
   }
 }
 
+void MeasurePeers(const Measured& measured, Console* console, Json* json) {
+  (*json)["peers"] = Json::array();
+  (*json)["missing_peers"] = Json::array();
+  for (const PeerResult& peer : measured.set.peers) {
+    if (!std::filesystem::exists(peer.path)) {
+      (*json)["missing_peers"].push_back(peer.path);
+      console->Say(measured.set.name + ", " + peer.program + ": left out, there is no " +
+                   peer.path);
+      continue;
+    }
+    const CurveSet curves = ReadCurves(peer.path);
+    const std::vector<View>& views = measured.scene.views;
+    (*json)["peers"].push_back(
+        {{"method", peer.program},
+         {"shape", MeasureShape(curves, views)},
+         {"truth", MeasureAgainstTruth(measured.set, measured.truth, views, curves,
+                                       /*find_duplicates=*/true, console->context())}});
+  }
+}
+
 }  // namespace
 
 void MeasureSet(const DataSet& set, const ReportOptions& options, Console* console,
@@ -135,6 +155,7 @@ void MeasureSet(const DataSet& set, const ReportOptions& options, Console* conso
   json["num_held_out"] = measured.held_out.views.size();
   json["seconds"] = measured.seconds;
   json["ceiling"] = MeasureCeiling(set, measured.truth, measured.scene, console->context());
+  MeasurePeers(measured, console, &json);
   json["runs"] = Json::array();
   const auto add_run = [&](Json run) {
     json["runs"].push_back(std::move(run));

@@ -25,6 +25,8 @@ struct ReportOptions {
 //   runs               [{method, threshold_name, threshold (null: default options), seconds,
 //                        cpu_seconds, shape, truth: {box: report}}]; those with default options
 //                        have also emap and held_out
+//   peers              [{method, shape, truth: {box: report}}] of stored results of other programs
+//   missing_peers      files of such results that are not there
 // Writes drawings and pictures. `on_run` hears of all this so far after every run. Throws IoError,
 // InputError, OptionError and Cancelled.
 void MeasureSet(const DataSet& set, const ReportOptions& options, colmap_ext::Console* console,

@@ -2,6 +2,7 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "bench/markdown.h"
 
@@ -37,13 +38,22 @@ Cells TruthCells(const Json& report, size_t junction_tau) {
   return cells;
 }
 
+// Runs with default options, then the results of other programs.
+std::vector<Json> Compared(const Json& set) {
+  std::vector<Json> runs;
+  for (const Json& run : set["runs"]) {
+    if (IsDefault(run)) runs.push_back(run);
+  }
+  for (const Json& peer : set["peers"]) runs.push_back(peer);
+  return runs;
+}
+
 void PrintTruth(const Json& set, std::ostream& out) {
   const size_t junction_tau = set["taus"].size() / 2;
   Cells heads = {"method", "box"};
   Append(TruthHeads(set, junction_tau), &heads);
   PrintHead(heads, out);
-  for (const Json& run : set["runs"]) {
-    if (!IsDefault(run)) continue;
+  for (const Json& run : Compared(set)) {
     for (const auto& [box, report] : run["truth"].items()) {
       Cells cells = {run["method"], box};
       Append(TruthCells(report, junction_tau), &cells);
@@ -57,6 +67,52 @@ void PrintTruth(const Json& set, std::ostream& out) {
     PrintRow(cells, out);
   }
   out << '\n';
+}
+
+std::string Count(const Json& number) {
+  return number.is_null() ? "-" : std::to_string(number.get<int>());
+}
+
+// "17 of 25 (0.31)": how many are false, and their number per true length.
+std::string FalseOnes(const Json& num_false, const Json& count, const Json& per_length) {
+  return Count(num_false) + " of " + Count(count) + " (" + Fixed(per_length, 2) + ")";
+}
+
+std::string IntervalOf(const Json& row, const std::string& share) {
+  return Percent(row[share + "_low"]) + " to " + Percent(row[share + "_high"]);
+}
+
+// How curves are cut and joined, at the middle tau.
+void PrintStructure(const Json& set, std::ostream& out) {
+  const size_t tau = set["taus"].size() / 2;
+  out << "Structure at tau = " << Short(set["taus"][tau])
+      << ", and 95 % intervals (bootstrap over curves); in brackets: per true length:\n\n";
+  PrintHead({"method", "box", "links per true curve", "false free ends", "false junctions",
+             "junctions' degree right", "arms P/R", "joined", "P", "R", "F"},
+            out);
+  for (const Json& run : Compared(set)) {
+    for (const auto& [box, report] : run["truth"].items()) {
+      const Json& row = report["rows"][tau];
+      PrintRow(
+          {run["method"], box, Fixed(row["links_per_chain"], 2),
+           FalseOnes(row["num_false_ends"], row["num_free_ends"], row["false_ends_per_length"]),
+           FalseOnes(row["num_false_junctions"], row["num_junctions"],
+                     row["false_junctions_per_length"]),
+           Percent(row["right_degrees"]),
+           Percent(row["arm_precision"]) + " / " + Percent(row["arm_recall"]),
+           Percent(row["connectivity"]), IntervalOf(row, "precision"), IntervalOf(row, "recall"),
+           IntervalOf(row, "f")},
+          out);
+    }
+  }
+  out << '\n';
+}
+
+// Programs whose results are not there have no rows.
+void PrintMissingPeers(const Json& set, std::ostream& out) {
+  for (const Json& path : set["missing_peers"]) {
+    out << "Left out, there is no such file: " << path.get<std::string>() << "\n\n";
+  }
 }
 
 // Recall over what the image curves can give at all, default options.
@@ -105,6 +161,14 @@ std::string Distances(const Json& distances) {
          Percent(distances["lonely"]) + ")";
 }
 
+Cells ShapeCells(const Json& shape) {
+  const Json& teeth = shape["saw_teeth"];
+  return {Count(shape["num_links"]), Count(shape["num_components"]),
+          Fixed(shape["total_length"], 2),
+          Fixed(teeth["median"], 3) + " / " + Fixed(teeth["p90"], 3),
+          Fixed(teeth["median_by_length"], 3) + " / " + Fixed(teeth["p90_by_length"], 3)};
+}
+
 void PrintShape(const Json& set, std::ostream& out) {
   PrintHead(
       {"method", "links", "components", "length", "saw-teeth median / 90 %", "the same by length",
@@ -112,15 +176,18 @@ void PrintShape(const Json& set, std::ostream& out) {
       out);
   for (const Json& run : set["runs"]) {
     if (!IsDefault(run)) continue;
-    const Json& shape = run["shape"];
-    const Json& teeth = shape["saw_teeth"];
-    PrintRow({run["method"], std::to_string(shape["num_links"].get<int>()),
-              std::to_string(shape["num_components"].get<int>()), Fixed(shape["total_length"], 2),
-              Fixed(teeth["median"], 3) + " / " + Fixed(teeth["p90"], 3),
-              Fixed(teeth["median_by_length"], 3) + " / " + Fixed(teeth["p90_by_length"], 3),
-              Distances(run["held_out"]["to_edgels"]), Distances(run["held_out"]["from_edgels"]),
-              Fixed(run["seconds"], 1), Fixed(run["cpu_seconds"], 1)},
-             out);
+    Cells cells = {run["method"]};
+    Append(ShapeCells(run["shape"]), &cells);
+    Append({Distances(run["held_out"]["to_edgels"]), Distances(run["held_out"]["from_edgels"]),
+            Fixed(run["seconds"], 1), Fixed(run["cpu_seconds"], 1)},
+           &cells);
+    PrintRow(cells, out);
+  }
+  for (const Json& peer : set["peers"]) {
+    Cells cells = {peer["method"]};
+    Append(ShapeCells(peer["shape"]), &cells);
+    Append({"-", "-", "-", "-"}, &cells);
+    PrintRow(cells, out);
   }
   out << '\n';
 }
@@ -180,6 +247,8 @@ void PrintSet(const Json& set, std::ostream& out) {
   out << ".\n\n";
   if (!set["ceiling"].is_null()) {
     PrintTruth(set, out);
+    PrintStructure(set, out);
+    PrintMissingPeers(set, out);
     PrintShareOfCeiling(set, out);
   }
   PrintShape(set, out);

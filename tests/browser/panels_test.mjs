@@ -68,6 +68,7 @@ test('every way to color has a legend and other colors', () =>
       'sigma',
       'primitive',
       'class',
+      'kind',
       'component',
     ]);
     for (const scheme of schemes) {
@@ -93,6 +94,27 @@ test('an entry of the legend hides its links, also from picking', () =>
       return window.limnViewer.picking.link(x, y, 3);
     }, expected.nodes[0]);
     assert.equal(corner, null);
+  }));
+
+test('outlines of smooth bodies and tentative links are hidden until they are asked for', () =>
+  withPage(async (page) => {
+    const visible = () => page.evaluate(() => [...window.limnViewer.drawing.visible]);
+    // As a drawing with such links would begin.
+    await page.evaluate(() => {
+      window.limnViewer.drawing.kindCategory[0] = 4;
+      window.limnViewer.drawing.kindCategory[1] = 5;
+    });
+    await page.locator('#scheme').selectOption('kind');
+    assert.deepEqual(await visible(), [0, 0, ...Array(11).fill(1)]);
+    const legend = page.locator('#legend label');
+    for (const [link, name] of ['contour', 'tentative'].entries()) {
+      const box = legend.filter({ hasText: name }).locator('input');
+      assert.equal(await box.isChecked(), false);
+      await box.check();
+      assert.equal((await visible())[link], 1);
+    }
+    await legend.filter({ hasText: 'shadow' }).locator('input').uncheck();
+    assert.deepEqual(await visible(), [...Array(12).fill(1), 0]);
   }));
 
 test('the report is shown, texts as texts', () =>

@@ -39,6 +39,8 @@ void SetFigures(size_t id, DrawingLink* link) {
     if (view == static_cast<ViewId>(id % kNumViews)) continue;
     link->supporting_views.push_back(view);
   }
+  link->kind = static_cast<LinkKind>(id / 4 % 4);
+  link->kind_confidence = link->kind == LinkKind::kUnknown ? 0 : 0.75;
   link->dense = LinkDense{static_cast<DenseClass>(id % 4), 0.25, 0, false, -1};
 }
 

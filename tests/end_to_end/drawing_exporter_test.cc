@@ -61,6 +61,24 @@ TEST(DrawingExporter, GraphmlIsTheGraph) {
   EXPECT_EQ(read.at("edges")[5].at("target"), read.at("edges")[6].at("target"));
 }
 
+TEST(DrawingExporter, KindsAndTentativeLinksCanBeChosen) {
+  DrawingGraph graph = PrimitiveDrawing();
+  graph.links[0].kind = LinkKind::kShadow;
+  graph.links[1].kind = LinkKind::kContour;
+  graph.links[2].tentative = true;
+  const ExportedDrawing exported(graph);
+  const auto num_links = [&](const std::vector<std::string>& options) {
+    exported.Export("d.json", options);
+    return ReadDrawingJson(exported.Path("d.json")).graph.links.size();
+  };
+  const size_t all = graph.links.size();
+  EXPECT_EQ(num_links({}), all - 2);
+  EXPECT_EQ(num_links({"--tentative", "1"}), all - 1);
+  EXPECT_EQ(num_links({"--tentative", "1", "--kinds", "all"}), all);
+  EXPECT_EQ(num_links({"--kinds", "unknown"}), all - 3);
+  EXPECT_EQ(num_links({"--kinds", "shadow,contour"}), 2u);
+}
+
 TEST(DrawingExporter, ScaleAndUpAxis) {
   const DrawingGraph graph = PrimitiveDrawing();
   const ExportedDrawing exported(graph);
@@ -138,6 +156,7 @@ TEST_F(BadExport, Options) {
   ExpectRefused(exported_.TryExport("a.graphml", {"--up_axis", "w"}), HasSubstr("up_axis = w"));
   ExpectRefused(exported_.TryExport("a.graphml", {"--output_type", "dwg"}),
                 HasSubstr("output_type = dwg"));
+  ExpectRefused(exported_.TryExport("a.graphml", {"--kinds", "edge,ink"}), HasSubstr("\"ink\""));
   ExpectRefused(RunLimn({"drawing_exporter", "--output_path", exported_.Path("a.graphml")}),
                 HasSubstr("input_path"));
   ExpectRefused(RunLimn({"drawing_exporter", "--input_path", exported_.Path("drawing.json")}),

@@ -37,6 +37,8 @@ TEST(QualityReport, MeasuresEveryMethod) {
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_GT(rows[1].at("precision"), 0.3) << method.at("method");
     EXPECT_GT(rows[1].at("recall"), 0.05) << method.at("method");
+    EXPECT_GE(rows[1].at("links_per_chain"), 1.0) << method.at("method");
+    EXPECT_LT(rows[1].at("f_low"), rows[1].at("f_high")) << method.at("method");
     const bool is_drawing = method.at("method").get<std::string>().ends_with("drawing");
     EXPECT_EQ(method.at("sigmas").is_null(), !is_drawing) << method.at("method");
     if (is_drawing) {
@@ -48,6 +50,43 @@ TEST(QualityReport, MeasuresEveryMethod) {
   }
   EXPECT_TRUE(std::filesystem::exists(dir / "sample-day" / "refined-drawing.json"));
   EXPECT_TRUE(std::filesystem::exists(dir / "report.md"));
+}
+
+void WriteText(const std::filesystem::path& path, const std::string& text) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream(path) << text;
+}
+
+// The sample scene's photographs in the place of the vase, with a truth of points and the result of
+// one of the two programs.
+TEST(QualityReport, ShowsStoredResultsOfOtherPrograms) {
+  const TempDir dir;
+  const std::filesystem::path sample = std::filesystem::path(LIMN_SAMPLE_DIR) / "day";
+  std::filesystem::create_directories(dir / "data/vase");
+  for (const char* folder : {"images", "sparse"}) {
+    std::filesystem::create_directory_symlink(sample / folder, dir / "data/vase" / folder);
+  }
+  WriteText(dir / "data/vase/ground_truth/vase-edge-gt3-017.txt.gz", "0 0 0\n0.1 0 0\n0.2 0 0\n");
+  WriteText(dir / "data/peers/line3dpp-vase.obj.gz", "v 0 0 0\nv 0.1 0 0\nl 1 2\n");
+  const LimnRun run =
+      RunProgram(QUALITY_REPORT_PROGRAM,
+                 {"--data_path", (dir / "data").string(), "--sets", "vase", "--quick", "1",
+                  "--output_path", (dir / "out").string(), "--max_image_size", "160"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json set = ReadJson(dir / "out/report.json").at("sets").at(0);
+  ASSERT_EQ(set.at("peers").size(), 1u);
+  const nlohmann::json& peer = set.at("peers")[0];
+  EXPECT_EQ(peer.at("method"), "Line3D++");
+  EXPECT_EQ(peer.at("shape").at("num_links"), 1);
+  const nlohmann::json& row = peer.at("truth").at("all").at("rows").at(2);  // tau = 0.002
+  EXPECT_NEAR(row.at("recall").get<double>(), 2.0 / 3, 1e-9);
+  EXPECT_EQ(row.at("num_free_ends"), 2);
+  ASSERT_EQ(set.at("missing_peers").size(), 1u);
+  std::ifstream in(dir / "out/report.md");
+  const std::string tables((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  EXPECT_THAT(tables, HasSubstr("| Line3D++ | all |"));
+  EXPECT_THAT(tables, HasSubstr("Left out, there is no such file: "));
+  EXPECT_THAT(tables, HasSubstr("mcs-vase-pub-s50.obj.gz"));
 }
 
 TEST(QualityReport, RefusesUnknownSets) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "limn/dense/kind_on_surface.h"
 #include "limn/dense/point_distance.h"
 
 namespace limn {
@@ -51,6 +52,7 @@ FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,
                                  NearDense(input, result.samples, support, options), options);
   for (size_t l = 0; l < result.graph.links.size(); ++l) {
     result.graph.links[l].dense = result.classes.links[l];
+    UseSurfaceForKind(&result.graph.links[l]);
   }
   result.points = MakeCurvePoints(result.graph, result.samples, support, result.classes);
   result.summary = Summary(result.classes, result.samples.size());

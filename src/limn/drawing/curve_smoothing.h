@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "limn/drawing/samples.h"
+#include "limn/topology/samples.h"
 
 namespace limn {
 

@@ -9,35 +9,94 @@
 #include "limn/drawing/merging.h"
 #include "limn/drawing/retriangulation.h"
 #include "limn/topology/edit_topology.h"
+#include "limn/topology/sample_fates.h"
+#include "limn/topology/trace_curves.h"
 
 namespace limn {
 namespace {
 
 struct DrawingCounts {
   RetriangulationStats retriangulation;
+  TracingCounts tracing;
   int64_t clusters = 0;
   AveragingResult averaging;
   MergingCounts merging;
   CompletionCounts completion;
 };
 
-// The drawing of the paper.
-DrawingGraph MergeSketch(const CurveSketch& sketch, const TopologyInput& images,
-                         const DrawingOptions& options, const RunContext& context,
-                         DrawingCounts* counts) {
-  SampleSet samples = Retriangulate(sketch, images, options, context, &counts->retriangulation);
+DrawingGraph MergeSamples(const TopologyInput& images, const DrawingOptions& options,
+                          const RunContext& context, SampleSet* samples, DrawingCounts* counts) {
   const CurveConsistency network = BuildCurveConsistency(
-      samples, BuildLocalConsistency(samples, images.curves, options, context), options, context);
+      *samples, BuildLocalConsistency(*samples, images.curves, options, context), options, context);
   counts->clusters = network.num_clusters;
-  counts->averaging = AverageCurves(network, options, context, &samples);
+  counts->averaging = AverageCurves(network, options, context, samples);
   DrawingGraph graph =
-      MergeCurves(samples, network, images.views, options, context, &counts->merging);
-  FitLinks(samples, network, options, &graph);
+      MergeCurves(*samples, network, images.views, options, context, &counts->merging);
+  FitLinks(*samples, network, options, &graph);
   return graph;
 }
 
-StageSummary Summarize(const CurveSketch& sketch, const DrawingCounts& counts,
-                       const DrawingGraph& graph) {
+SampleFates FatesOf(const CurveSketch& sketch, const SampleSet& samples) {
+  SampleFates fates;
+  for (const Curve3D& curve : sketch.curves) {
+    fates.emplace_back(curve.size(), EdgelFate::kLostSupport);
+  }
+  for (int c = 0; c < samples.NumCurves(); ++c) {
+    const CurveOrigin& origin = samples.origins[c];
+    std::fill_n(fates[origin.sketch_curve].begin() + origin.begin, samples.Size(c),
+                EdgelFate::kDrawn);
+  }
+  return fates;
+}
+
+DrawingGraph MakeLinks(const CurveSketch& sketch, const TopologyInput& images,
+                       const DrawingOptions& options, const RunContext& context,
+                       DrawingCounts* counts, SampleFates* fates) {
+  SampleSet samples = Retriangulate(sketch, images, options, context, &counts->retriangulation);
+  *fates = FatesOf(sketch, samples);
+  if (options.method == "paper") {
+    return MergeSamples(images, options, context, &samples, counts);
+  }
+  DrawingGraph graph = TraceCurves(samples, options.topology, context, &counts->tracing);
+  SmoothLinks(options.bending_sigma_px, &graph);
+  return graph;
+}
+
+using Counts = decltype(StageSummary::in);
+
+void Append(const Counts& more, Counts* counts) {
+  counts->insert(counts->end(), more.begin(), more.end());
+}
+
+// What the method that made the links did.
+void SummarizeMerging(const DrawingCounts& counts, StageSummary* summary) {
+  const MergingCounts& merging = counts.merging;
+  Append({{"clusters", counts.clusters},
+          {counts.averaging.converged ? "averaging rounds until convergence"
+                                      : "averaging rounds without convergence",
+           counts.averaging.rounds},
+          {"largest movement in the last round, px/1000",
+           std::llround(1000 * counts.averaging.last_move_px)}},
+         &summary->in);
+  Append({{"runs released", merging.released},
+          {"elongations", merging.elongated},
+          {"branchings", merging.branched},
+          {"bridges", merging.bridged},
+          {"rejoinings", merging.rejoined},
+          {"multi-attachments", merging.multi_attached}},
+         &summary->kept);
+}
+
+void SummarizeTracing(const TracingCounts& tracing, StageSummary* summary) {
+  Append({{"traced curves", tracing.curves},
+          {"traced curves that close", tracing.closed},
+          {"ends of traced curves that meet one", tracing.meetings}},
+         &summary->kept);
+  Append({{"samples: on no traced curve", tracing.unclaimed}}, &summary->dropped);
+}
+
+StageSummary Summarize(const CurveSketch& sketch, const DrawingOptions& options,
+                       const DrawingCounts& counts, const DrawingGraph& graph) {
   int64_t samples_in_links = 0;
   for (const DrawingLink& link : graph.links) {
     for (const LinkMember& member : link.members) samples_in_links += member.end - member.begin;
@@ -45,44 +104,41 @@ StageSummary Summarize(const CurveSketch& sketch, const DrawingCounts& counts,
   const auto num_junctions =
       std::count_if(graph.nodes.begin(), graph.nodes.end(),
                     [](const DrawingNode& node) { return node.kind == NodeKind::kJunction; });
-  const MergingCounts& merging = counts.merging;
   const CompletionCounts& completion = counts.completion;
   const MeetingCounts& meetings = completion.meetings;
   StageSummary summary;
   summary.stage = "drawing";
   summary.in = {{"curves", static_cast<int64_t>(sketch.curves.size())},
-                {"samples", counts.retriangulation.samples_in},
-                {"clusters", counts.clusters},
-                {counts.averaging.converged ? "averaging rounds until convergence"
-                                            : "averaging rounds without convergence",
-                 counts.averaging.rounds},
-                {"largest movement in the last round, px/1000",
-                 std::llround(1000 * counts.averaging.last_move_px)}};
+                {"samples", counts.retriangulation.samples_in}};
   summary.kept = {{"samples", samples_in_links},
                   {"links", static_cast<int64_t>(graph.links.size())},
                   {"nodes", static_cast<int64_t>(graph.nodes.size())},
-                  {"junctions", num_junctions},
-                  {"runs released", merging.released},
-                  {"elongations", merging.elongated},
-                  {"branchings", merging.branched},
-                  {"bridges", merging.bridged},
-                  {"rejoinings", merging.rejoined},
-                  {"multi-attachments", merging.multi_attached},
-                  {"continuations", meetings.joined},
-                  {"corners", meetings.corners},
-                  {"T junctions", meetings.to_links},
-                  {"ends joined to nodes", meetings.to_nodes},
-                  {"edges grown from joints", completion.grown},
-                  {"short edges between nodes", completion.short_edges},
-                  {"forks cut", completion.tidy.forks_cut},
-                  {"dissolved nodes", completion.tidy.dissolved_nodes}};
+                  {"junctions", num_junctions}};
   summary.dropped = {
       {"samples: too few views after re-triangulation", counts.retriangulation.too_few_views},
-      {"samples: piece too short after re-triangulation", counts.retriangulation.piece_too_short},
-      {"samples: in links with too little support", completion.samples_doubtful},
-      {"samples: in short links", completion.tidy.samples_short},
-      {"samples: in links that run along others", completion.tidy.samples_covered},
-      {"meetings that the images do not show", meetings.refused}};
+      {"samples: piece too short after re-triangulation", counts.retriangulation.piece_too_short}};
+  if (options.method == "paper") {
+    SummarizeMerging(counts, &summary);
+  } else {
+    SummarizeTracing(counts.tracing, &summary);
+  }
+  Append({{"ends continued", completion.continued.ends},
+          {"px added to them", completion.continued.length_px},
+          {"continuations", meetings.joined},
+          {"corners", meetings.corners},
+          {"T junctions", meetings.to_links},
+          {"ends joined to nodes", meetings.to_nodes},
+          {"nodes made at side edges", completion.side_nodes},
+          {"edges grown from joints", completion.grown},
+          {"short edges between nodes", completion.short_edges},
+          {"forks cut", completion.tidy.forks_cut},
+          {"dissolved nodes", completion.tidy.dissolved_nodes}},
+         &summary.kept);
+  Append({{"samples: in links with too little support", completion.samples_doubtful},
+          {"samples: in short links", completion.tidy.samples_short},
+          {"samples: in links that run along others", completion.tidy.samples_covered},
+          {"meetings that the images do not show", meetings.refused}},
+         &summary.dropped);
   return summary;
 }
 
@@ -95,11 +151,11 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   const TopologyInput images = {input.views, input.curves, edgels, options.Gate(), input.box};
   DrawingCounts counts;
   DrawingResult result;
-  result.graph = MergeSketch(input.sketch, images, options, context, &counts);
-  counts.completion =
-      CompleteDrawing(images, input.sketch, options.topology, context, &result.graph);
-  result.summary = Summarize(input.sketch, counts, result.graph);
-  result.fates = std::move(counts.completion.fates);
+  result.graph = MakeLinks(input.sketch, images, options, context, &counts, &result.fates);
+  UpdateFates(result.graph, EdgelFate::kNotTraced, &result.fates);
+  counts.completion = CompleteDrawing(images, input.sketch, options.topology, context,
+                                      &result.graph, &result.fates);
+  result.summary = Summarize(input.sketch, options, counts, result.graph);
   return result;
 }
 

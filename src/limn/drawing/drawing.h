@@ -29,10 +29,11 @@ struct DrawingResult {
   StageSummary summary;
 };
 
-// The 3D drawing (ECCV 2016, section 3; what is ours: ALGORITHM.md 7 and 12 to 15). Re-triangulates
-// the samples of the sketch from all their edgels (ours), builds the local and the curve-level
-// consistency network, averages the curves of each cluster, merges them into links, and completes
-// the drawing (CompleteDrawing, ours). The graph passes Validate().
+// The 3D drawing. Re-triangulates the samples of the sketch from all their edgels (ours;
+// ALGORITHM.md 7), traces links on their consensus (TraceCurves, ours), and completes the drawing
+// (CompleteDrawing, ours). The method "paper" builds the local and the curve-level consistency
+// network, averages the curves of each cluster, and merges them into links instead (ECCV 2016,
+// section 3; ALGORITHM.md 8 to 11). The graph passes Validate().
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context);
 

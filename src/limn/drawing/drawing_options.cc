@@ -5,6 +5,9 @@
 namespace limn {
 
 void DrawingOptions::Check() const {
+  if (method != "traced" && method != "paper") {
+    throw OptionError("method: " + method + ": traced or paper expected");
+  }
   LIMN_CHECK_OPTION(max_support_distance_px, > 0);
   LIMN_CHECK_OPTION(max_support_angle_deg, > 0);
   LIMN_CHECK_OPTION(max_support_angle_deg, <= 90);

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <string>
+
 #include "limn/support/edgel_index.h"
 #include "limn/topology/topology_options.h"
 
 namespace limn {
 
 struct DrawingOptions {
+  // How samples become links: "traced" follows the ridges of the consensus of all samples (ours);
+  // "paper" builds consistency networks, averages and merges (ECCV 2016).
+  std::string method = "traced";
   // Edgels within this distance across the edge and this angle support a sample.
   double max_support_distance_px = 1.0;
   double max_support_angle_deg = 15;
@@ -46,7 +51,7 @@ struct DrawingOptions {
   // stands for samples up to this far along the curve, px (tau_junc).
   double junction_distance_px = 4;
 
-  // Edits after merging, and between the fits of the refinement.
+  // Tracing, edits after it, and edits between the fits of the refinement.
   TopologyOptions topology = {};
 
   SupportGate Gate() const {

@@ -43,18 +43,11 @@ void Smooth(double bending_sigma_px, DrawingLink* link) {
 }
 
 void Describe(const SampleSet& samples, const CurveConsistency& network, LinkVertex* vertex) {
-  for (SketchSample& sample : vertex->samples) {
-    const int s = samples.IdOf(sample);
-    vertex->agreeing_views =
-        std::max(vertex->agreeing_views, CountAgreeingViews(samples, network, s));
-    const auto support = samples.support.Of(s);
-    vertex->support.insert(vertex->support.end(), support.begin(), support.end());
-    const CurveOrigin& origin = samples.origins[sample.curve];
-    sample = {origin.sketch_curve, origin.begin + sample.sample};
+  for (const SketchSample& sample : vertex->samples) {
+    vertex->agreeing_views = std::max(vertex->agreeing_views,
+                                      CountAgreeingViews(samples, network, samples.IdOf(sample)));
   }
-  std::vector<EdgelRef>& all = vertex->support;
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  NameInSketch(samples, vertex);
 }
 
 // Moves nodes to the mean of their link ends after the fit.
@@ -70,20 +63,25 @@ void MoveNodes(DrawingGraph* graph) {
 
 }  // namespace
 
+void SmoothLinks(double bending_sigma_px, DrawingGraph* graph) {
+  for (DrawingLink& link : graph->links) {
+    Smooth(bending_sigma_px, &link);
+    for (int k = 0; k < link.size(); ++k) {
+      link.sigma[k] = SigmaAcross(link.vertices[k].information, link.vertices[k].footprint);
+    }
+  }
+  MoveNodes(graph);
+}
+
 void FitLinks(const SampleSet& samples, const CurveConsistency& network,
               const DrawingOptions& options, DrawingGraph* graph) {
   for (DrawingLink& link : graph->links) {
     for (int k = 0; k < link.size(); ++k) {
       MoveToMean(samples, link.vertices[k], &link.points_in_world[k]);
-    }
-    Smooth(options.bending_sigma_px, &link);
-    for (int k = 0; k < link.size(); ++k) {
-      LinkVertex& vertex = link.vertices[k];
-      Describe(samples, network, &vertex);
-      link.sigma[k] = SigmaAcross(vertex.information, vertex.footprint);
+      Describe(samples, network, &link.vertices[k]);
     }
   }
-  MoveNodes(graph);
+  SmoothLinks(options.bending_sigma_px, graph);
 }
 
 }  // namespace limn

@@ -5,10 +5,13 @@
 
 namespace limn {
 
-// Fits merged links (see MergeCurves; ALGORITHM.md 11.3). Every vertex moves to the weighted mean
-// of the samples merged into it, across the curve; the link is then smoothed like the samples, and
-// nodes move to the mean of their ends. Vertices get their support, sigma and agreement
-// (see CountAgreeingViews); their samples are renumbered as in the
+// Smooths links as samples are (ALGORITHM.md 7.2), sets their sigmas, and moves nodes to the mean
+// of their ends.
+void SmoothLinks(double bending_sigma_px, DrawingGraph* graph);
+
+// Fits merged links (see MergeCurves; ALGORITHM.md 11.6). Every vertex moves to the weighted mean
+// of the samples merged into it, across the curve; the links are then smoothed. Vertices get their
+// support, sigma and agreement (see CountAgreeingViews); their samples are renumbered as in the
 // sketch. Linear in the number of samples.
 void FitLinks(const SampleSet& samples, const CurveConsistency& network,
               const DrawingOptions& options, DrawingGraph* graph);

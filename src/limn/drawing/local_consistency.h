@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "limn/drawing/drawing_options.h"
-#include "limn/drawing/samples.h"
+#include "limn/topology/samples.h"
 #include "limn/util/parallel.h"
 
 namespace limn {

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// Merges the averaged curves into links (ECCV 2016, section 3; ALGORITHM.md 11). Curves are taken
+// Merges the averaged curves into links (ECCV 2016, section 3; ALGORITHM.md 11.4). Curves are taken
 // longest first. A sample that runs along an existing link, by the consistency network or because
 // both reproject within the merge distance, is absorbed. The runs between absorbed samples become
 // links; where the curve continues along an existing link, a primitive attaches the run to it

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "limn/drawing/drawing_options.h"
-#include "limn/drawing/samples.h"
 #include "limn/topology/graph_editor.h"
+#include "limn/topology/samples.h"
 
 namespace limn {
 
-// Number of applications of each merging primitive (ECCV 2016, section 3; ALGORITHM.md 11.2).
+// Number of applications of each merging primitive (ECCV 2016, section 3; ALGORITHM.md 11.5).
 struct MergingCounts {
   int64_t released = 0;        // a run that touches nothing: a link of its own
   int64_t elongated = 0;       // a run that continues a link beyond its free end

@@ -21,6 +21,9 @@ using Eigen::Vector2d;
 // A pixel up to 0.7 px beside the edge sees at least this share of its strength.
 constexpr double kGridStrengthShare = 0.85;
 const double kSimilarDirectionCosine = std::cos(0.6);
+// Edgels of the main scale this near to one of the fine scale show the same edge, displaced by its
+// neighbors or rounded at a corner, px.
+constexpr double kSameEdgePx = 2;
 
 // One channel prepared for detection.
 struct Channel {
@@ -121,6 +124,21 @@ std::vector<RefinedEdgel> DetectInChannel(const Channel& channel, const Refineme
   return edgels;
 }
 
+bool HasFineScale(const EdgeDetectionOptions& options) {
+  return options.fine_sigma_px > 0 && options.fine_sigma_px < options.sigma_px;
+}
+
+void AddFineEdgels(const std::vector<float>& values, const EdgeDetectionOptions& options,
+                   const std::vector<unsigned char>& usable, EdgelRaster* raster) {
+  const double sigma_px = options.fine_sigma_px;
+  const Channel channel = PrepareChannel(values, raster->width(), raster->height(), sigma_px);
+  const RefinementContext context{sigma_px, channel.noise, options.fine_noise_factor,
+                                  options.fine_min_strength};
+  raster->AddStrongestFirst(
+      DetectInChannel(channel, context, usable, [](const auto&, const auto&) { return false; }));
+  raster->DropWeakShortRuns(options.strong_ratio, options.min_run_px);
+}
+
 // Edges of equal brightness: edgels of red and blue that no main edgel accounts for. The two
 // channels see the same edge up to 2 px apart, so the one that sees more claims its neighborhood.
 void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& options,
@@ -172,6 +190,12 @@ void EdgeDetectionOptions::Check() const {
   }
   LIMN_CHECK_OPTION(sigma_px, >= 0.8);
   LIMN_CHECK_OPTION(sigma_px, <= 5);
+  LIMN_CHECK_OPTION(fine_sigma_px, >= 0);
+  LIMN_CHECK_OPTION(fine_sigma_px, <= 5);
+  if (fine_sigma_px > 0) LIMN_CHECK_OPTION(fine_sigma_px, >= 0.8);
+  LIMN_CHECK_OPTION(fine_noise_factor, > 0);
+  LIMN_CHECK_OPTION(fine_noise_factor, <= 100);
+  LIMN_CHECK_OPTION(fine_min_strength, >= 0);
   LIMN_CHECK_OPTION(noise_factor, > 0);
   LIMN_CHECK_OPTION(noise_factor, <= 100);
   LIMN_CHECK_OPTION(min_strength, >= 0);
@@ -196,8 +220,11 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   const std::vector<unsigned char> usable = UsablePixels(image, options);
 
   EdgelRaster raster(image.width, image.height);
-  raster.AddStrongestFirst(
-      DetectInChannel(channel, context, usable, [](const auto&, const auto&) { return false; }));
+  if (HasFineScale(options)) AddFineEdgels(values, options, usable, &raster);
+  const auto is_fine = [&](const Vector2d& position, const Vector2d& tangent) {
+    return raster.HasParallelNear(position, tangent, kSameEdgePx, /*min_cosine=*/0);
+  };
+  raster.AddStrongestFirst(DetectInChannel(channel, context, usable, is_fine));
   raster.DropWeakShortRuns(options.strong_ratio, options.min_run_px);
   if (color && options.find_isoluminant) AddIsoluminantEdgels(image, options, usable, &raster);
 

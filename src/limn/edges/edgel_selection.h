@@ -18,6 +18,9 @@ class EdgelRaster {
  public:
   EdgelRaster(int width, int height);
 
+  int width() const { return width_; }
+  int height() const { return height_; }
+
   // Adds the edgels whose pixel is free and that have no other within 0.35 px, strongest first,
   // ties in the given order.
   void AddStrongestFirst(const std::vector<RefinedEdgel>& edgels);

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "limn/evaluation/curve_bootstrap.h"
 #include "limn/evaluation/curve_samples.h"
 #include "limn/evaluation/curve_topology.h"
 #include "limn/evaluation/duplicates.h"
+#include "limn/evaluation/evaluation_scene.h"
+#include "limn/evaluation/node_scores.h"
 #include "limn/evaluation/quantiles.h"
 #include "limn/model/footprint.h"
 #include "limn/util/errors.h"
@@ -16,6 +19,8 @@ namespace {
 
 constexpr double kStepPerTau = 0.25;
 constexpr int kMinJunctionDegree = 3;
+// True ends nearer than this are at one place.
+constexpr double kWeldTaus = 0.25;
 constexpr size_t kChunk = 512;
 // The footprint along a curve is looked up at this many places to choose its step.
 constexpr int kFootprintProbes = 16;
@@ -23,15 +28,7 @@ constexpr int kFootprintProbes = 16;
 // Local unit of length at a point: 1 for world units.
 using UnitAt = std::function<double(const Eigen::Vector3d&)>;
 
-struct Scene {
-  const CurveSet& reconstruction;
-  const CurveSet& truth;
-  const CurveSet& dont_care;
-  const EvaluationOptions& options;
-  const UnitAt& unit_at;
-  const RunContext& context;
-  CurveTopology topology;
-};
+using Scene = EvaluationScene;
 
 // What is known of a sample once it has been looked at.
 struct Judged {
@@ -66,18 +63,6 @@ CurveSamples Sample(const CurveSet& set, double tau, const UnitAt& unit_at) {
   });
 }
 
-void ForEachSample(const Scene& scene, int count, const std::function<void(int)>& body) {
-  const size_t num_chunks = (count + kChunk - 1) / kChunk;
-  ParallelFor(scene.context, "evaluation", num_chunks, [&](size_t chunk) {
-    const size_t end = std::min((chunk + 1) * kChunk, static_cast<size_t>(count));
-    for (size_t i = chunk * kChunk; i < end; ++i) body(static_cast<int>(i));
-  });
-}
-
-bool InRegion(const Scene& scene, const Eigen::Vector3d& point) {
-  return !scene.options.region || scene.options.region->contains(point);
-}
-
 std::vector<Judged> JudgeReconstruction(const Scene& scene, const CurveSamples& samples,
                                         const CurveSamples& truth, const CurveSamples& dont_care,
                                         double tau) {
@@ -86,10 +71,10 @@ std::vector<Judged> JudgeReconstruction(const Scene& scene, const CurveSamples& 
       GroupNodes(scene.reconstruction.polylines, scene.topology,
                  [&](const Polyline3d& link) { return tau * scene.unit_at(link.front()); });
   const AlongsideSearch search{samples, scene.topology, groups};
-  ForEachSample(scene, samples.size(), [&](int i) {
+  ForEachSample(scene.context, samples.size(), [&](int i) {
     thread_local std::vector<SpatialIndex::Neighbor> scratch;
     const Eigen::Vector3d& position = samples.Position(i);
-    if (!InRegion(scene, position)) return;
+    if (!scene.InRegion(position)) return;
     const double unit = scene.unit_at(position);
     if (dont_care.Distance(position) < scene.options.dont_care_taus * tau * unit) return;
     judged[i].counts = true;
@@ -104,9 +89,9 @@ std::vector<Judged> JudgeReconstruction(const Scene& scene, const CurveSamples& 
 std::vector<Judged> JudgeTruth(const Scene& scene, const CurveSamples& truth,
                                const CurveSamples& reconstruction) {
   std::vector<Judged> judged(truth.size());
-  ForEachSample(scene, truth.size(), [&](int i) {
+  ForEachSample(scene.context, truth.size(), [&](int i) {
     const Eigen::Vector3d& position = truth.Position(i);
-    if (!InRegion(scene, position)) return;
+    if (!scene.InRegion(position)) return;
     judged[i].counts = true;
     judged[i].weight = truth.Weight(i);
     judged[i].distance = reconstruction.Distance(position) / scene.unit_at(position);
@@ -151,7 +136,7 @@ std::optional<double> ShareOfJunctions(const Scene& scene,
   int found = 0;
   *count = 0;
   for (const Eigen::Vector3d& junction : junctions) {
-    if (!InRegion(scene, junction)) continue;
+    if (!scene.InRegion(junction)) continue;
     const double unit = scene.unit_at(junction);
     if (dont_care && dont_care->Distance(junction) < scene.options.dont_care_taus * tau * unit) {
       continue;
@@ -168,20 +153,64 @@ std::optional<double> ShareOfJunctions(const Scene& scene,
 void EvaluateJunctions(const Scene& scene, const CurveSamples& dont_care, TauResult* row) {
   const auto junctions = NodesOfDegree(scene.reconstruction, kMinJunctionDegree);
   const auto true_junctions = NodesOfDegree(scene.truth, kMinJunctionDegree);
-  if (true_junctions.empty()) return;
-  row->junction_precision =
+  const auto precision =
       ShareOfJunctions(scene, junctions, true_junctions, &dont_care, row->tau, &row->num_junctions);
+  if (true_junctions.empty()) return;
+  row->junction_precision = precision;
   row->junction_recall = ShareOfJunctions(scene, true_junctions, junctions, nullptr, row->tau,
                                           &row->num_true_junctions);
+}
+
+void AddToShare(const Judged& sample, double tau, CurveShare* share) {
+  if (!sample.counts) return;
+  share->total += sample.weight;
+  if (sample.distance <= tau) share->right += sample.weight;
+}
+
+void AddIntervals(const CurveSamples& samples, const std::vector<Judged>& judged,
+                  const std::vector<ChainPlace>& places, const std::vector<Judged>& judged_truth,
+                  TauResult* row) {
+  std::vector<CurveShare> links, chains;
+  for (int i = 0; i < samples.size(); ++i) {
+    // Points are no curves.
+    if (samples.Direction(i).isZero(0)) continue;
+    const size_t link = samples.CurveOf(i);
+    if (link >= links.size()) links.resize(link + 1);
+    AddToShare(judged[i], row->tau, &links[link]);
+  }
+  for (size_t i = 0; i < places.size(); ++i) {
+    if (places[i].chain < 0) continue;
+    const size_t chain = places[i].chain;
+    if (chain >= chains.size()) chains.resize(chain + 1);
+    AddToShare(judged_truth[i], row->tau, &chains[chain]);
+  }
+  const ShareIntervals intervals = BootstrapShares(links, chains);
+  row->precision_interval = intervals.precision;
+  row->recall_interval = intervals.recall;
+  row->f_interval = intervals.f;
+}
+
+void AddStructure(const SampledScene& sampled, const TrueChains& chains,
+                  const std::vector<ChainPlace>& places, TauResult* row) {
+  const CurveSet& reconstruction = sampled.scene.reconstruction;
+  const bool has_only_points = reconstruction.polylines.empty() && !reconstruction.points.empty();
+  if (has_only_points) return;
+  ScoreFreeEnds(sampled, chains, row->true_length, &row->structure);
+  if (chains.chains.empty()) return;
+  const ChainCoverage coverage = CoverChains(sampled, chains, places, kArmTaus);
+  ScoreLinksPerChain(sampled, coverage, &row->structure);
+  ScoreJunctions(sampled, chains, row->true_length, &row->structure);
+  ScoreConnectivity(sampled, chains, coverage, &row->structure);
 }
 
 TauResult EvaluateAt(const Scene& scene, double tau) {
   const CurveSamples samples = Sample(scene.reconstruction, tau, scene.unit_at);
   const CurveSamples truth = Sample(scene.truth, tau, scene.unit_at);
   const CurveSamples dont_care = Sample(scene.dont_care, tau, scene.unit_at);
-  const Shares precision =
-      Summarize(JudgeReconstruction(scene, samples, truth, dont_care, tau), tau);
-  const Shares recall = Summarize(JudgeTruth(scene, truth, samples), tau);
+  const std::vector<Judged> judged = JudgeReconstruction(scene, samples, truth, dont_care, tau);
+  const std::vector<Judged> judged_truth = JudgeTruth(scene, truth, samples);
+  const Shares precision = Summarize(judged, tau);
+  const Shares recall = Summarize(judged_truth, tau);
   TauResult row;
   row.tau = tau;
   row.precision = precision.within;
@@ -200,6 +229,13 @@ TauResult EvaluateAt(const Scene& scene, double tau) {
   row.reconstructed_length = precision.total;
   row.true_length = recall.total;
   EvaluateJunctions(scene, dont_care, &row);
+  const auto tolerance_at = [&](const Eigen::Vector3d& point) {
+    return kWeldTaus * tau * scene.unit_at(point);
+  };
+  const TrueChains chains = FindTrueChains(scene.truth, tolerance_at);
+  const std::vector<ChainPlace> places = PlacesOnChains(chains, truth);
+  AddIntervals(samples, judged, places, judged_truth, &row);
+  AddStructure({scene, tau, samples, truth, dont_care}, chains, places, &row);
   return row;
 }
 
@@ -224,6 +260,14 @@ EvaluationReport Evaluate(const CurveSet& reconstruction, const CurveSet& truth,
 
 }  // namespace
 
+void ForEachSample(const RunContext& context, int count, const std::function<void(int)>& body) {
+  const size_t num_chunks = (count + kChunk - 1) / kChunk;
+  ParallelFor(context, "evaluation", num_chunks, [&](size_t chunk) {
+    const size_t end = std::min((chunk + 1) * kChunk, static_cast<size_t>(count));
+    for (size_t i = chunk * kChunk; i < end; ++i) body(static_cast<int>(i));
+  });
+}
+
 void EvaluationOptions::Check() const {
   LIMN_CHECK_OPTION(taus.size(), > 0);
   for (const double tau : taus) {
@@ -232,6 +276,8 @@ void EvaluationOptions::Check() const {
   }
   LIMN_CHECK_OPTION(dont_care_taus, >= 0);
   LIMN_CHECK_OPTION(junction_taus, > 0);
+  LIMN_CHECK_OPTION(chain_taus, >= 0);
+  LIMN_CHECK_OPTION(cover_taus, >= 0);
   if (region && region->isEmpty()) throw OptionError("region: its minimum exceeds its maximum");
 }
 

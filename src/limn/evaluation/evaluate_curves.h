@@ -8,6 +8,7 @@
 
 #include "limn/evaluation/normalized_errors.h"
 #include "limn/evaluation/saw_teeth.h"
+#include "limn/evaluation/structure_scores.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/view.h"
 #include "limn/util/parallel.h"
@@ -25,6 +26,10 @@ struct EvaluationOptions {
   double dont_care_taus = 2.0;
   // A junction is found if the other set has one nearer than this many taus.
   double junction_taus = 2.0;
+  // True chains of at least this many taus count for links per chain, and links that cover at least
+  // cover_taus of one. 20 and 5 footprints at a tau of 2.
+  double chain_taus = 10.0;
+  double cover_taus = 2.5;
   // Whether to compute the duplicated share, which takes most of the time in sets with many copies.
   bool find_duplicates = true;
 
@@ -53,6 +58,9 @@ struct TauResult {
   std::optional<double> junction_precision, junction_recall;
   int num_junctions = 0;
   int num_true_junctions = 0;
+  // 95 % confidence intervals: bootstrap over links and true chains (curve_bootstrap.h).
+  std::optional<Interval> precision_interval, recall_interval, f_interval;
+  StructureScores structure;
 };
 
 struct EvaluationReport {

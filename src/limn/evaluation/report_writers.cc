@@ -28,22 +28,77 @@ std::string Percent(const std::optional<double>& share) {
 
 Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
+Json OrNull(const std::optional<int>& value) { return value ? Json(*value) : Json(nullptr); }
+
+void AddInterval(const std::string& name, const std::optional<Interval>& interval, Json* json) {
+  (*json)[name + "_low"] = interval ? Json(interval->low) : Json(nullptr);
+  (*json)[name + "_high"] = interval ? Json(interval->high) : Json(nullptr);
+}
+
+void AddStructure(const StructureScores& scores, Json* json) {
+  (*json)["links_per_chain"] = OrNull(scores.links_per_chain);
+  (*json)["num_chains"] = scores.num_chains;
+  (*json)["num_drawn_chains"] = scores.num_drawn_chains;
+  (*json)["num_free_ends"] = OrNull(scores.num_free_ends);
+  (*json)["num_false_ends"] = OrNull(scores.num_false_ends);
+  (*json)["false_ends_per_length"] = OrNull(scores.false_ends_per_length);
+  (*json)["num_false_junctions"] = OrNull(scores.num_false_junctions);
+  (*json)["false_junctions_per_length"] = OrNull(scores.false_junctions_per_length);
+  (*json)["num_matched_junctions"] = scores.num_matched_junctions;
+  (*json)["right_degrees"] = OrNull(scores.right_degrees);
+  (*json)["arm_precision"] = OrNull(scores.arm_precision);
+  (*json)["arm_recall"] = OrNull(scores.arm_recall);
+  (*json)["connectivity"] = OrNull(scores.connectivity);
+  (*json)["num_drawn_meetings"] = scores.num_drawn_meetings;
+}
+
 Json RowAsJson(const TauResult& row) {
-  return {{"tau", row.tau},
-          {"precision", OrNull(row.precision)},
-          {"recall", OrNull(row.recall)},
-          {"f", OrNull(row.f)},
-          {"accuracy", OrNull(row.accuracy)},
-          {"median_accuracy", OrNull(row.median_accuracy)},
-          {"completeness", OrNull(row.completeness)},
-          {"median_completeness", OrNull(row.median_completeness)},
-          {"duplicated", OrNull(row.duplicated)},
-          {"reconstructed_length", row.reconstructed_length},
-          {"true_length", row.true_length},
-          {"junction_precision", OrNull(row.junction_precision)},
-          {"junction_recall", OrNull(row.junction_recall)},
-          {"num_junctions", row.num_junctions},
-          {"num_true_junctions", row.num_true_junctions}};
+  Json json = {{"tau", row.tau},
+               {"precision", OrNull(row.precision)},
+               {"recall", OrNull(row.recall)},
+               {"f", OrNull(row.f)},
+               {"accuracy", OrNull(row.accuracy)},
+               {"median_accuracy", OrNull(row.median_accuracy)},
+               {"completeness", OrNull(row.completeness)},
+               {"median_completeness", OrNull(row.median_completeness)},
+               {"duplicated", OrNull(row.duplicated)},
+               {"reconstructed_length", row.reconstructed_length},
+               {"true_length", row.true_length},
+               {"junction_precision", OrNull(row.junction_precision)},
+               {"junction_recall", OrNull(row.junction_recall)},
+               {"num_junctions", row.num_junctions},
+               {"num_true_junctions", row.num_true_junctions}};
+  AddInterval("precision", row.precision_interval, &json);
+  AddInterval("recall", row.recall_interval, &json);
+  AddInterval("f", row.f_interval, &json);
+  AddStructure(row.structure, &json);
+  return json;
+}
+
+std::string Percent(const std::optional<Interval>& interval) {
+  return interval ? Percent(interval->low) + '-' + Percent(interval->high) : "-";
+}
+
+std::string Cell(const std::optional<int>& count) { return count ? std::to_string(*count) : "-"; }
+
+// A table whose first cells are "tau 2".
+void PrintStructure(const EvaluationReport& report, std::ostream& out) {
+  constexpr int kWidth = 11;
+  const auto print_row = [&](const std::vector<std::string>& cells) {
+    for (const std::string& cell : cells) out << std::setw(kWidth) << cell << ' ';
+    out << '\n';
+  };
+  print_row({"interval", "P %", "R %", "F %", "links/curve", "false ends", "per length",
+             "false junc.", "per length", "degree %", "arms P %", "arms R %", "joined %"});
+  for (const TauResult& row : report.rows) {
+    const StructureScores& scores = row.structure;
+    print_row(
+        {"tau " + Cell(row.tau, 4), Percent(row.precision_interval), Percent(row.recall_interval),
+         Percent(row.f_interval), Cell(scores.links_per_chain, 3), Cell(scores.num_false_ends),
+         Cell(scores.false_ends_per_length, 3), Cell(scores.num_false_junctions),
+         Cell(scores.false_junctions_per_length, 3), Percent(scores.right_degrees),
+         Percent(scores.arm_precision), Percent(scores.arm_recall), Percent(scores.connectivity)});
+  }
 }
 
 void PrintSawTeeth(const SawTeeth& teeth, std::ostream& out) {
@@ -95,6 +150,7 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
                Cell(row.reconstructed_length, 5), Cell(row.true_length, 5),
                Percent(row.junction_precision), Percent(row.junction_recall)});
   }
+  PrintStructure(report, out);
   out << "links " << report.num_links << ", mean length " << Cell(report.mean_link_length, 4)
       << ", total " << Cell(report.total_length, 5) << ", components " << report.num_components
       << '\n';

@@ -18,6 +18,22 @@ int ColorOfClass(const std::string& primitive, DenseClass dense_class) {
   return hues.at(primitive) + 2 * static_cast<int>(dense_class);
 }
 
+int ColorOfKind(LinkKind kind) {
+  switch (kind) {
+    case LinkKind::kUnknown:
+      return 9;  // gray
+    case LinkKind::kEdge:
+      return kForeground;
+    case LinkKind::kPaint:
+      return 30;
+    case LinkKind::kShadow:
+      return 170;
+    case LinkKind::kContour:
+      return 200;
+  }
+  return kForeground;
+}
+
 // Hues of neighboring numbers are far apart: 7 and 24 have no common divisor.
 int ColorOfComponent(int component) { return 10 + 10 * (component * 7 % 24); }
 
@@ -33,6 +49,10 @@ std::vector<DxfLayer> LayersOfLinks(const DrawingGraph& graph, DxfLayers layers)
   std::vector<DxfLayer> of_links;
   if (layers == DxfLayers::kClass) {
     for (const DrawingLink& link : graph.links) of_links.push_back(LayerOfClass(link));
+  } else if (layers == DxfLayers::kKind) {
+    for (const DrawingLink& link : graph.links) {
+      of_links.push_back({LinkKindName(link.kind), ColorOfKind(link.kind)});
+    }
   } else if (layers == DxfLayers::kComponent) {
     const std::vector<int> components = ComponentsOfLinks(graph);
     const int count =

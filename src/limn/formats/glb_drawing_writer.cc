@@ -208,6 +208,11 @@ void AddLink(const DrawingLink& link, int id, SceneBuilder* scene) {
                           {"views", Value(static_cast<int>(link.supporting_views.size()))}};
   if (link.primitive) extras["primitive"] = Value(std::string(ShapeName(link.primitive->shape)));
   if (link.dense) extras["class"] = Value(std::string(DenseClassName(link.dense->dense_class)));
+  if (link.kind != LinkKind::kUnknown) {
+    extras["kind"] = Value(std::string(LinkKindName(link.kind)));
+    extras["kind_confidence"] = Value(link.kind_confidence);
+  }
+  if (link.tentative) extras["tentative"] = Value(true);
   scene->AddChild("link_" + std::to_string(id), TINYGLTF_MODE_LINE_STRIP, link.closed,
                   std::move(extras));
 }

@@ -27,7 +27,8 @@ struct GlbOptions {
 //     node "link_<id>"       a line strip with the link's points in its color (ColorOfCurve), an
 //                            object of its own; a closed one returns to its first vertex by index.
 //                            extras: "link", "length", "closed", "residual_px", "views", and where
-//                            known "primitive" and "class"
+//                            known "primitive", "class", "kind" and
+//                            "kind_confidence"; "tentative" if it is
 //     node "junctions"       points, white; extras: "nodes", their ids in order
 //     node "cloud"           points in their colors
 // The graph has z up, glTF y up: (x, y, z) is written as (x, z, -y), which Blender's importer

@@ -16,10 +16,14 @@ struct Attribute {
 };
 
 constexpr Attribute kAttributes[] = {
-    {"node", "x", "double"},           {"node", "y", "double"},         {"node", "z", "double"},
-    {"node", "kind", "string"},        {"node", "degree", "int"},       {"edge", "link", "int"},
-    {"edge", "length", "double"},      {"edge", "points", "int"},       {"edge", "views", "int"},
-    {"edge", "residual_px", "double"}, {"edge", "primitive", "string"}, {"edge", "class", "string"},
+    {"node", "x", "double"},          {"node", "y", "double"},
+    {"node", "z", "double"},          {"node", "kind", "string"},
+    {"node", "degree", "int"},        {"edge", "link", "int"},
+    {"edge", "length", "double"},     {"edge", "points", "int"},
+    {"edge", "views", "int"},         {"edge", "residual_px", "double"},
+    {"edge", "primitive", "string"},  {"edge", "class", "string"},
+    {"edge", "edge_kind", "string"},  {"edge", "kind_confidence", "double"},
+    {"edge", "tentative", "boolean"},
 };
 
 void PutHead(std::ostream& out) {
@@ -59,6 +63,9 @@ void PutLink(const DrawingLink& link, size_t id, std::ostream& out) {
   Put("residual_px", NumberText(link.residual_px), out);
   Put("primitive", PrimitiveName(link), out);
   Put("class", DenseClassName(ClassOf(link)), out);
+  Put("edge_kind", LinkKindName(link.kind), out);
+  Put("kind_confidence", NumberText(link.kind_confidence), out);
+  Put("tentative", link.tentative ? "true" : "false", out);
   out << "</edge>\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -92,12 +93,29 @@ LinkPrimitive ToPrimitive(const Json& json) {
   return primitive;
 }
 
+// Drawings of earlier versions have no kinds.
+LinkKind ToKind(const std::string& name) {
+  const std::optional<LinkKind> kind = LinkKindNamed(name);
+  if (!kind) throw InputError("unknown kind of link \"" + name.substr(0, 40) + "\"");
+  return *kind;
+}
+
+LinkDoubt ToDoubt(const std::string& name) {
+  const std::optional<LinkDoubt> doubt = LinkDoubtNamed(name);
+  if (!doubt) throw InputError("unknown doubt of a link \"" + name.substr(0, 40) + "\"");
+  return *doubt;
+}
+
 DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_ids) {
   DrawingLink link;
   link.node0 = IntFromJson(json.at("node0"));
   link.node1 = IntFromJson(json.at("node1"));
   link.closed = json.at("closed").get<bool>();
   link.residual_px = json.at("residual_px").get<double>();
+  link.kind = ToKind(json.value("kind", "unknown"));
+  link.kind_confidence = json.value("kind_confidence", 0.0);
+  link.tentative = json.value("tentative", false);
+  link.doubt = ToDoubt(json.value("doubt", ""));
   if (json.contains("dense")) link.dense = ToDense(json.at("dense"));
   if (json.contains("primitive")) link.primitive = ToPrimitive(json.at("primitive"));
   for (const Json& point : json.at("points")) link.points_in_world.push_back(ToPoint(point));

@@ -71,6 +71,10 @@ Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& 
                {"closed", link.closed},
                {"length", Length(link.points_in_world)},
                {"residual_px", link.residual_px}};
+  json["kind"] = LinkKindName(link.kind);
+  if (link.kind != LinkKind::kUnknown) json["kind_confidence"] = link.kind_confidence;
+  if (link.tentative) json["tentative"] = true;
+  if (link.doubt != LinkDoubt::kNone) json["doubt"] = LinkDoubtName(link.doubt);
   if (link.dense) json["dense"] = ToJson(*link.dense);
   if (link.primitive) json["primitive"] = ToJson(*link.primitive);
   json["supporting_views"] = Json::array();

@@ -14,6 +14,9 @@ namespace limn {
 //               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],
 //               ...]}],
 //    "links": [{"id", "node0", "node1", "closed", "length", "residual_px",
+//               "kind": "edge"|"paint"|"shadow"|"contour"|"unknown", "kind_confidence" where known,
+//               "tentative": true where it is, then
+//               "doubt": "few views"|"chance"|"seen through"|"explained by others" where known,
 //               after drawing_fuser also "dense": {"class": "surface"|"boundary"|"free"|"unknown",
 //               "added_share", "occluded_share", "behind_surface", "fold_deg" where known},
 //               "primitive": {"type": "line", "start", "end"} or

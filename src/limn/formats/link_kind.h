@@ -15,4 +15,12 @@ inline DenseClass ClassOf(const DrawingLink& link) {
   return link.dense ? link.dense->dense_class : DenseClass::kUnknown;
 }
 
+// Whether some links say what kind of edge they are.
+inline bool HasKinds(const DrawingGraph& graph) {
+  for (const DrawingLink& link : graph.links) {
+    if (link.kind != LinkKind::kUnknown || link.tentative) return true;
+  }
+  return false;
+}
+
 }  // namespace limn

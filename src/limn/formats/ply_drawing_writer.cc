@@ -46,6 +46,7 @@ bool HasClasses(const DrawingGraph& graph) {
 
 void PutEdges(const DrawingGraph& graph, std::ostream& out) {
   const bool has_classes = HasClasses(graph);
+  const bool has_kinds = HasKinds(graph);
   int32_t first_inner = static_cast<int32_t>(graph.nodes.size());
   for (size_t id = 0; id < graph.links.size(); ++id) {
     const DrawingLink& link = graph.links[id];
@@ -61,6 +62,7 @@ void PutEdges(const DrawingGraph& graph, std::ostream& out) {
       if (has_classes) {
         PutLittleEndian(out, static_cast<uint8_t>(ClassOf(link)));
       }
+      if (has_kinds) PutLittleEndian(out, static_cast<uint8_t>(link.kind));
       previous = next;
     }
     first_inner += num_inner;
@@ -87,6 +89,9 @@ void WriteDrawingPly(const DrawingGraph& graph, std::ostream& out) {
       << (HasClasses(graph) ? "comment class: 0 unknown, 1 surface, 2 boundary, 3 free\n"
                               "property uchar class\n"
                             : "")
+      << (HasKinds(graph) ? "comment kind: 0 unknown, 1 edge, 2 paint, 3 shadow, 4 contour\n"
+                            "property uchar kind\n"
+                          : "")
       << "end_header\n";
   PutVertices(graph, out);
   PutEdges(graph, out);

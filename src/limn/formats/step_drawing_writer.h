@@ -9,9 +9,10 @@ namespace limn {
 
 // Writes a drawing as STEP AP214, an edge-based wireframe in millimeters (LengthUnit::kNone is
 // taken for these): a connected edge set "path_<i>" per path (PathsOf), which readers turn into a
-// wire, with an edge "link_<id>" per link: a line, a circle, a cubic B-spline, or a B-spline of
-// degree 1 through the points of a link without a primitive. Edges that meet at a node share its
-// vertex. Throws InputError for a drawing without links, and if OpenCASCADE rejects a curve.
+// wire, with an edge "link_<id>", or "link_<id>_<kind>" where its kind is known, per link: a line,
+// a circle, a cubic B-spline, or a B-spline of degree 1 through the points of a link without a
+// primitive. Edges that meet at a node share its vertex. Throws InputError for a drawing without
+// links, and if OpenCASCADE rejects a curve.
 void WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& out);
 
 }  // namespace limn

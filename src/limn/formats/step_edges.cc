@@ -124,7 +124,8 @@ StepEdges MakeStepEdges(const DrawingGraph& graph, const std::vector<DrawingPath
   for (const DrawingPath& path : paths) {
     for (const PathStep& step : path) {
       const DrawingLink& link = graph.links[step.link];
-      const std::string name = "link_" + std::to_string(step.link);
+      std::string name = "link_" + std::to_string(step.link);
+      if (link.kind != LinkKind::kUnknown) name += std::string("_") + LinkKindName(link.kind);
       try {
         edges.of_link[step.link] =
             MakeEdge(link, name, vertices[link.node0], vertices[link.node1], step.reversed);

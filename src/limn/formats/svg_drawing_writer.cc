@@ -107,6 +107,11 @@ class SvgWriter {
       PutRule(".free", "#009e73");
       PutRule(".unknown", "#777");
     }
+    if (options_.colors == SvgColors::kKind) {
+      PutRule(".kind-paint", "#d55e00");
+      PutRule(".kind-shadow", "#56b4e9");
+      PutRule(".kind-contour", "#cc79a7");
+    }
     out_ << "</style>\n";
   }
 
@@ -135,6 +140,8 @@ class SvgWriter {
     out_ << (shows_hidden ? "<g" : "<path") << " id=\"link_" << id << "\" class=\""
          << (link.primitive ? ShapeName(link.primitive->shape) : "polyline");
     if (link.dense) out_ << ' ' << DenseClassName(link.dense->dense_class);
+    if (link.kind != LinkKind::kUnknown) out_ << " kind-" << LinkKindName(link.kind);
+    if (link.tentative) out_ << " tentative";
     out_ << '"';
     if (options_.colors == SvgColors::kLink) {
       out_ << " stroke=\"" << HexColor(ColorOfCurve(static_cast<int>(id))) << '"';

@@ -16,8 +16,9 @@ namespace limn {
 //   <g id="links">      per visible link a <path id="link_<id>">, or, if hidden parts are
 //                       dashed and it has some, a <g id="link_<id>"> with a path for the visible
 //                       parts and one with class "hidden" for the others. Classes: line, arc,
-//                       circle, spline or polyline (no shape known), and surface, boundary, free or
-//                       unknown (only after drawing_fuser)
+//                       circle, spline or polyline (no shape known); surface, boundary, free or
+//                       unknown (only after drawing_fuser); kind-edge, kind-paint, kind-shadow or
+//                       kind-contour where known; tentative
 //   <g id="junctions">  <circle id="node_<id>"> per junction at which a link is visible
 //   <g id="legend">     only on sheets: scale bar and directions of the axes
 // The same drawing gives the same bytes.
@@ -29,6 +30,7 @@ enum class SvgColors {
   kLink,       // ColorOfCurve
   kPrimitive,  // by the type of the shape, in the style sheet
   kClass,      // by the class on dense results, in the style sheet
+  kKind,       // by the kind of edge, in the style sheet
 };
 
 // Pixels are those of the photograph, or 1/96 inch on paper.

@@ -55,6 +55,12 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
       link.points_in_world.back() != graph.nodes[link.node1].position_in_world) {
     violations->Add("link", id, "ends are not at its nodes");
   }
+  if (!(link.kind_confidence >= 0 && link.kind_confidence <= 1)) {
+    violations->Add("link", id, "confidence of its kind not from 0 to 1");
+  }
+  if (!link.tentative && link.doubt != LinkDoubt::kNone) {
+    violations->Add("link", id, "doubted, but not tentative");
+  }
   if (link.primitive) {
     const std::string broken = ValidateShape(link.primitive->shape);
     if (!broken.empty()) violations->Add("link", id, "primitive: " + broken);
@@ -121,6 +127,54 @@ const char* NodeKindName(NodeKind kind) {
       return "loop_anchor";
   }
   return "unknown";
+}
+
+const char* LinkKindName(LinkKind kind) {
+  switch (kind) {
+    case LinkKind::kUnknown:
+      return "unknown";
+    case LinkKind::kEdge:
+      return "edge";
+    case LinkKind::kPaint:
+      return "paint";
+    case LinkKind::kShadow:
+      return "shadow";
+    case LinkKind::kContour:
+      return "contour";
+  }
+  return "";
+}
+
+std::optional<LinkKind> LinkKindNamed(const std::string& name) {
+  for (int k = 0; k < kNumLinkKinds; ++k) {
+    const auto kind = static_cast<LinkKind>(k);
+    if (name == LinkKindName(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
+const char* LinkDoubtName(LinkDoubt doubt) {
+  switch (doubt) {
+    case LinkDoubt::kNone:
+      return "";
+    case LinkDoubt::kFewViews:
+      return "few views";
+    case LinkDoubt::kChance:
+      return "chance";
+    case LinkDoubt::kSeenThrough:
+      return "seen through";
+    case LinkDoubt::kExplained:
+      return "explained by others";
+  }
+  return "";
+}
+
+std::optional<LinkDoubt> LinkDoubtNamed(const std::string& name) {
+  for (int d = 0; d < kNumLinkDoubts; ++d) {
+    const auto doubt = static_cast<LinkDoubt>(d);
+    if (name == LinkDoubtName(doubt)) return doubt;
+  }
+  return std::nullopt;
 }
 
 const char* DenseClassName(DenseClass dense_class) {

@@ -43,7 +43,7 @@ struct DrawingNode {
   int Degree() const { return static_cast<int>(incident.size()); }
 };
 
-// A run of samples of one sketch curve that was merged into a link.
+// A run of samples of one sketch curve that a link stands for.
 struct LinkMember {
   int curve = -1;
   int begin = 0;  // samples [begin, end)
@@ -59,6 +59,36 @@ enum class DenseClass {
 };
 
 const char* DenseClassName(DenseClass dense_class);
+
+// What kind of edge a link is (limn/kinds/).
+enum class LinkKind : uint8_t {
+  kUnknown,
+  kEdge,     // of things: a crease, or a border of a surface
+  kPaint,    // where the reflectance of a surface changes
+  kShadow,   // border of a shadow, or shading
+  kContour,  // outline of a smooth body, which lies elsewhere in other views
+};
+constexpr int kNumLinkKinds = 5;
+
+// "edge", "paint", "shadow", "contour", "unknown".
+const char* LinkKindName(LinkKind kind);
+// Nothing if there is no such kind.
+std::optional<LinkKind> LinkKindNamed(const std::string& name);
+
+// Why a link is tentative (limn/belief/).
+enum class LinkDoubt : uint8_t {
+  kNone,
+  kFewViews,     // too few views to be fitted
+  kChance,       // no more views than accidents get
+  kSeenThrough,  // other links are seen through it
+  kExplained,    // better links explain its edgels
+};
+constexpr int kNumLinkDoubts = 5;
+
+// "", "few views", "chance", "seen through", "explained by others".
+const char* LinkDoubtName(LinkDoubt doubt);
+// Nothing if there is no such doubt.
+std::optional<LinkDoubt> LinkDoubtNamed(const std::string& name);
 
 // How a link lies relative to a dense surface (limn/dense/).
 struct LinkDense {
@@ -95,7 +125,7 @@ struct LinkVertex {
   double footprint = 0;  // world units per px
   // Primary views whose curves agree here; 0 where the sketch has no curve.
   int agreeing_views = 0;
-  // Edgels that support the point, ascending, and the samples that were merged into it. Both are
+  // Edgels that support the point, ascending, and the samples that it stands for. Both are
   // empty at a point that was added to reach a node.
   std::vector<EdgelRef> support;
   std::vector<SketchSample> samples;
@@ -117,6 +147,13 @@ struct DrawingLink {
   std::vector<LinkMember> members;
   // Median distance of the reprojected link to its supporting edgels, pixels.
   double residual_px = 0;
+  // Of most of its length.
+  LinkKind kind = LinkKind::kUnknown;
+  double kind_confidence = 0;  // 0 to 1; 0 if unknown
+  // Too little evidence: left out of exports unless asked for.
+  bool tentative = false;
+  // kNone unless tentative.
+  LinkDoubt doubt = LinkDoubt::kNone;
   // Set by drawing_fuser only.
   std::optional<LinkDense> dense = std::nullopt;
   // The same curve as the points; absent in drawings of earlier versions.
@@ -135,8 +172,9 @@ struct DrawingGraph {
 // Descriptions of violated invariants, empty if there are none: ids in range, incidence symmetric,
 // link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
 // zero length, one sigma (and one vertex, if there are any) per point, primitives that
-// ValidateShape accepts, junction <=> degree >= 3, loop anchors with exactly the two ends of one
-// closed link. Linear time.
+// ValidateShape accepts, confidences of kinds from 0 to 1, doubts of tentative links only,
+// junction <=> degree >= 3, loop anchors
+// with exactly the two ends of one closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // Recomputes `incident` and `kind` of every node from the links' node0, node1 and closed.

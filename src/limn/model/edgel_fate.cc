@@ -15,6 +15,7 @@ const char* EdgelFateName(EdgelFate fate) {
       "piece too short",
       "sketched",
       "support lost after re-triangulation",
+      "on no traced curve",
       "in a doubtful link",
       "in a link too short or covered",
       "drawn",

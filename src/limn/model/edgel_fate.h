@@ -16,9 +16,10 @@ enum class EdgelFate : uint8_t {
   kPieceTooShort,     // in a reconstructed piece that is too short
   kSketched,          // in a curve of the sketch
   kLostSupport,       // sketched, but re-triangulated to where too few views support it
+  kNotTraced,         // re-triangulated, but no traced curve stands for it
   kDoubtfulLink,      // in a link with too little support: see topology/verify_links.h
   kPrunedLink,        // in a link that was too short, or ran along another
-  kDrawn,             // merged into a link of the drawing
+  kDrawn,             // in a link of the drawing
   kExplained,         // not drawn, but a link of the drawing projects onto it
 };
 constexpr int kNumEdgelFates = static_cast<int>(EdgelFate::kExplained) + 1;

@@ -56,6 +56,7 @@ Color ColorOf(EdgelFate fate) {
     case EdgelFate::kPieceTooShort:
     case EdgelFate::kSketched:
     case EdgelFate::kLostSupport:
+    case EdgelFate::kNotTraced:
       return {255, 150, 0};
     case EdgelFate::kDoubtfulLink:
       return {255, 255, 0};

@@ -38,9 +38,9 @@ Picture DrawFragments(const Image& photo, const ImageCurves& curves,
                       const PictureOptions& options = {});
 
 // The edgels of one image over it, colored by what became of them: green = drawn or explained by
-// the drawing; red = too few views or none support it; orange = depth inconsistent, piece too short
-// or support lost; yellow = too little support for the link; cyan = link too
-// short or covered; blue = fragment too short; gray = not linked.
+// the drawing; red = too few views or none support it; orange = depth inconsistent, piece too
+// short, support lost or on no traced curve; yellow = too little support for the link; cyan = link
+// too short or covered; blue = fragment too short; gray = not linked.
 Picture DrawAccount(const Image& photo, const ImageCurves& curves,
                     const std::vector<EdgelFate>& fates, const PictureOptions& options = {});
 

@@ -2,6 +2,7 @@
 
 #include "limn/dense/dense_options.h"
 #include "limn/pipeline/pipeline_options.h"
+#include "limn/pipeline/topology_fields.h"
 #include "limn/util/option_help.h"
 
 namespace limn {
@@ -15,6 +16,9 @@ template <typename Visit>
 void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
   visit("channel", o.channel, "channel of positions and directions: green or luminance");
   visit("sigma_px", o.sigma_px, "scale of the Gaussian derivatives, px");
+  visit("fine_sigma_px", o.fine_sigma_px, "finer scale for strong edges, px, 0 = none");
+  visit("fine_noise_factor", o.fine_noise_factor, "noise_factor at the finer scale");
+  visit("fine_min_strength", o.fine_min_strength, "min_strength at the finer scale");
   visit("noise_factor", o.noise_factor, "weakest edge in multiples of the image's gradient noise");
   visit("min_strength", o.min_strength, BasicOption("weakest edge, gray levels per px"));
   visit("min_run_px", o.min_run_px, "shortest run of edgels that keeps weak ones, px");
@@ -104,34 +108,9 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
         "original mode: support of the best match over that of the next");
 }
 
-// Part of the group Drawing for users.
-template <typename Visit>
-void VisitFields(TopologyOptions& o, Visit&& visit) {
-  visit("primary_views_share", o.primary_views_share,
-        "mean number of primary views that must agree with a link, as a share of its views");
-  visit("min_primary_views", o.min_primary_views, "lower limit of that number");
-  visit("max_primary_views", o.max_primary_views, "upper limit of that number");
-  visit("own_views_share", o.own_views_share,
-        "else views with edgels of its own, beyond chance, as a share of its views");
-  visit("min_own_views", o.min_own_views, "lower limit of that number");
-  visit("max_own_views", o.max_own_views, "upper limit of that number");
-  visit("min_link_length_px", o.min_link_length_px,
-        BasicOption("shorter loose links are dropped, px"));
-  visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
-  visit("max_junction_miss_px", o.max_junction_miss_px,
-        "largest sideways distance from their lines, px");
-  visit("min_junction_views", o.min_junction_views, "views that must show the meeting");
-  visit("min_junction_angle_deg", o.min_junction_angle_deg,
-        "links that leave a node at a smaller angle form no junction, deg");
-  visit("max_continuation_angle_deg", o.max_continuation_angle_deg,
-        "two ends that turn by less continue each other, deg");
-  visit("covered_share", o.covered_share, "a link is dropped if others run along this share of it");
-  visit("max_short_edge_px", o.max_short_edge_px,
-        "longest edge inferred from its two ends alone, px");
-}
-
 template <typename Visit>
 void VisitFields(DrawingOptions& o, Visit&& visit) {
+  visit("method", o.method, "traced, or paper: networks, averaging and merging");
   visit("max_support_distance_px", o.max_support_distance_px,
         "largest distance of a supporting edgel across the edge, px");
   visit("max_support_angle_deg", o.max_support_angle_deg, "and within this angle, deg");
@@ -143,19 +122,23 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("min_supporting_views", o.min_supporting_views,
         BasicOption("curves supported by fewer views are not drawn"));
   visit("max_supporting_views", o.max_supporting_views, "upper limit of that number");
-  visit("strong_link_views", o.strong_link_views, "views with shared edgels for a strong link");
-  visit("dense_link_views", o.dense_link_views, "the same for a dense link");
+  visit("strong_link_views", o.strong_link_views,
+        "paper: views with shared edgels for a strong link");
+  visit("dense_link_views", o.dense_link_views, "paper: the same for a dense link");
   visit("min_linked_length_px", o.min_linked_length_px,
         "strongly linked length that links two curves, px");
   visit("overlap_regularity_px", o.overlap_regularity_px,
-        "shorter gaps in an overlap are filled, shorter overlaps removed, px");
-  visit("max_link_angle_deg", o.max_link_angle_deg, "largest angle of linked curves, deg");
+        "paper: shorter gaps in an overlap are filled, shorter overlaps removed, px");
+  visit("max_link_angle_deg", o.max_link_angle_deg, "paper: largest angle of linked curves, deg");
   visit("averaging_tolerance_px", o.averaging_tolerance_px,
-        "averaging stops when samples move less, px");
-  visit("max_averaging_rounds", o.max_averaging_rounds, "or after this many rounds");
-  visit("merge_distance_px", o.merge_distance_px, "samples within this of a link belong to it, px");
-  visit("min_branch_length_px", o.min_branch_length_px, "shorter stubs are not branches, px");
-  visit("junction_distance_px", o.junction_distance_px, "ends within this meet in a node, px");
+        "paper: averaging stops when samples move less, px");
+  visit("max_averaging_rounds", o.max_averaging_rounds, "paper: or after this many rounds");
+  visit("merge_distance_px", o.merge_distance_px,
+        "paper: samples within this of a link belong to it, px");
+  visit("min_branch_length_px", o.min_branch_length_px,
+        "paper: shorter stubs are not branches, px");
+  visit("junction_distance_px", o.junction_distance_px,
+        "paper: ends within this meet in a node, px");
   VisitFields(o.topology, visit);
 }
 
@@ -175,6 +158,19 @@ void VisitFields(RefinementOptions& o, Visit&& visit) {
   visit("bending_sigma", o.bending_sigma,
         "standard deviation of the change of direction over 1 px, rad");
   visit("refine_poses", o.refine_poses, BasicOption("refine camera poses and focal lengths too"));
+}
+
+template <typename Visit>
+void VisitFields(BeliefOptions& o, Visit&& visit) {
+  visit("judge", o.judge, "mark links that the images do not support as tentative");
+  visit("min_evidence", o.min_evidence,
+        "evidence against chance that a link without neighbors needs, natural logarithm");
+  visit("joined_end_evidence", o.joined_end_evidence,
+        "what an end that meets another link counts instead");
+  visit("min_contradicting_views", o.min_contradicting_views,
+        "views that see others through a link before it is doubted");
+  visit("min_own_share", o.min_own_share,
+        "share of its edgels that no better link explains, of a link with a free end");
 }
 
 template <typename Visit>
@@ -219,6 +215,7 @@ void VisitGroups(PipelineOptions& options, Visit&& visit) {
   visit("Sketch", options.sketch);
   visit("Drawing", options.drawing);
   visit("DrawingRefinement", options.refinement);
+  visit("Belief", options.belief);
   visit("Primitives", options.primitives);
   visit("Tiles", options.tiles);
 }

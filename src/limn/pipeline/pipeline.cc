@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "limn/belief/link_judge.h"
+#include "limn/kinds/classify_kinds.h"
 #include "limn/pipeline/sketch_views.h"
 
 namespace limn {
@@ -41,13 +43,19 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
                     options.refinement, options.drawing.topology, context);
   on_stage_end(refined.summary);
 
-  PrimitiveResult primitives =
-      FitPrimitives(refined.graph, refined.cameras ? refined.cameras->views : input.views,
-                    options.primitives, context);
+  const std::vector<View>& views = refined.cameras ? refined.cameras->views : input.views;
+  BeliefResult judged = JudgeLinks({views, image_curves.curves, refined.graph, refined.fitted},
+                                   options.belief, options.drawing.topology, context);
+  on_stage_end(judged.summary);
+
+  PrimitiveResult primitives = FitPrimitives(judged.graph, views, options.primitives, context);
   on_stage_end(primitives.summary);
 
+  KindsResult kinds = ClassifyKinds({views, input.images.read, primitives.graph}, context);
+  on_stage_end(kinds.summary);
+
   return {std::move(image_curves.curves), std::move(sketch.sketch),   std::move(sketch.fates),
-          std::move(primitives.graph),    std::move(refined.cameras), std::move(drawing.fates)};
+          std::move(kinds.graph),         std::move(refined.cameras), std::move(drawing.fates)};
 }
 
 }  // namespace limn

@@ -71,8 +71,8 @@ UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& 
                              const RunContext& context, const StageObserver& on_stage_end);
 
 // From photographs to the drawing (ECCV 2016): edges and fragments of every image, sketch, drawing
-// graph, refinement, primitives. Throws OptionError, InputError, what `images` throws, and
-// Cancelled.
+// graph, refinement, belief, primitives, kinds of edges. Throws OptionError, InputError, what
+// `images` throws, and Cancelled.
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end);
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "limn/belief/belief_options.h"
 #include "limn/dense/dense_options.h"
 #include "limn/drawing/drawing_options.h"
 #include "limn/edges/edge_detection.h"
@@ -21,6 +22,7 @@ struct PipelineOptions {
   SketchOptions sketch;
   DrawingOptions drawing;
   RefinementOptions refinement;
+  BeliefOptions belief;
   PrimitiveOptions primitives;
   TileOptions tiles;
 

@@ -7,9 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "limn/belief/link_judge.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/json_drawing_writer.h"
 #include "limn/formats/stage_file.h"
+#include "limn/kinds/classify_kinds.h"
 #include "limn/pipeline/content_hash.h"
 #include "limn/pipeline/curves_key.h"
 #include "limn/pipeline/sketch_views.h"
@@ -20,7 +22,7 @@ namespace limn {
 namespace {
 
 // To be raised whenever the drawing of the same tile changes, so that kept ones are made again.
-constexpr int kTileVersion = 2;
+constexpr int kTileVersion = 3;
 
 std::string TileName(size_t index) { return "tile-" + std::to_string(index + 1); }
 
@@ -95,12 +97,16 @@ class TileDrawer {
     const DrawnCurves drawn = DrawCurves(
         {scene.views, scene.hints, image_curves.curves, reach, input_.cache, TileName(index)},
         options_, context_, report);
-    RefinementResult refined =
+    const RefinementResult refined =
         RefineDrawing({scene.views, image_curves.curves, drawn.drawing.graph}, options_.refinement,
                       options_.drawing.topology, context_);
     report(refined.summary);
-    Keep(index, scene, key, refined.graph);
-    return std::move(refined.graph);
+    BeliefResult judged =
+        JudgeLinks({scene.views, image_curves.curves, refined.graph, refined.fitted},
+                   options_.belief, options_.drawing.topology, context_);
+    report(judged.summary);
+    Keep(index, scene, key, judged.graph);
+    return std::move(judged.graph);
   }
 
   std::optional<DrawingGraph> Find(size_t index, const SceneSubset& scene,
@@ -194,7 +200,9 @@ DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,
   PrimitiveResult primitives =
       FitPrimitives(joined.graph, input.views, options.primitives, context);
   on_stage_end(primitives.summary);
-  return std::move(primitives.graph);
+  KindsResult kinds = ClassifyKinds({input.views, input.read_image, primitives.graph}, context);
+  on_stage_end(kinds.summary);
+  return std::move(kinds.graph);
 }
 
 void MakeShardTiles(const TiledInput& input, const PipelineOptions& options, const Shard& shard,

@@ -19,6 +19,8 @@ struct TiledInput {
   const std::vector<Tile>& tiles;  // of PlanTiles
   // Makes or loads the image curves of some views.
   std::function<CurvesResult(const SceneSubset&)> curves_of;
+  // Reads a photograph, for the kinds of edges.
+  std::function<Image(ViewId)> read_image;
 };
 
 // The image curves of some views of a scene with photographs, using its cache.
@@ -31,7 +33,8 @@ std::function<CurvesResult(const SceneSubset&)> CurvesFromImages(const PipelineI
 void CheckTiled(const PipelineOptions& options);
 
 // Like DrawScene, but every tile is drawn and refined separately; then the tiles are joined
-// (JoinTiles) and the primitives fitted. Throws what DrawScene and CheckTiled throw.
+// (JoinTiles), the primitives fitted and the kinds of edges told. Throws what DrawScene and
+// CheckTiled throw.
 DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end);
 

@@ -15,6 +15,7 @@
 #include "limn/refinement/variance_factors.h"
 #include "limn/topology/covered_links.h"
 #include "limn/topology/edit_topology.h"
+#include "limn/topology/graph_editor.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -115,7 +116,7 @@ class Refiner {
       const ControlLink& fitted = control_.links[l];
       if (!fitted.frozen) SetSupport(fitted, &graph_.links[l]);
     }
-    RemoveCovered(WithVertices());
+    result.fitted = RemoveCovered(WithVertices());
     result.summary = Summary();
     result.graph = std::move(graph_);
     return result;
@@ -155,15 +156,17 @@ class Refiner {
     return graph;
   }
 
-  // `dense`: the graph, with vertices.
-  void RemoveCovered(const DrawingGraph& dense) {
+  // `dense`: the graph, with vertices. Returns which of the links that remain are fitted.
+  std::vector<uint8_t> RemoveCovered(const DrawingGraph& dense) {
     const std::vector<uint8_t> keep = FindUncoveredLinks(topology_, dense);
-    num_frozen_ = 0;
+    std::vector<uint8_t> fitted;
     for (size_t l = 0; l < keep.size(); ++l) {
       num_covered_ += !keep[l];
-      num_frozen_ += keep[l] && control_.links[l].frozen;
+      if (keep[l]) fitted.push_back(!control_.links[l].frozen);
     }
+    num_frozen_ = std::ranges::count(fitted, 0);
     RemoveLinks(keep, &graph_);
+    return fitted;
   }
 
   RefinedCameras RefineCameras() {
@@ -310,6 +313,16 @@ class Refiner {
   int num_failed_pose_rounds_ = 0;
 };
 
+// Adds the outlines of smooth bodies of another graph as they are.
+void AddContours(const DrawingGraph& from, DrawingGraph* graph) {
+  GraphEditor editor(graph);
+  for (DrawingLink link : from.links) {
+    if (link.kind != LinkKind::kContour) continue;
+    link.node0 = link.node1 = -1;
+    editor.Add(std::move(link));
+  }
+}
+
 }  // namespace
 
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
@@ -322,7 +335,16 @@ RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOpt
     unchanged.summary.stage = "refinement";
     return unchanged;
   }
-  return Refiner(input, options, topology, context).Run();
+  std::vector<uint8_t> is_kept;
+  for (const DrawingLink& link : input.graph.links) {
+    is_kept.push_back(link.kind != LinkKind::kContour);
+  }
+  DrawingGraph edges = input.graph;
+  RemoveLinks(is_kept, &edges);
+  RefinementResult result =
+      Refiner({input.views, input.curves, edges, input.points}, options, topology, context).Run();
+  AddContours(input.graph, &result.graph);
+  return result;
 }
 
 }  // namespace limn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct RefinedCameras {
 
 struct RefinementResult {
   DrawingGraph graph;
+  // Per link whether enough views show it to be fitted; empty without rounds.
+  std::vector<uint8_t> fitted;
   // Only with refine_poses.
   std::optional<RefinedCameras> cameras;
   StageSummary summary;

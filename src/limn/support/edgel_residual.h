@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include <Eigen/Core>
@@ -49,6 +50,9 @@ std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d
 struct CurveSight {
   Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
   double direction_rad = 0;
+
+  // Unit normal of the curve in the image.
+  Eigen::Vector2d Across() const { return {-std::sin(direction_rad), std::cos(direction_rad)}; }
 };
 
 // Empty if the point is behind the camera or outside the image, or if the tangent is seen end on.

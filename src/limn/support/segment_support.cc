@@ -13,12 +13,6 @@ constexpr double kMinCoveredShare = 0.7;
 constexpr double kRoundedPx = 1.5;
 // Shorter projections are not tested.
 constexpr double kMinProjectedPx = 3;
-// Sideways shifts of the copies that measure the background, px. F on day, room with .7 times
-// these: -.1, +.2; 1.4: 0, +.1.
-constexpr double kShiftsPx[] = {-9, -7, -5, 5, 7, 9};
-// Lower limit of the background, since the copies sample little of the images. F on day, room with
-// .014 or .028: 0, 0.
-constexpr double kMinBackground = 0.02;
 
 bool EdgelsRunAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                     const EdgelIndex& edgels, const SupportGate& gate) {
@@ -62,13 +56,13 @@ SegmentSupport FindSegmentSupport(const Eigen::Vector3d& from, const Eigen::Vect
     ++result.num_views;
     if (EdgelsRunAlong(a, b, index, gate)) result.seen_in.push_back(static_cast<ViewId>(v));
     const Eigen::Vector2d across = Eigen::Vector2d(a.y() - b.y(), b.x() - a.x()).normalized();
-    for (const double shift : kShiftsPx) {
+    for (const double shift : kChanceShiftsPx) {
       ++num_copies;
       num_hits += EdgelsRunAlong(a + shift * across, b + shift * across, index, gate);
     }
   }
   const double share = num_copies > 0 ? static_cast<double>(num_hits) / num_copies : 1;
-  result.background = std::max(share, kMinBackground);
+  result.background = std::max(share, kMinChance);
   return result;
 }
 
@@ -78,11 +72,11 @@ bool ShowsSegment(const View& view, const Eigen::Vector3d& from, const Eigen::Ve
   return ends && EdgelsRunAlong(ends->first, ends->second, edgels, gate);
 }
 
-double LogChance(int k, int n, double p) {
+double LogChance(double k, double n, double p) {
   if (n == 0 || k <= n * p) return 0;
-  const double share = static_cast<double>(k) / n;
+  const double share = k / n;
   const double rest = share < 1 ? (1 - share) * std::log((1 - share) / (1 - p)) : 0;
-  return -std::min(n, kIndependentViews) * (share * std::log(share / p) + rest);
+  return -std::min<double>(n, kIndependentViews) * (share * std::log(share / p) + rest);
 }
 
 }  // namespace limn

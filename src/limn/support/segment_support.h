@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -10,6 +11,13 @@
 #include "limn/support/view_edgels.h"
 
 namespace limn {
+
+// Chance is measured on copies of a curve, shifted sideways in the image by these distances, px. F
+// on day, room with .7 times these: -.1, +.2; 1.4: 0, +.1.
+constexpr std::array<double, 6> kChanceShiftsPx = {-9, -7, -5, 5, 7, 9};
+// Lower limit of the chance, since the copies sample little of the images. F on day, room with .014
+// or .028: 0, 0.
+constexpr double kMinChance = 0.02;
 
 // Support of a straight edge in space by the images (ALGORITHM.md 1.7).
 struct SegmentSupport {
@@ -43,6 +51,6 @@ bool ShowsSegment(const View& view, const Eigen::Vector3d& from, const Eigen::Ve
 // views of the sample scene (14: fewer junctions; 20 to 30: F at 1 px -.1 to -1.1), checked on 50
 // and 25 views, day, lamp, evening, midday and vase.
 constexpr int kIndependentViews = 18;
-double LogChance(int k, int n, double p);
+double LogChance(double k, double n, double p);
 
 }  // namespace limn

@@ -5,12 +5,16 @@
 #include "limn/topology/grow_edges.h"
 #include "limn/topology/join_ends.h"
 #include "limn/topology/sample_fates.h"
+#include "limn/topology/side_edges.h"
 #include "limn/topology/snap_ends.h"
 #include "limn/topology/split_corners.h"
 #include "limn/topology/verify_links.h"
 
 namespace limn {
 namespace {
+
+// Of what is found to be an occluding contour.
+constexpr double kContourConfidence = 0.75;
 
 void MeetEnds(const MeetingTask& task) {
   task.counts->refused = 0;
@@ -19,27 +23,41 @@ void MeetEnds(const MeetingTask& task) {
   SnapEnds(task);
 }
 
+// Takes the contours out of the graph, so that nothing is joined to them; ids stay as they are.
+std::vector<DrawingLink> TakeContours(const std::vector<uint8_t>& verdicts, GraphEditor* editor) {
+  std::vector<DrawingLink> contours;
+  for (LinkId id = 0; id < editor->NumLinks(); ++id) {
+    if (verdicts[id] != kIsContour) continue;
+    contours.push_back(editor->link(id));
+    contours.back().kind = LinkKind::kContour;
+    contours.back().kind_confidence = kContourConfidence;
+    contours.back().node0 = contours.back().node1 = -1;
+    editor->Remove(id);
+  }
+  return contours;
+}
+
 }  // namespace
 
 CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,
                                  const TopologyOptions& options, const RunContext& context,
-                                 DrawingGraph* graph) {
+                                 DrawingGraph* graph, SampleFates* fates) {
   CompletionCounts counts;
   GraphEditor editor(graph);
   const MeetingTask meetings = {input, options, Reach::Drawn(options), &editor, &counts.meetings};
-  for (const Curve3D& curve : sketch.curves) {
-    counts.fates.emplace_back(curve.size(), EdgelFate::kDrawn);
-  }
-  UpdateFates(*graph, EdgelFate::kLostSupport, &counts.fates);
-  counts.samples_doubtful =
-      KeepAndCount(VerifyLinks(input, sketch, options, *graph, context), &editor);
-  UpdateFates(*graph, EdgelFate::kDoubtfulLink, &counts.fates);
+  const std::vector<uint8_t> verdicts = VerifyLinks(input, sketch, options, *graph, context);
+  const std::vector<DrawingLink> contours = TakeContours(verdicts, &editor);
+  counts.samples_doubtful = KeepAndCount(verdicts, &editor);
+  UpdateFates(*graph, EdgelFate::kDoubtfulLink, fates);
+  counts.continued = ContinueCurves(input, options, context, &editor);
   MeetEnds(meetings);
+  counts.side_nodes = SplitAtSideEdges(input, context, &editor);
   counts.grown = GrowEdges(input, options, context, &editor);
   MeetEnds(meetings);  // grown links have new ends
   counts.short_edges = AddShortEdges(input, options, context, &editor);
   counts.tidy = Tidy(options, &editor);
-  UpdateFates(*graph, EdgelFate::kPrunedLink, &counts.fates);
+  for (const DrawingLink& contour : contours) editor.Add(contour);
+  UpdateFates(*graph, EdgelFate::kPrunedLink, fates);
   FinishLinks(input, options, graph);
   return counts;
 }

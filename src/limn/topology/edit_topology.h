@@ -4,6 +4,7 @@
 
 #include "limn/model/curve3d.h"
 #include "limn/model/edgel_fate.h"
+#include "limn/topology/continue_curves.h"
 #include "limn/topology/meetings.h"
 #include "limn/topology/tidy.h"
 #include "limn/util/parallel.h"
@@ -12,20 +13,23 @@ namespace limn {
 
 struct CompletionCounts {
   int64_t samples_doubtful = 0;  // sketch samples in links with too little support
+  ContinuationCounts continued;
   MeetingCounts meetings;
+  int64_t side_nodes = 0;   // nodes made where image edges end sideways at links
   int64_t grown = 0;        // links grown from joints
   int64_t short_edges = 0;  // links found between two joints
   TidyCounts tidy;
-  SampleFates fates;
 };
 
-// Completes a merged drawing (ours; ALGORITHM.md 12 to 15). Removes links with too little support,
-// joins ends across gaps, at corners, at nodes and to links, grows edges that the sketch lacks, and
-// tidies the result. Links need vertices; finished links (FinishLinks) have none. The graph passes
-// Validate() before and after.
+// Completes a traced or merged drawing (ours; ALGORITHM.md 12 to 15). Removes links with too little
+// support, sets the outlines of smooth bodies (LinkKind::kContour) apart, follows links on from
+// their free ends, joins ends across gaps, at corners, at nodes and to links, grows edges that the
+// sketch lacks, and tidies the result. Links need vertices; finished links (FinishLinks) have none.
+// `fates` has those of the samples that are in no link, kDrawn for the others, before and after.
+// The graph passes Validate() before and after.
 CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,
                                  const TopologyOptions& options, const RunContext& context,
-                                 DrawingGraph* graph);
+                                 DrawingGraph* graph, SampleFates* fates);
 
 struct RepairCounts {
   int64_t trimmed = 0;  // free ends cut back from another link

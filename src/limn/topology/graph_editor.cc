@@ -1,9 +1,11 @@
 #include "limn/topology/graph_editor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
+#include "limn/geometry/polyline.h"
 #include "limn/topology/link_geometry.h"
 
 namespace limn {
@@ -19,11 +21,6 @@ void ForEachList(DrawingLink* link, Edit&& edit) {
 
 void ReverseLists(DrawingLink* link) {
   ForEachList(link, [](auto* values) { std::reverse(values->begin(), values->end()); });
-}
-
-// The vertex of a point that is added beside this one: as accurate, but without support.
-LinkVertex Bare(const LinkVertex& vertex) {
-  return {vertex.information, vertex.footprint, 0, {}, {}};
 }
 
 template <typename T>
@@ -62,6 +59,27 @@ void AppendFrom(size_t begin, std::vector<T>* more, std::vector<T>* to) {
 void ForgetShape(DrawingLink* link) {
   link->primitive.reset();
   link->dense.reset();
+}
+
+// The kind of two links together, before they are joined: what is sure over more length.
+void CombineKinds(const DrawingLink& other, DrawingLink* link) {
+  const double length = Length(link->points_in_world);
+  const double other_length = Length(other.points_in_world);
+  const double whole = length + other_length;
+  const double vote = link->kind_confidence * length;
+  const double other_vote = other.kind_confidence * other_length;
+  const bool is_same = link->kind == other.kind;
+  if (other_vote > vote) link->kind = other.kind;
+  link->kind_confidence =
+      std::min(1.0, (is_same ? vote + other_vote : std::abs(vote - other_vote)) / whole);
+  if (link->kind_confidence == 0) link->kind = LinkKind::kUnknown;
+  const double tentative = link->tentative * length + other.tentative * other_length;
+  link->tentative = tentative > whole / 2;
+  if (!link->tentative) {
+    link->doubt = LinkDoubt::kNone;
+  } else if (other_length > length || link->doubt == LinkDoubt::kNone) {
+    link->doubt = other.doubt;
+  }
 }
 
 // Calls edit() with the link oriented so that the end is its last point.
@@ -269,6 +287,7 @@ void GraphEditor::Join(const LinkEnd& a, const LinkEnd& b) {
   Detach(b);
   DrawingLink& first = graph_->links[a.link];
   DrawingLink& second = graph_->links[b.link];
+  CombineKinds(second, &first);
   if (b.end == 1) ReverseLists(&second);
   AtBack(a, &first, [&] {
     const bool coincide = first.points_in_world.back() == second.points_in_world.front();

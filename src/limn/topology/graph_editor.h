@@ -17,7 +17,8 @@ namespace limn {
 // (IsLink, IsNode).
 //
 // Edits that change the shape of a link drop its primitive and its dense class. The parts of a
-// split link share its members and supporting views; joined links unite theirs.
+// split link share its members, supporting views and kind; joined links unite theirs, are of the
+// kind that more of their length is, weighted by confidence, and tentative if most of it is.
 class GraphEditor {
  public:
   // The graph must pass Validate. It is edited in place, and passes Validate again after Compact().

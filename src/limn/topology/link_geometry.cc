@@ -23,6 +23,23 @@ const Eigen::Vector3d& EndPoint(const DrawingLink& link, int end) {
   return end == 0 ? link.points_in_world.front() : link.points_in_world.back();
 }
 
+AxisLine FitLine(std::span<const Eigen::Vector3d> points) {
+  AxisLine line;
+  for (const Eigen::Vector3d& point : points) {
+    line.mean += point / static_cast<double>(points.size());
+  }
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& point : points) {
+    scatter += (point - line.mean) * (point - line.mean).transpose();
+  }
+  line.direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
+  return line;
+}
+
+LinkVertex Bare(const LinkVertex& vertex) {
+  return {vertex.information, vertex.footprint, 0, {}, {}};
+}
+
 LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
   const std::vector<Eigen::Vector3d>& points = link.points_in_world;
   const int size = link.size();
@@ -43,15 +60,10 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
   // Short links are used whole; where few points remain, all that were reached are.
   const bool is_long = arc_px >= kTipSkipPx + kTipLengthPx && reached.size() >= num_rounded + 2;
   const auto used = std::span(reached).subspan(is_long ? num_rounded : 0);
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& point : used) mean += point / static_cast<double>(used.size());
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& point : used) scatter += (point - mean) * (point - mean).transpose();
-  Eigen::Vector3d direction =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
+  const auto [mean, axis] = FitLine(used);
   const Eigen::Vector3d outwards = used.front() - used.back();
   if (!(outwards.norm() > 0)) return tip;
-  if (direction.dot(outwards) < 0) direction = -direction;
+  const Eigen::Vector3d direction = axis.dot(outwards) < 0 ? Eigen::Vector3d(-axis) : axis;
   tip.outward = direction;
   tip.point = mean + direction * direction.dot(tip.point - mean);
   return tip;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -7,6 +8,13 @@
 #include "limn/model/drawing_graph.h"
 
 namespace limn {
+
+// The principal axis of some points: a line through their mean in a unit direction of either sign.
+struct AxisLine {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+};
+AxisLine FitLine(std::span<const Eigen::Vector3d> points);
 
 // The line along which a link leaves at an end: the principal axis of its last 12 px without the
 // outermost 2, which corners round (ALGORITHM.md 13.2).
@@ -43,7 +51,10 @@ double WeakInformation(double footprint);
 // of WeakInformation.
 double SigmaAcross(const Eigen::Matrix3d& information, double footprint);
 
-// Number of sketch samples merged into a link.
+// The vertex of a point that is added beside this one: as accurate, but without support.
+LinkVertex Bare(const LinkVertex& vertex);
+
+// Number of sketch samples that a link stands for.
 int64_t NumSketchSamples(const DrawingLink& link);
 
 // The angle between two unit directions, rad, and the angle between the lines along them.

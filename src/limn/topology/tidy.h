@@ -23,9 +23,9 @@ TidyCounts Tidy(const TopologyOptions& options, GraphEditor* editor);
 // The steps of Tidy.
 
 // Frees an end of each pair of links that leave a node at less than min_junction_angle_deg from
-// each other. Merging leaves such forks where two strands of one edge, or two parallel edges, part
-// slowly; real edges do not meet like this. Of a pair, the link that continues a third link of the
-// node better stays, or else the longer one. Returns the number of ends freed.
+// each other. Tracing and merging leave such forks where two strands of one edge, or two parallel
+// edges, part slowly; real edges do not meet like this. Of a pair, the link that continues a third
+// link of the node better stays, or else the longer one. Returns the number of ends freed.
 int64_t CutForks(const TopologyOptions& options, GraphEditor* editor);
 
 // Joins two links that are alone at a node and continue each other. Returns the number of nodes

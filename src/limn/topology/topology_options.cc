@@ -5,6 +5,10 @@
 namespace limn {
 
 void TopologyOptions::Check() const {
+  LIMN_CHECK_OPTION(min_traced_views, >= 1);
+  LIMN_CHECK_OPTION(min_seed_views, >= min_traced_views);
+  LIMN_CHECK_OPTION(max_tracing_gap_px, >= 1);
+  LIMN_CHECK_OPTION(max_continuation_gap_px, >= 0);
   LIMN_CHECK_OPTION(primary_views_share, >= 0);
   LIMN_CHECK_OPTION(primary_views_share, <= 1);
   LIMN_CHECK_OPTION(min_primary_views, >= 1);

@@ -56,7 +56,7 @@ int NumPrimaryViews(const CurveSketch& sketch, const DrawingLink& link) {
   return static_cast<int>(views.size());
 }
 
-enum class Belief : uint8_t { kNo, kUncertain, kCertain };
+enum class Belief : uint8_t { kNo, kUncertain, kCertain, kContour };
 
 struct FirstJudgment {
   Belief belief = Belief::kNo;
@@ -71,8 +71,10 @@ FirstJudgment Judge(const TopologyInput& input, const CurveSketch& sketch,
   const double required = std::clamp(options.primary_views_share * num_containing,
                                      options.min_primary_views, options.max_primary_views);
   Belief belief = MeanAgreement(link) >= required ? Belief::kCertain : Belief::kUncertain;
-  if (NumPrimaryViews(sketch, link) < kMinMergedViews || IsOccludingContour(input, link, near)) {
+  if (NumPrimaryViews(sketch, link) < kMinMergedViews) {
     belief = Belief::kNo;
+  } else if (IsOccludingContour(input, link, near)) {
+    belief = Belief::kContour;
   }
   return {belief, num_containing, std::move(near)};
 }
@@ -154,6 +156,7 @@ std::vector<uint8_t> VerifyLinks(const TopologyInput& input, const CurveSketch& 
   });
   return MapItems(context, "link support", first.size(), [&](size_t l) -> uint8_t {
     const auto& [belief, num_containing, near] = first[l];
+    if (belief == Belief::kContour) return kIsContour;
     if (belief != Belief::kUncertain) return belief == Belief::kCertain;
     const double required = std::clamp(options.own_views_share * num_containing,
                                        options.min_own_views, options.max_own_views);

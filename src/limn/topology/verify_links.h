@@ -11,13 +11,16 @@
 
 namespace limn {
 
-// Decides which links to keep: 1 or 0 each (ours; ALGORITHM.md 12.1). Samples of at least two
-// primary views must have been merged into a link, and it must not be an occluding contour
-// (occluding_contours.h). A link is certain when enough primary views agree with it, averaged over
-// its length (primary_views_share). Any other link must explain edgels that no certain link
-// explains: it is kept if such edgels run along it in enough more views than edgels run along
-// copies of it shifted sideways, which measure chance (own_views_share). Time: points of all links
-// times views; ten times as much for uncertain links.
+// The verdict on the outline of a smooth body.
+constexpr uint8_t kIsContour = 2;
+
+// Decides which links to keep: 1, 0, or kIsContour each (ours; ALGORITHM.md 12.1). A link must
+// stand for samples of at least two primary views. Occluding contours
+// (occluding_contours.h) are told apart. A link is certain when enough primary views agree with it,
+// averaged over its length (primary_views_share). Any other link must explain edgels that no
+// certain link explains: it is kept if such edgels run along it in enough more views than edgels
+// run along copies of it shifted sideways, which measure chance (own_views_share). Time: points of
+// all links times views; ten times as much for uncertain links.
 std::vector<uint8_t> VerifyLinks(const TopologyInput& input, const CurveSketch& sketch,
                                  const TopologyOptions& options, const DrawingGraph& graph,
                                  const RunContext& context);

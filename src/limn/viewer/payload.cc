@@ -153,6 +153,19 @@ void AddDense(const ViewerScene& scene, PayloadArrays* arrays) {
   arrays->Add("denseFold", fold);
 }
 
+void AddKinds(const ViewerScene& scene, PayloadArrays* arrays) {
+  std::vector<uint8_t> kind, tentative;
+  std::vector<float> confidence;
+  for (const DrawingLink& link : scene.graph.links) {
+    kind.push_back(static_cast<uint8_t>(link.kind));
+    confidence.push_back(static_cast<float>(link.kind_confidence));
+    tentative.push_back(link.tentative);
+  }
+  arrays->Add("linkKind", kind);
+  arrays->Add("kindConfidence", confidence);
+  arrays->Add("linkTentative", tentative);
+}
+
 void AddNodes(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
   Values positions;
   std::vector<uint8_t> kind;
@@ -234,6 +247,7 @@ std::string EncodePayload(const ViewerScene& scene) {
   AddSupport(scene, &arrays);
   AddPrimitives(scene, &arrays);
   AddDense(scene, &arrays);
+  AddKinds(scene, &arrays);
   AddNodes(scene, center, &arrays);
   AddCloud(scene, center, &arrays);
   Json header = {{"format", "limn-viewer"}, {"version", 1}, {"title", scene.title}};

@@ -8,7 +8,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "limn/drawing/sample_curves.h"
+#include "limn/topology/sample_curves.h"
 
 namespace limn {
 namespace {

@@ -1,6 +1,7 @@
 #include "limn/drawing/drawing.h"
 
 #include <cmath>
+#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/model/footprint.h"
 #include "limn/sketch/sketch.h"
+#include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -23,14 +25,10 @@ std::vector<testing::SceneCurve> CubeWithCircle() {
   return curves;
 }
 
-DrawingResult Draw(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                   int num_threads, const DrawingOptions& options = {}) {
+RunContext Threads(int num_threads) {
   RunContext context;
   context.num_threads = num_threads;
-  const SceneHints no_hints;
-  const SketchResult sketch =
-      BuildEnhancedSketch({views, curves, no_hints, std::nullopt}, SketchOptions(), context);
-  return BuildDrawing({views, curves, sketch.sketch}, options, context);
+  return context;
 }
 
 const std::vector<View>& Views() {
@@ -38,17 +36,61 @@ const std::vector<View>& Views() {
   return views;
 }
 
-const DrawingResult& ExactDrawing() {
-  static const DrawingResult result =
-      Draw(Views(), testing::ProjectCurves(Views(), CubeWithCircle()), 2);
-  return result;
+// What drawings are made from.
+struct Sketched {
+  std::vector<View> views;
+  std::vector<ImageCurves> curves;
+  CurveSketch sketch;
+};
+
+Sketched Sketch(const std::vector<View>& views, double noise_px) {
+  Sketched sketched = {views, testing::ProjectCurves(Views(), CubeWithCircle(), noise_px), {}};
+  const SceneHints no_hints;
+  sketched.sketch = BuildEnhancedSketch({views, sketched.curves, no_hints, std::nullopt},
+                                        SketchOptions(), Threads(2))
+                        .sketch;
+  return sketched;
 }
 
-const DrawingResult& NoisyDrawing() {
-  static const DrawingResult result =
-      Draw(Views(), testing::ProjectCurves(Views(), CubeWithCircle(), 0.3), 2);
-  return result;
+const Sketched& ExactSketch() {
+  static const Sketched sketched = Sketch(Views(), 0);
+  return sketched;
 }
+
+const Sketched& NoisySketch() {
+  static const Sketched sketched = Sketch(Views(), 0.3);
+  return sketched;
+}
+
+DrawingResult Draw(const Sketched& sketched, const DrawingOptions& options, int num_threads = 2) {
+  return BuildDrawing({sketched.views, sketched.curves, sketched.sketch}, options,
+                      Threads(num_threads));
+}
+
+// Of each method.
+class DrawingTest : public ::testing::TestWithParam<std::string> {
+ protected:
+  static DrawingOptions Options() {
+    DrawingOptions options;
+    options.method = GetParam();
+    return options;
+  }
+  static const DrawingResult& ExactDrawing() {
+    static std::map<std::string, DrawingResult> known;
+    const auto [drawn, is_new] = known.try_emplace(GetParam());
+    if (is_new) drawn->second = Draw(ExactSketch(), Options());
+    return drawn->second;
+  }
+  static const DrawingResult& NoisyDrawing() {
+    static std::map<std::string, DrawingResult> known;
+    const auto [drawn, is_new] = known.try_emplace(GetParam());
+    if (is_new) drawn->second = Draw(NoisySketch(), Options());
+    return drawn->second;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Methods, DrawingTest, ::testing::Values("traced", "paper"),
+                         [](const auto& method) { return method.param; });
 
 int64_t Count(const StageSummary::Counts& counts, const std::string& name) {
   for (const auto& [unit, count] : counts) {
@@ -116,18 +158,18 @@ void ExpectSameShape(const DrawingGraph& a, const DrawingGraph& b) {
   }
 }
 
-TEST(DrawingTest, ExactCubeIsAValidGraph) {
+TEST_P(DrawingTest, ExactCubeIsAValidGraph) {
   EXPECT_TRUE(Validate(ExactDrawing().graph).empty()) << Validate(ExactDrawing().graph).front();
 }
 
-TEST(DrawingTest, ExactCubeHasItsCorners) { ExpectCubeCorners(ExactDrawing().graph, 2); }
+TEST_P(DrawingTest, ExactCubeHasItsCorners) { ExpectCubeCorners(ExactDrawing().graph, 2); }
 
-TEST(DrawingTest, ExactCubeHasOneLinkPerCurve) {
+TEST_P(DrawingTest, ExactCubeHasOneLinkPerCurve) {
   EXPECT_EQ(ExactDrawing().graph.links.size(), 13u);
   EXPECT_EQ(ExactDrawing().graph.nodes.size(), 9u);  // the corners and the circle's anchor
 }
 
-TEST(DrawingTest, CircleIsOneClosedLinkAtALoopAnchor) {
+TEST_P(DrawingTest, CircleIsOneClosedLinkAtALoopAnchor) {
   const DrawingGraph& graph = ExactDrawing().graph;
   int num_closed = 0;
   for (const DrawingLink& link : graph.links) {
@@ -140,21 +182,21 @@ TEST(DrawingTest, CircleIsOneClosedLinkAtALoopAnchor) {
   EXPECT_EQ(num_closed, 1);
 }
 
-TEST(DrawingTest, ExactCubeIsCompleteAndWithoutDuplicates) {
+TEST_P(DrawingTest, ExactCubeIsCompleteAndWithoutDuplicates) {
   const TauResult row = Evaluate(ExactDrawing().graph, 1);
   EXPECT_GE(row.recall.value(), 0.97);
   EXPECT_GE(row.precision.value(), 0.97);
   EXPECT_LE(row.duplicated.value(), 0.05);
 }
 
-TEST(DrawingTest, EverySampleIsAccountedFor) {
+TEST_P(DrawingTest, EverySampleIsAccountedFor) {
   ExpectSamplesAccountedFor(ExactDrawing().summary);
   ExpectSamplesAccountedFor(NoisyDrawing().summary);
 }
 
-TEST(DrawingTest, ScaledSceneGivesTheScaledGraph) {
-  const std::vector<ImageCurves> curves = testing::ProjectCurves(Views(), CubeWithCircle());
-  const DrawingGraph scaled = Draw(testing::Scaled(Views(), 1000), curves, 2).graph;
+TEST_P(DrawingTest, ScaledSceneGivesTheScaledGraph) {
+  static const Sketched sketched = Sketch(testing::Scaled(Views(), 1000), 0);
+  const DrawingGraph scaled = Draw(sketched, Options()).graph;
   const DrawingGraph& graph = ExactDrawing().graph;
   ASSERT_NO_FATAL_FAILURE(ExpectSameShape(graph, scaled));
   double largest = 0;
@@ -168,9 +210,8 @@ TEST(DrawingTest, ScaledSceneGivesTheScaledGraph) {
   EXPECT_LT(largest, 1e-3);
 }
 
-TEST(DrawingTest, ResultDoesNotDependOnThreads) {
-  const std::vector<ImageCurves> curves = testing::ProjectCurves(Views(), CubeWithCircle(), 0.3);
-  const DrawingResult one = Draw(Views(), curves, 1);
+TEST_P(DrawingTest, ResultDoesNotDependOnThreads) {
+  const DrawingResult one = Draw(NoisySketch(), Options(), 1);
   const DrawingGraph& two = NoisyDrawing().graph;
   EXPECT_EQ(one.summary.in, NoisyDrawing().summary.in);
   EXPECT_EQ(one.summary.kept, NoisyDrawing().summary.kept);
@@ -182,12 +223,12 @@ TEST(DrawingTest, ResultDoesNotDependOnThreads) {
   }
 }
 
-TEST(DrawingTest, NoisyCubeHasItsCorners) {
+TEST_P(DrawingTest, NoisyCubeHasItsCorners) {
   EXPECT_TRUE(Validate(NoisyDrawing().graph).empty()) << Validate(NoisyDrawing().graph).front();
   ExpectCubeCorners(NoisyDrawing().graph, 2);
 }
 
-TEST(DrawingTest, NoisyCubeIsComplete) {
+TEST_P(DrawingTest, NoisyCubeIsComplete) {
   const TauResult row = Evaluate(NoisyDrawing().graph, 1);
   EXPECT_GE(row.recall.value(), 0.95);
   EXPECT_LE(row.duplicated.value(), 0.05);
@@ -201,24 +242,78 @@ int64_t LastMovement(const StageSummary::Counts& in, bool converged) {
   return Count(in, "largest movement in the last round, px/1000");
 }
 
-TEST(DrawingTest, SummaryTellsWhetherAveragingConverged) {
+TEST(PaperDrawingTest, SummaryTellsWhetherAveragingConverged) {
   const auto in_of = [](double tolerance_px, int max_rounds) {
     DrawingOptions options;
+    options.method = "paper";
     options.averaging_tolerance_px = tolerance_px;
     options.max_averaging_rounds = max_rounds;
-    return Draw(Views(), testing::ProjectCurves(Views(), CubeWithCircle(), 0.3), 2, options)
-        .summary.in;
+    return Draw(NoisySketch(), options).summary.in;
   };
   EXPECT_LE(LastMovement(in_of(0.5, 50), true), 500);
   EXPECT_GT(LastMovement(in_of(1e-9, 1), false), 0);
 }
 
-TEST(DrawingTest, EmptySketchGivesEmptyGraph) {
-  const std::vector<ImageCurves> curves = testing::ProjectCurves(Views(), CubeWithCircle());
-  const CurveSketch empty;
-  const DrawingResult result = BuildDrawing({Views(), curves, empty}, DrawingOptions(), {});
+TEST(TracedDrawingTest, SummaryTellsWhatWasTraced) {
+  const StageSummary summary = Draw(ExactSketch(), {}).summary;
+  EXPECT_GE(Count(summary.kept, "traced curves"), 13);
+  EXPECT_EQ(Count(summary.kept, "traced curves that close"), 1);
+}
+
+TEST_P(DrawingTest, EverySampleHasTheFateOfTheSummary) {
+  for (const DrawingResult* result : {&ExactDrawing(), &NoisyDrawing()}) {
+    std::map<EdgelFate, int64_t> count;
+    for (const auto& of_curve : result->fates) {
+      for (const EdgelFate fate : of_curve) ++count[fate];
+    }
+    const StageSummary& summary = result->summary;
+    EXPECT_EQ(count[EdgelFate::kDrawn], Count(summary.kept, "samples"));
+    EXPECT_EQ(count[EdgelFate::kLostSupport],
+              Count(summary.dropped, "samples: too few views after re-triangulation") +
+                  Count(summary.dropped, "samples: piece too short after re-triangulation"));
+    EXPECT_EQ(count[EdgelFate::kNotTraced],
+              GetParam() == "paper" ? 0 : Count(summary.dropped, "samples: on no traced curve"));
+    EXPECT_EQ(count[EdgelFate::kDoubtfulLink],
+              Count(summary.dropped, "samples: in links with too little support"));
+  }
+}
+
+TEST_P(DrawingTest, EmptySketchGivesEmptyGraph) {
+  const DrawingResult result = Draw({Views(), ExactSketch().curves, {}}, Options());
   EXPECT_TRUE(result.graph.links.empty());
   EXPECT_TRUE(result.graph.nodes.empty());
+}
+
+TEST(DrawingOptionsTest, MethodIsTracedOrPaper) {
+  DrawingOptions options;
+  EXPECT_EQ(options.method, "traced");
+  for (const char* method : {"traced", "paper"}) {
+    options.method = method;
+    EXPECT_NO_THROW(options.Check());
+  }
+  for (const char* method : {"", "merged", "Paper"}) {
+    options.method = method;
+    EXPECT_THROW(options.Check(), OptionError);
+    EXPECT_THROW(Draw({Views(), ExactSketch().curves, {}}, options), OptionError);
+  }
+}
+
+TEST(DrawingOptionsTest, LimitsOfTracingAreChecked) {
+  const auto is_valid = [](auto&& change) {
+    DrawingOptions options;
+    change(&options.topology);
+    try {
+      options.Check();
+      return true;
+    } catch (const OptionError&) {
+      return false;
+    }
+  };
+  EXPECT_TRUE(is_valid([](TopologyOptions*) {}));
+  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->min_traced_views = 0; }));
+  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->min_seed_views = o->min_traced_views - 1; }));
+  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->max_tracing_gap_px = 0.5; }));
+  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->max_continuation_gap_px = -1; }));
 }
 
 }  // namespace

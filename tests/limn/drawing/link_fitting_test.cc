@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/sample_curves.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/graph_fixture.h"
 #include "limn/topology/link_geometry.h"
+#include "limn/topology/sample_curves.h"
 
 namespace limn {
 namespace {

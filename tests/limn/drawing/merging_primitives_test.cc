@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/sample_curves.h"
 #include "limn/topology/graph_fixture.h"
+#include "limn/topology/sample_curves.h"
 
 namespace limn {
 namespace {

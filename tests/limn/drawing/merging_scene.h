@@ -5,8 +5,8 @@
 
 #include "limn/drawing/drawing_options.h"
 #include "limn/drawing/merging.h"
-#include "limn/drawing/samples.h"
 #include "limn/topology/drawing_scene.h"
+#include "limn/topology/samples.h"
 
 namespace limn::testing {
 

@@ -37,6 +37,40 @@ TEST(ReportWriters, TableShowsPercentAndAbsentShares) {
   EXPECT_THAT(out.str(), HasSubstr("1: 4 3: 2"));
 }
 
+TEST(ReportWriters, StructureIsToldWhereKnown) {
+  EvaluationReport report = SmallReport();
+  report.rows[0].precision_interval = Interval{0.75, 0.9375};
+  StructureScores& scores = report.rows[0].structure;
+  scores.links_per_chain = 1.625;
+  scores.num_chains = 9;
+  scores.num_free_ends = 25;
+  scores.num_false_ends = 17;
+  scores.false_junctions_per_length = 0.125;
+  scores.right_degrees = 0.625;
+  scores.arm_precision = 0.5;
+  scores.connectivity = 0.375;
+  std::ostringstream table, csv, json;
+  PrintReport(report, table);
+  EXPECT_THAT(table.str(), HasSubstr("75.0-93.8"));
+  EXPECT_THAT(table.str(), HasSubstr(" 1.62 "));
+  EXPECT_THAT(table.str(), HasSubstr(" 17 "));
+  EXPECT_THAT(table.str(), HasSubstr(" 0.125 "));
+  EXPECT_THAT(table.str(), HasSubstr(" 62.5 "));
+  EXPECT_THAT(table.str(), HasSubstr(" 37.5 "));
+  WriteReportCsv(report, csv);
+  EXPECT_THAT(csv.str(), HasSubstr(",links_per_chain,num_chains,"));
+  EXPECT_THAT(csv.str(), HasSubstr(",1.625,9,"));
+  WriteReportJson(report, json);
+  const nlohmann::json rows = nlohmann::json::parse(json.str()).at("rows");
+  EXPECT_EQ(rows.at(0).at("precision_low"), 0.75);
+  EXPECT_EQ(rows.at(0).at("precision_high"), 0.9375);
+  EXPECT_TRUE(rows.at(0).at("recall_low").is_null());
+  EXPECT_EQ(rows.at(0).at("num_false_ends"), 17);
+  EXPECT_EQ(rows.at(0).at("connectivity"), 0.375);
+  EXPECT_TRUE(rows.at(1).at("links_per_chain").is_null());
+  EXPECT_TRUE(rows.at(1).at("num_false_ends").is_null());
+}
+
 TEST(ReportWriters, CsvHasAsManyCellsAsColumns) {
   std::ostringstream out;
   WriteReportCsv(SmallReport(), out);

@@ -175,6 +175,19 @@ TEST(WriteDrawingGlb, TellsPrimitiveAndClass) {
   EXPECT_FALSE(NodeNamed(glb, "link_1")["extras"].contains("primitive"));
 }
 
+TEST(WriteDrawingGlb, TellsTheKindOfEdge) {
+  DrawingGraph graph = SmallDrawing();
+  graph.links[0].kind = LinkKind::kContour;
+  graph.links[0].kind_confidence = 0.75;
+  graph.links[1].tentative = true;
+  const Glb glb = Written(graph);
+  EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["kind"], "contour");
+  EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["kind_confidence"], 0.75);
+  EXPECT_FALSE(NodeNamed(glb, "link_0")["extras"].contains("tentative"));
+  EXPECT_FALSE(NodeNamed(glb, "link_1")["extras"].contains("kind"));
+  EXPECT_EQ(NodeNamed(glb, "link_1")["extras"]["tentative"], true);
+}
+
 TEST(WriteDrawingGlb, RefusesCoordinatesBeyondFloat) {
   GlbOptions options;
   options.cloud = {{{1e40, 0, 0}, {}}};

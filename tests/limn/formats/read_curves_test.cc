@@ -144,6 +144,17 @@ TEST(ReadCurves, TextPointsPlainAndPacked) {
   EXPECT_THROW(ReadCurves(folder.Write("cut.txt.gz", bytes.substr(0, bytes.size() - 9))), IoError);
 }
 
+TEST(ReadCurves, PackedObj) {
+  const TemporaryFolder folder;
+  const std::string packed = folder.Path("a.obj.gz");
+  gzFile file = gzopen(packed.c_str(), "wb");
+  gzputs(file, "v 0 0 0\nv 1 0 0\nv 2 0 0\nl 1 2\nl 2 3\n");
+  gzclose(file);
+  const CurveSet set = ReadCurves(packed);
+  ASSERT_EQ(set.polylines.size(), 1u);
+  EXPECT_EQ(set.polylines[0].back().x(), 2);
+}
+
 TEST(ReadJunctions, PositionsAndDegrees) {
   const TemporaryFolder folder;
   const std::vector<CurveNode> nodes = ReadJunctions(folder.Write(

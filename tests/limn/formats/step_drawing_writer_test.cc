@@ -25,6 +25,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/formats/primitive_drawing.h"
+#include "limn/formats/small_drawing.h"
 #include "limn/formats/temporary_folder.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/geometry/polyline.h"
@@ -50,6 +51,15 @@ class DrawingStep : public ::testing::Test {
 
   TemporaryFolder folder_;
 };
+
+TEST_F(DrawingStep, EdgesAreNamedByTheirKind) {
+  DrawingGraph graph = SmallDrawing();
+  graph.links[1].kind = LinkKind::kPaint;
+  WriteAndRead(graph);
+  const std::string text = TemporaryFolder::Read(folder_.Path("d.step"));
+  EXPECT_THAT(text, ::testing::HasSubstr("'link_0'"));
+  EXPECT_THAT(text, ::testing::HasSubstr("'link_1_paint'"));
+}
 
 std::vector<TopoDS_Shape> Children(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
   std::vector<TopoDS_Shape> children;

@@ -225,6 +225,12 @@ TEST(WriteDrawingSvg, ColorsAndClasses) {
   const std::string svg = Written(graph, SceneView(), {}, options);
   EXPECT_THAT(svg, HasSubstr("class=\"circle boundary\""));
   EXPECT_THAT(svg, HasSubstr(".boundary{stroke:"));
+  graph.links[3].kind = LinkKind::kShadow;
+  graph.links[3].tentative = true;
+  options.colors = SvgColors::kKind;
+  const std::string kinds = Written(graph, SceneView(), {}, options);
+  EXPECT_THAT(kinds, HasSubstr("class=\"circle boundary kind-shadow tentative\""));
+  EXPECT_THAT(kinds, HasSubstr(".kind-shadow{stroke:"));
 }
 
 TEST(WriteDrawingSvg, RefusesOptionsOutOfRange) {

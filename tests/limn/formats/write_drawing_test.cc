@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/formats/colors.h"
+#include "limn/formats/json_kinds_reader.h"
 #include "limn/formats/read_curves.h"
 #include "limn/formats/small_drawing.h"
 #include "limn/formats/temporary_folder.h"
@@ -17,6 +18,8 @@
 
 namespace limn {
 namespace {
+
+using ::testing::HasSubstr;
 
 DrawingMetadata SmallMetadata() { return {{"a.png", "sub/b c.png"}, R"({"z":1,"a":{"b":[2.5]}})"}; }
 
@@ -100,6 +103,113 @@ TEST(WriteDrawing, JsonKeepsThePrimitives) {
     ASSERT_NE(at, std::string::npos) << from;
     const std::string bad = std::string(text).replace(at, from.size(), to);
     EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", bad)), IoError) << from;
+  }
+}
+
+TEST(WriteDrawing, JsonKeepsTheKinds) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  const std::vector<LinkKind> kinds = {LinkKind::kEdge, LinkKind::kPaint, LinkKind::kShadow,
+                                       LinkKind::kContour};
+  for (size_t l = 0; l < kinds.size(); ++l) {
+    graph.links[l].kind = kinds[l];
+    graph.links[l].kind_confidence = 1.0 / static_cast<double>(l + 1);
+    graph.links[l].tentative = l >= 1;
+    graph.links[l].doubt = l == 2 ? LinkDoubt::kExplained : LinkDoubt::kNone;
+  }
+  const std::string path = folder.Path("d.json");
+  WriteDrawing(path, graph, SmallMetadata());
+  const DrawingGraph read = ReadDrawingJson(path).graph;
+  for (size_t l = 0; l < kinds.size(); ++l) {
+    EXPECT_EQ(read.links[l].kind, kinds[l]);
+    EXPECT_EQ(read.links[l].kind_confidence, graph.links[l].kind_confidence);
+    EXPECT_EQ(read.links[l].tentative, l >= 1);
+    EXPECT_EQ(read.links[l].doubt, graph.links[l].doubt);
+  }
+  const std::string text = TemporaryFolder::Read(path);
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"paint\"", "\"ink\""},
+                                 {"\"kind_confidence\":1.0", "\"kind_confidence\":1.5"},
+                                 {"\"explained by others\"", "\"envy\""},
+                                 {"\"tentative\":true", "\"tentative\":1"}}) {
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    const std::string bad = std::string(text).replace(at, from.size(), to);
+    EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", bad)), IoError) << from;
+  }
+}
+
+// PLY has them per edge, OBJ as groups, GraphML as attributes.
+TEST(WriteDrawing, OtherFormatsTellTheKinds) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  const auto written = [&](const char* name) {
+    WriteDrawing(folder.Path(name), graph, SmallMetadata());
+    ExpectSamePolylines(ReadCurves(folder.Path(name)), graph);
+    return TemporaryFolder::Read(folder.Path(name));
+  };
+  EXPECT_THAT(written("d.ply"), ::testing::Not(HasSubstr("property uchar kind")));
+  EXPECT_THAT(written("d.obj"), ::testing::Not(HasSubstr("\ng ")));
+  graph.links[1].kind = LinkKind::kPaint;
+  graph.links[1].kind_confidence = 0.75;
+  graph.links[2].kind = LinkKind::kShadow;
+  graph.links[2].tentative = true;
+  EXPECT_THAT(written("d.ply"), HasSubstr("property uchar kind"));
+  const std::string obj = written("d.obj");
+  EXPECT_THAT(obj, HasSubstr("o link_1\ng paint\n"));
+  EXPECT_THAT(obj, HasSubstr("o link_2\ng shadow\n"));
+  WriteDrawing(folder.Path("d.graphml"), graph, SmallMetadata());
+  const std::string graphml = TemporaryFolder::Read(folder.Path("d.graphml"));
+  EXPECT_THAT(graphml, HasSubstr("<data key=\"edge_kind\">paint</data>"
+                                 "<data key=\"kind_confidence\">0.75</data>"
+                                 "<data key=\"tentative\">false</data>"));
+  EXPECT_THAT(graphml, HasSubstr("<data key=\"tentative\">true</data>"));
+}
+
+TEST(WriteDrawing, LayersOfDxfCanBeTheKinds) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  graph.links[1].kind = LinkKind::kPaint;
+  DrawingFormatOptions options;
+  options.dxf.layers = DxfLayers::kKind;
+  WriteDrawing(folder.Path("d.dxf"), graph, SmallMetadata(), options);
+  const std::string dxf = TemporaryFolder::Read(folder.Path("d.dxf"));
+  EXPECT_THAT(dxf, HasSubstr("\npaint\n"));
+  EXPECT_THAT(dxf, HasSubstr("\nunknown\n"));
+  EXPECT_THAT(dxf, ::testing::Not(HasSubstr("\nshadow\n")));
+}
+
+TEST(ReadJsonKinds, CurvesComeByKindAndBadFilesAreRefused) {
+  const TemporaryFolder folder;
+  const auto curves = ReadJsonKinds(
+      folder.Write("k.json", R"({"curves": [{"kind": "edge", "points": [[0, 0, 0], [1, 0, 0.5]]},
+                               {"kind": "contour", "points": [[0, 1, 0], [1, 0, 0], [2, 0, 0]]},
+                               {"kind": "edge", "points": [[5, 0, 0], [6, 0, 0]]}]})"));
+  EXPECT_EQ(curves[static_cast<int>(LinkKind::kEdge)].polylines.size(), 2u);
+  EXPECT_EQ(curves[static_cast<int>(LinkKind::kEdge)].polylines[0][1], Eigen::Vector3d(1, 0, 0.5));
+  EXPECT_EQ(curves[static_cast<int>(LinkKind::kContour)].polylines[0].size(), 3u);
+  EXPECT_TRUE(curves[static_cast<int>(LinkKind::kPaint)].polylines.empty());
+  for (const char* bad :
+       {R"({"curves": [{"kind": "ink", "points": [[0, 0, 0], [1, 0, 0]]}]})",
+        R"({"curves": [{"kind": "unknown", "points": [[0, 0, 0], [1, 0, 0]]}]})",
+        R"({"curves": [{"kind": "edge", "points": [[0, 0, 0]]}]})",
+        R"({"curves": [{"kind": "edge", "points": [[0, 0], [1, 0]]}]})", R"({"links": []})"}) {
+    EXPECT_THROW(ReadJsonKinds(folder.Write("bad.json", bad)), IoError) << bad;
+  }
+}
+
+// As written before there were kinds.
+TEST(WriteDrawing, JsonWithoutKindsIsOfUnknownKind) {
+  const TemporaryFolder folder;
+  WriteDrawing(folder.Path("d.json"), SmallDrawing(), SmallMetadata());
+  std::string text = TemporaryFolder::Read(folder.Path("d.json"));
+  const std::string kind = "\"kind\":\"unknown\",";
+  for (size_t at = text.find(kind); at != std::string::npos; at = text.find(kind)) {
+    text.erase(at, kind.size());
+  }
+  for (const DrawingLink& link : ReadDrawingJson(folder.Write("old.json", text)).graph.links) {
+    EXPECT_EQ(link.kind, LinkKind::kUnknown);
+    EXPECT_EQ(link.kind_confidence, 0);
+    EXPECT_FALSE(link.tentative);
   }
 }
 

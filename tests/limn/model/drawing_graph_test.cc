@@ -74,6 +74,13 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"PointNotFinite",
                  [](DrawingGraph* g) { g->links[0].points_in_world[1].x() = NAN; },
                  "link 0: point not finite"},
+        Breakage{"ConfidenceAboveOne", [](DrawingGraph* g) { g->links[1].kind_confidence = 1.1; },
+                 "link 1: confidence of its kind not from 0 to 1"},
+        Breakage{"ConfidenceNan", [](DrawingGraph* g) { g->links[1].kind_confidence = NAN; },
+                 "link 1: confidence of its kind not from 0 to 1"},
+        Breakage{"DoubtedButNotTentative",
+                 [](DrawingGraph* g) { g->links[1].doubt = LinkDoubt::kChance; },
+                 "link 1: doubted, but not tentative"},
         Breakage{"ZeroLength",
                  [](DrawingGraph* g) {
                    for (auto& point : g->links[2].points_in_world) point.setZero();

@@ -7,6 +7,7 @@
 
 #include "limn/tiles/tile_graphs.h"
 #include "limn/util/errors.h"
+#include "support/synthetic_image.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -36,7 +37,12 @@ class TiledSceneTest : public ::testing::Test {
       for (const ViewId view : part.ids) result.curves.push_back(curves_[view]);
       return result;
     };
-    return DrawTiles({views_, {}, &cache, tiles, curves_of}, options, {},
+    // The kinds of edges are no matter here.
+    const auto gray = [&](ViewId view) {
+      const PinholeCamera& camera = views_[view].camera;
+      return testing::ConstantImage(camera.width, camera.height, {128});
+    };
+    return DrawTiles({views_, {}, &cache, tiles, curves_of, gray}, options, {},
                      [&](const StageSummary& summary) { Count(summary); });
   }
 

@@ -167,20 +167,24 @@ class CompleteDrawingTest : public ::testing::Test {
       sketch_.curves.back().points_in_world.push_back(link.points_in_world[1]);
       link.vertices[1].samples.push_back({static_cast<int>(sketch_.curves.size()) - 1, sample});
     }
+    for (const Curve3D& curve : sketch_.curves) {
+      fates_.emplace_back(curve.points_in_world.size(), EdgelFate::kDrawn);
+    }
     const CompletionCounts counts =
-        CompleteDrawing(scene_.Input(), sketch_, scene_.options, {}, &scene_.graph);
+        CompleteDrawing(scene_.Input(), sketch_, scene_.options, {}, &scene_.graph, &fates_);
     testing::ExpectValid(scene_.graph);
     return counts;
   }
 
-  int64_t NumFates(const SampleFates& fates, EdgelFate fate) const {
+  int64_t NumFates(EdgelFate fate) const {
     int64_t count = 0;
-    for (const auto& of_curve : fates) count += std::count(of_curve.begin(), of_curve.end(), fate);
+    for (const auto& of_curve : fates_) count += std::count(of_curve.begin(), of_curve.end(), fate);
     return count;
   }
 
   FrontalScene scene_;
   CurveSketch sketch_;
+  SampleFates fates_;
   int agreeing_ = 4;
 };
 
@@ -209,8 +213,8 @@ TEST_F(CompleteDrawingTest, EverySampleHasItsFate) {
   const int num_short = 11 + 1;
   const CompletionCounts counts = Complete();
   EXPECT_EQ(counts.tidy.samples_short, num_short);
-  EXPECT_EQ(NumFates(counts.fates, EdgelFate::kDrawn), num_long);
-  EXPECT_EQ(NumFates(counts.fates, EdgelFate::kPrunedLink), num_short);
+  EXPECT_EQ(NumFates(EdgelFate::kDrawn), num_long);
+  EXPECT_EQ(NumFates(EdgelFate::kPrunedLink), num_short);
   ASSERT_EQ(scene_.graph.links.size(), 1u);
   EXPECT_EQ(scene_.graph.links[0].members.size(), 2u);
 }
@@ -221,7 +225,7 @@ TEST_F(CompleteDrawingTest, DoubtfulLinksGoFirst) {
   scene_.Draw({{-60, 0}, {60, 0}});
   const CompletionCounts counts = Complete();
   EXPECT_EQ(counts.samples_doubtful, 122);
-  EXPECT_EQ(NumFates(counts.fates, EdgelFate::kDoubtfulLink), 122);
+  EXPECT_EQ(NumFates(EdgelFate::kDoubtfulLink), 122);
   EXPECT_TRUE(scene_.graph.links.empty());
 }
 

@@ -623,5 +623,82 @@ TEST(ForgetShapeTest, EditsOfTheCourseDropPrimitiveAndDenseClass) {
   }
 }
 
+struct KindOfLink {
+  LinkKind kind = LinkKind::kUnknown;
+  double confidence = 0;
+  bool tentative = false;
+  LinkDoubt doubt = LinkDoubt::kNone;
+};
+
+// Joins a link 4 long to one 2 long.
+DrawingLink JoinedKinds(const KindOfLink& longer, const KindOfLink& shorter) {
+  DrawingGraph graph = GraphWithVertices({Row(0, 4), Row(7, 9)});
+  const auto set = [](const KindOfLink& from, DrawingLink* link) {
+    link->kind = from.kind;
+    link->kind_confidence = from.confidence;
+    link->tentative = from.tentative;
+    link->doubt = from.doubt;
+  };
+  set(longer, &graph.links[0]);
+  set(shorter, &graph.links[1]);
+  GraphEditor editor(&graph);
+  editor.Join({0, 1}, {1, 0});
+  editor.Compact();
+  ExpectValid(graph);
+  return graph.links.at(0);
+}
+
+TEST(JoinKindsTest, SameKindIsKeptWithTheMeanConfidence) {
+  const DrawingLink link = JoinedKinds({LinkKind::kPaint, 0.9}, {LinkKind::kPaint, 0.6});
+  EXPECT_EQ(link.kind, LinkKind::kPaint);
+  EXPECT_NEAR(link.kind_confidence, 0.8, 1e-12);
+}
+
+TEST(JoinKindsTest, UnknownPartOnlyLowersTheConfidence) {
+  const DrawingLink link = JoinedKinds({}, {LinkKind::kShadow, 0.9});
+  EXPECT_EQ(link.kind, LinkKind::kShadow);
+  EXPECT_NEAR(link.kind_confidence, 0.3, 1e-12);
+}
+
+TEST(JoinKindsTest, LengthTimesConfidenceDecidesBetweenKinds) {
+  const DrawingLink longer = JoinedKinds({LinkKind::kEdge, 0.9}, {LinkKind::kShadow, 0.9});
+  EXPECT_EQ(longer.kind, LinkKind::kEdge);
+  EXPECT_NEAR(longer.kind_confidence, (0.9 * 4 - 0.9 * 2) / 6, 1e-12);
+  EXPECT_EQ(JoinedKinds({LinkKind::kEdge, 0.3}, {LinkKind::kShadow, 0.9}).kind, LinkKind::kShadow);
+  const DrawingLink tie = JoinedKinds({LinkKind::kEdge, 0.25}, {LinkKind::kShadow, 0.5});
+  EXPECT_EQ(tie.kind, LinkKind::kUnknown);
+  EXPECT_EQ(tie.kind_confidence, 0);
+}
+
+TEST(JoinKindsTest, TentativeIfMostOfTheLengthIs) {
+  EXPECT_TRUE(JoinedKinds({.tentative = true}, {}).tentative);
+  EXPECT_FALSE(JoinedKinds({}, {.tentative = true}).tentative);
+  EXPECT_TRUE(JoinedKinds({.tentative = true}, {.tentative = true}).tentative);
+}
+
+TEST(JoinKindsTest, TheDoubtIsThatOfTheLongerTentativeLink) {
+  const KindOfLink chance = {.tentative = true, .doubt = LinkDoubt::kChance};
+  const KindOfLink explained = {.tentative = true, .doubt = LinkDoubt::kExplained};
+  EXPECT_EQ(JoinedKinds(chance, explained).doubt, LinkDoubt::kChance);
+  EXPECT_EQ(JoinedKinds({.tentative = true}, explained).doubt, LinkDoubt::kExplained);
+  EXPECT_EQ(JoinedKinds(chance, {}).doubt, LinkDoubt::kChance);
+  EXPECT_EQ(JoinedKinds({}, chance).doubt, LinkDoubt::kNone);
+}
+
+TEST(SplitTest, PartsAreOfTheKindOfTheWhole) {
+  DrawingGraph graph = GraphWithVertices({Row(0, 5)});
+  graph.links[0].kind = LinkKind::kContour;
+  graph.links[0].kind_confidence = 0.5;
+  graph.links[0].tentative = true;
+  graph.links[0].doubt = LinkDoubt::kSeenThrough;
+  GraphEditor(&graph).Split(0, 2);
+  for (const DrawingLink& link : graph.links) {
+    EXPECT_EQ(link.kind, LinkKind::kContour);
+    EXPECT_EQ(link.kind_confidence, 0.5);
+    EXPECT_TRUE(link.tentative);
+    EXPECT_EQ(link.doubt, LinkDoubt::kSeenThrough);
+  }
+}
+
 }  // namespace
 }  // namespace limn

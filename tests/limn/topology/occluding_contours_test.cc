@@ -8,6 +8,10 @@
 #include "limn/geometry/polyline.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/view_edgels.h"
+#include "limn/topology/edit_topology.h"
+#include "limn/topology/graph_editor.h"
+#include "limn/topology/graph_fixture.h"
+#include "limn/topology/verify_links.h"
 #include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
@@ -71,6 +75,55 @@ TEST(OccludingContourTest, OutlineOfABallIsNoEdge) {
   std::vector<ImageCurves> curves;
   for (const View& view : views) curves.push_back(testing::ProjectCurves(view, {Rim(view)}));
   EXPECT_TRUE(IsContour(OutlineLink(views), views, curves));
+}
+
+// A sketch curve of each of these primary views, which are merged into the link.
+CurveSketch SketchOf(const std::vector<ViewId>& primaries, DrawingLink* link) {
+  CurveSketch sketch;
+  for (const ViewId view : primaries) {
+    const auto curve = static_cast<int>(sketch.curves.size());
+    sketch.curves.emplace_back();
+    sketch.curves.back().anchor.view = view;
+    for (int k = 0; k < link->size(); ++k) {
+      sketch.curves.back().points_in_world.push_back(link->points_in_world[k]);
+      link->vertices[k].samples.push_back({curve, k});
+    }
+  }
+  return sketch;
+}
+
+TEST(OccludingContourTest, OutlinesAreKeptAsContoursThatNothingJoins) {
+  const auto views = Views();
+  std::vector<ImageCurves> curves;
+  for (const View& view : views) curves.push_back(testing::ProjectCurves(view, {Rim(view)}));
+  const auto support = BuildViewEdgels(curves, {});
+  const TopologyInput input = {views, curves, support, {1.0, 1.0, 15 * kDeg}};
+  DrawingLink link;
+  link.points_in_world = OutlineLink(views);
+  link.sigma.assign(link.points_in_world.size(), 0.01);
+  for (int k = 0; k < link.size(); ++k) {
+    LinkVertex vertex;
+    vertex.information = Eigen::Matrix3d::Identity();
+    vertex.footprint = kDistance / 600;
+    vertex.agreeing_views = 4;
+    vertex.support = {{9, 0}};
+    link.vertices.push_back(vertex);
+  }
+  const CurveSketch sketch = SketchOf({8, 9, 10}, &link);
+  DrawingGraph graph;
+  GraphEditor(&graph).Add(link);
+  EXPECT_EQ(VerifyLinks(input, sketch, {}, graph, {}), std::vector<uint8_t>{kIsContour});
+  SampleFates fates;
+  for (const Curve3D& curve : sketch.curves) fates.emplace_back(curve.size(), EdgelFate::kDrawn);
+  const CompletionCounts counts = CompleteDrawing(input, sketch, {}, {}, &graph, &fates);
+  testing::ExpectValid(graph);
+  ASSERT_EQ(graph.links.size(), 1u);
+  EXPECT_EQ(graph.links[0].kind, LinkKind::kContour);
+  EXPECT_GT(graph.links[0].kind_confidence, 0.5);
+  EXPECT_EQ(counts.samples_doubtful, 0);
+  for (const std::vector<EdgelFate>& of_curve : fates) {
+    for (const EdgelFate fate : of_curve) EXPECT_EQ(fate, EdgelFate::kDrawn);
+  }
 }
 
 TEST(OccludingContourTest, AnEdgeInTheSamePlaceIsOne) {

@@ -94,6 +94,17 @@ TEST(ViewerPayload, KeepsDigitsFarFromTheOrigin) {
   }
 }
 
+TEST(ViewerPayload, TellsKinds) {
+  ViewerScene scene = SmallScene();
+  scene.graph.links[1].kind = LinkKind::kShadow;
+  scene.graph.links[1].kind_confidence = 0.5;
+  scene.graph.links[2].tentative = true;
+  const Payload payload(EncodePayload(scene));
+  EXPECT_EQ(payload.Array<uint8_t>("linkKind"), (std::vector<uint8_t>{0, 3, 0, 0}));
+  EXPECT_EQ(payload.Array<float>("kindConfidence")[1], 0.5f);
+  EXPECT_EQ(payload.Array<uint8_t>("linkTentative"), (std::vector<uint8_t>{0, 0, 1, 0}));
+}
+
 TEST(ViewerPayload, TellsPrimitives) {
   ViewerScene scene = SmallScene();
   CircularArc arc;

@@ -5,7 +5,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 NAMESPACE = "{http://graphml.graphdrawing.org/xmlns}"
-CONVERT = {"double": float, "int": int, "string": str}
+CONVERT = {"double": float, "int": int, "string": str, "boolean": {"true": True, "false": False}.__getitem__}
 
 
 def attributes_of(element, keys):

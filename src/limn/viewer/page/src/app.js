@@ -196,13 +196,11 @@ export class App {
 
   setScheme(id) {
     this.scheme = this.schemes.find((scheme) => scheme.id === id);
+    this.drawing.visible.set(this.drawing.shownAtFirst());
+    this.layers.curves.showLinks();
     const { colors, legend } = this.scheme.apply(this.drawing);
     this.legend = legend;
     this.layers.curves.setColors(colors);
-    if (this.drawing.visible.includes(0)) {
-      this.drawing.visible.fill(1);
-      this.layers.curves.showLinks();
-    }
     this.drawingPanel.showScheme(id, legend);
     this.stage.change();
   }

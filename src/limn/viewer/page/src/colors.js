@@ -1,6 +1,6 @@
 // What the drawing is colored by, and the legend of it.
 
-import { DENSE_CLASSES, PRIMITIVES } from './drawing.js';
+import { DENSE_CLASSES, LINK_KINDS, PRIMITIVES } from './drawing.js';
 import { number } from './format.js';
 
 // Middling lightness: readable on white and on black.
@@ -11,7 +11,14 @@ const RAMP = [
   [224, 69, 58],
 ];
 const NOT_KNOWN = [138, 143, 152];
-const CATEGORIES = [NOT_KNOWN, [59, 142, 234], [240, 140, 46], [196, 95, 214], [47, 174, 96]];
+const CATEGORIES = [
+  NOT_KNOWN,
+  [59, 142, 234],
+  [240, 140, 46],
+  [196, 95, 214],
+  [47, 174, 96],
+  [190, 66, 66],
+];
 const GOLDEN_RATIO = 0.6180339887498949;
 
 function onRamp(share) {
@@ -91,6 +98,7 @@ function byCategory(drawing, types, names) {
       type,
       color: CATEGORIES[type],
       share: whole > 0 ? lengths[type] / whole : 0,
+      shown: types.every((of, link) => of !== type || drawing.visible[link] === 1),
     }))
     .filter((entry) => entry.share > 0);
   return {
@@ -142,6 +150,12 @@ const SCHEMES = [
     label: 'Class on the dense surface',
     apply: (drawing) => byCategory(drawing, drawing.denseClass, DENSE_CLASSES),
     available: (drawing) => drawing.hasClasses,
+  },
+  {
+    id: 'kind',
+    label: 'Kind of edge',
+    apply: (drawing) => byCategory(drawing, drawing.kindCategory, LINK_KINDS),
+    available: (drawing) => drawing.hasKinds,
   },
   { id: 'component', label: 'Component', apply: byComponent },
 ];

@@ -4,6 +4,10 @@ import { Box3, Vector3 } from 'three';
 
 export const PRIMITIVES = ['none', 'line', 'arc', 'spline', 'circle'];
 export const DENSE_CLASSES = ['unknown', 'surface', 'boundary', 'free'];
+// Of edges, as LinkKind; tentative links are a category of their own in legends.
+export const LINK_KINDS = ['unknown', 'edge', 'paint', 'shadow', 'contour', 'tentative'];
+const CONTOUR = 4;
+const TENTATIVE = 5;
 export const NODE_KINDS = ['end', 'junction', 'loop anchor'];
 export const JUNCTION = 1;
 
@@ -71,9 +75,18 @@ export class Drawing {
     this.numComponents = this.component.reduce((most, rank) => Math.max(most, rank + 1), 0);
     this.hasPrimitives = arrays.primitiveType.some((type) => type !== 0);
     this.hasClasses = arrays.denseClass !== undefined;
-    this.visible = new Uint8Array(this.numLinks).fill(1);
+    this.kindCategory = arrays.linkKind.map((kind, link) =>
+      arrays.linkTentative[link] ? TENTATIVE : kind,
+    );
+    this.hasKinds = this.kindCategory.some((kind) => kind !== 0);
+    this.visible = this.shownAtFirst();
     this.box = robustBox(arrays.points);
     this.radius = Math.max(0.5 * this.box.getSize(new Vector3()).length(), 1e-12);
+  }
+
+  // All links but outlines of smooth bodies and tentative ones, as in exports.
+  shownAtFirst() {
+    return this.kindCategory.map((kind) => (kind < CONTOUR ? 1 : 0));
   }
 
   // First vertex of a link, and the first that is no longer its own.

@@ -28,14 +28,14 @@ function rampLegend(legend) {
 
 // Entries can be switched off.
 function categoryLegend({ entries }, onToggle) {
-  return entries.map(({ name, type, color, share }) => {
+  return entries.map(({ name, type, color, share, shown }) => {
     const swatch = make('span', { class: 'swatch' });
     swatch.style.background = css(color);
     const box = make('input', {
       type: 'checkbox',
       onchange: (event) => onToggle(type, event.target.checked),
     });
-    box.checked = true;
+    box.checked = shown;
     return make(
       'label',
       { class: 'check' },

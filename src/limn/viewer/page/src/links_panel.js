@@ -1,7 +1,7 @@
 // The tab "Links": search, the list of links and all about the picked one.
 
 import { facts, make } from './dom.js';
-import { DENSE_CLASSES, NODE_KINDS, PRIMITIVES } from './drawing.js';
+import { DENSE_CLASSES, LINK_KINDS, NODE_KINDS, PRIMITIVES } from './drawing.js';
 import { count, degrees, number, percent } from './format.js';
 
 const PAGE = 100;
@@ -31,6 +31,14 @@ function classText(drawing, link) {
   return parts.join(', ');
 }
 
+function kindText(drawing, link) {
+  const name = LINK_KINDS[drawing.linkKind[link]];
+  const confidence = drawing.kindConfidence[link];
+  const parts = [confidence > 0 ? `${name} (${percent(confidence)})` : name];
+  if (drawing.linkTentative[link]) parts.push('tentative');
+  return parts.join(', ');
+}
+
 function nodeText(drawing, node) {
   return `${node}, ${NODE_KINDS[drawing.nodeKind[node]]}`;
 }
@@ -43,6 +51,7 @@ function linkFacts(drawing, link) {
     ['Its fit', primitiveFit(drawing, link)],
     ['Residual', `${number(drawing.linkResidual[link], 3)} px`],
     ['Sigma (median)', number(drawing.medianSigma(link), 3)],
+    ['Kind of edge', drawing.hasKinds ? kindText(drawing, link) : null],
     ['Class', classText(drawing, link)],
     ['No dense point near', added],
     ['Component', String(drawing.component[link])],

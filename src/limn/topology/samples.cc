@@ -1,4 +1,4 @@
-#include "limn/drawing/samples.h"
+#include "limn/topology/samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,18 @@ Eigen::Vector3d DirectionAt(const std::vector<Eigen::Vector3d>& curve, bool clos
   const int before = closed ? (k + size - reach) % size : std::max(k - reach, 0);
   const int after = closed ? (k + reach) % size : std::min(k + reach, size - 1);
   return (curve[after] - curve[before]).normalized();
+}
+
+void NameInSketch(const SampleSet& samples, LinkVertex* vertex) {
+  std::vector<EdgelRef>& edgels = vertex->support;
+  for (SketchSample& sample : vertex->samples) {
+    const auto support = samples.support.Of(samples.IdOf(sample));
+    edgels.insert(edgels.end(), support.begin(), support.end());
+    const CurveOrigin& origin = samples.origins[sample.curve];
+    sample = {origin.sketch_curve, origin.begin + sample.sample};
+  }
+  std::sort(edgels.begin(), edgels.end());
+  edgels.erase(std::unique(edgels.begin(), edgels.end()), edgels.end());
 }
 
 void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "limn/drawing/samples.h"
+#include "limn/topology/samples.h"
 
 namespace limn::testing {
 

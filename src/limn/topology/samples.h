@@ -48,7 +48,7 @@ struct CurveOrigin {
 };
 
 // The samples of all curves, back to back: sample ids run through curve 0, then curve 1, and so on.
-// All stages up to merging use these ids.
+// All stages up to tracing or merging use these ids.
 struct SampleSet : SampleArrays {
   std::vector<int> curve_begin = {0};  // one more than curves
   std::vector<CurveOrigin> origins;    // per curve
@@ -61,6 +61,10 @@ struct SampleSet : SampleArrays {
   int IdOf(const SketchSample& name) const { return curve_begin[name.curve] + name.sample; }
   SketchSample NameOf(int id) const { return {curve_of[id], id - curve_begin[curve_of[id]]}; }
 };
+
+// Lists the edgels that support the samples of a vertex, and turns the samples' names in the set
+// into those in the sketch.
+void NameInSketch(const SampleSet& samples, LinkVertex* vertex);
 
 // Reserves memory. Growing arrays would take up to three times their size.
 void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples);

@@ -1,8 +1,8 @@
-#include "limn/drawing/samples.h"
+#include "limn/topology/samples.h"
 
 #include <gtest/gtest.h>
 
-#include "limn/drawing/sample_curves.h"
+#include "limn/topology/sample_curves.h"
 
 namespace limn {
 namespace {

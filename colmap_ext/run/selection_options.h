@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "colmap_ext/options/option_parser.h"
+#include "limn/model/link_selection.h"
+
+namespace limn::colmap_ext {
+
+// The options by which a command uses some links of a drawing only.
+struct SelectionOptions {
+  std::string kinds = "default";
+  bool tentative = false;
+
+  void AddOptions(OptionParser* parser);
+  // Throws OptionError.
+  LinkSelection Selection() const;
+};
+
+}  // namespace limn::colmap_ext

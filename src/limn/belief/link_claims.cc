@@ -1,0 +1,72 @@
+#include "limn/belief/link_claims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace limn {
+namespace {
+
+// Edgels this near to each other that differ by less than the angle show the same edge, virtual px.
+constexpr double kSameEdgePx = 1.5;
+constexpr double kSameDirectionCosine = 0.9;
+constexpr int kUnclaimed = -1;
+
+// Links that more views show come first.
+std::vector<int> ByShowingViews(const std::vector<ImageEvidence>& links) {
+  std::vector<int> order(links.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::ranges::greater(),
+                           [&](int l) { return links[l].showing_views; });
+  return order;
+}
+
+// Who owns the edgels of one view.
+class Claims {
+ public:
+  Claims(const TopologyInput& input, ViewId view)
+      : edge_map_(input.curves[view].edge_map),
+        edgels_(input.edgels[view]->edgels),
+        owner_(edge_map_.edgels.size(), kUnclaimed) {}
+
+  // To be called for all hits of a link before it claims any.
+  bool IsOwn(int link, EdgelId edgel) const {
+    const Edgel& at = edge_map_.edgels[edgel];
+    bool own = true;
+    edgels_.ForEachWithin(at.position_px, kSameEdgePx, [&](EdgelId near) {
+      const bool is_same = std::abs(std::cos(edge_map_.edgels[near].tangent_rad - at.tangent_rad)) >
+                           kSameDirectionCosine;
+      if (owner_[near] != kUnclaimed && owner_[near] != link && is_same) own = false;
+    });
+    return own;
+  }
+
+  void Claim(int link, EdgelId edgel) {
+    if (owner_[edgel] == kUnclaimed) owner_[edgel] = link;
+  }
+
+ private:
+  const EdgeMap& edge_map_;
+  const EdgelIndex& edgels_;
+  std::vector<int> owner_;
+};
+
+}  // namespace
+
+void FindClaims(const TopologyInput& input, const RunContext& context,
+                std::vector<ImageEvidence>* links) {
+  const std::vector<int> order = ByShowingViews(*links);
+  ParallelFor(context, "claimed edgels", input.views.size(), [&](size_t v) {
+    const auto view = static_cast<ViewId>(v);
+    Claims claims(input, view);
+    for (const int l : order) {
+      auto& sights = (*links)[l].sights;
+      const auto sight = std::ranges::lower_bound(sights, view, {}, &LinkSight::view);
+      if (sight == sights.end() || sight->view != view) continue;
+      for (SampleHit& hit : sight->hits) hit.own = claims.IsOwn(l, hit.edgel);
+      for (const SampleHit& hit : sight->hits) claims.Claim(l, hit.edgel);
+    }
+  });
+}
+
+}  // namespace limn

@@ -1,0 +1,150 @@
+#include "limn/belief/link_judge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "limn/belief/link_claims.h"
+#include "limn/belief/seen_through.h"
+#include "limn/geometry/polyline.h"
+#include "limn/model/view_finder.h"
+#include "limn/support/view_edgels.h"
+#include "limn/topology/topology_input.h"
+#include "limn/util/median.h"
+
+namespace limn {
+namespace {
+
+// An edgel shows a link within these limits, those of the refinement.
+constexpr SupportGate kGate = {1.0, 1.0, 15 * M_PI / 180};
+// Fewer views do not determine a curve.
+constexpr double kMinViews = 3;
+// The better the place of a link is determined, the fewer links could be in its stead: their number
+// is proportional to the variance across it. At this sigma that is no evidence either way; smaller
+// ones than the second are not trusted, px.
+constexpr double kUsualSigmaPx = 0.65;
+constexpr double kMinSigmaPx = 0.05;
+// A link with this evidence contradicts others.
+constexpr double kSureEvidence = 10;
+
+bool IsFree(const DrawingGraph& graph, NodeId node) { return graph.nodes[node].Degree() == 1; }
+
+// Of the median sigma.
+double EvidenceOfSigma(const DrawingLink& link, double footprint) {
+  if (!(footprint > 0)) return 0;
+  const double sigma_px = Median(link.sigma) / footprint;
+  return 2 * std::log(kUsualSigmaPx / std::max(sigma_px, kMinSigmaPx));
+}
+
+class Judge {
+ public:
+  Judge(const BeliefInput& input, const BeliefOptions& options, const TopologyOptions& topology,
+        const RunContext& context)
+      : graph_(input.graph),
+        fitted_(input.fitted),
+        options_(options),
+        topology_(topology),
+        links_(input.graph.links.size()) {
+    const auto edgels = BuildViewEdgels(input.curves, context);
+    const TopologyInput images = {input.views, input.curves, edgels, kGate};
+    const ViewFinder finder(input.views);
+    ParallelFor(context, "evidence for links", links_.size(),
+                [&](size_t l) { links_[l] = FindEvidence(images, finder, graph_.links[l]); });
+    FindClaims(images, context, &links_);
+    views_through_ = CountViewsThrough(images, links_, kSureEvidence, context);
+  }
+
+  LinkDoubt DoubtOf(size_t l) const {
+    const ImageEvidence& evidence = links_[l];
+    const DrawingLink& link = graph_.links[l];
+    // An outline is another curve for every view.
+    if (link.kind == LinkKind::kContour) return LinkDoubt::kNone;
+    const int num_free = IsFree(graph_, link.node0) + IsFree(graph_, link.node1);
+    if (!fitted_.empty() && !fitted_[l] && !IsInferred(link, evidence, num_free)) {
+      return LinkDoubt::kFewViews;
+    }
+    const double needed = options_.min_evidence - options_.joined_end_evidence * (2 - num_free);
+    if (evidence.evidence + EvidenceOfSigma(link, evidence.footprint) < needed) {
+      return LinkDoubt::kChance;
+    }
+    if (views_through_[l] >= options_.min_contradicting_views) return LinkDoubt::kSeenThrough;
+    if (num_free > 0 && evidence.OwnShare() < options_.min_own_share) {
+      return LinkDoubt::kExplained;
+    }
+    return LinkDoubt::kNone;
+  }
+
+  double LengthPx(size_t l) const {
+    const double footprint = links_[l].footprint;
+    return footprint > 0 ? Length(graph_.links[l].points_in_world) / footprint : 0;
+  }
+
+ private:
+  // Whether a link that was not fitted is determined by the nodes at its ends, or shown by enough
+  // views although its edgels lie too near to those of others to be used.
+  bool IsInferred(const DrawingLink& link, const ImageEvidence& evidence, int num_free) const {
+    if (num_free > 0) return false;
+    if (evidence.showing_views >= kMinViews) return true;
+    return evidence.footprint > 0 &&
+           Length(link.points_in_world) <= topology_.max_short_edge_px * evidence.footprint;
+  }
+
+  const DrawingGraph& graph_;
+  const std::vector<uint8_t>& fitted_;
+  const BeliefOptions& options_;
+  const TopologyOptions& topology_;
+  std::vector<ImageEvidence> links_;
+  std::vector<int> views_through_;
+};
+
+// Number and length of the links per doubt.
+struct Tally {
+  std::array<int64_t, kNumLinkDoubts> links = {};
+  std::array<double, kNumLinkDoubts> px = {};
+};
+
+StageSummary Summarize(const Tally& tally) {
+  StageSummary summary;
+  summary.stage = "belief";
+  int64_t num_links = 0;
+  int64_t length_px = 0;
+  for (int d = 0; d < kNumLinkDoubts; ++d) {
+    const int64_t px = std::llround(tally.px[d]);
+    num_links += tally.links[d];
+    length_px += px;
+    const bool is_believed = static_cast<LinkDoubt>(d) == LinkDoubt::kNone;
+    const std::string reason =
+        is_believed ? "" : std::string(": ") + LinkDoubtName(static_cast<LinkDoubt>(d));
+    auto& counts = is_believed ? summary.kept : summary.dropped;
+    counts.emplace_back((is_believed ? "links" : "tentative links") + reason, tally.links[d]);
+    counts.emplace_back((is_believed ? "px of links" : "px of tentative links") + reason, px);
+  }
+  summary.in = {{"links", num_links}, {"px of links", length_px}};
+  return summary;
+}
+
+}  // namespace
+
+BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
+                        const TopologyOptions& topology, const RunContext& context) {
+  options.Check();
+  topology.Check();
+  BeliefResult result;
+  result.graph = input.graph;
+  result.summary.stage = "belief";
+  if (!options.judge) return result;
+  const Judge judge(input, options, topology, context);
+  Tally tally;
+  for (size_t l = 0; l < result.graph.links.size(); ++l) {
+    DrawingLink& link = result.graph.links[l];
+    link.doubt = judge.DoubtOf(l);
+    link.tentative = link.doubt != LinkDoubt::kNone;
+    ++tally.links[static_cast<int>(link.doubt)];
+    tally.px[static_cast<int>(link.doubt)] += judge.LengthPx(l);
+  }
+  result.summary = Summarize(tally);
+  return result;
+}
+
+}  // namespace limn

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "limn/belief/belief_options.h"
+#include "limn/belief/image_evidence.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+#include "limn/topology/topology_options.h"
+#include "limn/util/parallel.h"
+#include "limn/util/stage_summary.h"
+
+namespace limn {
+
+// `curves[v]` belongs to `views[v]`, which the supporting views of the links are ids of. The graph
+// passes Validate().
+struct BeliefInput {
+  const std::vector<View>& views;
+  const std::vector<ImageCurves>& curves;
+  const DrawingGraph& graph;
+  // Per link whether it could be fitted to the images. Empty: unknown, as if all were.
+  const std::vector<uint8_t>& fitted;
+};
+
+struct BeliefResult {
+  DrawingGraph graph;
+  StageSummary summary;
+};
+
+// Marks the links of a finished drawing that the images do not support as tentative, with a reason
+// (ours; ALGORITHM.md 24). A link is doubted because too few views show it to be fitted; because as
+// many views show it as accidents do, less evidence being asked of links that meet others or whose
+// place is well determined; because
+// views see other links through it; or because better links explain its edgels. Contours are not
+// judged. Marks of earlier runs are replaced. Nothing is removed, so the result passes Validate().
+// Throws OptionError and Cancelled. Time: length of all links in px times views.
+BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
+                        const TopologyOptions& topology, const RunContext& context);
+
+}  // namespace limn

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// Corrects the kind of a link by how it lies on a dense surface (ALGORITHM.md 23.4): where the
+// surface ends or folds, it is an edge; where it is flat, what looked like an edge is a shadow.
+// Outlines of smooth bodies and links behind the surface stay as they are.
+void UseSurfaceForKind(DrawingLink* link);
+
+}  // namespace limn

@@ -1,0 +1,86 @@
+#include "limn/evaluation/chain_coverage.h"
+
+#include <cmath>
+#include <limits>
+
+#include "limn/util/angles.h"
+
+namespace limn {
+namespace {
+
+const double kMinCosine = std::cos(20 * kDeg);
+
+// The true sample that the sample is given to, or -1.
+int NearestParallel(const SampledScene& sampled, int sample,
+                    std::vector<SpatialIndex::Neighbor>* scratch) {
+  const CurveSamples& truth = sampled.truth;
+  const Eigen::Vector3d& position = sampled.reconstruction.Position(sample);
+  const Eigen::Vector3d direction = sampled.reconstruction.Direction(sample);
+  const double radius = sampled.Radius(1, position);
+  double best = radius * radius;
+  int nearest = -1;
+  truth.FindNear(position, radius, scratch);
+  for (const SpatialIndex::Neighbor& neighbor : *scratch) {
+    if (!(std::abs(direction.dot(truth.Direction(neighbor.index))) >= kMinCosine)) continue;
+    if (!sampled.scene.InRegion(truth.Position(neighbor.index))) continue;
+    const double distance = ClosestPoint(truth.Cell(neighbor.index), position).squared_distance;
+    if (distance > best || (distance == best && nearest >= 0)) continue;
+    best = distance;
+    nearest = neighbor.index;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+ChainCoverage CoverChains(const SampledScene& sampled, const TrueChains& chains,
+                          const std::vector<ChainPlace>& places, double arm_taus) {
+  const CurveSamples& samples = sampled.reconstruction;
+  std::vector<int> given_to(samples.size());
+  ForEachSample(sampled.scene.context, samples.size(), [&](int i) {
+    thread_local std::vector<SpatialIndex::Neighbor> scratch;
+    given_to[i] = NearestParallel(sampled, i, &scratch);
+  });
+  ChainCoverage coverage;
+  for (int i = 0; i < samples.size(); ++i) {
+    if (given_to[i] < 0 || places[given_to[i]].chain < 0) continue;
+    const auto& [chain, arc] = places[given_to[i]];
+    const double unit = sampled.scene.unit_at(samples.Position(i));
+    const double length = samples.Weight(i) / unit;
+    const double arm = arm_taus * sampled.tau * unit;
+    ChainCover& cover = coverage.covers[{chain, samples.CurveOf(i)}];
+    cover.length += length;
+    if (arc < arm) cover.near_start += length;
+    if (arc > chains.chains[chain].length - arm) cover.near_end += length;
+  }
+  coverage.lengths.assign(chains.chains.size(), 0.0);
+  for (int i = 0; i < sampled.truth.size(); ++i) {
+    const Eigen::Vector3d& position = sampled.truth.Position(i);
+    if (places[i].chain < 0 || !sampled.scene.InRegion(position)) continue;
+    coverage.lengths[places[i].chain] += sampled.truth.Weight(i) / sampled.scene.unit_at(position);
+  }
+  return coverage;
+}
+
+void ScoreLinksPerChain(const SampledScene& sampled, const ChainCoverage& coverage,
+                        StructureScores* scores) {
+  const double min_length = sampled.scene.options.chain_taus * sampled.tau;
+  const double min_cover = sampled.scene.options.cover_taus * sampled.tau;
+  std::vector<int> num_links(coverage.lengths.size());
+  for (const auto& [key, cover] : coverage.covers) {
+    if (cover.length >= min_cover) ++num_links[key.first];
+  }
+  double sum = 0;
+  double total = 0;
+  for (size_t chain = 0; chain < num_links.size(); ++chain) {
+    if (!(coverage.lengths[chain] >= min_length)) continue;
+    ++scores->num_chains;
+    if (num_links[chain] == 0) continue;
+    ++scores->num_drawn_chains;
+    sum += num_links[chain] * coverage.lengths[chain];
+    total += coverage.lengths[chain];
+  }
+  if (total > 0) scores->links_per_chain = sum / total;
+}
+
+}  // namespace limn

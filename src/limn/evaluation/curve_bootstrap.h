@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limn/evaluation/structure_scores.h"
+
+namespace limn {
+
+// What is right of one curve, and all of it.
+struct CurveShare {
+  double right = 0;
+  double total = 0;
+};
+
+struct ShareIntervals {
+  std::optional<Interval> precision, recall, f;
+};
+
+// 95 % confidence intervals of precision, recall and their harmonic mean, by 500 resamples with
+// replacement of the links and, independently, of the true curves. A share of fewer than two curves
+// of positive total has none. The same curves always give the same intervals.
+// O(number of curves) per resample.
+ShareIntervals BootstrapShares(const std::vector<CurveShare>& links,
+                               const std::vector<CurveShare>& true_curves);
+
+}  // namespace limn

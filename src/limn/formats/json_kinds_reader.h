@@ -1,0 +1,15 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "limn/model/curve_set.h"
+
+namespace limn {
+
+// Reads true curves with their kinds:
+//   {"curves": [{"kind": "edge"|"paint"|"shadow"|"contour", "points": [[x, y, z], ...]}, ...]}
+// Indexed by LinkKind. Throws IoError.
+std::array<CurveSet, kNumLinkKinds> ReadJsonKinds(const std::string& path);
+
+}  // namespace limn

@@ -1,0 +1,102 @@
+#include "limn/kinds/classify_kinds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "limn/util/median.h"
+
+namespace limn {
+namespace {
+
+constexpr int kMinProfiles = 3;
+// Weights and limits were fitted on room and the sample sets (ALGORITHM.md 23.5).
+// A step that is blurrier than sharp ones by this factor is the border of a shadow, or shading.
+constexpr double kSoftRatio = 1.4;
+constexpr double kSoftSlope = 6.7;
+constexpr double kSoftOffset = -1.94;
+// Light changes brightness, paint color too: a shadow changes no channel more than this.
+constexpr double kMaxShadowChroma = 0.3;
+// The light of the scene changes if sides of links differ by this between views; then a link whose
+// sides do not is seen in one light only.
+constexpr double kChangingLight = 0.15;
+constexpr double kOneLightShare = 0.3;
+constexpr int kMinViewsOfOneLight = 3;
+// Paint: the color changes, by the same in all views.
+constexpr double kPaintPerChroma = 5.4;
+constexpr double kPaintPerLogSpread = -1.1;
+constexpr double kPaintOffset = -6.0;
+constexpr double kMinSpread = 0.02;
+
+double Logistic(double x) { return 1 / (1 + std::exp(-x)); }
+
+StageSummary Summarize(const DrawingGraph& graph) {
+  std::array<int64_t, kNumLinkKinds> counts = {};
+  for (const DrawingLink& link : graph.links) ++counts[static_cast<int>(link.kind)];
+  StageSummary summary;
+  summary.stage = "kinds of edges";
+  summary.in = {{"links", static_cast<int64_t>(graph.links.size())}};
+  for (const LinkKind kind : {LinkKind::kEdge, LinkKind::kPaint, LinkKind::kShadow,
+                              LinkKind::kContour, LinkKind::kUnknown}) {
+    summary.kept.emplace_back(std::string("links: ") + LinkKindName(kind),
+                              counts[static_cast<int>(kind)]);
+  }
+  return summary;
+}
+
+}  // namespace
+
+double LightVariation(const std::vector<KindEvidence>& links) {
+  std::vector<double> steadier;
+  for (const KindEvidence& link : links) {
+    if (link.num_views < kMinViewsOfOneLight) continue;
+    steadier.push_back(std::min(link.darker_spread, link.brighter_spread));
+  }
+  return Median(std::move(steadier));
+}
+
+KindOfLink Classify(const KindEvidence& evidence, double light_variation) {
+  if (evidence.num_profiles < kMinProfiles) return {};
+  if (evidence.chroma_change < kMaxShadowChroma) {
+    if (evidence.blur_ratio > kSoftRatio) {
+      return {LinkKind::kShadow,
+              Logistic(kSoftSlope * std::log(evidence.blur_ratio) + kSoftOffset)};
+    }
+    const double spread = std::max(evidence.darker_spread, evidence.brighter_spread);
+    if (evidence.num_views >= kMinViewsOfOneLight && light_variation > kChangingLight &&
+        spread < kOneLightShare * light_variation) {
+      return {LinkKind::kShadow, 1 - spread / light_variation};
+    }
+  }
+  const double paint = Logistic(
+      kPaintPerChroma * evidence.chroma_change +
+      kPaintPerLogSpread * std::log(std::max(evidence.change_spread, kMinSpread)) + kPaintOffset);
+  return paint > 0.5 ? KindOfLink{LinkKind::kPaint, paint} : KindOfLink{LinkKind::kEdge, 1 - paint};
+}
+
+KindsResult ClassifyKinds(const KindsInput& input, const RunContext& context) {
+  const ProfilePlan plan = PlanProfiles(input.graph, input.views);
+  std::vector<std::vector<LinkProfile>> profiles(input.views.size());
+  ParallelFor(context, "kinds of edges", input.views.size(), [&](size_t v) {
+    const std::vector<LinkId>& links = plan.links_of_view[v];
+    if (links.empty()) return;
+    profiles[v] =
+        MeasureProfiles(input.views[v], input.read_image(static_cast<ViewId>(v)), plan, links);
+  });
+  const std::vector<KindEvidence> evidence = GatherEvidence(input.graph.links.size(), profiles);
+  const double light_variation = LightVariation(evidence);
+  KindsResult result = {input.graph, {}};
+  for (size_t l = 0; l < evidence.size(); ++l) {
+    DrawingLink& link = result.graph.links[l];
+    if (link.kind == LinkKind::kContour) continue;
+    const KindOfLink kind = Classify(evidence[l], light_variation);
+    link.kind = kind.kind;
+    link.kind_confidence = kind.confidence;
+  }
+  result.summary = Summarize(result.graph);
+  return result;
+}
+
+}  // namespace limn

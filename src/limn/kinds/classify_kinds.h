@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "limn/kinds/kind_evidence.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/image.h"
+#include "limn/model/view.h"
+#include "limn/util/parallel.h"
+#include "limn/util/stage_summary.h"
+
+namespace limn {
+
+struct KindOfLink {
+  LinkKind kind = LinkKind::kUnknown;
+  double confidence = 0;
+};
+
+// How much the light of the scene changes between the views: the median over the links of how much
+// the steadier of their sides differs.
+double LightVariation(const std::vector<KindEvidence>& links);
+
+// Edge, paint or shadow (ALGORITHM.md 23.3); unknown without enough profiles.
+KindOfLink Classify(const KindEvidence& evidence, double light_variation);
+
+struct KindsInput {
+  const std::vector<View>& views;
+  // The stored photograph of a view. Thread-safe.
+  const std::function<Image(ViewId)>& read_image;
+  const DrawingGraph& graph;
+};
+
+struct KindsResult {
+  DrawingGraph graph;
+  StageSummary summary;
+};
+
+// Tells what kind of edge every link is, from what the images show on its two sides (ours;
+// ALGORITHM.md 23). Links that are known to be contours stay so. Reads every image that supports a
+// link once; at most one image per thread is in memory. Throws what read_image throws, and
+// Cancelled.
+KindsResult ClassifyKinds(const KindsInput& input, const RunContext& context);
+
+}  // namespace limn

@@ -1,0 +1,175 @@
+#include "limn/kinds/kind_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace limn {
+namespace {
+
+// Width of a sharp step in a photograph: pixels, demosaicing and sampling. Used where a view has
+// too few profiles to tell.
+constexpr float kSharpWidthPx = 0.68F;
+constexpr size_t kMinProfilesForReference = 20;
+constexpr size_t kNumDepths = 3;
+// Share of the profiles of a view that are sharper than its reference.
+constexpr double kSharpShare = 0.25;
+// Added to linear intensities, which are 0 to 1, before the logarithm: noise of dark sides.
+constexpr float kDark = 2e-3F;
+
+using LogColor = std::array<float, 3>;
+
+float Quantile(std::vector<float>* values, double share) {
+  const auto at = values->begin() +
+                  static_cast<std::ptrdiff_t>(share * static_cast<double>(values->size() - 1));
+  std::nth_element(values->begin(), at, values->end());
+  return *at;
+}
+
+LogColor LogOf(const SideColor& color) {
+  LogColor result;
+  for (int c = 0; c < 3; ++c) {
+    const float value = std::clamp(color[c] / 255, 0.0F, 1.0F);  // sRGB
+    const float linear =
+        value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+    result[c] = std::log(linear + kDark);
+  }
+  return result;
+}
+
+LogColor MedianOf(const std::vector<LogColor>& colors) {
+  LogColor median;
+  std::vector<float> values(colors.size());
+  for (int c = 0; c < 3; ++c) {
+    std::transform(colors.begin(), colors.end(), values.begin(),
+                   [c](const LogColor& color) { return color[c]; });
+    median[c] = Quantile(&values, 0.5);
+  }
+  return median;
+}
+
+// How much colors differ, one per view.
+double SpreadOf(const std::vector<LogColor>& colors) {
+  const LogColor middle = MedianOf(colors);
+  std::vector<float> deviations;
+  for (const LogColor& color : colors) {
+    float largest = 0;
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(color[c] - middle[c]));
+    deviations.push_back(largest);
+  }
+  return Quantile(&deviations, 0.5);
+}
+
+// Widths of sharp edges in a view, by depth.
+class SharpWidths {
+ public:
+  explicit SharpWidths(const std::vector<LinkProfile>& profiles) {
+    std::vector<float> depths;
+    for (const LinkProfile& profile : profiles) depths.push_back(profile.depth);
+    if (depths.empty()) return;
+    for (size_t k = 1; k < kNumDepths; ++k) {
+      limits_.push_back(Quantile(&depths, static_cast<double>(k) / kNumDepths));
+    }
+    std::vector<float> all;
+    std::vector<std::vector<float>> at_depth(kNumDepths);
+    for (const LinkProfile& profile : profiles) {
+      all.push_back(profile.profile.width_px);
+      at_depth[IndexOf(profile.depth)].push_back(profile.profile.width_px);
+    }
+    const float of_view = WidthOf(&all, kSharpWidthPx);
+    for (std::vector<float>& widths : at_depth) widths_.push_back(WidthOf(&widths, of_view));
+  }
+
+  float At(float depth) const { return widths_[IndexOf(depth)]; }
+
+ private:
+  static float WidthOf(std::vector<float>* widths, float otherwise) {
+    return widths->size() < kMinProfilesForReference ? otherwise : Quantile(widths, kSharpShare);
+  }
+  size_t IndexOf(float depth) const {
+    return std::upper_bound(limits_.begin(), limits_.end(), depth) - limits_.begin();
+  }
+
+  std::vector<float> limits_;
+  std::vector<float> widths_;
+};
+
+// Gathers the profiles of one link, view by view.
+class Gatherer {
+ public:
+  void Add(const EdgeProfile& profile, float sharp_width_px) {
+    LogColor brighter = LogOf(profile.left);
+    LogColor darker = LogOf(profile.right);
+    float change_of_all = 0;
+    for (int c = 0; c < 3; ++c) change_of_all += brighter[c] - darker[c];
+    if (change_of_all < 0) std::swap(brighter, darker);
+    LogColor change;
+    LogColor chroma;
+    for (int c = 0; c < 3; ++c) {
+      change[c] = brighter[c] - darker[c];
+      chroma[c] = change[c] - std::abs(change_of_all) / 3;
+    }
+    here_.change.push_back(change);
+    here_.darker.push_back(darker);
+    here_.brighter.push_back(brighter);
+    chroma_.push_back(chroma);
+    ratios_.push_back(profile.width_px / sharp_width_px);
+  }
+
+  void EndView() {
+    if (here_.change.empty()) return;
+    views_.change.push_back(MedianOf(here_.change));
+    views_.darker.push_back(MedianOf(here_.darker));
+    views_.brighter.push_back(MedianOf(here_.brighter));
+    here_ = {};
+  }
+
+  KindEvidence Evidence() {
+    KindEvidence evidence;
+    evidence.num_profiles = static_cast<int>(ratios_.size());
+    evidence.num_views = static_cast<int>(views_.change.size());
+    if (ratios_.empty()) return evidence;
+    evidence.blur_ratio = Quantile(&ratios_, 0.5);
+    for (const float value : MedianOf(chroma_)) {
+      evidence.chroma_change = std::max(evidence.chroma_change, double{std::abs(value)});
+    }
+    evidence.change_spread = SpreadOf(views_.change);
+    evidence.darker_spread = SpreadOf(views_.darker);
+    evidence.brighter_spread = SpreadOf(views_.brighter);
+    return evidence;
+  }
+
+ private:
+  struct Sides {
+    std::vector<LogColor> change;
+    std::vector<LogColor> darker;
+    std::vector<LogColor> brighter;
+  };
+  Sides here_;   // per profile of this view
+  Sides views_;  // per view
+  std::vector<LogColor> chroma_;
+  std::vector<float> ratios_;
+};
+
+}  // namespace
+
+std::vector<KindEvidence> GatherEvidence(
+    size_t num_links, const std::vector<std::vector<LinkProfile>>& profiles_of_view) {
+  std::vector<Gatherer> gatherers(num_links);
+  for (const std::vector<LinkProfile>& profiles : profiles_of_view) {
+    const SharpWidths sharp(profiles);
+    for (size_t k = 0; k < profiles.size(); ++k) {
+      const LinkProfile& profile = profiles[k];
+      gatherers[profile.link].Add(profile.profile, sharp.At(profile.depth));
+      if (k + 1 == profiles.size() || profiles[k + 1].link != profile.link) {
+        gatherers[profile.link].EndView();
+      }
+    }
+  }
+  std::vector<KindEvidence> evidence;
+  evidence.reserve(num_links);
+  for (Gatherer& gatherer : gatherers) evidence.push_back(gatherer.Evidence());
+  return evidence;
+}
+
+}  // namespace limn

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/kinds/link_profiles.h"
+
+namespace limn {
+
+// What the images tell of the kind of a link (ALGORITHM.md 23.2). Colors are logarithms of linear
+// intensities. "Change" is that from the darker to the brighter side.
+struct KindEvidence {
+  int num_profiles = 0;
+  int num_views = 0;  // with profiles
+  // Median width of the step over that of sharp edges at this depth in the same view.
+  double blur_ratio = 1;
+  // Largest deviation of a channel's change from the mean of the three, of medians.
+  double chroma_change = 0;
+  // How much the views differ in the change, in the darker side and in the brighter side: median
+  // over the views of the largest deviation of a channel from its median. 0 for one view.
+  double change_spread = 0;
+  double darker_spread = 0;
+  double brighter_spread = 0;
+};
+
+// Per link, from the profiles of every view. Linear time but for the medians.
+std::vector<KindEvidence> GatherEvidence(
+    size_t num_links, const std::vector<std::vector<LinkProfile>>& profiles_of_view);
+
+}  // namespace limn

@@ -1,0 +1,42 @@
+#include "limn/model/link_selection.h"
+
+#include <sstream>
+#include <vector>
+
+#include "limn/util/errors.h"
+
+namespace limn {
+
+LinkSelection::LinkSelection() {
+  kinds.fill(true);
+  kinds[static_cast<int>(LinkKind::kContour)] = false;
+}
+
+std::array<bool, kNumLinkKinds> KindsFromNames(const std::string& names) {
+  if (names == "default") return LinkSelection().kinds;
+  std::array<bool, kNumLinkKinds> kinds = {};
+  if (names == "all") {
+    kinds.fill(true);
+    return kinds;
+  }
+  // A comma at the end, so that an empty last name is one.
+  std::istringstream list(names + ',');
+  for (std::string name; std::getline(list, name, ',');) {
+    const auto kind = LinkKindNamed(name);
+    if (!kind) {
+      throw OptionError("kinds = " + names + ": \"" + name +
+                        "\" is none of edge, paint, shadow, contour, unknown");
+    }
+    kinds[static_cast<int>(*kind)] = true;
+  }
+  return kinds;
+}
+
+DrawingGraph Selected(DrawingGraph graph, const LinkSelection& selection) {
+  std::vector<uint8_t> keep;
+  for (const DrawingLink& link : graph.links) keep.push_back(selection.Has(link));
+  RemoveLinks(keep, &graph);
+  return graph;
+}
+
+}  // namespace limn

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// Which links of a drawing to use, by what is known of them. By default all but the outlines of
+// smooth bodies, which are no curves in space, and tentative links.
+struct LinkSelection {
+  std::array<bool, kNumLinkKinds> kinds;  // by LinkKind
+  bool tentative = false;
+
+  LinkSelection();
+  bool Has(const DrawingLink& link) const {
+    return kinds[static_cast<int>(link.kind)] && (tentative || !link.tentative);
+  }
+};
+
+// The names of kinds separated by commas, or "all" or "default". Throws OptionError for the option
+// `kinds`.
+std::array<bool, kNumLinkKinds> KindsFromNames(const std::string& names);
+
+// The drawing without the other links. Nodes where two links are left stay.
+DrawingGraph Selected(DrawingGraph graph, const LinkSelection& selection);
+
+}  // namespace limn

@@ -1,0 +1,177 @@
+#include "limn/topology/consensus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "limn/geometry/spatial_index.h"
+#include "limn/geometry/tangent_frame.h"
+#include "limn/topology/link_geometry.h"
+#include "limn/util/angles.h"
+
+namespace limn {
+namespace {
+
+// The constants were chosen on day, room, midday and mixed (ALGORITHM.md 22.2).
+constexpr int kConsensusRounds = 5;
+// A sample that moves by less has settled, px.
+constexpr double kSettledPx = 0.02;
+// Samples farther than this in space, px, or at a larger angle do not count.
+constexpr double kSearchPx = 5;
+const double kMinConsensusCosine = std::cos(20 * kDeg);
+// Standard deviations of the weights of samples: across the curve as the images see it, and along.
+constexpr double kConsensusAcrossPx = 0.5;
+constexpr double kAlongPx = 2.5;
+// Samples within these distances agree, px.
+constexpr double kAgreeAcrossPx = 1.5;
+constexpr double kAgreeAlongPx = 1.5;
+// Samples that one thread handles at a time.
+constexpr size_t kChunk = 256;
+
+struct Place {
+  Eigen::Vector3d position;
+  Eigen::Vector3d tangent;
+};
+
+// A sample that runs along another.
+struct Neighbor {
+  int sample = -1;
+  double along_px = 0;
+  double squared_px = 0;  // across
+  Eigen::Vector3d across;
+  Eigen::Vector3d tangent;  // in the direction of the other's
+};
+
+class Climb {
+ public:
+  Climb(const SampleSet& samples, const ReprojectedMetric& metric)
+      : samples_(samples),
+        metric_(metric),
+        consensus_{samples.position, samples.tangent, std::vector<int>(samples.NumSamples())} {}
+
+  Consensus Run(const RunContext& context) {
+    std::vector<int> climbing(samples_.NumSamples());
+    std::iota(climbing.begin(), climbing.end(), 0);
+    const std::vector<int> all = climbing;
+    std::vector<Place> next(samples_.NumSamples());
+    for (int round = 0; round < kConsensusRounds; ++round) {
+      ForEachOf(climbing, context,
+                [&](int s, const std::vector<Neighbor>& near) { next[s] = Mean(s, near); });
+      std::erase_if(climbing, [&](int s) { return !Move(s, next[s]); });
+    }
+    ForEachOf(all, context, [&](int s, const std::vector<Neighbor>& near) {
+      consensus_.num_views[s] = CountViews(near);
+    });
+    return std::move(consensus_);
+  }
+
+ private:
+  // Returns whether the sample moved by more than it may when it has settled.
+  bool Move(int s, const Place& to) {
+    const double moved = (to.position - consensus_.position[s]).norm();
+    consensus_.position[s] = to.position;
+    consensus_.tangent[s] = to.tangent;
+    return moved > kSettledPx * samples_.footprint[s];
+  }
+
+  // Calls visit(sample, neighbors), each sample being its own neighbor.
+  template <typename Visit>
+  void ForEachOf(const std::vector<int>& chosen, const RunContext& context,
+                 const Visit& visit) const {
+    const SpatialIndex index(consensus_.position);
+    const size_t count = chosen.size();
+    ParallelFor(context, "consensus", (count + kChunk - 1) / kChunk, [&](size_t chunk) {
+      std::vector<SpatialIndex::Neighbor> within;
+      std::vector<Neighbor> near;
+      for (size_t i = kChunk * chunk; i < std::min(count, kChunk * (chunk + 1)); ++i) {
+        const int s = chosen[i];
+        index.FindWithin(consensus_.position[s], kSearchPx * samples_.footprint[s], &within);
+        FindNeighbors(s, within, &near);
+        visit(s, near);
+      }
+    });
+  }
+
+  void FindNeighbors(int s, const std::vector<SpatialIndex::Neighbor>& within,
+                     std::vector<Neighbor>* near) const {
+    const Eigen::Vector3d& tangent = consensus_.tangent[s];
+    near->clear();
+    for (const SpatialIndex::Neighbor& neighbor : within) {
+      const int other = neighbor.index;
+      const double cosine = tangent.dot(consensus_.tangent[other]);
+      if (std::abs(cosine) < kMinConsensusCosine) continue;
+      const Eigen::Vector3d other_tangent = std::copysign(1, cosine) * consensus_.tangent[other];
+      const OffsetAlong offset = OffsetBetween(consensus_.position[other] - consensus_.position[s],
+                                               tangent, other_tangent);
+      const double squared_px =
+          0.5 * (metric_.Squared(s, offset.across) + metric_.Squared(other, offset.across));
+      near->push_back(
+          {other, offset.along / samples_.footprint[s], squared_px, offset.across, other_tangent});
+    }
+  }
+
+  // The mean of the neighbors' places, weighted by distance and information.
+  Place Mean(int s, const std::vector<Neighbor>& near) const {
+    const Eigen::Matrix<double, 3, 2> across = TangentFrame(consensus_.tangent[s]);
+    Eigen::Matrix2d sum = WeakInformation(samples_.footprint[s]) * Eigen::Matrix2d::Identity();
+    Eigen::Vector2d right = Eigen::Vector2d::Zero();
+    Eigen::Vector3d tangent = Eigen::Vector3d::Zero();
+    for (const Neighbor& neighbor : near) {
+      const double squared_sigmas =
+          neighbor.squared_px / (kConsensusAcrossPx * kConsensusAcrossPx) +
+          neighbor.along_px * neighbor.along_px / (kAlongPx * kAlongPx);
+      if (squared_sigmas > 9) continue;
+      const double weight = std::exp(-0.5 * squared_sigmas);
+      const Eigen::Matrix2d information =
+          weight * across.transpose() * samples_.information[neighbor.sample] * across;
+      sum += information;
+      right += information * (across.transpose() * neighbor.across);
+      tangent += weight * neighbor.tangent;
+    }
+    return {consensus_.position[s] + across * sum.inverse() * right, tangent.normalized()};
+  }
+
+  int CountViews(const std::vector<Neighbor>& near) const {
+    std::vector<ViewId> views;
+    for (const Neighbor& neighbor : near) {
+      if (std::abs(neighbor.along_px) > kAgreeAlongPx ||
+          neighbor.squared_px > kAgreeAcrossPx * kAgreeAcrossPx) {
+        continue;
+      }
+      const ViewId view = samples_.origins[samples_.curve_of[neighbor.sample]].primary_view;
+      if (std::ranges::find(views, view) == views.end()) views.push_back(view);
+    }
+    return static_cast<int>(views.size());
+  }
+
+  const SampleSet& samples_;
+  const ReprojectedMetric& metric_;
+  Consensus consensus_;
+};
+
+}  // namespace
+
+ReprojectedMetric::ReprojectedMetric(const SampleArrays& samples) {
+  metric_.reserve(samples.position.size());
+  for (int s = 0; s < samples.NumSamples(); ++s) {
+    const Eigen::Vector3d& tangent = samples.tangent[s];
+    Eigen::Matrix3d metric = samples.information[s];
+    double largest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(metric, Eigen::EigenvaluesOnly)
+                         .eigenvalues()[2];
+    if (!(largest > 0)) {
+      metric = Eigen::Matrix3d::Identity() - tangent * tangent.transpose();
+      largest = 1;
+    }
+    metric_.push_back(metric / (largest * samples.footprint[s] * samples.footprint[s]));
+  }
+}
+
+Consensus FindConsensus(const SampleSet& samples, const ReprojectedMetric& metric,
+                        const RunContext& context) {
+  return Climb(samples, metric).Run(context);
+}
+
+}  // namespace limn
