@@ -7,8 +7,8 @@
 namespace limn {
 
 // Writes a drawing as Wavefront OBJ: the nodes' vertices first, then per link an object "link_<id>"
-// in the group of its kind of edge (
-// where kinds are known) with its inner vertices and one polyline element.
+// in the group of its kind of edge, where kinds are known, with its inner vertices and one polyline
+// element.
 void WriteDrawingObj(const DrawingGraph& graph, std::ostream& out);
 
 }  // namespace limn

@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/evaluation/plain_curves.h"
 #include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
-CurveSet Curves(std::vector<Polyline3d> polylines) {
-  CurveSet set;
-  set.polylines = std::move(polylines);
-  return set;
-}
+using testing::Curves;
 
 Polyline3d Line(double x0, double x1, double y) { return {{x0, y, 0.5}, {x1, y, 0.5}}; }
 

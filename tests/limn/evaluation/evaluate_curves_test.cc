@@ -4,22 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/evaluation/plain_curves.h"
 #include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
+using testing::Curves;
+using testing::Line;
+
 constexpr double kTau = 0.01;
-
-Polyline3d Line(double x0, double x1, double y = 0, double z = 0) {
-  return {{x0, y, z}, {x1, y, z}};
-}
-
-CurveSet Curves(std::vector<Polyline3d> polylines) {
-  CurveSet set;
-  set.polylines = std::move(polylines);
-  return set;
-}
 
 TauResult EvaluateAtTau(const CurveSet& reconstruction, const CurveSet& truth,
                         EvaluationOptions options = {}, const CurveSet& dont_care = {}) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/evaluation/evaluate_curves.h"
+#include "limn/evaluation/plain_curves.h"
 #include "limn/model/view.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
@@ -13,18 +14,11 @@
 namespace limn {
 namespace {
 
+using testing::Curves;
+using testing::Line;
+
 // Nodes match within 0.02, chains count from 0.1, links cover from 0.025, arms are 0.04 long.
 constexpr double kTau = 0.01;
-
-Polyline3d Line(double x0, double x1, double y = 0, double z = 0) {
-  return {{x0, y, z}, {x1, y, z}};
-}
-
-CurveSet Curves(std::vector<Polyline3d> polylines) {
-  CurveSet set;
-  set.polylines = std::move(polylines);
-  return set;
-}
 
 Eigen::Vector3d At(double angle_deg, double radius = 1) {
   return {radius * std::cos(angle_deg * kDeg), radius * std::sin(angle_deg * kDeg), 0};

@@ -5,19 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/evaluation/plain_curves.h"
 #include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
-constexpr double kTolerance = 0.01;
+using testing::Curves;
 
-CurveSet Curves(std::vector<Polyline3d> polylines, std::vector<CurveNode> nodes = {}) {
-  CurveSet set;
-  set.polylines = std::move(polylines);
-  set.nodes = std::move(nodes);
-  return set;
-}
+constexpr double kTolerance = 0.01;
 
 TrueChains Chains(const CurveSet& truth) {
   return FindTrueChains(truth, [](const Eigen::Vector3d&) { return kTolerance; });
