@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-constexpr double kChordsPerBin = 8;
+constexpr double kChordsPerBin = 16;
 // Centers this near, as a share of their distance from the origin, are one: no baseline.
 constexpr double kMinRelativeBaseline = 1e-12;
 
@@ -152,6 +152,9 @@ void EpipolarChords::Find(const Eigen::Vector2d& primary_px,
   const Eigen::RowVector3d side =
       offset.y() * offset_from_other_.row(0) - offset.x() * offset_from_other_.row(1);
   const int bin = Bin(plane);
+  for (int i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
+    __builtin_prefetch(&chords_[spans_[i].chord]);
+  }
   for (int i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
     const Span& span = spans_[i];
     // Half open, so that a line through a vertex crosses one of its two chords.
