@@ -48,7 +48,7 @@ class CrossingTable {
  private:
   // Number of crossings compared with a place at once.
   static constexpr int kBatch = 8;
-  // Crossings of similar reach, the extent of their gates in inverse depth.
+  // Crossings of small reach, the extent of their gates in inverse depth, or the others.
   struct Level {
     float reach = 0;  // the greatest
     float low = 0;    // inverse depth where the first cell begins
@@ -88,7 +88,7 @@ class CrossingTable {
 
   float per_gate_px_;
   float per_gate_rad_;
-  std::array<Level, 4> levels_;
+  std::array<Level, 2> levels_;
   // Per cell, where its crossings begin in the arrays below.
   std::vector<int> cell_begin_;
   std::vector<int> crossing_;
