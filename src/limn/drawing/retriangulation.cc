@@ -25,6 +25,13 @@ constexpr double kPriorSigmaPx = 3;
 // Samples to either side between which the direction of a curve is measured.
 constexpr int kTangentReach = 2;
 
+// An edgel that a sample is drawn to.
+struct Target {
+  const View& view;
+  EdgelLine line;
+  double variance = 0;
+};
+
 struct MovedCurve {
   SampleArrays samples;
   SupportLists support;
@@ -62,7 +69,12 @@ class CurveRetriangulation {
     Eigen::Vector3d& position = samples_.position[s];
     const Eigen::Vector3d start = position;
     std::vector<ViewId> views;
-    for (const EdgelRef& ref : support_.Of(s)) views.push_back(ref.view);
+    std::vector<Target> targets;
+    for (const EdgelRef& ref : support_.Of(s)) {
+      const Edgel& edgel = images_.EdgelOf(ref);
+      views.push_back(ref.view);
+      targets.push_back({images_.views[ref.view], edgel, ResidualVariance(edgel)});
+    }
     const double footprint = MedianFootprint(position, views, images_.views);
     if (footprint > 0) samples_.footprint[s] = footprint;
     const Eigen::Matrix<double, 3, 2> across = TangentFrame(samples_.tangent[s]);
@@ -71,12 +83,12 @@ class CurveRetriangulation {
     for (int step = 0; step < kGaussNewtonSteps; ++step) {
       information.setZero();
       Eigen::Vector2d right = -prior * (across.transpose() * (position - start));
-      for (const EdgelRef& ref : support_.Of(s)) {
-        const auto residual = images_.Residual(ref, position);
+      for (const Target& target : targets) {
+        const auto residual = ResidualToEdgel(target.view, target.line, position);
         if (!residual) continue;
         const double size = std::abs(residual->residual_px);
         const double robust = std::min(1.0, options_.robust_residual_px / size);
-        const double weight = robust / ResidualVariance(images_.EdgelOf(ref));
+        const double weight = robust / target.variance;
         const Eigen::Vector2d gradient = across.transpose() * residual->gradient;
         information += weight * gradient * gradient.transpose();
         right -= weight * gradient * residual->residual_px;

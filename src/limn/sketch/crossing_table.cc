@@ -1,14 +1,15 @@
 #include "limn/sketch/crossing_table.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace limn {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Reaches of one level differ by at most this.
-constexpr float kReachRatio = 4;
+// Reaches of the first level differ by at most this.
+constexpr float kReachRatio = 16;
 // Cells are this share of the reach wide.
 constexpr float kCellShare = 0.5;
 
@@ -39,19 +40,23 @@ void CrossingTable::FindLevels(const std::vector<EpipolarCrossing>& crossings) {
   for (const EpipolarCrossing& crossing : crossings) {
     max_across = std::max(max_across, crossing.across_px_per_inverse_depth);
   }
+  std::array<float, std::tuple_size_v<decltype(levels_)>> least_across;
+  least_across.fill(kInfinity);
   levels_.fill({});
   level_of_.clear();
   for (const EpipolarCrossing& crossing : crossings) {
-    size_t index = 0;
-    float across = kReachRatio * crossing.across_px_per_inverse_depth;
-    for (; across < max_across && index + 1 < levels_.size(); across *= kReachRatio) ++index;
-    level_of_.push_back(static_cast<int>(index));
+    const float across = crossing.across_px_per_inverse_depth;
+    const int index = kReachRatio * across < max_across ? 1 : 0;
+    level_of_.push_back(index);
     Level& level = levels_[index];
     const float depth = crossing.inverse_depth;
     level.low = level.count == 0 ? depth : std::min(level.low, depth);
     level.high = level.count == 0 ? depth : std::max(level.high, depth);
-    level.reach = std::max(level.reach, 1 / (crossing.across_px_per_inverse_depth * per_gate_px_));
+    least_across[index] = std::min(least_across[index], across);
     ++level.count;
+  }
+  for (size_t i = 0; i < levels_.size(); ++i) {
+    if (levels_[i].count > 0) levels_[i].reach = 1 / (least_across[i] * per_gate_px_);
   }
 }
 

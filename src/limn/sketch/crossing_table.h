@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <vector>
 
 #include "limn/sketch/epipolar_crossings.h"
@@ -47,7 +48,7 @@ class CrossingTable {
  private:
   // Number of crossings compared with a place at once.
   static constexpr int kBatch = 8;
-  // Crossings of similar reach, the extent of their gates in inverse depth.
+  // Crossings of small reach, the extent of their gates in inverse depth, or the others.
   struct Level {
     float reach = 0;  // the greatest
     float low = 0;    // inverse depth where the first cell begins
@@ -69,7 +70,7 @@ class CrossingTable {
   template <typename Visit>
   void VisitBatch(int begin, const DepthPlace& place, Visit&& visit) const {
     std::array<float, kBatch> distances;
-    Float4 least = Splat4(1);
+    unsigned near = 0;
     for (int k = 0; k < kBatch; k += 4) {
       const Float4 offset = (Load4(&inverse_depth_[begin + k]) - place.inverse_depth) *
                             Load4(&gates_per_inverse_depth_[begin + k]);
@@ -77,17 +78,17 @@ class CrossingTable {
                           Load4(&gates_per_slope_[begin + k]);
       const Float4 distance = offset * offset + turn * turn;
       Store4(distance, distances.data() + k);
-      least = Min4(least, distance);
+      near |= Bits4(distance < Splat4(1)) << k;
     }
-    if (!Any4(least < Splat4(1))) return;
-    for (int k = 0; k < kBatch; ++k) {
-      if (distances[k] < 1) visit(crossing_[begin + k], distances[k]);
+    for (; near != 0; near &= near - 1) {
+      const int k = std::countr_zero(near);
+      visit(crossing_[begin + k], distances[k]);
     }
   }
 
   float per_gate_px_;
   float per_gate_rad_;
-  std::array<Level, 4> levels_;
+  std::array<Level, 2> levels_;
   // Per cell, where its crossings begin in the arrays below.
   std::vector<int> cell_begin_;
   std::vector<int> crossing_;

@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-constexpr double kChordsPerBin = 8;
+constexpr double kChordsPerBin = 16;
 // Centers this near, as a share of their distance from the origin, are one: no baseline.
 constexpr double kMinRelativeBaseline = 1e-12;
 
@@ -68,9 +68,11 @@ EpipolarChords::EpipolarChords(const View& primary, const View& other,
 
 void EpipolarChords::CollectChords(const ImageCurves& curves) {
   const auto& edgels = curves.edge_map.edgels;
+  Eigen::Vector2d next = Eigen::Vector2d::Zero();
   ForEachChord(curves, [&](int fragment, int vertex, EdgelId begin, EdgelId end) {
-    const Eigen::Vector2d tangent = edgels[begin].Tangent();
-    const Eigen::Vector2d next = edgels[end].Tangent();
+    // A chord begins where the one before it ends.
+    const Eigen::Vector2d tangent = vertex == 0 ? edgels[begin].Tangent() : next;
+    next = edgels[end].Tangent();
     const double sign = tangent.dot(next) < 0 ? -1 : 1;
     chords_.push_back({fragment, vertex, edgels[begin].position_px.cast<float>(),
                        edgels[end].position_px.cast<float>(), tangent.cast<float>(),
@@ -152,6 +154,10 @@ void EpipolarChords::Find(const Eigen::Vector2d& primary_px,
   const Eigen::RowVector3d side =
       offset.y() * offset_from_other_.row(0) - offset.x() * offset_from_other_.row(1);
   const int bin = Bin(plane);
+  // Chords come from far away in memory: all are requested before the first is needed.
+  for (int i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
+    __builtin_prefetch(&chords_[spans_[i].chord]);
+  }
   for (int i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
     const Span& span = spans_[i];
     // Half open, so that a line through a vertex crosses one of its two chords.

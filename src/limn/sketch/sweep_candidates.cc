@@ -1,7 +1,9 @@
 #include "limn/sketch/sweep_candidates.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "limn/util/angles.h"
 
@@ -20,9 +22,8 @@ double Square(double value) { return value * value; }
 // The votes for a mode.
 class Ballot {
  public:
-  void Add(const EpipolarCrossing& voter, float score) {
+  void Add(const EpipolarCrossing& voter) {
     ++num_voters_;
-    mode_.score += score;
     const double w = Square(voter.across_px_per_inverse_depth);
     const double s = Square(voter.rad_per_slope);
     mode_.depth.inverse_depth += w * voter.inverse_depth;
@@ -32,10 +33,10 @@ class Ballot {
     slope_weight_ += s;
   }
 
-  // The mean of the voters; nothing if there are too few.
-  std::optional<DepthMode> Result(double focal_px) const {
-    if (num_voters_ < kMinVoters) return std::nullopt;
+  // The mean of the voters.
+  DepthMode Result(double score, double focal_px) const {
     DepthMode mode = mode_;
+    mode.score = score;
     mode.depth.has_depth = true;
     mode.depth.inverse_depth /= depth_weight_;
     mode.depth.slope_per_px /= slope_weight_;
@@ -71,6 +72,9 @@ class Ranking {
     modes_.insert(modes_.begin() + at, mode);
     if (modes_.size() > max_modes_) modes_.pop_back();
   }
+
+  // Modes whose score is no greater than this are not taken.
+  double LeastScore() const { return modes_.size() < max_modes_ ? 0 : modes_.back().score; }
 
   const std::vector<DepthMode>& Modes() const { return modes_; }
 
@@ -108,33 +112,47 @@ std::vector<DepthMode> DepthElection::Elect(const std::vector<EpipolarCrossing>&
                                             const std::vector<DepthPlace>& proposals) {
   if (crossings.empty()) return {};
   table_.Fill(crossings);
+  weights_.clear();
+  for (const EpipolarCrossing& crossing : crossings) weights_.push_back(TangencyWeight(crossing));
   Ranking preliminary(kMaxPreliminaryModes);
   for (const DepthPlace& proposal : proposals) {
-    if (const auto mode = Vote(crossings, proposal)) preliminary.Offer(*mode);
+    const auto mode = Vote(crossings, proposal, preliminary.LeastScore());
+    if (mode) preliminary.Offer(*mode);
   }
   Ranking final(kMaxModes);
   for (const auto& [score, depth] : preliminary.Modes()) {
-    const auto mode = Vote(crossings, PlaceOf(depth.inverse_depth, depth.slope_per_px));
+    const auto mode =
+        Vote(crossings, PlaceOf(depth.inverse_depth, depth.slope_per_px), final.LeastScore());
     if (mode) final.Offer(*mode);
   }
   return final.Modes();
 }
 
-// The mode that the crossings near a place elect; nothing if too few views vote.
+// The mode that the crossings near a place elect; nothing if too few views vote, or if its score is
+// no greater than `least_score`.
 std::optional<DepthMode> DepthElection::Vote(const std::vector<EpipolarCrossing>& crossings,
-                                             const DepthPlace& place) {
-  voters_.assign(crossings.back().view + 1, {});
+                                             const DepthPlace& place, double least_score) {
+  uint64_t voting = 0;  // a bit per view
   table_.ForEachNear(place, [&](int crossing, float distance) {
-    Voter& voter = voters_[crossings[crossing].view];
-    if (distance < voter.distance) voter = {crossing, distance};
+    const int view = crossings[crossing].view;
+    const uint64_t bit = uint64_t{1} << view;
+    if ((voting & bit) != 0 && distance >= voters_[view].distance) return;
+    voting |= bit;
+    voters_[view] = {crossing, distance};
   });
+  if (std::popcount(voting) < kMinVoters) return std::nullopt;
+  const auto for_each_voter = [&](auto&& visit) {
+    for (uint64_t left = voting; left != 0; left &= left - 1) {
+      visit(voters_[std::countr_zero(left)]);
+    }
+  };
+  double score = 0;
+  for_each_voter(
+      [&](const Voter& voter) { score += weights_[voter.crossing] * (1 - 0.5f * voter.distance); });
+  if (score <= least_score) return std::nullopt;
   Ballot ballot;
-  for (const Voter& voter : voters_) {
-    if (voter.crossing < 0) continue;
-    const EpipolarCrossing& crossing = crossings[voter.crossing];
-    ballot.Add(crossing, TangencyWeight(crossing) * (1 - 0.5f * voter.distance));
-  }
-  return ballot.Result(focal_px_);
+  for_each_voter([&](const Voter& voter) { ballot.Add(crossings[voter.crossing]); });
+  return ballot.Result(score, focal_px_);
 }
 
 float DepthElection::TangencyWeight(const EpipolarCrossing& crossing) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -22,7 +23,7 @@ class DepthElection {
   DepthElection(double focal_px, const SketchOptions& options);
 
   // The candidates with most votes among all that crossings propose, best first. `crossings` are
-  // those of one sample, grouped by view. Worst-case time: crossings squared.
+  // those of one sample, grouped by view, of at most 64 views. Worst-case time: crossings squared.
   std::vector<DepthMode> Find(const std::vector<EpipolarCrossing>& crossings);
 
   // The candidates near the proposed places with a score of at least `min_score`. Time: crossings
@@ -31,6 +32,9 @@ class DepthElection {
                                   const std::vector<DepthPlace>& proposals, double min_score);
 
  private:
+  // Largest number of views: each has a bit.
+  static constexpr int kMaxViews = 64;
+
   // The crossing of a view that is nearest to a place.
   struct Voter {
     int crossing = -1;
@@ -40,7 +44,7 @@ class DepthElection {
   std::vector<DepthMode> Elect(const std::vector<EpipolarCrossing>& crossings,
                                const std::vector<DepthPlace>& proposals);
   std::optional<DepthMode> Vote(const std::vector<EpipolarCrossing>& crossings,
-                                const DepthPlace& place);
+                                const DepthPlace& place, double least_score);
   float TangencyWeight(const EpipolarCrossing& crossing) const;
 
   double focal_px_;
@@ -49,7 +53,8 @@ class DepthElection {
   float min_weight_;
   CrossingTable table_;
   std::vector<DepthPlace> seeds_;
-  std::vector<Voter> voters_;  // per view
+  std::vector<float> weights_;             // per crossing
+  std::array<Voter, kMaxViews> voters_{};  // per view, of the latest place
 };
 
 }  // namespace limn

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -25,11 +26,15 @@ const double kMinConsensusCosine = std::cos(20 * kDeg);
 // Standard deviations of the weights of samples: across the curve as the images see it, and along.
 constexpr double kConsensusAcrossPx = 0.5;
 constexpr double kAlongPx = 2.5;
-// Samples within these distances agree, px.
-constexpr double kAgreeAcrossPx = 1.5;
+// Samples farther than this across the curve neither weigh, being three deviations away, nor agree.
+constexpr double kMaxAcrossPx = 3 * kConsensusAcrossPx;
+// Samples within this distance along the curve agree, px.
 constexpr double kAgreeAlongPx = 1.5;
 // Samples that one thread handles at a time.
 constexpr size_t kChunk = 256;
+// Successive samples up to this far from the first, px, and up to this many share a look-up.
+constexpr double kGroupPx = 5;
+constexpr size_t kGroupSize = 8;
 
 struct Place {
   Eigen::Vector3d position;
@@ -58,11 +63,11 @@ class Climb {
     const std::vector<int> all = climbing;
     std::vector<Place> next(samples_.NumSamples());
     for (int round = 0; round < kConsensusRounds; ++round) {
-      ForEachOf(climbing, context,
+      ForEachOf(climbing, kSearchPx, context,
                 [&](int s, const std::vector<Neighbor>& near) { next[s] = Mean(s, near); });
       std::erase_if(climbing, [&](int s) { return !Move(s, next[s]); });
     }
-    ForEachOf(all, context, [&](int s, const std::vector<Neighbor>& near) {
+    ForEachOf(all, kAgreeAlongPx, context, [&](int s, const std::vector<Neighbor>& near) {
       consensus_.num_views[s] = CountViews(near);
     });
     return std::move(consensus_);
@@ -77,39 +82,77 @@ class Climb {
     return moved > kSettledPx * samples_.footprint[s];
   }
 
-  // Calls visit(sample, neighbors), each sample being its own neighbor.
+  // Calls visit(sample, neighbors up to max_along_px along the curve), each sample being its own
+  // neighbor.
   template <typename Visit>
-  void ForEachOf(const std::vector<int>& chosen, const RunContext& context,
+  void ForEachOf(const std::vector<int>& chosen, double max_along_px, const RunContext& context,
                  const Visit& visit) const {
     const SpatialIndex index(consensus_.position);
     const size_t count = chosen.size();
     ParallelFor(context, "consensus", (count + kChunk - 1) / kChunk, [&](size_t chunk) {
-      std::vector<SpatialIndex::Neighbor> within;
+      std::vector<SpatialIndex::Neighbor> around;
       std::vector<Neighbor> near;
-      for (size_t i = kChunk * chunk; i < std::min(count, kChunk * (chunk + 1)); ++i) {
-        const int s = chosen[i];
-        index.FindWithin(consensus_.position[s], kSearchPx * samples_.footprint[s], &within);
-        FindNeighbors(s, within, &near);
-        visit(s, near);
+      std::span<const int> left(chosen.begin() + kChunk * chunk,
+                                chosen.begin() + std::min(count, kChunk * (chunk + 1)));
+      while (!left.empty()) {
+        const std::span<const int> group = left.first(GroupSize(left));
+        left = left.subspan(group.size());
+        FindAround(group, index, &around);
+        for (const int s : group) {
+          FindNeighbors(s, around, max_along_px, &near);
+          visit(s, near);
+        }
       }
     });
   }
 
-  void FindNeighbors(int s, const std::vector<SpatialIndex::Neighbor>& within,
+  // How many of the samples, from the first on, are near each other.
+  size_t GroupSize(std::span<const int> chosen) const {
+    const double reach = kGroupPx * samples_.footprint[chosen[0]];
+    const Eigen::Vector3d& first = consensus_.position[chosen[0]];
+    size_t size = 1;
+    while (size < std::min(kGroupSize, chosen.size()) &&
+           (consensus_.position[chosen[size]] - first).norm() < reach) {
+      ++size;
+    }
+    return size;
+  }
+
+  // Finds all samples within the search radius of any of a group, and a few more.
+  void FindAround(std::span<const int> group, const SpatialIndex& index,
+                  std::vector<SpatialIndex::Neighbor>* around) const {
+    const Eigen::Vector3d center =
+        0.5 * (consensus_.position[group.front()] + consensus_.position[group.back()]);
+    double radius = 0;
+    for (const int s : group) {
+      radius = std::max(
+          radius, (consensus_.position[s] - center).norm() + kSearchPx * samples_.footprint[s]);
+    }
+    index.FindWithin(center, radius, around);
+  }
+
+  void FindNeighbors(int s, const std::vector<SpatialIndex::Neighbor>& around, double max_along_px,
                      std::vector<Neighbor>* near) const {
+    const Eigen::Vector3d& position = consensus_.position[s];
     const Eigen::Vector3d& tangent = consensus_.tangent[s];
+    const double footprint = samples_.footprint[s];
+    const double squared_radius = std::pow(kSearchPx * footprint, 2);
     near->clear();
-    for (const SpatialIndex::Neighbor& neighbor : within) {
-      const int other = neighbor.index;
+    for (const SpatialIndex::Neighbor& candidate : around) {
+      const int other = candidate.index;
+      const Eigen::Vector3d apart = consensus_.position[other] - position;
+      if (!(apart.squaredNorm() < squared_radius)) continue;
+      const double along_px = apart.dot(tangent) / footprint;
+      if (std::abs(along_px) > max_along_px) continue;
       const double cosine = tangent.dot(consensus_.tangent[other]);
       if (std::abs(cosine) < kMinConsensusCosine) continue;
       const Eigen::Vector3d other_tangent = std::copysign(1, cosine) * consensus_.tangent[other];
-      const OffsetAlong offset = OffsetBetween(consensus_.position[other] - consensus_.position[s],
-                                               tangent, other_tangent);
-      const double squared_px =
-          0.5 * (metric_.Squared(s, offset.across) + metric_.Squared(other, offset.across));
-      near->push_back(
-          {other, offset.along / samples_.footprint[s], squared_px, offset.across, other_tangent});
+      const Eigen::Vector3d across = OffsetBetween(apart, tangent, other_tangent).across;
+      const double own_part = 0.5 * metric_.Squared(s, across);
+      if (own_part > kMaxAcrossPx * kMaxAcrossPx) continue;
+      const double squared_px = own_part + 0.5 * metric_.Squared(other, across);
+      if (squared_px > kMaxAcrossPx * kMaxAcrossPx) continue;
+      near->push_back({other, along_px, squared_px, across, other_tangent});
     }
   }
 
@@ -137,10 +180,6 @@ class Climb {
   int CountViews(const std::vector<Neighbor>& near) const {
     std::vector<ViewId> views;
     for (const Neighbor& neighbor : near) {
-      if (std::abs(neighbor.along_px) > kAgreeAlongPx ||
-          neighbor.squared_px > kAgreeAcrossPx * kAgreeAcrossPx) {
-        continue;
-      }
       const ViewId view = samples_.origins[samples_.curve_of[neighbor.sample]].primary_view;
       if (std::ranges::find(views, view) == views.end()) views.push_back(view);
     }

@@ -30,6 +30,15 @@ inline bool Any4(Mask4 mask) {
   std::memcpy(halves, &mask, sizeof(halves));
   return (halves[0] | halves[1]) != 0;
 }
+// A bit per element of a comparison, the first one lowest.
+inline unsigned Bits4(Mask4 mask) {
+#if defined(__SSE2__)
+  return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Float4>(mask)));
+#else
+  const Mask4 bits = mask & Mask4{1, 2, 4, 8};
+  return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+#endif
+}
 inline float Sum4(Float4 a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
 }  // namespace limn
