@@ -125,7 +125,8 @@ void WriteTracks(const DrawingGraph& graph, const LinkSelection& selection,
          "#   LINK_ID, NUM_POINTS, POINTS[] as (X, Y), IMAGE_NAME\n"
          "# X, Y are pixels of the image as stored (with its lens distortion), in COLMAP's\n"
          "# convention: the centre of the top-left pixel is (0.5, 0.5). A link is clipped to the\n"
-         "# image; parts hidden behind surfaces are not told apart.\n"
+         "# image; parts hidden behind surfaces are not told apart. Links that were not\n"
+         "# selected, by default tentative ones and outlines of smooth bodies, are left out.\n"
       << "# Number of links: " << num_links << " of " << graph.links.size() << '\n';
   for (size_t id = 0; id < graph.links.size(); ++id) {
     if (!selection.Has(graph.links[id])) continue;
