@@ -12,7 +12,6 @@ int RunDrawingEvaluator(int argc, const char* const* argv) {
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   options.Check();
   WriteReport(EvaluateFile(options), options);
-  WriteKindConfusion(options);
   return 0;
 }
 

@@ -23,6 +23,18 @@ std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& c
 
 bool IsDrawing(const EvaluatorOptions& options) { return options.input_path.ends_with(".json"); }
 
+// At the middle one of the taus.
+KindConfusion KindsOf(const DrawingGraph& drawing, const EvaluatorOptions& options,
+                      const std::vector<View>& views) {
+  const std::vector<double>& taus = options.truth.evaluation.taus;
+  KindConfusionOptions of_kinds;
+  of_kinds.tau = taus[taus.size() / 2];
+  of_kinds.region = BoxFromNumbers(options.box);
+  const bool in_footprints = options.truth.unit == TruthInput::Unit::kFootprint;
+  return CompareKinds(drawing, ReadJsonKinds(options.true_kinds_path),
+                      in_footprints ? views : std::vector<View>(), of_kinds);
+}
+
 }  // namespace
 
 void EvaluatorOptions::AddOptions(OptionParser* parser) {
@@ -74,6 +86,7 @@ EvaluationReport EvaluateFile(const EvaluatorOptions& options) {
   const bool has_views = !options.layout.workspace_path.empty();
   const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
   EvaluationReport report = Evaluate(reconstruction, truth, input, views, context);
+  if (!options.true_kinds_path.empty()) report.kinds = KindsOf(*drawing, options, views);
   if (!has_views) return report;
   report.saw_teeth = MeasureSawTeeth(reconstruction.polylines, views);
   if (drawing) {
@@ -83,23 +96,6 @@ EvaluationReport EvaluateFile(const EvaluatorOptions& options) {
         MeasureNormalizedErrors(*drawing, truth.curves, truth.dont_care, views, of_sigmas);
   }
   return report;
-}
-
-void WriteKindConfusion(const EvaluatorOptions& options) {
-  if (options.true_kinds_path.empty()) return;
-  RunContext context;
-  context.num_threads = options.num_threads;
-  const std::vector<double>& taus = options.truth.evaluation.taus;
-  KindConfusionOptions of_kinds;
-  of_kinds.tau = taus[taus.size() / 2];
-  of_kinds.region = BoxFromNumbers(options.box);
-  const bool in_footprints = options.truth.unit == TruthInput::Unit::kFootprint;
-  const DrawingGraph drawing =
-      Selected(ReadDrawingJson(options.input_path).graph, options.selection.Selection());
-  PrintKindConfusion(
-      CompareKinds(drawing, ReadJsonKinds(options.true_kinds_path),
-                   in_footprints ? ReadViews(options, context) : std::vector<View>(), of_kinds),
-      std::cout);
 }
 
 void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options) {

@@ -28,12 +28,8 @@ struct EvaluatorOptions {
 };
 
 // Evaluates the input file. With a workspace also measures saw-teeth and, of a drawing, the
-// normalized errors. Throws IoError and InputError.
+// normalized errors; with true kinds compares those of the links. Throws IoError and InputError.
 EvaluationReport EvaluateFile(const EvaluatorOptions& options);
-
-// Prints how the kinds of the links agree with the true ones, if these are given, at the middle one
-// of the taus. Throws IoError.
-void WriteKindConfusion(const EvaluatorOptions& options);
 
 // Writes the report to standard output and to the requested files. Throws IoError.
 void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options);

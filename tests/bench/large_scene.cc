@@ -132,7 +132,7 @@ Json MeasureStreet(const Options& options, const colmap_ext::Console& console) {
     std::cout << CountEdgels(street.scene) / street.scene.views.size()
               << " edgels per view in the mean; the scene took " << made_scene.times.seconds
               << " s and " << made_scene.peak_mb << " MB\n";
-    RunStages(street.scene, {}, context, on_stage_end);
+    RunStages(street.scene, {}, {}, context, on_stage_end);
   }
   AddTotal(&set);
   return set;

@@ -1,6 +1,8 @@
 #include "bench/run_stages.h"
 
+#include "limn/belief/link_judge.h"
 #include "limn/drawing/drawing.h"
+#include "limn/kinds/classify_kinds.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
 #include "limn/sketch/sketch.h"
@@ -20,7 +22,8 @@ auto Measure(const Stage& stage, const ToCurves& to_curves, const StageListener&
 
 }  // namespace
 
-void RunStages(const Scene& scene, const PipelineOptions& options, const RunContext& context,
+void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_image,
+               const PipelineOptions& options, const RunContext& context,
                const StageListener& on_stage_end) {
   const auto of_graph = [](const auto& result) { return ToCurveSet(result.graph); };
   const SketchResult sketch = Measure(
@@ -40,8 +43,21 @@ void RunStages(const Scene& scene, const PipelineOptions& options, const RunCont
                              options.refinement, options.drawing.topology, context);
       },
       of_graph, on_stage_end);
-  Measure([&] { return FitPrimitives(refined.graph, scene.views, options.primitives, context); },
-          of_graph, on_stage_end);
+  const BeliefResult judged = Measure(
+      [&] {
+        return JudgeLinks({scene.views, scene.curves, refined.graph, refined.fitted},
+                          options.belief, options.drawing.topology, context);
+      },
+      of_graph, on_stage_end);
+  const PrimitiveResult primitives =
+      Measure([&] { return FitPrimitives(judged.graph, scene.views, options.primitives, context); },
+              of_graph, on_stage_end);
+  if (!read_image) return;
+  Measure(
+      [&] {
+        return ClassifyKinds({scene.views, read_image, primitives.graph}, context);
+      },
+      of_graph, on_stage_end);
 }
 
 }  // namespace limn::bench

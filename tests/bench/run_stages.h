@@ -5,6 +5,7 @@
 #include "bench/scene.h"
 #include "bench/stage_costs.h"
 #include "limn/model/curve_set.h"
+#include "limn/model/image.h"
 #include "limn/pipeline/pipeline_options.h"
 #include "limn/util/parallel.h"
 
@@ -15,7 +16,9 @@ using StageListener = std::function<void(const StageCost& cost, const CurveSet& 
 
 // The stages after the image curves as DrawScene runs them, each measured on its own; what the
 // listener does is not measured. Results of earlier stages stay in memory, as they do in DrawScene.
-void RunStages(const Scene& scene, const PipelineOptions& options, const RunContext& context,
+// Kinds are told only with photographs: `read_image` may be empty.
+void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_image,
+               const PipelineOptions& options, const RunContext& context,
                const StageListener& on_stage_end);
 
 }  // namespace limn::bench

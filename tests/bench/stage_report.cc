@@ -81,7 +81,7 @@ Json MeasureStages(const DataSet& data, const Options& options, colmap_ext::Cons
   ReadImagesOnce(project);
   for (int i = 0; i < options.repeat; ++i) {
     const Scene scene = ExtractScene(project, run.pipeline, console->context(), &set);
-    RunStages(scene, run.pipeline, console->context(),
+    RunStages(scene, project.images().read, run.pipeline, console->context(),
               [&](const StageCost& cost, const CurveSet& made) {
                 // Every run makes the same.
                 const Json shares = i == 0 ? MeasureAgainstTruth(data, truth, scene.views, made,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/normalized_errors.h"
 #include "limn/evaluation/saw_teeth.h"
 #include "limn/evaluation/structure_scores.h"
@@ -79,6 +80,8 @@ struct EvaluationReport {
   std::optional<SawTeeth> saw_teeth;
   // Of a drawing with sigmas. Filled in by callers that have views and the graph.
   std::optional<NormalizedErrors> normalized_errors;
+  // Of a drawing. Filled in by callers that have the graph and true kinds.
+  std::optional<KindConfusion> kinds;
 };
 
 // Compares curves or points with ground truth. Both sets are cut into cells of at most tau/4 along

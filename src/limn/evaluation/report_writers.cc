@@ -134,6 +134,19 @@ Json NormalizedErrorsAsJson(const NormalizedErrors& errors) {
           {"num_false", errors.num_false}};
 }
 
+// Per true kind ("none": no true curve is near) the drawn length by kind of the link.
+Json KindsAsJson(const KindConfusion& kinds) {
+  Json lengths;
+  for (int t = 0; t < kNumLinkKinds; ++t) {
+    const auto true_kind = static_cast<LinkKind>(t);
+    Json& row = lengths[true_kind == LinkKind::kUnknown ? "none" : LinkKindName(true_kind)];
+    for (int k = 0; k < kNumLinkKinds; ++k) {
+      row[LinkKindName(static_cast<LinkKind>(k))] = kinds.length[t][k];
+    }
+  }
+  return {{"tau", kinds.tau}, {"length", lengths}};
+}
+
 }  // namespace
 
 void PrintReport(const EvaluationReport& report, std::ostream& out) {
@@ -159,6 +172,7 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
   out << '\n';
   if (report.saw_teeth) PrintSawTeeth(*report.saw_teeth, out);
   if (report.normalized_errors) PrintNormalizedErrors(*report.normalized_errors, out);
+  if (report.kinds) PrintKindConfusion(*report.kinds, out);
   if (report.num_links == 0) out << "points " << report.num_points << '\n';
   if (report.num_ignored_points > 0) {
     out << "left out: " << report.num_ignored_points << " points that belong to no polyline\n";
@@ -211,6 +225,7 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   json["saw_teeth"] = report.saw_teeth ? SawTeethAsJson(*report.saw_teeth) : Json(nullptr);
   json["normalised_errors"] =
       report.normalized_errors ? NormalizedErrorsAsJson(*report.normalized_errors) : Json(nullptr);
+  json["kinds"] = report.kinds ? KindsAsJson(*report.kinds) : Json(nullptr);
   out << json.dump(2) << '\n';
 }
 

@@ -115,15 +115,21 @@ std::vector<std::vector<Eigen::Vector2d>> ProjectPolyline(
   return RunBuilder(view).Build(points_in_world);
 }
 
-void WriteTracks(const DrawingGraph& graph, const std::vector<View>& views, std::ostream& out) {
-  out << "# Curve tracks: the links of drawing.json in the images that support them.\n"
+void WriteTracks(const DrawingGraph& graph, const LinkSelection& selection,
+                 const std::vector<View>& views, std::ostream& out) {
+  const auto num_links =
+      std::count_if(graph.links.begin(), graph.links.end(),
+                    [&](const DrawingLink& link) { return selection.Has(link); });
+  out << "# Curve tracks: links of drawing.json in the images that support them, by its ids.\n"
          "# One line per link, image and visible run of the link:\n"
          "#   LINK_ID, NUM_POINTS, POINTS[] as (X, Y), IMAGE_NAME\n"
          "# X, Y are pixels of the image as stored (with its lens distortion), in COLMAP's\n"
          "# convention: the centre of the top-left pixel is (0.5, 0.5). A link is clipped to the\n"
-         "# image; parts hidden behind surfaces are not told apart.\n"
-      << "# Number of links: " << graph.links.size() << '\n';
+         "# image; parts hidden behind surfaces are not told apart. Links that were not\n"
+         "# selected, by default tentative ones and outlines of smooth bodies, are left out.\n"
+      << "# Number of links: " << num_links << " of " << graph.links.size() << '\n';
   for (size_t id = 0; id < graph.links.size(); ++id) {
+    if (!selection.Has(graph.links[id])) continue;
     for (const ViewId view_id : graph.links[id].supporting_views) {
       if (view_id < 0 || view_id >= static_cast<ViewId>(views.size())) {
         throw InputError("link " + std::to_string(id) + ": supporting view " +

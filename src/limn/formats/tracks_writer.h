@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "limn/model/drawing_graph.h"
+#include "limn/model/link_selection.h"
 #include "limn/model/view.h"
 
 namespace limn {
@@ -16,10 +17,11 @@ namespace limn {
 std::vector<std::vector<Eigen::Vector2d>> ProjectPolyline(
     const View& view, const std::vector<Eigen::Vector3d>& points_in_world);
 
-// Writes the links of a drawing in the images as text with an explanatory header, like COLMAP's
-// images.txt: one line per link, supporting view and visible run; pixels in COLMAP's convention
-// (the center of the top-left pixel is (0.5, 0.5)). Throws InputError if a supporting view is out
-// of range.
-void WriteTracks(const DrawingGraph& graph, const std::vector<View>& views, std::ostream& out);
+// Writes the selected links of a drawing in the images as text with an explanatory header, like
+// COLMAP's images.txt: one line per link, supporting view and visible run; pixels in COLMAP's
+// convention (the center of the top-left pixel is (0.5, 0.5)). Throws InputError if a supporting
+// view is out of range.
+void WriteTracks(const DrawingGraph& graph, const LinkSelection& selection,
+                 const std::vector<View>& views, std::ostream& out);
 
 }  // namespace limn

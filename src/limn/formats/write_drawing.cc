@@ -135,9 +135,9 @@ void WriteSketch(const std::string& path, const CurveSketch& sketch) {
   WriteFileAtomically(path, [&](std::ostream& out) { WriteSketchPly(sketch, out); });
 }
 
-void WriteTracks(const std::string& path, const DrawingGraph& graph,
+void WriteTracks(const std::string& path, const DrawingGraph& graph, const LinkSelection& selection,
                  const std::vector<View>& views) {
-  WriteFileAtomically(path, [&](std::ostream& out) { WriteTracks(graph, views, out); });
+  WriteFileAtomically(path, [&](std::ostream& out) { WriteTracks(graph, selection, views, out); });
 }
 
 }  // namespace limn

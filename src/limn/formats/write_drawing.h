@@ -11,6 +11,7 @@
 #include "limn/formats/svg_drawing_writer.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/link_selection.h"
 #include "limn/model/view.h"
 
 namespace limn {
@@ -49,7 +50,7 @@ void WriteDrawing(const std::string& path, const DrawingGraph& graph,
 
 // WriteSketchPly and WriteTracks to a path, atomically.
 void WriteSketch(const std::string& path, const CurveSketch& sketch);
-void WriteTracks(const std::string& path, const DrawingGraph& graph,
+void WriteTracks(const std::string& path, const DrawingGraph& graph, const LinkSelection& selection,
                  const std::vector<View>& views);
 
 }  // namespace limn

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,17 +14,22 @@ namespace {
 
 constexpr int kMinProfiles = 3;
 // Weights and limits were fitted on room and the sample sets (ALGORITHM.md 23.5).
-// A step that is blurrier than sharp ones by this factor is the border of a shadow, or shading.
+// A step that is blurrier than sharp ones by this factor is soft.
 constexpr double kSoftRatio = 1.4;
 constexpr double kSoftSlope = 6.7;
 constexpr double kSoftOffset = -1.94;
 // Light changes brightness, paint color too: a shadow changes no channel more than this.
 constexpr double kMaxShadowChroma = 0.3;
+// A shadow's ratio of light is nearly the same at neighboring places; that of soft texture is not.
+constexpr double kMaxShadowUnevenness = 0.1;
 // The light of the scene changes if sides of links differ by this between views; then a link whose
 // sides do not is seen in one light only.
 constexpr double kChangingLight = 0.15;
 constexpr double kOneLightShare = 0.3;
 constexpr int kMinViewsOfOneLight = 3;
+// What is soft, and seen in several lights with one ratio, is paint: light changes the ratio of
+// the sides of a rounded crease as much as the sides.
+constexpr double kSteadyRatioShare = 0.5;
 // Paint: the color changes, by the same in all views.
 constexpr double kPaintPerChroma = 5.4;
 constexpr double kPaintPerLogSpread = -1.1;
@@ -31,6 +37,25 @@ constexpr double kPaintOffset = -6.0;
 constexpr double kMinSpread = 0.02;
 
 double Logistic(double x) { return 1 / (1 + std::exp(-x)); }
+
+// Of a link whose sides have one hue: nothing if it is sharp and no shadow.
+std::optional<KindOfLink> ClassifyByLight(const KindEvidence& evidence, double light_variation) {
+  const bool is_soft = evidence.blur_ratio > kSoftRatio;
+  if (light_variation > kChangingLight) {
+    const auto [steadier, other] = std::minmax(evidence.darker_spread, evidence.brighter_spread);
+    if (evidence.num_views >= kMinViewsOfOneLight && other < kOneLightShare * light_variation) {
+      return KindOfLink{LinkKind::kShadow, 1 - other / light_variation};
+    }
+    const double ratio_share = evidence.change_spread / std::max(steadier, kMinSpread);
+    if (is_soft && steadier > kChangingLight && ratio_share < kSteadyRatioShare) {
+      return KindOfLink{LinkKind::kPaint, 1 - ratio_share};
+    }
+  } else if (is_soft && evidence.unevenness < kMaxShadowUnevenness) {
+    return KindOfLink{LinkKind::kShadow,
+                      Logistic(kSoftSlope * std::log(evidence.blur_ratio) + kSoftOffset)};
+  }
+  return is_soft ? std::optional(KindOfLink{}) : std::nullopt;
+}
 
 StageSummary Summarize(const DrawingGraph& graph) {
   std::array<int64_t, kNumLinkKinds> counts = {};
@@ -60,15 +85,7 @@ double LightVariation(const std::vector<KindEvidence>& links) {
 KindOfLink Classify(const KindEvidence& evidence, double light_variation) {
   if (evidence.num_profiles < kMinProfiles) return {};
   if (evidence.chroma_change < kMaxShadowChroma) {
-    if (evidence.blur_ratio > kSoftRatio) {
-      return {LinkKind::kShadow,
-              Logistic(kSoftSlope * std::log(evidence.blur_ratio) + kSoftOffset)};
-    }
-    const double spread = std::max(evidence.darker_spread, evidence.brighter_spread);
-    if (evidence.num_views >= kMinViewsOfOneLight && light_variation > kChangingLight &&
-        spread < kOneLightShare * light_variation) {
-      return {LinkKind::kShadow, 1 - spread / light_variation};
-    }
+    if (auto kind = ClassifyByLight(evidence, light_variation)) return *kind;
   }
   const double paint = Logistic(
       kPaintPerChroma * evidence.chroma_change +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace limn {
 namespace {
@@ -16,6 +17,9 @@ constexpr size_t kNumDepths = 3;
 constexpr double kSharpShare = 0.25;
 // Added to linear intensities, which are 0 to 1, before the logarithm: noise of dark sides.
 constexpr float kDark = 2e-3F;
+
+// Fewer places do not tell how even a link is.
+constexpr size_t kMinPlacesForUnevenness = 4;
 
 using LogColor = std::array<float, 3>;
 
@@ -60,6 +64,21 @@ double SpreadOf(const std::vector<LogColor>& colors) {
   return Quantile(&deviations, 0.5);
 }
 
+// Median difference of neighbors in the list of medians per place; places without values are
+// skipped.
+double UnevennessOf(std::vector<std::vector<float>>* values_of_place) {
+  std::vector<float> medians;
+  for (std::vector<float>& values : *values_of_place) {
+    if (!values.empty()) medians.push_back(Quantile(&values, 0.5));
+  }
+  if (medians.size() < kMinPlacesForUnevenness) return std::numeric_limits<double>::infinity();
+  std::vector<float> differences;
+  for (size_t k = 1; k < medians.size(); ++k) {
+    differences.push_back(std::abs(medians[k] - medians[k - 1]));
+  }
+  return Quantile(&differences, 0.5);
+}
+
 // Widths of sharp edges in a view, by depth.
 class SharpWidths {
  public:
@@ -97,7 +116,8 @@ class SharpWidths {
 // Gathers the profiles of one link, view by view.
 class Gatherer {
  public:
-  void Add(const EdgeProfile& profile, float sharp_width_px) {
+  void Add(const LinkProfile& at_place, float sharp_width_px) {
+    const EdgeProfile& profile = at_place.profile;
     LogColor brighter = LogOf(profile.left);
     LogColor darker = LogOf(profile.right);
     float change_of_all = 0;
@@ -114,6 +134,9 @@ class Gatherer {
     here_.brighter.push_back(brighter);
     chroma_.push_back(chroma);
     ratios_.push_back(profile.width_px / sharp_width_px);
+    const auto place = static_cast<size_t>(at_place.place);
+    if (place >= changes_of_place_.size()) changes_of_place_.resize(place + 1);
+    changes_of_place_[place].push_back(std::abs(change_of_all) / 3);
   }
 
   void EndView() {
@@ -133,6 +156,7 @@ class Gatherer {
     for (const float value : MedianOf(chroma_)) {
       evidence.chroma_change = std::max(evidence.chroma_change, double{std::abs(value)});
     }
+    evidence.unevenness = UnevennessOf(&changes_of_place_);
     evidence.change_spread = SpreadOf(views_.change);
     evidence.darker_spread = SpreadOf(views_.darker);
     evidence.brighter_spread = SpreadOf(views_.brighter);
@@ -149,6 +173,7 @@ class Gatherer {
   Sides views_;  // per view
   std::vector<LogColor> chroma_;
   std::vector<float> ratios_;
+  std::vector<std::vector<float>> changes_of_place_;
 };
 
 }  // namespace
@@ -160,7 +185,7 @@ std::vector<KindEvidence> GatherEvidence(
     const SharpWidths sharp(profiles);
     for (size_t k = 0; k < profiles.size(); ++k) {
       const LinkProfile& profile = profiles[k];
-      gatherers[profile.link].Add(profile.profile, sharp.At(profile.depth));
+      gatherers[profile.link].Add(profile, sharp.At(profile.depth));
       if (k + 1 == profiles.size() || profiles[k + 1].link != profile.link) {
         gatherers[profile.link].EndView();
       }

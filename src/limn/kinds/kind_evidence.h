@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "limn/kinds/link_profiles.h"
@@ -20,6 +21,9 @@ struct KindEvidence {
   double change_spread = 0;
   double darker_spread = 0;
   double brighter_spread = 0;
+  // How much the change differs between neighboring places on the link: the median, of medians over
+  // the views. Infinite with profiles at fewer than four places.
+  double unevenness = std::numeric_limits<double>::infinity();
 };
 
 // Per link, from the profiles of every view. Linear time but for the medians.

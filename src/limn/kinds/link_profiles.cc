@@ -85,13 +85,14 @@ std::vector<LinkProfile> MeasureProfiles(const View& view, const Image& image,
                                          const std::vector<LinkId>& links) {
   std::vector<LinkProfile> profiles;
   for (const LinkId link : links) {
-    for (const ProfilePlace& place : plan.places[link]) {
+    for (size_t p = 0; p < plan.places[link].size(); ++p) {
+      const ProfilePlace& place = plan.places[link][p];
       const auto sight = SeeStored(view, place);
       if (!sight) continue;
       const auto profile = MeasureProfile(image, sight->position_px, sight->direction_rad);
       if (!profile) continue;
       const double depth = (view.cam_from_world * place.position_in_world).z();
-      profiles.push_back({link, static_cast<float>(depth), *profile});
+      profiles.push_back({link, static_cast<int>(p), static_cast<float>(depth), *profile});
     }
   }
   return profiles;

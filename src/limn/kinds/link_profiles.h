@@ -17,6 +17,7 @@ struct ProfilePlace {
 // What one view shows at such a place.
 struct LinkProfile {
   LinkId link = -1;
+  int place = -1;   // of the link, in order along it
   float depth = 0;  // along the optical axis
   EdgeProfile profile;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "limn/formats/tracks_writer.h"
+#include "limn/model/link_selection.h"
 #include "limn/pictures/canvas.h"
 #include "limn/pictures/draw_node.h"
 #include "limn/util/errors.h"
@@ -38,8 +39,9 @@ void DrawPolyline(const View& view, const std::vector<Eigen::Vector3d>& points, 
   for (const auto& run : ProjectPolyline(view, points)) canvas->DrawLine(run, color, width);
 }
 
-bool Supports(ViewId view, const DrawingLink& link) {
-  return std::binary_search(link.supporting_views.begin(), link.supporting_views.end(), view);
+// Whether a link is to be seen clearly: the view supports it, and exports have it.
+bool IsClear(ViewId view, const DrawingLink& link) {
+  return LinkSelection().Has(link) && std::ranges::binary_search(link.supporting_views, view);
 }
 
 Color ColorOf(EdgelFate fate) {
@@ -87,20 +89,20 @@ Picture DrawOverlay(const Image& photo, const View& view, ViewId view_id, const 
   options.Check();
   CheckSize(photo, view.camera.width, view.camera.height, view.name);
   Canvas canvas = MakeCanvas(photo, options);
-  for (const bool supported : {false, true}) {
+  for (const bool clear : {false, true}) {
     for (size_t id = 0; id < graph.links.size(); ++id) {
       const DrawingLink& link = graph.links[id];
-      if (Supports(view_id, link) != supported) continue;
+      if (IsClear(view_id, link) != clear) continue;
       const Color color = ColorOfCurve(static_cast<int>(id));
-      DrawPolyline(view, link.points_in_world, supported ? color : Faded(color),
-                   supported ? options.line_width_px : 1, &canvas);
+      DrawPolyline(view, link.points_in_world, clear ? color : Faded(color),
+                   clear ? options.line_width_px : 1, &canvas);
     }
   }
   for (const DrawingNode& node : graph.nodes) {
-    const bool supported =
-        std::any_of(node.incident.begin(), node.incident.end(),
-                    [&](LinkEnd end) { return Supports(view_id, graph.links[end.link]); });
-    if (supported) DrawNode(view, node, options.node_radius_px, &canvas);
+    const bool clear = std::any_of(node.incident.begin(), node.incident.end(), [&](LinkEnd end) {
+      return IsClear(view_id, graph.links[end.link]);
+    });
+    if (clear) DrawNode(view, node, options.node_radius_px, &canvas);
   }
   return canvas.picture();
 }

@@ -13,9 +13,6 @@
 namespace limn {
 namespace {
 
-// Of what is found to be an occluding contour.
-constexpr double kContourConfidence = 0.75;
-
 void MeetEnds(const MeetingTask& task) {
   task.counts->refused = 0;
   JoinFacingEnds(task);
@@ -24,13 +21,13 @@ void MeetEnds(const MeetingTask& task) {
 }
 
 // Takes the contours out of the graph, so that nothing is joined to them; ids stay as they are.
-std::vector<DrawingLink> TakeContours(const std::vector<uint8_t>& verdicts, GraphEditor* editor) {
+std::vector<DrawingLink> TakeContours(const LinkVerdicts& links, GraphEditor* editor) {
   std::vector<DrawingLink> contours;
   for (LinkId id = 0; id < editor->NumLinks(); ++id) {
-    if (verdicts[id] != kIsContour) continue;
+    if (links.verdicts[id] != kIsContour) continue;
     contours.push_back(editor->link(id));
     contours.back().kind = LinkKind::kContour;
-    contours.back().kind_confidence = kContourConfidence;
+    contours.back().kind_confidence = links.contour_confidence[id];
     contours.back().node0 = contours.back().node1 = -1;
     editor->Remove(id);
   }
@@ -45,9 +42,9 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
   CompletionCounts counts;
   GraphEditor editor(graph);
   const MeetingTask meetings = {input, options, Reach::Drawn(options), &editor, &counts.meetings};
-  const std::vector<uint8_t> verdicts = VerifyLinks(input, sketch, options, *graph, context);
-  const std::vector<DrawingLink> contours = TakeContours(verdicts, &editor);
-  counts.samples_doubtful = KeepAndCount(verdicts, &editor);
+  const LinkVerdicts links = VerifyLinks(input, sketch, options, *graph, context);
+  const std::vector<DrawingLink> contours = TakeContours(links, &editor);
+  counts.samples_doubtful = KeepAndCount(links.verdicts, &editor);
   UpdateFates(*graph, EdgelFate::kDoubtfulLink, fates);
   counts.continued = ContinueCurves(input, options, context, &editor);
   MeetEnds(meetings);

@@ -109,14 +109,23 @@ void AddPoint(const TopologyInput& input, const std::vector<ViewId>& near,
 
 }  // namespace
 
-bool IsOccludingContour(const TopologyInput& input, const DrawingLink& link,
-                        const std::vector<ViewId>& near) {
+std::optional<double> ContourConfidence(const TopologyInput& input, const DrawingLink& link,
+                                        const std::vector<ViewId>& near) {
   Signs signs;
-  for (const int k : ProbePoints(link)) {
+  const std::vector<int> probes = ProbePoints(link);
+  for (const int k : probes) {
     AddPoint(input, near, link.points_in_world[k], TangentAt(link, k), &signs);
   }
-  return signs.supported_spread < kNarrowShare * signs.whole_spread &&
-         std::abs(signs.side) > kOneSidedShare * signs.num_beside;
+  const int num_net = std::abs(signs.side);
+  if (signs.supported_spread >= kNarrowShare * signs.whole_spread ||
+      num_net <= kOneSidedShare * signs.num_beside) {
+    return std::nullopt;
+  }
+  // Points of one link see the same outline: their mean counts once.
+  const auto num_points = static_cast<double>(probes.size());
+  const double num_views = signs.num_beside / num_points;
+  const double num_same_side = 0.5 * (num_views + num_net / num_points);
+  return (num_same_side + 1) / (num_views + 2);
 }
 
 }  // namespace limn

@@ -62,6 +62,7 @@ struct FirstJudgment {
   Belief belief = Belief::kNo;
   double num_containing = 0;  // mean number of views that contain a point of the link
   std::vector<ViewId> near;   // views that may contain the link
+  double contour_confidence = 0;
 };
 
 FirstJudgment Judge(const TopologyInput& input, const CurveSketch& sketch,
@@ -71,12 +72,14 @@ FirstJudgment Judge(const TopologyInput& input, const CurveSketch& sketch,
   const double required = std::clamp(options.primary_views_share * num_containing,
                                      options.min_primary_views, options.max_primary_views);
   Belief belief = MeanAgreement(link) >= required ? Belief::kCertain : Belief::kUncertain;
+  double contour_confidence = 0;
   if (NumPrimaryViews(sketch, link) < kMinMergedViews) {
     belief = Belief::kNo;
-  } else if (IsOccludingContour(input, link, near)) {
+  } else if (const auto confidence = ContourConfidence(input, link, near)) {
     belief = Belief::kContour;
+    contour_confidence = *confidence;
   }
-  return {belief, num_containing, std::move(near)};
+  return {belief, num_containing, std::move(near), contour_confidence};
 }
 
 // The edgels of a view that certain links explain.
@@ -142,9 +145,9 @@ double OwnViews(const TopologyInput& input, const std::vector<std::optional<Edge
 
 }  // namespace
 
-std::vector<uint8_t> VerifyLinks(const TopologyInput& input, const CurveSketch& sketch,
-                                 const TopologyOptions& options, const DrawingGraph& graph,
-                                 const RunContext& context) {
+LinkVerdicts VerifyLinks(const TopologyInput& input, const CurveSketch& sketch,
+                         const TopologyOptions& options, const DrawingGraph& graph,
+                         const RunContext& context) {
   const ViewFinder finder(input.views);
   const auto first = MapItems(context, "link agreement", graph.links.size(), [&](size_t l) {
     const DrawingLink& link = graph.links[l];
@@ -154,14 +157,19 @@ std::vector<uint8_t> VerifyLinks(const TopologyInput& input, const CurveSketch& 
   ParallelFor(context, "claimed edgels", claimed.size(), [&](size_t v) {
     claimed[v] = ClaimedEdgels(input, graph, first, static_cast<ViewId>(v));
   });
-  return MapItems(context, "link support", first.size(), [&](size_t l) -> uint8_t {
-    const auto& [belief, num_containing, near] = first[l];
+  LinkVerdicts result;
+  for (const FirstJudgment& judgment : first) {
+    result.contour_confidence.push_back(judgment.contour_confidence);
+  }
+  result.verdicts = MapItems(context, "link support", first.size(), [&](size_t l) -> uint8_t {
+    const auto& [belief, num_containing, near, contour_confidence] = first[l];
     if (belief == Belief::kContour) return kIsContour;
     if (belief != Belief::kUncertain) return belief == Belief::kCertain;
     const double required = std::clamp(options.own_views_share * num_containing,
                                        options.min_own_views, options.max_own_views);
     return OwnViews(input, claimed, graph.links[l], near) >= required;
   });
+  return result;
 }
 
 }  // namespace limn

@@ -71,6 +71,22 @@ TEST(ReportWriters, StructureIsToldWhereKnown) {
   EXPECT_TRUE(rows.at(1).at("num_false_ends").is_null());
 }
 
+TEST(ReportWriters, KindsAreInTextAndJson) {
+  EvaluationReport report = SmallReport();
+  KindConfusion kinds;
+  kinds.tau = 2;
+  kinds.length[static_cast<int>(LinkKind::kPaint)][static_cast<int>(LinkKind::kShadow)] = 1.5;
+  report.kinds = kinds;
+  std::ostringstream table, json;
+  PrintReport(report, table);
+  EXPECT_THAT(table.str(), HasSubstr("kind of the true curve within 2"));
+  WriteReportJson(report, json);
+  const nlohmann::json written = nlohmann::json::parse(json.str()).at("kinds");
+  EXPECT_EQ(written.at("tau"), 2);
+  EXPECT_EQ(written.at("length").at("paint").at("shadow"), 1.5);
+  EXPECT_EQ(written.at("length").at("none").at("edge"), 0);
+}
+
 TEST(ReportWriters, CsvHasAsManyCellsAsColumns) {
   std::ostringstream out;
   WriteReportCsv(SmallReport(), out);

@@ -75,11 +75,30 @@ TEST(WriteTracks, OneLinePerRunInColmapsPixels) {
   graph.links = {link};
   RebuildIncidence(&graph);
   std::ostringstream out;
-  WriteTracks(graph, {SmallView()}, out);
+  WriteTracks(graph, {}, {SmallView()}, out);
   EXPECT_THAT(out.str(), ::testing::EndsWith("\n0 2 50.500 50.500 75.500 50.500 folder/a b.png\n"));
   EXPECT_THAT(out.str(), ::testing::StartsWith("# "));
   graph.links[0].supporting_views = {1};
-  EXPECT_THROW(WriteTracks(graph, {SmallView()}, out), InputError);
+  EXPECT_THROW(WriteTracks(graph, {}, {SmallView()}, out), InputError);
+}
+
+TEST(WriteTracks, OnlySelectedLinksWithTheIdsOfTheDrawing) {
+  DrawingLink link;
+  link.points_in_world = {{0, 0, 1}, {0.25, 0, 1}};
+  link.supporting_views = {0};
+  DrawingGraph graph;
+  graph.links = {link, link, link};
+  graph.links[0].tentative = true;
+  graph.links[1].kind = LinkKind::kContour;
+  std::ostringstream out;
+  WriteTracks(graph, {}, {SmallView()}, out);
+  EXPECT_THAT(out.str(), ::testing::HasSubstr("# Number of links: 1 of 3\n2 2 50.500"));
+  LinkSelection all;
+  all.kinds.fill(true);
+  all.tentative = true;
+  std::ostringstream out_of_all;
+  WriteTracks(graph, all, {SmallView()}, out_of_all);
+  EXPECT_THAT(out_of_all.str(), ::testing::HasSubstr("# Number of links: 3 of 3\n0 2 50.500"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "limn/kinds/classify_kinds.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -222,6 +223,7 @@ KindEvidence Sharp(double chroma_change, double change_spread) {
   evidence.num_profiles = 50;
   evidence.num_views = 8;
   evidence.blur_ratio = 1.05;
+  evidence.unevenness = 0.03;
   evidence.chroma_change = chroma_change;
   evidence.change_spread = evidence.darker_spread = evidence.brighter_spread = change_spread;
   return evidence;
@@ -244,6 +246,35 @@ TEST(ClassifyTest, EvidenceDecides) {
   few.num_profiles = 2;
   EXPECT_EQ(Classify(few, 0).kind, LinkKind::kUnknown);
   EXPECT_EQ(Classify(few, 0).confidence, 0);
+}
+
+KindEvidence Soft(double change_spread, double side_spread) {
+  KindEvidence evidence = Sharp(0.1, side_spread);
+  evidence.blur_ratio = 2;
+  evidence.change_spread = change_spread;
+  return evidence;
+}
+
+TEST(ClassifyTest, SoftTextureIsNoShadow) {
+  KindEvidence texture = Soft(0.04, 0.04);
+  texture.unevenness = 0.3;
+  EXPECT_EQ(Classify(texture, 0).kind, LinkKind::kUnknown);
+  EXPECT_EQ(Classify(texture, 0).confidence, 0);
+  texture.unevenness = std::numeric_limits<double>::infinity();  // too short to tell
+  EXPECT_EQ(Classify(texture, 0).kind, LinkKind::kUnknown);
+}
+
+TEST(ClassifyTest, WhatSeveralLightsShowIsNoShadow) {
+  // Light scales both sides of paint alike.
+  EXPECT_EQ(Classify(Soft(0.05, 0.4), 0.4).kind, LinkKind::kPaint);
+  EXPECT_GT(Classify(Soft(0.05, 0.4), 0.4).confidence, 0.8);
+  // That of a rounded crease changes with the light.
+  EXPECT_EQ(Classify(Soft(0.4, 0.4), 0.4).kind, LinkKind::kUnknown);
+  EXPECT_EQ(Classify(Soft(0.03, 0.05), 0.4).kind, LinkKind::kShadow);
+  // Steady only for want of views.
+  KindEvidence few = Soft(0.03, 0.05);
+  few.num_views = 2;
+  EXPECT_EQ(Classify(few, 0.4).kind, LinkKind::kUnknown);
 }
 
 TEST(ClassifyTest, OnlyLightThatChangesTellsSharpShadows) {

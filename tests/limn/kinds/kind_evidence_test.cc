@@ -18,8 +18,8 @@ SideColor ColorOf(double red, double green, double blue) {
 }
 
 LinkProfile ProfileOf(LinkId link, float width_px, const SideColor& left, const SideColor& right,
-                      float depth = 1) {
-  return {link, depth, {width_px, 50, left, right}};
+                      float depth = 1, int place = 0) {
+  return {link, place, depth, {width_px, 50, left, right}};
 }
 
 const SideColor kGray = ColorOf(0.4, 0.4, 0.4);
@@ -86,6 +86,27 @@ TEST(KindEvidenceTest, SidesAreTakenByBrightnessInEachView) {
       GatherEvidence(1, {{ProfileOf(0, 1, kGray, kHalf)}, {ProfileOf(0, 1, kHalf, kGray)}});
   EXPECT_NEAR(links[0].darker_spread, 0, 1e-6);
   EXPECT_NEAR(links[0].change_spread, 0, 1e-6);
+}
+
+// A profile per place; the change at each is the logarithm of the ratio.
+std::vector<LinkProfile> WithRatios(const std::vector<double>& ratios) {
+  std::vector<LinkProfile> view;
+  for (size_t k = 0; k < ratios.size(); ++k) {
+    const double dark = 0.4 / ratios[k];
+    view.push_back(ProfileOf(0, 1, kGray, ColorOf(dark, dark, dark), 1, static_cast<int>(k)));
+  }
+  return view;
+}
+
+TEST(KindEvidenceTest, UnevennessIsTheDifferenceOfNeighborsAlongTheLink) {
+  EXPECT_NEAR(GatherEvidence(1, {WithRatios({2, 2, 2, 2, 2})})[0].unevenness, 0, 1e-6);
+  // Slow change is even, change at every place is not.
+  EXPECT_NEAR(GatherEvidence(1, {WithRatios({2, 2.1, 2.2, 2.3, 2.4})})[0].unevenness, 0.047, 0.005);
+  EXPECT_NEAR(GatherEvidence(1, {WithRatios({2, 3, 2, 3, 2})})[0].unevenness, std::log(1.5), 0.01);
+  // What one of three views shows is noise.
+  const std::vector<LinkProfile> even = WithRatios({2, 2, 2, 2});
+  EXPECT_NEAR(GatherEvidence(1, {even, WithRatios({2, 3, 2, 3}), even})[0].unevenness, 0, 1e-6);
+  EXPECT_TRUE(std::isinf(GatherEvidence(1, {WithRatios({2, 2, 2})})[0].unevenness));
 }
 
 }  // namespace

@@ -90,6 +90,21 @@ TEST(DrawOverlay, UnsupportedLinksAreFadedAndTheirNodesUnmarked) {
   EXPECT_FALSE(IsColor(picture.At(20, 60), {255, 230, 0}));
 }
 
+TEST(DrawOverlay, TentativeLinksAndContoursAreFadedAndTheirNodesUnmarked) {
+  PictureOptions options;
+  options.scale = 1;
+  DrawingGraph tentative = HorizontalLink();
+  tentative.links[0].tentative = true;
+  DrawingGraph contour = HorizontalLink();
+  contour.links[0].kind = LinkKind::kContour;
+  for (const DrawingGraph& graph : {tentative, contour}) {
+    const Picture picture = DrawOverlay(GrayPhoto(101, 101), SmallView(), 0, graph, options);
+    EXPECT_FALSE(IsColor(picture.At(50, 60), ColorOfCurve(0)));
+    EXPECT_FALSE(IsColor(picture.At(50, 60), {55, 55, 55}));
+    EXPECT_FALSE(IsColor(picture.At(20, 60), {255, 230, 0}));
+  }
+}
+
 TEST(DrawOverlay, SketchAndFragments) {
   CurveSketch sketch;
   sketch.curves.resize(1);

@@ -52,13 +52,18 @@ testing::SceneCurve Rim(const View& view) {
   return rim;
 }
 
-bool IsContour(const Polyline3d& points, const std::vector<View>& views,
-               const std::vector<ImageCurves>& curves) {
+std::optional<double> Confidence(const Polyline3d& points, const std::vector<View>& views,
+                                 const std::vector<ImageCurves>& curves) {
   DrawingLink link;
   link.points_in_world = points;
   const auto support = BuildViewEdgels(curves, {});
   const TopologyInput input = {views, curves, support, {1.0, 1.0, 15 * kDeg}};
-  return IsOccludingContour(input, link, ViewFinder(views).NearAnyOf(points));
+  return ContourConfidence(input, link, ViewFinder(views).NearAnyOf(points));
+}
+
+bool IsContour(const Polyline3d& points, const std::vector<View>& views,
+               const std::vector<ImageCurves>& curves) {
+  return Confidence(points, views, curves).has_value();
 }
 
 // An upright arc on the side of the ball, as the view in the middle sees its outline.
@@ -112,14 +117,17 @@ TEST(OccludingContourTest, OutlinesAreKeptAsContoursThatNothingJoins) {
   const CurveSketch sketch = SketchOf({8, 9, 10}, &link);
   DrawingGraph graph;
   GraphEditor(&graph).Add(link);
-  EXPECT_EQ(VerifyLinks(input, sketch, {}, graph, {}), std::vector<uint8_t>{kIsContour});
+  const LinkVerdicts verdicts = VerifyLinks(input, sketch, {}, graph, {});
+  EXPECT_EQ(verdicts.verdicts, std::vector<uint8_t>{kIsContour});
+  EXPECT_EQ(verdicts.contour_confidence,
+            std::vector<double>{Confidence(link.points_in_world, views, curves).value()});
   SampleFates fates;
   for (const Curve3D& curve : sketch.curves) fates.emplace_back(curve.size(), EdgelFate::kDrawn);
   const CompletionCounts counts = CompleteDrawing(input, sketch, {}, {}, &graph, &fates);
   testing::ExpectValid(graph);
   ASSERT_EQ(graph.links.size(), 1u);
   EXPECT_EQ(graph.links[0].kind, LinkKind::kContour);
-  EXPECT_GT(graph.links[0].kind_confidence, 0.5);
+  EXPECT_EQ(graph.links[0].kind_confidence, verdicts.contour_confidence[0]);
   EXPECT_EQ(counts.samples_doubtful, 0);
   for (const std::vector<EdgelFate>& of_curve : fates) {
     for (const EdgelFate fate : of_curve) EXPECT_EQ(fate, EdgelFate::kDrawn);
@@ -154,12 +162,13 @@ class MovedEdge {
   void ShowMoved(size_t view, double px, bool dark_is_bright = false) {
     Show(view, px, dark_is_bright);
   }
-  bool IsTakenForAContour() const {
+  bool IsTakenForAContour() const { return ConfidenceOfContour().has_value(); }
+  std::optional<double> ConfidenceOfContour() const {
     std::vector<ImageCurves> curves;
     for (size_t v = 0; v < views_.size(); ++v) {
       curves.push_back(testing::ProjectCurves(views_[v], shown_[v]));
     }
-    return IsContour(line_, views_, curves);
+    return Confidence(line_, views_, curves);
   }
 
  private:
@@ -216,6 +225,20 @@ TEST(OccludingContourTest, HalfOfTheViewsBesideMustShowItMoved) {
     if (!InTheMiddle(v) && v % 3 == 0) edge.ShowMoved(v, 4);
   }
   EXPECT_FALSE(edge.IsTakenForAContour());
+}
+
+TEST(OccludingContourTest, ConfidenceIsTheShareOfViewsBesideThatShowItMoved) {
+  for (const size_t num_without : {0, 2}) {
+    MovedEdge edge;
+    for (size_t v = 0; v < edge.NumViews(); ++v) {
+      if (InTheMiddle(v)) edge.ShowInPlace(v);
+      // Eight views are within 20 degrees of those in the middle, the outermost just so.
+      if (!InTheMiddle(v) && v >= 3 + num_without) edge.ShowMoved(v, 4);
+    }
+    // Half of those without an outline would show it on this side.
+    const double num_same_side = 8 - 0.5 * static_cast<double>(num_without);
+    EXPECT_NEAR(edge.ConfidenceOfContour().value(), (num_same_side + 1) / 10, 0.03);
+  }
 }
 
 TEST(OccludingContourTest, MovedEdgeHasTheSameBrighterSide) {
