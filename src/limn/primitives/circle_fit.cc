@@ -60,14 +60,14 @@ struct ArcCost {
   }
 };
 
-// Holds an end of an arc, which would otherwise slide along its circle; px.
-struct EndCost {
+// Holds a point of a circle, which would otherwise slide along it; px.
+struct SlideCost {
   const LinkSample3d& sample;
   double per_unit;  // px
 
   template <typename T>
-  bool operator()(const T* end, T* residual) const {
-    const Vector3<T> offset = Eigen::Map<const Vector3<T>>(end) - sample.position.cast<T>();
+  bool operator()(const T* point, T* residual) const {
+    const Vector3<T> offset = Eigen::Map<const Vector3<T>>(point) - sample.position.cast<T>();
     *residual = T(per_unit) * offset.dot(sample.tangent.cast<T>());
     return true;
   }
@@ -83,20 +83,6 @@ struct MiddleCost {
     const Vector3<T> chord = Map(end) - Map(start);
     const Vector3<T> offset = Map(middle) - (Map(end) + Map(start)) / T(2);
     *residual = T(per_unit) * offset.dot(chord) / chord.norm();
-    return true;
-  }
-};
-
-struct CircleCost {
-  const LinkSample3d& sample;
-
-  template <typename T>
-  bool operator()(const T* center, const T* normal, const T* radius, T* residuals) const {
-    using Map = Eigen::Map<const Vector3<T>>;
-    const Vector3<T> nearest = NearestOnCircle<T>(Vector3<T>(Map(center)), Vector3<T>(Map(normal)),
-                                                  *radius, sample.position);
-    Eigen::Map<Vector3<T>>(residuals, 3) =
-        Root(sample).cast<T>() * (nearest - sample.position.cast<T>());
     return true;
   }
 };
@@ -148,8 +134,8 @@ std::optional<CircularArc> FitArc(const LinkSamples& link, const EndConditions& 
   const LinkSample3d* samples[] = {&link.samples.front(), &link.samples.back()};
   for (const int e : {0, 1}) {
     problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<EndCost, 1, 3>(new EndCost{*samples[e], per_unit}), nullptr,
-        blocks[e]);
+        new ceres::AutoDiffCostFunction<SlideCost, 1, 3>(new SlideCost{*samples[e], per_unit}),
+        nullptr, blocks[e]);
     if (ends[e].held) problem.SetParameterBlockConstant(blocks[e]);
   }
   SolveShape(&problem, kIterations);
@@ -158,34 +144,36 @@ std::optional<CircularArc> FitArc(const LinkSamples& link, const EndConditions& 
   return ValidateShape(arc).empty() ? std::optional(arc) : std::nullopt;
 }
 
-std::optional<CircularArc> FitCircle(const LinkSamples& link) {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  for (const LinkSample3d& sample : link.samples) center += sample.position;
-  center /= static_cast<double>(link.samples.size());
-  // Twice the area vector: normal and sense of the turn.
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double radius = 0;
-  for (size_t k = 0; k < link.samples.size(); ++k) {
-    const Eigen::Vector3d offset = link.samples[k].position - center;
-    radius += offset.norm() / static_cast<double>(link.samples.size());
-    if (k > 0) normal += (link.samples[k - 1].position - center).cross(offset);
-  }
-  if (link.samples.size() < 6 || !(normal.norm() > 0.1 * radius * radius)) return std::nullopt;
-  normal.normalize();
+std::optional<CircularArc> FitCircle(const LinkSamples& link, bool through_first) {
+  // Smallest sine of the angle at the first of three points, a third of the link apart: 0.87 on a
+  // circle.
+  constexpr double kMinSine = 0.1;
+  const size_t count = link.samples.size();
+  if (count < 6) return std::nullopt;
+  const LinkSample3d* samples[] = {&link.samples[0], &link.samples[count / 3],
+                                   &link.samples[2 * count / 3]};
+  Eigen::Vector3d points[] = {samples[0]->position, samples[1]->position, samples[2]->position};
+  const auto is_wide = [&] {
+    const Eigen::Vector3d u = points[1] - points[0];
+    const Eigen::Vector3d v = points[2] - points[0];
+    return u.cross(v).norm() > kMinSine * u.norm() * v.norm();
+  };
+  if (!is_wide()) return std::nullopt;
   ceres::Problem problem;
   for (const LinkSample3d& sample : link.samples) {
     problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<CircleCost, 3, 3, 3, 1>(new CircleCost{sample}), nullptr,
-        center.data(), normal.data(), &radius);
+        new ceres::AutoDiffCostFunction<ArcCost, 3, 3, 3, 3>(new ArcCost{sample}), nullptr,
+        points[0].data(), points[1].data(), points[2].data());
   }
-  problem.SetManifold(normal.data(), new ceres::SphereManifold<3>());
+  for (const int k : {0, 1, 2}) {
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<SlideCost, 1, 3>(
+                                 new SlideCost{*samples[k], 1 / link.footprint}),
+                             nullptr, points[k].data());
+  }
+  if (through_first) problem.SetParameterBlockConstant(points[0].data());
   SolveShape(&problem, kIterations);
-  const Eigen::Vector3d first = link.samples.front().position - center;
-  CircularArc circle;
-  circle.center = center;
-  circle.radius = std::abs(radius);
-  circle.x_axis = (first - normal.dot(first) * normal).normalized();
-  circle.y_axis = normal.cross(circle.x_axis).normalized();
+  if (!is_wide()) return std::nullopt;
+  CircularArc circle = ArcThrough(points[0], points[1], points[2]);
   circle.sweep_rad = 2 * M_PI;
   return ValidateShape(circle).empty() ? std::optional(circle) : std::nullopt;
 }

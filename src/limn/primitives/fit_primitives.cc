@@ -21,6 +21,9 @@ struct Fit {
   std::optional<FittedShape> fitted;
 };
 
+// A link that returns to its start has a closed shape, also where others end there.
+bool ReturnsToStart(const DrawingLink& link) { return link.node0 == link.node1; }
+
 const CubicBSpline* SplineOf(const Fit& fit) {
   return fit.fitted ? std::get_if<CubicBSpline>(&fit.fitted->shape) : nullptr;
 }
@@ -65,7 +68,7 @@ void Choose(const std::vector<EndConditions>& ends, const DrawingGraph& graph,
   ParallelFor(context, "fitting primitives", fits->size(), [&](size_t l) {
     Fit& fit = (*fits)[l];
     if (fit.samples.samples.empty()) return;
-    fit.fitted = ChooseShape(fit.samples, ends[l], graph.links[l].closed, options);
+    fit.fitted = ChooseShape(fit.samples, ends[l], ReturnsToStart(graph.links[l]), options);
   });
 }
 
@@ -76,7 +79,7 @@ void Join(const DrawingGraph& graph, std::vector<EndConditions> ends,
   ShareDirections(graph, shapes, &ends);
   ParallelFor(context, "joining primitives", fits->size(), [&](size_t l) {
     const bool joined = ends[l][0].direction || ends[l][1].direction;
-    if (joined) FitAgain(ends[l], graph.links[l].closed, options, &(*fits)[l]);
+    if (joined) FitAgain(ends[l], ReturnsToStart(graph.links[l]), options, &(*fits)[l]);
   });
 }
 

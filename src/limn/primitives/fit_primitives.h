@@ -17,13 +17,13 @@ struct PrimitiveResult {
 };
 
 // Explains every link by the simplest curve within max_residual_px (ours; ALGORITHM.md 18): a line,
-// a circular arc (a circle if the link is closed), or a cubic B-spline with as few knots as needed.
-// If several qualify, the Bayesian information criterion chooses, weighing squared deviations over
-// noise_px, one independent place per correlation_px, against the number of parameters. Nodes move
-// to where the shapes of their links, fitted freely, meet, and nearby points of the links follow;
-// then all shapes are fitted with their ends held there. Free ends move with the fit. Splines leave
-// a node in the direction of the link that continues them. A link that no view sees gets no
-// primitive. Throws OptionError and Cancelled.
+// a circular arc (a circle if the link returns to its start), or a cubic B-spline with as few knots
+// as needed. If several qualify, the Bayesian information criterion chooses, weighing squared
+// deviations over noise_px, one independent place per correlation_px, against the number of
+// parameters. Nodes move to where the shapes of their links, fitted freely, meet, and nearby points
+// of the links follow; then all shapes are fitted with their ends held there. Free ends move with
+// the fit. Splines leave a node in the direction of the link that continues them. A link that no
+// view sees gets no primitive. Throws OptionError and Cancelled.
 PrimitiveResult FitPrimitives(const DrawingGraph& graph, const std::vector<View>& views,
                               const PrimitiveOptions& options, const RunContext& context);
 

@@ -106,9 +106,10 @@ FittedShape Judge(const CurveShape& shape, int num_parameters, const LinkSamples
 int NumParameters(const CubicBSpline& spline, const EndConditions& ends, bool closed) {
   const int num_points = static_cast<int>(spline.control_points.size());
   int count = 3 * num_points + (num_points - 4) - (closed ? 3 : 0);
-  for (const EndCondition& end : ends) {
-    if (end.held && !closed) count -= 3;
-    if (end.direction) count -= 2;
+  for (const int end : {0, 1}) {
+    // Both ends of a closed one are the same.
+    if (ends[end].held && !(closed && end == 1)) count -= 3;
+    if (ends[end].direction) count -= 2;
   }
   return count;
 }
@@ -117,7 +118,10 @@ FittedShape ChooseShape(const LinkSamples& link, const EndConditions& ends, bool
                         const PrimitiveOptions& options) {
   std::vector<FittedShape> candidates;
   if (closed) {
-    if (const auto circle = FitCircle(link)) candidates.push_back(Judge(*circle, 6, link, options));
+    const bool held = ends[0].held;
+    if (const auto circle = FitCircle(link, held)) {
+      candidates.push_back(Judge(*circle, held ? 4 : 6, link, options));
+    }
   } else {
     const int num_free = 3 * (!ends[0].held + !ends[1].held);
     const LineSegment line = FitLine(link, ends);

@@ -27,8 +27,9 @@ LineSegment FitLine(const LinkSamples& link, const EndConditions& ends);
 // Empty if the samples do not bend.
 std::optional<CircularArc> FitArc(const LinkSamples& link, const EndConditions& ends);
 
-// Through all samples of a closed link, from near its first one. Empty if they lie on a line.
-std::optional<CircularArc> FitCircle(const LinkSamples& link);
+// Through all samples of a link that returns to its start, from near its first one or exactly from
+// it. Empty if they lie on a line.
+std::optional<CircularArc> FitCircle(const LinkSamples& link, bool through_first);
 
 // With these knots (see CubicBSpline) over [0, 1]. A closed spline ends where it begins; it needs
 // at least five control points.

@@ -167,8 +167,8 @@ void JoinFacingEnds(const MeetingTask& task) {
   for (const auto& [i, j] : free.NearPairs(task.reach.Radius())) {
     const LinkTip& a = free.tips[i];
     const LinkTip& b = free.tips[j];
+    if (TurnBetween(a, b) > task.options.max_continuation_angle_deg * kDeg) continue;
     const double turn = AngleBetween(a.outward, -b.outward);
-    if (turn > task.options.max_continuation_angle_deg * kDeg) continue;
     if (!task.reach.To(a, b.point, turn) || !task.reach.To(b, a.point, turn)) continue;
     candidates.push_back({(b.point - a.point).norm() / a.footprint, i, j});
   }

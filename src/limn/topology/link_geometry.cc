@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 namespace limn {
@@ -13,9 +14,25 @@ namespace {
 // both: +.2, -.1; 1.4: -.2, 0, with junction precision -4.4, -.8.
 constexpr double kTipSkipPx = 2;
 constexpr double kTipLengthPx = 12;
+// A bend is measured on tips of so many points or more.
+constexpr size_t kMinBendPoints = 5;
 constexpr int kMaxProbes = 60;
 // Upper limit of a standard deviation, px.
 constexpr double kWeakSigmaPx = 30;
+
+// The direction at arc 0 of the parabola through points at these arc lengths, towards arc 0.
+Eigen::Vector3d DirectionAtStart(std::span<const Eigen::Vector3d> points,
+                                 std::span<const double> arcs) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d right = Eigen::Matrix3d::Zero();
+  for (size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Vector3d powers(1, arcs[k], arcs[k] * arcs[k]);
+    normal += powers * powers.transpose();
+    right += powers * (points[k] - points[0]).transpose();
+  }
+  const Eigen::Matrix3d coefficients = normal.ldlt().solve(right);
+  return -coefficients.row(1).transpose().stableNormalized();
+}
 
 }  // namespace
 
@@ -50,12 +67,14 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
   tip.point = at(0);
   tip.footprint = footprint;
   std::vector<Eigen::Vector3d> reached;
+  std::vector<double> arcs_px;
   size_t num_rounded = 0;
   double arc_px = 0;
   for (int k = 0; k < size && arc_px <= kTipSkipPx + kTipLengthPx; ++k) {
     if (k > 0) arc_px += (at(k) - at(k - 1)).norm() / footprint;
     num_rounded += arc_px < kTipSkipPx;
     reached.push_back(at(k));
+    arcs_px.push_back(arc_px);
   }
   // Short links are used whole; where few points remain, all that were reached are.
   const bool is_long = arc_px >= kTipSkipPx + kTipLengthPx && reached.size() >= num_rounded + 2;
@@ -64,9 +83,17 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
   const Eigen::Vector3d outwards = used.front() - used.back();
   if (!(outwards.norm() > 0)) return tip;
   const Eigen::Vector3d direction = axis.dot(outwards) < 0 ? Eigen::Vector3d(-axis) : axis;
-  tip.outward = direction;
+  tip.outward = tip.bent_outward = direction;
+  if (is_long && used.size() >= kMinBendPoints) {
+    tip.bent_outward = DirectionAtStart(used, std::span(arcs_px).subspan(num_rounded));
+  }
   tip.point = mean + direction * direction.dot(tip.point - mean);
   return tip;
+}
+
+double TurnBetween(const LinkTip& a, const LinkTip& b) {
+  return std::min(AngleBetween(a.outward, -b.outward),
+                  AngleBetween(a.bent_outward, -b.bent_outward));
 }
 
 LinkTip TipOf(const DrawingLink& link, int end) {

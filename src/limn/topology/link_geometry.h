@@ -22,11 +22,19 @@ struct LinkTip {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    // on the line, nearest to the end
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // unit; zero for a link without extent
   double footprint = 1;                               // at the end
+  // The direction at the end itself if the link bends on as it does between these distances; that
+  // of the line where this is not known.
+  Eigen::Vector3d bent_outward = Eigen::Vector3d::Zero();
 };
 LinkTip TipOf(const DrawingLink& link, int end, double footprint);
 
 // Uses the footprint of the end's vertex. A link without vertices gets a tip without direction.
 LinkTip TipOf(const DrawingLink& link, int end);
+
+// By how much the way from one end into another one turns, rad; 0 where they go on as one smooth
+// curve. It is the turn from line to line, or, if that is less, between the ends themselves: where
+// both bend alike the lines differ by the bend between their middles.
+double TurnBetween(const LinkTip& a, const LinkTip& b);
 
 // Position of the end.
 const Eigen::Vector3d& EndPoint(const DrawingLink& link, int end);

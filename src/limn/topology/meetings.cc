@@ -29,28 +29,28 @@ void CollectFragments(const TopologyInput& input, const LinkVertex& vertex,
   }
 }
 
-void PairAt(double max_cosine, const DrawingGraph& graph, DrawingNode* node_at) {
+void PairAt(double max_turn_rad, const DrawingGraph& graph, DrawingNode* node_at) {
   DrawingNode& node = *node_at;
   const auto known =
       std::find_if(node.incident.begin(), node.incident.end(),
                    [&](const LinkEnd& end) { return !graph.links[end.link].vertices.empty(); });
   if (known == node.incident.end()) return;
   const double footprint = TipOf(graph.links[known->link], known->end).footprint;
-  std::vector<Eigen::Vector3d> outward;
+  std::vector<LinkTip> tips;
   for (const LinkEnd& end : node.incident) {
-    outward.push_back(TipOf(graph.links[end.link], end.end, footprint).outward);
+    tips.push_back(TipOf(graph.links[end.link], end.end, footprint));
   }
   std::vector<std::tuple<double, size_t, size_t>> pairs;
-  for (size_t i = 0; i < outward.size(); ++i) {
-    for (size_t j = i + 1; j < outward.size(); ++j) {
-      const double cosine = outward[i].dot(outward[j]);
-      if (cosine < max_cosine) pairs.push_back({cosine, i, j});
+  for (size_t i = 0; i < tips.size(); ++i) {
+    for (size_t j = i + 1; j < tips.size(); ++j) {
+      const double turn = TurnBetween(tips[i], tips[j]);
+      if (turn < max_turn_rad) pairs.push_back({turn, i, j});
     }
   }
   std::sort(pairs.begin(), pairs.end());
-  std::vector<uint8_t> used(outward.size(), 0);
+  std::vector<uint8_t> used(tips.size(), 0);
   node.continuations.clear();
-  for (const auto& [cosine, i, j] : pairs) {
+  for (const auto& [turn, i, j] : pairs) {
     if (used[i] || used[j]) continue;
     used[i] = used[j] = 1;
     node.continuations.push_back({node.incident[i], node.incident[j]});
@@ -136,8 +136,8 @@ bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const
 }
 
 void PairContinuations(const TopologyOptions& options, DrawingGraph* graph) {
-  const double max_cosine = -std::cos(options.max_continuation_angle_deg * kDeg);
-  for (DrawingNode& node : graph->nodes) PairAt(max_cosine, *graph, &node);
+  const double max_turn_rad = options.max_continuation_angle_deg * kDeg;
+  for (DrawingNode& node : graph->nodes) PairAt(max_turn_rad, *graph, &node);
 }
 
 }  // namespace limn

@@ -100,7 +100,7 @@ int64_t CutForks(const TopologyOptions& options, GraphEditor* editor) {
 }
 
 int64_t DissolveNodes(const TopologyOptions& options, GraphEditor* editor) {
-  const double max_cosine = -std::cos(options.max_continuation_angle_deg * kDeg);
+  const double max_turn_rad = options.max_continuation_angle_deg * kDeg;
   int64_t num_dissolved = 0;
   std::set<NodeId> waiting;
   for (NodeId id = 0; id < static_cast<NodeId>(editor->graph().nodes.size()); ++id) {
@@ -113,7 +113,9 @@ int64_t DissolveNodes(const TopologyOptions& options, GraphEditor* editor) {
     if (node.Degree() != 2 || node.kind == NodeKind::kLoopAnchor) continue;
     const LinkEnd a = node.incident[0];
     const LinkEnd b = node.incident[1];
-    if (Outward(*editor, a).dot(Outward(*editor, b)) >= max_cosine) continue;
+    const LinkTip tips[2] = {TipOf(editor->link(a.link), a.end),
+                             TipOf(editor->link(b.link), b.end)};
+    if (TurnBetween(tips[0], tips[1]) >= max_turn_rad) continue;
     editor->Join(a, b);
     ++num_dissolved;
     // The longer link may now continue others at its ends.

@@ -45,7 +45,6 @@ class Scene {
       link.points_in_world.push_back(curve(static_cast<double>(k) / count) + (1 - part) * noise +
                                      part * next);
     }
-    link.closed = node0 == node1;
     link.node0 = node0;
     link.node1 = node1;
     link.points_in_world.front() = graph_.nodes[node0].position_in_world;
@@ -65,6 +64,10 @@ class Scene {
   }
 
   DrawingGraph graph() {
+    RebuildIncidence(&graph_);
+    for (DrawingLink& link : graph_.links) {
+      link.closed = link.node0 == link.node1 && graph_.nodes[link.node0].Degree() == 2;
+    }
     RebuildIncidence(&graph_);
     return graph_;
   }
@@ -145,6 +148,25 @@ TEST(FitPrimitives, CirclesAndArcsAreFound) {
     EXPECT_GT(arc.Normal().dot(normal), std::cos(0.01));
   }
   EXPECT_NEAR(std::get<CircularArc>(ShapeOf(result, 2)).sweep_rad, 4.5, 0.05);
+}
+
+TEST(FitPrimitives, CirclesOnWhichOthersEndAreCircles) {
+  Scene scene;
+  // The node is two thirds of a pixel off.
+  const Eigen::Vector3d start = Arc(0.4, 2 * M_PI)(0);
+  const NodeId node = scene.AddNode(start + Eigen::Vector3d(0.7 * kPx, 0, 0));
+  scene.AddLink(node, node, Arc(0.4, 2 * M_PI), 0.8 * M_PI);
+  const Eigen::Vector3d end(0.9, 0.3, 0);
+  scene.AddLink(node, scene.AddNode(end), Line(start, end), 0.6);
+  const PrimitiveResult result = Fit(scene.graph());
+  EXPECT_FALSE(result.graph.links[0].closed);
+  ASSERT_STREQ(ShapeName(ShapeOf(result, 0)), "circle");
+  const CurveShape& circle = ShapeOf(result, 0);
+  EXPECT_NEAR(std::get<CircularArc>(circle).radius, 0.4, 4 * kNoisePx * kPx);
+  EXPECT_GT(std::get<CircularArc>(circle).Normal().dot(Eigen::Vector3d(0, -0.6, 0.8)), 0.99);
+  for (const double t : {0, 1}) {
+    EXPECT_LT((PointAt(circle, t) - result.graph.nodes[node].position_in_world).norm(), 1e-9);
+  }
 }
 
 TEST(FitPrimitives, OtherCurvesAreSplinesOfFewKnots) {

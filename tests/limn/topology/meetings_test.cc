@@ -125,6 +125,42 @@ TEST(PairContinuationsTest, SmoothestPairsAreTaken) {
   EXPECT_EQ(Paired({0.3, M_PI, -0.1}), (Pairs{{{1, 0}, {2, 0}}}));
 }
 
+// The ends of a ring that begins and ends at the origin, and of an arc of it that is cut there.
+TEST(PairContinuationsTest, BendsGoOnThroughNodes) {
+  // Between the middles of its tips, 8 px from its ends, this one turns by 76 degrees.
+  constexpr double kRadiusPx = 12;
+  FrontalScene ring;
+  ring.Draw(testing::RingThroughOrigin(kRadiusPx));
+  ring.Build();
+  ring.graph.nodes[0].continuations.clear();
+  PairContinuations({}, &ring.graph);
+  EXPECT_EQ(testing::Continuations(ring.graph.nodes[0]), (Pairs{{{0, 0}, {0, 1}}}));
+
+  FrontalScene arcs;
+  testing::PxLine left = testing::ArcFromOrigin(kRadiusPx, 2);
+  arcs.Draw(left);
+  for (Eigen::Vector2d& point : left) point.x() *= -1;
+  arcs.Draw(left);
+  arcs.Draw(testing::Ray({0, 0}, -M_PI / 2, 40));
+  arcs.Build();
+  const NodeId node = testing::NodeAtPlace(arcs.graph, FrontalPoint(0, 0));
+  PairContinuations({}, &arcs.graph);
+  EXPECT_EQ(testing::Continuations(arcs.graph.nodes[node]), (Pairs{{{0, 0}, {1, 0}}}));
+}
+
+TEST(PairContinuationsTest, BendsThatMeetAtACornerDoNotGoOn) {
+  // Petals: both turn left.
+  FrontalScene scene;
+  testing::PxLine arc = testing::ArcFromOrigin(12, 2);
+  scene.Draw(arc);
+  for (Eigen::Vector2d& point : arc) point = {-point.y(), point.x()};
+  scene.Draw(arc);
+  scene.Build();
+  const NodeId node = testing::NodeAtPlace(scene.graph, FrontalPoint(0, 0));
+  PairContinuations({}, &scene.graph);
+  EXPECT_EQ(testing::Continuations(scene.graph.nodes[node]), Pairs());
+}
+
 TEST(PairContinuationsTest, TurnIsAnOption) {
   const double turn = 40 * M_PI / 180;
   EXPECT_EQ(Paired({turn, M_PI}, 39), Pairs());

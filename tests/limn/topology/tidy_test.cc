@@ -98,10 +98,11 @@ TEST_P(TidyTest, LinkThatReturnsToItsNodeCloses) {
 }
 
 TEST_P(TidyTest, TwoArcsBecomeOneLoop) {
-  scene_.AddLink(Arc({0, 0, 0}, 50, 0, 180));
-  scene_.AddLink(Arc({0, 0, 0}, 50, 360, 180));
-  scene_.ShareNode({50, 0, 0});
-  scene_.ShareNode({-50, 0, 0});
+  // The last 14 px of each turn by 57 degrees.
+  scene_.AddLink(Arc({0, 0, 0}, 14, 0, 180));
+  scene_.AddLink(Arc({0, 0, 0}, 14, 360, 180));
+  scene_.ShareNode({14, 0, 0});
+  scene_.ShareNode({-14, 0, 0});
   const TidyCounts counts = scene_.Tidy();
   EXPECT_EQ(counts.dissolved_nodes, 1);
   EXPECT_EQ(scene_.Look().NumLinks(), 1);
