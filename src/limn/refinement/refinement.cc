@@ -138,8 +138,18 @@ class Refiner {
 
   void ChangeTopology() {
     SetGeometry();
-    graph_ = WithVertices();
-    RemoveCovered(graph_);
+    const DrawingGraph dense = WithVertices();
+    for (size_t l = 0; l < graph_.links.size(); ++l) {
+      DrawingLink& link = graph_.links[l];
+      const DrawingLink& with_vertices = dense.links[l];
+      if (!control_.links[l].frozen) {
+        link = with_vertices;
+      } else if (!with_vertices.vertices.empty()) {
+        // It keeps its points; none of these vertices has edgels.
+        link.vertices.assign(link.points_in_world.size(), with_vertices.vertices.front());
+      }
+    }
+    RemoveCovered(dense);
     repairs_ = RepairTopology(Images(1), topology_, context_, &graph_);
     for (DrawingLink& link : graph_.links) link.vertices.clear();
     TakeGraph();
