@@ -28,8 +28,6 @@ constexpr double kMinSigmaPx = 0.05;
 // A link with this evidence contradicts others.
 constexpr double kSureEvidence = 10;
 
-bool IsFree(const DrawingGraph& graph, NodeId node) { return graph.nodes[node].Degree() == 1; }
-
 // Of the median sigma.
 double EvidenceOfSigma(const DrawingLink& link, double footprint) {
   if (!(footprint > 0)) return 0;
@@ -60,12 +58,12 @@ class Judge {
     const DrawingLink& link = graph_.links[l];
     // An outline is another curve for every view.
     if (link.kind == LinkKind::kContour) return LinkDoubt::kNone;
-    const int num_free = IsFree(graph_, link.node0) + IsFree(graph_, link.node1);
+    const int num_free = IsFree(l, link.node0) + IsFree(l, link.node1);
     if (!fitted_.empty() && !fitted_[l] && !IsInferred(link, evidence, num_free)) {
       return LinkDoubt::kFewViews;
     }
     const double needed = options_.min_evidence - options_.joined_end_evidence * (2 - num_free);
-    if (evidence.evidence + EvidenceOfSigma(link, evidence.footprint) < needed) {
+    if (EvidenceOf(l) < needed) {
       return LinkDoubt::kChance;
     }
     if (views_through_[l] >= options_.min_contradicting_views) return LinkDoubt::kSeenThrough;
@@ -81,6 +79,19 @@ class Judge {
   }
 
  private:
+  double EvidenceOf(size_t l) const {
+    return links_[l].evidence + EvidenceOfSigma(graph_.links[l], links_[l].footprint);
+  }
+
+  // Whether the link meets nothing at the node. What has grown from its end, without samples of the
+  // sketch, does not count unless it would be believed by itself.
+  bool IsFree(size_t l, NodeId node) const {
+    return std::ranges::all_of(graph_.nodes[node].incident, [&](const LinkEnd& end) {
+      return end.link == static_cast<LinkId>(l) || (graph_.links[end.link].members.empty() &&
+                                                    EvidenceOf(end.link) < options_.min_evidence);
+    });
+  }
+
   // Whether a link that was not fitted is determined by the nodes at its ends, or shown by enough
   // views although its edgels lie too near to those of others to be used.
   bool IsInferred(const DrawingLink& link, const ImageEvidence& evidence, int num_free) const {

@@ -140,10 +140,17 @@ class Refiner {
     SetGeometry();
     const DrawingGraph dense = WithVertices();
     for (size_t l = 0; l < graph_.links.size(); ++l) {
-      if (!control_.links[l].frozen) graph_.links[l] = dense.links[l];
+      DrawingLink& link = graph_.links[l];
+      const DrawingLink& with_vertices = dense.links[l];
+      if (!control_.links[l].frozen) {
+        link = with_vertices;
+      } else if (!with_vertices.vertices.empty()) {
+        // It keeps its points; none of these vertices has edgels.
+        link.vertices.assign(link.points_in_world.size(), with_vertices.vertices.front());
+      }
     }
     RemoveCovered(dense);
-    repairs_ = RepairTopology(Images(1), topology_, &graph_);
+    repairs_ = RepairTopology(Images(1), topology_, context_, &graph_);
     for (DrawingLink& link : graph_.links) link.vertices.clear();
     TakeGraph();
   }
@@ -289,7 +296,10 @@ class Refiner {
                     {"ends joined", repairs_.meetings.joined},
                     {"ends taken to nodes", repairs_.meetings.to_nodes},
                     {"ends taken to links", repairs_.meetings.to_links},
-                    {"links cut at corners", repairs_.splits}};
+                    {"links cut at corners", repairs_.splits},
+                    {"edges grown between nodes", repairs_.grown},
+                    {"short edges between nodes", repairs_.short_edges},
+                    {"dissolved nodes", repairs_.dissolved_nodes}};
     summary.dropped = {{"links: others run along them", num_covered_}};
     if (num_failed_pose_rounds_ > 0) {
       summary.warnings.push_back(std::to_string(num_failed_pose_rounds_) + " of " +

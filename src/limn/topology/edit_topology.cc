@@ -49,7 +49,7 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
   counts.continued = ContinueCurves(input, options, context, &editor);
   MeetEnds(meetings);
   counts.side_nodes = SplitAtSideEdges(input, context, &editor);
-  counts.grown = GrowEdges(input, options, context, &editor);
+  counts.grown = GrowEdges(input, options, GrowthEnd::kAnywhere, context, &editor);
   MeetEnds(meetings);  // grown links have new ends
   counts.short_edges = AddShortEdges(input, options, context, &editor);
   counts.tidy = Tidy(options, &editor);
@@ -60,7 +60,7 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
 }
 
 RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& options,
-                            DrawingGraph* graph) {
+                            const RunContext& context, DrawingGraph* graph) {
   RepairCounts counts;
   GraphEditor editor(graph);
   const MeetingTask meetings = {input, options, Reach::Fitted(options), &editor, &counts.meetings};
@@ -68,6 +68,9 @@ RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& o
   JoinFacingEnds(meetings);
   SnapEnds(meetings);
   counts.splits = SplitAtCorners(&editor);
+  counts.grown = GrowEdges(input, options, GrowthEnd::kJoint, context, &editor);
+  counts.short_edges = AddShortEdges(input, options, context, &editor);
+  counts.dissolved_nodes = DissolveNodes(options, &editor);
   PairContinuations(options, graph);
   return counts;
 }

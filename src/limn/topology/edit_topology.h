@@ -34,14 +34,19 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
 struct RepairCounts {
   int64_t trimmed = 0;  // free ends cut back from another link
   MeetingCounts meetings;
-  int64_t splits = 0;  // of links where they turn sharply
+  int64_t splits = 0;       // of links where they turn sharply
+  int64_t grown = 0;        // links grown from one joint to another
+  int64_t short_edges = 0;  // links found between two joints
+  int64_t dissolved_nodes = 0;
 };
 
 // Repairs topological errors that a fit to the images reveals, so that the next fit can benefit
 // (ours; ALGORITHM.md 17). Cuts back free ends that run along other links, joins ends, moves them
-// to the nodes and links that they meet, and splits links at corners. Links without vertices are
-// left alone; the others need a point about every px. The graph passes Validate() before and after.
+// to the nodes and links that they meet, splits links at corners, grows edges between the nodes,
+// which now are where they should be, and dissolves nodes at which one curve goes on. Links without
+// vertices are left alone; the others need a point about every px. The graph passes Validate()
+// before and after.
 RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& options,
-                            DrawingGraph* graph);
+                            const RunContext& context, DrawingGraph* graph);
 
 }  // namespace limn

@@ -55,9 +55,11 @@ struct Segment {
 
 class EdgeFinder {
  public:
-  EdgeFinder(const TopologyInput& input, const TopologyOptions& options, GraphEditor* editor)
+  EdgeFinder(const TopologyInput& input, const TopologyOptions& options, GrowthEnd ends,
+             GraphEditor* editor)
       : input_(input),
         options_(options),
+        ends_(ends),
         editor_(editor),
         unclaimed_(UnclaimedEdgels(input, editor->graph())),
         joints_(CollectJoints(editor->graph(), input.views.size())),
@@ -117,6 +119,7 @@ class EdgeFinder {
     const Eigen::Vector3d end = joint->position + length_px * joint->footprint * direction.unit;
     if (!Shown(joint->position, end, joint->visible, kMaxChance)) return false;
     Joint* target = JointNear(end, direction.unit, *joint);
+    if (!target && ends_ == GrowthEnd::kJoint) return false;
     return AddStraightLink(input_, target ? target->position : end, direction.views, joint, target,
                            editor_);
   }
@@ -233,6 +236,7 @@ class EdgeFinder {
 
   const TopologyInput& input_;
   const TopologyOptions& options_;
+  const GrowthEnd ends_;
   GraphEditor* editor_;
   const std::vector<EdgelIndex> unclaimed_;
   std::vector<Joint> joints_;
@@ -241,14 +245,14 @@ class EdgeFinder {
 
 }  // namespace
 
-int64_t GrowEdges(const TopologyInput& input, const TopologyOptions& options,
+int64_t GrowEdges(const TopologyInput& input, const TopologyOptions& options, GrowthEnd ends,
                   const RunContext& context, GraphEditor* editor) {
-  return EdgeFinder(input, options, editor).GrowAll(context);
+  return EdgeFinder(input, options, ends, editor).GrowAll(context);
 }
 
 int64_t AddShortEdges(const TopologyInput& input, const TopologyOptions& options,
                       const RunContext& context, GraphEditor* editor) {
-  return EdgeFinder(input, options, editor).AddSegments(context);
+  return EdgeFinder(input, options, GrowthEnd::kJoint, editor).AddSegments(context);
 }
 
 }  // namespace limn

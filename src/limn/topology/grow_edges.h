@@ -8,6 +8,9 @@
 
 namespace limn {
 
+// Where grown edges may end.
+enum class GrowthEnd { kAnywhere, kJoint };
+
 // Adds straight links for edges that leave a joint and that the sketch lacks, because they are too
 // short or too broken in the images: the height of a step, a seam (ours; ALGORITHM.md 14). The best
 // direction in which image edges leave the joint (FindJointDirection) is followed as long as half
@@ -15,7 +18,7 @@ namespace limn {
 // along it (FindSegmentSupport) in more views than chance explains, in one of them edgels that no
 // link has yet; then the next direction is tried. Nothing grows out of the box, except to a joint
 // there. Returns the number of links added. Time per joint: see FindJointDirection.
-int64_t GrowEdges(const TopologyInput& input, const TopologyOptions& options,
+int64_t GrowEdges(const TopologyInput& input, const TopologyOptions& options, GrowthEnd ends,
                   const RunContext& context, GraphEditor* editor);
 
 // Adds straight links between joints at most max_short_edge_px apart, neither with a link in that

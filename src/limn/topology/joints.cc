@@ -55,7 +55,7 @@ std::vector<Joint> CollectJoints(const DrawingGraph& graph, size_t num_views) {
   std::vector<int> of_node(graph.nodes.size(), -1);
   for (LinkId id = 0; id < static_cast<LinkId>(graph.links.size()); ++id) {
     const DrawingLink& link = graph.links[id];
-    if (link.closed) continue;
+    if (link.closed || link.vertices.empty()) continue;
     for (const int end : {0, 1}) {
       const NodeId node = link.NodeAt(end);
       if (of_node[node] < 0) {
@@ -65,11 +65,12 @@ std::vector<Joint> CollectJoints(const DrawingGraph& graph, size_t num_views) {
       }
       Joint& joint = joints[of_node[node]];
       const LinkTip tip = TipOf(link, end);
-      joint.footprint += tip.footprint / graph.nodes[node].Degree();
+      joint.footprint += tip.footprint;
       joint.leaving.push_back(-tip.outward);
       MarkViews(link, end, &joint.visible);
     }
   }
+  for (Joint& joint : joints) joint.footprint /= static_cast<double>(joint.leaving.size());
   return joints;
 }
 
@@ -130,6 +131,7 @@ bool AddStraightLink(const TopologyInput& input, const Eigen::Vector3d& end,
   DrawingLink link;
   link.node0 = joint->node;
   if (target) link.node1 = target->node;
+  link.supporting_views = in_views;
   for (int k = 0; k < count; ++k) {
     const Eigen::Vector3d position = begin + (end - begin) * k / (count - 1.0);
     link.points_in_world.push_back(position);

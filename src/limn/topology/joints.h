@@ -20,7 +20,7 @@ struct Joint {
   std::vector<uint8_t> visible;          // per view: whether edgels support a link near the joint
 };
 
-// All nodes but those of loops, in the order of their first links.
+// The nodes of open links with vertices, in the order of their first links.
 std::vector<Joint> CollectJoints(const DrawingGraph& graph, size_t num_views);
 
 // Returns whether a link leaves the joint within 20 degrees of the direction.

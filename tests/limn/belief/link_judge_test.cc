@@ -70,6 +70,17 @@ TEST(JudgeLinksTest, NeighborsAreEvidence) {
   EXPECT_EQ(DoubtsOf(scene), (Doubts{LinkDoubt::kNone, LinkDoubt::kNone}));
 }
 
+TEST(JudgeLinksTest, WhatHasGrownFromALinkIsNoEvidenceForIt) {
+  for (const bool has_grown : {true, false}) {
+    BeliefScene scene;
+    scene.Add(FrontalPoint(-50, 0), FrontalPoint(50, 0), 2);
+    scene.Add(FrontalPoint(-50, 0), FrontalPoint(-50, 20), 1);
+    if (has_grown) scene.graph.links[1].members.clear();
+    EXPECT_EQ(DoubtsOf(scene),
+              (Doubts{has_grown ? LinkDoubt::kChance : LinkDoubt::kNone, LinkDoubt::kNone}));
+  }
+}
+
 // A glossy front shows the image of an edge before it to the few views that it reflects into.
 TEST(JudgeLinksTest, AMirrorImageThatFewViewsShow) {
   BeliefScene scene;

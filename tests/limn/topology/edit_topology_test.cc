@@ -103,6 +103,28 @@ TEST(RepairTopologyTest, LinksAreCutAtCornersButNotOnArcs) {
   EXPECT_TRUE(scene.Node(0, -20).continuations.empty());
 }
 
+TEST(RepairTopologyTest, EdgesGrowBetweenNodesOnly) {
+  FrontalScene scene;
+  scene.ShowAndDraw({{-60, 0}, {0, 0}});
+  scene.ShowAndDraw({{0, 40}, {60, 40}});
+  scene.Show({{0, 0}, {0, 40}});
+  scene.Show({{-60, 0}, {-60, -40}});  // leads nowhere
+  EXPECT_EQ(scene.Repair().grown, 1);
+  ASSERT_EQ(scene.graph.links.size(), 3u);
+  EXPECT_EQ(scene.Degree(0, 0), 2);
+  EXPECT_EQ(scene.Degree(0, 40), 2);
+  // The next fit looks for the edge in these views.
+  EXPECT_EQ(scene.graph.links[2].supporting_views.size(), scene.views().size());
+}
+
+TEST(RepairTopologyTest, NodesOfOneCurveAreDissolved) {
+  FrontalScene scene;
+  scene.Draw({{-60, 0}, {0, 0}});
+  scene.Draw({{0, 0}, {60, 0}});
+  EXPECT_EQ(scene.Repair().dissolved_nodes, 1);
+  EXPECT_EQ(scene.graph.links.size(), 1u);
+}
+
 TEST(RepairTopologyTest, ReachIsThatOfFittedLinks) {
   // Drawn links may miss each other by more.
   FrontalScene scene;

@@ -136,16 +136,17 @@ class FrontalScene {
   }
   RepairCounts Repair() {
     Build();
-    const RepairCounts counts = RepairTopology(Input(), options, &graph);
+    const RepairCounts counts = RepairTopology(Input(), options, {}, &graph);
     ExpectValid(graph);
     return counts;
   }
   // The links added by growth, as polylines from their joint.
-  std::vector<Polyline3d> Grow(const std::optional<Eigen::AlignedBox3d>& box = std::nullopt) {
+  std::vector<Polyline3d> Grow(const std::optional<Eigen::AlignedBox3d>& box = std::nullopt,
+                               GrowthEnd ends = GrowthEnd::kAnywhere) {
     return Run([&](TopologyInput input, GraphEditor* editor) {
       input.box = box;
       const auto before = graph.links.size();
-      return Added(before, GrowEdges(input, options, {}, editor));
+      return Added(before, GrowEdges(input, options, ends, {}, editor));
     });
   }
   std::vector<Polyline3d> AddShort() {

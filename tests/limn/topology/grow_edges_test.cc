@@ -132,6 +132,14 @@ TEST(GrowEdgesTest, EdgeEndsAtAJointThatItReaches) {
   EXPECT_EQ(scene.Degree(0, 50), 1);
 }
 
+TEST(GrowEdgesTest, OnlyToJointsIfAskedTo) {
+  FrontalScene scene = Corner(40);
+  EXPECT_TRUE(scene.Grow({}, GrowthEnd::kJoint).empty());
+  scene = Corner(40);
+  scene.ShowAndDraw(PxSegment(0, 42, -60, 42));
+  ExpectGrownTo(scene.Grow({}, GrowthEnd::kJoint), 0, 42, 1e-6);
+}
+
 TEST(GrowEdgesTest, NothingGrowsAlongALinkThatIsThere) {
   // A second edge leaves the corner at this angle from the one that is drawn.
   const auto num_grown = [](double angle_deg) {
