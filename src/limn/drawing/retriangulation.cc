@@ -4,13 +4,10 @@
 #include <cmath>
 #include <set>
 
-#include <Eigen/LU>
-
 #include "limn/drawing/curve_smoothing.h"
-#include "limn/geometry/tangent_frame.h"
 #include "limn/model/footprint.h"
 #include "limn/model/view_finder.h"
-#include "limn/support/edgel_residual.h"
+#include "limn/support/point_fit.h"
 #include "limn/support/required_views.h"
 #include "limn/util/map_items.h"
 
@@ -24,13 +21,6 @@ constexpr int kGaussNewtonSteps = 3;
 constexpr double kPriorSigmaPx = 3;
 // Samples to either side between which the direction of a curve is measured.
 constexpr int kTangentReach = 2;
-
-// An edgel that a sample is drawn to.
-struct Target {
-  const View& view;
-  EdgelLine line;
-  double variance = 0;
-};
 
 struct MovedCurve {
   SampleArrays samples;
@@ -64,39 +54,21 @@ class CurveRetriangulation {
   }
 
  private:
-  // Robust Gauss-Newton in the plane across the curve.
   void MoveToEdgels(int s) {
     Eigen::Vector3d& position = samples_.position[s];
-    const Eigen::Vector3d start = position;
     std::vector<ViewId> views;
-    std::vector<Target> targets;
+    std::vector<EdgelTarget> targets;
     for (const EdgelRef& ref : support_.Of(s)) {
-      const Edgel& edgel = images_.EdgelOf(ref);
       views.push_back(ref.view);
-      targets.push_back({images_.views[ref.view], edgel, ResidualVariance(edgel)});
+      targets.push_back(images_.TargetOf(ref));
     }
     const double footprint = MedianFootprint(position, views, images_.views);
     if (footprint > 0) samples_.footprint[s] = footprint;
-    const Eigen::Matrix<double, 3, 2> across = TangentFrame(samples_.tangent[s]);
-    const double prior = 1 / std::pow(kPriorSigmaPx * samples_.footprint[s], 2);
-    Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-    for (int step = 0; step < kGaussNewtonSteps; ++step) {
-      information.setZero();
-      Eigen::Vector2d right = -prior * (across.transpose() * (position - start));
-      for (const Target& target : targets) {
-        const auto residual = ResidualToEdgel(target.view, target.line, position);
-        if (!residual) continue;
-        const double size = std::abs(residual->residual_px);
-        const double robust = std::min(1.0, options_.robust_residual_px / size);
-        const double weight = robust / target.variance;
-        const Eigen::Vector2d gradient = across.transpose() * residual->gradient;
-        information += weight * gradient * gradient.transpose();
-        right -= weight * gradient * residual->residual_px;
-      }
-      const Eigen::Matrix2d damped = information + prior * Eigen::Matrix2d::Identity();
-      position += across * damped.inverse() * right;
-    }
-    samples_.information[s] = across * information * across.transpose();
+    PointFit fit(position, samples_.tangent[s], kPriorSigmaPx * samples_.footprint[s],
+                 options_.robust_residual_px);
+    for (int step = 0; step < kGaussNewtonSteps; ++step) fit.StepTo(targets);
+    position = fit.position();
+    samples_.information[s] = fit.Information();
   }
 
   void UpdateTangents() {

@@ -6,11 +6,10 @@
 #include <span>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include "limn/geometry/spatial_index.h"
-#include "limn/geometry/tangent_frame.h"
+#include "limn/support/point_fit.h"
 #include "limn/support/segment_support.h"
+#include "limn/topology/edgel_claims.h"
 #include "limn/topology/joints.h"
 #include "limn/topology/meetings.h"
 #include "limn/util/angles.h"
@@ -154,29 +153,19 @@ class Walker {
     while (recent.size() > 3 && is_far(recent.front())) recent.erase(recent.begin());
   }
 
-  // Moves a step across its direction, by robust Gauss-Newton steps.
   void MoveToEdgels(Step* step) const {
     constexpr int kMoves = 2;
-    const Eigen::Vector3d start = step->position;
-    const Eigen::Matrix<double, 3, 2> across = TangentFrame(step->direction);
-    const double prior = 1 / std::pow(kStepSigmaPx * step->footprint, 2);
-    for (int round = 0; round < kMoves; ++round) {
-      Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-      Eigen::Vector2d right = -prior * (across.transpose() * (step->position - start));
+    PointFit fit(step->position, step->direction, kStepSigmaPx * step->footprint, kRobustPx);
+    for (int i = 0; i < kMoves; ++i) {
+      std::vector<EdgelTarget> targets;
       for (const EdgelRef& ref :
-           SupportAt(input_, step->position, step->direction, step->views, kStepGate)) {
-        const auto residual = input_.Residual(ref, step->position);
-        if (!residual) continue;
-        const double robust = std::min(1.0, kRobustPx / std::abs(residual->residual_px));
-        const double weight = robust / ResidualVariance(input_.EdgelOf(ref));
-        const Eigen::Vector2d gradient = across.transpose() * residual->gradient;
-        information += weight * gradient * gradient.transpose();
-        right -= weight * gradient * residual->residual_px;
+           SupportAt(input_, fit.position(), step->direction, step->views, kStepGate)) {
+        targets.push_back(input_.TargetOf(ref));
       }
-      const Eigen::Matrix2d damped = information + prior * Eigen::Matrix2d::Identity();
-      step->position += across * damped.inverse() * right;
-      step->information = across * information * across.transpose();
+      fit.StepTo(targets);
     }
+    step->position = fit.position();
+    step->information = fit.Information();
     step->support = SupportAt(input_, step->position, step->direction, step->views, input_.gate);
   }
 

@@ -10,6 +10,7 @@
 #include "limn/geometry/spatial_index.h"
 #include "limn/geometry/tangent_frame.h"
 #include "limn/support/segment_support.h"
+#include "limn/topology/edgel_claims.h"
 #include "limn/topology/joint_rays.h"
 #include "limn/util/map_items.h"
 

@@ -12,9 +12,6 @@ namespace {
 
 // A view shows a joint if it supports a link within this distance, px.
 constexpr double kVisibleStretchPx = 10;
-// Neighbors of a claimed edgel on its fragment that are claimed, too, to either side: samples are
-// about 2 px apart.
-constexpr int kClaimedNeighbors = 1;
 // A direction within this angle of a link is taken by that link. For F see kExplainedRad of
 // joint_rays.cc.
 constexpr double kTakenRad = 20 * kDeg;
@@ -79,34 +76,6 @@ bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction) {
   return std::any_of(
       joint.leaving.begin(), joint.leaving.end(),
       [&](const Eigen::Vector3d& leaving) { return leaving.dot(direction) > min_cosine; });
-}
-
-std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph) {
-  std::vector<std::vector<bool>> claimed;
-  for (const ImageCurves& of_view : input.curves) {
-    claimed.emplace_back(of_view.edge_map.edgels.size());
-  }
-  for (const DrawingLink& link : graph.links) {
-    for (const LinkVertex& vertex : link.vertices) {
-      for (const EdgelRef& ref : vertex.support) claimed[ref.view][ref.edgel] = true;
-    }
-  }
-  std::vector<EdgelIndex> result;
-  for (size_t v = 0; v < claimed.size(); ++v) {
-    std::vector<bool> unclaimed = LinkedEdgels(input.curves[v]);
-    for (const CurveFragment& fragment : input.curves[v].fragments) {
-      const auto size = static_cast<int>(fragment.edgel_ids.size());
-      for (int i = 0; i < size; ++i) {
-        if (!claimed[v][fragment.edgel_ids[i]]) continue;
-        const int last = std::min(size - 1, i + kClaimedNeighbors);
-        for (int j = std::max(0, i - kClaimedNeighbors); j <= last; ++j) {
-          unclaimed[fragment.edgel_ids[j]] = false;
-        }
-      }
-    }
-    result.emplace_back(input.curves[v].edge_map, unclaimed);
-  }
-  return result;
 }
 
 std::vector<EdgelRef> SupportAt(const TopologyInput& input, const Eigen::Vector3d& position,

@@ -26,10 +26,6 @@ std::vector<Joint> CollectJoints(const DrawingGraph& graph, size_t num_views);
 // Returns whether a link leaves the joint within 20 degrees of the direction.
 bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction);
 
-// Per view, the edgels of fragments that support no link. Neighbors, along the fragment, of a
-// supporting edgel count as supporting.
-std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph);
-
 // The gate near corners, where edges are rounded: wider than that of samples (ALGORITHM.md 1.4).
 inline constexpr SupportGate kJointGate = {1.5, 1.5, 25 * M_PI / 180};
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "limn/topology/edgel_claims.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/topology/samples.h"
 #include "limn/util/angles.h"
@@ -30,31 +31,6 @@ constexpr int kMinSideViews = 4;
 // Nodes are not made nearer than this to the ends of a link, px.
 constexpr double kFromEndPx = 5;
 
-// A point of a link.
-struct LinkPoint {
-  LinkId link = -1;
-  int index = -1;
-
-  auto operator<=>(const LinkPoint&) const = default;
-};
-
-// Per view and edgel, the point of a link that it supports.
-using Claims = std::vector<std::vector<LinkPoint>>;
-
-Claims CollectClaims(const TopologyInput& input, const DrawingGraph& graph) {
-  Claims claims;
-  for (const ImageCurves& of_view : input.curves) {
-    claims.emplace_back(of_view.edge_map.edgels.size());
-  }
-  for (LinkId id = 0; id < static_cast<LinkId>(graph.links.size()); ++id) {
-    const DrawingLink& link = graph.links[id];
-    for (int k = 0; k < static_cast<int>(link.vertices.size()); ++k) {
-      for (const EdgelRef& ref : link.vertices[k].support) claims[ref.view][ref.edgel] = {id, k};
-    }
-  }
-  return claims;
-}
-
 // Finds the points of links at which runs of a view's edgels end.
 class RunEnds {
  public:
@@ -68,7 +44,7 @@ class RunEnds {
     for (const CurveFragment& fragment : fragments_) {
       ForEachRun(
           static_cast<int>(fragment.edgel_ids.size()),
-          [&](int i) { return IsUnclaimed(fragment, i); },
+          [&](int i) { return !IsClaimed(fragment, i, claims_); },
           [&](int begin, int end) { AddRun(fragment, begin, end); });
     }
     std::ranges::sort(found_);
@@ -77,15 +53,6 @@ class RunEnds {
   }
 
  private:
-  // Neighbors of claimed edgels are claimed, too: points of links are up to 2 px apart.
-  bool IsUnclaimed(const CurveFragment& fragment, int i) const {
-    const int last = static_cast<int>(fragment.edgel_ids.size()) - 1;
-    for (int j = std::max(0, i - 1); j <= std::min(last, i + 1); ++j) {
-      if (claims_[fragment.edgel_ids[j]].link >= 0) return false;
-    }
-    return true;
-  }
-
   const Eigen::Vector2d& At(const CurveFragment& fragment, int i) const {
     return edgels_[fragment.edgel_ids[i]].position_px;
   }
@@ -165,7 +132,7 @@ std::vector<int> ChooseCuts(const DrawingLink& link,
 
 int64_t SplitAtSideEdges(const TopologyInput& input, const RunContext& context,
                          GraphEditor* editor) {
-  const Claims claims = CollectClaims(input, editor->graph());
+  const EdgelClaims claims = CollectClaims(input, editor->graph());
   std::vector<std::vector<LinkPoint>> of_view(input.views.size());
   ParallelFor(context, "side edges", of_view.size(), [&](size_t v) {
     of_view[v] = RunEnds(input, claims[v], static_cast<ViewId>(v)).Find();

@@ -8,6 +8,7 @@
 
 #include "limn/model/curve3d.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/support/point_fit.h"
 #include "limn/support/view_edgels.h"
 
 namespace limn {
@@ -28,6 +29,11 @@ struct TopologyInput {
   // The distance of a point from an edgel; empty if it is behind the camera.
   std::optional<EdgelResidual> Residual(const EdgelRef& ref, const Eigen::Vector3d& point) const {
     return ResidualToEdgel(views[ref.view], EdgelOf(ref), point);
+  }
+  // An edgel as what a point of a curve is drawn to.
+  EdgelTarget TargetOf(const EdgelRef& ref) const {
+    const Edgel& edgel = EdgelOf(ref);
+    return {views[ref.view], edgel, ResidualVariance(edgel)};
   }
   // The edgel that best supports a point of a curve with this tangent, if the view shows one.
   std::optional<EdgelRef> EdgelAt(ViewId view, const Eigen::Vector3d& point,

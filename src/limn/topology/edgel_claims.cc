@@ -1,0 +1,44 @@
+#include "limn/topology/edgel_claims.h"
+
+#include <algorithm>
+
+namespace limn {
+
+EdgelClaims CollectClaims(const TopologyInput& input, const DrawingGraph& graph) {
+  EdgelClaims claims;
+  for (const ImageCurves& of_view : input.curves) {
+    claims.emplace_back(of_view.edge_map.edgels.size());
+  }
+  for (LinkId id = 0; id < static_cast<LinkId>(graph.links.size()); ++id) {
+    const DrawingLink& link = graph.links[id];
+    for (int k = 0; k < static_cast<int>(link.vertices.size()); ++k) {
+      for (const EdgelRef& ref : link.vertices[k].support) claims[ref.view][ref.edgel] = {id, k};
+    }
+  }
+  return claims;
+}
+
+bool IsClaimed(const CurveFragment& fragment, int index, std::span<const LinkPoint> claims) {
+  const int last = std::min(static_cast<int>(fragment.edgel_ids.size()) - 1, index + 1);
+  for (int i = std::max(0, index - 1); i <= last; ++i) {
+    if (claims[fragment.edgel_ids[i]].link >= 0) return true;
+  }
+  return false;
+}
+
+std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph) {
+  const EdgelClaims claims = CollectClaims(input, graph);
+  std::vector<EdgelIndex> result;
+  for (size_t v = 0; v < claims.size(); ++v) {
+    std::vector<bool> unclaimed = LinkedEdgels(input.curves[v]);
+    for (const CurveFragment& fragment : input.curves[v].fragments) {
+      for (int i = 0; i < static_cast<int>(fragment.edgel_ids.size()); ++i) {
+        if (IsClaimed(fragment, i, claims[v])) unclaimed[fragment.edgel_ids[i]] = false;
+      }
+    }
+    result.emplace_back(input.curves[v].edge_map, unclaimed);
+  }
+  return result;
+}
+
+}  // namespace limn
