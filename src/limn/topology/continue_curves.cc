@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 #include "limn/geometry/spatial_index.h"
 #include "limn/support/point_fit.h"
 #include "limn/support/segment_support.h"
@@ -22,8 +24,11 @@ namespace {
 constexpr SupportGate kStepGate = {1.5, 1.0, 20 * kDeg};
 // Longest continuation, steps of one px.
 constexpr int kMaxSteps = 400;
-// Length of the stretch whose line is followed, px.
-constexpr double kLinePx = 8;
+// Length of the stretch whose parabola is followed, px, the noise of its points, px, and the
+// standard deviation of its bend, 1 / px.
+constexpr double kFollowedPx = 12;
+constexpr double kPointSigmaPx = 0.3;
+constexpr double kBendSigma = 0.02;
 // Standard deviation of a step across that line, px, and the residual beyond which edgels count
 // linearly.
 constexpr double kStepSigmaPx = 0.3;
@@ -62,10 +67,29 @@ void TrimGap(std::vector<Step>* steps) {
   while (!steps->empty() && !steps->back().is_supported) steps->pop_back();
 }
 
-// The direction of the line through some points, from first to last.
-Eigen::Vector3d DirectionOf(std::span<const Eigen::Vector3d> points) {
-  const Eigen::Vector3d axis = FitLine(points).direction;
-  return axis.dot(points.back() - points.front()) < 0 ? Eigen::Vector3d(-axis) : axis;
+// Where a curve through some points, the latest one last, goes on one px after it. A parabola whose
+// bend has a prior, so that noise does not bend straight lines.
+struct Prediction {
+  Eigen::Vector3d position;
+  Eigen::Vector3d direction;  // unit
+};
+Prediction GoOn(std::span<const Eigen::Vector3d> points, double footprint) {
+  const Eigen::Vector3d& last = points.back();
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d right = Eigen::Matrix3d::Zero();
+  double arc_px = 0;
+  for (size_t k = points.size(); k-- > 0;) {
+    if (k + 1 < points.size()) arc_px -= (points[k + 1] - points[k]).norm() / footprint;
+    const Eigen::Vector3d powers(1, arc_px, arc_px * arc_px);
+    normal += powers * powers.transpose();
+    right += powers * (points[k] - last).transpose() / footprint;
+  }
+  const double weight = kPointSigmaPx / (0.5 * kBendSigma);
+  normal(2, 2) += weight * weight;
+  const Eigen::Matrix3d curve = normal.ldlt().solve(right);
+  const Eigen::Vector3d slope = curve.row(1) + 2 * curve.row(2);
+  return {last + footprint * (curve.row(0) + curve.row(1) + curve.row(2)).transpose(),
+          slope.normalized()};
 }
 
 class Walker {
@@ -121,7 +145,7 @@ class Walker {
     for (int k = 0; k < size && arc_px < kKnownPx; ++k) {
       const Eigen::Vector3d& point = link.points_in_world[at(k)];
       if (k > 0) arc_px += (point - link.points_in_world[at(k - 1)]).norm() / state.footprint;
-      if (arc_px <= kLinePx) state.recent.push_back(point);
+      if (arc_px <= kFollowedPx) state.recent.push_back(point);
       // Views in which the end of the link is hidden get half as many steps to show it again.
       const double seen_at = -0.5 * options_.max_continuation_gap_px * arc_px / kKnownPx;
       for (const EdgelRef& ref : link.vertices[at(k)].support) {
@@ -135,8 +159,9 @@ class Walker {
   Step Predict(const State& state, int i) const {
     Step step;
     step.footprint = state.footprint;
-    step.direction = DirectionOf(state.recent);
-    step.position = state.recent.back() + state.footprint * step.direction;
+    const Prediction next = GoOn(state.recent, state.footprint);
+    step.direction = next.direction;
+    step.position = next.position;
     for (size_t v = 0; v < state.last_seen.size(); ++v) {
       if (i - state.last_seen[v] > options_.max_continuation_gap_px + 1) continue;
       step.views.push_back(static_cast<ViewId>(v));
@@ -148,7 +173,7 @@ class Walker {
     std::vector<Eigen::Vector3d>& recent = state->recent;
     recent.push_back(step.position);
     const auto is_far = [&](const Eigen::Vector3d& point) {
-      return (point - step.position).norm() > kLinePx * step.footprint;
+      return (point - step.position).norm() > kFollowedPx * step.footprint;
     };
     while (recent.size() > 3 && is_far(recent.front())) recent.erase(recent.begin());
   }

@@ -100,7 +100,7 @@ TEST(ContinueCurvesTest, GapsArePassedUpToTheLimit) {
 }
 
 TEST(ContinueCurvesTest, BendsAreFollowed) {
-  for (const double radius : {25.0, 30.0}) {
+  for (const double radius : {12.0, 16.0, 20.0, 25.0, 30.0}) {
     FrontalScene scene;
     scene.Show(testing::ArcFromOrigin(radius, M_PI));
     scene.Draw(testing::ArcFromOrigin(radius, M_PI / 2));
