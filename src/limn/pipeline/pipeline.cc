@@ -37,21 +37,24 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
                          const RunContext& context, const StageObserver& on_stage_end) {
   auto [image_curves, drawn] = DrawUnrefined(input, options, context, on_stage_end);
   auto& [sketch, drawing] = drawn;
+  // What follows is done by this process alone.
+  RunContext alone = context;
+  alone.team = nullptr;
 
   RefinementResult refined =
       RefineDrawing({input.views, image_curves.curves, drawing.graph, &input.hints.points},
-                    options.refinement, options.drawing.topology, context);
+                    options.refinement, options.drawing.topology, alone);
   on_stage_end(refined.summary);
 
   const std::vector<View>& views = refined.cameras ? refined.cameras->views : input.views;
   BeliefResult judged = JudgeLinks({views, image_curves.curves, refined.graph, refined.fitted},
-                                   options.belief, options.drawing.topology, context);
+                                   options.belief, options.drawing.topology, alone);
   on_stage_end(judged.summary);
 
-  PrimitiveResult primitives = FitPrimitives(judged.graph, views, options.primitives, context);
+  PrimitiveResult primitives = FitPrimitives(judged.graph, views, options.primitives, alone);
   on_stage_end(primitives.summary);
 
-  KindsResult kinds = ClassifyKinds({views, input.images.read, primitives.graph}, context);
+  KindsResult kinds = ClassifyKinds({views, input.images.read, primitives.graph}, alone);
   on_stage_end(kinds.summary);
 
   return {std::move(image_curves.curves), std::move(sketch.sketch),   std::move(sketch.fates),
