@@ -16,6 +16,9 @@
 namespace limn {
 namespace {
 
+// Views that contradict a link are at least this share of the number that show it: few of many are
+// places of low contrast.
+constexpr double kMinContradictingShare = 0.25;
 // An edgel shows a link within these limits, those of the refinement.
 constexpr SupportGate kGate = {1.0, 1.0, 15 * M_PI / 180};
 // Fewer views do not determine a curve.
@@ -66,7 +69,7 @@ class Judge {
     if (EvidenceOf(l) < needed) {
       return LinkDoubt::kChance;
     }
-    if (views_through_[l] >= options_.min_contradicting_views) return LinkDoubt::kSeenThrough;
+    if (IsContradicted(l)) return LinkDoubt::kSeenThrough;
     if (num_free > 0 && evidence.OwnShare() < options_.min_own_share) {
       return LinkDoubt::kExplained;
     }
@@ -81,6 +84,12 @@ class Judge {
  private:
   double EvidenceOf(size_t l) const {
     return links_[l].evidence + EvidenceOfSigma(graph_.links[l], links_[l].footprint);
+  }
+
+  // Whether enough views see others through the link, also compared with those that show it.
+  bool IsContradicted(size_t l) const {
+    return views_through_[l] >= options_.min_contradicting_views &&
+           views_through_[l] >= kMinContradictingShare * links_[l].showing_views;
   }
 
   // Whether the link meets nothing at the node. What has grown from its end, without samples of the

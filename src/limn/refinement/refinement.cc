@@ -292,6 +292,7 @@ class Refiner {
     summary.kept = {{"links", std::ssize(graph_.links)},
                     {"links not fitted: too few views", num_frozen_},
                     {"control points", std::ssize(control_.position)},
+                    {"long edges drawn anew", repairs_.long_edges.added},
                     {"ends cut back from other links", repairs_.trimmed},
                     {"ends joined", repairs_.meetings.joined},
                     {"ends taken to nodes", repairs_.meetings.to_nodes},
@@ -300,7 +301,8 @@ class Refiner {
                     {"edges grown between nodes", repairs_.grown},
                     {"short edges between nodes", repairs_.short_edges},
                     {"dissolved nodes", repairs_.dissolved_nodes}};
-    summary.dropped = {{"links: others run along them", num_covered_}};
+    summary.dropped = {{"links: others run along them", num_covered_},
+                       {"links: pieces of long edges", repairs_.long_edges.replaced}};
     if (num_failed_pose_rounds_ > 0) {
       summary.warnings.push_back(std::to_string(num_failed_pose_rounds_) + " of " +
                                  std::to_string(std::size(kPoseRoundReach)) +

@@ -3,18 +3,21 @@
 namespace limn {
 namespace {
 
-std::vector<int> FragmentOfEdgels(const ImageCurves& curves) {
-  std::vector<int> fragment_of(curves.edge_map.edgels.size(), -1);
+std::vector<FragmentPlace> PlacesOfEdgels(const ImageCurves& curves) {
+  std::vector<FragmentPlace> place_of(curves.edge_map.edgels.size());
   for (size_t f = 0; f < curves.fragments.size(); ++f) {
-    for (const EdgelId id : curves.fragments[f].edgel_ids) fragment_of[id] = static_cast<int>(f);
+    const std::vector<EdgelId>& ids = curves.fragments[f].edgel_ids;
+    for (size_t i = 0; i < ids.size(); ++i) {
+      place_of[ids[i]] = {static_cast<int>(f), static_cast<int>(i)};
+    }
   }
-  return fragment_of;
+  return place_of;
 }
 
 }  // namespace
 
 ViewEdgels::ViewEdgels(const ImageCurves& curves)
-    : fragment_of(FragmentOfEdgels(curves)), edgels(curves.edge_map, LinkedEdgels(curves)) {}
+    : place_of(PlacesOfEdgels(curves)), edgels(curves.edge_map, LinkedEdgels(curves)) {}
 
 std::vector<std::unique_ptr<ViewEdgels>> BuildViewEdgels(const std::vector<ImageCurves>& curves,
                                                          const RunContext& context) {

@@ -9,12 +9,18 @@
 
 namespace limn {
 
+// Where an edgel is on a fragment.
+struct FragmentPlace {
+  int fragment = -1;  // -1: on none
+  int index = -1;     // in its edgel_ids
+};
+
 // The edges of one view, indexed for the multi-view stages. Only edgels of fragments count as
 // support; an isolated edgel may be noise.
 struct ViewEdgels {
   explicit ViewEdgels(const ImageCurves& curves);
 
-  std::vector<int> fragment_of;  // per edgel: its fragment, or -1
+  std::vector<FragmentPlace> place_of;  // per edgel
   EdgelIndex edgels;
 };
 

@@ -6,8 +6,7 @@
 #include <span>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
+#include "limn/geometry/parabola.h"
 #include "limn/geometry/spatial_index.h"
 #include "limn/support/point_fit.h"
 #include "limn/support/segment_support.h"
@@ -67,29 +66,14 @@ void TrimGap(std::vector<Step>* steps) {
   while (!steps->empty() && !steps->back().is_supported) steps->pop_back();
 }
 
-// Where a curve through some points, the latest one last, goes on one px after it. A parabola whose
+// How a curve through some points, the latest one last, goes on from there, by arc length in px. A
 // bend has a prior, so that noise does not bend straight lines.
-struct Prediction {
-  Eigen::Vector3d position;
-  Eigen::Vector3d direction;  // unit
-};
-Prediction GoOn(std::span<const Eigen::Vector3d> points, double footprint) {
-  const Eigen::Vector3d& last = points.back();
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d right = Eigen::Matrix3d::Zero();
-  double arc_px = 0;
-  for (size_t k = points.size(); k-- > 0;) {
-    if (k + 1 < points.size()) arc_px -= (points[k + 1] - points[k]).norm() / footprint;
-    const Eigen::Vector3d powers(1, arc_px, arc_px * arc_px);
-    normal += powers * powers.transpose();
-    right += powers * (points[k] - last).transpose() / footprint;
+Parabola GoOn(std::span<const Eigen::Vector3d> points, double footprint) {
+  std::vector<double> arcs_px(points.size(), 0);
+  for (size_t k = points.size() - 1; k-- > 0;) {
+    arcs_px[k] = arcs_px[k + 1] - (points[k + 1] - points[k]).norm() / footprint;
   }
-  const double weight = kPointSigmaPx / (0.5 * kBendSigma);
-  normal(2, 2) += weight * weight;
-  const Eigen::Matrix3d curve = normal.ldlt().solve(right);
-  const Eigen::Vector3d slope = curve.row(1) + 2 * curve.row(2);
-  return {last + footprint * (curve.row(0) + curve.row(1) + curve.row(2)).transpose(),
-          slope.normalized()};
+  return FitParabola(points, arcs_px, std::pow(kPointSigmaPx / (0.5 * kBendSigma), 2));
 }
 
 class Walker {
@@ -159,9 +143,9 @@ class Walker {
   Step Predict(const State& state, int i) const {
     Step step;
     step.footprint = state.footprint;
-    const Prediction next = GoOn(state.recent, state.footprint);
-    step.direction = next.direction;
-    step.position = next.position;
+    const Parabola curve = GoOn(state.recent, state.footprint);
+    step.direction = curve.SlopeAt(1).normalized();
+    step.position = curve.At(1);
     for (size_t v = 0; v < state.last_seen.size(); ++v) {
       if (i - state.last_seen[v] > options_.max_continuation_gap_px + 1) continue;
       step.views.push_back(static_cast<ViewId>(v));

@@ -9,7 +9,7 @@
 namespace limn {
 
 // Cuts free ends that run along another link back to where they part from it, and removes links of
-// which little remains (ALGORITHM.md 17.1). Links without vertices are left alone. Returns the
+// which little remains (ALGORITHM.md 17.2). Links without vertices are left alone. Returns the
 // number of ends cut. O(n log n) in the number of points.
 int64_t TrimEnds(const TopologyOptions& options, GraphEditor* editor);
 

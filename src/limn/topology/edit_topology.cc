@@ -4,6 +4,7 @@
 #include "limn/topology/finish_links.h"
 #include "limn/topology/grow_edges.h"
 #include "limn/topology/join_ends.h"
+#include "limn/topology/long_edges.h"
 #include "limn/topology/sample_fates.h"
 #include "limn/topology/side_edges.h"
 #include "limn/topology/snap_ends.h"
@@ -64,6 +65,7 @@ RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& o
   RepairCounts counts;
   GraphEditor editor(graph);
   const MeetingTask meetings = {input, options, Reach::Fitted(options), &editor, &counts.meetings};
+  counts.long_edges = AddLongEdges(input, context, &editor);
   counts.trimmed = TrimEnds(options, &editor);
   JoinFacingEnds(meetings);
   SnapEnds(meetings);

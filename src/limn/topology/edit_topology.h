@@ -5,6 +5,7 @@
 #include "limn/model/curve3d.h"
 #include "limn/model/edgel_fate.h"
 #include "limn/topology/continue_curves.h"
+#include "limn/topology/long_edges.h"
 #include "limn/topology/meetings.h"
 #include "limn/topology/tidy.h"
 #include "limn/util/parallel.h"
@@ -32,6 +33,7 @@ CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& 
                                  DrawingGraph* graph, SampleFates* fates);
 
 struct RepairCounts {
+  LongEdgeCounts long_edges;
   int64_t trimmed = 0;  // free ends cut back from another link
   MeetingCounts meetings;
   int64_t splits = 0;       // of links where they turn sharply
@@ -41,11 +43,11 @@ struct RepairCounts {
 };
 
 // Repairs topological errors that a fit to the images reveals, so that the next fit can benefit
-// (ours; ALGORITHM.md 17). Cuts back free ends that run along other links, joins ends, moves them
-// to the nodes and links that they meet, splits links at corners, grows edges between the nodes,
-// which now are where they should be, and dissolves nodes at which one curve goes on. Links without
-// vertices are left alone; the others need a point about every px. The graph passes Validate()
-// before and after.
+// (ours; ALGORITHM.md 17). Draws long edges between joints anew, cuts back free ends that run along
+// other links, joins ends, moves them to the nodes and links that they meet, splits links at
+// corners, grows edges between the nodes, which now are where they should be, and dissolves nodes
+// at which one curve goes on. Links without vertices are left alone; the others need a point about
+// every px. The graph passes Validate() before and after.
 RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& options,
                             const RunContext& context, DrawingGraph* graph);
 

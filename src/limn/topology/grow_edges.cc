@@ -96,8 +96,7 @@ class EdgeFinder {
     std::sort(found.begin(), found.end());
     int64_t added = 0;
     for (const auto& [log_chance, from, to, seen_in] : found) {
-      added += AddStraightLink(input_, joints_[to].position, seen_in, &joints_[from], &joints_[to],
-                               editor_);
+      added += AddLink(joints_[to].position, seen_in, &joints_[from], &joints_[to]);
     }
     return added;
   }
@@ -121,8 +120,15 @@ class EdgeFinder {
     if (!Shown(joint->position, end, joint->visible, kMaxChance)) return false;
     Joint* target = JointNear(end, direction.unit, *joint);
     if (!target && ends_ == GrowthEnd::kJoint) return false;
-    return AddStraightLink(input_, target ? target->position : end, direction.views, joint, target,
-                           editor_);
+    return AddLink(target ? target->position : end, direction.views, joint, target);
+  }
+
+  // Unless another link leaves in this direction. Returns whether the link was added.
+  bool AddLink(const Eigen::Vector3d& end, const std::vector<ViewId>& in_views, Joint* joint,
+               Joint* target) {
+    if (IsTaken(*joint, end, target)) return false;
+    AddStraightLink(input_, end, in_views, joint, target, editor_);
+    return true;
   }
 
   // Length of the edge, px. Its direction is fitted to the edgels on the way. A view that loses the
@@ -207,9 +213,7 @@ class EdgeFinder {
 
   bool CanHaveSegment(const Joint& a, const Joint& b) const {
     const Eigen::Vector3d offset = b.position - a.position;
-    if (offset.norm() < kMinSegmentPx * a.footprint) return false;
-    const Eigen::Vector3d direction = offset.normalized();
-    return !IsTaken(a, direction) && !IsTaken(b, -direction);
+    return offset.norm() >= kMinSegmentPx * a.footprint && !IsTaken(a, b.position, &b);
   }
 
   // Segments from a joint to later joints that the images show.

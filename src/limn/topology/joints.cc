@@ -33,15 +33,8 @@ LinkVertex MakeVertex(const TopologyInput& input, const Eigen::Vector3d& positio
   LinkVertex vertex;
   vertex.footprint = footprint;
   vertex.support = SupportAt(input, position, direction, in_views, kJointGate);
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  for (const EdgelRef& ref : vertex.support) {
-    const auto residual = input.Residual(ref, position);
-    if (!residual) continue;
-    information +=
-        residual->gradient * residual->gradient.transpose() / ResidualVariance(input.EdgelOf(ref));
-  }
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - direction * direction.transpose();
-  vertex.information = across * information * across;
+  vertex.information = across * input.Information(vertex.support, position) * across;
   return vertex;
 }
 
@@ -89,12 +82,16 @@ std::vector<EdgelRef> SupportAt(const TopologyInput& input, const Eigen::Vector3
   return support;
 }
 
-bool AddStraightLink(const TopologyInput& input, const Eigen::Vector3d& end,
+bool IsTaken(const Joint& joint, const Eigen::Vector3d& end, const Joint* target) {
+  const Eigen::Vector3d direction = (end - joint.position).normalized();
+  return IsTaken(joint, direction) || (target && IsTaken(*target, -direction));
+}
+
+void AddStraightLink(const TopologyInput& input, const Eigen::Vector3d& end,
                      const std::vector<ViewId>& in_views, Joint* joint, Joint* target,
                      GraphEditor* editor) {
   const Eigen::Vector3d begin = joint->position;
   const Eigen::Vector3d direction = (end - begin).normalized();
-  if (IsTaken(*joint, direction) || (target && IsTaken(*target, -direction))) return false;
   const double length_px = (end - begin).norm() / joint->footprint;
   const int count = std::max(3, static_cast<int>(std::lround(length_px / kSpacingPx)) + 1);
   DrawingLink link;
@@ -110,7 +107,6 @@ bool AddStraightLink(const TopologyInput& input, const Eigen::Vector3d& end,
   editor->Add(std::move(link));
   joint->leaving.push_back(direction);
   if (target) target->leaving.push_back(-direction);
-  return true;
 }
 
 }  // namespace limn

@@ -34,10 +34,12 @@ std::vector<EdgelRef> SupportAt(const TopologyInput& input, const Eigen::Vector3
                                 const Eigen::Vector3d& direction,
                                 const std::vector<ViewId>& in_views, const SupportGate& gate);
 
+// The same for the line to a place, which is that of `target` unless it is null.
+bool IsTaken(const Joint& joint, const Eigen::Vector3d& end, const Joint* target);
+
 // Adds a straight link from a joint to a free end, or to another joint if `target` is not null,
-// supported by the edgels of `in_views`. Updates the joints. Returns false, and adds nothing, if
-// the direction is taken at one of them.
-bool AddStraightLink(const TopologyInput& input, const Eigen::Vector3d& end,
+// supported by the edgels of `in_views`. Updates the joints.
+void AddStraightLink(const TopologyInput& input, const Eigen::Vector3d& end,
                      const std::vector<ViewId>& in_views, Joint* joint, Joint* target,
                      GraphEditor* editor);
 

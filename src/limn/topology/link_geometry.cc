@@ -4,8 +4,9 @@
 #include <cmath>
 #include <span>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+
+#include "limn/geometry/parabola.h"
 
 namespace limn {
 namespace {
@@ -19,20 +20,6 @@ constexpr size_t kMinBendPoints = 5;
 constexpr int kMaxProbes = 60;
 // Upper limit of a standard deviation, px.
 constexpr double kWeakSigmaPx = 30;
-
-// The direction at arc 0 of the parabola through points at these arc lengths, towards arc 0.
-Eigen::Vector3d DirectionAtStart(std::span<const Eigen::Vector3d> points,
-                                 std::span<const double> arcs) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d right = Eigen::Matrix3d::Zero();
-  for (size_t k = 0; k < points.size(); ++k) {
-    const Eigen::Vector3d powers(1, arcs[k], arcs[k] * arcs[k]);
-    normal += powers * powers.transpose();
-    right += powers * (points[k] - points[0]).transpose();
-  }
-  const Eigen::Matrix3d coefficients = normal.ldlt().solve(right);
-  return -coefficients.row(1).transpose().stableNormalized();
-}
 
 }  // namespace
 
@@ -85,7 +72,8 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
   const Eigen::Vector3d direction = axis.dot(outwards) < 0 ? Eigen::Vector3d(-axis) : axis;
   tip.outward = tip.bent_outward = direction;
   if (is_long && used.size() >= kMinBendPoints) {
-    tip.bent_outward = DirectionAtStart(used, std::span(arcs_px).subspan(num_rounded));
+    const Parabola inward = FitParabola(used, std::span(arcs_px).subspan(num_rounded));
+    tip.bent_outward = -inward.slope.stableNormalized();
   }
   tip.point = mean + direction * direction.dot(tip.point - mean);
   return tip;

@@ -25,7 +25,7 @@ constexpr double kEndStretchPx = 12;
 void CollectFragments(const TopologyInput& input, const LinkVertex& vertex,
                       FragmentsByView* fragments) {
   for (const EdgelRef& ref : vertex.support) {
-    (*fragments)[ref.view].insert(input.edgels[ref.view]->fragment_of[ref.edgel]);
+    (*fragments)[ref.view].insert(input.edgels[ref.view]->place_of[ref.edgel].fragment);
   }
 }
 
@@ -126,7 +126,7 @@ bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const
     bool near_b = false;
     const ViewEdgels& edgels = *input.edgels[view];
     edgels.edgels.ForEachWithin(*pixel, kNearPx, [&](EdgelId id) {
-      const int fragment = edgels.fragment_of[id];
+      const int fragment = edgels.place_of[id].fragment;
       near_a |= fragments_a.count(fragment) > 0;
       near_b |= found->second.count(fragment) > 0;
     });

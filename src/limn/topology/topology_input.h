@@ -35,6 +35,19 @@ struct TopologyInput {
     const Edgel& edgel = EdgelOf(ref);
     return {views[ref.view], edgel, ResidualVariance(edgel)};
   }
+  // What edgels say of the position of a point, world units: their inverse variances along the
+  // gradients of their residuals.
+  Eigen::Matrix3d Information(const std::vector<EdgelRef>& refs,
+                              const Eigen::Vector3d& point) const {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const EdgelRef& ref : refs) {
+      const auto residual = Residual(ref, point);
+      if (!residual) continue;
+      const Eigen::Vector3d& gradient = residual->gradient;
+      sum += gradient * gradient.transpose() / ResidualVariance(EdgelOf(ref));
+    }
+    return sum;
+  }
   // The edgel that best supports a point of a curve with this tangent, if the view shows one.
   std::optional<EdgelRef> EdgelAt(ViewId view, const Eigen::Vector3d& point,
                                   const Eigen::Vector3d& tangent, const SupportGate& within) const {

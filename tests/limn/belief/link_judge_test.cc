@@ -118,6 +118,27 @@ TEST(JudgeLinksTest, ALinkThatOthersAreSeenThrough) {
                                      LinkDoubt::kNone}));
 }
 
+TEST(JudgeLinksTest, FewViewsDoNotContradictMany) {
+  // The nearer link is hard to see around the crossing in the last views.
+  const auto doubts = [](size_t num_clear) {
+    BeliefScene scene;
+    const Eigen::Vector3d up(0, 0, 1);
+    scene.Add(FrontalPoint(-60, 0), FrontalPoint(60, 0));
+    const auto at = [&](double y) { return Eigen::Vector3d(FrontalPoint(0, y) + up); };
+    scene.Draw({at(-60), at(60)});
+    for (size_t v = 0; v < scene.views.size(); ++v) {
+      const std::vector<double> ends =
+          v < num_clear ? std::vector<double>{-60, 60} : std::vector<double>{-60, -35, 35, 60};
+      for (size_t k = 0; k < ends.size(); k += 2) {
+        scene.shown[v].push_back(Segment(at(ends[k]), at(ends[k + 1])));
+      }
+    }
+    return DoubtsOf(scene);
+  };
+  EXPECT_EQ(doubts(14), (Doubts{LinkDoubt::kNone, LinkDoubt::kNone}));
+  EXPECT_EQ(doubts(8), (Doubts{LinkDoubt::kNone, LinkDoubt::kSeenThrough}));
+}
+
 TEST(JudgeLinksTest, LinksThatCouldNotBeFitted) {
   BeliefScene scene;
   const auto square = [&](double x) { return std::pair{FrontalPoint(x, 0), FrontalPoint(x, 40)}; };

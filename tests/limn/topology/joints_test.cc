@@ -117,12 +117,11 @@ class AddStraightLinkTest : public ::testing::Test {
     if (joints_[0].position != FrontalPoint(0, 0)) std::swap(joints_[0], joints_[1]);
   }
 
-  bool Add(double x_px, double y_px, const std::vector<ViewId>& in_views, Joint* target) {
+  void Add(double x_px, double y_px, const std::vector<ViewId>& in_views, Joint* target) {
     GraphEditor editor(&scene_.graph);
-    const bool added = AddStraightLink(scene_.Input(), FrontalPoint(x_px, y_px), in_views,
-                                       &joints_[0], target, &editor);
+    AddStraightLink(scene_.Input(), FrontalPoint(x_px, y_px), in_views, &joints_[0], target,
+                    &editor);
     testing::ExpectValid(scene_.graph);
-    return added;
   }
 
   FrontalScene scene_;
@@ -130,7 +129,7 @@ class AddStraightLinkTest : public ::testing::Test {
 };
 
 TEST_F(AddStraightLinkTest, PointsKnowTheEdgelsOfTheViewsGiven) {
-  ASSERT_TRUE(Add(0, 20, {1, 2, 3, 7}, nullptr));
+  Add(0, 20, {1, 2, 3, 7}, nullptr);
   const DrawingLink& link = scene_.graph.links.back();
   EXPECT_EQ(link.points_in_world.front(), FrontalPoint(0, 0));
   EXPECT_EQ(link.points_in_world.back(), FrontalPoint(0, 20));
@@ -151,7 +150,7 @@ TEST_F(AddStraightLinkTest, PointsKnowTheEdgelsOfTheViewsGiven) {
 }
 
 TEST_F(AddStraightLinkTest, JointsKnowTheNewLink) {
-  ASSERT_TRUE(Add(0, 20, {0, 1, 2, 3}, nullptr));
+  Add(0, 20, {0, 1, 2, 3}, nullptr);
   EXPECT_EQ(joints_[0].leaving.back(), Eigen::Vector3d::UnitY());
   EXPECT_EQ(scene_.Degree(0, 0), 2);
   EXPECT_EQ(scene_.Degree(0, 20), 1);
@@ -160,19 +159,19 @@ TEST_F(AddStraightLinkTest, JointsKnowTheNewLink) {
 TEST_F(AddStraightLinkTest, TargetIsItsEnd) {
   Joint* target = &joints_[2];
   ASSERT_EQ(target->position, FrontalPoint(-60, 40));
-  ASSERT_TRUE(Add(-60, 40, {}, target));
+  Add(-60, 40, {}, target);
   EXPECT_EQ(scene_.graph.links.back().node1, target->node);
   EXPECT_EQ(target->leaving.back(), -joints_[0].leaving.back());
   EXPECT_EQ(scene_.Degree(-60, 40), 2);
 }
 
-TEST_F(AddStraightLinkTest, DirectionsThatAreTakenAreNot) {
-  const size_t num_links = scene_.graph.links.size();
-  EXPECT_FALSE(Add(-50, 5, {}, nullptr));
+TEST_F(AddStraightLinkTest, LinesAlongLinksAreTaken) {
+  EXPECT_FALSE(IsTaken(joints_[0], FrontalPoint(0, 20), nullptr));
+  EXPECT_TRUE(IsTaken(joints_[0], FrontalPoint(-50, 5), nullptr));
   // At the target alone.
+  EXPECT_FALSE(IsTaken(joints_[0], joints_[2].position, &joints_[2]));
   joints_[2].leaving.push_back((joints_[0].position - joints_[2].position).normalized());
-  EXPECT_FALSE(Add(-60, 40, {}, &joints_[2]));
-  EXPECT_EQ(scene_.graph.links.size(), num_links);
+  EXPECT_TRUE(IsTaken(joints_[0], joints_[2].position, &joints_[2]));
 }
 
 }  // namespace
