@@ -5,11 +5,15 @@
 #include <utility>
 
 #include "colmap_ext/model/image_name.h"
+#include "limn/util/name_list.h"
 
 namespace limn::colmap_ext {
 namespace {
 
 constexpr uint64_t kMaxImageSide = 1000000;
+// Focal lengths, in longer sides of the image: beyond any fisheye lens and any telescope.
+constexpr double kMinFocalOfSide = 1e-3;
+constexpr double kMaxFocalOfSide = 1e5;
 constexpr double kNormTolerance = 1e-3;
 
 Eigen::Quaterniond QuaternionOf(const std::array<double, 4>& wxyz) {
@@ -19,6 +23,16 @@ Eigen::Quaterniond QuaternionOf(const std::array<double, 4>& wxyz) {
 bool PrincipalPointIsOdd(const Intrinsics& camera, uint64_t width, uint64_t height) {
   return !(camera.cx >= 0 && camera.cx <= static_cast<double>(width) && camera.cy >= 0 &&
            camera.cy <= static_cast<double>(height));
+}
+
+void CheckFocal(double focal, const Camera& camera, const std::string& what,
+                const FilePlace& place) {
+  if (!(focal > 0)) place.Fail(what + ": the focal length is not positive");
+  const double sides = focal / static_cast<double>(std::max(camera.width, camera.height));
+  if (sides >= kMinFocalOfSide && sides <= kMaxFocalOfSide) return;
+  place.Fail(what + ": a focal length of " + ShortNumber(focal) +
+             " px makes no sense for images of " + std::to_string(camera.width) + " x " +
+             std::to_string(camera.height));
 }
 
 }  // namespace
@@ -49,9 +63,8 @@ void ModelBuilder::AddCamera(Camera camera, const FilePlace& place) {
   }
   if (camera.model != CameraModelId::kEquirectangular) {
     const Intrinsics intrinsics = IntrinsicsOf(camera);
-    if (!(intrinsics.fx > 0 && intrinsics.fy > 0)) {
-      place.Fail(what + ": the focal length is not positive");
-    }
+    CheckFocal(intrinsics.fx, camera, what, place);
+    CheckFocal(intrinsics.fy, camera, what, place);
     num_odd_principal_points_ += PrincipalPointIsOdd(intrinsics, camera.width, camera.height);
   }
   model_.cameras.push_back(std::move(camera));

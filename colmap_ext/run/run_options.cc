@@ -25,6 +25,8 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
   parser->AddOption("mask_path", &view.mask_path, BasicOption("folder of masks, <image name>.png"));
   parser->AddOption("max_image_size", &view.max_image_size,
                     BasicOption("shrink images to this longer side, px, -1 = do not"));
+  parser->AddOption("max_reprojection_px", &view.max_reprojection_px,
+                    "leave out images that points of the model miss by more than this, 0 = none");
   parser->AddOption(
       "quality", &options->quality,
       {{"low", Quality::kLow}, {"medium", Quality::kMedium}, {"high", Quality::kHigh}},

@@ -16,6 +16,7 @@
 
 #include "colmap_ext/model/camera_lens_map.h"
 #include "colmap_ext/model/image_name.h"
+#include "colmap_ext/workspace/camera_check.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
 
@@ -23,6 +24,10 @@ namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Median error of the model's points beyond which a camera is not good enough to draw from. COLMAP
+// keeps no point beyond 4 px in an image, and right cameras have a median well below 1 px.
+constexpr double kDoubtfulCameraPx = 2;
 
 std::set<std::string> ReadImageList(const std::string& path) {
   std::ifstream in(path);
@@ -213,12 +218,51 @@ void AddWarnings(const SparseModel& model, const std::vector<int>& selected, Vie
   }
 }
 
+// Keeps what is not left out, in order.
+template <typename T>
+void Keep(const std::vector<uint8_t>& keep, std::vector<T>* items) {
+  std::vector<T> kept;
+  for (size_t i = 0; i < items->size(); ++i) {
+    if (keep[i]) kept.push_back(std::move((*items)[i]));
+  }
+  *items = std::move(kept);
+}
+
+void LeaveOutMisfits(const SparseModel& model, double max_px, ViewSet* set) {
+  const CameraCheck check = CheckCameras(set->views, set->hints, max_px);
+  if (check.misfits.empty()) return;
+  const std::string misses = Describe(check, set->views, max_px);
+  if (check.misfits.size() == set->views.size()) {
+    throw InputError(model.folder.string() + ": no image is left, points miss " + misses +
+                     " (max_reprojection_px)");
+  }
+  set->warnings.push_back("left out (max_reprojection_px), since points miss " + misses);
+  std::vector<uint8_t> keep(set->views.size(), 1);
+  for (const Misfit& misfit : check.misfits) keep[misfit.view] = 0;
+  Keep(keep, &set->views);
+  Keep(keep, &set->image_paths);
+  Keep(keep, &set->mask_paths);
+  Keep(keep, &set->stored_sizes);
+  set->hints = MakeHints(model, set->views);
+}
+
+void WarnOfMisfits(ViewSet* set) {
+  const CameraCheck check = CheckCameras(set->views, set->hints, kDoubtfulCameraPx);
+  if (check.misfits.empty()) return;
+  const bool some_fit = check.num_fits > 0;
+  set->warnings.push_back("points of the sparse model miss " +
+                          Describe(check, set->views, kDoubtfulCameraPx) +
+                          ". Their poses, focal lengths or lenses are wrong" +
+                          (some_fit ? "; --max_reprojection_px leaves such images out" : ""));
+}
+
 }  // namespace
 
 void ViewOptions::Check() const {
   CheckOption(max_image_size == -1 || max_image_size >= 16, "max_image_size", max_image_size,
               "-1 or at least 16");
   LIMN_CHECK_OPTION(border_margin_px, >= 0);
+  LIMN_CHECK_OPTION(max_reprojection_px, >= 0);
 }
 
 ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewOptions& options,
@@ -271,6 +315,10 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   });
   set.hints = MakeHints(model, set.views);
   AddWarnings(model, selected, &set);
+  if (options.max_reprojection_px > 0) {
+    LeaveOutMisfits(model, options.max_reprojection_px, &set);
+  }
+  WarnOfMisfits(&set);
   return set;
 }
 

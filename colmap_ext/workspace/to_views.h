@@ -26,6 +26,9 @@ struct ViewOptions {
   // Width of the ignored strip along the image borders, pixels: lenses are worst there, and filters
   // reach beyond the image.
   double border_margin_px = 8;
+  // Images that the points of the sparse model miss by more than this, in the median, px of the
+  // images as used, are left out. 0 = keep all, and only warn.
+  double max_reprojection_px = 0;
 
   // Throws OptionError.
   void Check() const;
@@ -47,6 +50,7 @@ struct ViewSet {
 // cameras with distortion get a LensMap onto a virtual pinhole of the same focal length and
 // principal point. Intrinsics are rescaled to the size of the file, if its aspect is the camera's
 // within one pixel, and to max_image_size. Headers of all images and masks are read, in parallel.
+// Cameras that do not fit the points of the model are warned of, or left out (max_reprojection_px).
 //
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
 // the list is not registered, a mask has the wrong size. Throws InputError if no image is left.

@@ -1,15 +1,37 @@
 #include "limn/refinement/gauge.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "limn/util/median.h"
 
 namespace limn {
 
 namespace {
 
-Eigen::Matrix3Xd Centers(const std::vector<View>& views) {
-  Eigen::Matrix3Xd centers(3, views.size());
-  for (size_t v = 0; v < views.size(); ++v) centers.col(v) = views[v].CenterInWorld();
-  return centers;
+// With three cameras, any two would be a majority.
+constexpr size_t kMinCamerasForMajority = 4;
+// Pairs of cameras that are tried as those that did not move.
+constexpr size_t kMaxPairs = 500;
+// A camera was moved far if by more than this, and this many times as far as the median.
+constexpr double kMinFarMovePx = 2;
+constexpr double kFarMoveOfMedian = 5;
+
+// Places of some cameras.
+struct Cameras {
+  Eigen::Matrix3Xd centers;
+  std::vector<Eigen::Matrix3d> world_from_cam;
+};
+
+Cameras CamerasOf(const std::vector<View>& views) {
+  Cameras cameras{Eigen::Matrix3Xd(3, views.size()), {}};
+  for (size_t v = 0; v < views.size(); ++v) {
+    const Rigid3d world_from_cam = Inverse(views[v].cam_from_world);
+    cameras.centers.col(v) = world_from_cam.translation;
+    cameras.world_from_cam.push_back(world_from_cam.rotation.toRotationMatrix());
+  }
+  return cameras;
 }
 
 // Root of the sum of squared distances from the mean.
@@ -18,29 +40,100 @@ double Spread(const Eigen::Matrix3Xd& points) {
 }
 
 // The center of every camera and the points one arm along its axes.
-Eigen::Matrix3Xd CentersAndArms(const std::vector<View>& views, const Eigen::RowVectorXd& arms) {
-  Eigen::Matrix3Xd points(3, 4 * views.size());
-  for (size_t v = 0; v < views.size(); ++v) {
-    const Rigid3d world_from_cam = Inverse(views[v].cam_from_world);
-    auto of_view = points.middleCols<4>(4 * v);
-    of_view << Eigen::Vector3d::Zero(), arms[v] * world_from_cam.rotation.toRotationMatrix();
-    of_view.colwise() += world_from_cam.translation;
+Eigen::Matrix3Xd CentersAndArms(const Cameras& cameras, const std::vector<int>& ids,
+                                const Eigen::RowVectorXd& arms) {
+  Eigen::Matrix3Xd points(3, 4 * ids.size());
+  for (size_t i = 0; i < ids.size(); ++i) {
+    auto of_view = points.middleCols<4>(4 * i);
+    of_view << Eigen::Vector3d::Zero(), arms[ids[i]] * cameras.world_from_cam[ids[i]];
+    of_view.colwise() += cameras.centers.col(ids[i]);
   }
   return points;
 }
 
+// Finds the similarity. Arms are the distances of the given cameras from the middle of the scene.
+class GaugeFinder {
+ public:
+  GaugeFinder(const std::vector<View>& given, const std::vector<View>& refined,
+              const Eigen::Vector3d& middle)
+      : given_(CamerasOf(given)),
+        refined_(CamerasOf(refined)),
+        arms_((given_.centers.colwise() - middle).colwise().norm()),
+        all_(given.size()) {
+    std::iota(all_.begin(), all_.end(), 0);
+    for (const View& view : given) focals_.push_back(view.camera.MeanFocal());
+  }
+
+  Gauge Find() const {
+    const std::vector<int> still = all_.size() < kMinCamerasForMajority ? all_ : StillCameras();
+    Gauge gauge;
+    gauge.given_from_refined = LeastSquares(still);
+    const std::vector<double> moves = MovesPx(gauge.given_from_refined);
+    gauge.typical_move_px = Median(moves);
+    for (const int v : all_) {
+      if (!std::ranges::binary_search(still, v)) gauge.moved_far.push_back({v, moves[v]});
+    }
+    return gauge;
+  }
+
+ private:
+  Eigen::Affine3d LeastSquares(const std::vector<int>& ids) const {
+    const Eigen::Matrix3Xd centers = given_.centers(Eigen::all, ids);
+    // Coinciding centers determine no scale.
+    const double spread = Spread(centers);
+    const double scale =
+        spread > 1e-6 * arms_(ids).mean() ? Spread(refined_.centers(Eigen::all, ids)) / spread : 1;
+    const Eigen::Matrix4d similarity = Eigen::umeyama(CentersAndArms(refined_, ids, scale * arms_),
+                                                      CentersAndArms(given_, ids, arms_), true);
+    return similarity.allFinite() ? Eigen::Affine3d(similarity) : Eigen::Affine3d::Identity();
+  }
+
+  // Per camera, how far it is from the given one after the similarity, px in the image of the
+  // scene.
+  std::vector<double> MovesPx(const Eigen::Affine3d& similarity) const {
+    const double scale = std::cbrt(similarity.linear().determinant());
+    const Eigen::Matrix3Xd refined = similarity * CentersAndArms(refined_, all_, arms_ / scale);
+    const Eigen::Matrix3Xd shifts = refined - CentersAndArms(given_, all_, arms_);
+    std::vector<double> moves;
+    for (const int v : all_) {
+      moves.push_back(focals_[v] / arms_[v] * shifts.middleCols<4>(4 * v).norm() / 2);
+    }
+    return moves;
+  }
+
+  // The cameras, ascending, that most others agree with: least median over pairs, then improved.
+  std::vector<int> StillCameras() const {
+    std::vector<double> best;
+    const size_t count = all_.size();
+    const size_t stride = (count + kMaxPairs - 1) / kMaxPairs;
+    for (size_t i = 0; i < count; i += stride) {
+      const int other = static_cast<int>((i + count / 2) % count);
+      std::vector<double> moves = MovesPx(LeastSquares({static_cast<int>(i), other}));
+      if (best.empty() || Median(moves) < Median(best)) best = std::move(moves);
+    }
+    std::vector<int> majority = all_;
+    const auto middle = majority.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::ranges::nth_element(majority, middle, {}, [&](int v) { return best[v]; });
+    majority.erase(middle + 1, majority.end());
+    const std::vector<double> moves = MovesPx(LeastSquares(majority));
+    const double far = std::max(kMinFarMovePx, kFarMoveOfMedian * Median(moves));
+    std::vector<int> still = all_;
+    std::erase_if(still, [&](int v) { return moves[v] > far; });
+    return still;
+  }
+
+  Cameras given_;
+  Cameras refined_;
+  Eigen::RowVectorXd arms_;
+  std::vector<double> focals_;
+  std::vector<int> all_;
+};
+
 }  // namespace
 
-Eigen::Affine3d GivenFromRefined(const std::vector<View>& given, const std::vector<View>& refined,
-                                 const Eigen::Vector3d& middle) {
-  const Eigen::Matrix3Xd centers = Centers(given);
-  const Eigen::RowVectorXd arms = (centers.colwise() - middle).colwise().norm();
-  // Coinciding centers determine no scale.
-  const double spread = Spread(centers);
-  const double scale = spread > 1e-6 * arms.mean() ? Spread(Centers(refined)) / spread : 1;
-  const Eigen::Matrix4d similarity =
-      Eigen::umeyama(CentersAndArms(refined, scale * arms), CentersAndArms(given, arms), true);
-  return similarity.allFinite() ? Eigen::Affine3d(similarity) : Eigen::Affine3d::Identity();
+Gauge FindGauge(const std::vector<View>& given, const std::vector<View>& refined,
+                const Eigen::Vector3d& middle) {
+  return GaugeFinder(given, refined, middle).Find();
 }
 
 std::vector<View> Moved(const std::vector<View>& views, const Eigen::Affine3d& similarity) {

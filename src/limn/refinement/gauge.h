@@ -8,14 +8,27 @@
 
 namespace limn {
 
-// The similarity that best maps refined cameras to the given ones (ALGORITHM.md 16.8), so that
+// A camera that the refinement moved much farther than most.
+struct FarMove {
+  ViewId view = -1;
+  double px = 0;  // in its image of the scene, relative to the cameras that keep their places
+};
+
+struct Gauge {
+  Eigen::Affine3d given_from_refined = Eigen::Affine3d::Identity();
+  std::vector<FarMove> moved_far;  // ascending by view
+  double typical_move_px = 0;      // median over all cameras
+};
+
+// The similarity that best maps most refined cameras to the given ones (ALGORITHM.md 16.8), so that
 // place, orientation and scale, which images do not determine, stay as given. Least squares over
-// the centers of all cameras and three points per camera, along its axes at the distance of the
+// the centers of cameras and three points per camera, along its axes at the distance of the
 // `middle` of the scene: cameras are weighted by their effect on the image of the scene, and two of
-// them determine the similarity. The scale is 1 if all given centers coincide. Precondition: the
-// same views in both, at least one.
-Eigen::Affine3d GivenFromRefined(const std::vector<View>& given, const std::vector<View>& refined,
-                                 const Eigen::Vector3d& middle);
+// them determine the similarity. Of four or more cameras, those that were moved far, in pixels and
+// compared with the others, do not count: they were wrong, and must not move the world. The scale
+// is 1 if all given centers coincide. Precondition: the same views in both, at least one.
+Gauge FindGauge(const std::vector<View>& given, const std::vector<View>& refined,
+                const Eigen::Vector3d& middle);
 
 // The views moved by a similarity along with the scene: their images of it stay the same.
 std::vector<View> Moved(const std::vector<View>& views, const Eigen::Affine3d& similarity);

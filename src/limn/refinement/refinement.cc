@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "limn/topology/edit_topology.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/util/median.h"
+#include "limn/util/name_list.h"
 
 namespace limn {
 namespace {
@@ -210,7 +212,8 @@ class Refiner {
       if (given[p].pixels.size() >= 2) scene.push_back((*points)[p]);
     }
     // Some points of a sparse model are far away.
-    const Eigen::Affine3d back = GivenFromRefined(input_.views, views_, MedianPoint(scene));
+    gauge_ = FindGauge(input_.views, views_, MedianPoint(scene));
+    const Eigen::Affine3d& back = gauge_.given_from_refined;
     views_ = Moved(views_, back);
     for (std::vector<Eigen::Vector3d>* of : {&control_.position, points}) {
       for (Eigen::Vector3d& point : *of) point = back * point;
@@ -285,6 +288,18 @@ class Refiner {
     return std::sqrt(std::max(0.0, 0.5 * (covariance->trace() - along)));
   }
 
+  std::string FarMoves() const {
+    std::vector<NamedNumber> moves;
+    for (const FarMove& move : gauge_.moved_far) {
+      moves.push_back({input_.views[move.view].name, move.px});
+    }
+    std::ranges::sort(moves, std::greater{}, &NamedNumber::number);
+    return "the cameras of " + std::to_string(moves.size()) + " of " +
+           std::to_string(views_.size()) +
+           " images seem wrong and moved far: " + ListNumbers(moves, "px") + "; the median is " +
+           ShortNumber(gauge_.typical_move_px) + " px: look at their overlays";
+  }
+
   StageSummary Summary() const {
     StageSummary summary;
     summary.stage = "refinement";
@@ -308,6 +323,7 @@ class Refiner {
                                  std::to_string(std::size(kPoseRoundReach)) +
                                  " rounds of the cameras found no solution and changed nothing");
     }
+    if (!gauge_.moved_far.empty()) summary.warnings.push_back(FarMoves());
     return summary;
   }
 
@@ -320,6 +336,7 @@ class Refiner {
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
   RepairCounts repairs_;
+  Gauge gauge_;
   int64_t num_covered_ = 0;
   int64_t num_frozen_ = 0;  // of the links that remain
   int num_failed_pose_rounds_ = 0;

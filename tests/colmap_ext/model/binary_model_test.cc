@@ -129,6 +129,11 @@ TEST(BinaryModel, SenselessCamerasAreRefused) {
     model.cameras[1].params[1] = focal;
     EXPECT_THAT(ErrorOf(model), HasSubstr("camera 3: ")) << focal;
   }
+  for (const double focal : {1e-300, 0.5, 1e9}) {
+    SparseModel model = MakeModel();
+    model.cameras[1].params[1] = focal;
+    EXPECT_THAT(ErrorOf(model), HasSubstr("px makes no sense for images of 800 x 600")) << focal;
+  }
   for (const uint64_t width : {uint64_t{0}, uint64_t{1000001}}) {
     SparseModel model = MakeModel();
     model.cameras[1].width = width;

@@ -44,6 +44,25 @@ class ToViewsTest : public testing::Test {
   std::string ErrorOf() const {
     return ErrorText<IoError>([&] { Views(); });
   }
+  // Points that every image sees where its camera projects them.
+  void GivePoints(int count) {
+    model_.points.clear();
+    for (ModelImage& image : model_.images) image.observations.clear();
+    for (int i = 0; i < count; ++i) {
+      ModelPoint point;
+      point.id = 1 + i;
+      point.position = {0.3 * std::sin(i), 0.3 * std::cos(2 * i), 1 + 0.02 * i};
+      for (ModelImage& image : model_.images) {
+        const Intrinsics camera = IntrinsicsOf(model_.CameraOf(image));
+        const Eigen::Vector3d ray = image.cam_from_world * point.position;
+        point.track.push_back({image.id, static_cast<uint32_t>(i)});
+        image.observations.push_back(
+            {{camera.fx * ray.x() / ray.z() + camera.cx, camera.fy * ray.y() / ray.z() + camera.cy},
+             point.id});
+      }
+      model_.points.push_back(point);
+    }
+  }
   void SetCamera3(CameraModelId id) { model_.cameras[1] = MakeCamera(id, 3); }
 
   TempDir dir_;
@@ -191,6 +210,29 @@ TEST_F(ToViewsTest, ObservationsThatAreNoNumbersGiveNoPixel) {
   model_.images[2].observations[0].position.x() = std::nan("");
   const ViewSet set = Views();
   EXPECT_EQ(set.hints.points[1].pixels.size(), 1u);
+}
+
+TEST_F(ToViewsTest, CamerasThatDoNotFitTheirPointsAreNamed) {
+  GivePoints(20);
+  EXPECT_THAT(Views().warnings, IsEmpty());
+  model_.images[1].cam_from_world.translation.x() += 0.1;
+  EXPECT_THAT(Views().warnings,
+              ElementsAre(AllOf(HasSubstr("miss 1 of 3 images by more than 2 px: sub/a b.png (1"),
+                                HasSubstr("; the other 2: "))));
+}
+
+TEST_F(ToViewsTest, HopelessCamerasAreLeftOutOnRequest) {
+  GivePoints(20);
+  model_.images[2].cam_from_world.translation.x() += 1;
+  options_.max_reprojection_px = 5;
+  const ViewSet set = Views();
+  ASSERT_EQ(set.views.size(), 2u);
+  EXPECT_EQ(set.views[0].name, "c.png");
+  EXPECT_EQ(set.image_paths[1], (dir_.path() / "sub/a b.png").string());
+  EXPECT_THAT(set.hints.points[0].views, ElementsAre(0, 1));
+  EXPECT_THAT(set.warnings, ElementsAre(AllOf(HasSubstr("left out"), HasSubstr("b.png ("))));
+  for (ModelImage& image : model_.images) image.cam_from_world.translation.x() += 2;
+  EXPECT_THAT(ErrorText<InputError>([&] { Views(); }), HasSubstr("max_reprojection_px"));
 }
 
 TEST_F(ToViewsTest, ViewsKnowTheirCamera) {

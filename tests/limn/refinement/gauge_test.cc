@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/camera_errors.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -28,7 +29,7 @@ TEST(Gauge, MovedViewsSeeTheMovedSceneAsBefore) {
 TEST(Gauge, TwoViewsFixEverything) {
   const std::vector<View> views = testing::DomeViews(2, 4);
   const std::vector<View> moved = Moved(views, SomeSimilarity());
-  const Eigen::Affine3d back = GivenFromRefined(views, moved, {0.2, -0.1, 0.3});
+  const Eigen::Affine3d back = FindGauge(views, moved, {0.2, -0.1, 0.3}).given_from_refined;
   EXPECT_LT((back.matrix() - SomeSimilarity().inverse().matrix()).norm(), 1e-9);
 }
 
@@ -42,12 +43,38 @@ TEST(Gauge, ViewsOfOneCenterKeepTheScale) {
   }
   std::vector<View> refined = views;
   refined[2].cam_from_world.translation += Eigen::Vector3d(1e-3, 0, 0);
-  const Eigen::Affine3d back = GivenFromRefined(views, refined, {0.5, 0, 4});
+  const Eigen::Affine3d back = FindGauge(views, refined, {0.5, 0, 4}).given_from_refined;
   EXPECT_LT((back.matrix() - Eigen::Matrix4d::Identity()).norm(), 0.01);
   // The middle is there as well: nothing to go by.
   for (View& view : views) view.cam_from_world.translation.setZero();
-  EXPECT_EQ(GivenFromRefined(views, views, Eigen::Vector3d::Zero()).matrix(),
+  EXPECT_EQ(FindGauge(views, views, Eigen::Vector3d::Zero()).given_from_refined.matrix(),
             Eigen::Matrix4d::Identity());
+}
+
+// Images bring a wrong camera back; the world stays with the others, and the camera is named.
+TEST(Gauge, FewWrongCamerasDoNotMoveTheWorld) {
+  const std::vector<View> right = testing::DomeViews(8, 4);
+  std::vector<View> given = right;
+  given[2].cam_from_world.translation.x() += 1;
+  given[5].cam_from_world.rotation =
+      given[5].cam_from_world.rotation * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX());
+  given[6].cam_from_world.translation.z() += 10;
+  const Gauge gauge = FindGauge(given, Moved(right, SomeSimilarity()), {0.2, -0.1, 0.3});
+  EXPECT_LT((gauge.given_from_refined.matrix() - SomeSimilarity().inverse().matrix()).norm(), 1e-9);
+  ASSERT_EQ(gauge.moved_far.size(), 3u);
+  EXPECT_EQ(gauge.moved_far[0].view, 2);
+  EXPECT_NEAR(gauge.moved_far[0].px, 600.0 / 4, 20);
+  EXPECT_EQ(gauge.moved_far[1].view, 5);
+  EXPECT_EQ(gauge.moved_far[2].view, 6);
+  EXPECT_LT(gauge.typical_move_px, 1e-9);
+}
+
+// Where all cameras move somewhat, all count.
+TEST(Gauge, OrdinaryErrorsAreShared) {
+  const std::vector<View> right = testing::DomeViews(24, 4);
+  const std::vector<Eigen::Vector3d> corners = testing::CubeCorners(0.8);
+  const std::vector<View> given = testing::PerturbCameras(right, corners, 5, 1);
+  EXPECT_TRUE(FindGauge(given, right, Eigen::Vector3d::Zero()).moved_far.empty());
 }
 
 }  // namespace

@@ -185,6 +185,17 @@ TEST(PoseRefinement, PointsAloneBringCamerasBack) {
   EXPECT_LT(ErrorsOf(result.cameras->views).aligned_px, 0.1);
 }
 
+// The camera is repaired and named; the world is where the others hold it.
+TEST(PoseRefinement, OneWrongCameraDoesNotMoveTheWorld) {
+  std::vector<View> views = TrueViews();
+  views[3].cam_from_world.translation.x() += 0.3;
+  const std::vector<ScenePoint> points = WrongPoints();
+  const RefinementResult result = Refine(views, &points);
+  EXPECT_LT(ErrorsOf(result.cameras->views).raw_px, 0.2);
+  ASSERT_EQ(result.summary.warnings.size(), 1u);
+  EXPECT_NE(result.summary.warnings[0].find(views[3].name + " ("), std::string::npos);
+}
+
 TEST(PoseRefinement, RightCamerasStay) {
   const RefinementResult result = Refine(TrueViews(), nullptr);
   EXPECT_LT(ErrorsOf(result.cameras->views).raw_px, 0.1);

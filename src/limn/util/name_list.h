@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace limn {
+
+struct NamedNumber {
+  std::string name;
+  double number = 0;
+};
+
+// A number for messages, three digits: "0.125", "52.1", "1.2e+06".
+std::string ShortNumber(double number);
+
+// For messages: "b.jpg (52.1 px), a.jpg (3 px) and 7 more", in the given order, at most five.
+std::string ListNumbers(const std::vector<NamedNumber>& items, const std::string& unit);
+
+}  // namespace limn
