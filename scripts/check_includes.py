@@ -36,6 +36,8 @@ LAYERS = {"src/limn": LIMN_LAYERS, "colmap_ext": COLMAP_EXT_LAYERS}
 # Prefix of an include in angle brackets -> where it may stand: folders, or single files.
 THIRD_PARTY = {
     "opencv2/": ["src/limn/pictures/", "colmap_ext/workspace/"],
+    "jpeglib.h": ["colmap_ext/workspace/jpeg_check.cc"],
+    "jerror.h": ["colmap_ext/workspace/jpeg_check.cc"],
     "ceres/": ["src/limn/refinement/", "src/limn/primitives/"],
     "flann/": ["src/limn/geometry/spatial_index.cc"],
     "tbb/": ["src/limn/util/parallel.cc"],

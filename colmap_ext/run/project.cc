@@ -35,6 +35,7 @@ std::string FileIdentity(const std::string& path) {
 
 std::string ImageIdentity(const ViewSet& set, ViewId view) {
   std::string identity = "image " + FileIdentity(set.image_paths[view]);
+  if (set.is_damaged[view]) identity += "\ndamaged";
   const std::string& mask_path = set.mask_paths[view];
   if (!mask_path.empty()) identity += "\nmask " + FileIdentity(mask_path);
   const PinholeCamera& camera = set.views[view].camera;

@@ -17,6 +17,7 @@
 #include "colmap_ext/model/camera_lens_map.h"
 #include "colmap_ext/model/image_name.h"
 #include "colmap_ext/workspace/camera_check.h"
+#include "colmap_ext/workspace/jpeg_check.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
 
@@ -200,8 +201,36 @@ SceneHints MakeHints(const SparseModel& model, const std::vector<View>& views) {
   return hints;
 }
 
+void AddComplaints(const std::vector<std::optional<JpegComplaint>>& complaints, ViewSet* set) {
+  for (size_t i = 0; i < complaints.size(); ++i) {
+    set->is_damaged.push_back(complaints[i] && complaints[i]->is_damage);
+    if (!complaints[i]) continue;
+    set->warnings.push_back(set->image_paths[i] + ": " + complaints[i]->text +
+                            (complaints[i]->is_damage ? "; the whole image counts as masked" : ""));
+  }
+}
+
+// Empty = all pixels may be used.
+std::vector<unsigned char> ReadViewMask(const ViewSet& set, ViewId id) {
+  const PinholeCamera& camera = set.views[id].camera;
+  if (set.is_damaged[id]) {
+    return std::vector<unsigned char>(static_cast<size_t>(camera.width) * camera.height, 0);
+  }
+  if (set.mask_paths[id].empty()) return {};
+  return ReadMask(set.mask_paths[id], set.stored_sizes[id], set.max_image_size);
+}
+
+Image BlackImage(int width, int height) {
+  Image image;
+  image.width = width;
+  image.height = height;
+  image.channels = 1;
+  image.data.assign(static_cast<size_t>(width) * height, 0);
+  return image;
+}
+
 void AddWarnings(const SparseModel& model, const std::vector<int>& selected, ViewSet* set) {
-  set->warnings = model.warnings;
+  set->warnings.insert(set->warnings.begin(), model.warnings.begin(), model.warnings.end());
   int num_resized = 0;
   for (size_t i = 0; i < selected.size(); ++i) {
     const Camera& camera = model.CameraOf(model.images[selected[i]]);
@@ -283,8 +312,12 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   }
   CheckImagesExist(set.image_paths, image_dir);
   set.stored_sizes.resize(selected.size());
-  ParallelFor(context, "image headers", selected.size(),
-              [&](size_t i) { set.stored_sizes[i] = ReadImageSize(set.image_paths[i]); });
+  std::vector<std::optional<JpegComplaint>> complaints(selected.size());
+  ParallelFor(context, "image headers", selected.size(), [&](size_t i) {
+    set.stored_sizes[i] = ReadImageSize(set.image_paths[i]);
+    complaints[i] = CheckJpeg(set.image_paths[i]);
+  });
+  AddComplaints(complaints, &set);
 
   std::map<OpticsKey, std::pair<const Camera*, ImageSize>> inputs;
   std::vector<OpticsKey> keys;
@@ -309,8 +342,8 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
     view.cam_from_world = image.cam_from_world;
     view.lens = of_view.lens;
     view.region = of_view.region;
-    if (set.mask_paths[i].empty()) return;
-    const auto mask = ReadMask(set.mask_paths[i], set.stored_sizes[i], options.max_image_size);
+    const auto mask = ReadViewMask(set, static_cast<ViewId>(i));
+    if (mask.empty()) return;
     view.region = MakeImageRegion(view.camera, view.lens.get(), mask, options.border_margin_px);
   });
   set.hints = MakeHints(model, set.views);
@@ -323,15 +356,17 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
 }
 
 Image ReadViewImage(const ViewSet& view_set, ViewId view) {
-  Image image = ReadImage(view_set.image_paths[view], view_set.max_image_size);
   const PinholeCamera& camera = view_set.views[view].camera;
+  Image image;
+  if (view_set.is_damaged[view]) {
+    image = BlackImage(camera.width, camera.height);
+  } else {
+    image = ReadImage(view_set.image_paths[view], view_set.max_image_size);
+  }
   if (image.width != camera.width || image.height != camera.height) {
     throw IoError(view_set.image_paths[view], "the image changed its size while Limn was running");
   }
-  if (!view_set.mask_paths[view].empty()) {
-    image.mask =
-        ReadMask(view_set.mask_paths[view], view_set.stored_sizes[view], view_set.max_image_size);
-  }
+  image.mask = ReadViewMask(view_set, view);
   return image;
 }
 

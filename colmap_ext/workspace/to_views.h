@@ -42,6 +42,8 @@ struct ViewSet {
   std::vector<std::string> image_paths;
   std::vector<std::string> mask_paths;  // empty string = no mask
   std::vector<ImageSize> stored_sizes;  // of the files, before max_image_size
+  // Files whose pixels are not those of the photograph (CheckJpeg): masked entirely.
+  std::vector<char> is_damaged;
   int max_image_size = -1;
   std::vector<std::string> warnings;
 };
@@ -49,7 +51,8 @@ struct ViewSet {
 // The only place where COLMAP's conventions become Limn's. Principal points move by -0.5 pixel;
 // cameras with distortion get a LensMap onto a virtual pinhole of the same focal length and
 // principal point. Intrinsics are rescaled to the size of the file, if its aspect is the camera's
-// within one pixel, and to max_image_size. Headers of all images and masks are read, in parallel.
+// within one pixel, and to max_image_size. Headers of all images, the codes of JPEG files and masks
+// are read, in parallel. Images that are damaged are views of nothing, with a warning.
 // Cameras that do not fit the points of the model are warned of, or left out (max_reprojection_px).
 //
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
@@ -57,7 +60,8 @@ struct ViewSet {
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
                 const ViewOptions& options, const RunContext& context = {});
 
-// The photograph of a view with its mask, at the size of the view. Throws IoError.
+// The photograph of a view with its mask, at the size of the view; black and masked entirely if it
+// is damaged. Throws IoError.
 Image ReadViewImage(const ViewSet& view_set, ViewId view);
 
 }  // namespace limn::colmap_ext

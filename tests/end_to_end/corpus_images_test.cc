@@ -321,6 +321,24 @@ const CorpusCase kCases[] = {
            w.Cut("images/view_02.png", w.Read("images/view_02.png").size() / 2);
          },
      .said = {"view_02.png: truncated"}},
+    {.name = "Case25_ZeroedJpeg",
+     .spoil =
+         [](const W& w) {
+           std::string jpeg = w.Read("images/view_02.jpg");
+           const size_t size = jpeg.size() / 4;
+           w.ReplaceImage("view_02.jpg", jpeg.replace(size, size, std::string(size, '\0')));
+         },
+     .outcome = Outcome::kAccepted,
+     .said = {"WARNING: ", "view_02.jpg: Corrupt JPEG data: ", "the whole image counts as masked"}},
+    {.name = "Case25_CutJpegWithAnEnd",
+     .spoil =
+         [](const W& w) {
+           const std::string jpeg = w.Read("images/view_02.jpg");
+           w.ReplaceImage("view_02.jpg", jpeg.substr(0, jpeg.size() / 2) + "\xFF\xD9");
+         },
+     .outcome = Outcome::kAccepted,
+     .said = {"WARNING: ", "view_02.jpg: Corrupt JPEG data: ", "the whole image counts as masked"},
+     .command = "curve_sketcher"},
     {.name = "Case25_SixteenBits",
      .spoil = [](const W& w) { StoreAs(w, "view_02.png", With16Bits(Photo())); },
      .outcome = Outcome::kAccepted,

@@ -350,6 +350,24 @@ TEST_F(ToViewsTest, MasksOfAnotherSizeAndMissingMaskFoldersAreErrors) {
   EXPECT_THAT(ErrorOf(), HasSubstr("nowhere: no such folder (mask_path)"));
 }
 
+TEST_F(ToViewsTest, DamagedImagesCountAsMasked) {
+  cv::Mat noise(600, 800, CV_8UC3);
+  cv::randu(noise, 0, 255);
+  ASSERT_TRUE(cv::imwrite((dir_ / "whole.jpg").string(), noise));
+  const auto half = static_cast<std::streamsize>(fs::file_size(dir_ / "whole.jpg") / 2);
+  std::string bytes(half, 0);
+  std::ifstream(dir_ / "whole.jpg", std::ios::binary).read(bytes.data(), half);
+  dir_.WriteFile("c.png", bytes + "\xFF\xD9");
+  const ViewSet set = Views();
+  EXPECT_THAT(set.warnings, ElementsAre(AllOf(HasSubstr("c.png: Corrupt JPEG data"),
+                                              HasSubstr("the whole image counts as masked"))));
+  EXPECT_FALSE(set.views[1].region.Contains({300, 300}));
+  EXPECT_TRUE(set.views[0].region.Contains({300, 300}));
+  const Image image = ReadViewImage(set, 1);
+  EXPECT_EQ(image.width, 800);
+  EXPECT_THAT(image.mask, testing::AllOf(testing::SizeIs(800 * 600), testing::Each(0)));
+}
+
 TEST_F(ToViewsTest, OptionsAreChecked) {
   options_.max_image_size = 0;
   EXPECT_THAT(ErrorText<OptionError>([&] { Views(); }), HasSubstr("max_image_size = 0"));

@@ -1,0 +1,106 @@
+#include "colmap_ext/workspace/jpeg_check.h"
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+#include <jpeglib.h>
+// After jpeglib.h.
+#include <jerror.h>
+
+#include "limn/formats/whole_file.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// libjpeg's handlers write here; they are found by the address of `manager`.
+struct JpegReport {
+  jpeg_error_mgr manager = {};
+  std::jmp_buf on_error = {};
+  std::optional<JpegComplaint> complaint;
+  std::string error;
+  bool has_header = false;
+};
+
+JpegReport* ReportOf(j_common_ptr decoder) { return reinterpret_cast<JpegReport*>(decoder->err); }
+
+std::string MessageOf(j_common_ptr decoder) {
+  char text[JMSG_LENGTH_MAX];
+  decoder->err->format_message(decoder, text);
+  return text;
+}
+
+// Some cameras fill the end of the picture with equal bytes.
+bool IsPadding(j_common_ptr decoder) {
+  const JOCTET* end = reinterpret_cast<j_decompress_ptr>(decoder)->src->next_input_byte;
+  const JOCTET* begin = end - decoder->err->msg_parm.i[0];
+  return std::all_of(begin, end, [&](JOCTET byte) { return byte == *begin; });
+}
+
+bool IsDamage(int message) {
+  return message == JWRN_EXTRANEOUS_DATA || message == JWRN_HIT_MARKER ||
+         message == JWRN_HUFF_BAD_CODE || message == JWRN_ARITH_BAD_CODE ||
+         message == JWRN_MUST_RESYNC || message == JWRN_BOGUS_PROGRESSION ||
+         message == JWRN_JPEG_EOF;
+}
+
+// Level -1 is a warning, others are traces.
+void TakeMessage(j_common_ptr decoder, int level) {
+  if (level >= 0) return;
+  const int message = decoder->err->msg_code;
+  if (message == JWRN_EXTRANEOUS_DATA && IsPadding(decoder)) return;
+  std::optional<JpegComplaint>& complaint = ReportOf(decoder)->complaint;
+  if (complaint && (complaint->is_damage || !IsDamage(message))) return;
+  complaint = {MessageOf(decoder), IsDamage(message)};
+}
+
+[[noreturn]] void TakeError(j_common_ptr decoder) {
+  ReportOf(decoder)->error = MessageOf(decoder);
+  std::longjmp(ReportOf(decoder)->on_error, 1);
+}
+
+// At an eighth of the size only the means of blocks are computed. A jump out of here passes no
+// destructors: all objects belong to the caller.
+void ReadCodes(const std::string& bytes, jpeg_decompress_struct* decoder, std::vector<JSAMPLE>* row,
+               JpegReport* report) {
+  if (setjmp(report->on_error) != 0) return;
+  jpeg_create_decompress(decoder);
+  jpeg_mem_src(decoder, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  jpeg_read_header(decoder, TRUE);
+  report->has_header = true;
+  decoder->scale_num = 1;
+  decoder->scale_denom = 8;
+  decoder->dct_method = JDCT_IFAST;
+  decoder->do_fancy_upsampling = FALSE;
+  decoder->out_color_space = decoder->jpeg_color_space;
+  jpeg_start_decompress(decoder);
+  row->resize(static_cast<size_t>(decoder->output_width) * decoder->output_components);
+  JSAMPROW rows[] = {row->data()};
+  while (decoder->output_scanline < decoder->output_height) jpeg_read_scanlines(decoder, rows, 1);
+  jpeg_finish_decompress(decoder);
+}
+
+}  // namespace
+
+std::optional<JpegComplaint> CheckJpeg(const std::filesystem::path& path) {
+  if (std::ifstream in(path, std::ios::binary); in.get() != 0xFF || in.get() != 0xD8) {
+    return std::nullopt;
+  }
+  const std::string bytes = ReadWholeFile(path.string());
+  JpegReport report;
+  jpeg_decompress_struct decoder = {};
+  decoder.err = jpeg_std_error(&report.manager);
+  report.manager.emit_message = TakeMessage;
+  report.manager.error_exit = TakeError;
+  std::vector<JSAMPLE> row;
+  ReadCodes(bytes, &decoder, &row, &report);
+  jpeg_destroy_decompress(&decoder);
+  if (report.error.empty()) return report.complaint;
+  if (!report.has_header) throw IoError(path.string(), "cannot be decoded: " + report.error);
+  return JpegComplaint{report.error, true};
+}
+
+}  // namespace limn::colmap_ext

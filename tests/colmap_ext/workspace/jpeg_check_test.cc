@@ -1,0 +1,87 @@
+#include "colmap_ext/workspace/jpeg_check.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "colmap_ext/temp_dir.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kEnd = "\xFF\xD9";
+
+class JpegCheck : public testing::Test {
+ protected:
+  JpegCheck() {
+    cv::Mat noise(200, 300, CV_8UC3);
+    cv::randu(noise, 0, 255);
+    EXPECT_TRUE(cv::imwrite((dir_ / "whole.jpg").string(), noise));
+    std::ifstream in(dir_ / "whole.jpg", std::ios::binary);
+    std::ostringstream content;
+    content << in.rdbuf();
+    whole_ = content.str();
+  }
+
+  std::optional<JpegComplaint> Check(const std::string& content) const {
+    return CheckJpeg(dir_.WriteFile("a.jpg", content));
+  }
+
+  TempDir dir_;
+  std::string whole_;
+};
+
+TEST_F(JpegCheck, WholeFilesAreFine) {
+  EXPECT_FALSE(Check(whole_));
+  EXPECT_FALSE(Check(whole_ + "a maker's note"));
+  EXPECT_FALSE(Check("no JPEG"));
+  EXPECT_FALSE(Check(""));
+}
+
+TEST_F(JpegCheck, PaddingIsFine) {
+  const std::string start = whole_.substr(0, whole_.size() - 2);
+  EXPECT_FALSE(Check(start + std::string(100, '\0') + kEnd));
+}
+
+TEST_F(JpegCheck, DamageIsFound) {
+  const size_t middle = whole_.size() / 2;
+  std::string zeroed = whole_;
+  zeroed.replace(middle, 4000, std::string(4000, '\0'));
+  std::string garbage = whole_;
+  for (size_t i = 0; i < 4000; ++i) garbage[middle + i] = static_cast<char>(i * i * 7 + i / 3);
+  std::string false_marker = whole_;
+  false_marker.replace(middle, 2, "\xFF\x33");
+  const std::string cut = whole_.substr(0, middle) + kEnd;
+  std::string missing = whole_;
+  missing.erase(middle, 1000);
+  for (const std::string& content : {zeroed, garbage, false_marker, cut, missing}) {
+    const auto complaint = Check(content);
+    ASSERT_TRUE(complaint);
+    EXPECT_TRUE(complaint->is_damage);
+  }
+  EXPECT_THAT(Check(cut)->text, HasSubstr("Corrupt JPEG data"));
+}
+
+TEST_F(JpegCheck, OtherWarningsAreNoDamage) {
+  std::string unknown_version = whole_;
+  ASSERT_EQ(whole_.substr(6, 4), "JFIF");
+  unknown_version[11] = 7;
+  const auto complaint = Check(unknown_version);
+  ASSERT_TRUE(complaint);
+  EXPECT_FALSE(complaint->is_damage);
+  EXPECT_THAT(complaint->text, HasSubstr("JFIF"));
+}
+
+TEST_F(JpegCheck, AMissingHeaderIsAnError) {
+  EXPECT_THAT(ErrorText<IoError>([&] { Check("\xFF\xD8 nothing"); }),
+              HasSubstr("a.jpg: cannot be decoded: "));
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext
