@@ -140,7 +140,7 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
                                    const std::vector<ImageCurves>& curves,
                                    const RunContext& context) {
   const std::string path = project.CurvesPath(name + ".bin");
-  auto stored = ReadCurveSketch(path, CurvesKey(project.views(), curves, context));
+  auto stored = ReadCurveSketch(path, curves, CurvesKey(project.views(), curves, context));
   if (!stored) {
     throw IoError(path,
                   "was made from other images, cameras or options of edges and linking, or "

@@ -1,5 +1,6 @@
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
+#include "fuzz/sketched_scene.h"
 #include "limn/formats/curve_sketch_file.h"
 #include "limn/formats/stage_file.h"
 
@@ -7,5 +8,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string path = limn::fuzz::ScratchPath();
   limn::WriteStageFile(path, limn::StageKind::kCurveSketch, "", limn::fuzz::Text(data, size));
-  return limn::fuzz::ExpectReadOrRefused([&] { limn::ReadCurveSketch(path, ""); });
+  return limn::fuzz::ExpectReadOrRefused([&] {
+    const auto stored = limn::ReadCurveSketch(path, limn::fuzz::SketchedCurves(), "");
+    limn::fuzz::DrawAndAccount(stored->sketch, 0, {});
+  });
 }

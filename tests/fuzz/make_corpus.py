@@ -222,11 +222,14 @@ def text(string):
 
 
 def stages():
-    sample = struct.pack("<7dBI4i", 1, 2, 3, 0, 0, 1, 0.1, 1, 2, 0, 7, 1, 8)
-    curve = struct.pack("<3iB", 0, 4, 0, 0) + counted([sample, sample])
+    # Of the scene of sketched_scene.h.
+    def sample(i):
+        return struct.pack("<7dBI4i", 0, (i - 5) / 25, 0, 0, 1, 0, 0.1, 1, 2, 0, i, 1, i)
+
+    curve = struct.pack("<3iB", 0, 0, 1, 0) + counted([sample(i) for i in range(1, 10)])
     sketch = text("{}") + counted([text("a.png"), text("b.png")]) + counted([curve])
     put("curve_sketch", "one", sketch)
-    put("view_sketch", "one", counted([curve]) + counted([b"\6", b"\0", b"\2"]))
+    put("view_sketch", "one", counted([curve]) + counted([b"\7"] * 10))
     edgel = struct.pack("<3d8f", 1, 2, 0.5, 9, 0.1, 1, 2, 1, 0, 0, 1)
     fragments = counted([struct.pack("<BQ3i", 0, 3, 0, 1, 2)])
     fragments += counted([struct.pack("<3i", 0, 1, 5), struct.pack("<3i", 1, 2, 5)])

@@ -1,8 +1,10 @@
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
+#include "fuzz/sketched_scene.h"
 #include "limn/formats/curve_sketch_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const limn::fuzz::MemoryFile file(limn::fuzz::Text(data, size));
-  return limn::fuzz::ExpectReadOrRefused([&] { limn::ReadCurveSketch(file.path(), ""); });
+  return limn::fuzz::ExpectReadOrRefused(
+      [&] { limn::ReadCurveSketch(file.path(), limn::fuzz::SketchedCurves(), ""); });
 }

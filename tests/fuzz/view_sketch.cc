@@ -1,5 +1,6 @@
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
+#include "fuzz/sketched_scene.h"
 #include "limn/formats/stage_file.h"
 #include "limn/formats/view_sketch_file.h"
 
@@ -7,5 +8,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string path = limn::fuzz::ScratchPath();
   limn::WriteStageFile(path, limn::StageKind::kViewSketch, "", limn::fuzz::Text(data, size));
-  return limn::fuzz::ExpectReadOrRefused([&] { limn::ReadViewSketch(path, 2, ""); });
+  return limn::fuzz::ExpectReadOrRefused([&] {
+    auto sketch = limn::ReadViewSketch(path, 0, limn::fuzz::SketchedCurves(), "");
+    limn::fuzz::DrawAndAccount({std::move(sketch->curves)}, 0, sketch->fates);
+  });
 }

@@ -1,5 +1,6 @@
 #include "limn/formats/curve3d_bytes.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "limn/util/errors.h"
@@ -20,25 +21,53 @@ Eigen::Vector3d GetVector(ByteReader* in) {
   return vector;
 }
 
+template <typename Item>
+bool IsIndexOf(int32_t index, const std::vector<Item>& items) {
+  return index >= 0 && static_cast<size_t>(index) < items.size();
+}
+
 bool GetFlag(ByteReader* in) {
   const uint8_t flag = in->Get<uint8_t>();
   in->Check(flag <= 1, "a flag is neither 0 nor 1");
   return flag == 1;
 }
 
-void GetSupport(ByteReader* in, int num_views, std::vector<EdgelRef>* of_sample) {
+// The edgels of the fragment that the curve was made from, in the order of its samples.
+class AnchorEdgels {
+ public:
+  AnchorEdgels(const ByteReader& in, const CurveAnchor& anchor, size_t num_samples,
+               const std::vector<ImageCurves>& curves)
+      : view_(anchor.view), begin_(anchor.begin) {
+    const auto& fragments = curves[anchor.view].fragments;
+    in.Check(IsIndexOf(anchor.fragment, fragments), "fragment out of range");
+    ids_ = &fragments[anchor.fragment].edgel_ids;
+    in.Check(IsIndexOf(anchor.begin, *ids_) && num_samples <= ids_->size(),
+             "the curve is not in its fragment");
+  }
+  EdgelRef Of(size_t sample) const { return {view_, (*ids_)[(begin_ + sample) % ids_->size()]}; }
+
+ private:
+  ViewId view_;
+  size_t begin_;
+  const std::vector<EdgelId>* ids_;
+};
+
+void GetSupport(ByteReader* in, const std::vector<ImageCurves>& curves, const EdgelRef& own,
+                std::vector<EdgelRef>* of_sample) {
   of_sample->clear();
   const uint32_t count = in->Get<uint32_t>();
   for (uint32_t i = 0; i < count; ++i) {
     EdgelRef edgel;
     edgel.view = in->Get<int32_t>();
     edgel.edgel = in->Get<int32_t>();
-    in->Check(edgel.view >= 0 && edgel.view < num_views, "view out of range");
-    in->Check(edgel.edgel >= 0, "edgel id out of range");
+    in->Check(IsIndexOf(edgel.view, curves), "view out of range");
+    in->Check(IsIndexOf(edgel.edgel, curves[edgel.view].edge_map.edgels), "edgel id out of range");
     in->Check(of_sample->empty() || of_sample->back().view < edgel.view,
               "support not sorted by view");
     of_sample->push_back(edgel);
   }
+  in->Check(std::ranges::find(*of_sample, own) != of_sample->end(),
+            "a sample is not supported by its own edgel");
 }
 
 void CheckSizes(const Curve3D& curve) {
@@ -71,14 +100,15 @@ void PutCurve3d(const Curve3D& curve, ByteWriter* out) {
   }
 }
 
-Curve3D GetCurve3d(ByteReader* in, int num_views) {
+Curve3D GetCurve3d(ByteReader* in, const std::vector<ImageCurves>& curves) {
   Curve3D curve;
   curve.anchor.view = in->Get<int32_t>();
   curve.anchor.fragment = in->Get<int32_t>();
   curve.anchor.begin = in->Get<int32_t>();
-  in->Check(curve.anchor.view >= -1 && curve.anchor.view < num_views, "view out of range");
+  in->Check(IsIndexOf(curve.anchor.view, curves), "view out of range");
   curve.closed = GetFlag(in);
   const size_t count = in->GetCount(kSampleBytes);
+  const AnchorEdgels own(*in, curve.anchor, count, curves);
   std::vector<EdgelRef> support;
   for (size_t i = 0; i < count; ++i) {
     curve.points_in_world.push_back(GetVector(in));
@@ -86,7 +116,7 @@ Curve3D GetCurve3d(ByteReader* in, int num_views) {
     curve.depth_sigma.push_back(in->Get<double>());
     in->Check(curve.depth_sigma.back() >= 0, "sigma is no positive number");
     curve.certain.push_back(GetFlag(in));
-    GetSupport(in, num_views, &support);
+    GetSupport(in, curves, own.Of(i), &support);
     curve.support.Append(support);
   }
   return curve;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "limn/model/curve3d.h"
 #include "limn/util/byte_stream.h"
 
@@ -14,7 +16,8 @@ constexpr size_t kCurve3dBytes = 3 * sizeof(int32_t) + 1 + sizeof(uint64_t);
 // Throws InputError if the curve's lists differ in length.
 void PutCurve3d(const Curve3D& curve, ByteWriter* out);
 
-// Everything read is checked (ids in range, numbers finite except unknown sigmas); throws IoError.
-Curve3D GetCurve3d(ByteReader* in, int num_views);
+// `curves` are the image curves, per view, that the curve was made from. Everything read is checked
+// (anchor and edgels among them, numbers finite except unknown sigmas); throws IoError.
+Curve3D GetCurve3d(ByteReader* in, const std::vector<ImageCurves>& curves);
 
 }  // namespace limn

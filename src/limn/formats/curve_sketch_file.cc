@@ -18,6 +18,7 @@ void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
 }
 
 std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
+                                                 const std::vector<ImageCurves>& curves,
                                                  const std::string& identity) {
   const std::optional<std::string> payload = ReadStageFile(path, StageKind::kCurveSketch, identity);
   if (!payload) return std::nullopt;
@@ -26,9 +27,10 @@ std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
   stored.metadata.options_json = in.GetString();
   const size_t num_views = in.GetCount(sizeof(uint64_t));
   for (size_t i = 0; i < num_views; ++i) stored.metadata.view_names.push_back(in.GetString());
+  in.Check(num_views == curves.size(), "made from another number of views");
   const size_t num_curves = in.GetCount(kCurve3dBytes);
   for (size_t i = 0; i < num_curves; ++i) {
-    stored.sketch.curves.push_back(GetCurve3d(&in, static_cast<int>(num_views)));
+    stored.sketch.curves.push_back(GetCurve3d(&in, curves));
   }
   in.ExpectEnd();
   return stored;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/model/curve3d.h"
@@ -20,9 +21,11 @@ void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
                       const DrawingMetadata& metadata, const std::string& identity);
 
 // Nothing if the file was made from other input or by another version of Limn, and must be made
-// again. An empty `identity` accepts any. Everything read is checked (ids in range, sizes agree,
-// numbers finite except unknown sigmas); throws IoError.
+// again. An empty `identity` accepts any. `curves` are the image curves of all views. Everything
+// read is checked (anchors and ids in range, sizes agree, numbers finite except unknown sigmas);
+// throws IoError.
 std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
+                                                 const std::vector<ImageCurves>& curves,
                                                  const std::string& identity);
 
 }  // namespace limn

@@ -16,7 +16,8 @@ void WriteViewSketch(const std::string& path, const ViewSketch& sketch,
   WriteStageFile(path, StageKind::kViewSketch, identity, out.bytes());
 }
 
-std::optional<ViewSketch> ReadViewSketch(const std::string& path, int num_views,
+std::optional<ViewSketch> ReadViewSketch(const std::string& path, ViewId view,
+                                         const std::vector<ImageCurves>& curves,
                                          const std::string& identity) {
   const std::optional<std::string> payload = ReadStageFile(path, StageKind::kViewSketch, identity);
   if (!payload) return std::nullopt;
@@ -24,8 +25,12 @@ std::optional<ViewSketch> ReadViewSketch(const std::string& path, int num_views,
   ViewSketch sketch;
   const size_t num_curves = in.GetCount(kCurve3dBytes);
   sketch.curves.reserve(num_curves);
-  for (size_t i = 0; i < num_curves; ++i) sketch.curves.push_back(GetCurve3d(&in, num_views));
+  for (size_t i = 0; i < num_curves; ++i) {
+    sketch.curves.push_back(GetCurve3d(&in, curves));
+    in.Check(sketch.curves.back().anchor.view == view, "a curve of another view");
+  }
   const size_t num_edgels = in.GetCount(1);
+  in.Check(num_edgels == curves[view].edge_map.edgels.size(), "not one fate per edgel");
   sketch.fates.reserve(num_edgels);
   for (size_t i = 0; i < num_edgels; ++i) {
     const uint8_t fate = in.Get<uint8_t>();

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limn/model/view_sketch.h"
 
@@ -12,9 +13,11 @@ void WriteViewSketch(const std::string& path, const ViewSketch& sketch,
                      const std::string& identity);
 
 // Nothing if the file was made from other input or by another version of Limn, and must be made
-// again. An empty `identity` accepts any. Everything read is checked (ids of views below
-// `num_views`, numbers finite except unknown sigmas); throws IoError.
-std::optional<ViewSketch> ReadViewSketch(const std::string& path, int num_views,
+// again. An empty `identity` accepts any. `view` was sketched, and `curves` are the image curves of
+// all views. Everything read is checked (anchors in the view, ids in range, a fate for each of its
+// edgels, numbers finite except unknown sigmas); throws IoError.
+std::optional<ViewSketch> ReadViewSketch(const std::string& path, ViewId view,
+                                         const std::vector<ImageCurves>& curves,
                                          const std::string& identity);
 
 }  // namespace limn

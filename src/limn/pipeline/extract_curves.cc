@@ -6,6 +6,7 @@
 
 #include "limn/formats/image_curves_file.h"
 #include "limn/pipeline/pipeline_options.h"
+#include "limn/util/errors.h"
 
 namespace limn {
 namespace {
@@ -14,6 +15,12 @@ namespace {
 // made again.
 constexpr int kEdgesVersion = 1;
 constexpr int kLinkingVersion = 1;
+
+// Of a file of edges: it is the photograph's.
+void CheckSize(const EdgeMap& map, const PinholeCamera& camera, const std::string& path) {
+  if (map.width == camera.width && map.height == camera.height) return;
+  throw IoError(path, "the edges of an image of another size");
+}
 
 // From photographs to edge maps and fragments in stored pixels, by way of the cache.
 class Extractor {
@@ -53,8 +60,11 @@ class Extractor {
 
  private:
   std::optional<ImageCurves> Find(CachedKind kind, const View& view, const std::string& key) {
-    return input_.cache->Find<ImageCurves>(
-        kind, view.name, [&](const std::string& path) { return ReadImageCurves(path, key); });
+    return input_.cache->Find<ImageCurves>(kind, view.name, [&](const std::string& path) {
+      std::optional<ImageCurves> found = ReadImageCurves(path, key);
+      if (found) CheckSize(found->edge_map, view.camera, path);
+      return found;
+    });
   }
 
   void Store(CachedKind kind, const View& view, const std::string& key, const ImageCurves& curves) {

@@ -55,7 +55,7 @@ SketchResult SketchViews(SketchMode mode, const SketchInput& input, const Sketch
   store.expect = [&](size_t num_views) { cache->Expect(CachedKind::kSketch, num_views); };
   store.load = [&](ViewId v, const ViewPlan& plan) {
     return cache->Find<ViewSketch>(CachedKind::kSketch, name(v), [&](const std::string& path) {
-      return ReadViewSketch(path, static_cast<int>(input.views.size()), key(v, plan));
+      return ReadViewSketch(path, v, input.curves, key(v, plan));
     });
   };
   store.save = [&](ViewId v, const ViewPlan& plan, const ViewSketch& sketch) {

@@ -37,6 +37,15 @@ ImageCurves SmallImageCurves() {
   return curves;
 }
 
+// What the sketch is made from: two views with a fragment of 13 edgels each.
+std::vector<ImageCurves> SketchedCurves() {
+  ImageCurves curves;
+  curves.edge_map.edgels.resize(13);
+  curves.fragments.resize(1);
+  for (EdgelId id = 0; id < 13; ++id) curves.fragments[0].edgel_ids.push_back(id);
+  return {curves, curves};
+}
+
 CurveSketch SmallSketch() {
   CurveSketch sketch;
   for (int c = 0; c < 3; ++c) {
@@ -47,10 +56,10 @@ CurveSketch SmallSketch() {
       curve.depth_sigma.push_back(i == 2 ? std::numeric_limits<double>::infinity() : 0.5);
       curve.certain.push_back(i != 2);
       std::vector<EdgelRef> support;
-      for (int view = 0; view < i % 3; ++view) support.push_back({view, 100 * view + i});
+      for (int view = 0; view < 2; ++view) support.push_back({view, 3 + i});
       curve.support.Append(support);
     }
-    curve.anchor = {c % 2, 7, 3};
+    curve.anchor = {c % 2, 0, 3};
     curve.closed = c == 2;
     sketch.curves.push_back(curve);
   }
@@ -121,7 +130,8 @@ TEST(CurveSketchFile, RoundTrip) {
   const TemporaryFolder folder;
   const CurveSketch written = SmallSketch();
   WriteCurveSketch(folder.Path("a.bin"), written, kMetadata, "x");
-  const std::optional<StoredCurveSketch> read = ReadCurveSketch(folder.Path("a.bin"), "");
+  const std::optional<StoredCurveSketch> read =
+      ReadCurveSketch(folder.Path("a.bin"), SketchedCurves(), "");
   ASSERT_TRUE(read);
   EXPECT_EQ(read->metadata.view_names, kMetadata.view_names);
   EXPECT_EQ(read->metadata.options_json, kMetadata.options_json);
@@ -142,22 +152,29 @@ TEST(CurveSketchFile, RoundTrip) {
   }
 }
 
+// Of view 0.
+ViewSketch SmallViewSketch() {
+  const CurveSketch sketch = SmallSketch();
+  ViewSketch of_view = {{sketch.curves[0], sketch.curves[2]}, {}};
+  of_view.fates.assign(13, EdgelFate::kSketched);
+  of_view.fates[1] = EdgelFate::kNoPartner;
+  return of_view;
+}
+
 TEST(ViewSketchFile, RoundTrip) {
   const TemporaryFolder folder;
-  const ViewSketch written = {SmallSketch().curves,
-                              {EdgelFate::kSketched, EdgelFate::kNotLinked, EdgelFate::kNoPartner}};
+  const ViewSketch written = SmallViewSketch();
   WriteViewSketch(folder.Path("a.bin"), written, "x");
-  const std::optional<ViewSketch> read = ReadViewSketch(folder.Path("a.bin"), 2, "x");
+  const std::vector<ImageCurves> curves = SketchedCurves();
+  const std::optional<ViewSketch> read = ReadViewSketch(folder.Path("a.bin"), 0, curves, "x");
   ASSERT_TRUE(read);
   EXPECT_EQ(read->fates, written.fates);
-  ASSERT_EQ(read->curves.size(), 3u);
+  ASSERT_EQ(read->curves.size(), 2u);
   WriteViewSketch(folder.Path("b.bin"), *read, "x");
   EXPECT_EQ(TemporaryFolder::Read(folder.Path("a.bin")),
             TemporaryFolder::Read(folder.Path("b.bin")));
-  EXPECT_FALSE(ReadViewSketch(folder.Path("a.bin"), 2, "y"));
-  EXPECT_THROW(ReadViewSketch(folder.Path("a.bin"), 1, "x"), IoError);
-  WriteViewSketch(folder.Path("a.bin"), {{}, {static_cast<EdgelFate>(kNumEdgelFates)}}, "x");
-  EXPECT_THROW(ReadViewSketch(folder.Path("a.bin"), 2, "x"), IoError);
+  EXPECT_FALSE(ReadViewSketch(folder.Path("a.bin"), 0, curves, "y"));
+  EXPECT_THROW(ReadViewSketch(folder.Path("a.bin"), 1, curves, "x"), IoError);
 }
 
 TEST(StageFile, OtherIdentityOrVersionMeansMakeItAnew) {
@@ -214,17 +231,36 @@ TEST(StageFile, IdsOutOfRangeAreRefused) {
       [](ImageCurves* curves) { std::swap(curves->link_graph[0], curves->link_graph[1]); });
   refuse_curves([](ImageCurves* curves) { curves->edge_map.width = -1; });
   refuse_curves([](ImageCurves* curves) { curves->edge_map.edgels[3].position_px.x() = NAN; });
+  refuse_curves([](ImageCurves* curves) { curves->edge_map.edgels[3].position_px.x() = 642; });
   const auto refuse_sketch = [&](const std::function<void(Curve3D*)>& spoil) {
     CurveSketch sketch = SmallSketch();
     spoil(&sketch.curves[2]);
     WriteCurveSketch(folder.Path("s.bin"), sketch, kMetadata, "id");
-    EXPECT_THROW(ReadCurveSketch(folder.Path("s.bin"), "id"), IoError);
+    EXPECT_THROW(ReadCurveSketch(folder.Path("s.bin"), SketchedCurves(), "id"), IoError);
   };
   refuse_sketch([](Curve3D* curve) { curve->anchor.view = 2; });
-  refuse_sketch([](Curve3D* curve) { curve->support.edgels[0].view = 2; });
+  refuse_sketch([](Curve3D* curve) { curve->anchor.view = -1; });
+  refuse_sketch([](Curve3D* curve) { curve->anchor.fragment = 1; });
+  refuse_sketch([](Curve3D* curve) { curve->anchor.fragment = -1; });
+  refuse_sketch([](Curve3D* curve) { curve->anchor.begin = 13; });
+  refuse_sketch([](Curve3D* curve) { curve->anchor.begin = -1; });
+  refuse_sketch([](Curve3D* curve) { curve->anchor.begin = 4; });
+  refuse_sketch([](Curve3D* curve) { curve->support.edgels[1].view = 2; });
+  refuse_sketch([](Curve3D* curve) { curve->support.edgels[1].edgel = 13; });
+  refuse_sketch([](Curve3D* curve) { curve->support.edgels[0].edgel = 4; });
   refuse_sketch([](Curve3D* curve) { curve->support.edgels[0].edgel = -5; });
   refuse_sketch([](Curve3D* curve) { curve->points_in_world[0].y() = INFINITY; });
   refuse_sketch([](Curve3D* curve) { curve->depth_sigma[0] = NAN; });
+  const auto refuse_view = [&](const std::function<void(ViewSketch*)>& spoil) {
+    ViewSketch sketch = SmallViewSketch();
+    spoil(&sketch);
+    WriteViewSketch(folder.Path("v.bin"), sketch, "id");
+    EXPECT_THROW(ReadViewSketch(folder.Path("v.bin"), 0, SketchedCurves(), "id"), IoError);
+  };
+  refuse_view([](ViewSketch* sketch) { sketch->fates[3] = EdgelFate(kNumEdgelFates); });
+  refuse_view([](ViewSketch* sketch) { sketch->fates.pop_back(); });
+  refuse_view([](ViewSketch* sketch) { sketch->fates.push_back(EdgelFate::kDrawn); });
+  refuse_view([](ViewSketch* sketch) { sketch->curves[1].anchor.view = 1; });
   CurveSketch uneven = SmallSketch();
   uneven.curves[1].certain.pop_back();
   EXPECT_THROW(WriteCurveSketch(folder.Path("s.bin"), uneven, kMetadata, "id"), InputError);

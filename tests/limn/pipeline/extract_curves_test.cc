@@ -44,6 +44,10 @@ class ExtractCurvesTest : public ::testing::Test {
     views_.resize(2);
     views_[0].name = "sub/a.png";
     views_[1].name = "b.png";
+    for (View& view : views_) {
+      view.camera.width = kWidth;
+      view.camera.height = kHeight;
+    }
     images_.read = [this](ViewId id) {
       ++num_read_;
       Image image = testing::ConstantImage(kWidth, kHeight, {80});

@@ -8,11 +8,21 @@
 
 #include "limn/formats/curve_sketch_file.h"
 #include "limn/formats/temporary_folder.h"
+#include "limn/formats/view_sketch_file.h"
+#include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
+
+// Of a stage file.
+std::string IdentityOf(const std::string& path) {
+  const std::string bytes = TemporaryFolder::Read(path);
+  ByteReader in(path, bytes);
+  in.Take(16);  // magic, version, kind
+  return in.GetString();
+}
 
 // A cube in ten views.
 class SketchViewsTest : public ::testing::Test {
@@ -133,6 +143,23 @@ TEST_F(SketchViewsTest, DamagedOnesAreMadeAgain) {
   EXPECT_EQ(use_.damaged, 1);
   EXPECT_EQ(use_.outdated, 1);
   EXPECT_EQ(use_.reused, 8);
+}
+
+// A shared folder may hold anything, with the right checksum and identity.
+TEST_F(SketchViewsTest, ForeignIdsAreMadeAgain) {
+  const std::string whole = Bytes(Sketch(Cache()).sketch);
+  const auto spoil = [&](int view, const auto& change) {
+    ViewSketch sketch = *ReadViewSketch(Kept(view), view, curves_, "");
+    change(&sketch);
+    WriteViewSketch(Kept(view), sketch, IdentityOf(Kept(view)));
+  };
+  spoil(0, [](ViewSketch* sketch) { sketch->curves[0].anchor.fragment = 1 << 30; });
+  spoil(1, [](ViewSketch* sketch) { sketch->curves[0].anchor.begin = 1 << 30; });
+  spoil(2, [](ViewSketch* sketch) { sketch->curves[0].support.edgels.back().edgel = 1 << 30; });
+  spoil(3, [](ViewSketch* sketch) { sketch->fates.resize(1); });
+  EXPECT_TRUE(Bytes(Sketch(Cache()).sketch) == whole);
+  EXPECT_EQ(use_.damaged, 4);
+  EXPECT_EQ(use_.reused, 6);
 }
 
 TEST_F(SketchViewsTest, SomeViewsAreMadeFromTheCurvesOfTheirPlansOnly) {
