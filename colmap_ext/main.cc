@@ -5,10 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/interrupt.h"
 #include "colmap_ext/run/ranks.h"
 #include "limn/util/errors.h"
+#include "limn/util/printable.h"
 
 namespace {
 
@@ -47,11 +51,17 @@ void PrintUsage() {
   }
 }
 
-// Names in files may hold line ends and other control characters; an error is one line.
-std::string OneLine(std::string text) {
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
-  std::replace_if(text.begin(), text.end(), is_control, '?');
-  return text;
+// A file opened later must not take the place of a closed standard stream: what is printed would
+// get into it.
+void OpenStandardStreams() {
+  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // The lowest number that is free is this one.
+    if (fcntl(file, F_GETFD) < 0) (void)!open("/dev/null", O_RDWR);
+  }
+}
+
+void PrintError(const std::exception& error) {
+  std::fprintf(stderr, "ERROR: %s\n", limn::Printable(error.what()).c_str());
 }
 
 // Throws what the command throws.
@@ -77,7 +87,7 @@ int RunAndReport(int argc, const char* const* argv) {
   } catch (const limn::Cancelled&) {
     return kInterruptedExitCode;  // what is kept has been said
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "ERROR: %s\n", OneLine(error.what()).c_str());
+    PrintError(error);
     return 1;
   }
 }
@@ -85,6 +95,7 @@ int RunAndReport(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  OpenStandardStreams();
   const std::string_view name = argc > 1 ? argv[1] : "help";
   if (name == "help" || name == "-h" || name == "--help") {
     PrintUsage();
@@ -96,7 +107,7 @@ int main(int argc, char** argv) {
     if (exit_code != 0) AbortRanks(exit_code);
     return exit_code;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "ERROR: %s\n", OneLine(error.what()).c_str());
+    PrintError(error);
     return 1;
   }
 }

@@ -25,6 +25,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   Console console(run.num_threads, leads);
   const Project project(run, &console);
   CheckRefinedFolder(project, run);
+  CheckDrawingFiles(project, run);
   CheckReplaceable(project, run, "drawing.json", Provenance(run));
   CheckViews(project.views());
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),

@@ -12,10 +12,11 @@ int RunCurveDrawer(int argc, const char* const* argv) {
   RunOptions options;
   const auto parser = ParseRunOptions(
       "curve_drawer", "make the 3D drawing from the sketch that curve_sketcher has stored",
-      {.linking = true, .drawing = true, .writes_drawing = true}, argc, argv, &options);
+      {.linking = true, .drawing = true, .overwrites = true}, argc, argv, &options);
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
+  CheckDrawingFiles(project, options);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
   const StoredCurveSketch stored = ReadSketchResult(project, SketchFileName(options.pipeline.mode),
                                                     image_curves.curves, console.context());

@@ -2,6 +2,7 @@
 
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/drawing_export.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 
@@ -13,7 +14,7 @@ int RunDrawingExporter(int argc, const char* const* argv) {
   options.Check();
   const auto [drawing, format] = PrepareExport(options);
   WriteDrawing(options.output_path, drawing.graph, drawing.metadata, format);
-  std::cout << "Written: " << options.output_path << " (" << drawing.graph.links.size()
+  std::cout << "Written: " << Printable(options.output_path) << " (" << drawing.graph.links.size()
             << " links)\n";
   return 0;
 }

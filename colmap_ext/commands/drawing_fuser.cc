@@ -14,7 +14,7 @@ int RunDrawingFuser(int argc, const char* const* argv) {
   FuserOptions fuser;
   const auto parser = ParseRunOptions(
       "drawing_fuser", "compare a stored drawing with dense results and combine the two",
-      {.dense = true, .writes_drawing = true}, argc, argv, &options,
+      {.dense = true, .overwrites = true}, argc, argv, &options,
       [&](OptionParser* more) { fuser.AddOptions(more); });
   if (!parser) return 0;
   fuser.Check();
@@ -24,6 +24,7 @@ int RunDrawingFuser(int argc, const char* const* argv) {
   DrawingFile drawing = ReadDrawingResult(project, fuser.drawing_path);
   drawing.metadata.options_json = FusionProvenance(options, fuser, drawing.metadata.options_json);
   CheckReplaceable(project, options, kFusedDrawing, drawing.metadata.options_json);
+  CheckFusionFiles(project, options);
   const DenseInput dense = OpenDenseInput(project, fuser, options.layout.workspace_path, &console);
   FusionResult result = FuseDrawing({project.views(), drawing.graph, dense.depths,
                                      dense.cloud ? std::optional(dense.points) : std::nullopt},

@@ -16,7 +16,7 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   std::string drawing_path;
   const auto parser = ParseRunOptions(
       "drawing_refiner", "fit the drawing that curve_drawer has stored to all images",
-      {.linking = true, .refinement = true, .writes_drawing = true}, argc, argv, &options,
+      {.linking = true, .refinement = true, .overwrites = true}, argc, argv, &options,
       [&](OptionParser* more) {
         more->AddOption("drawing_path", &drawing_path,
                         BasicOption("drawing.json to start from, instead of the one in the "
@@ -26,6 +26,7 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   Console console(options.num_threads);
   const Project project(options, &console);
   CheckRefinedFolder(project, options);
+  CheckDrawingFiles(project, options);
   const bool in_place = drawing_path.empty();
   if (in_place) drawing_path = project.DrawingPath("drawing.json");
   const DrawingFile drawing = ReadDrawingResult(project, drawing_path);

@@ -4,6 +4,7 @@
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/run/viewer_results.h"
+#include "colmap_ext/workspace/output_check.h"
 #include "limn/util/errors.h"
 #include "limn/viewer/viewer_page.h"
 
@@ -13,8 +14,9 @@ int RunDrawingViewer(int argc, const char* const* argv) {
   RunOptions options;
   ViewerOptions viewer;
   const auto parser =
-      ParseRunOptions("drawing_viewer", "make a page that shows a stored drawing in a browser", {},
-                      argc, argv, &options, [&](OptionParser* more) { viewer.AddOptions(more); });
+      ParseRunOptions("drawing_viewer", "make a page that shows a stored drawing in a browser",
+                      {.overwrites = true}, argc, argv, &options,
+                      [&](OptionParser* more) { viewer.AddOptions(more); });
   if (!parser) return 0;
   viewer.Check();
   if (!HasViewerPage()) {
@@ -23,6 +25,7 @@ int RunDrawingViewer(int argc, const char* const* argv) {
   const std::string report = ReadReport(viewer);
   Console console(options.num_threads);
   const Project project(options, &console);
+  CheckResultFile(project.DrawingPath(kViewerPage), options.overwrite);
   const std::string drawing_path = DrawingToView(project, viewer);
   const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
   console.Say("drawing: " + drawing_path);

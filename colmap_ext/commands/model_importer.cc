@@ -3,6 +3,7 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/import/model_import.h"
 #include "colmap_ext/import/new_model_folder.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 
@@ -14,9 +15,10 @@ int RunModelImporter(int argc, const char* const* argv) {
   options.Check();
   CheckNewModelFolder(options.output_path);
   const SparseModel model = ImportModel(options, std::cout);
-  for (const std::string& warning : model.warnings) std::cout << "WARNING: " << warning << "\n";
+  for (const std::string& warning : model.warnings)
+    std::cout << "WARNING: " << Printable(warning) << "\n";
   WriteNewModel(model, options.output_path, options.output_type);
-  std::cout << "Written: " << options.output_path << " with " << model.cameras.size()
+  std::cout << "Written: " << Printable(options.output_path) << " with " << model.cameras.size()
             << " cameras, " << model.images.size() << " images, " << model.points.size()
             << " points\n";
   return 0;

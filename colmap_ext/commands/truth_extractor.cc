@@ -3,6 +3,7 @@
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/run/truth_run.h"
+#include "colmap_ext/workspace/output_check.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/ply_curves_writer.h"
 
@@ -11,14 +12,16 @@ namespace limn::colmap_ext {
 int RunTruthExtractor(int argc, const char* const* argv) {
   RunOptions options;
   ExtractorOptions extractor;
-  if (!ParseRunOptions("truth_extractor",
-                       "ground truth from a surface or a dense cloud: what the images show of it",
-                       {.linking = true, .output_help = "file of the truth, .ply"}, argc, argv,
-                       &options, [&](OptionParser* more) { extractor.AddOptions(more); })) {
+  if (!ParseRunOptions(
+          "truth_extractor",
+          "ground truth from a surface or a dense cloud: what the images show of it",
+          {.linking = true, .overwrites = true, .output_help = "file of the truth, .ply"}, argc,
+          argv, &options, [&](OptionParser* more) { extractor.AddOptions(more); })) {
     return 0;
   }
   extractor.Check();
   const std::string output_path = TakeTruthPath(&options.layout);
+  CheckNamedOutput(output_path, {extractor.mesh_path, extractor.cloud_path}, options.overwrite);
   Console console(options.num_threads);
   const TruthSource source = ReadTruthSource(extractor, &console);
   const Project project(options, &console);

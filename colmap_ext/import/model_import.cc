@@ -7,6 +7,7 @@
 
 #include "colmap_ext/import/formats.h"
 #include "limn/util/errors.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -26,7 +27,7 @@ PixelCenters PixelCentersOf(const ImportFormat& format, PixelCentersOption optio
 
 void NoteMissing(const std::vector<std::string>& names, std::ostream& notes) {
   if (names.empty()) return;
-  notes << names.size() << " images are missing and left out: " << names.front()
+  notes << names.size() << " images are missing and left out: " << Printable(names.front())
         << (names.size() > 1 ? ", ..." : "") << "\n";
 }
 
@@ -81,7 +82,7 @@ SparseModel ImportModel(const ImporterOptions& options, std::ostream& notes) {
   const PixelCenters pixel_centers = PixelCentersOf(format, options.pixel_centers);
   notes << "Format " << format.name << ", center of the top-left pixel at "
         << (pixel_centers == PixelCenters::kInteger ? "(0, 0)" : "(0.5, 0.5)") << "\n";
-  for (const std::string& note : scene.notes) notes << note << "\n";
+  for (const std::string& note : scene.notes) notes << Printable(note) << "\n";
   NoteMissing(images.missing(), notes);
   return ToSparseModel(std::move(scene), {pixel_centers, options.share_cameras_px});
 }

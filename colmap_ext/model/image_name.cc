@@ -68,6 +68,15 @@ std::string ProblemOfName(const std::string& name) {
   return "";
 }
 
+std::string ProblemOfNameInText(const std::string& name) {
+  constexpr std::string_view kSpace = " \t\r\v\f\n";
+  const bool ends_in_space = kSpace.find(name.front()) != std::string_view::npos ||
+                             kSpace.find(name.back()) != std::string_view::npos;
+  if (!ends_in_space && name.find('\n') == std::string::npos) return "";
+  return "image name \"" + name +
+         "\" has a line end, or white space at an end, which images.txt cannot hold";
+}
+
 std::string HintForMissing(const fs::path& image_dir, const std::string& name) {
   std::string with_slashes = name;
   std::replace(with_slashes.begin(), with_slashes.end(), '\\', '/');

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <fstream>
 
+#include "colmap_ext/model/image_name.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -91,6 +92,13 @@ void WritePointsBinary(const SparseModel& model, std::ostream& out) {
   }
 }
 
+void CheckTextNames(const SparseModel& model) {
+  for (const ModelImage& image : model.images) {
+    const std::string problem = ProblemOfNameInText(image.name);
+    if (!problem.empty()) throw InputError(problem + ": rename the image");
+  }
+}
+
 void WriteCamerasText(const SparseModel& model, std::ostream& out) {
   out << "# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n";
   for (const Camera& camera : model.cameras) {
@@ -136,6 +144,7 @@ void WriteModelBinary(const SparseModel& model, const std::filesystem::path& fol
 }
 
 void WriteModelText(const SparseModel& model, const std::filesystem::path& folder) {
+  CheckTextNames(model);
   WriteFile(WriteCamerasText, model, folder / "cameras.txt");
   WriteFile(WriteImagesText, model, folder / "images.txt");
   WriteFile(WritePointsText, model, folder / "points3D.txt");

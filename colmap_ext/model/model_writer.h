@@ -17,7 +17,11 @@ void WriteCamerasText(const SparseModel& model, std::ostream& out);
 void WriteImagesText(const SparseModel& model, std::ostream& out);
 void WritePointsText(const SparseModel& model, std::ostream& out);
 
-// Writes cameras, images and points3D into an existing folder. Throws IoError.
+// Throws InputError if images.txt could not be read back because of the name of an image.
+void CheckTextNames(const SparseModel& model);
+
+// Write cameras, images and points3D into an existing folder. Throw IoError, as text also what
+// CheckTextNames throws.
 void WriteModelBinary(const SparseModel& model, const std::filesystem::path& folder);
 void WriteModelText(const SparseModel& model, const std::filesystem::path& folder);
 

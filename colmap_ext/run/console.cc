@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+#include "limn/util/printable.h"
+
 namespace limn::colmap_ext {
 namespace {
 
@@ -34,7 +36,7 @@ std::string WithCommas(int64_t value) {
 void PrintTable(const char* heading, const StageSummary::Counts& counts) {
   const char* label = heading;
   for (const auto& [reason, count] : counts) {
-    std::printf("  %-8s %12s  %s\n", label, WithCommas(count).c_str(), reason.c_str());
+    std::printf("  %-8s %12s  %s\n", label, WithCommas(count).c_str(), Printable(reason).c_str());
     label = "";
   }
 }
@@ -47,7 +49,7 @@ void PrintStage(const RunLog::Stage& stage) {
   PrintTable("kept", summary.kept);
   PrintTable("dropped", summary.dropped);
   for (const std::string& warning : summary.warnings) {
-    std::printf("  WARNING: %s\n", warning.c_str());
+    std::printf("  WARNING: %s\n", Printable(warning).c_str());
   }
 }
 
@@ -165,7 +167,7 @@ void Console::ClearProgressLine() {
 
 void Console::Say(const std::string& line) {
   ClearProgressLine();
-  if (speaks_) std::printf("%s\n", line.c_str());
+  if (speaks_) std::printf("%s\n", Printable(line).c_str());
   std::fflush(stdout);
   constexpr std::string_view kWarning = "WARNING: ";
   if (line.starts_with(kWarning)) log_.warnings.push_back(line.substr(kWarning.size()));

@@ -42,7 +42,8 @@ class Console {
   // The context for the stages. Refers to this console.
   const RunContext& context() const { return context_; }
 
-  // Prints a line. Lines that begin with "WARNING: " are added to the log.
+  // Prints a line, without the control characters in it. Lines that begin with "WARNING: " are
+  // added to the log.
   void Say(const std::string& line);
   // Prints what the stage reused from the cache, recomputed and could not store, one line each;
   // then the counts in, kept and dropped, the seconds since the last summary and the peak memory of

@@ -23,7 +23,7 @@ std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv
                                .refinement = true,
                                .tiles = true,
                                .shards = true,
-                               .writes_drawing = true};
+                               .overwrites = true};
   auto parser = ParseRunOptions("automatic_drawer", "make the 3D drawing of a COLMAP project",
                                 groups, argc, argv, &options->run, [&](OptionParser* more) {
                                   more->AddOption("account", &options->account,

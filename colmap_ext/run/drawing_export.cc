@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "colmap_ext/workspace/output_check.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/util/errors.h"
 
@@ -57,6 +58,7 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   formats.insert(formats.begin(), kAutoFormat);
   parser->AddOption("input_path", &input_path, BasicOption("the drawing.json"));
   parser->AddOption("output_path", &output_path, BasicOption("the file to write"));
+  parser->AddOption("overwrite", &overwrite, BasicOption(kOverwriteHelp));
   parser->AddOption("output_type", &format.format, formats,
                     BasicOption("its format; auto = by its extension"));
   parser->AddOption("scale", &scale, BasicOption("what coordinates are multiplied by"));
@@ -92,6 +94,9 @@ void ExporterOptions::Check() const {
 }
 
 ExportedDrawing PrepareExport(const ExporterOptions& options) {
+  const DenseOptionsPaths& dense = options.svg.dense;
+  CheckNamedOutput(options.output_path, {options.input_path, options.cloud_path, dense.dense_path},
+                   options.overwrite);
   ExportedDrawing exported = {ReadDrawingJson(options.input_path), options.format};
   DrawingGraph& graph = exported.drawing.graph;
   graph = Selected(std::move(graph), options.selection.Selection());

@@ -14,6 +14,8 @@ namespace limn::colmap_ext {
 // The options of drawing_exporter.
 struct ExporterOptions {
   std::string input_path, output_path;
+  // Replace an output that is an input, a drawing.json or not ours.
+  bool overwrite = false;
   bool junctions = true;
   SelectionOptions selection;
   std::string cloud_path;
@@ -33,8 +35,8 @@ struct ExportedDrawing {
   DrawingFormatOptions format;
 };
 
-// Reads the drawing and what is exported with it, scaled and rotated. Throws IoError, and
-// OptionError for a view that does not exist.
+// Reads the drawing and what is exported with it, scaled and rotated. Throws IoError, also if the
+// output must not be replaced, and OptionError for a view that does not exist.
 ExportedDrawing PrepareExport(const ExporterOptions& options);
 
 }  // namespace limn::colmap_ext

@@ -4,6 +4,7 @@
 
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/report_writers.h"
@@ -22,6 +23,17 @@ std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& c
 }
 
 bool IsDrawing(const EvaluatorOptions& options) { return options.input_path.ends_with(".json"); }
+
+void CheckOutputs(const EvaluatorOptions& options) {
+  const TruthInput& truth = options.truth;
+  for (const std::string& path : {options.output_csv, options.output_json}) {
+    if (path.empty()) continue;
+    CheckNamedOutput(path,
+                     {options.input_path, truth.truth_path, truth.truth_edges_path,
+                      truth.junctions_path, truth.dont_care_path, options.true_kinds_path},
+                     options.overwrite);
+  }
+}
 
 // At the middle one of the taus.
 KindConfusion KindsOf(const DrawingGraph& drawing, const EvaluatorOptions& options,
@@ -54,6 +66,7 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("output_csv", &output_csv, BasicOption("also write the table to this file"));
   parser->AddOption("output_json", &output_json,
                     BasicOption("also write all figures to this file"));
+  parser->AddOption("overwrite", &overwrite, kOverwriteHelp);
   parser->AddOption("num_threads", &num_threads, BasicOption("processor cores to use, -1 = all"));
 }
 
@@ -73,6 +86,7 @@ void EvaluatorOptions::Check() const {
 }
 
 EvaluationReport EvaluateFile(const EvaluatorOptions& options) {
+  CheckOutputs(options);
   RunContext context;
   context.num_threads = options.num_threads;
   TruthInput input = options.truth;

@@ -20,6 +20,8 @@ struct EvaluatorOptions {
   std::vector<double> box;
   LayoutOptions layout;
   std::string output_csv, output_json;
+  // Replace outputs that are inputs, a drawing.json or not ours.
+  bool overwrite = false;
   int num_threads = -1;
 
   void AddOptions(OptionParser* parser);
@@ -28,7 +30,8 @@ struct EvaluatorOptions {
 };
 
 // Evaluates the input file. With a workspace also measures saw-teeth and, of a drawing, the
-// normalized errors; with true kinds compares those of the links. Throws IoError and InputError.
+// normalized errors; with true kinds compares those of the links. Throws IoError, also if
+// an output must not be replaced, and InputError.
 EvaluationReport EvaluateFile(const EvaluatorOptions& options);
 
 // Writes the report to standard output and to the requested files. Throws IoError.

@@ -15,6 +15,7 @@
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/run/world_shift.h"
 #include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/pmvs_model.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/mesh_reader.h"
@@ -145,6 +146,28 @@ std::string FusionProvenance(const RunOptions& options, const FuserOptions& fuse
   return json.dump();
 }
 
+void CheckFusionFiles(const Project& project, const RunOptions& options) {
+  for (const char* name : {"drawing-fused.ply", "drawing-fused.obj"}) {
+    CheckResultFile(project.DrawingPath(name), options.overwrite);
+  }
+  const bool may_replace = options.overwrite || fs::exists(project.DrawingPath(kFusedDrawing));
+  for (const char* name :
+       {"sparse-with-curves/cameras.bin", "sparse-with-curves/images.bin",
+        "sparse-with-curves/points3D.bin", "pmvs-with-curves.patch", "pmvs-with-curves.ply",
+        "with-curves/fused.ply", "with-curves/fused.ply.vis", "with-curves/fused-with-curves.ply",
+        "with-curves/fused-with-curves.ply.vis"}) {
+    const std::string path = project.DrawingPath(name);
+    CheckTakesFile(path);
+    if (may_replace || !fs::exists(path)) continue;
+    throw IoError(path, "exists, and there is no " + std::string(kFusedDrawing) +
+                            " that it belongs to: --overwrite 1 replaces it");
+  }
+  const fs::path model = project.DrawingPath("with-curves/sparse");
+  if (fs::is_directory(fs::symlink_status(model))) {
+    throw IoError(model.string(), "is a folder, not the link that is to be made: remove it");
+  }
+}
+
 DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
                           const std::string& workspace_path, Console* console) {
   DenseInput dense;
@@ -228,7 +251,8 @@ void WriteFusionResults(const Project& project, const RunOptions& options,
                         Console* console) {
   const DrawingGraph graph =
       Moved(fuser.remove_occluded ? WithoutOccluded(result.graph) : result.graph, project.origin());
-  for (const char* name : {"drawing-fused.ply", kFusedDrawing, "drawing-fused.obj"}) {
+  // The one that says whose the others are is first.
+  for (const char* name : {kFusedDrawing, "drawing-fused.ply", "drawing-fused.obj"}) {
     WriteDrawing(project.DrawingPath(name), graph, metadata);
   }
   const InModel curves = ToModel(project, result.points);

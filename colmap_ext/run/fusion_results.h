@@ -32,6 +32,10 @@ constexpr const char* kFusedDrawing = "drawing-fused.json";
 std::string FusionProvenance(const RunOptions& options, const FuserOptions& fuser,
                              const std::string& drawing_provenance);
 
+// To be called before work starts: throws IoError if the results would replace what is no file or
+// was not made by limn. Clouds and models bear no mark: they are ours beside a drawing-fused.json.
+void CheckFusionFiles(const Project& project, const RunOptions& options);
+
 // The opened dense results.
 struct DenseInput {
   DenseProducts products;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "limn/formats/atomic_file.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -56,7 +57,7 @@ void InterruptWatch::Watch() {
 void InterruptWatch::SayLastWords() {
   if (said_.exchange(true)) return;
   const std::string words = last_words_();
-  if (!words.empty()) std::fprintf(stderr, "%s\n", words.c_str());
+  if (!words.empty()) std::fprintf(stderr, "%s\n", Printable(words).c_str());
 }
 
 InterruptWatch::~InterruptWatch() {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/run/world_shift.h"
 #include "colmap_ext/workspace/model_folder.h"
@@ -84,6 +85,7 @@ Project::Project(const RunOptions& options, Console* console)
   cache_ = std::make_shared<ResultCache>(CurvesPath("cache"));
   console->SetCache(cache_);
   SparseModel model = ReadModel(layout_.model_dir);
+  if (options.pipeline.refinement.refine_poses) CheckTextNames(model);
   origin_ = SceneOrigin(model);
   MoveModel(-origin_, &model);
   view_set_ = ToViews(model, layout_.image_dir, options.view, console->context());

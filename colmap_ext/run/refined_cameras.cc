@@ -7,6 +7,7 @@
 #include "colmap_ext/model/refined_model.h"
 #include "colmap_ext/run/world_shift.h"
 #include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/output_check.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
@@ -40,6 +41,9 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options) {
     throw OptionError("DrawingRefinement.refine_poses = 1: " + path +
                       " would be read instead of what is refined, or change it: remove it or "
                       "choose another output_path");
+  }
+  for (const char* name : {"cameras.txt", "images.txt", "points3D.txt"}) {
+    CheckResultFile(RefinedPath(project, name), options.overwrite);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/world_shift.h"
+#include "colmap_ext/workspace/output_check.h"
 #include "limn/evaluation/edgel_account.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/write_drawing.h"
@@ -81,6 +82,20 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
   if (old_options != new_options) {
     const Json difference = Json::diff(old_options, new_options);
     refuse("was drawn with other options (" + difference.front().value("path", "") + ")");
+  }
+}
+
+void CheckDrawingFiles(const Project& project, const RunOptions& options) {
+  for (const char* name : {"drawing.ply", "drawing.obj", "drawing.html"}) {
+    CheckResultFile(project.DrawingPath(name), options.overwrite);
+  }
+  for (const char* name : {"tracks.txt", "account.csv", "project.ini"}) {
+    CheckResultFile(project.CurvesPath(name), options.overwrite);
+  }
+  for (const View& view : project.views()) {
+    for (const char* folder : {"overlays", "account"}) {
+      CheckTakesFile(PicturePath(project.CurvesPath(folder), view.name));
+    }
   }
 }
 

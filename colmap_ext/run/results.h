@@ -29,6 +29,10 @@ std::string RefinementProvenance(const RunOptions& options, const std::string& d
 void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
                       const std::string& provenance);
 
+// To be called before work starts: throws IoError if the drawing's files, tracks and pictures would
+// replace what is no file or was not made by limn (see CheckResultFile).
+void CheckDrawingFiles(const Project& project, const RunOptions& options);
+
 // Name of a sketch's files in the folder of curves, without extension.
 std::string SketchFileName(SketchMode mode);
 

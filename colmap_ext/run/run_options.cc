@@ -31,10 +31,10 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
       "quality", &options->quality,
       {{"low", Quality::kLow}, {"medium", Quality::kMedium}, {"high", Quality::kHigh}},
       BasicOption("defaults of the other options"));
-  if (groups.writes_drawing) {
+  if (groups.overwrites) {
     parser->AddOption(
         "overwrite", &options->overwrite,
-        BasicOption("replace a drawing made with other options or from other images"));
+        BasicOption("replace results made with other options, from other images or not by limn"));
   }
   if (groups.shards) {
     parser->AddOption("shard", &options->shard,

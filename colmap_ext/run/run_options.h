@@ -32,7 +32,7 @@ struct RunOptions {
   ShardStage shard_stage = ShardStage::kSketches;
   // Another process holds the lock of the output folder for this one. Not a user option.
   bool is_led = false;
-  // Replace a drawing made with other options or from other images.
+  // Replace results made with other options, from other images or not by limn.
   bool overwrite = false;
 
   // Throws OptionError.
@@ -49,8 +49,8 @@ struct OptionGroups {
   bool tiles = false;
   // Has --shard.
   bool shards = false;
-  // Writes a drawing and has --overwrite.
-  bool writes_drawing = false;
+  // Writes files that may replace others, and has --overwrite.
+  bool overwrites = false;
   // Help text of --output_path.
   const char* output_help = "where results go instead";
 };

@@ -1,11 +1,25 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace limn::colmap_ext {
 
 // Throws IoError unless files can be created in this folder, or the folder itself can. Writes
 // nothing; to be called before a long run.
 void CheckWritable(const std::filesystem::path& folder);
+
+// To be called before the work, too, for every file that will be written. Throws IoError if what is
+// there is no file (see CheckTakesFile) or, unless `overwrite`, was not made by limn.
+void CheckResultFile(const std::string& path, bool overwrite);
+
+// Help text of the option `overwrite` of commands whose output files are named by the user.
+constexpr const char* kOverwriteHelp = "replace an output that is an input, a drawing or not ours";
+
+// The same for a file that the user names. Unless `overwrite`, it must not be one of the inputs, a
+// file of a model or a drawing.json either: these may be the only ones.
+void CheckNamedOutput(const std::string& path, const std::vector<std::string>& inputs,
+                      bool overwrite);
 
 }  // namespace limn::colmap_ext

@@ -51,6 +51,16 @@ void WriteHolder(int file) {
   if (ftruncate(file, 0) == 0) (void)!pwrite(file, text.data(), text.size(), 0);
 }
 
+// Opens or makes the file. A link is not followed: it may lead out of the workspace, to a file
+// whose text would be lost. A pipe does not wait for its other end. -1 with errno on failure.
+int OpenLockFile(const fs::path& path) {
+  const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+  struct stat opened;
+  if (file < 0 || (fstat(file, &opened) == 0 && S_ISREG(opened.st_mode))) return file;
+  close(file);
+  throw IoError(path.string(), "is no regular file: remove it");
+}
+
 // 0, or why not.
 int LockOnce(int file, LockMode mode) {
   const int operation = mode == LockMode::kExclusive ? LOCK_EX : LOCK_SH;
@@ -85,9 +95,10 @@ OutputLock::OutputLock(const fs::path& folder, LockMode mode) : path_(folder / "
 }
 
 bool OutputLock::TryLock(LockMode mode) {
-  file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  file_ = OpenLockFile(path_);
   if (file_ < 0) {
     if (errno == ENOENT) return false;  // the folder
+    if (errno == ELOOP) throw IoError(path_.string(), "is a symbolic link: remove it");
     throw IoError(path_.string(), std::string("cannot write: ") + std::strerror(errno));
   }
   const int reason = Lock(file_, mode);

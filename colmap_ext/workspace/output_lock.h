@@ -14,7 +14,8 @@ enum class LockMode { kExclusive, kShared };
 // nothing. Works across hosts if the file system supports it (NFS does).
 class OutputLock {
  public:
-  // Creates the folder. Throws IoError, with the file and the process that holds the lock, if it
+  // Creates the folder. Throws IoError if something other than a regular file is in the place of
+  // the file (links are not followed), or, with the file and the process that holds the lock, if it
   // cannot be acquired at once (a shared one: within a second).
   OutputLock(const std::filesystem::path& folder, LockMode mode);
   // Removes the file if no other process holds the lock, and the folders that were created for it

@@ -272,6 +272,7 @@ void LeaveOutMisfits(const SparseModel& model, double max_px, ViewSet* set) {
   Keep(keep, &set->image_paths);
   Keep(keep, &set->mask_paths);
   Keep(keep, &set->stored_sizes);
+  Keep(keep, &set->is_damaged);
   set->hints = MakeHints(model, set->views);
 }
 

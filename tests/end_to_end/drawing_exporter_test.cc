@@ -68,7 +68,9 @@ TEST(DrawingExporter, KindsAndTentativeLinksCanBeChosen) {
   graph.links[2].tentative = true;
   const ExportedDrawing exported(graph);
   const auto num_links = [&](const std::vector<std::string>& options) {
-    exported.Export("d.json", options);
+    std::vector<std::string> again = options;
+    again.insert(again.end(), {"--overwrite", "1"});
+    exported.Export("d.json", again);
     return ReadDrawingJson(exported.Path("d.json")).graph.links.size();
   };
   const size_t all = graph.links.size();
@@ -77,6 +79,26 @@ TEST(DrawingExporter, KindsAndTentativeLinksCanBeChosen) {
   EXPECT_EQ(num_links({"--tentative", "1", "--kinds", "all"}), all);
   EXPECT_EQ(num_links({"--kinds", "unknown"}), all - 3);
   EXPECT_EQ(num_links({"--kinds", "shadow,contour"}), 2u);
+}
+
+TEST(DrawingExporter, LosesNoDrawingNoModelAndNoFileOfTheUser) {
+  const ExportedDrawing exported(PrimitiveDrawing());
+  exported.dir().WriteFile("cameras.bin", "a model");
+  exported.dir().WriteFile("mine.obj", "v 0 0 0\n");
+  exported.Export("ours.obj");
+  exported.Export("ours.obj");
+  const auto before = ReadTree(exported.dir().path());
+  for (const auto& [name, why] : {std::pair("drawing.json", "is an input"),
+                                  {"cameras.bin", "exists, and was not made by limn"},
+                                  {"mine.obj", "exists, and was not made by limn"}}) {
+    const LimnRun run = exported.TryExport(name, {"--output_type", "obj"});
+    EXPECT_EQ(run.exit_code, 1) << name;
+    EXPECT_EQ(run.err,
+              "ERROR: " + exported.Path(name) + ": " + why + ": --overwrite 1 replaces it\n");
+  }
+  EXPECT_EQ(ReadTree(exported.dir().path()), before);
+  exported.Export("mine.obj", {"--overwrite", "1"});
+  EXPECT_EQ(ReadTree(exported.dir().path()).at("mine.obj"), before.at("ours.obj"));
 }
 
 TEST(DrawingExporter, ScaleAndUpAxis) {

@@ -104,6 +104,25 @@ TEST(OutputFolder, FilesThatTheCacheCannotReadOrReplaceDoNotStopARun) {
   EXPECT_TRUE(Results(scene.output()) == whole);
 }
 
+TEST(OutputFolder, FilesThatAreNotOursStayAndAreFoundBeforeWorkStarts) {
+  const SmallScene scene;
+  for (const char* name : {"drawing.ply", "drawing.html", "curves/tracks.txt"}) {
+    fs::create_directories((scene / name).parent_path());
+    Write(scene / name, "mine");
+    const LimnRun run = RunLimn(scene.Arguments());
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.err, "ERROR: " + (scene / name).string() +
+                           ": exists, and was not made by limn: --overwrite 1 replaces it\n");
+    EXPECT_EQ(ReadTree(scene.output()), (std::map<std::string, std::string>{{name, "mine"}}));
+    fs::remove(scene / name);
+  }
+  fs::create_directories(scene / "curves/overlays/view_03.jpg.png");
+  const LimnRun run = RunLimn(scene.Arguments());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("view_03.jpg.png: cannot write: is a folder, not a file"));
+  EXPECT_THAT(ReadTree(scene.output()), IsEmpty());
+}
+
 TEST(OutputFolder, OnlyWhatAnOptionTouchesIsMadeAgain) {
   const SmallScene scene;
   RunWhole(scene);
@@ -113,6 +132,19 @@ TEST(OutputFolder, OnlyWhatAnOptionTouchesIsMadeAgain) {
   EXPECT_THAT(run.out, HasSubstr("image curves of 6 images were taken from the cache"));
   EXPECT_THAT(Lines(run.out, "sketches of"),
               ::testing::ElementsAre(HasSubstr("6 made with other options")));
+}
+
+// A file that is opened while standard output is closed gets its number.
+TEST(OutputFolder, WithClosedStreamsNothingIsPrintedIntoResults) {
+  const SmallScene scene;
+  const auto whole = RunWhole(scene);
+  for (const char* closed : {"exec \"$@\" >&-", "exec \"$@\" <&- >&- 2>&-"}) {
+    fs::remove_all(scene.output());
+    std::vector<std::string> arguments = {"-c", closed, "sh", LIMN_PROGRAM};
+    for (const std::string& argument : scene.Arguments()) arguments.push_back(argument);
+    EXPECT_EQ(RunProgram("/bin/sh", arguments).exit_code, 0);
+    EXPECT_TRUE(Results(scene.output()) == whole) << closed;
+  }
 }
 
 TEST(OutputFolder, ASecondRunIsRefusedUntilTheFirstHasEnded) {

@@ -37,6 +37,13 @@ void ExplainAlong(const View& view, const Eigen::Vector3d& from, const Eigen::Ve
 
 using FateCounts = std::array<int64_t, kNumEdgelFates>;
 
+// Quoted for CSV.
+std::string CsvText(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 void WriteRow(const std::string& name, const FateCounts& counts, std::ostream& out) {
   out << name;
   for (const int64_t count : counts) out << ',' << count;
@@ -82,7 +89,7 @@ void WriteAccountCsv(const std::vector<View>& views, const EdgelFates& fates, st
     FateCounts of_view{};
     for (const EdgelFate fate : fates[v]) ++of_view[static_cast<int>(fate)];
     for (int i = 0; i < kNumEdgelFates; ++i) all[i] += of_view[i];
-    WriteRow('"' + views[v].name + '"', of_view, out);
+    WriteRow(CsvText(views[v].name), of_view, out);
   }
   WriteRow("all", all, out);
 }

@@ -8,6 +8,9 @@
 #include <random>
 #include <set>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -59,6 +62,15 @@ class TemporaryFile {
 
   const fs::path& path() const { return path_; }
 
+  // Owner and permissions of the file that it will replace, if there is one.
+  void TakeModeOf(const std::string& path) const {
+    struct stat old;
+    if (lstat(path.c_str(), &old) != 0 || !S_ISREG(old.st_mode)) return;
+    // Only root may give files away.
+    (void)!chown(path_.c_str(), old.st_uid, old.st_gid);
+    (void)!chmod(path_.c_str(), old.st_mode & 0777);
+  }
+
   void RenameTo(const std::string& path) {
     std::error_code error;
     fs::rename(path_, path, error);
@@ -79,9 +91,26 @@ void MakeParentFolder(const std::string& path) {
   if (error) throw IoError(folder.string(), "cannot create the folder: " + error.message());
 }
 
+// /dev/stdout may lead to a regular file, but stands among devices.
+bool IsAmongDevices(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path(), ignored);
+  return folder == "/dev" || folder.string().starts_with("/proc/");
+}
+
 }  // namespace
 
+void CheckTakesFile(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status there = fs::status(path, ignored);
+  if (fs::is_directory(there)) throw IoError(path, "cannot write: is a folder, not a file");
+  if (fs::is_other(there) || IsAmongDevices(path)) {
+    throw IoError(path, "cannot write: is a device or a pipe, or leads to one, and no file");
+  }
+}
+
 void WriteFileAtomically(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  CheckTakesFile(path);
   MakeParentFolder(path);
   TemporaryFile temporary(path);
   std::ofstream out;
@@ -91,6 +120,7 @@ void WriteFileAtomically(const std::string& path, const std::function<void(std::
   try {
     errno = 0;
     out.open(temporary.path(), std::ios::binary | std::ios::trunc);
+    temporary.TakeModeOf(path);
     write(out);
     out.close();
   } catch (const std::ios_base::failure&) {

@@ -96,6 +96,29 @@ void PutCoordinate(std::ostream& out, double value) {
   out.write(text, end - text);
 }
 
+bool NeedsEscape(const View& view) {
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
+  const std::string& name = view.name;
+  return name.starts_with(' ') || name.ends_with(' ') ||
+         std::any_of(name.begin(), name.end(), is_control);
+}
+
+// Control characters, spaces at either end and backslashes as \xHH.
+std::string Escaped(const std::string& name) {
+  std::string text;
+  for (size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    const bool is_edge = i == 0 || i + 1 == name.size();
+    if (c < 0x20 || c == 0x7F || c == '\\' || (c == ' ' && is_edge)) {
+      constexpr const char* kDigits = "0123456789ABCDEF";
+      text += {'\\', 'x', kDigits[c >> 4], kDigits[c & 15]};
+    } else {
+      text += name[i];
+    }
+  }
+  return text;
+}
+
 void PutTrack(LinkId link, const std::vector<Eigen::Vector2d>& run, const std::string& name,
               std::ostream& out) {
   // COLMAP's center of the top-left pixel is (0.5, 0.5), ours is (0, 0).
@@ -128,6 +151,8 @@ void WriteTracks(const DrawingGraph& graph, const LinkSelection& selection,
          "# image; parts hidden behind surfaces are not told apart. Links that were not\n"
          "# selected, by default tentative ones and outlines of smooth bodies, are left out.\n"
       << "# Number of links: " << num_links << " of " << graph.links.size() << '\n';
+  const bool escapes = std::any_of(views.begin(), views.end(), NeedsEscape);
+  if (escapes) out << "# Some characters of image names are written as \\xHH.\n";
   for (size_t id = 0; id < graph.links.size(); ++id) {
     if (!selection.Has(graph.links[id])) continue;
     for (const ViewId view_id : graph.links[id].supporting_views) {
@@ -137,7 +162,7 @@ void WriteTracks(const DrawingGraph& graph, const LinkSelection& selection,
       }
       const View& view = views[view_id];
       for (const auto& run : ProjectPolyline(view, graph.links[id].points_in_world)) {
-        PutTrack(static_cast<LinkId>(id), run, view.name, out);
+        PutTrack(static_cast<LinkId>(id), run, escapes ? Escaped(view.name) : view.name, out);
       }
     }
   }

@@ -33,6 +33,15 @@ TEST(ProblemOfName, RefusesTheRest) {
   }
 }
 
+TEST(ProblemOfNameInText, RefusesWhatEndsALine) {
+  for (const char* name : {"a b.jpg", "f/\xC3\xA4 \"q\".jpg", "a\x1B.jpg"}) {
+    EXPECT_EQ(ProblemOfNameInText(name), "") << name;
+  }
+  for (const char* name : {"a\n1 2.jpg", " a.jpg", "a.jpg ", "a.jpg\r"}) {
+    EXPECT_THAT(ProblemOfNameInText(name), HasSubstr(name));
+  }
+}
+
 TEST(HintForMissing, NamesAFileThatDiffersByAccident) {
   const TempDir dir;
   dir.WriteFile("sub/View 1.JPG", "");

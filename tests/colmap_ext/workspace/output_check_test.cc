@@ -39,5 +39,43 @@ TEST(CheckWritable, RefusesReadOnlyFolders) {
   std::filesystem::permissions(dir.path(), std::filesystem::perms::owner_all);
 }
 
+// What the check says of a file with this content.
+std::string RefusalToReplace(const TempDir& dir, const std::string& content, bool overwrite) {
+  const std::string path = dir.WriteFile("result", content);
+  return ErrorText<IoError>([&] { CheckResultFile(path, overwrite); });
+}
+
+TEST(CheckResultFile, RefusesWhatLimnHasNotMade) {
+  const TempDir dir;
+  EXPECT_EQ(RefusalToReplace(dir, "ply\ncomment curves by limn\n", false), "");
+  for (const char* foreign : {"", "ply\nformat ascii 1.0\n", "\xFF\xD8"}) {
+    EXPECT_THAT(RefusalToReplace(dir, foreign, false), HasSubstr("was not made by limn"));
+    EXPECT_EQ(RefusalToReplace(dir, foreign, true), "");
+  }
+  CheckResultFile((dir / "new").string(), false);
+  std::filesystem::create_directory(dir / "folder");
+  EXPECT_THAT(ErrorText<IoError>([&] { CheckResultFile((dir / "folder").string(), true); }),
+              HasSubstr("is a folder"));
+}
+
+TEST(CheckNamedOutput, RefusesInputsModelsAndDrawings) {
+  const TempDir dir;
+  const std::string input = dir.WriteFile("input.ply", "curves by limn");
+  std::filesystem::create_symlink("input.ply", dir / "link.ply");
+  const std::string model = dir.WriteFile("cameras.txt", "# CAMERA_ID, MODEL,");
+  const std::string drawing = dir.WriteFile("d.json", "{\"format\": \"limn-drawing\",");
+  const std::string other = dir.WriteFile("other.ply", "curves by limn");
+  const auto refusal = [&](const std::string& path, bool overwrite) {
+    return ErrorText<IoError>([&] { CheckNamedOutput(path, {"", input}, overwrite); });
+  };
+  EXPECT_THAT(refusal(input, false), HasSubstr("is an input"));
+  EXPECT_THAT(refusal((dir / "link.ply").string(), false), HasSubstr("is an input"));
+  EXPECT_THAT(refusal(model, false), HasSubstr("is a file of a model"));
+  EXPECT_THAT(refusal(drawing, false), HasSubstr("is a drawing"));
+  EXPECT_EQ(refusal(other, false), "");
+  EXPECT_EQ(refusal((dir / "new.ply").string(), false), "");
+  for (const std::string& path : {input, model, drawing}) EXPECT_EQ(refusal(path, true), "");
+}
+
 }  // namespace
 }  // namespace limn::colmap_ext

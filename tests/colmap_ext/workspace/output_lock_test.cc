@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -82,6 +83,26 @@ TEST(OutputLock, VanishesWithItsProcess) {
   ASSERT_EQ(waitpid(child, nullptr, 0), child);
   EXPECT_TRUE(fs::exists(dir / ".lock"));
   EXPECT_EQ(Refusal(dir.path(), LockMode::kExclusive), "");
+}
+
+TEST(OutputLock, FollowsNoLink) {
+  const TempDir dir;
+  const std::string victim = dir.WriteFile("victim", "a text");
+  for (const fs::path& target : {fs::path(victim), dir / "dangling"}) {
+    fs::create_directories(dir / "curves");
+    fs::create_symlink(target, dir / "curves/.lock");
+    EXPECT_THAT(Refusal(dir / "curves", LockMode::kExclusive),
+                AllOf(HasSubstr((dir / "curves/.lock").string()), HasSubstr("symbolic link")));
+    fs::remove(dir / "curves/.lock");
+  }
+  EXPECT_EQ(fs::file_size(victim), 6u);
+  EXPECT_FALSE(fs::exists(dir / "dangling"));
+}
+
+TEST(OutputLock, DoesNotWaitForAPipe) {
+  const TempDir dir;
+  ASSERT_EQ(mkfifo((dir / ".lock").c_str(), 0666), 0);
+  EXPECT_THAT(Refusal(dir.path(), LockMode::kExclusive), HasSubstr("is no regular file"));
 }
 
 TEST(OutputLock, TellsWhyTheFileCannotBeMade) {

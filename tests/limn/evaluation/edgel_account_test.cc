@@ -67,6 +67,14 @@ TEST(EdgelAccountTest, WithoutADrawingSamplesKeepTheirFates) {
   EXPECT_EQ(sketched, doubtful);
 }
 
+TEST(EdgelAccountTest, CsvQuotesNames) {
+  View view;
+  view.name = "a\",\n1.png";
+  std::stringstream csv;
+  WriteAccountCsv({view}, {{}}, csv);
+  EXPECT_NE(csv.str().find("\n\"a\"\",\n1.png\",0,"), std::string::npos) << csv.str();
+}
+
 TEST(EdgelAccountTest, CsvCountsEveryEdgel) {
   const WireCube& run = Cube();
   const EdgelFates fates = run.Account(run.drawing.graph, run.drawing.fates);

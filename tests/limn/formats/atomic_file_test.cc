@@ -9,6 +9,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "limn/formats/temporary_folder.h"
@@ -78,6 +79,49 @@ TEST(WriteFileAtomically, ADiskWithoutRoomIsNamedWithTheFile) {
     EXPECT_EQ(error.what(), path + ": cannot write: No space left on device");
   }
   EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+// What writing there says, which must leave it as it is.
+std::string RefusalToWrite(const std::string& path) {
+  const auto before = std::filesystem::symlink_status(path);
+  std::string text;
+  try {
+    WriteFileAtomically(path, "x");
+  } catch (const IoError& error) {
+    text = error.what();
+  }
+  EXPECT_EQ(std::filesystem::symlink_status(path).type(), before.type()) << path;
+  return text;
+}
+
+TEST(WriteFileAtomically, PutsNoFileInThePlaceOfDevicesPipesAndFolders) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.Path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0666), 0);
+  std::filesystem::create_symlink("pipe", folder.Path("to-pipe"));
+  std::filesystem::create_symlink("/dev/null", folder.Path("to-null"));
+  std::filesystem::create_directory(folder.Path("folder"));
+  for (const std::string& path :
+       {pipe, folder.Path("to-pipe"), folder.Path("to-null"), std::string("/dev/null")}) {
+    EXPECT_EQ(RefusalToWrite(path),
+              path + ": cannot write: is a device or a pipe, or leads to one, and no file");
+  }
+  // Whatever standard output is.
+  EXPECT_NE(RefusalToWrite("/dev/stdout"), "");
+  EXPECT_NE(RefusalToWrite("/proc/self/fd/1"), "");
+  EXPECT_EQ(RefusalToWrite(folder.Path("folder")),
+            folder.Path("folder") + ": cannot write: is a folder, not a file");
+  EXPECT_EQ(NumFiles(pipe), 4);
+}
+
+TEST(WriteFileAtomically, KeepsPermissions) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("secret", "old");
+  using std::filesystem::perms;
+  std::filesystem::permissions(path, perms::owner_read | perms::owner_write);
+  WriteFileAtomically(path, "new");
+  EXPECT_EQ(TemporaryFolder::Read(path), "new");
+  EXPECT_EQ(std::filesystem::status(path).permissions(), perms::owner_read | perms::owner_write);
 }
 
 TEST(AbandonWrites, RemovesTemporaryFilesOfOtherThreads) {

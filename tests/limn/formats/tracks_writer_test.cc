@@ -101,5 +101,23 @@ TEST(WriteTracks, OnlySelectedLinksWithTheIdsOfTheDrawing) {
   EXPECT_THAT(out_of_all.str(), ::testing::HasSubstr("# Number of links: 3 of 3\n0 2 50.500"));
 }
 
+TEST(WriteTracks, NamesForgeNoLines) {
+  DrawingLink link;
+  link.points_in_world = {{0, 0, 1}, {0.25, 0, 1}};
+  link.supporting_views = {0, 1};
+  DrawingGraph graph;
+  graph.links = {link};
+  std::vector<View> views = {SmallView(), SmallView()};
+  views[0].name = "a\n7 2 1 1 2 2 b.png ";
+  views[1].name = "c\\d.png";
+  std::ostringstream out;
+  WriteTracks(graph, {}, views, out);
+  EXPECT_THAT(out.str(),
+              ::testing::EndsWith("# Number of links: 1 of 1\n"
+                                  "# Some characters of image names are written as \\xHH.\n"
+                                  "0 2 50.500 50.500 75.500 50.500 a\\x0A7 2 1 1 2 2 b.png\\x20\n"
+                                  "0 2 50.500 50.500 75.500 50.500 c\\x5Cd.png\n"));
+}
+
 }  // namespace
 }  // namespace limn
