@@ -48,6 +48,9 @@ struct ViewSet {
 // principal point. Intrinsics are rescaled to the size of the file, if its aspect is the camera's
 // within one pixel, and to max_image_size. Headers of all images and masks are read, in parallel.
 //
+// Images and points far outside the scene of the others (see SceneReach) are left out, with a
+// warning.
+//
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
 // the list is not registered, a mask has the wrong size. Throws InputError if no image is left.
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
