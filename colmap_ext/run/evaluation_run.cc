@@ -113,7 +113,6 @@ EvaluationReport EvaluateFile(const EvaluatorOptions& options) {
 }
 
 void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options) {
-  PrintReport(report, std::cout);
   if (!options.output_csv.empty()) {
     WriteFileAtomically(options.output_csv,
                         [&](std::ostream& out) { WriteReportCsv(report, out); });
@@ -122,6 +121,8 @@ void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options
     WriteFileAtomically(options.output_json,
                         [&](std::ostream& out) { WriteReportJson(report, out); });
   }
+  PrintReport(report, std::cout);
+  if (!std::cout.flush()) throw IoError("standard output", "the table could not be written");
 }
 
 }  // namespace limn::colmap_ext

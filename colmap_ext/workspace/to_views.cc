@@ -16,6 +16,7 @@
 
 #include "colmap_ext/model/camera_lens_map.h"
 #include "colmap_ext/model/image_name.h"
+#include "colmap_ext/model/scene_reach.h"
 #include "colmap_ext/workspace/camera_check.h"
 #include "colmap_ext/workspace/jpeg_check.h"
 #include "limn/model/lens_jacobian.h"
@@ -63,6 +64,24 @@ std::vector<int> SelectImages(const SparseModel& model, const std::string& image
   std::sort(selected.begin(), selected.end(),
             [&](int a, int b) { return model.images[a].name < model.images[b].name; });
   return selected;
+}
+
+// Removes the images whose cameras are not in the scene; a warning names them.
+void LeaveOutFar(const SparseModel& model, const SceneReach& reach, std::vector<int>* selected,
+                 std::vector<std::string>* warnings) {
+  constexpr int kMaxNames = 5;
+  std::string names;
+  const auto count = std::erase_if(*selected, [&, num_names = 0](int index) mutable {
+    const ModelImage& image = model.images[index];
+    if (reach.Contains(Inverse(image.cam_from_world).translation)) return false;
+    if (++num_names <= kMaxNames) names += (names.empty() ? "" : ", ") + image.name;
+    return true;
+  });
+  if (count == 0) return;
+  warnings->push_back(std::to_string(count) +
+                      " images are left out, since their cameras are far outside the scene of the "
+                      "others: " +
+                      names + (count > kMaxNames ? ", ..." : ""));
 }
 
 void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& image_dir) {
@@ -180,13 +199,15 @@ std::vector<std::pair<ViewId, uint32_t>> Sights(
   return sights;
 }
 
-SceneHints MakeHints(const SparseModel& model, const std::vector<View>& views) {
+SceneHints MakeHints(const SparseModel& model, const SceneReach& reach,
+                     const std::vector<View>& views) {
   std::unordered_map<uint32_t, ViewId> view_of_image;
   for (size_t view = 0; view < views.size(); ++view) {
     view_of_image[model.images[views[view].model_index].id] = static_cast<ViewId>(view);
   }
   SceneHints hints;
   for (const int p : PointsById(model)) {
+    if (!reach.Contains(model.points[p].position)) continue;
     ScenePoint hint;
     hint.position_in_world = model.points[p].position;
     hint.model_index = p;
@@ -230,7 +251,6 @@ Image BlackImage(int width, int height) {
 }
 
 void AddWarnings(const SparseModel& model, const std::vector<int>& selected, ViewSet* set) {
-  set->warnings.insert(set->warnings.begin(), model.warnings.begin(), model.warnings.end());
   int num_resized = 0;
   for (size_t i = 0; i < selected.size(); ++i) {
     const Camera& camera = model.CameraOf(model.images[selected[i]]);
@@ -242,8 +262,9 @@ void AddWarnings(const SparseModel& model, const std::vector<int>& selected, Vie
                             " images differ in size from their camera; intrinsics were rescaled");
   }
   if (selected.size() == model.images.size() && set->hints.points.size() < model.points.size()) {
-    set->warnings.push_back(std::to_string(model.points.size() - set->hints.points.size()) +
-                            " 3D points are seen by no image and were left out");
+    set->warnings.push_back(
+        std::to_string(model.points.size() - set->hints.points.size()) +
+        " 3D points are seen by no image or far outside the scene, and were left out");
   }
 }
 
@@ -257,7 +278,8 @@ void Keep(const std::vector<uint8_t>& keep, std::vector<T>* items) {
   *items = std::move(kept);
 }
 
-void LeaveOutMisfits(const SparseModel& model, double max_px, ViewSet* set) {
+void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double max_px,
+                     ViewSet* set) {
   const CameraCheck check = CheckCameras(set->views, set->hints, max_px);
   if (check.misfits.empty()) return;
   const std::string misses = Describe(check, set->views, max_px);
@@ -273,7 +295,7 @@ void LeaveOutMisfits(const SparseModel& model, double max_px, ViewSet* set) {
   Keep(keep, &set->mask_paths);
   Keep(keep, &set->stored_sizes);
   Keep(keep, &set->is_damaged);
-  set->hints = MakeHints(model, set->views);
+  set->hints = MakeHints(model, reach, set->views);
 }
 
 void WarnOfMisfits(ViewSet* set) {
@@ -302,8 +324,11 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
       !options.mask_path.empty() && !fs::is_directory(options.mask_path, ignored)) {
     throw IoError(options.mask_path, "no such folder (mask_path)");
   }
-  const std::vector<int> selected = SelectImages(model, options.image_list_path);
+  std::vector<int> selected = SelectImages(model, options.image_list_path);
+  const SceneReach reach(model, selected);
   ViewSet set;
+  set.warnings = model.warnings;
+  LeaveOutFar(model, reach, &selected, &set.warnings);
   set.max_image_size = options.max_image_size;
   for (const int index : selected) {
     const std::string& name = model.images[index].name;
@@ -347,10 +372,10 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
     if (mask.empty()) return;
     view.region = MakeImageRegion(view.camera, view.lens.get(), mask, options.border_margin_px);
   });
-  set.hints = MakeHints(model, set.views);
+  set.hints = MakeHints(model, reach, set.views);
   AddWarnings(model, selected, &set);
   if (options.max_reprojection_px > 0) {
-    LeaveOutMisfits(model, options.max_reprojection_px, &set);
+    LeaveOutMisfits(model, reach, options.max_reprojection_px, &set);
   }
   WarnOfMisfits(&set);
   return set;

@@ -55,6 +55,9 @@ struct ViewSet {
 // are read, in parallel. Images that are damaged are views of nothing, with a warning.
 // Cameras that do not fit the points of the model are warned of, or left out (max_reprojection_px).
 //
+// Images and points far outside the scene of the others (see SceneReach) are left out, with a
+// warning.
+//
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
 // the list is not registered, a mask has the wrong size. Throws InputError if no image is left.
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,

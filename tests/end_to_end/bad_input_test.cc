@@ -62,6 +62,19 @@ TEST_F(BadInput, WrongOptionValue) {
   ExpectRefused({"--box", "0,1,1,0,0,1"}, HasSubstr("box"));
   ExpectRefused({"--num_threads", "0"}, HasSubstr("num_threads = 0"));
   ExpectRefused({"--max_image_size", "3"}, HasSubstr("max_image_size = 3"));
+  ExpectRefused({"--DrawingRefinement.num_rounds", "100000"},
+                HasSubstr("DrawingRefinement.num_rounds = 100000"));
+  ExpectRefused({"--Drawing.max_averaging_rounds", "1000000000"},
+                HasSubstr("Drawing.max_averaging_rounds = 1e+09"));
+}
+
+TEST_F(BadInput, ATableOnAFullDeviceIsLost) {
+  const std::string curve = dir_.WriteFile("curve.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
+  const LimnRun run =
+      RunProgram("/bin/sh", {"-c", "\"$0\" \"$@\" > /dev/full", LIMN_PROGRAM, "drawing_evaluator",
+                             "--input_path", curve, "--truth_path", curve, "--taus", "0.1"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err, "ERROR: standard output: the table could not be written\n");
 }
 
 TEST_F(BadInput, UnknownOption) {

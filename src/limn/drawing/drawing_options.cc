@@ -24,6 +24,7 @@ void DrawingOptions::Check() const {
   LIMN_CHECK_OPTION(max_link_angle_deg, > 0);
   LIMN_CHECK_OPTION(averaging_tolerance_px, > 0);
   LIMN_CHECK_OPTION(max_averaging_rounds, >= 0);
+  LIMN_CHECK_OPTION(max_averaging_rounds, <= 1000);
   LIMN_CHECK_OPTION(merge_distance_px, > 0);
   LIMN_CHECK_OPTION(min_branch_length_px, >= 0);
   LIMN_CHECK_OPTION(junction_distance_px, >= 0);

@@ -3,9 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
+
+#include "limn/util/errors.h"
 
 namespace limn {
 namespace {
+
+// Of all curves together: about 2 GB.
+constexpr double kMaxCells = 2e7;
+
+// Throws InputError if there would be more.
+void CheckNumCells(double length, double step, int num_before) {
+  const double num_cells = num_before + length / step;
+  if (num_cells <= kMaxCells) return;
+  std::ostringstream text;
+  text << "the curves are too long: " << num_cells << " steps of length " << step << ", at most "
+       << kMaxCells << " (is the unit right?)";
+  throw InputError(text.str());
+}
 
 // `num_intervals` equal arc-length intervals of a polyline of positive length.
 void AppendEqualIntervals(const Polyline3d& polyline, const std::vector<double>& lengths,
@@ -60,6 +76,7 @@ void CurveSamples::AddPolyline(const Polyline3d& polyline, double step) {
     weight_of_curve_.push_back(0.0);
     return;
   }
+  CheckNumCells(length, step, size());
   // The allowance keeps a length of exactly n steps at n cells in spite of rounding.
   const int num_cells = std::max(1, static_cast<int>(std::ceil(length / step * (1 - 1e-12))));
   AppendEqualIntervals(polyline, lengths, 2 * num_cells, &points_);

@@ -16,7 +16,8 @@ namespace limn {
 // points, each of weight 1; otherwise points are ignored.
 class CurveSamples {
  public:
-  // step_of(polyline) > 0: the longest allowed cell.
+  // step_of(polyline) > 0: the longest allowed cell. Throws InputError for more than 20
+  // million cells.
   CurveSamples(const CurveSet& set, const std::function<double(const Polyline3d&)>& step_of);
 
   int size() const { return static_cast<int>(curve_of_.size()); }

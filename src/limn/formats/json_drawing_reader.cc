@@ -149,8 +149,12 @@ DrawingFile ToDrawingFile(const Json& json) {
   std::map<std::string, ViewId> view_ids;
   for (const Json& name : json.at("views")) {
     file.metadata.view_names.push_back(name.get<std::string>());
-    view_ids.emplace(file.metadata.view_names.back(), static_cast<ViewId>(view_ids.size()));
+    const auto id = static_cast<ViewId>(view_ids.size());
+    if (!view_ids.emplace(file.metadata.view_names.back(), id).second) {
+      throw InputError("view \"" + file.metadata.view_names.back() + "\" is listed twice");
+    }
   }
+  if (!json.at("options").is_object()) throw InputError("\"options\" is not an object");
   file.metadata.options_json = json.at("options").dump();
   for (const Json& node : json.at("nodes")) file.graph.nodes.push_back(ToNode(node));
   for (const Json& link : json.at("links")) file.graph.links.push_back(ToLink(link, view_ids));

@@ -13,6 +13,8 @@ namespace limn {
 namespace {
 
 constexpr double kSampleSpacingPx = 1.5;
+// Of a segment: only one that the fit has thrown far away is longer.
+constexpr double kMaxSegmentSamples = 1000;
 // Image edges nearer to each other than this displace each other or merge, px. Chosen on midday,
 // mixed light, vase and day: F -.3 to +.4 with 2, -.7 to +.3 with 4.
 constexpr double kResolvedPx = 3;
@@ -42,7 +44,8 @@ std::vector<LinkSample> MakeSamples(const ControlGraph& control, const ControlLi
     // Over the neighbors, too: the direction of a short segment alone is unreliable.
     const Eigen::Vector3d tangent = Tangent(control, link, s - 1, s + 2);
     const double length_px = arc_px[s + 1] - arc_px[s];
-    const int count = std::max(1, static_cast<int>(std::lround(length_px / kSampleSpacingPx)));
+    const double num_steps = std::min(length_px / kSampleSpacingPx, kMaxSegmentSamples);
+    const int count = std::max(1, static_cast<int>(std::lround(num_steps)));
     for (int k = 0; k < count; ++k) {
       const double t = (k + 0.5) / count;
       const double at_px = arc_px[s] + t * length_px;

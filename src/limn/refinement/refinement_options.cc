@@ -6,6 +6,7 @@ namespace limn {
 
 void RefinementOptions::Check() const {
   LIMN_CHECK_OPTION(num_rounds, >= 0);
+  LIMN_CHECK_OPTION(num_rounds, <= 100);
   LIMN_CHECK_OPTION(control_spacing_px, >= 1);
   LIMN_CHECK_OPTION(max_distance_px, > 0);
   LIMN_CHECK_OPTION(max_angle_deg, > 0);

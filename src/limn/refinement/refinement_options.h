@@ -3,7 +3,7 @@
 namespace limn {
 
 struct RefinementOptions {
-  // Rounds of matching and fitting; 0 leaves the drawing as it is.
+  // Rounds of matching and fitting, at most 100; 0 leaves the drawing as it is.
   int num_rounds = 4;
   // Spacing of the control points of a link, px.
   double control_spacing_px = 3;

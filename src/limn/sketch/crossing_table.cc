@@ -67,7 +67,7 @@ void CrossingTable::SortIntoCells(const std::vector<EpipolarCrossing>& crossings
     const float width = level.high - level.low;
     if (width > 0) {
       const float cells =
-          std::min(width / (kCellShare * level.reach), static_cast<float>(level.count));
+          std::min(static_cast<float>(level.count), width / (kCellShare * level.reach));
       level.cells_per_unit = cells / width;
       level.last_cell = static_cast<int>(cells);
     }

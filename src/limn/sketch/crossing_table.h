@@ -60,7 +60,8 @@ class CrossingTable {
 
     int Cell(float inverse_depth) const {
       const float cell = (inverse_depth - low) * cells_per_unit;
-      return static_cast<int>(std::clamp(cell, 0.f, static_cast<float>(last_cell)));
+      // In this order NaN, of an infinite range, is a cell, too.
+      return static_cast<int>(std::max(0.f, std::min(static_cast<float>(last_cell), cell)));
     }
   };
 

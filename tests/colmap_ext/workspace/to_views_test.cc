@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -312,6 +313,27 @@ TEST_F(ToViewsTest, UnknownNamesInTheListAreErrors) {
   EXPECT_THAT(ErrorOf(), HasSubstr("list.txt: image \"d.png\" is not registered in the_model"));
   options_.image_list_path = (dir_ / "none.txt").string();
   EXPECT_THAT(ErrorOf(), HasSubstr("none.txt: the image list cannot be opened"));
+}
+
+TEST_F(ToViewsTest, CamerasFarOutsideTheSceneAreLeftOutByName) {
+  for (const double far : {1e9, 1e45, 1e200, 1e307}) {
+    model_.images[0].cam_from_world.translation.setConstant(far);
+    const ViewSet set = Views();
+    ASSERT_EQ(set.views.size(), 2u) << far;
+    EXPECT_THAT(set.warnings, Contains(HasSubstr("1 images are left out, since their cameras are "
+                                                 "far outside the scene of the others: " +
+                                                 model_.images[0].name)));
+    for (const ScenePoint& point : set.hints.points) EXPECT_LT(point.views.back(), 2);
+  }
+}
+
+TEST_F(ToViewsTest, PointsFarOutsideTheSceneAreLeftOut) {
+  const size_t num_points = Views().hints.points.size();
+  model_.points.push_back(model_.points[0]);
+  model_.points.back().id = 1000;
+  model_.points.back().position.x() = 1e200;
+  EXPECT_EQ(Views().hints.points.size(), num_points);
+  EXPECT_THAT(Views().warnings, Contains(HasSubstr("far outside the scene")));
 }
 
 TEST_F(ToViewsTest, NoImageLeftIsAnError) {

@@ -35,6 +35,13 @@ TEST(EvaluateCurves, LineWithinTauIsFoundAndBeyondIsNot) {
   EXPECT_DOUBLE_EQ(*far.f, 0);
 }
 
+TEST(EvaluateCurves, CurvesTooLongToBeSampledAreRefused) {
+  const CurveSet truth = Curves({Line(0, 1)});
+  for (const double length : {1e6, 1e12, 1e200}) {
+    EXPECT_THROW(EvaluateAtTau(Curves({Line(0, length)}), truth), InputError) << length;
+  }
+}
+
 TEST(EvaluateCurves, HalfCoveredTruthHasHalfRecall) {
   const CurveSet half = Curves({Line(0, 0.5)});
   const CurveSet whole = Curves({Line(0, 1)});

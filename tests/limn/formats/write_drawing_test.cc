@@ -20,6 +20,7 @@ namespace limn {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 DrawingMetadata SmallMetadata() { return {{"a.png", "sub/b c.png"}, R"({"z":1,"a":{"b":[2.5]}})"}; }
 
@@ -228,6 +229,10 @@ TEST(WriteDrawing, BrokenJsonIsRefused) {
   EXPECT_THROW(ReadDrawingJson(with("\"kind\":\"junction\"", "\"kind\":\"knot\"")), IoError);
   EXPECT_THROW(ReadDrawingJson(with("\"node0\":0", "\"node0\":77")), IoError);
   EXPECT_THROW(ReadDrawingJson(with("\"closed\"", "\"shut\"")), IoError);
+  EXPECT_THAT([&] { ReadDrawingJson(with("\"sub/b c.png\"", "\"a.png\"")); },
+              ThrowsMessage<IoError>(HasSubstr("view \"a.png\" is listed twice")));
+  EXPECT_THAT([&] { ReadDrawingJson(with(R"({"z":1,"a":{"b":[2.5]}})", "[]")); },
+              ThrowsMessage<IoError>(HasSubstr("\"options\" is not an object")));
 }
 
 // COLMAP's ReadPly takes vertex properties of type float, double and uchar only.

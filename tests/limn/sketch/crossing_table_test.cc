@@ -1,5 +1,7 @@
 #include "limn/sketch/crossing_table.h"
 
+#include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -30,6 +32,27 @@ std::vector<EpipolarCrossing> RandomCrossings(int count, std::mt19937* random) {
     crossing.rad_per_slope = crossing.across_px_per_inverse_depth;
   }
   return crossings;
+}
+
+// Cameras of any distance: what overflows indexes nothing.
+TEST(CrossingTableTest, TakesNumbersOfAllMagnitudes) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  std::mt19937 random(7);
+  CrossingTable table(kGatePx, kGateRad);
+  for (const float odd : {kInfinity, -kInfinity, std::nanf(""), 3e38f, -3e38f, 1e-45f, 0.f}) {
+    auto crossings = RandomCrossings(40, &random);
+    crossings[3].inverse_depth = odd;
+    crossings[5].inverse_depth = -odd;
+    crossings[7].across_px_per_inverse_depth = std::abs(odd);
+    crossings[9].rad_per_slope = odd;
+    table.Fill(crossings);
+    for (const float depth : {0.2f, odd, -odd, 0.f}) {
+      table.ForEachNear({depth, 0}, [](int i, float) {
+        EXPECT_GE(i, 0);
+        EXPECT_LT(i, 40);
+      });
+    }
+  }
 }
 
 TEST(CrossingTableTest, FindsWhatAcceptsAPlace) {
