@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "limn/formats/whole_file.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
 
@@ -56,6 +57,7 @@ FloatMap ReadFloatMap(std::istream& in, const std::string& path) {
 }
 
 FloatMap ReadFloatMap(const std::filesystem::path& path) {
+  CheckIsFile(path.string());
   std::ifstream in(path, std::ios::binary);
   if (!in) throw IoError(path.string(), "cannot be opened for reading");
   return ReadFloatMap(in, path.string());

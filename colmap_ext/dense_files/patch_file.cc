@@ -7,6 +7,7 @@
 
 #include "colmap_ext/model/line_reader.h"
 #include "colmap_ext/workspace/pmvs_model.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -16,7 +17,9 @@ constexpr int kMaxImages = 1 << 20;
 
 class PatchReader {
  public:
-  explicit PatchReader(const std::string& path) : in_(path), lines_(in_, path) {
+  explicit PatchReader(const std::string& path) : lines_(in_, path) {
+    CheckIsFile(path);
+    in_.open(path);
     if (!in_) throw IoError(path, "cannot be opened for reading");
   }
 

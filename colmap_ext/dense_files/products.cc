@@ -6,6 +6,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -189,6 +190,7 @@ DenseProducts FindDenseProducts(const DenseOptionsPaths& options, const fs::path
 
 bool IsMeshFile(const fs::path& path) {
   if (path.extension() == ".obj") return true;
+  CheckIsFile(path.string());
   std::ifstream in(path, std::ios::binary);
   std::string line;
   while (std::getline(in, line) && !line.starts_with("end_header")) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "colmap_ext/model/line_reader.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -119,6 +120,7 @@ bool BeginsWith(const fs::path& file, const std::string& text) {
 }
 
 std::vector<std::string> ReadImageList(const std::string& path) {
+  CheckIsFile(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) throw IoError(path, "cannot be opened for reading");
   std::vector<std::string> names;

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -39,6 +40,7 @@ std::vector<IniEntry> ReadIniFile(std::istream& in, const std::string& path) {
 }
 
 std::vector<IniEntry> ReadIniFile(const std::string& path) {
+  CheckIsFile(path);
   std::ifstream in(path);
   if (!in) throw IoError(path, "cannot be opened for reading");
   return ReadIniFile(in, path);

@@ -127,6 +127,8 @@ void OptionParser::AddOption(const std::string& name, bool* value, const OptionH
 
 void OptionParser::AddOption(const std::string& name, std::string* value, const OptionHelp& help) {
   const auto set = [value](const std::string& text) -> std::string {
+    // An ini file could not hold it.
+    if (text.find_first_of("\r\n") != std::string::npos) return "without line ends";
     *value = text;
     return "";
   };

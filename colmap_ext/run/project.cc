@@ -11,6 +11,7 @@
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "limn/formats/atomic_file.h"
+#include "limn/formats/whole_file.h"
 #include "limn/pipeline/content_hash.h"
 #include "limn/util/errors.h"
 
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 
 // Size and hash of a file's bytes; its name and time do not matter.
 std::string FileIdentity(const std::string& path) {
+  CheckIsFile(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) throw IoError(path, "cannot be opened");
   ContentHash hash;

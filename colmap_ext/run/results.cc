@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
@@ -58,6 +59,24 @@ void SayPrimitives(const DrawingGraph& graph, Console* console) {
   console->Say(line + text);
 }
 
+// Each must take a file, and none may be a folder of another, as that of `a` for that of `a.png/b`.
+void CheckPicturePaths(const Project& project) {
+  std::set<std::string> names;
+  for (const View& view : project.views()) names.insert(PicturePath("", view.name));
+  for (const View& view : project.views()) {
+    for (const char* folder : {"overlays", "account"}) {
+      CheckTakesFile(PicturePath(project.CurvesPath(folder), view.name));
+    }
+    for (std::filesystem::path above = view.name; above.has_parent_path();) {
+      above = above.parent_path();
+      if (!names.contains(above.string())) continue;
+      throw InputError("image \"" + view.name +
+                       "\": the folder of its overlay would have the name "
+                       "of the overlay of another image: rename one of them");
+    }
+  }
+}
+
 }  // namespace
 
 void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
@@ -92,11 +111,7 @@ void CheckDrawingFiles(const Project& project, const RunOptions& options) {
   for (const char* name : {"tracks.txt", "account.csv", "project.ini"}) {
     CheckResultFile(project.CurvesPath(name), options.overwrite);
   }
-  for (const View& view : project.views()) {
-    for (const char* folder : {"overlays", "account"}) {
-      CheckTakesFile(PicturePath(project.CurvesPath(folder), view.name));
-    }
-  }
+  CheckPicturePaths(project);
 }
 
 std::string SketchFileName(SketchMode mode) {

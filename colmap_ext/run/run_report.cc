@@ -109,7 +109,8 @@ std::string RunReportJson(const Project& project, const RunOptions& options,
                                                     Json::parse(Provenance(RunOptions())))},
                  {"support_histogram", SupportHistogram(graph)}};
   if (truth.IsGiven()) AddEvaluation(graph, views, truth, console.context(), &report);
-  return report.dump();
+  // Paths need not be UTF-8.
+  return report.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr size_t kSearchedBytes = 1 << 20;
+// The generator of a .glb comes after the list of all its links.
+constexpr size_t kSearchedBytes = 1 << 24;
 constexpr std::string_view kDrawingMark = "\"format\": \"limn-drawing\"";
 
 // One of them is near the beginning of every file that limn writes for users.

@@ -79,6 +79,7 @@ Camera CameraFrom(const Eigen::Matrix3d& intrinsics, ImageSize size, const std::
 }
 
 DecomposedProjection ReadProjection(const fs::path& path) {
+  CheckIsFile(path.string());
   std::ifstream in(path);
   if (!in) throw IoError(path.string(), "cannot be opened for reading");
   const ProjectionMatrix projection = ReadContour(in, path.string());
@@ -190,6 +191,7 @@ SparseModel ReadPmvsModel(const fs::path& folder) {
 std::vector<std::string> ReadPmvsImageNames(const fs::path& folder) {
   const fs::path path = folder / kListName;
   std::vector<std::string> names;
+  CheckIsFile(path.string());
   std::ifstream in(path);
   LineReader reader(in, path.string());
   while (reader.NextLine()) {

@@ -19,6 +19,7 @@
 #include "colmap_ext/model/scene_reach.h"
 #include "colmap_ext/workspace/camera_check.h"
 #include "colmap_ext/workspace/jpeg_check.h"
+#include "limn/formats/whole_file.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
 
@@ -32,6 +33,7 @@ namespace fs = std::filesystem;
 constexpr double kDoubtfulCameraPx = 2;
 
 std::set<std::string> ReadImageList(const std::string& path) {
+  CheckIsFile(path);
   std::ifstream in(path);
   if (!in) throw IoError(path, "the image list cannot be opened for reading");
   std::set<std::string> names;
@@ -95,6 +97,7 @@ void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& ima
   const std::string others =
       count == 1 ? "" : " (and " + std::to_string(count - 1) + " other images)";
   std::error_code ignored;
+  if (fs::exists(*first, ignored)) throw IoError(*first, "is no image file but a folder or a pipe");
   const bool is_link = fs::is_symlink(*first, ignored);
   const std::string hint =
       HintForMissing(image_dir, fs::path(*first).lexically_relative(image_dir).string());

@@ -5,8 +5,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "end_to_end/run_limn.h"
 
 namespace limn::testing {
@@ -41,6 +44,20 @@ class BadInput : public ::testing::Test {
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_THAT(run.err, line_matcher);
     EXPECT_EQ(ReadTree(dir_.path()), before);
+  }
+
+  // Gives other names to the first images, in the model and on disk.
+  void Rename(const std::vector<std::string>& names) {
+    colmap_ext::SparseModel model = colmap_ext::ReadModel(workspace_ / "sparse");
+    for (size_t i = 0; i < names.size(); ++i) {
+      const fs::path image = workspace_ / "images" / names[i];
+      fs::create_directories(image.parent_path());
+      fs::rename(workspace_ / "images" / model.images[i].name, image);
+      model.images[i].name = names[i];
+    }
+    fs::remove_all(workspace_ / "sparse");
+    fs::create_directory(workspace_ / "sparse");
+    colmap_ext::WriteModelBinary(model, workspace_ / "sparse");
   }
 
   TempDir dir_;
@@ -84,6 +101,41 @@ TEST_F(BadInput, UnknownOption) {
 TEST_F(BadInput, UnregisteredImageInTheList) {
   const std::string list = dir_.WriteFile("list.txt", "view_00.jpg\nview_77.jpg\n");
   ExpectRefused({"--image_list_path", list}, HasSubstr("view_77.jpg"));
+}
+
+TEST_F(BadInput, PipesAndFoldersInPlaceOfFiles) {
+  const std::string pipe = (dir_ / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0666), 0);
+  for (const char* option : {"--image_list_path", "--project_path"}) {
+    ExpectRefused({option, pipe}, HasSubstr(pipe + ": is a pipe or a device, not a file"));
+    ExpectRefused({option, dir_.path().string()}, HasSubstr(": is a folder, not a file"));
+  }
+  for (const char* extension : {"json", "ply", "obj", "txt"}) {
+    const std::string link = pipe + "." + extension;
+    fs::create_symlink("pipe", link);
+    const LimnRun run =
+        RunLimn({"drawing_evaluator", "--input_path", link, "--truth_path", link, "--taus", "1"},
+                {.max_seconds = 20});
+    EXPECT_EQ(run.exit_code, 1) << extension;
+    EXPECT_EQ(run.err, "ERROR: " + link + ": is a pipe or a device, not a file\n");
+  }
+  fs::remove(workspace_ / "images/view_03.jpg");
+  fs::create_directory(workspace_ / "images/view_03.jpg");
+  ExpectRefused({}, HasSubstr("view_03.jpg: is no image file but a folder or a pipe"));
+}
+
+TEST_F(BadInput, ImageNamesWhoseOverlaysCannotBe) {
+  Rename({std::string(255, 'n')});
+  ExpectRefused({}, HasSubstr("longer than 255 bytes"));
+}
+
+TEST_F(BadInput, ImageNamesWhoseOverlaysAreInEachOthersWay) {
+  Rename({"a", "a.png/b.jpg"});
+  ExpectRefused({}, HasSubstr("image \"a.png/b.jpg\": the folder of its overlay would have"));
+}
+
+TEST_F(BadInput, PathsThatNoIniFileCanHold) {
+  ExpectRefused({"--mask_path", "a\nb"}, HasSubstr("mask_path = a?b: must be without line ends"));
 }
 
 TEST_F(BadInput, MissingProjectFile) {

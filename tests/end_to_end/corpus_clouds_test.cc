@@ -74,6 +74,21 @@ const std::vector<CorpusCase> kCases = {
      .outcome = kAccepted,
      .said = {"6561 dense points with the images that see them", "with-curves"},
      .check = ExpectClasses},
+    {.name = "Case32_FuserWhereTheUsersCloudIs",
+     .spoil =
+         [](const W& w) {
+           WriteCloud(w);
+           w.Write("with-curves/fused.ply", "mine");
+         },
+     .said = {"with-curves/fused.ply: exists, and there is no drawing-fused.json",
+              "--overwrite 1 replaces it"}},
+    {.name = "Case32_FuserWhereTheUsersModelIs",
+     .spoil =
+         [](const W& w) {
+           WriteCloud(w);
+           w.Write("with-curves/sparse/notes.txt", "mine");
+         },
+     .said = {"with-curves/sparse: is a folder, not the link that is to be made"}},
     {.name = "Case32_FuserAsciiExtraPropertyNoNormals",
      .spoil =
          [](const W& w) { WriteCloud(w, {.ascii = true, .normals = false, .more = "quality"}); },

@@ -224,6 +224,33 @@ TEST(OutputFolder, AFullDiskEndsARunWithALineAndLosesNothing) {
   EXPECT_TRUE(Results(scene.output()) == whole);
 }
 
+TEST(OutputFolder, ALimitOnFileSizesEndsARunWithALine) {
+  const SmallScene scene;
+  std::vector<std::string> arguments = {"-c", "ulimit -f 40; exec \"$@\"", "sh", LIMN_PROGRAM};
+  for (const std::string& argument : scene.Arguments()) arguments.push_back(argument);
+  const LimnRun run = RunProgram("/bin/sh", arguments);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: " + scene.output().string()),
+                             HasSubstr(": cannot write: File too large")));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+}
+
+TEST(OutputFolder, PathsNeedNotBeUtf8) {
+  const SmallScene scene;
+  const auto whole = RunWhole(scene);
+  std::vector<std::string> arguments = scene.Arguments();
+  const fs::path output = scene.output() /
+                          "Fl\xE4"
+                          "che";
+  std::replace(arguments.begin(), arguments.end(), scene.output().string(), output.string());
+  const LimnRun run = RunLimn(arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(fs::exists(output / "drawing.html"));
+  auto results = Results(output);
+  EXPECT_NE(results["curves/project.ini"], "");
+  EXPECT_EQ(results["drawing.json"], whole.at("drawing.json"));
+}
+
 TEST(OutputFolder, ACacheWithoutRoomDoesNotLoseTheRun) {
   const SmallScene scene;
   auto whole = RunWhole(scene);

@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr size_t kMaxNameBytes = 255;
+
 // The temporary files of all writes that go on.
 struct OpenWrites {
   std::mutex mutex;
@@ -91,6 +93,16 @@ void MakeParentFolder(const std::string& path) {
   if (error) throw IoError(folder.string(), "cannot create the folder: " + error.message());
 }
 
+// The first that is there, of the folder of a file and those above it.
+fs::path NearestAbove(const fs::path& path) {
+  std::error_code ignored;
+  fs::path folder = fs::absolute(path).parent_path();
+  while (folder.has_relative_path() && !fs::exists(fs::symlink_status(folder, ignored))) {
+    folder = folder.parent_path();
+  }
+  return folder;
+}
+
 // /dev/stdout may lead to a regular file, but stands among devices.
 bool IsAmongDevices(const fs::path& path) {
   std::error_code ignored;
@@ -102,6 +114,13 @@ bool IsAmongDevices(const fs::path& path) {
 
 void CheckTakesFile(const std::string& path) {
   std::error_code ignored;
+  if (fs::path(path).filename().string().size() > kMaxNameBytes) {
+    throw IoError(path, "cannot write: the name of the file is longer than 255 bytes");
+  }
+  const fs::path folder = NearestAbove(path);
+  if (!fs::is_directory(folder, ignored)) {
+    throw IoError(path, "cannot write: " + folder.string() + " is no folder");
+  }
   const fs::file_status there = fs::status(path, ignored);
   if (fs::is_directory(there)) throw IoError(path, "cannot write: is a folder, not a file");
   if (fs::is_other(there) || IsAmongDevices(path)) {

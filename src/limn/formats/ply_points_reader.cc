@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limn/formats/ply_header.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -18,7 +19,9 @@ constexpr size_t kBlockBytes = 1 << 22;
 
 class PointReader {
  public:
-  explicit PointReader(const std::string& path) : path_(path), in_(path, std::ios::binary) {
+  explicit PointReader(const std::string& path) : path_(path) {
+    CheckIsFile(path);
+    in_.open(path, std::ios::binary);
     if (!in_) throw IoError(path, "cannot be opened for reading");
     std::string start(kMaxHeaderBytes, '\0');
     in_.read(start.data(), static_cast<std::streamsize>(start.size()));

@@ -13,9 +13,15 @@
 
 namespace limn {
 
-std::string ReadWholeFile(const std::string& path) {
+void CheckIsFile(const std::string& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a file");
+  const std::filesystem::file_status there = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(there)) throw IoError(path, "is a folder, not a file");
+  if (std::filesystem::is_other(there)) throw IoError(path, "is a pipe or a device, not a file");
+}
+
+std::string ReadWholeFile(const std::string& path) {
+  CheckIsFile(path);
   errno = 0;
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
   if (!file) throw IoError(path, std::string("cannot open: ") + std::strerror(errno));

@@ -1,5 +1,6 @@
 #include "limn/util/parallel.h"
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 
@@ -50,6 +51,13 @@ class LoopOrder {
   char end_ = 0;
 };
 
+// More threads than cores gain nothing, and many of them cost memory.
+int NumThreads(const RunContext& context) {
+  const int num_cores = tbb::info::default_concurrency();
+  return context.num_threads > 0 ? std::min(context.num_threads, std::max(16, 2 * num_cores))
+                                 : num_cores;
+}
+
 }  // namespace
 
 RunContext PartOf(const RunContext& context, size_t begin, size_t total) {
@@ -82,11 +90,11 @@ void ParallelFor(const RunContext& context, const char* stage, size_t count,
   };
   // oneTBB runs no more threads than there are cores unless it is allowed to.
   std::optional<tbb::global_control> allowed;
-  if (context.num_threads > tbb::info::default_concurrency()) {
-    allowed.emplace(tbb::global_control::max_allowed_parallelism, context.num_threads);
+  const int num_threads = NumThreads(context);
+  if (num_threads > tbb::info::default_concurrency()) {
+    allowed.emplace(tbb::global_control::max_allowed_parallelism, num_threads);
   }
-  tbb::task_arena arena(context.num_threads > 0 ? context.num_threads
-                                                : static_cast<int>(tbb::task_arena::automatic));
+  tbb::task_arena arena(num_threads);
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<size_t>(0, count, 1),

@@ -10,7 +10,7 @@ class Team;
 
 // How a stage runs: threads, progress, cancellation, team. Never changes a result.
 struct RunContext {
-  // Number of threads; -1 means all cores.
+  // Number of threads; -1 means all cores. Loops use at most two per core, or 16.
   int num_threads = -1;
   // Called with (stage, items done, items in total) from any thread, one call at a time.
   std::function<void(const char* stage, size_t done, size_t total)> progress;

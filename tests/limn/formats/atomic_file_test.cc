@@ -114,6 +114,15 @@ TEST(WriteFileAtomically, PutsNoFileInThePlaceOfDevicesPipesAndFolders) {
   EXPECT_EQ(NumFiles(pipe), 4);
 }
 
+TEST(CheckTakesFile, FindsLongNamesAndFilesInPlaceOfFolders) {
+  const TemporaryFolder folder;
+  CheckTakesFile(folder.Path("new/folder/" + std::string(255, 'n')));
+  EXPECT_THROW(CheckTakesFile(folder.Path("new/" + std::string(256, 'n'))), IoError);
+  const std::string file = folder.Write("file", "");
+  EXPECT_THROW(CheckTakesFile(file + "/new/below"), IoError);
+  EXPECT_FALSE(std::filesystem::exists(folder.Path("new")));
+}
+
 TEST(WriteFileAtomically, KeepsPermissions) {
   const TemporaryFolder folder;
   const std::string path = folder.Write("secret", "old");

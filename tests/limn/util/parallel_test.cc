@@ -32,6 +32,17 @@ TEST(ParallelFor, RunsEachIndexOnce) {
   ParallelFor(Threads(2), "test", 0, [](size_t) { FAIL() << "there is no index"; });
 }
 
+TEST(ParallelFor, ThreadsAreCapped) {
+  std::mutex mutex;
+  std::set<std::thread::id> threads;
+  ParallelFor(Threads(10000), "test", 1000, [&](size_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const std::lock_guard lock(mutex);
+    threads.insert(std::this_thread::get_id());
+  });
+  EXPECT_LE(threads.size(), std::max(16u, 2 * std::thread::hardware_concurrency()));
+}
+
 TEST(ParallelFor, ResultsDoNotDependOnThreads) {
   const auto compute = [](int threads) {
     std::vector<double> values(500);
