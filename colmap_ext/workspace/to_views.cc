@@ -263,6 +263,15 @@ Image BlackImage(int width, int height) {
   return image;
 }
 
+// Nothing if all images have one, or none was asked for.
+void AddMaskWarning(const std::string& mask_dir, ViewSet* set) {
+  const auto num_without = std::count(set->mask_paths.begin(), set->mask_paths.end(), "");
+  if (mask_dir.empty() || num_without == 0) return;
+  set->warnings.push_back(mask_dir + ": " + std::to_string(num_without) + " of " +
+                          std::to_string(set->mask_paths.size()) +
+                          " images have no mask there (<image name>.png) and are used entirely");
+}
+
 void AddWarnings(const SparseModel& model, const std::vector<int>& selected, ViewSet* set) {
   int num_resized = 0;
   for (size_t i = 0; i < selected.size(); ++i) {
@@ -305,6 +314,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   for (const int index : selected) {
     set.mask_paths.push_back(MaskPath(options.mask_path, model.images[index].name));
   }
+  AddMaskWarning(options.mask_path, &set);
   set.stored_sizes.resize(selected.size());
   std::vector<std::optional<JpegComplaint>> complaints(selected.size());
   ParallelFor(context, "image headers", selected.size(), [&](size_t i) {

@@ -18,7 +18,7 @@ struct ViewOptions {
   // Text file with the names of the images to use, one per line. Empty = all registered images.
   std::string image_list_path;
   // Folder of masks, <mask_path>/<image name>.png as in COLMAP: pixels where they are 0 are not
-  // used. An image without a mask is used entirely. Empty = no masks.
+  // used. An image without a mask is used entirely, with a warning. Empty = no masks.
   std::string mask_path;
   // Longer side of the images in pixels; larger ones are shrunk by an area filter, which is faster
   // and coarser. -1 = as stored.

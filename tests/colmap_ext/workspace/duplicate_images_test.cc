@@ -87,8 +87,7 @@ TEST_F(DuplicateImages, AnotherPictureFromTheSamePoseIsNone) {
 TEST_F(DuplicateImages, SamePictureOfATurnedCameraIsNone) {
   Write(3, pictures_[1], ".jpg");
   model_.images[3].cam_from_world = model_.images[1].cam_from_world;
-  model_.images[3].cam_from_world.rotation =
-      Eigen::AngleAxisd(0.002, Eigen::Vector3d::UnitY());
+  model_.images[3].cam_from_world.rotation = Eigen::AngleAxisd(0.002, Eigen::Vector3d::UnitY());
   EXPECT_THAT(Found(), IsEmpty());
 }
 

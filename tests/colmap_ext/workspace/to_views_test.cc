@@ -291,6 +291,7 @@ TEST_F(ToViewsTest, MasksCutTheRegionAndComeWithTheImage) {
   Write("masks/sub/a b.png.png", mask);
   options_.mask_path = (dir_ / "masks").string();
   const ViewSet set = Views();
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("masks: 2 of 3 images have no mask there")));
   EXPECT_FALSE(set.views[2].region.Contains({300, 300}));
   EXPECT_TRUE(set.views[2].region.Contains({500, 300}));
   EXPECT_TRUE(set.views[0].region.Contains({300, 300}));
@@ -344,6 +345,16 @@ TEST_F(ToViewsTest, DuplicatesAreLeftOutWithOneWarning) {
   EXPECT_THAT(set.warnings,
               ElementsAre("2 of 5 images are duplicates, by their bytes or by pose and picture, "
                           "and are left out: b.png (of ./b.png), c.png (of copy.png)"));
+}
+
+TEST_F(ToViewsTest, MasksThatMatchNoImageAreCounted) {
+  Write("masks/c.jpg.png", cv::Mat(600, 800, CV_8UC1, cv::Scalar(255)));
+  options_.mask_path = (dir_ / "masks").string();
+  EXPECT_THAT(Views().warnings, ElementsAre(HasSubstr("masks: 3 of 3 images have no mask there")));
+  for (const char* name : {"c.png.png", "b.png.png", "sub/a b.png.png"}) {
+    Write(std::string("masks/") + name, cv::Mat(600, 800, CV_8UC1, cv::Scalar(255)));
+  }
+  EXPECT_THAT(Views().warnings, IsEmpty());
 }
 
 TEST_F(ToViewsTest, OptionsAreChecked) {
