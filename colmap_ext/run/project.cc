@@ -2,39 +2,21 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/run/world_shift.h"
+#include "colmap_ext/workspace/file_identity.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "limn/formats/atomic_file.h"
-#include "limn/formats/whole_file.h"
-#include "limn/pipeline/content_hash.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Size and hash of a file's bytes; its name and time do not matter.
-std::string FileIdentity(const std::string& path) {
-  CheckIsFile(path);
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw IoError(path, "cannot be opened");
-  ContentHash hash;
-  std::vector<char> block(1 << 20);
-  uint64_t size = 0;
-  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
-    hash.Add(std::string_view(block.data(), static_cast<size_t>(in.gcount())));
-    size += static_cast<uint64_t>(in.gcount());
-  }
-  if (in.bad()) throw IoError(path, "cannot be read");
-  return std::to_string(size) + " " + hash.Hex();
-}
 
 std::string ImageIdentity(const ViewSet& set, ViewId view) {
   std::string identity = "image " + FileIdentity(set.image_paths[view]);

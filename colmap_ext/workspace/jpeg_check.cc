@@ -33,11 +33,12 @@ std::string MessageOf(j_common_ptr decoder) {
   return text;
 }
 
-// Some cameras fill the end of the picture with equal bytes.
+// Some cameras fill the end of the picture.
 bool IsPadding(j_common_ptr decoder) {
   const JOCTET* end = reinterpret_cast<j_decompress_ptr>(decoder)->src->next_input_byte;
   const JOCTET* begin = end - decoder->err->msg_parm.i[0];
-  return std::all_of(begin, end, [&](JOCTET byte) { return byte == *begin; });
+  return (*begin == 0 || *begin == 0xFF) &&
+         std::all_of(begin, end, [&](JOCTET byte) { return byte == *begin; });
 }
 
 bool IsDamage(int message) {

@@ -18,6 +18,7 @@
 #include "colmap_ext/model/image_name.h"
 #include "colmap_ext/model/scene_reach.h"
 #include "colmap_ext/workspace/camera_check.h"
+#include "colmap_ext/workspace/duplicate_images.h"
 #include "colmap_ext/workspace/jpeg_check.h"
 #include "limn/formats/whole_file.h"
 #include "limn/model/lens_jacobian.h"
@@ -84,6 +85,44 @@ void LeaveOutFar(const SparseModel& model, const SceneReach& reach, std::vector<
                       " images are left out, since their cameras are far outside the scene of the "
                       "others: " +
                       names + (count > kMaxNames ? ", ..." : ""));
+}
+
+std::vector<std::string> PathsOf(const SparseModel& model, const std::vector<int>& selected,
+                                 const fs::path& image_dir) {
+  std::vector<std::string> paths;
+  for (const int index : selected) {
+    const ModelImage& image = model.images[index];
+    paths.push_back((image_dir / (image.file.empty() ? image.name : image.file)).string());
+  }
+  return paths;
+}
+
+// With one warning. Of images that are alike, that with the most 2D points stays.
+void LeaveOutDuplicates(const SparseModel& model, const fs::path& image_dir,
+                        const RunContext& context, std::vector<int>* selected,
+                        std::vector<std::string>* warnings) {
+  std::vector<int> ranked = *selected;
+  std::stable_sort(ranked.begin(), ranked.end(), [&](int a, int b) {
+    return model.images[a].observations.size() > model.images[b].observations.size();
+  });
+  const std::vector<DuplicateImage> duplicates =
+      FindDuplicateImages(model, ranked, PathsOf(model, ranked, image_dir), context);
+  if (duplicates.empty()) return;
+  constexpr size_t kNumNamed = 3;
+  std::string named;
+  for (size_t i = 0; i < std::min(kNumNamed, duplicates.size()); ++i) {
+    named += (i > 0 ? ", " : "") + model.images[ranked[duplicates[i].duplicate]].name + " (of " +
+             model.images[ranked[duplicates[i].of]].name + ")";
+  }
+  if (duplicates.size() > kNumNamed) named += ", ...";
+  warnings->push_back(std::to_string(duplicates.size()) + " of " +
+                      std::to_string(selected->size()) +
+                      " images are duplicates, by their bytes or by pose and picture, and are left "
+                      "out: " +
+                      named);
+  std::set<int> left_out;
+  for (const DuplicateImage& duplicate : duplicates) left_out.insert(ranked[duplicate.duplicate]);
+  std::erase_if(*selected, [&](int index) { return left_out.contains(index); });
 }
 
 void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& image_dir) {
@@ -253,6 +292,15 @@ Image BlackImage(int width, int height) {
   return image;
 }
 
+// Nothing if all images have one, or none was asked for.
+void AddMaskWarning(const std::string& mask_dir, ViewSet* set) {
+  const auto num_without = std::count(set->mask_paths.begin(), set->mask_paths.end(), "");
+  if (mask_dir.empty() || num_without == 0) return;
+  set->warnings.push_back(mask_dir + ": " + std::to_string(num_without) + " of " +
+                          std::to_string(set->mask_paths.size()) +
+                          " images have no mask there (<image name>.png) and are used entirely");
+}
+
 void AddWarnings(const SparseModel& model, const std::vector<int>& selected, ViewSet* set) {
   int num_resized = 0;
   for (size_t i = 0; i < selected.size(); ++i) {
@@ -333,13 +381,13 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   set.warnings = model.warnings;
   LeaveOutFar(model, reach, &selected, &set.warnings);
   set.max_image_size = options.max_image_size;
+  CheckImagesExist(PathsOf(model, selected, image_dir), image_dir);
+  LeaveOutDuplicates(model, image_dir, context, &selected, &set.warnings);
+  set.image_paths = PathsOf(model, selected, image_dir);
   for (const int index : selected) {
-    const std::string& name = model.images[index].name;
-    const std::string& file = model.images[index].file;
-    set.image_paths.push_back((image_dir / (file.empty() ? name : file)).string());
-    set.mask_paths.push_back(MaskPath(options.mask_path, name));
+    set.mask_paths.push_back(MaskPath(options.mask_path, model.images[index].name));
   }
-  CheckImagesExist(set.image_paths, image_dir);
+  AddMaskWarning(options.mask_path, &set);
   set.stored_sizes.resize(selected.size());
   std::vector<std::optional<JpegComplaint>> complaints(selected.size());
   ParallelFor(context, "image headers", selected.size(), [&](size_t i) {

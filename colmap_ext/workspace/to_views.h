@@ -18,7 +18,7 @@ struct ViewOptions {
   // Text file with the names of the images to use, one per line. Empty = all registered images.
   std::string image_list_path;
   // Folder of masks, <mask_path>/<image name>.png as in COLMAP: pixels where they are 0 are not
-  // used. An image without a mask is used entirely. Empty = no masks.
+  // used. An image without a mask is used entirely, with a warning. Empty = no masks.
   std::string mask_path;
   // Longer side of the images in pixels; larger ones are shrunk by an area filter, which is faster
   // and coarser. -1 = as stored.
@@ -52,11 +52,9 @@ struct ViewSet {
 // cameras with distortion get a LensMap onto a virtual pinhole of the same focal length and
 // principal point. Intrinsics are rescaled to the size of the file, if its aspect is the camera's
 // within one pixel, and to max_image_size. Headers of all images, the codes of JPEG files and masks
-// are read, in parallel. Images that are damaged are views of nothing, with a warning.
-// Cameras that do not fit the points of the model are warned of, or left out (max_reprojection_px).
-//
-// Images and points far outside the scene of the others (see SceneReach) are left out, with a
-// warning.
+// are read, in parallel. Images that are damaged are views of nothing, with a warning. Left out, with
+// warnings, are duplicates (FindDuplicateImages), images and points far outside the scene of the
+// others (SceneReach) and, on request (max_reprojection_px), cameras that do not fit the points.
 //
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
 // the list is not registered, a mask has the wrong size. Throws InputError if no image is left.

@@ -283,6 +283,18 @@ const CorpusCase kCases[] = {
      .outcome = Outcome::kAccepted,
      .said = {"WARNING: 60 3D points are seen by no image and were left out",
               "6 images, 0 3D points"}},
+    {.name = "Case19_OneFileTwice",
+     .spoil =
+         [](const W& w) {
+           SparseModel model = w.Model();
+           model.images.push_back(model.images[2]);
+           model.images.back().id = 77;
+           model.images.back().name = "./view_02.jpg";
+           w.WriteBinary(model);
+         },
+     .outcome = Outcome::kAccepted,
+     .said = {"WARNING: 1 of 7 images are duplicates", "view_02.jpg (of ./view_02.jpg)",
+              "6 images, 60 3D points"}},
     {.name = "Case25_MissingOnDisk",
      .spoil =
          [](const W& w) {

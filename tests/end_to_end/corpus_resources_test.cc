@@ -65,13 +65,16 @@ TEST(CorpusRuns, Case35_ThousandsOfImages) {
   fs::create_directories(w / "images");
   cv::Mat pixels(48, 64, CV_8U, cv::Scalar(50));
   pixels.colRange(20, 40) = 200;
-  ASSERT_TRUE(cv::imwrite((w / "one.png").string(), pixels));
   for (int i = 0; i < kCount; ++i) {
     colmap_ext::ModelImage image = first;
     image.id = static_cast<uint32_t>(i + 1);
     image.name = std::to_string(i) + ".png";
     image.observations.clear();
-    fs::create_symlink("../one.png", w / "images" / image.name);
+    image.cam_from_world.translation.x() = i;
+    // No two alike.
+    pixels.at<uchar>(0, 0) = static_cast<uchar>(i % 256);
+    pixels.at<uchar>(0, 1) = static_cast<uchar>(i / 256);
+    ASSERT_TRUE(cv::imwrite((w / "images" / image.name).string(), pixels));
     model.images.push_back(image);
   }
   w.WriteBinary(model);

@@ -1,5 +1,6 @@
 #include "colmap_ext/workspace/jpeg_check.h"
 
+#include <map>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -21,7 +22,7 @@ class JpegCheck : public testing::Test {
  protected:
   JpegCheck() {
     cv::Mat noise(200, 300, CV_8UC3);
-    cv::randu(noise, 0, 255);
+    cv::RNG(1).fill(noise, cv::RNG::UNIFORM, 0, 255);
     EXPECT_TRUE(cv::imwrite((dir_ / "whole.jpg").string(), noise));
     std::ifstream in(dir_ / "whole.jpg", std::ios::binary);
     std::ostringstream content;
@@ -60,10 +61,15 @@ TEST_F(JpegCheck, DamageIsFound) {
   const std::string cut = whole_.substr(0, middle) + kEnd;
   std::string missing = whole_;
   missing.erase(middle, 1000);
-  for (const std::string& content : {zeroed, garbage, false_marker, cut, missing}) {
+  const std::map<std::string, std::string> damaged = {{"zeroed", zeroed},
+                                                      {"garbage", garbage},
+                                                      {"false marker", false_marker},
+                                                      {"cut", cut},
+                                                      {"missing", missing}};
+  for (const auto& [name, content] : damaged) {
     const auto complaint = Check(content);
-    ASSERT_TRUE(complaint);
-    EXPECT_TRUE(complaint->is_damage);
+    ASSERT_TRUE(complaint) << name;
+    EXPECT_TRUE(complaint->is_damage) << name;
   }
   EXPECT_THAT(Check(cut)->text, HasSubstr("Corrupt JPEG data"));
 }

@@ -33,7 +33,8 @@ class ToViewsTest : public testing::Test {
   }
 
   void WriteImage(const std::string& name, int width, int height) {
-    Write(name, cv::Mat(height, width, CV_8UC3, cv::Scalar(10, 20, 30)));
+    // No two alike.
+    Write(name, cv::Mat(height, width, CV_8UC3, cv::Scalar(10, 20, 30 * (name[0] % 7))));
   }
   void Write(const std::string& name, const cv::Mat& image) {
     const fs::path path = dir_.path() / name;
@@ -354,6 +355,7 @@ TEST_F(ToViewsTest, MasksCutTheRegionAndComeWithTheImage) {
   Write("masks/sub/a b.png.png", mask);
   options_.mask_path = (dir_ / "masks").string();
   const ViewSet set = Views();
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("masks: 2 of 3 images have no mask there")));
   EXPECT_FALSE(set.views[2].region.Contains({300, 300}));
   EXPECT_TRUE(set.views[2].region.Contains({500, 300}));
   EXPECT_TRUE(set.views[0].region.Contains({300, 300}));
@@ -388,6 +390,35 @@ TEST_F(ToViewsTest, DamagedImagesCountAsMasked) {
   const Image image = ReadViewImage(set, 1);
   EXPECT_EQ(image.width, 800);
   EXPECT_THAT(image.mask, testing::AllOf(testing::SizeIs(800 * 600), testing::Each(0)));
+}
+
+TEST_F(ToViewsTest, DuplicatesAreLeftOutWithOneWarning) {
+  for (const char* name : {"./b.png", "copy.png"}) {
+    model_.images.push_back(model_.images[0]);
+    model_.images.back().id = static_cast<uint32_t>(model_.images.size() + 100);
+    model_.images.back().name = name;
+  }
+  fs::copy_file(dir_ / "c.png", dir_ / "copy.png");
+  model_.images.back().observations.push_back({});  // one more than c.png
+  const ViewSet set = Views();
+  ASSERT_EQ(set.views.size(), 3u);
+  EXPECT_EQ(set.views[0].name, "./b.png");
+  EXPECT_EQ(set.views[1].name, "copy.png");
+  EXPECT_EQ(set.image_paths.size(), 3u);
+  EXPECT_EQ(set.mask_paths.size(), 3u);
+  EXPECT_THAT(set.warnings,
+              ElementsAre("2 of 5 images are duplicates, by their bytes or by pose and picture, "
+                          "and are left out: b.png (of ./b.png), c.png (of copy.png)"));
+}
+
+TEST_F(ToViewsTest, MasksThatMatchNoImageAreCounted) {
+  Write("masks/c.jpg.png", cv::Mat(600, 800, CV_8UC1, cv::Scalar(255)));
+  options_.mask_path = (dir_ / "masks").string();
+  EXPECT_THAT(Views().warnings, ElementsAre(HasSubstr("masks: 3 of 3 images have no mask there")));
+  for (const char* name : {"c.png.png", "b.png.png", "sub/a b.png.png"}) {
+    Write(std::string("masks/") + name, cv::Mat(600, 800, CV_8UC1, cv::Scalar(255)));
+  }
+  EXPECT_THAT(Views().warnings, IsEmpty());
 }
 
 TEST_F(ToViewsTest, OptionsAreChecked) {

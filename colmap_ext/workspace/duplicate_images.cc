@@ -1,0 +1,191 @@
+#include "colmap_ext/workspace/duplicate_images.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numeric>
+#include <system_error>
+#include <unordered_map>
+
+#include <Eigen/Geometry>
+
+#include "colmap_ext/model/camera_projection.h"
+#include "colmap_ext/workspace/file_identity.h"
+#include "colmap_ext/workspace/image_reader.h"
+#include "colmap_ext/workspace/jpeg_check.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+constexpr double kSamePosePx = 0.25;
+constexpr double kSamePictureLevels = 2;
+constexpr int kPictureSize = 64;
+// Of the distances of cameras from their middle: poses that differ by more are never compared.
+constexpr double kMaxRelativeDistance = 1e-3;
+
+// Of the numbers among them; 0 if there are none.
+double MedianOf(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Of each file that has the size of another one; empty for others.
+std::vector<std::string> IdentitiesOfEqualSizes(const std::vector<std::string>& paths,
+                                                const RunContext& context) {
+  std::map<uintmax_t, std::vector<size_t>> of_size;
+  for (size_t i = 0; i < paths.size(); ++i) {
+    std::error_code ignored;
+    of_size[std::filesystem::file_size(paths[i], ignored)].push_back(i);
+  }
+  std::vector<size_t> jobs;
+  for (const auto& [size, files] : of_size) {
+    if (files.size() > 1) jobs.insert(jobs.end(), files.begin(), files.end());
+  }
+  std::vector<std::string> identities(paths.size());
+  ParallelFor(context, "image files of equal size", jobs.size(),
+              [&](size_t i) { identities[jobs[i]] = FileIdentity(paths[jobs[i]]); });
+  return identities;
+}
+
+// Looks for nearly the same pictures from nearly the same poses.
+class PoseComparison {
+ public:
+  PoseComparison(const SparseModel& model, const std::vector<int>& images,
+                 const std::vector<std::string>& paths)
+      : model_(model), images_(images), paths_(paths) {
+    for (const int image : images) {
+      centers_.push_back(Inverse(model.images[image].cam_from_world).translation);
+      focal_lengths_.push_back(IntrinsicsOf(model.CameraOf(model.images[image])).fx);
+    }
+    max_distance_ = kMaxRelativeDistance * SpreadOfCenters();
+    SortAlongLongestAxis();
+  }
+
+  // The first image before i that has no original and is the same view, or -1.
+  int FirstSameView(int i, const std::vector<int>& original) {
+    int first = -1;
+    const double x = centers_[i][axis_];
+    auto near = std::lower_bound(order_.begin(), order_.end(), x - max_distance_,
+                                 [&](int k, double value) { return centers_[k][axis_] < value; });
+    for (; near != order_.end() && centers_[*near][axis_] <= x + max_distance_; ++near) {
+      const int k = *near;
+      if (k >= i || original[k] >= 0 || (first >= 0 && k > first)) continue;
+      if (IsSamePose(k, i) && IsSamePicture(PictureOf(k), PictureOf(i))) first = k;
+    }
+    return first;
+  }
+
+ private:
+  // Median distance from their middle.
+  double SpreadOfCenters() const {
+    Eigen::Vector3d middle;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<double> values;
+      for (const Eigen::Vector3d& center : centers_) values.push_back(center[axis]);
+      middle[axis] = MedianOf(values);
+    }
+    std::vector<double> distances;
+    for (const Eigen::Vector3d& center : centers_) distances.push_back((center - middle).norm());
+    return MedianOf(distances);
+  }
+
+  void SortAlongLongestAxis() {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& center : centers_) box.extend(center);
+    box.sizes().maxCoeff(&axis_);
+    order_.resize(centers_.size());
+    std::iota(order_.begin(), order_.end(), 0);
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](int a, int b) { return centers_[a][axis_] < centers_[b][axis_]; });
+  }
+
+  bool IsSamePose(int a, int b) {
+    const double distance = (centers_[a] - centers_[b]).norm();
+    if (!(distance <= max_distance_)) return false;
+    const double turn = model_.images[images_[a]].cam_from_world.rotation.angularDistance(
+        model_.images[images_[b]].cam_from_world.rotation);
+    if (!(turn * focal_lengths_[a] <= kSamePosePx)) return false;
+    // Nothing is as near as max_distance_.
+    const double depth = std::max(DepthOf(a), max_distance_);
+    return distance * focal_lengths_[a] <= kSamePosePx * depth;
+  }
+
+  // Median of the points that the image sees; 0 if there are none.
+  double DepthOf(int i) {
+    if (positions_.empty()) {
+      for (const ModelPoint& point : model_.points) positions_[point.id] = point.position;
+    }
+    const ModelImage& image = model_.images[images_[i]];
+    std::vector<double> depths;
+    for (const Observation& observation : image.observations) {
+      const auto found = positions_.find(observation.point3D_id);
+      if (found != positions_.end()) {
+        depths.push_back((image.cam_from_world * found->second).z());
+      }
+    }
+    return MedianOf(depths);
+  }
+
+  // Small; empty if the file is damaged.
+  const Image& PictureOf(int i) {
+    const auto [found, is_new] = pictures_.try_emplace(i);
+    if (!is_new) return found->second;
+    const auto complaint = CheckJpeg(paths_[i]);
+    if (!complaint || !complaint->is_damage) {
+      found->second = ReadImage(paths_[i], kPictureSize);
+    }
+    return found->second;
+  }
+
+  static bool IsSamePicture(const Image& a, const Image& b) {
+    if (a.data.empty() || a.width != b.width || a.height != b.height || a.channels != b.channels) {
+      return false;
+    }
+    const double limit = kSamePictureLevels * static_cast<double>(a.data.size());
+    double sum = 0;
+    for (size_t i = 0; i < a.data.size() && sum <= limit; ++i) {
+      sum += std::abs(a.data[i] - b.data[i]);
+    }
+    return sum <= limit;
+  }
+
+  const SparseModel& model_;
+  const std::vector<int>& images_;
+  const std::vector<std::string>& paths_;
+  std::vector<Eigen::Vector3d> centers_;
+  std::vector<double> focal_lengths_;
+  double max_distance_ = 0;
+  int axis_ = 0;
+  std::vector<int> order_;  // of centers_ along the axis
+  std::unordered_map<uint64_t, Eigen::Vector3d> positions_;
+  std::unordered_map<int, Image> pictures_;
+};
+
+}  // namespace
+
+std::vector<DuplicateImage> FindDuplicateImages(const SparseModel& model,
+                                                const std::vector<int>& images,
+                                                const std::vector<std::string>& paths,
+                                                const RunContext& context) {
+  std::vector<int> original(images.size(), -1);
+  const std::vector<std::string> identities = IdentitiesOfEqualSizes(paths, context);
+  std::map<std::string, int> first_of;
+  for (size_t i = 0; i < paths.size(); ++i) {
+    if (identities[i].empty()) continue;
+    const auto [first, is_new] = first_of.emplace(identities[i], static_cast<int>(i));
+    if (!is_new) original[i] = first->second;
+  }
+  PoseComparison comparison(model, images, paths);
+  std::vector<DuplicateImage> duplicates;
+  for (int i = 0; i < static_cast<int>(original.size()); ++i) {
+    if (original[i] < 0) original[i] = comparison.FirstSameView(i, original);
+    if (original[i] >= 0) duplicates.push_back({i, original[i]});
+  }
+  return duplicates;
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,29 @@
+#include "colmap_ext/workspace/file_identity.h"
+
+#include <cstdint>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+#include "limn/formats/whole_file.h"
+#include "limn/pipeline/content_hash.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+
+std::string FileIdentity(const std::string& path) {
+  CheckIsFile(path);
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw IoError(path, "cannot be opened");
+  ContentHash hash;
+  std::vector<char> block(1 << 20);
+  uint64_t size = 0;
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+    hash.Add(std::string_view(block.data(), static_cast<size_t>(in.gcount())));
+    size += static_cast<uint64_t>(in.gcount());
+  }
+  if (in.bad()) throw IoError(path, "cannot be read");
+  return std::to_string(size) + " " + hash.Hex();
+}
+
+}  // namespace limn::colmap_ext
