@@ -168,10 +168,8 @@ DrawingFile ToDrawingFile(const Json& json) {
 DrawingFile ParseDrawingJson(const std::string& name, const std::string& text) {
   try {
     return ToDrawingFile(ParseJson(name, text));
-  } catch (const Json::exception& error) {
-    throw IoError(name, error.what());
-  } catch (const InputError& error) {
-    throw IoError(name, error.what());
+  } catch (const std::exception&) {
+    RethrowJsonError(name);
   }
 }
 

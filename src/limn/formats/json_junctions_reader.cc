@@ -24,10 +24,8 @@ std::vector<CurveNode> ReadJunctions(const std::string& path) {
       if (node.degree < 1) throw IoError(path, "a junction of degree below 1");
       nodes.push_back(node);
     }
-  } catch (const Json::exception& error) {
-    throw IoError(path, error.what());
-  } catch (const InputError& error) {
-    throw IoError(path, error.what());
+  } catch (const std::exception&) {
+    RethrowJsonError(path);
   }
   return nodes;
 }

@@ -43,10 +43,8 @@ std::array<CurveSet, kNumLinkKinds> ToCurves(const Json& json) {
 std::array<CurveSet, kNumLinkKinds> ReadJsonKinds(const std::string& path) {
   try {
     return ToCurves(ParseJson(path, ReadWholeFile(path)));
-  } catch (const Json::exception& error) {
-    throw IoError(path, error.what());
-  } catch (const InputError& error) {
-    throw IoError(path, error.what());
+  } catch (const std::exception&) {
+    RethrowJsonError(path);
   }
 }
 

@@ -13,6 +13,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kMaxDepth = 100;
 
+// What the JSON library says, without its number for it: "[json.exception.type_error.302] ...".
+std::string Complaint(const Json::exception& error) {
+  const std::string text = error.what();
+  const size_t end = text.find("] ");
+  return text.starts_with("[json.exception.") && end != std::string::npos ? text.substr(end + 2)
+                                                                          : text;
+}
+
 }  // namespace
 
 Json ParseJson(const std::string& path, const std::string& text) {
@@ -24,7 +32,17 @@ Json ParseJson(const std::string& path, const std::string& text) {
   };
   try {
     return Json::parse(text, check_depth);
+  } catch (const std::exception&) {
+    RethrowJsonError(path);
+  }
+}
+
+void RethrowJsonError(const std::string& path) {
+  try {
+    throw;
   } catch (const Json::exception& error) {
+    throw IoError(path, Complaint(error));
+  } catch (const InputError& error) {
     throw IoError(path, error.what());
   }
 }
