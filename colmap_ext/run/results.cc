@@ -111,6 +111,9 @@ void CheckDrawingFiles(const Project& project, const RunOptions& options) {
   for (const char* name : {"tracks.txt", "account.csv", "project.ini"}) {
     CheckResultFile(project.CurvesPath(name), options.overwrite);
   }
+  for (const char* extension : {".bin", ".ply"}) {
+    CheckTakesFile(project.CurvesPath(SketchFileName(options.pipeline.mode) + extension));
+  }
   CheckPicturePaths(project);
 }
 

@@ -29,7 +29,7 @@ std::string RefinementProvenance(const RunOptions& options, const std::string& d
 void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
                       const std::string& provenance);
 
-// To be called before work starts: throws IoError if the drawing's files, tracks and pictures would
+// To be called before work starts: throws IoError if the drawing and what goes with it would
 // replace what is no file or was not made by limn (see CheckResultFile).
 void CheckDrawingFiles(const Project& project, const RunOptions& options);
 

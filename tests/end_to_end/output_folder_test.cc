@@ -116,11 +116,15 @@ TEST(OutputFolder, FilesThatAreNotOursStayAndAreFoundBeforeWorkStarts) {
     EXPECT_EQ(ReadTree(scene.output()), (std::map<std::string, std::string>{{name, "mine"}}));
     fs::remove(scene / name);
   }
-  fs::create_directories(scene / "curves/overlays/view_03.jpg.png");
-  const LimnRun run = RunLimn(scene.Arguments());
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr("view_03.jpg.png: cannot write: is a folder, not a file"));
-  EXPECT_THAT(ReadTree(scene.output()), IsEmpty());
+  for (const char* name : {"curves/overlays/view_03.jpg.png", "curves/swept-sketch.bin"}) {
+    fs::create_directories(scene / name);
+    const LimnRun run = RunLimn(scene.Arguments());
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.err,
+              "ERROR: " + (scene / name).string() + ": cannot write: is a folder, not a file\n");
+    EXPECT_THAT(ReadTree(scene.output()), IsEmpty());
+    fs::remove(scene / name);
+  }
 }
 
 TEST(OutputFolder, OnlyWhatAnOptionTouchesIsMadeAgain) {
