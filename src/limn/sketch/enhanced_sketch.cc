@@ -73,8 +73,8 @@ class PairedDepths {
     const Eigen::Vector3d& tangent = sample.tangent_in_cam;
     const Eigen::Vector2d motion(camera.fx * (tangent.x() - ray.x() * tangent.z()),
                                  camera.fy * (tangent.y() - ray.y() * tangent.z()));
+    if (!(motion.norm() > 1e-12)) return 0;
     const double px_per_length = motion.norm() / sample.depth;
-    if (!(px_per_length > 1e-12)) return 0;
     return -tangent.z() / (sample.depth * sample.depth * px_per_length);
   }
 

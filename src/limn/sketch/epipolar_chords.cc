@@ -45,8 +45,9 @@ void ForEachChord(const ImageCurves& curves, Visit&& visit) {
 EpipolarChords::EpipolarChords(const View& primary, const View& other,
                                const ImageCurves& curves_of_other) {
   const Eigen::Vector3d from = primary.CenterInWorld();
-  const Eigen::Vector3d baseline = other.CenterInWorld() - from;
-  if (!(baseline.norm() > kMinRelativeBaseline * (1 + from.norm()))) return;
+  const Eigen::Vector3d to = other.CenterInWorld();
+  const Eigen::Vector3d baseline = to - from;
+  if (!(baseline.norm() > kMinRelativeBaseline * (from.norm() + to.norm()))) return;
   CollectChords(curves_of_other);
   if (chords_.empty()) return;
   const Eigen::Vector3d along = baseline.normalized();

@@ -1,6 +1,7 @@
 #include "limn/sketch/sketch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -193,6 +194,25 @@ TEST_P(LocalSketchTest, SomeOfManyViewsOfOnePlaceAreSketched) {
   int64_t accounted = summary.kept[0].second;
   for (const auto& [reason, count] : summary.dropped) accounted += count;
   EXPECT_EQ(accounted, num_edgels);
+}
+
+// Powers of two change no digit.
+TEST_P(LocalSketchTest, TheUnitOfLengthDoesNotMatter) {
+  const CurveSketch in_meters = Build().sketch;
+  for (const double factor : {std::ldexp(1, -44), std::ldexp(1, 27), std::ldexp(1, 40)}) {
+    const std::vector<View> views = testing::Scaled(Views(), factor);
+    const CurveSketch sketch =
+        BuildSketch(GetParam(), {views, Curves(), {}, std::nullopt}, SketchOptions(), {}).sketch;
+    ASSERT_EQ(sketch.curves.size(), in_meters.curves.size()) << factor;
+    for (size_t c = 0; c < sketch.curves.size(); ++c) {
+      const Curve3D& curve = sketch.curves[c];
+      ASSERT_EQ(curve.size(), in_meters.curves[c].size()) << factor;
+      for (size_t s = 0; s < curve.size(); ++s) {
+        const Eigen::Vector3d& point = in_meters.curves[c].points_in_world[s];
+        EXPECT_LT((curve.points_in_world[s] / factor - point).norm(), 1e-6) << factor;
+      }
+    }
+  }
 }
 
 TEST_P(LocalSketchTest, ThreadsDoNotMatter) {
