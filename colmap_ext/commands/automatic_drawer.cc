@@ -6,6 +6,7 @@
 #include "colmap_ext/run/run_report.h"
 #include "colmap_ext/run/scene_run.h"
 #include "colmap_ext/run/shard_run.h"
+#include "colmap_ext/run/trust.h"
 #include "limn/sketch/view_selection.h"
 
 namespace limn::colmap_ext {
@@ -47,9 +48,11 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   WriteDrawingResults(project, views, result->graph, Provenance(run), &console);
   if (options.account) WriteAccount(project, *result, &console);
   parser->WriteIni(project.CurvesPath("project.ini"));
+  SayTrust(views, result->curves, result->graph, !run.box.empty(), &console);
   if (options.page) {
     WritePageWithReport(project, run, views, result->graph, options.truth, &console);
   }
+  console.RepeatWarnings();
   return 0;
 }
 

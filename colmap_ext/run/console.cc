@@ -173,6 +173,12 @@ void Console::Say(const std::string& line) {
   if (line.starts_with(kWarning)) log_.warnings.push_back(line.substr(kWarning.size()));
 }
 
+void Console::RepeatWarnings() {
+  if (log_.warnings.empty()) return;
+  Say("Warnings of this run (" + WithCommas(std::ssize(log_.warnings)) + "):");
+  for (const std::string& warning : log_.warnings) Say("  " + warning);
+}
+
 void Console::Report(const StageSummary& summary) {
   ClearProgressLine();
   ReportCache();

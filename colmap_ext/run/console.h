@@ -49,6 +49,8 @@ class Console {
   // then the counts in, kept and dropped, the seconds since the last summary and the peak memory of
   // the program.
   void Report(const StageSummary& summary);
+  // Prints the warnings of the whole run again, if there are any: stages hide them.
+  void RepeatWarnings();
   // The cache that results are stored in from now on.
   void SetCache(std::shared_ptr<const ResultCache> cache);
 

@@ -1,0 +1,114 @@
+#include "colmap_ext/run/trust.h"
+
+#include <algorithm>
+#include <string>
+
+#include "limn/evaluation/quantiles.h"
+#include "limn/evaluation/view_agreement.h"
+#include "limn/geometry/polyline.h"
+#include "limn/model/footprint.h"
+#include "limn/model/link_selection.h"
+#include "limn/util/median.h"
+#include "limn/util/name_list.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// An image with fewer edgels says nothing.
+constexpr int64_t kMinEdgelsOfImage = 100;
+// Chance alone explains less than 1 % of the edges. A box leaves most of an image out.
+constexpr double kNextToNothing = 0.02;
+constexpr double kNextToNothingInBox = 0.0005;
+// A view that agrees less than this much of the median is named.
+constexpr double kMuchLess = 1.0 / 3;
+constexpr size_t kManyViews = 5;
+
+std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
+
+// Names of the views for which `select`, those that agree least first.
+template <typename Select>
+std::vector<NamedNumber> NamesOf(const std::vector<View>& views,
+                                 const std::vector<ViewAgreement>& agreements,
+                                 const Select& select) {
+  std::vector<NamedNumber> names;
+  for (size_t v = 0; v < views.size(); ++v) {
+    if (select(agreements[v])) names.push_back({views[v].name, 100 * agreements[v].share});
+  }
+  std::ranges::stable_sort(names, {}, &NamedNumber::number);
+  return names;
+}
+
+std::string CountOf(const std::vector<NamedNumber>& names, const std::vector<View>& views) {
+  return std::to_string(names.size()) + " of " + std::to_string(views.size()) + " images";
+}
+
+void SayAgreement(const std::vector<View>& views, const std::vector<ViewAgreement>& agreements,
+                  bool has_box, Console* console) {
+  const auto has_edges = [](const ViewAgreement& view) {
+    return view.num_edgels >= kMinEdgelsOfImage;
+  };
+  std::vector<double> shares;
+  for (const ViewAgreement& view : agreements) {
+    if (has_edges(view)) shares.push_back(view.share);
+  }
+  const double median = Median(shares);
+  console->Say("The drawing explains " + Percent(median) + " of the edges of an image (median)");
+  const auto empty = NamesOf(views, agreements, [&](const auto& view) { return !has_edges(view); });
+  if (!empty.empty()) {
+    console->Say("WARNING: " + CountOf(empty, views) +
+                 " have next to no edges: " + ListNumbers(empty, "% of them drawn"));
+  }
+  if (median < (has_box ? kNextToNothingInBox : kNextToNothing)) {
+    console->Say(
+        "WARNING: the drawing explains next to nothing of the images: do not trust it. Usual "
+        "causes: poses that "
+        "belong to other images, wrong focal lengths or lenses, axes of another convention, images "
+        "of other things or without edges, too few views or too different ones" +
+        std::string(has_box ? ", a box beside the scene" : ""));
+    return;
+  }
+  const auto less = NamesOf(views, agreements, [&](const auto& view) {
+    return has_edges(view) && view.share < kMuchLess * median;
+  });
+  if (less.empty()) return;
+  console->Say("WARNING: " + CountOf(less, views) + " agree much less with the drawing: " +
+               ListNumbers(less, "%") + ". Their poses are wrong, or they show other things");
+}
+
+// The length of curves that many views see, and their expected errors in px.
+void SayCertainty(const std::vector<View>& views, const DrawingGraph& graph, Console* console) {
+  const LinkSelection selection;
+  double length = 0, well_seen = 0;
+  std::vector<WeightedValue> sigmas_px;
+  for (const DrawingLink& link : graph.links) {
+    if (!selection.Has(link)) continue;
+    const double of_link = Length(link.points_in_world);
+    length += of_link;
+    if (link.supporting_views.size() >= kManyViews) well_seen += of_link;
+    const double footprint = LinkFootprint(link, views);
+    if (!(footprint > 0)) continue;
+    for (const double sigma : link.sigma) {
+      sigmas_px.emplace_back(sigma / footprint, of_link / static_cast<double>(link.sigma.size()));
+    }
+  }
+  const auto median = WeightedQuantile(sigmas_px, 0.5);
+  const auto most = WeightedQuantile(sigmas_px, 0.9);
+  if (!median || !most) return;
+  console->Say(Percent(well_seen / length) + " of its length is seen by " +
+               std::to_string(kManyViews) +
+               " or more images; expected error, if the cameras are "
+               "right: " +
+               ShortNumber(*median) + " px (median), " + ShortNumber(*most) + " px (90 %)");
+}
+
+}  // namespace
+
+void SayTrust(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+              const DrawingGraph& graph, bool has_box, Console* console) {
+  if (!curves.empty()) {
+    SayAgreement(views, MeasureAgreement(views, curves, graph), has_box, console);
+  }
+  SayCertainty(views, graph, console);
+}
+
+}  // namespace limn::colmap_ext
