@@ -7,6 +7,7 @@
 #include <memory>
 #include <numeric>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <tuple>
 #include <unordered_map>
@@ -18,6 +19,7 @@
 #include "colmap_ext/model/image_name.h"
 #include "colmap_ext/workspace/duplicate_images.h"
 #include "colmap_ext/workspace/jpeg_check.h"
+#include "limn/formats/whole_file.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
 
@@ -27,8 +29,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::set<std::string> ReadImageList(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw IoError(path, "the image list cannot be opened for reading");
+  if (!std::ifstream(path)) throw IoError(path, "the image list cannot be opened for reading");
+  std::istringstream in(ReadWholeFile(path));
   std::set<std::string> names;
   const char* space = " \t\r";
   for (std::string line; std::getline(in, line);) {
@@ -319,6 +321,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   std::vector<std::optional<JpegComplaint>> complaints(selected.size());
   ParallelFor(context, "image headers", selected.size(), [&](size_t i) {
     set.stored_sizes[i] = ReadImageSize(set.image_paths[i]);
+    CheckDecodable(set.image_paths[i], set.stored_sizes[i], options.max_image_size);
     complaints[i] = CheckJpeg(set.image_paths[i]);
   });
   AddComplaints(complaints, &set);
