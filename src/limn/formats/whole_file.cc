@@ -24,11 +24,11 @@ std::string ReadBytes(const std::string& path, uint64_t max_size) {
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
   if (!file) throw IoError(path, std::string("cannot open: ") + std::strerror(errno));
   const uintmax_t size_on_disk = std::filesystem::file_size(path, ignored);
-  if (!ignored) max_size = std::max<uint64_t>(max_size, size_on_disk);
+  if (!ignored) max_size = std::max<uint64_t>(max_size, size_on_disk + 1);
   std::string bytes;
   constexpr unsigned kBlock = 1 << 16;
   while (true) {
-    if (bytes.size() > max_size) {
+    if (bytes.size() >= max_size) {
       throw IoError(path, "does not end after " + std::to_string(max_size) + " bytes");
     }
     const size_t old_size = bytes.size();
