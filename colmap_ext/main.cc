@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <iterator>
+#include <new>
 #include <string>
 #include <string_view>
 
@@ -87,6 +88,9 @@ int RunAndReport(int argc, const char* const* argv) {
     return Run(argc, argv);
   } catch (const limn::Cancelled&) {
     return kInterruptedExitCode;  // what is kept has been said
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "ERROR: out of memory: lower --max_image_size or --num_threads\n");
+    return 1;
   } catch (const std::exception& error) {
     PrintError(error);
     return 1;

@@ -93,6 +93,11 @@ bool JpegIsTruncated(std::istream& in) {
 
 }  // namespace
 
+bool IsJpeg(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return in.get() == 0xFF && in.get() == 0xD8;
+}
+
 bool IsTruncated(std::istream& in) {
   switch (in.get()) {
     case 0x89:

@@ -13,6 +13,8 @@ namespace limn::colmap_ext {
 std::optional<ImageSize> ReadSizeFromHeader(std::istream& in);
 std::optional<ImageSize> ReadSizeFromHeader(const std::filesystem::path& path);
 
+bool IsJpeg(const std::filesystem::path& path);
+
 // Whether a PNG or JPEG file is truncated: no IEND chunk, or no end-of-image marker after the first
 // scan. Decoders would fill the missing part with gray. False for other formats.
 bool IsTruncated(std::istream& in);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <system_error>
 
@@ -17,10 +18,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Larger JPEG images are decoded reduced where possible.
+constexpr int64_t kAlwaysWholePixels = 16'000'000;
+// With its 15 bytes per pixel of color while it is shrunk, 2.4 GB.
+constexpr int64_t kMaxDecodedPixels = 160'000'000;
+// A progressive JPEG file is in memory before it can be reduced, at up to 6 bytes per pixel.
+constexpr int64_t kMaxStoredPixels = 640'000'000;
+
+int64_t NumPixels(ImageSize size) { return int64_t{size.width} * size.height; }
+int LongerSide(ImageSize size) { return std::max(size.width, size.height); }
+
 void CheckWhole(const fs::path& path) {
   if (!IsTruncated(path)) return;
   throw IoError(path.string(), "truncated: the file ends before the picture does");
 }
+
+// Of JPEG files, whose decoder reduces by powers of two: 1, 2, 4 or 8, so that a large image is
+// still at least twice as large as wanted, and an area filter has the last word.
+int ReductionOf(const fs::path& path, ImageSize stored, int max_image_size) {
+  const int wanted = LongerSide(ShrunkSize(stored, max_image_size));
+  if (NumPixels(stored) <= kAlwaysWholePixels || !IsJpeg(path)) return 1;
+  int reduction = 1;
+  while (reduction < 8 && LongerSide(stored) >= 4 * reduction * wanted) reduction *= 2;
+  return reduction;
+}
+
+// OpenCV's flags: IMREAD_REDUCED_GRAYSCALE_2 = 16 and so on also reduce color, with others.
+int ReductionFlag(int reduction) { return reduction == 1 ? 0 : 8 * reduction; }
 
 cv::Mat Decode(const fs::path& path, int flags) {
   std::error_code ignored;
@@ -41,6 +65,16 @@ cv::Mat Shrink(const cv::Mat& image, int max_image_size) {
   if (size == ImageSize{image.cols, image.rows}) return image;
   cv::Mat shrunk;
   cv::resize(image, shrunk, {size.width, size.height}, 0, 0, cv::INTER_AREA);
+  return shrunk;
+}
+
+// The same for an image that was decoded reduced. Its last column and row may reach beyond the
+// stored image; the factors are those of the stored image all the same.
+cv::Mat ShrinkReduced(const cv::Mat& image, ImageSize stored, int reduction, int max_image_size) {
+  const ImageSize size = ShrunkSize(stored, max_image_size);
+  cv::Mat shrunk;
+  cv::resize(image, shrunk, {}, static_cast<double>(size.width) * reduction / stored.width,
+             static_cast<double>(size.height) * reduction / stored.height, cv::INTER_AREA);
   return shrunk;
 }
 
@@ -69,8 +103,27 @@ ImageSize ShrunkSize(ImageSize size, int max_image_size) {
   return {shrink(size.width), shrink(size.height)};
 }
 
+void CheckDecodable(const fs::path& path, ImageSize stored, int max_image_size) {
+  const int64_t reduction = ReductionOf(path, stored, max_image_size);
+  const int64_t num_decoded = NumPixels(stored) / (reduction * reduction);
+  if (num_decoded <= kMaxDecodedPixels && NumPixels(stored) <= kMaxStoredPixels) return;
+  throw IoError(path.string(),
+                "too large to decode: " + Text(stored) + " pixels, at most " +
+                    std::to_string(kMaxDecodedPixels / 1'000'000) +
+                    " megapixels are decoded (JPEG files: reduced for a lower --max_image_size, "
+                    "at most " +
+                    std::to_string(kMaxStoredPixels / 1'000'000) + " megapixels are stored)");
+}
+
 Image ReadImage(const fs::path& path, int max_image_size) {
-  cv::Mat stored = Decode(path, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
+  int reduction = 1;
+  const auto size = ReadSizeFromHeader(path);
+  if (size) {
+    CheckDecodable(path, *size, max_image_size);
+    reduction = ReductionOf(path, *size, max_image_size);
+  }
+  cv::Mat stored =
+      Decode(path, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH | ReductionFlag(reduction));
   double scale = 1;
   if (stored.depth() == CV_16U) {
     scale = 1.0 / 257;
@@ -80,7 +133,8 @@ Image ReadImage(const fs::path& path, int max_image_size) {
   if (stored.channels() == 3) cv::cvtColor(stored, stored, cv::COLOR_BGR2RGB);
   cv::Mat levels;
   stored.convertTo(levels, CV_32F, scale);
-  levels = Shrink(levels, max_image_size);
+  levels = reduction == 1 ? Shrink(levels, max_image_size)
+                          : ShrinkReduced(levels, *size, reduction, max_image_size);
 
   Image image;
   image.width = levels.cols;
@@ -92,12 +146,17 @@ Image ReadImage(const fs::path& path, int max_image_size) {
 }
 
 std::vector<unsigned char> ReadMask(const fs::path& path, ImageSize expected, int max_image_size) {
-  const cv::Mat stored = Decode(path, cv::IMREAD_GRAYSCALE);
-  const ImageSize size = {stored.cols, stored.rows};
-  if (size != expected) {
+  const auto check_size = [&](ImageSize size) {
+    if (size == expected) return;
     throw IoError(path.string(),
                   "the mask is " + Text(size) + " pixels, its image " + Text(expected));
+  };
+  if (const auto size = ReadSizeFromHeader(path)) {
+    check_size(*size);
+    CheckDecodable(path, *size, -1);
   }
+  const cv::Mat stored = Decode(path, cv::IMREAD_GRAYSCALE);
+  check_size({stored.cols, stored.rows});
   cv::Mat use;
   cv::Mat(stored != 0).convertTo(use, CV_32F);
   use = Shrink(use, max_image_size);

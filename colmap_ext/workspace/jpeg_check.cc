@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstdio>
-#include <fstream>
 #include <vector>
 
 #include <jpeglib.h>
 // After jpeglib.h.
 #include <jerror.h>
 
+#include "colmap_ext/workspace/image_header.h"
 #include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
@@ -87,9 +87,7 @@ void ReadCodes(const std::string& bytes, jpeg_decompress_struct* decoder, std::v
 }  // namespace
 
 std::optional<JpegComplaint> CheckJpeg(const std::filesystem::path& path) {
-  if (std::ifstream in(path, std::ios::binary); in.get() != 0xFF || in.get() != 0xD8) {
-    return std::nullopt;
-  }
+  if (!IsJpeg(path)) return std::nullopt;
   const std::string bytes = ReadWholeFile(path.string());
   JpegReport report;
   jpeg_decompress_struct decoder = {};

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numeric>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <tuple>
 #include <unordered_map>
@@ -35,8 +36,8 @@ constexpr double kDoubtfulCameraPx = 2;
 
 std::set<std::string> ReadImageList(const std::string& path) {
   CheckIsFile(path);
-  std::ifstream in(path);
-  if (!in) throw IoError(path, "the image list cannot be opened for reading");
+  if (!std::ifstream(path)) throw IoError(path, "the image list cannot be opened for reading");
+  std::istringstream in(ReadWholeFile(path));
   std::set<std::string> names;
   const char* space = " \t\r";
   for (std::string line; std::getline(in, line);) {
@@ -392,6 +393,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   std::vector<std::optional<JpegComplaint>> complaints(selected.size());
   ParallelFor(context, "image headers", selected.size(), [&](size_t i) {
     set.stored_sizes[i] = ReadImageSize(set.image_paths[i]);
+    CheckDecodable(set.image_paths[i], set.stored_sizes[i], options.max_image_size);
     complaints[i] = CheckJpeg(set.image_paths[i]);
   });
   AddComplaints(complaints, &set);

@@ -351,6 +351,18 @@ const CorpusCase kCases[] = {
      .outcome = Outcome::kAccepted,
      .said = {"WARNING: ", "view_02.jpg: Corrupt JPEG data: ", "the whole image counts as masked"},
      .command = "curve_sketcher"},
+    {.name = "Case25_HugePng",
+     .spoil =
+         [](const W& w) {
+           const std::string size = {0, 0, 0x75, 0x30, 0, 0, 0x75, 0x30};  // 30,000 squared
+           w.ReplaceImage("view_02.jpg", "\x89PNG\r\n\x1A\n" + std::string(3, '\0') + "\rIHDR" +
+                                             size + "\x08" + std::string(12, '\0') + "IEND" +
+                                             "1234");
+         },
+     .said = {"view_02.jpg: too large to decode: 30000 x 30000 pixels, at most 160 megapixels"}},
+    {.name = "Case25_EndlessImageList",
+     .said = {"/dev/zero: "},
+     .arguments = {"--image_list_path", "/dev/zero"}},
     {.name = "Case25_SixteenBits",
      .spoil = [](const W& w) { StoreAs(w, "view_02.png", With16Bits(Photo())); },
      .outcome = Outcome::kAccepted,

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <new>
 
 #include <zlib.h>
 
@@ -20,14 +22,22 @@ void CheckIsFile(const std::string& path) {
   if (std::filesystem::is_other(there)) throw IoError(path, "is a pipe or a device, not a file");
 }
 
-std::string ReadWholeFile(const std::string& path) {
+namespace {
+
+std::string ReadBytes(const std::string& path, uint64_t max_size) {
   CheckIsFile(path);
   errno = 0;
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
   if (!file) throw IoError(path, std::string("cannot open: ") + std::strerror(errno));
+  std::error_code ignored;
+  const uintmax_t size_on_disk = std::filesystem::file_size(path, ignored);
+  if (!ignored) max_size = std::max<uint64_t>(max_size, size_on_disk + 1);
   std::string bytes;
   constexpr unsigned kBlock = 1 << 16;
   while (true) {
+    if (bytes.size() >= max_size) {
+      throw IoError(path, "does not end after " + std::to_string(max_size) + " bytes");
+    }
     const size_t old_size = bytes.size();
     bytes.resize(old_size + kBlock);
     const int count = gzread(file.get(), bytes.data() + old_size, kBlock);
@@ -43,6 +53,16 @@ std::string ReadWholeFile(const std::string& path) {
   // A gzip file that breaks off ends like a whole one, but for this.
   if (code != Z_OK) throw IoError(path, "byte " + std::to_string(bytes.size()), reason);
   return bytes;
+}
+
+}  // namespace
+
+std::string ReadWholeFile(const std::string& path, uint64_t max_size) {
+  try {
+    return ReadBytes(path, max_size);
+  } catch (const std::bad_alloc&) {
+    throw IoError(path, "is too large for the memory");
+  }
 }
 
 std::string FileExtension(const std::string& file) {

@@ -159,6 +159,43 @@ TEST_F(ImageReader, MaskCountsOnlyPixelsThatAreWholeInside) {
               HasSubstr("the mask is 4 x 2 pixels, its image 4 x 3"));
 }
 
+// The same to a level as if it had been decoded whole. A ramp shows where pixels are.
+TEST_F(ImageReader, LargeJpegsAreDecodedReduced) {
+  cv::Mat ramp(4003, 5001, CV_8UC1);
+  for (int y = 0; y < ramp.rows; ++y) {
+    for (int x = 0; x < ramp.cols; ++x) {
+      ramp.at<uchar>(y, x) = static_cast<uchar>(
+          ((x + y) / 4) % 500 < 250 ? (x + y) / 4 % 250 : 249 - (x + y) / 4 % 250);
+    }
+  }
+  const std::string whole = Write("whole.png", ramp);
+  const std::string reduced = Write("reduced.jpg", ramp);
+  for (const int size : {300, 1001, 2500}) {
+    const Image expected = ReadImage(whole, size);
+    const Image image = ReadImage(reduced, size);
+    ASSERT_EQ(image.width, expected.width);
+    ASSERT_EQ(image.height, expected.height);
+    for (size_t i = 0; i < image.data.size(); ++i) {
+      ASSERT_NEAR(image.data[i], expected.data[i], 1.5) << size << " " << i;
+    }
+  }
+}
+
+TEST_F(ImageReader, SizesAreBounded) {
+  const cv::Mat tiny(4, 4, CV_8UC1, cv::Scalar(1));
+  const std::string png = Write("a.png", tiny);
+  const std::string jpeg = Write("a.jpg", tiny);
+  const auto error = [](const std::string& path, ImageSize stored, int max_image_size) {
+    return ErrorText<IoError>([&] { CheckDecodable(path, stored, max_image_size); });
+  };
+  EXPECT_EQ(error(png, {12000, 9000}, -1), "");
+  EXPECT_THAT(error(png, {30000, 30000}, 300),
+              HasSubstr("a.png: too large to decode: 30000 x 30000 pixels"));
+  EXPECT_EQ(error(jpeg, {25000, 25000}, 300), "");
+  EXPECT_THAT(error(jpeg, {25000, 25000}, -1), HasSubstr("too large to decode"));
+  EXPECT_THAT(error(jpeg, {30000, 30000}, 300), HasSubstr("too large to decode"));
+}
+
 // Cut anywhere within the pixels; OpenCV would make up the rest.
 TEST_F(ImageReader, TruncatedFilesAreRefused) {
   cv::Mat noise(64, 64, CV_8UC3);
