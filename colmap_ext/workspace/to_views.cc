@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <numeric>
-#include <set>
-#include <sstream>
 #include <system_error>
 #include <tuple>
 #include <unordered_map>
@@ -16,12 +13,10 @@
 #include <Eigen/LU>
 
 #include "colmap_ext/model/camera_lens_map.h"
-#include "colmap_ext/model/image_name.h"
 #include "colmap_ext/model/scene_reach.h"
 #include "colmap_ext/workspace/camera_check.h"
-#include "colmap_ext/workspace/duplicate_images.h"
 #include "colmap_ext/workspace/jpeg_check.h"
-#include "limn/formats/whole_file.h"
+#include "colmap_ext/workspace/select_images.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
 
@@ -33,118 +28,6 @@ namespace fs = std::filesystem;
 // Median error of the model's points beyond which a camera is not good enough to draw from. COLMAP
 // keeps no point beyond 4 px in an image, and right cameras have a median well below 1 px.
 constexpr double kDoubtfulCameraPx = 2;
-
-std::set<std::string> ReadImageList(const std::string& path) {
-  CheckIsFile(path);
-  if (!std::ifstream(path)) throw IoError(path, "the image list cannot be opened for reading");
-  std::istringstream in(ReadWholeFile(path));
-  std::set<std::string> names;
-  const char* space = " \t\r";
-  for (std::string line; std::getline(in, line);) {
-    const size_t begin = line.find_first_not_of(space);
-    if (begin == std::string::npos) continue;
-    names.insert(line.substr(begin, line.find_last_not_of(space) + 1 - begin));
-  }
-  return names;
-}
-
-// Indices into model.images of the images to use, sorted by name.
-std::vector<int> SelectImages(const SparseModel& model, const std::string& image_list_path) {
-  std::vector<int> selected;
-  std::set<std::string> wanted;
-  if (!image_list_path.empty()) wanted = ReadImageList(image_list_path);
-  std::set<std::string> unknown = wanted;
-  for (size_t i = 0; i < model.images.size(); ++i) {
-    const std::string& name = model.images[i].name;
-    unknown.erase(name);
-    if (image_list_path.empty() || wanted.contains(name)) selected.push_back(static_cast<int>(i));
-  }
-  if (!unknown.empty()) {
-    throw IoError(image_list_path, "image \"" + *unknown.begin() + "\" is not registered in " +
-                                       model.folder.string());
-  }
-  if (selected.empty())
-    throw InputError(model.folder.string() + ": no registered image to work on");
-  std::sort(selected.begin(), selected.end(),
-            [&](int a, int b) { return model.images[a].name < model.images[b].name; });
-  return selected;
-}
-
-// Removes the images whose cameras are not in the scene; a warning names them.
-void LeaveOutFar(const SparseModel& model, const SceneReach& reach, std::vector<int>* selected,
-                 std::vector<std::string>* warnings) {
-  constexpr int kMaxNames = 5;
-  std::string names;
-  const auto count = std::erase_if(*selected, [&, num_names = 0](int index) mutable {
-    const ModelImage& image = model.images[index];
-    if (reach.Contains(Inverse(image.cam_from_world).translation)) return false;
-    if (++num_names <= kMaxNames) names += (names.empty() ? "" : ", ") + image.name;
-    return true;
-  });
-  if (count == 0) return;
-  warnings->push_back(std::to_string(count) +
-                      " images are left out, since their cameras are far outside the scene of the "
-                      "others: " +
-                      names + (count > kMaxNames ? ", ..." : ""));
-}
-
-std::vector<std::string> PathsOf(const SparseModel& model, const std::vector<int>& selected,
-                                 const fs::path& image_dir) {
-  std::vector<std::string> paths;
-  for (const int index : selected) {
-    const ModelImage& image = model.images[index];
-    paths.push_back((image_dir / (image.file.empty() ? image.name : image.file)).string());
-  }
-  return paths;
-}
-
-// With one warning. Of images that are alike, that with the most 2D points stays.
-void LeaveOutDuplicates(const SparseModel& model, const fs::path& image_dir,
-                        const RunContext& context, std::vector<int>* selected,
-                        std::vector<std::string>* warnings) {
-  std::vector<int> ranked = *selected;
-  std::stable_sort(ranked.begin(), ranked.end(), [&](int a, int b) {
-    return model.images[a].observations.size() > model.images[b].observations.size();
-  });
-  const std::vector<DuplicateImage> duplicates =
-      FindDuplicateImages(model, ranked, PathsOf(model, ranked, image_dir), context);
-  if (duplicates.empty()) return;
-  constexpr size_t kNumNamed = 3;
-  std::string named;
-  for (size_t i = 0; i < std::min(kNumNamed, duplicates.size()); ++i) {
-    named += (i > 0 ? ", " : "") + model.images[ranked[duplicates[i].duplicate]].name + " (of " +
-             model.images[ranked[duplicates[i].of]].name + ")";
-  }
-  if (duplicates.size() > kNumNamed) named += ", ...";
-  warnings->push_back(std::to_string(duplicates.size()) + " of " +
-                      std::to_string(selected->size()) +
-                      " images are duplicates, by their bytes or by pose and picture, and are left "
-                      "out: " +
-                      named);
-  std::set<int> left_out;
-  for (const DuplicateImage& duplicate : duplicates) left_out.insert(ranked[duplicate.duplicate]);
-  std::erase_if(*selected, [&](int index) { return left_out.contains(index); });
-}
-
-void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& image_dir) {
-  const auto missing = [](const std::string& path) {
-    std::error_code ignored;
-    return !fs::is_regular_file(path, ignored);
-  };
-  const auto first = std::find_if(paths.begin(), paths.end(), missing);
-  if (first == paths.end()) return;
-  const auto count = std::count_if(first, paths.end(), missing);
-  const std::string others =
-      count == 1 ? "" : " (and " + std::to_string(count - 1) + " other images)";
-  std::error_code ignored;
-  if (fs::exists(*first, ignored)) throw IoError(*first, "is no image file but a folder or a pipe");
-  const bool is_link = fs::is_symlink(*first, ignored);
-  const std::string hint =
-      HintForMissing(image_dir, fs::path(*first).lexically_relative(image_dir).string());
-  throw IoError(*first, (is_link ? "the image is a symbolic link that leads nowhere"
-                                 : "the image is registered in the model but missing on disk") +
-                            others + hint);
-}
 
 // The file may be a resized version of what the camera describes; anything else is a wrong image.
 void CheckSizeFitsCamera(const std::string& path, ImageSize file, const Camera& camera) {
@@ -376,15 +259,13 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
       !options.mask_path.empty() && !fs::is_directory(options.mask_path, ignored)) {
     throw IoError(options.mask_path, "no such folder (mask_path)");
   }
-  std::vector<int> selected = SelectImages(model, options.image_list_path);
-  const SceneReach reach(model, selected);
+  const SelectedImages used = SelectImages(model, image_dir, options.image_list_path, context);
+  const std::vector<int>& selected = used.images;
   ViewSet set;
   set.warnings = model.warnings;
-  LeaveOutFar(model, reach, &selected, &set.warnings);
+  set.warnings.insert(set.warnings.end(), used.warnings.begin(), used.warnings.end());
   set.max_image_size = options.max_image_size;
-  CheckImagesExist(PathsOf(model, selected, image_dir), image_dir);
-  LeaveOutDuplicates(model, image_dir, context, &selected, &set.warnings);
-  set.image_paths = PathsOf(model, selected, image_dir);
+  set.image_paths = used.paths;
   for (const int index : selected) {
     set.mask_paths.push_back(MaskPath(options.mask_path, model.images[index].name));
   }
@@ -425,10 +306,10 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
     if (mask.empty()) return;
     view.region = MakeImageRegion(view.camera, view.lens.get(), mask, options.border_margin_px);
   });
-  set.hints = MakeHints(model, reach, set.views);
+  set.hints = MakeHints(model, used.reach, set.views);
   AddWarnings(model, selected, &set);
   if (options.max_reprojection_px > 0) {
-    LeaveOutMisfits(model, reach, options.max_reprojection_px, &set);
+    LeaveOutMisfits(model, used.reach, options.max_reprojection_px, &set);
   }
   WarnOfMisfits(&set);
   return set;

@@ -52,9 +52,10 @@ struct ViewSet {
 // cameras with distortion get a LensMap onto a virtual pinhole of the same focal length and
 // principal point. Intrinsics are rescaled to the size of the file, if its aspect is the camera's
 // within one pixel, and to max_image_size. Headers of all images, the codes of JPEG files and masks
-// are read, in parallel. Images that are damaged are views of nothing, with a warning. Left out, with
-// warnings, are duplicates (FindDuplicateImages), images and points far outside the scene of the
-// others (SceneReach) and, on request (max_reprojection_px), cameras that do not fit the points.
+// are read, in parallel. Images that are damaged are views of nothing, with a warning. Left out,
+// with warnings, are duplicates (FindDuplicateImages), images and points far outside the scene of
+// the others (SceneReach) and, on request (max_reprojection_px), cameras that do not fit the
+// points.
 //
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
 // the list is not registered, a mask has the wrong size. Throws InputError if no image is left.

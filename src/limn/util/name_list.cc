@@ -16,15 +16,20 @@ std::string ShortNumber(double number) {
   return text;
 }
 
-std::string ListNumbers(const std::vector<NamedNumber>& items, const std::string& unit) {
+std::string ListNames(const std::vector<std::string>& names) {
   std::string list;
-  const size_t listed = std::min(items.size(), kMaxListedNames);
-  for (size_t i = 0; i < listed; ++i) {
-    if (i > 0) list += ", ";
-    list += items[i].name + " (" + ShortNumber(items[i].number) + " " + unit + ")";
-  }
-  if (listed < items.size()) list += " and " + std::to_string(items.size() - listed) + " more";
+  const size_t listed = std::min(names.size(), kMaxListedNames);
+  for (size_t i = 0; i < listed; ++i) list += (i > 0 ? ", " : "") + names[i];
+  if (listed < names.size()) list += " and " + std::to_string(names.size() - listed) + " more";
   return list;
+}
+
+std::string ListNumbers(const std::vector<NamedNumber>& items, const std::string& unit) {
+  std::vector<std::string> names;
+  for (const NamedNumber& item : items) {
+    names.push_back(item.name + " (" + ShortNumber(item.number) + " " + unit + ")");
+  }
+  return ListNames(names);
 }
 
 }  // namespace limn

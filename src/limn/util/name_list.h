@@ -13,7 +13,10 @@ struct NamedNumber {
 // A number for messages, three digits: "0.125", "52.1", "1.2e+06".
 std::string ShortNumber(double number);
 
-// For messages: "b.jpg (52.1 px), a.jpg (3 px) and 7 more", in the given order, at most five.
+// For messages: "b.jpg, a.jpg and 7 more", in the given order, at most five.
+std::string ListNames(const std::vector<std::string>& names);
+
+// The same with numbers: "b.jpg (52.1 px), a.jpg (3 px) and 7 more".
 std::string ListNumbers(const std::vector<NamedNumber>& items, const std::string& unit);
 
 }  // namespace limn

@@ -1,0 +1,141 @@
+#include "colmap_ext/workspace/select_images.h"
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+#include "colmap_ext/model/image_name.h"
+#include "colmap_ext/workspace/duplicate_images.h"
+#include "limn/formats/whole_file.h"
+#include "limn/util/errors.h"
+#include "limn/util/name_list.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> ReadImageList(const std::string& path) {
+  CheckIsFile(path);
+  if (!std::ifstream(path)) throw IoError(path, "the image list cannot be opened for reading");
+  std::istringstream in(ReadWholeFile(path));
+  std::set<std::string> names;
+  const char* space = " \t\r";
+  for (std::string line; std::getline(in, line);) {
+    const size_t begin = line.find_first_not_of(space);
+    if (begin == std::string::npos) continue;
+    names.insert(line.substr(begin, line.find_last_not_of(space) + 1 - begin));
+  }
+  return names;
+}
+
+// Indices into model.images of the images to use, sorted by name.
+std::vector<int> ListedImages(const SparseModel& model, const std::string& image_list_path) {
+  std::vector<int> selected;
+  std::set<std::string> wanted;
+  if (!image_list_path.empty()) wanted = ReadImageList(image_list_path);
+  std::set<std::string> unknown = wanted;
+  for (size_t i = 0; i < model.images.size(); ++i) {
+    const std::string& name = model.images[i].name;
+    unknown.erase(name);
+    if (image_list_path.empty() || wanted.contains(name)) selected.push_back(static_cast<int>(i));
+  }
+  if (!unknown.empty()) {
+    throw IoError(image_list_path, "image \"" + *unknown.begin() + "\" is not registered in " +
+                                       model.folder.string());
+  }
+  if (selected.empty()) {
+    throw InputError(model.folder.string() + ": no registered image to work on");
+  }
+  std::sort(selected.begin(), selected.end(),
+            [&](int a, int b) { return model.images[a].name < model.images[b].name; });
+  return selected;
+}
+
+// Removes the images whose cameras are not in the scene.
+void LeaveOutFar(const SparseModel& model, SelectedImages* selected) {
+  std::vector<std::string> names;
+  std::erase_if(selected->images, [&](int index) {
+    const ModelImage& image = model.images[index];
+    if (selected->reach.Contains(Inverse(image.cam_from_world).translation)) return false;
+    names.push_back(image.name);
+    return true;
+  });
+  if (names.empty()) return;
+  selected->warnings.push_back(std::to_string(names.size()) +
+                               " images are left out, since their cameras are far outside the "
+                               "scene of the others: " +
+                               ListNames(names));
+}
+
+std::vector<std::string> PathsOf(const SparseModel& model, const std::vector<int>& selected,
+                                 const fs::path& image_dir) {
+  std::vector<std::string> paths;
+  for (const int index : selected) {
+    const ModelImage& image = model.images[index];
+    paths.push_back((image_dir / (image.file.empty() ? image.name : image.file)).string());
+  }
+  return paths;
+}
+
+// Of images that are alike, that with the most 2D points stays.
+void LeaveOutDuplicates(const SparseModel& model, const fs::path& image_dir,
+                        const RunContext& context, SelectedImages* selected) {
+  std::vector<int> ranked = selected->images;
+  std::ranges::stable_sort(ranked, std::greater{},
+                           [&](int index) { return model.images[index].observations.size(); });
+  const std::vector<DuplicateImage> duplicates =
+      FindDuplicateImages(model, ranked, PathsOf(model, ranked, image_dir), context);
+  if (duplicates.empty()) return;
+  std::vector<std::string> names;
+  std::set<int> left_out;
+  for (const DuplicateImage& duplicate : duplicates) {
+    left_out.insert(ranked[duplicate.duplicate]);
+    names.push_back(model.images[ranked[duplicate.duplicate]].name + " (of " +
+                    model.images[ranked[duplicate.of]].name + ")");
+  }
+  selected->warnings.push_back(std::to_string(duplicates.size()) + " of " +
+                               std::to_string(ranked.size()) +
+                               " images are duplicates, by their bytes or by pose and picture, and "
+                               "are left out: " +
+                               ListNames(names));
+  std::erase_if(selected->images, [&](int index) { return left_out.contains(index); });
+}
+
+void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& image_dir) {
+  const auto missing = [](const std::string& path) {
+    std::error_code ignored;
+    return !fs::is_regular_file(path, ignored);
+  };
+  const auto first = std::find_if(paths.begin(), paths.end(), missing);
+  if (first == paths.end()) return;
+  const auto count = std::count_if(first, paths.end(), missing);
+  const std::string others =
+      count == 1 ? "" : " (and " + std::to_string(count - 1) + " other images)";
+  std::error_code ignored;
+  if (fs::exists(*first, ignored)) throw IoError(*first, "is no image file but a folder or a pipe");
+  const bool is_link = fs::is_symlink(*first, ignored);
+  const std::string hint =
+      HintForMissing(image_dir, fs::path(*first).lexically_relative(image_dir).string());
+  throw IoError(*first, (is_link ? "the image is a symbolic link that leads nowhere"
+                                 : "the image is registered in the model but missing on disk") +
+                            others + hint);
+}
+
+}  // namespace
+
+SelectedImages SelectImages(const SparseModel& model, const fs::path& image_dir,
+                            const std::string& image_list_path, const RunContext& context) {
+  const std::vector<int> listed = ListedImages(model, image_list_path);
+  SelectedImages selected = {SceneReach(model, listed), listed, {}, {}};
+  LeaveOutFar(model, &selected);
+  CheckImagesExist(PathsOf(model, selected.images, image_dir), image_dir);
+  LeaveOutDuplicates(model, image_dir, context, &selected);
+  selected.paths = PathsOf(model, selected.images, image_dir);
+  return selected;
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "colmap_ext/model/model.h"
+#include "colmap_ext/model/scene_reach.h"
+#include "limn/util/parallel.h"
+
+namespace limn::colmap_ext {
+
+// The images of a model to work on.
+struct SelectedImages {
+  SceneReach reach;  // of all that were asked for
+  // Indices into model.images, sorted by name, and the files.
+  std::vector<int> images;
+  std::vector<std::string> paths;
+  std::vector<std::string> warnings;
+};
+
+// Those in the list, or all without one. Left out, with warnings, are images far outside the scene
+// of the others (SceneReach) and duplicates (FindDuplicateImages); of these, that with the most 2D
+// points stays. Throws IoError if a name in the list is not registered or a file is missing,
+// InputError if no image is left.
+SelectedImages SelectImages(const SparseModel& model, const std::filesystem::path& image_dir,
+                            const std::string& image_list_path, const RunContext& context);
+
+}  // namespace limn::colmap_ext
