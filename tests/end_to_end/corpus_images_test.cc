@@ -281,8 +281,9 @@ const CorpusCase kCases[] = {
            w.WriteBinary(model);
          },
      .outcome = Outcome::kAccepted,
-     .said = {"WARNING: 60 3D points are seen by no image and were left out",
-              "6 images, 0 3D points"}},
+     .said =
+         {"WARNING: 60 3D points are seen by no image or far outside the scene, and were left out",
+          "6 images, 0 3D points"}},
     {.name = "Case19_OneFileTwice",
      .spoil =
          [](const W& w) {

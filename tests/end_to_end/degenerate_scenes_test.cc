@@ -91,11 +91,11 @@ int NumEdgels(const std::string& out) {
   return std::stoi(digits);
 }
 
-cv::Mat WhiteImage() { return {480, 640, CV_8UC3, cv::Scalar(255, 255, 255)}; }
+cv::Mat PlainImage(int level) { return {480, 640, CV_8UC3, cv::Scalar(level, level, level)}; }
 
 TEST_F(DegenerateScene, OneImageIsWhite) {
   TakeViews(3);
-  WriteImage(4, WhiteImage());
+  WriteImage(4, PlainImage(255));
   const DrawingGraph graph = Draw();
   EXPECT_GT(graph.links.size(), 20u);
   for (const DrawingLink& link : graph.links) {
@@ -105,7 +105,10 @@ TEST_F(DegenerateScene, OneImageIsWhite) {
 
 TEST_F(DegenerateScene, NoCurves) {
   TakeViews(3);
-  for (size_t v = 0; v < model_.images.size(); ++v) WriteImage(v, WhiteImage());
+  // Files of the same bytes would be one image.
+  for (size_t v = 0; v < model_.images.size(); ++v) {
+    WriteImage(v, PlainImage(255 - static_cast<int>(v)));
+  }
   EXPECT_EQ(Draw().links.size(), 0u);
 }
 
@@ -131,7 +134,7 @@ TEST_F(DegenerateScene, OneCurve) {
   constexpr double kRadius = 0.4;
   TakeViews(3);
   for (size_t v = 0; v < model_.images.size(); ++v) {
-    cv::Mat pixels = WhiteImage();
+    cv::Mat pixels = PlainImage(255);
     for (int y = 0; y < pixels.rows; ++y) {
       for (int x = 0; x < pixels.cols; ++x) {
         const double dark = Coverage(model_.images[v], model_.cameras[0], x, y, kRadius);

@@ -104,15 +104,16 @@ TEST(RepairTopologyTest, LinksAreCutAtCornersButNotOnArcs) {
 }
 
 TEST(RepairTopologyTest, EdgesGrowBetweenNodesOnly) {
+  // Too short for a long edge.
   FrontalScene scene;
   scene.ShowAndDraw({{-60, 0}, {0, 0}});
-  scene.ShowAndDraw({{0, 40}, {60, 40}});
-  scene.Show({{0, 0}, {0, 40}});
+  scene.ShowAndDraw({{0, 15}, {60, 15}});
+  scene.Show({{0, 0}, {0, 15}});
   scene.Show({{-60, 0}, {-60, -40}});  // leads nowhere
   EXPECT_EQ(scene.Repair().grown, 1);
   ASSERT_EQ(scene.graph.links.size(), 3u);
   EXPECT_EQ(scene.Degree(0, 0), 2);
-  EXPECT_EQ(scene.Degree(0, 40), 2);
+  EXPECT_EQ(scene.Degree(0, 15), 2);
   // The next fit looks for the edge in these views.
   EXPECT_EQ(scene.graph.links[2].supporting_views.size(), scene.views().size());
 }
