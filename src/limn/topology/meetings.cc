@@ -117,9 +117,11 @@ FragmentsByView FragmentsAtEnd(const TopologyInput& input, const DrawingLink& li
 bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const FragmentsByView& a,
                  const FragmentsByView& b, int min_views) {
   int count = 0;
-  for (const auto& [view, fragments_a] : a) {
+  for (const auto& [view, fragments] : a) {
     const auto found = b.find(view);
     if (found == b.end()) continue;
+    const auto& fragments_a = fragments;  // not the binding: clang 14 cannot capture it
+    const auto& fragments_b = found->second;
     const auto pixel = input.views[view].Project(point);
     if (!pixel) continue;
     bool near_a = false;
@@ -128,7 +130,7 @@ bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const
     edgels.edgels.ForEachWithin(*pixel, kNearPx, [&](EdgelId id) {
       const int fragment = edgels.place_of[id].fragment;
       near_a |= fragments_a.count(fragment) > 0;
-      near_b |= found->second.count(fragment) > 0;
+      near_b |= fragments_b.count(fragment) > 0;
     });
     count += near_a && near_b;
   }
