@@ -49,9 +49,10 @@ std::vector<int> SharingSamples(const SampleSet& samples, const EdgelClaims& cla
   std::vector<int> sharing;
   const auto primary = [&](int id) { return samples.origins[samples.curve_of[id]].primary_view; };
   for (const EdgelRef& ref : samples.support.Of(s)) {
-    for (const auto& [edgel, other] : std::ranges::equal_range(claims[ref.view], ref.edgel, {},
-                                                               &std::pair<EdgelId, int>::first)) {
-      if (primary(other) != primary(s)) sharing.push_back(other);
+    const auto& in_view = claims[ref.view];
+    for (auto claim = std::ranges::lower_bound(in_view, ref.edgel, {}, &std::pair<EdgelId, int>::first);
+         claim != in_view.end() && claim->first == ref.edgel; ++claim) {
+      if (primary(claim->second) != primary(s)) sharing.push_back(claim->second);
     }
   }
   std::sort(sharing.begin(), sharing.end());

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <map>
-#include <ranges>
+#include <utility>
 
 #include <ceres/ceres.h>
 
@@ -183,8 +183,9 @@ std::vector<Component> FindComponents(const ControlGraph& control) {
     if (unknown[p]) by_root[sets.Find(p)].points.push_back(p);
   }
   for (const Bend& bend : bends) by_root[sets.Find(bend[1])].bends.push_back(bend);
-  const auto components = std::views::values(by_root);
-  return {components.begin(), components.end()};
+  std::vector<Component> components;
+  for (auto& [root, component] : by_root) components.push_back(std::move(component));
+  return components;
 }
 
 void AddTerms(const std::vector<View>& views, const RefinementOptions& options,

@@ -13,12 +13,14 @@
 #include "limn/refinement/edgel_matches.h"
 #include "limn/refinement/gauge.h"
 #include "limn/refinement/pose_fit.h"
+#include "limn/refinement/scene_unit.h"
 #include "limn/refinement/variance_factors.h"
 #include "limn/topology/covered_links.h"
 #include "limn/topology/edit_topology.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/util/median.h"
 #include "limn/util/name_list.h"
+#include "limn/util/sort_unique.h"
 
 namespace limn {
 namespace {
@@ -80,11 +82,7 @@ void GiveVertices(const std::vector<View>& views, const ControlLink& fitted, Dra
     LinkVertex& vertex = link->vertices[std::lround(at / step)];
     for (const EdgelPull& pull : sample.pulls) vertex.support.push_back(pull.ref);
   }
-  for (LinkVertex& vertex : link->vertices) {
-    std::ranges::sort(vertex.support);
-    const auto repeated = std::ranges::unique(vertex.support);
-    vertex.support.erase(repeated.begin(), repeated.end());
-  }
+  for (LinkVertex& vertex : link->vertices) SortUnique(&vertex.support);
 }
 
 class Refiner {
@@ -179,8 +177,7 @@ class Refiner {
   }
 
   RefinedCameras RefineCameras() {
-    static const std::vector<ScenePoint> none;
-    const std::vector<ScenePoint>& points = input_.points ? *input_.points : none;
+    const std::vector<ScenePoint>& points = *input_.points;
     RefinedCameras refined;
     for (const ScenePoint& point : points) refined.points.push_back(point.position_in_world);
     CameraCorrections corrections(input_.views);
@@ -352,6 +349,25 @@ void AddContours(const DrawingGraph& from, DrawingGraph* graph) {
   }
 }
 
+// Refines in units of the scene.
+RefinementResult RefineEdges(const RefinementInput& input, const RefinementOptions& options,
+                             const TopologyOptions& topology, const RunContext& context) {
+  const double unit = SceneUnit(input.views, input.graph);
+  const std::vector<View> views = Scaled(input.views, 1 / unit);
+  const DrawingGraph graph = Scaled(input.graph, 1 / unit);
+  std::vector<ScenePoint> points;
+  if (input.points) points = *input.points;
+  for (ScenePoint& point : points) point.position_in_world /= unit;
+  RefinementResult result =
+      Refiner({views, input.curves, graph, &points}, options, topology, context).Run();
+  result.graph = Scaled(std::move(result.graph), unit);
+  if (result.cameras) {
+    result.cameras->views = Scaled(std::move(result.cameras->views), unit);
+    for (Eigen::Vector3d& point : result.cameras->points) point *= unit;
+  }
+  return result;
+}
+
 }  // namespace
 
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
@@ -371,7 +387,7 @@ RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOpt
   DrawingGraph edges = input.graph;
   RemoveLinks(is_kept, &edges);
   RefinementResult result =
-      Refiner({input.views, input.curves, edges, input.points}, options, topology, context).Run();
+      RefineEdges({input.views, input.curves, edges, input.points}, options, topology, context);
   AddContours(input.graph, &result.graph);
   return result;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limn/util/sort_unique.h"
+
 namespace limn {
 
 double LengthPx(const SampleArrays& samples, int begin, int end) {
@@ -29,8 +31,7 @@ void NameInSketch(const SampleSet& samples, LinkVertex* vertex) {
     const CurveOrigin& origin = samples.origins[sample.curve];
     sample = {origin.sketch_curve, origin.begin + sample.sample};
   }
-  std::sort(edgels.begin(), edgels.end());
-  edgels.erase(std::unique(edgels.begin(), edgels.end()), edgels.end());
+  SortUnique(&edgels);
 }
 
 void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples) {

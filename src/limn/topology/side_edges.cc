@@ -10,6 +10,7 @@
 #include "limn/topology/link_geometry.h"
 #include "limn/topology/samples.h"
 #include "limn/util/angles.h"
+#include "limn/util/sort_unique.h"
 
 namespace limn {
 namespace {
@@ -47,8 +48,7 @@ class RunEnds {
           [&](int i) { return !IsClaimed(fragment, i, claims_); },
           [&](int begin, int end) { AddRun(fragment, begin, end); });
     }
-    std::ranges::sort(found_);
-    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    SortUnique(&found_);
     return std::move(found_);
   }
 
@@ -112,9 +112,9 @@ std::vector<int> ChooseCuts(const DrawingLink& link,
          other != seen.end() && arc_px[other->first] - arc_px[center] <= kClusterPx; ++other) {
       views.push_back(other->second);
     }
-    std::ranges::sort(views);
-    const auto count = std::unique(views.begin(), views.end()) - views.begin();
-    if (count >= kMinSideViews) places.push_back({-static_cast<int>(count), center});
+    SortUnique(&views);
+    const int count = static_cast<int>(views.size());
+    if (count >= kMinSideViews) places.push_back({-count, center});
   }
   std::ranges::sort(places);
   std::vector<int> cuts;

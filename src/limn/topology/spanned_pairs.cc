@@ -5,6 +5,7 @@
 #include <map>
 
 #include "limn/util/map_items.h"
+#include "limn/util/sort_unique.h"
 
 namespace limn {
 namespace {
@@ -82,9 +83,7 @@ std::vector<JointPair> SpannedIn(const TopologyInput& input, ViewId view,
       }
     }
   }
-  std::ranges::sort(pairs);
-  const auto repeated = std::ranges::unique(pairs);
-  pairs.erase(repeated.begin(), repeated.end());
+  SortUnique(&pairs);
   return pairs;
 }
 

@@ -47,7 +47,8 @@ std::vector<int> FindCorners(const std::vector<Eigen::Vector3d>& points) {
   }
   std::sort(sharpest_first.begin(), sharpest_first.end());
   std::vector<int> corners;
-  for (const auto& [height, k] : sharpest_first) {
+  for (const auto& sharpest : sharpest_first) {
+    const int k = sharpest.second;
     const bool apart = std::all_of(corners.begin(), corners.end(),
                                    [&](int other) { return std::abs(other - k) >= kApartPx; });
     if (apart) corners.push_back(k);

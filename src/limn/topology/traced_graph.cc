@@ -78,7 +78,7 @@ class GraphMaker {
         editor_.Join({id, 0}, {id, 1});
         return;
       }
-      std::ranges::rotate(vertices, cut);
+      std::rotate(vertices.begin(), cut, vertices.end());
       vertices.push_back(vertices.front());
     }
     const auto last = std::ssize(vertices) - 1;

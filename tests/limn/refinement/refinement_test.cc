@@ -9,6 +9,7 @@
 
 #include "limn/geometry/polyline.h"
 #include "limn/model/footprint.h"
+#include "limn/refinement/scene_unit.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -209,26 +210,18 @@ TEST(Refinement, ResultDoesNotDependOnThreads) {
   ExpectSame(Refine(Perturbed(CubeGraph(), 0.6), kNoisePx, 1).graph, NoisyResult());
 }
 
-TEST(Refinement, ScaledSceneGivesTheScaledDrawing) {
-  constexpr double kFactor = 1024;  // a power of two: only logarithms and tolerances could differ
-  DrawingGraph scaled = Perturbed(CubeGraph(), 0.6);
-  for (DrawingNode& node : scaled.nodes) node.position_in_world *= kFactor;
-  for (DrawingLink& link : scaled.links) {
-    for (Eigen::Vector3d& point : link.points_in_world) point *= kFactor;
-  }
-  const std::vector<View> views = testing::Scaled(Views(), kFactor);
-  const DrawingGraph graph = RefineDrawing({views, Curves(kNoisePx), scaled}, {}, {}, {}).graph;
-  double largest = 0;
-  for (size_t l = 0; l < graph.links.size(); ++l) {
-    const auto& points = graph.links[l].points_in_world;
-    ASSERT_EQ(points.size(), NoisyResult().links[l].points_in_world.size());
-    for (size_t k = 0; k < points.size(); ++k) {
-      const Eigen::Vector3d& expected = NoisyResult().links[l].points_in_world[k];
-      largest = std::max(largest, (points[k] / kFactor - expected).norm() / FootprintAt(expected));
-    }
-  }
-  EXPECT_LT(largest, 1e-3);
+// Powers of two: only tolerances could differ.
+class RefinementOfScaled : public ::testing::TestWithParam<double> {};
+
+TEST_P(RefinementOfScaled, GivesTheScaledDrawing) {
+  const std::vector<View> views = testing::Scaled(Views(), GetParam());
+  const DrawingGraph scaled = Scaled(Perturbed(CubeGraph(), 0.6), GetParam());
+  ExpectSame(RefineDrawing({views, Curves(kNoisePx), scaled}, {}, {}, {}).graph,
+             Scaled(NoisyResult(), GetParam()));
 }
+
+INSTANTIATE_TEST_SUITE_P(Scales, RefinementOfScaled,
+                         ::testing::Values(std::exp2(-50), std::exp2(10), std::exp2(50)));
 
 TEST(Refinement, EmptyGraphStaysEmpty) {
   const RefinementResult result = Refine(DrawingGraph(), 0);

@@ -1,0 +1,39 @@
+#include "limn/refinement/scene_unit.h"
+
+#include <cmath>
+
+#include "limn/model/footprint.h"
+#include "limn/util/median.h"
+
+namespace limn {
+
+double SceneUnit(const std::vector<View>& views, const DrawingGraph& graph) {
+  std::vector<double> footprints;
+  for (const DrawingLink& link : graph.links) {
+    const double footprint = LinkFootprint(link, views);
+    if (footprint > 0) footprints.push_back(footprint);
+  }
+  if (footprints.empty()) return 1;
+  return std::exp2(std::round(std::log2(Median(std::move(footprints)))) + 10);
+}
+
+std::vector<View> Scaled(std::vector<View> views, double factor) {
+  for (View& view : views) view.cam_from_world.translation *= factor;
+  return views;
+}
+
+DrawingGraph Scaled(DrawingGraph graph, double factor) {
+  for (DrawingNode& node : graph.nodes) node.position_in_world *= factor;
+  for (DrawingLink& link : graph.links) {
+    for (Eigen::Vector3d& point : link.points_in_world) point *= factor;
+    for (double& sigma : link.sigma) sigma *= factor;
+    for (LinkVertex& vertex : link.vertices) {
+      vertex.footprint *= factor;
+      vertex.information /= factor * factor;
+    }
+    link.primitive.reset();
+  }
+  return graph;
+}
+
+}  // namespace limn
