@@ -50,7 +50,8 @@ std::vector<int> SharingSamples(const SampleSet& samples, const EdgelClaims& cla
   const auto primary = [&](int id) { return samples.origins[samples.curve_of[id]].primary_view; };
   for (const EdgelRef& ref : samples.support.Of(s)) {
     const auto& in_view = claims[ref.view];
-    for (auto claim = std::ranges::lower_bound(in_view, ref.edgel, {}, &std::pair<EdgelId, int>::first);
+    for (auto claim =
+             std::ranges::lower_bound(in_view, ref.edgel, {}, &std::pair<EdgelId, int>::first);
          claim != in_view.end() && claim->first == ref.edgel; ++claim) {
       if (primary(claim->second) != primary(s)) sharing.push_back(claim->second);
     }

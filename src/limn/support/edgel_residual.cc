@@ -45,7 +45,9 @@ std::optional<double> DirectionAt(const View& view, const Eigen::Vector3d& point
   const double dx = view.camera.fx * (tangent.x() * point.z() - point.x() * tangent.z());
   const double dy = view.camera.fy * (tangent.y() * point.z() - point.y() * tangent.z());
   if (dx == 0 && dy == 0) return std::nullopt;
-  return std::atan2(dy, dx);
+  const double direction = std::atan2(dy, dx);
+  // Products with extreme numbers overflow.
+  return std::isnan(direction) ? std::nullopt : std::optional(direction);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::optional<EdgelResidual> ResidualToEdgel(const PinholeCamera& camera,
 double ResidualVariance(const Edgel& edgel);
 
 // Direction, radians, in the virtual image of a motion of the point along the tangent. Empty if the
-// point is behind the camera or the tangent is seen end on.
+// point is behind the camera or the tangent is seen end on, or not finite.
 std::optional<double> ProjectedDirection(const View& view, const Eigen::Vector3d& point_in_world,
                                          const Eigen::Vector3d& tangent_in_world);
 

@@ -1,6 +1,7 @@
 #include "limn/support/edgel_residual.h"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -54,6 +55,12 @@ TEST_F(EdgelResidualTest, BehindTheCameraIsNothing) {
   const Vector3d behind(6, 4, 8);
   EXPECT_FALSE(ResidualToEdgel(view_, edgel_, behind).has_value());
   EXPECT_FALSE(ProjectedDirection(view_, behind, Vector3d::UnitX()).has_value());
+}
+
+TEST_F(EdgelResidualTest, NumbersThatOverflowHaveNoDirection) {
+  const double huge = std::numeric_limits<double>::max();
+  EXPECT_FALSE(ProjectedDirection(view_, Vector3d::Zero(), huge * Vector3d(1, 1, 1)));
+  EXPECT_FALSE(See(view_, Vector3d::Zero(), huge * Vector3d(1, 1, 1)));
 }
 
 TEST_F(EdgelResidualTest, ProjectedDirectionIsThatOfASmallStep) {
