@@ -139,6 +139,21 @@ TEST(StoppedRun, InterruptsStopManyRoundsOfRefinementSoon) {
   }
 }
 
+// No project, so no lock and no cache.
+TEST(StoppedRun, InterruptsStopAnEvaluationSoon) {
+  const TempDir dir;
+  const std::string curve = dir.WriteFile("curve.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
+  const fs::path table = dir / "table.csv";
+  LimnProcess run({"drawing_evaluator", "--input_path", curve, "--truth_path", curve, "--taus",
+                   "5e-7", "--output_csv", table.string()});
+  Sleep(1.5);
+  run.Signal(SIGINT);
+  const LimnProcess::End end = run.Wait();
+  EXPECT_LT(end.seconds, 2);
+  ExpectInterrupted(end);
+  EXPECT_FALSE(fs::exists(table));
+}
+
 TEST(StoppedRun, KillsLeaveNothingHalfWrittenAndItGoesOn) {
   const SmallScene scene;
   const WholeRun whole = RunUndisturbed(scene.Arguments(), scene.output());
