@@ -48,9 +48,10 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   WriteDrawingResults(project, views, result->graph, Provenance(run), &console);
   if (options.account) WriteAccount(project, *result, &console);
   parser->WriteIni(project.CurvesPath("project.ini"));
-  SayTrust(views, result->curves, result->graph, !run.box.empty(), &console);
+  const Trust trust = MeasureTrust(views, result->curves, result->graph);
+  SayTrust(trust, HasBox(Provenance(run)), &console);
   if (options.page) {
-    WritePageWithReport(project, run, views, result->graph, options.truth, &console);
+    WritePageWithReport(project, run, views, result->graph, trust, options.truth, &console);
   }
   console.RepeatWarnings();
   return 0;

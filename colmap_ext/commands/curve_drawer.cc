@@ -4,6 +4,7 @@
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
+#include "colmap_ext/run/trust.h"
 #include "limn/drawing/drawing.h"
 
 namespace limn::colmap_ext {
@@ -29,6 +30,9 @@ int RunCurveDrawer(int argc, const char* const* argv) {
   CheckGraph(result.graph);
   WriteRefinedModel(project, std::nullopt, &console);
   WriteDrawingResults(project, project.views(), result.graph, provenance, &console);
+  SayTrust(MeasureTrust(project.views(), image_curves.curves, result.graph), HasBox(provenance),
+           &console);
+  console.RepeatWarnings();
   return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/evaluation_run.h"
+#include "colmap_ext/run/interrupt.h"
 
 namespace limn::colmap_ext {
 
@@ -11,6 +12,7 @@ int RunDrawingEvaluator(int argc, const char* const* argv) {
   options.AddOptions(&parser);
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   options.Check();
+  const InterruptWatch interrupts;
   WriteReport(EvaluateFile(options), options);
   return 0;
 }

@@ -4,6 +4,7 @@
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
+#include "colmap_ext/run/trust.h"
 #include "limn/belief/link_judge.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/primitives/fit_primitives.h"
@@ -51,6 +52,8 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   CheckGraph(kinds.graph);
   WriteRefinedModel(project, result.cameras, &console);
   WriteDrawingResults(project, views, kinds.graph, provenance, &console);
+  SayTrust(MeasureTrust(views, image_curves.curves, kinds.graph), HasBox(provenance), &console);
+  console.RepeatWarnings();
   return 0;
 }
 

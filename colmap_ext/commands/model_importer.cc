@@ -3,6 +3,7 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/import/model_import.h"
 #include "colmap_ext/import/new_model_folder.h"
+#include "colmap_ext/run/interrupt.h"
 #include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
@@ -13,6 +14,7 @@ int RunModelImporter(int argc, const char* const* argv) {
   options.AddOptions(&parser);
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   options.Check();
+  const InterruptWatch interrupts;
   CheckNewModelFolder(options.output_path);
   const SparseModel model = ImportModel(options, std::cout);
   for (const std::string& warning : model.warnings)

@@ -68,8 +68,8 @@ void ImporterOptions::AddOptions(OptionParser* parser) {
 void ImporterOptions::Check() const {
   if (input_path.empty()) throw OptionError("--input_path must be given");
   if (output_path.empty()) throw OptionError("--output_path must be given");
-  LIMN_CHECK_OPTION(share_cameras_px, >= 0);
-  LIMN_CHECK_OPTION(model_index, >= -1);
+  LIMN_CHECK_RANGE(share_cameras_px, >= 0, <= 1e5);
+  LIMN_CHECK_RANGE(model_index, >= -1, <= 1e6);
 }
 
 SparseModel ImportModel(const ImporterOptions& options, std::ostream& notes) {

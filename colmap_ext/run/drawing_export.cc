@@ -82,7 +82,7 @@ void ExporterOptions::Check() const {
   if (input_path.empty()) throw OptionError("--input_path must be given");
   if (output_path.empty()) throw OptionError("--output_path must be given");
   selection.Selection();  // throws
-  CheckOption(scale > 0, "scale", scale, "> 0");
+  LIMN_CHECK_RANGE(scale, >= 1e-12, <= 1e12);
   if (!cloud_path.empty() && FormatName(*this) != "glb") {
     throw OptionError("cloud_path: only .glb files hold a cloud");
   }

@@ -82,7 +82,8 @@ void EvaluatorOptions::Check() const {
     throw OptionError("true_kinds_path: only links of a drawing.json have kinds");
   }
   if (truth.unit == TruthInput::Unit::kFootprint) require(layout.workspace_path, "workspace_path");
-  CheckOption(num_threads == -1 || num_threads >= 1, "num_threads", num_threads, "-1 or >= 1");
+  if (!layout.workspace_path.empty()) layout.Check();
+  LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
 }
 
 EvaluationReport EvaluateFile(const EvaluatorOptions& options) {

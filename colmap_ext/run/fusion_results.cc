@@ -133,7 +133,7 @@ void FuserOptions::AddOptions(OptionParser* parser) {
 
 void FuserOptions::Check() const {
   paths.Check();
-  LIMN_CHECK_OPTION(sparse_spacing_px, >= 1);
+  LIMN_CHECK_RANGE(sparse_spacing_px, >= 1, <= 1e4);
 }
 
 std::string FusionProvenance(const RunOptions& options, const FuserOptions& fuser,

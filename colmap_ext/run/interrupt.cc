@@ -33,6 +33,8 @@ InterruptsBlocked::InterruptsBlocked() {
 
 InterruptsBlocked::~InterruptsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
+std::string NothingIsWritten() { return "Interrupted: nothing is written"; }
+
 InterruptWatch::InterruptWatch(std::function<std::string()> last_words)
     : last_words_(std::move(last_words)), exceptions_before_(std::uncaught_exceptions()) {
   // Blocked here and in all threads to come; the watching thread takes them one by one.

@@ -24,6 +24,9 @@ class InterruptsBlocked {
   sigset_t before_;
 };
 
+// The last words of a command that writes all of its results at the end.
+std::string NothingIsWritten();
+
 // Ends the run on SIGINT and SIGTERM. Stages are asked to stop and have a second to do so; then, or
 // at a second signal, the process exits immediately: files are written atomically, and no library
 // call (image codecs, solvers) can delay it.
@@ -32,7 +35,7 @@ class InterruptWatch {
   // Handles both signals, also for threads that start later. `last_words` returns the line to print
   // on interruption, or nothing; it is called at most once, from any thread. At most one
   // InterruptWatch may exist.
-  explicit InterruptWatch(std::function<std::string()> last_words);
+  explicit InterruptWatch(std::function<std::string()> last_words = NothingIsWritten);
   // Prints the last words if the run ends because it was interrupted.
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;

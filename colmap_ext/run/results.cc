@@ -143,6 +143,11 @@ std::string Provenance(const RunOptions& options) {
   return json.dump();
 }
 
+bool HasBox(const std::string& provenance) {
+  const Json json = Json::parse(provenance);
+  return json.contains("box") && !json["box"].empty();
+}
+
 std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance) {
   Json json = Json::parse(sketch_provenance);
   json["Drawing"] = Json::parse(OptionsAsJson(options.pipeline))["Drawing"];

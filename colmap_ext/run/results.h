@@ -23,6 +23,9 @@ std::string DrawingProvenance(const RunOptions& options, const std::string& sket
 // Provenance of a refinement, with `options`, of a drawing with provenance `drawing_provenance`.
 std::string RefinementProvenance(const RunOptions& options, const std::string& drawing_provenance);
 
+// Whether what has this provenance was made in a box.
+bool HasBox(const std::string& provenance);
+
 // To be called before work starts. Throws IoError if the output folder has a drawing (.json) of
 // this name that was made with other options than `provenance` or from images of other names,
 // unless the options allow overwriting: running again might not bring it back.

@@ -94,6 +94,9 @@ std::optional<Eigen::AlignedBox3d> BoxFromNumbers(const std::vector<double>& num
   for (int axis = 0; axis < 3; ++axis) {
     box.min()[axis] = numbers[2 * axis];
     box.max()[axis] = numbers[2 * axis + 1];
+    for (const double bound : {box.min()[axis], box.max()[axis]}) {
+      CheckOption(bound >= -1e15 && bound <= 1e15, "box", bound, ">= -1e15 and <= 1e15");
+    }
     CheckOption(box.min()[axis] < box.max()[axis], "box", box.max()[axis],
                 "above the lower bound of its axis");
   }
@@ -101,11 +104,11 @@ std::optional<Eigen::AlignedBox3d> BoxFromNumbers(const std::vector<double>& num
 }
 
 void RunOptions::Check() const {
-  CheckOption(num_threads == -1 || num_threads >= 1, "num_threads", num_threads, "-1 or >= 1");
+  LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
   layout.Check();
-  view.Check();
   pipeline.Check();
-  dense.Check();
+  view.Check();
+  CheckGroup("DenseFusion", dense);
   BoxFromNumbers(box);
   if (!shard.empty()) ParseShard(shard);
 }

@@ -67,7 +67,7 @@ CurveSet LinksOfViews(const DrawingGraph& graph, size_t min_views) {
   return set;
 }
 
-Json OrNull(const std::optional<double>& share) { return share ? Json(*share) : Json(); }
+Json OrNull(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
 void AddEvaluation(const DrawingGraph& graph, const std::vector<View>& views,
                    const TruthInput& input, const RunContext& context, Json* report) {
@@ -99,12 +99,27 @@ void AddEvaluation(const DrawingGraph& graph, const std::vector<View>& views,
   }
 }
 
+Json ToJson(const Trust& trust) {
+  Json less = Json::array();
+  for (const NamedNumber& image : trust.agree_less) {
+    less.push_back({{"name", image.name}, {"share", image.number / 100}});
+  }
+  return {{"images", trust.num_views},
+          {"explained", OrNull(trust.explained)},
+          {"agree_less", less},
+          {"many_views", kManyViews},
+          {"well_seen", OrNull(trust.well_seen)},
+          {"error_px", OrNull(trust.error_px)},
+          {"error_90_px", OrNull(trust.error_90_px)}};
+}
+
 std::string RunReportJson(const Project& project, const RunOptions& options,
                           const DrawingGraph& graph, const std::vector<View>& views,
-                          const TruthInput& truth, const Console& console) {
+                          const Trust& trust, const TruthInput& truth, const Console& console) {
   Json report = {{"workspace", project.layout().description},
                  {"stages", StagesAsJson(console.log())},
                  {"warnings", console.log().warnings},
+                 {"trust", ToJson(trust)},
                  {"options_changed", ChangedOptions(Json::parse(Provenance(options)),
                                                     Json::parse(Provenance(RunOptions())))},
                  {"support_histogram", SupportHistogram(graph)}};
@@ -117,14 +132,14 @@ std::string RunReportJson(const Project& project, const RunOptions& options,
 
 void WritePageWithReport(const Project& project, const RunOptions& options,
                          const std::vector<View>& views, const DrawingGraph& graph,
-                         const TruthInput& truth, Console* console) {
+                         const Trust& trust, const TruthInput& truth, Console* console) {
   if (!HasViewerPage()) {
     console->Say("drawing.html is not written: this limn was built without the viewer");
     return;
   }
   // Truth files are in the model's coordinates.
   const std::string report = RunReportJson(project, options, Moved(graph, project.origin()),
-                                           Moved(views, project.origin()), truth, *console);
+                                           Moved(views, project.origin()), trust, truth, *console);
   WriteViewerResult(project, options.layout.workspace_path, views, graph, {}, report, console);
 }
 

@@ -5,18 +5,19 @@
 #include "colmap_ext/run/console.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/run_options.h"
+#include "colmap_ext/run/trust.h"
 #include "colmap_ext/run/truth_input.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn::colmap_ext {
 
 // Writes drawing.html with the report of the run: counts, times and memory of its stages, warnings,
-// options that differ from the defaults, links by number of supporting views; with a truth also
-// precision and recall, overall and for the links with at least n supporting views. The graph and
-// `views`, the cameras that it fits, are relative to the project's origin. Prints a line if Limn
-// was built without the page. Throws IoError.
+// options that differ from the defaults, how far to trust the drawing, links by number of
+// supporting views; with a truth also precision and recall, overall and for the links with at least
+// n supporting views. The graph and `views`, the cameras that it fits, are relative to the
+// project's origin. Prints a line if Limn was built without the page. Throws IoError.
 void WritePageWithReport(const Project& project, const RunOptions& options,
                          const std::vector<View>& views, const DrawingGraph& graph,
-                         const TruthInput& truth, Console* console);
+                         const Trust& trust, const TruthInput& truth, Console* console);
 
 }  // namespace limn::colmap_ext

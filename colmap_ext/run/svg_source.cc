@@ -116,12 +116,15 @@ bool SvgSource::IsSheet() const { return ProjectionOf(view) != nullptr; }
 
 void SvgSource::Check() const {
   dense.Check();
+  const double sheet_scale = sheet.scale_denominator;
+  LIMN_CHECK_RANGE(sheet_scale, >= 0, <= 1e9);
   sheet.Check();
   style.Check();
   if (IsSheet() && photo) throw OptionError("photo = 1: a sheet has no photograph");
   if (!IsSheet() && layout.workspace_path.empty()) {
     throw OptionError("view = " + view + ": the picture of an image needs --workspace_path");
   }
+  if (!IsSheet()) layout.Check();
 }
 
 SvgScene SceneOnSheet(const SvgSource& source, const DrawingGraph& graph,

@@ -9,7 +9,6 @@
 #include "limn/model/footprint.h"
 #include "limn/model/link_selection.h"
 #include "limn/util/median.h"
-#include "limn/util/name_list.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -21,7 +20,6 @@ constexpr double kNextToNothing = 0.02;
 constexpr double kNextToNothingInBox = 0.0005;
 // A view that agrees less than this much of the median is named.
 constexpr double kMuchLess = 1.0 / 3;
-constexpr size_t kManyViews = 5;
 
 std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
 
@@ -38,12 +36,8 @@ std::vector<NamedNumber> NamesOf(const std::vector<View>& views,
   return names;
 }
 
-std::string CountOf(const std::vector<NamedNumber>& names, const std::vector<View>& views) {
-  return std::to_string(names.size()) + " of " + std::to_string(views.size()) + " images";
-}
-
-void SayAgreement(const std::vector<View>& views, const std::vector<ViewAgreement>& agreements,
-                  bool has_box, Console* console) {
+void AddAgreement(const std::vector<View>& views, const std::vector<ViewAgreement>& agreements,
+                  Trust* trust) {
   const auto has_edges = [](const ViewAgreement& view) {
     return view.num_edgels >= kMinEdgelsOfImage;
   };
@@ -52,31 +46,16 @@ void SayAgreement(const std::vector<View>& views, const std::vector<ViewAgreemen
     if (has_edges(view)) shares.push_back(view.share);
   }
   const double median = Median(shares);
-  console->Say("The drawing explains " + Percent(median) + " of the edges of an image (median)");
-  const auto empty = NamesOf(views, agreements, [&](const auto& view) { return !has_edges(view); });
-  if (!empty.empty()) {
-    console->Say("WARNING: " + CountOf(empty, views) +
-                 " have next to no edges: " + ListNumbers(empty, "% of them drawn"));
-  }
-  if (median < (has_box ? kNextToNothingInBox : kNextToNothing)) {
-    console->Say(
-        "WARNING: the drawing explains next to nothing of the images: do not trust it. Usual "
-        "causes: poses that "
-        "belong to other images, wrong focal lengths or lenses, axes of another convention, images "
-        "of other things or without edges, too few views or too different ones" +
-        std::string(has_box ? ", a box beside the scene" : ""));
-    return;
-  }
-  const auto less = NamesOf(views, agreements, [&](const auto& view) {
+  trust->explained = median;
+  trust->without_edges =
+      NamesOf(views, agreements, [&](const auto& view) { return !has_edges(view); });
+  trust->agree_less = NamesOf(views, agreements, [&](const auto& view) {
     return has_edges(view) && view.share < kMuchLess * median;
   });
-  if (less.empty()) return;
-  console->Say("WARNING: " + CountOf(less, views) + " agree much less with the drawing: " +
-               ListNumbers(less, "%") + ". Their poses are wrong, or they show other things");
 }
 
 // The length of curves that many views see, and their expected errors in px.
-void SayCertainty(const std::vector<View>& views, const DrawingGraph& graph, Console* console) {
+void AddCertainty(const std::vector<View>& views, const DrawingGraph& graph, Trust* trust) {
   const LinkSelection selection;
   double length = 0, well_seen = 0;
   std::vector<WeightedValue> sigmas_px;
@@ -91,24 +70,57 @@ void SayCertainty(const std::vector<View>& views, const DrawingGraph& graph, Con
       sigmas_px.emplace_back(sigma / footprint, of_link / static_cast<double>(link.sigma.size()));
     }
   }
-  const auto median = WeightedQuantile(sigmas_px, 0.5);
-  const auto most = WeightedQuantile(sigmas_px, 0.9);
-  if (!median || !most) return;
-  console->Say(Percent(well_seen / length) + " of its length is seen by " +
-               std::to_string(kManyViews) +
-               " or more images; expected error, if the cameras are "
-               "right: " +
-               ShortNumber(*median) + " px (median), " + ShortNumber(*most) + " px (90 %)");
+  if (length > 0) trust->well_seen = well_seen / length;
+  trust->error_px = WeightedQuantile(sigmas_px, 0.5);
+  trust->error_90_px = WeightedQuantile(sigmas_px, 0.9);
+}
+
+void SayAgreement(const Trust& trust, bool has_box, Console* console) {
+  const auto count_of = [&](const std::vector<NamedNumber>& names) {
+    return "WARNING: " + std::to_string(names.size()) + " of " + std::to_string(trust.num_views) +
+           " images";
+  };
+  console->Say("The drawing explains " + Percent(*trust.explained) +
+               " of the edges of an image (median)");
+  if (!trust.without_edges.empty()) {
+    console->Say(count_of(trust.without_edges) +
+                 " have next to no edges: " + ListNumbers(trust.without_edges, "% of them drawn"));
+  }
+  if (*trust.explained < (has_box ? kNextToNothingInBox : kNextToNothing)) {
+    console->Say(
+        "WARNING: the drawing explains next to nothing of the images: do not trust it. Usual "
+        "causes: poses that "
+        "belong to other images, wrong focal lengths or lenses, axes of another convention, images "
+        "of other things or without edges, too few views or too different ones" +
+        std::string(has_box ? ", a box beside the scene" : ""));
+    return;
+  }
+  if (trust.agree_less.empty()) return;
+  console->Say(count_of(trust.agree_less) +
+               " agree much less with the drawing: " + ListNumbers(trust.agree_less, "%") +
+               ". Their poses are wrong, or they show other things");
 }
 
 }  // namespace
 
-void SayTrust(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-              const DrawingGraph& graph, bool has_box, Console* console) {
-  if (!curves.empty()) {
-    SayAgreement(views, MeasureAgreement(views, curves, graph), has_box, console);
-  }
-  SayCertainty(views, graph, console);
+Trust MeasureTrust(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                   const DrawingGraph& graph) {
+  Trust trust;
+  trust.num_views = views.size();
+  if (!curves.empty()) AddAgreement(views, MeasureAgreement(views, curves, graph), &trust);
+  AddCertainty(views, graph, &trust);
+  return trust;
+}
+
+void SayTrust(const Trust& trust, bool has_box, Console* console) {
+  if (trust.explained) SayAgreement(trust, has_box, console);
+  if (!trust.error_px || !trust.error_90_px) return;
+  console->Say(Percent(*trust.well_seen) + " of its length is seen by " +
+               std::to_string(kManyViews) +
+               " or more images; expected error, if the cameras are "
+               "right: " +
+               ShortNumber(*trust.error_px) + " px (median), " + ShortNumber(*trust.error_90_px) +
+               " px (90 %)");
 }
 
 }  // namespace limn::colmap_ext

@@ -1,20 +1,41 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "colmap_ext/run/console.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
+#include "limn/util/name_list.h"
 
 namespace limn::colmap_ext {
 
-// Prints how far the drawing can be believed: how much of the images it explains, the share of its
-// length that many views see, and its expected error. Warns of a drawing that explains next to
-// nothing, of views that agree with it much less than the others, and of those without edges.
-// `views` are those that the drawing fits; without `curves` (a scene in tiles) nothing is said of
-// single views. With a box, drawings may explain little.
-void SayTrust(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-              const DrawingGraph& graph, bool has_box, Console* console);
+// Images that see a well-seen curve.
+constexpr size_t kManyViews = 5;
+
+// How far a drawing can be believed. Links that are tentative or contours do not count.
+struct Trust {
+  size_t num_views = 0;
+  // Share of the edges of an image that the drawing explains, median over images. Nothing if the
+  // edges are not known (a scene in tiles).
+  std::optional<double> explained;
+  // Images with next to no edges, and those that agree much less than the others, with the percent
+  // of their edges that are drawn; the least first.
+  std::vector<NamedNumber> without_edges, agree_less;
+  // Share of the length that kManyViews or more images see.
+  std::optional<double> well_seen;
+  // Expected error if the cameras are right, median and 90 % of the length, px.
+  std::optional<double> error_px, error_90_px;
+};
+
+// `views` are those that the drawing fits; `curves` belong to them, or are empty for a scene in
+// tiles.
+Trust MeasureTrust(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                   const DrawingGraph& graph);
+
+// Prints it. Warns of a drawing that explains next to nothing, of images that agree with it much
+// less than the others, and of those without edges. With a box, drawings may explain little.
+void SayTrust(const Trust& trust, bool has_box, Console* console);
 
 }  // namespace limn::colmap_ext

@@ -106,10 +106,8 @@ void ViewerOptions::AddOptions(OptionParser* parser) {
 }
 
 void ViewerOptions::Check() const {
-  LIMN_CHECK_OPTION(max_points, >= 0);
-  LIMN_CHECK_OPTION(max_points, <= 10000000);
-  LIMN_CHECK_OPTION(thumbnail_size, >= 16);
-  LIMN_CHECK_OPTION(thumbnail_size, <= 4096);
+  LIMN_CHECK_RANGE(max_points, >= 0, <= 10000000);
+  LIMN_CHECK_RANGE(thumbnail_size, >= 16, <= 4096);
 }
 
 std::string DrawingToView(const Project& project, const ViewerOptions& options) {

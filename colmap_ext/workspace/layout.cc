@@ -242,7 +242,7 @@ std::string Describe(const WorkspaceLayout& layout, size_t num_rivals) {
 }  // namespace
 
 void LayoutOptions::Check() const {
-  LIMN_CHECK_OPTION(model_index, >= -1);
+  LIMN_CHECK_RANGE(model_index, >= -1, <= 1e6);
   const bool complete = !input_path.empty() && !image_path.empty() && !output_path.empty();
   if (workspace_path.empty() && !complete) {
     throw OptionError(

@@ -246,10 +246,9 @@ void WarnOfMisfits(ViewSet* set) {
 }  // namespace
 
 void ViewOptions::Check() const {
-  CheckOption(max_image_size == -1 || max_image_size >= 16, "max_image_size", max_image_size,
-              "-1 or at least 16");
-  LIMN_CHECK_OPTION(border_margin_px, >= 0);
-  LIMN_CHECK_OPTION(max_reprojection_px, >= 0);
+  LIMN_CHECK_RANGE_OR(max_image_size, -1, >= 16, <= 1e5);
+  LIMN_CHECK_RANGE(border_margin_px, >= 0, <= 1e5);
+  LIMN_CHECK_RANGE(max_reprojection_px, >= 0, <= 1e6);
 }
 
 ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewOptions& options,

@@ -142,6 +142,8 @@ ViewerScene WireScene() {
       {"stage": "edges", "seconds": 1.5, "peak_mb": 100, "in": {"images": 6},
        "kept": {"edgels": 12345}, "dropped": {"weak": 17}}],
     "warnings": ["<img src=x onerror=alert(1)> is a text"],
+    "trust": {"images": 6, "explained": 0.21, "agree_less": [{"name": "<b>.jpg", "share": 0.013}],
+              "many_views": 5, "well_seen": 0.75, "error_px": 0.123, "error_90_px": 0.5},
     "options_changed": {"Drawing.min_supporting_views": 4},
     "support_histogram": [0, 0, 0, 0, 0, 13],
     "evaluation": [{"tau": 1, "unit": "footprint", "precision": 0.9, "recall": 0.8, "f": 0.847}],

@@ -175,6 +175,8 @@ TEST_F(BadExport, Options) {
   ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "0"}), HasSubstr("scale = 0"));
   ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "-2"}), HasSubstr("scale = -2"));
   ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "nan"}), HasSubstr("scale = nan"));
+  ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "1e308"}),
+                HasSubstr("scale = 1e+308: must be >= 1e-12 and <= 1e12"));
   ExpectRefused(exported_.TryExport("a.graphml", {"--up_axis", "w"}), HasSubstr("up_axis = w"));
   ExpectRefused(exported_.TryExport("a.graphml", {"--output_type", "dwg"}),
                 HasSubstr("output_type = dwg"));
@@ -191,7 +193,13 @@ TEST_F(BadExport, Extension) {
 }
 
 TEST_F(BadExport, NumbersThatRunOver) {
-  ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "1e308"}), HasSubstr("not finite"));
+  auto drawing = nlohmann::json::parse(before_.at("drawing.json"));
+  for (auto& link : drawing.at("links")) {
+    if (link.at("points").size() > 2) link.at("points").at(1) = {1e300, 0, 0};
+  }
+  exported_.dir().WriteFile("drawing.json", drawing.dump());
+  before_ = ReadTree(exported_.dir().path());
+  ExpectRefused(exported_.TryExport("a.graphml", {"--scale", "1e12"}), HasSubstr("not finite"));
 }
 
 TEST_F(BadExport, Input) {

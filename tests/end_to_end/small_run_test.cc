@@ -250,6 +250,14 @@ TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
   int num_links = 0;
   for (const int count : report.at("support_histogram")) num_links += count;
   EXPECT_EQ(num_links, static_cast<int>(graph.links.size()));
+  const auto& trust = report.at("trust");
+  EXPECT_EQ(trust.at("images"), 8);
+  EXPECT_GT(trust.at("explained").get<double>(), 0.02);
+  EXPECT_TRUE(trust.at("agree_less").empty());
+  EXPECT_GT(trust.at("well_seen").get<double>(), 0.1);
+  EXPECT_LE(trust.at("well_seen").get<double>(), 1);
+  EXPECT_GT(trust.at("error_px").get<double>(), 0);
+  EXPECT_GT(trust.at("error_90_px").get<double>(), trust.at("error_px").get<double>());
   ASSERT_EQ(report.at("evaluation").size(), 2u);
   EXPECT_GT(report.at("evaluation")[0].at("precision").get<double>(), 0.3);
   EXPECT_EQ(report.at("pr_curves").size(), 2u);

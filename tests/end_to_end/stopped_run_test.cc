@@ -42,6 +42,26 @@ WholeRun RunUndisturbed(const std::vector<std::string>& arguments, const fs::pat
 
 void Sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
+// Signals a run so many seconds after it has taken the lock: it listens to signals by then.
+LimnProcess::End StopAfter(double seconds, int signal, const std::vector<std::string>& arguments,
+                           const fs::path& output) {
+  const fs::path lock = output / "curves/.lock";
+  fs::remove(lock);
+  LimnProcess run(arguments);
+  while (!fs::exists(lock)) Sleep(0.001);
+  Sleep(seconds);
+  run.Signal(signal);
+  const LimnProcess::End end = run.Wait();
+  EXPECT_LT(end.seconds, 2) << "after " << seconds << " s";
+  return end;
+}
+
+void ExpectInterrupted(const LimnProcess::End& end) {
+  EXPECT_EQ(end.exit_code, 130) << end.err;
+  EXPECT_THAT(end.err, StartsWith("Interrupted: "));
+  EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 1) << end.err;
+}
+
 // SIGINT and SIGTERM in turn, at moments that are spread over the duration of the run.
 void ExpectInterruptsToStop(const std::vector<std::string>& arguments, const fs::path& output,
                             int num_stops) {
@@ -49,14 +69,8 @@ void ExpectInterruptsToStop(const std::vector<std::string>& arguments, const fs:
   int num_interrupted = 0, num_told = 0;
   double longest = 0;
   for (int i = 0; i < num_stops; ++i) {
-    // The lock is taken when signals are listened to already.
-    fs::remove(output / "curves/.lock");
-    LimnProcess run(arguments);
-    while (!fs::exists(output / "curves/.lock")) Sleep(0.001);
-    Sleep(whole.seconds * i / num_stops);
-    run.Signal(i % 2 == 0 ? SIGINT : SIGTERM);
-    const LimnProcess::End end = run.Wait();
-    EXPECT_LT(end.seconds, 2) << "stop " << i;
+    const LimnProcess::End end =
+        StopAfter(whole.seconds * i / num_stops, i % 2 == 0 ? SIGINT : SIGTERM, arguments, output);
     longest = std::max(longest, end.seconds);
     EXPECT_THAT(WrongFiles(output, whole.files, Leftovers::kLock), IsEmpty())
         << "stop " << i << " " << end.err;
@@ -64,9 +78,7 @@ void ExpectInterruptsToStop(const std::vector<std::string>& arguments, const fs:
       fs::remove_all(output);
       continue;
     }
-    EXPECT_EQ(end.exit_code, 130) << end.err;
-    EXPECT_THAT(end.err, StartsWith("Interrupted: "));
-    EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 1) << end.err;
+    ExpectInterrupted(end);
     if (end.err.find("are kept in " + (output / "curves/cache").string()) != std::string::npos) {
       ++num_told;
     }
@@ -96,6 +108,50 @@ TEST(StoppedRun, InterruptsStopTheWholeSampleSceneSoon) {
   ExpectInterruptsToStop({"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day",
                           "--output_path", (dir / "out").string()},
                          dir / "out", NumStops(3));
+}
+
+// As many rounds as there may be: nobody waits for their end.
+TEST(StoppedRun, InterruptsStopManyRoundsOfRefinementSoon) {
+  const TempDir dir;
+  const fs::path output = dir / "out";
+  const std::vector<std::string> project = {"--workspace_path", LIMN_SAMPLE_DIR "/day",
+                                            "--output_path", output.string()};
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), project.begin(), project.end());
+    return arguments;
+  };
+  const LimnProcess::End drawn =
+      LimnProcess(run({"automatic_drawer", "--quality", "low", "--DrawingRefinement.num_rounds",
+                       "0", "--page", "0"}))
+          .Wait();
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  const auto before = Results(output);
+  const std::vector<std::string> refiner =
+      run({"drawing_refiner", "--quality", "low", "--DrawingRefinement.num_rounds", "100"});
+  std::vector<std::string> with_poses = refiner;
+  with_poses.insert(with_poses.end(), {"--DrawingRefinement.refine_poses", "1"});
+  for (int i = 0; i < NumStops(5); ++i) {
+    const LimnProcess::End end =
+        StopAfter(0.2 + 2 * i, SIGINT, i % 2 == 0 ? refiner : with_poses, output);
+    ExpectInterrupted(end);
+    EXPECT_THAT(WrongFiles(output, before, Leftovers::kLock), IsEmpty()) << end.err;
+    EXPECT_GE(Results(output).size(), before.size());
+  }
+}
+
+// No project, so no lock and no cache.
+TEST(StoppedRun, InterruptsStopAnEvaluationSoon) {
+  const TempDir dir;
+  const std::string curve = dir.WriteFile("curve.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
+  const fs::path table = dir / "table.csv";
+  LimnProcess run({"drawing_evaluator", "--input_path", curve, "--truth_path", curve, "--taus",
+                   "5e-7", "--output_csv", table.string()});
+  Sleep(1.5);
+  run.Signal(SIGINT);
+  const LimnProcess::End end = run.Wait();
+  EXPECT_LT(end.seconds, 2);
+  ExpectInterrupted(end);
+  EXPECT_FALSE(fs::exists(table));
 }
 
 TEST(StoppedRun, KillsLeaveNothingHalfWrittenAndItGoesOn) {

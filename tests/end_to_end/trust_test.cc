@@ -39,11 +39,16 @@ class Trust : public ::testing::Test {
     for (colmap_ext::ModelImage& image : model_.images) image.observations.clear();
   }
 
-  // What it prints.
-  std::string Draw(const std::vector<std::string>& more = {}) const {
+  // What the commands print.
+  std::string Draw(std::vector<std::string> more = {}) const {
     fs::create_directories(dir_ / "sparse");
     colmap_ext::WriteModelBinary(model_, dir_ / "sparse");
-    std::vector<std::string> arguments = {"automatic_drawer",
+    more.insert(more.end(), {"--page", "0"});
+    return Run("automatic_drawer", more);
+  }
+
+  std::string Run(const std::string& command, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {command,
                                           "--input_path",
                                           (dir_ / "sparse").string(),
                                           "--image_path",
@@ -53,9 +58,7 @@ class Trust : public ::testing::Test {
                                           "--image_list_path",
                                           list_,
                                           "--max_image_size",
-                                          "480",
-                                          "--page",
-                                          "0"};
+                                          "480"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const LimnRun run = RunLimn(arguments);
     EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -72,14 +75,20 @@ TEST_F(Trust, RightCamerasGiveNoWarning) {
                             HasSubstr("expected error"), Not(HasSubstr("WARNING"))));
 }
 
+// Also by the command that does the last stages, which mark what only that pose supports.
 TEST_F(Trust, OneWrongPoseIsNamed) {
   model_.images[kViewStride].cam_from_world.translation.x() += 0.3;
   const std::string name = model_.images[kViewStride].name;
   const std::string out = Draw();
   EXPECT_THAT(out, HasSubstr("miss 1 of 8 images by more than 2 px: " + name));
   const std::string less = "1 of 8 images agree much less with the drawing: " + name;
-  EXPECT_THAT(out, HasSubstr("WARNING: " + less));
-  EXPECT_THAT(out.substr(out.find("Warnings of this run (2):\n")), HasSubstr("\n  " + less));
+  EXPECT_THAT(Run("curve_drawer", {"--overwrite", "1"}),
+              AllOf(HasSubstr("of the edges of an image (median)"), HasSubstr("expected error"),
+                    HasSubstr("Warnings of this run (1):\n")));
+  for (const std::string& said : {out, Run("drawing_refiner")}) {
+    EXPECT_THAT(said, AllOf(HasSubstr("WARNING: " + less), HasSubstr("expected error"),
+                            HasSubstr("Warnings of this run (2):\n"), HasSubstr("\n  " + less)));
+  }
 }
 
 TEST_F(Trust, CurvesTellOfExchangedNames) {
@@ -93,6 +102,7 @@ TEST_F(Trust, CurvesTellOfExchangedNames) {
 
 TEST_F(Trust, BoxBesideTheScene) {
   EXPECT_THAT(Draw({"--box", "50,51,50,51,50,51"}), HasSubstr("a box beside the scene"));
+  EXPECT_THAT(Run("drawing_refiner"), HasSubstr("a box beside the scene"));
 }
 
 }  // namespace

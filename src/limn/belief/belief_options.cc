@@ -5,11 +5,10 @@
 namespace limn {
 
 void BeliefOptions::Check() const {
-  LIMN_CHECK_OPTION(min_evidence, >= 0);
-  LIMN_CHECK_OPTION(joined_end_evidence, >= 0);
-  LIMN_CHECK_OPTION(min_contradicting_views, >= 1);
-  LIMN_CHECK_OPTION(min_own_share, >= 0);
-  LIMN_CHECK_OPTION(min_own_share, <= 1);
+  LIMN_CHECK_RANGE(min_evidence, >= 0, <= 1e6);
+  LIMN_CHECK_RANGE(joined_end_evidence, >= 0, <= 1e6);
+  LIMN_CHECK_RANGE(min_contradicting_views, >= 1, <= 1e6);
+  LIMN_CHECK_RANGE(min_own_share, >= 0, <= 1);
 }
 
 }  // namespace limn

@@ -188,23 +188,18 @@ void EdgeDetectionOptions::Check() const {
   if (channel != "green" && channel != "luminance") {
     throw OptionError("channel = " + channel + ": must be green or luminance");
   }
-  LIMN_CHECK_OPTION(sigma_px, >= 0.8);
-  LIMN_CHECK_OPTION(sigma_px, <= 5);
-  LIMN_CHECK_OPTION(fine_sigma_px, >= 0);
-  LIMN_CHECK_OPTION(fine_sigma_px, <= 5);
-  if (fine_sigma_px > 0) LIMN_CHECK_OPTION(fine_sigma_px, >= 0.8);
-  LIMN_CHECK_OPTION(fine_noise_factor, > 0);
-  LIMN_CHECK_OPTION(fine_noise_factor, <= 100);
-  LIMN_CHECK_OPTION(fine_min_strength, >= 0);
-  LIMN_CHECK_OPTION(noise_factor, > 0);
-  LIMN_CHECK_OPTION(noise_factor, <= 100);
-  LIMN_CHECK_OPTION(min_strength, >= 0);
-  LIMN_CHECK_OPTION(min_run_px, >= 0);
-  LIMN_CHECK_OPTION(strong_ratio, >= 1);
-  LIMN_CHECK_OPTION(isoluminant_noise_factor, > 0);
-  LIMN_CHECK_OPTION(isoluminant_min_strength, >= 0);
-  LIMN_CHECK_OPTION(isoluminant_distance_px, >= 0);
-  LIMN_CHECK_OPTION(margin_px, >= 0);
+  LIMN_CHECK_RANGE(sigma_px, >= 0.8, <= 5);
+  LIMN_CHECK_RANGE_OR(fine_sigma_px, 0, >= 0.8, <= 5);
+  LIMN_CHECK_RANGE(fine_noise_factor, > 0, <= 100);
+  LIMN_CHECK_RANGE(fine_min_strength, >= 0, <= 1e4);
+  LIMN_CHECK_RANGE(noise_factor, > 0, <= 100);
+  LIMN_CHECK_RANGE(min_strength, >= 0, <= 1e4);
+  LIMN_CHECK_RANGE(min_run_px, >= 0, <= 1e5);
+  LIMN_CHECK_RANGE(strong_ratio, >= 1, <= 1e4);
+  LIMN_CHECK_RANGE(isoluminant_noise_factor, > 0, <= 100);
+  LIMN_CHECK_RANGE(isoluminant_min_strength, >= 0, <= 1e4);
+  LIMN_CHECK_RANGE(isoluminant_distance_px, >= 0, <= 100);
+  LIMN_CHECK_RANGE(margin_px, >= 0, <= 1e5);
 }
 
 EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {

@@ -271,13 +271,12 @@ void ForEachSample(const RunContext& context, int count, const std::function<voi
 void EvaluationOptions::Check() const {
   LIMN_CHECK_OPTION(taus.size(), > 0);
   for (const double tau : taus) {
-    LIMN_CHECK_OPTION(tau, > 0);
-    LIMN_CHECK_OPTION(tau, < std::numeric_limits<double>::infinity());
+    CheckOption(tau >= 1e-15 && tau <= 1e15, "taus", tau, ">= 1e-15 and <= 1e15");
   }
-  LIMN_CHECK_OPTION(dont_care_taus, >= 0);
-  LIMN_CHECK_OPTION(junction_taus, > 0);
-  LIMN_CHECK_OPTION(chain_taus, >= 0);
-  LIMN_CHECK_OPTION(cover_taus, >= 0);
+  LIMN_CHECK_RANGE(dont_care_taus, >= 0, <= 1e4);
+  LIMN_CHECK_RANGE(junction_taus, > 0, <= 1e4);
+  LIMN_CHECK_RANGE(chain_taus, >= 0, <= 1e4);
+  LIMN_CHECK_RANGE(cover_taus, >= 0, <= 1e4);
   if (region && region->isEmpty()) throw OptionError("region: its minimum exceeds its maximum");
 }
 

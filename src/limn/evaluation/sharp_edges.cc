@@ -108,10 +108,8 @@ void SplitAtCorners(const Polyline3d& chain, double max_turn_rad, std::vector<Po
 }  // namespace
 
 void SharpEdgeOptions::Check() const {
-  LIMN_CHECK_OPTION(min_dihedral_deg, > 0);
-  LIMN_CHECK_OPTION(min_dihedral_deg, <= 180);
-  LIMN_CHECK_OPTION(min_corner_deg, > 0);
-  LIMN_CHECK_OPTION(min_corner_deg, <= 180);
+  LIMN_CHECK_RANGE(min_dihedral_deg, > 0, <= 180);
+  LIMN_CHECK_RANGE(min_corner_deg, > 0, <= 180);
 }
 
 std::vector<Polyline3d> FindSharpEdges(const TriangleMesh& mesh, const SharpEdgeOptions& options) {

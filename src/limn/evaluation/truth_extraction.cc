@@ -186,15 +186,14 @@ TruthAccount AccountOf(const ViewCounts& counts, int min_views,
 }  // namespace
 
 void TruthOptions::Check() const {
-  LIMN_CHECK_OPTION(min_views, >= 1);
-  LIMN_CHECK_OPTION(max_distance_px, > 0);
-  LIMN_CHECK_OPTION(max_angle_deg, > 0);
-  LIMN_CHECK_OPTION(occlusion_px, >= 0);
-  LIMN_CHECK_OPTION(max_gap_px, >= 0);
-  LIMN_CHECK_OPTION(min_length_px, >= 0);
-  LIMN_CHECK_OPTION(splat_px, > 0);
-  LIMN_CHECK_OPTION(max_chance, > 0);
-  LIMN_CHECK_OPTION(max_chance, <= 1);
+  LIMN_CHECK_RANGE(min_views, >= 1, <= 1e6);
+  LIMN_CHECK_RANGE(max_distance_px, > 0, <= 100);
+  LIMN_CHECK_RANGE(max_angle_deg, > 0, <= 180);
+  LIMN_CHECK_RANGE(occlusion_px, >= 0, <= 1e4);
+  LIMN_CHECK_RANGE(max_gap_px, >= 0, <= 1e4);
+  LIMN_CHECK_RANGE(min_length_px, >= 0, <= 1e5);
+  LIMN_CHECK_RANGE(splat_px, > 0, <= 100);
+  LIMN_CHECK_RANGE(max_chance, > 0, <= 1);
 }
 
 ExtractedTruth ExtractTruthCurves(const std::vector<Polyline3d>& curves, const TriangleMesh& mesh,

@@ -198,16 +198,11 @@ std::string SheetDescription(const SvgSheet& sheet) {
 }  // namespace
 
 void SvgOptions::Check() const {
-  LIMN_CHECK_OPTION(line_width_px, > 0);
-  LIMN_CHECK_OPTION(line_width_px, <= 100);
-  LIMN_CHECK_OPTION(junction_radius_px, > 0);
-  LIMN_CHECK_OPTION(junction_radius_px, <= 100);
-  LIMN_CHECK_OPTION(tolerance_px, >= 0.01);
-  LIMN_CHECK_OPTION(tolerance_px, <= 10);
-  LIMN_CHECK_OPTION(min_run_px, >= 0);
-  LIMN_CHECK_OPTION(min_run_px, <= 1000);
-  LIMN_CHECK_OPTION(photo_opacity, >= 0);
-  LIMN_CHECK_OPTION(photo_opacity, <= 1);
+  LIMN_CHECK_RANGE(line_width_px, > 0, <= 100);
+  LIMN_CHECK_RANGE(junction_radius_px, > 0, <= 100);
+  LIMN_CHECK_RANGE(tolerance_px, >= 0.01, <= 10);
+  LIMN_CHECK_RANGE(min_run_px, >= 0, <= 1000);
+  LIMN_CHECK_RANGE(photo_opacity, >= 0, <= 1);
 }
 
 SvgSummary WriteDrawingSvg(const DrawingGraph& graph, const View& view, const IsHidden& is_hidden,

@@ -81,13 +81,10 @@ double FittingDenominator(const Eigen::Vector2d& extent, const SheetOptions& opt
 }  // namespace
 
 void SheetOptions::Check() const {
-  CheckOption(std::isfinite(azimuth_deg), "azimuth_deg", azimuth_deg, "finite");
-  LIMN_CHECK_OPTION(elevation_deg, >= -90);
-  LIMN_CHECK_OPTION(elevation_deg, <= 90);
-  LIMN_CHECK_OPTION(scale_denominator, >= 0);
-  LIMN_CHECK_OPTION(scale_denominator, <= 1e9);
-  LIMN_CHECK_OPTION(margin_mm, >= 0);
-  LIMN_CHECK_OPTION(margin_mm, <= 100);
+  LIMN_CHECK_RANGE(azimuth_deg, >= -360, <= 360);
+  LIMN_CHECK_RANGE(elevation_deg, >= -90, <= 90);
+  LIMN_CHECK_RANGE(scale_denominator, >= 0, <= 1e9);
+  LIMN_CHECK_RANGE(margin_mm, >= 0, <= 100);
 }
 
 SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options) {

@@ -36,30 +36,21 @@ void KeepLongChains(std::vector<CurveFragment> chains, double min_length_px,
 }  // namespace
 
 void LinkingOptions::Check() const {
-  LIMN_CHECK_OPTION(neighbor_radius_px, > 1);
-  LIMN_CHECK_OPTION(neighbor_radius_px, <= 10);
-  LIMN_CHECK_OPTION(position_tolerance_px, > 0);
-  LIMN_CHECK_OPTION(position_tolerance_px, <= 2);
-  LIMN_CHECK_OPTION(max_position_tolerance_px, > 0);
-  LIMN_CHECK_OPTION(max_position_tolerance_px, <= 2);
-  LIMN_CHECK_OPTION(angle_tolerance_deg, > 0);
-  LIMN_CHECK_OPTION(angle_tolerance_deg, <= 45);
-  LIMN_CHECK_OPTION(max_curvature, > 0);
-  LIMN_CHECK_OPTION(min_curvelet_px, > 0);
-  LIMN_CHECK_OPTION(max_bridge_px, >= 0);
-  LIMN_CHECK_OPTION(max_bridge_angle_deg, > 0);
-  LIMN_CHECK_OPTION(max_bridge_angle_deg, <= 90);
-  LIMN_CHECK_OPTION(corner_arm_px, > 1);
-  LIMN_CHECK_OPTION(corner_arm_px, <= 50);
-  LIMN_CHECK_OPTION(corner_angle_deg, > 0);
-  LIMN_CHECK_OPTION(corner_angle_deg, <= 180);
-  LIMN_CHECK_OPTION(junction_distance_px, >= 0);
-  LIMN_CHECK_OPTION(junction_stem_px, >= 0);
-  LIMN_CHECK_OPTION(junction_angle_deg, >= 0);
-  LIMN_CHECK_OPTION(junction_angle_deg, <= 90);
-  LIMN_CHECK_OPTION(min_length_px, >= 0);
-  LIMN_CHECK_OPTION(tangent_arm_px, > 0);
-  LIMN_CHECK_OPTION(tangent_arm_px, <= 50);
+  LIMN_CHECK_RANGE(neighbor_radius_px, > 1, <= 10);
+  LIMN_CHECK_RANGE(position_tolerance_px, > 0, <= 2);
+  LIMN_CHECK_RANGE(max_position_tolerance_px, > 0, <= 2);
+  LIMN_CHECK_RANGE(angle_tolerance_deg, > 0, <= 45);
+  LIMN_CHECK_RANGE(max_curvature, > 0, <= 100);
+  LIMN_CHECK_RANGE(min_curvelet_px, > 0, <= 100);
+  LIMN_CHECK_RANGE(max_bridge_px, >= 0, <= 100);
+  LIMN_CHECK_RANGE(max_bridge_angle_deg, > 0, <= 90);
+  LIMN_CHECK_RANGE(corner_arm_px, > 1, <= 50);
+  LIMN_CHECK_RANGE(corner_angle_deg, > 0, <= 180);
+  LIMN_CHECK_RANGE(junction_distance_px, >= 0, <= 100);
+  LIMN_CHECK_RANGE(junction_stem_px, >= 0, <= 1e5);
+  LIMN_CHECK_RANGE(junction_angle_deg, >= 0, <= 90);
+  LIMN_CHECK_RANGE(min_length_px, >= 0, <= 1e5);
+  LIMN_CHECK_RANGE(tangent_arm_px, > 0, <= 50);
 }
 
 LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options) {

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/pipeline/option_fields.h"
-#include "limn/util/errors.h"
 
 namespace limn {
 namespace {
@@ -33,13 +32,7 @@ std::string FieldsAsText(const Options& options) {
 
 void PipelineOptions::Check() const {
   PipelineOptions copy = *this;
-  VisitGroups(copy, [](const char* group, const auto& options) {
-    try {
-      options.Check();
-    } catch (const OptionError& error) {
-      throw OptionError(std::string(group) + "." + error.what());
-    }
-  });
+  VisitGroups(copy, [](const char* group, const auto& options) { CheckGroup(group, options); });
 }
 
 QualityPreset PresetOf(Quality quality) {

@@ -11,6 +11,7 @@
 #include "limn/refinement/refinement_options.h"
 #include "limn/sketch/sketch.h"
 #include "limn/tiles/tile_options.h"
+#include "limn/util/errors.h"
 
 namespace limn {
 
@@ -29,6 +30,16 @@ struct PipelineOptions {
   // Throws OptionError with group and option.
   void Check() const;
 };
+
+// Checks the options of one group. Throws OptionError with group and option.
+template <typename Options>
+void CheckGroup(const std::string& group, const Options& options) {
+  try {
+    options.Check();
+  } catch (const OptionError& error) {
+    throw OptionError(group + "." + error.what());
+  }
+}
 
 enum class Quality { kLow, kMedium, kHigh };
 

@@ -292,16 +292,17 @@ std::optional<DepthSpan> SpanOfPoints(std::vector<double> depths,
 }  // namespace
 
 void ViewSelectionOptions::Check() const {
-  LIMN_CHECK_OPTION(max_second_views, >= 1);
-  LIMN_CHECK_OPTION(max_confirmation_views, >= 1);
-  LIMN_CHECK_OPTION(max_confirmation_views, <= 32);
-  LIMN_CHECK_OPTION(enough_primary_views, >= 1);
-  LIMN_CHECK_OPTION(min_pair_angle_deg, > 0);
+  LIMN_CHECK_RANGE(max_second_views, >= 1, <= 1e6);
+  LIMN_CHECK_RANGE(max_confirmation_views, >= 1, <= 32);
+  LIMN_CHECK_RANGE(enough_primary_views, >= 1, <= 1e6);
+  LIMN_CHECK_RANGE(min_pair_angle_deg, > 0, <= 180);
+  LIMN_CHECK_RANGE(max_pair_angle_deg, > 0, <= 180);
   LIMN_CHECK_OPTION(max_pair_angle_deg, > min_pair_angle_deg);
-  LIMN_CHECK_OPTION(min_confirmation_angle_deg, > 0);
+  LIMN_CHECK_RANGE(min_confirmation_angle_deg, > 0, <= 180);
+  LIMN_CHECK_RANGE(max_confirmation_angle_deg, > 0, <= 180);
   LIMN_CHECK_OPTION(max_confirmation_angle_deg, > min_confirmation_angle_deg);
-  LIMN_CHECK_OPTION(min_points_for_depth, >= 1);
-  LIMN_CHECK_OPTION(points_depth_widening, >= 1);
+  LIMN_CHECK_RANGE(min_points_for_depth, >= 1, <= 1e9);
+  LIMN_CHECK_RANGE(points_depth_widening, >= 1, <= 1e6);
 }
 
 std::string WhyNothingIsTriangulated(const std::vector<View>& views) {

@@ -5,8 +5,8 @@
 namespace limn {
 
 void TileOptions::Check() const {
-  CheckOption(max_views == 0 || max_views >= 4, "max_views", max_views, "0 or >= 4");
-  LIMN_CHECK_OPTION(reach_px, >= 20);
+  LIMN_CHECK_RANGE_OR(max_views, 0, >= 4, <= 1e6);
+  LIMN_CHECK_RANGE(reach_px, >= 20, <= 1e5);
 }
 
 }  // namespace limn

@@ -1,5 +1,6 @@
 #include "limn/util/errors.h"
 
+#include <limits>
 #include <sstream>
 
 namespace limn {
@@ -17,6 +18,7 @@ void FilePlace::Fail(const std::string& reason) const {
 void CheckOption(bool ok, const char* name, double value, const char* constraint) {
   if (ok) return;
   std::ostringstream message;
+  message.precision(std::numeric_limits<int>::digits10);
   message << name << " = " << value << ": must be " << constraint;
   throw OptionError(message.str());
 }

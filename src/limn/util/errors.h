@@ -47,6 +47,17 @@ void CheckOption(bool ok, const char* name, double value, const char* constraint
 
 }  // namespace limn
 
-// LIMN_CHECK_OPTION(max_gap_px, > 0): for use inside `void XOptions::Check() const`.
+// For use inside `void XOptions::Check() const`. Every number has a range with two ends, and may be
+// bound to others besides:
+//
+//   LIMN_CHECK_RANGE(max_gap_px, >= 0, <= 1000);
+//   LIMN_CHECK_RANGE_OR(fine_sigma_px, 0, >= 0.8, <= 5);    0 or in the range
+//   LIMN_CHECK_OPTION(max_views, >= min_views);
 #define LIMN_CHECK_OPTION(field, constraint) \
   ::limn::CheckOption(((field)constraint), #field, static_cast<double>(field), #constraint)
+#define LIMN_CHECK_RANGE(field, low, high)                                               \
+  ::limn::CheckOption(((field)low) && ((field)high), #field, static_cast<double>(field), \
+                      #low " and " #high)
+#define LIMN_CHECK_RANGE_OR(field, special, low, high)                                 \
+  ::limn::CheckOption((field) == (special) || (((field)low) && ((field)high)), #field, \
+                      static_cast<double>(field), #special " or " #low " and " #high)

@@ -1,13 +1,12 @@
 // What every command tells of its options.
 
-#include <regex>
 #include <set>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "colmap_ext/commands/commands.h"
+#include "colmap_ext/commands/all_commands.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -18,40 +17,8 @@ using testing::IsSubsetOf;
 using testing::IsSupersetOf;
 using testing::Not;
 
-using RunCommand = int (*)(int argc, const char* const* argv);
-
-struct Command {
-  const char* name;
-  RunCommand run;
-};
-
-constexpr Command kCommands[] = {
-    {"automatic_drawer", RunAutomaticDrawer},   {"curve_drawer", RunCurveDrawer},
-    {"curve_linker", RunCurveLinker},           {"curve_sketcher", RunCurveSketcher},
-    {"drawing_evaluator", RunDrawingEvaluator}, {"drawing_exporter", RunDrawingExporter},
-    {"drawing_fuser", RunDrawingFuser},         {"drawing_refiner", RunDrawingRefiner},
-    {"drawing_viewer", RunDrawingViewer},       {"edge_extractor", RunEdgeExtractor},
-    {"model_importer", RunModelImporter},       {"truth_extractor", RunTruthExtractor},
-};
-
 // What a help text of a user's size holds.
 constexpr size_t kMaxBasicOptions = 20;
-
-std::string HelpOf(const Command& command, const char* flag) {
-  const char* arguments[] = {command.name, flag};
-  testing::internal::CaptureStdout();
-  EXPECT_EQ(command.run(2, arguments), 0) << command.name;
-  return testing::internal::GetCapturedStdout();
-}
-
-std::set<std::string> OptionsIn(const std::string& help) {
-  const std::regex line_begin("(^|\n)  (-h \\[ )?--([A-Za-z_.]+)");
-  std::set<std::string> options;
-  for (std::sregex_iterator it(help.begin(), help.end(), line_begin), end; it != end; ++it) {
-    options.insert((*it)[3]);
-  }
-  return options;
-}
 
 TEST(Help, OfEveryCommandShowsNoMoreThanAUserUnderstands) {
   for (const Command& command : kCommands) {

@@ -53,6 +53,28 @@ function evaluation(list) {
   return grid(['Within', 'Precision', 'Recall', 'F'], rows);
 }
 
+function trust({ images, explained, agree_less: less, many_views: many, ...shares }) {
+  const names = isList(less)
+    ? `${less.length} of ${images}: ` +
+      less.map(({ name, share }) => `${name} (${percent(share)})`).join(', ')
+    : 'none';
+  const isKnown = (value) => typeof value === 'number';
+  return facts([
+    ['Edges of an image that it explains', isKnown(explained) ? percent(explained) : null],
+    ['Images that agree much less', isKnown(explained) ? names : null],
+    [
+      `Length seen by ${many} or more images`,
+      isKnown(shares.well_seen) ? percent(shares.well_seen) : null,
+    ],
+    [
+      'Expected error, if the cameras are right',
+      isKnown(shares.error_px)
+        ? `${number(shares.error_px, 3)} px (median), ${number(shares.error_90_px, 3)} px (90 %)`
+        : null,
+    ],
+  ]);
+}
+
 function section(title, isThere, content) {
   return isThere ? [make('h2', {}, title), content()] : [];
 }
@@ -65,6 +87,7 @@ export function reportPanel(report, overlays) {
     ...section('Warnings', isList(report.warnings), () =>
       make('ul', { class: 'warnings' }, ...report.warnings.map((text) => make('li', {}, text))),
     ),
+    ...section('How far to trust it', report.trust, () => trust(report.trust)),
     ...section('Stages', isList(report.stages), () => stages(report.stages)),
     ...section('Options that are not the defaults', changed.length > 0, () =>
       facts(changed.map(([name, value]) => [name, String(value)])),
