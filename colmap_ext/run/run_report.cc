@@ -110,7 +110,8 @@ Json ToJson(const Trust& trust) {
           {"many_views", kManyViews},
           {"well_seen", OrNull(trust.well_seen)},
           {"error_px", OrNull(trust.error_px)},
-          {"error_90_px", OrNull(trust.error_90_px)}};
+          {"error_90_px", OrNull(trust.error_90_px)},
+          {"tentative", OrNull(trust.tentative)}};
 }
 
 std::string RunReportJson(const Project& project, const RunOptions& options,

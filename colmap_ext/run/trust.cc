@@ -57,11 +57,12 @@ void AddAgreement(const std::vector<View>& views, const std::vector<ViewAgreemen
 // The length of curves that many views see, and their expected errors in px.
 void AddCertainty(const std::vector<View>& views, const DrawingGraph& graph, Trust* trust) {
   const LinkSelection selection;
-  double length = 0, well_seen = 0;
+  double length = 0, well_seen = 0, tentative = 0;
   std::vector<WeightedValue> sigmas_px;
   for (const DrawingLink& link : graph.links) {
-    if (!selection.Has(link)) continue;
     const double of_link = Length(link.points_in_world);
+    if (link.tentative) tentative += of_link;
+    if (!selection.Has(link)) continue;
     length += of_link;
     if (link.supporting_views.size() >= kManyViews) well_seen += of_link;
     const double footprint = LinkFootprint(link, views);
@@ -71,6 +72,7 @@ void AddCertainty(const std::vector<View>& views, const DrawingGraph& graph, Tru
     }
   }
   if (length > 0) trust->well_seen = well_seen / length;
+  if (length + tentative > 0) trust->tentative = tentative / (length + tentative);
   trust->error_px = WeightedQuantile(sigmas_px, 0.5);
   trust->error_90_px = WeightedQuantile(sigmas_px, 0.9);
 }
@@ -114,6 +116,10 @@ Trust MeasureTrust(const std::vector<View>& views, const std::vector<ImageCurves
 
 void SayTrust(const Trust& trust, bool has_box, Console* console) {
   if (trust.explained) SayAgreement(trust, has_box, console);
+  if (trust.tentative) {
+    console->Say(Percent(*trust.tentative) +
+                 " of the length found is doubtful, hence tentative and not exported");
+  }
   if (!trust.error_px || !trust.error_90_px) return;
   console->Say(Percent(*trust.well_seen) + " of its length is seen by " +
                std::to_string(kManyViews) +

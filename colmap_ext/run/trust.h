@@ -27,6 +27,9 @@ struct Trust {
   std::optional<double> well_seen;
   // Expected error if the cameras are right, median and 90 % of the length, px.
   std::optional<double> error_px, error_90_px;
+  // Share of the length of what was found that is tentative. Wrong cameras raise it, and so do
+  // short baselines.
+  std::optional<double> tentative;
 };
 
 // `views` are those that the drawing fits; `curves` belong to them, or are empty for a scene in

@@ -129,6 +129,7 @@ test('the report is shown, texts as texts', () =>
     assert.match(await panel.textContent(), /80 %/);
     assert.match(await panel.textContent(), /explains21 %.*1 of 6: <b>\.jpg \(1\.3 %\)/);
     assert.match(await panel.textContent(), /5 or more images75 %.*0\.123 px \(median\), 0\.5 px/);
+    assert.match(await panel.textContent(), /tentative12\.5 %/);
     assert.equal(await panel.locator('.overlays button').count(), 6);
   }));
 

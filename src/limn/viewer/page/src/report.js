@@ -72,6 +72,10 @@ function trust({ images, explained, agree_less: less, many_views: many, ...share
         ? `${number(shares.error_px, 3)} px (median), ${number(shares.error_90_px, 3)} px (90 %)`
         : null,
     ],
+    [
+      'Length found that is doubtful, hence tentative',
+      isKnown(shares.tentative) ? percent(shares.tentative) : null,
+    ],
   ]);
 }
 
