@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <new>
 #include <string>
 #include <system_error>
 
@@ -50,15 +51,25 @@ int ReductionOf(const fs::path& path, ImageSize stored, int max_image_size) {
 // OpenCV's flags: IMREAD_REDUCED_GRAYSCALE_2 = 16 and so on also reduce color, with others.
 int ReductionFlag(int reduction) { return reduction == 1 ? 0 : 8 * reduction; }
 
-// At 1 / reduction of its size.
-cv::Mat Decode(const fs::path& path, ImageSize stored, int reduction, int flags) {
-  cv::Mat image;
+// What `read` returns; errors of OpenCV and too little memory become IoErrors.
+template <typename Read>
+auto WithNamedErrors(const fs::path& path, const Read& read) {
+  constexpr const char* kNoMemory =
+      "does not fit in memory: lower --max_image_size or --num_threads";
   try {
-    image =
-        cv::imread(path.string(), flags | ReductionFlag(reduction) | cv::IMREAD_IGNORE_ORIENTATION);
+    return read();
+  } catch (const std::bad_alloc&) {
+    throw IoError(path.string(), kNoMemory);
   } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw IoError(path.string(), kNoMemory);
     throw IoError(path.string(), "cannot be decoded: " + error.err);
   }
+}
+
+// At 1 / reduction of its size.
+cv::Mat Decode(const fs::path& path, ImageSize stored, int reduction, int flags) {
+  const cv::Mat image =
+      cv::imread(path.string(), flags | ReductionFlag(reduction) | cv::IMREAD_IGNORE_ORIENTATION);
   if (image.empty()) throw IoError(path.string(), "cannot be decoded as an image");
   const auto reduced = [&](int side) { return (side + reduction - 1) / reduction; };
   if (image.cols != reduced(stored.width) || image.rows != reduced(stored.height)) {
@@ -126,6 +137,43 @@ void SwapRedAndBlue(Image* image) {
   }
 }
 
+Image ReadLevels(const fs::path& path, int max_image_size) {
+  Shrinking shrinking;
+  shrinking.stored = ReadImageSize(path);
+  CheckDecodable(path, shrinking.stored, max_image_size);
+  shrinking.reduction = ReductionOf(path, shrinking.stored, max_image_size);
+  const cv::Mat decoded = Decode(path, shrinking.stored, shrinking.reduction,
+                                 cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
+  shrinking.scale = LevelScale(path, decoded);
+
+  const ImageSize size = ShrunkSize(shrinking.stored, max_image_size);
+  Image image;
+  image.width = size.width;
+  image.height = size.height;
+  image.channels = decoded.channels();
+  image.data.resize(static_cast<size_t>(NumPixels(size)) * image.channels);
+  cv::Mat levels(size.height, size.width, CV_32FC(image.channels), image.data.data());
+  Shrink(decoded, shrinking, &levels);
+  if (image.channels == 3) SwapRedAndBlue(&image);
+  return image;
+}
+
+// Nonzero where the file is nonzero in the whole area of a pixel.
+std::vector<unsigned char> ReadUse(const fs::path& path, ImageSize stored, int max_image_size) {
+  const cv::Mat decoded = Decode(path, stored, 1, cv::IMREAD_GRAYSCALE);
+  const ImageSize size = ShrunkSize(stored, max_image_size);
+  cv::Mat use(size.height, size.width, CV_32FC1);
+  Shrink(decoded != 0, {.stored = stored}, &use);
+  std::vector<unsigned char> mask;
+  mask.reserve(use.total());
+  for (int y = 0; y < use.rows; ++y) {
+    const float* row = use.ptr<float>(y);
+    std::transform(row, row + use.cols, std::back_inserter(mask),
+                   [](float value) { return static_cast<unsigned char>(value > 254.9f); });
+  }
+  return mask;
+}
+
 }  // namespace
 
 ImageSize ReadImageSize(const fs::path& path) {
@@ -164,24 +212,7 @@ void CheckDecodable(const fs::path& path, ImageSize stored, int max_image_size) 
 }
 
 Image ReadImage(const fs::path& path, int max_image_size) {
-  Shrinking shrinking;
-  shrinking.stored = ReadImageSize(path);
-  CheckDecodable(path, shrinking.stored, max_image_size);
-  shrinking.reduction = ReductionOf(path, shrinking.stored, max_image_size);
-  const cv::Mat decoded = Decode(path, shrinking.stored, shrinking.reduction,
-                                 cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
-  shrinking.scale = LevelScale(path, decoded);
-
-  const ImageSize size = ShrunkSize(shrinking.stored, max_image_size);
-  Image image;
-  image.width = size.width;
-  image.height = size.height;
-  image.channels = decoded.channels();
-  image.data.resize(static_cast<size_t>(NumPixels(size)) * image.channels);
-  cv::Mat levels(size.height, size.width, CV_32FC(image.channels), image.data.data());
-  Shrink(decoded, shrinking, &levels);
-  if (image.channels == 3) SwapRedAndBlue(&image);
-  return image;
+  return WithNamedErrors(path, [&] { return ReadLevels(path, max_image_size); });
 }
 
 std::vector<unsigned char> ReadMask(const fs::path& path, ImageSize expected, int max_image_size) {
@@ -191,18 +222,7 @@ std::vector<unsigned char> ReadMask(const fs::path& path, ImageSize expected, in
                   "the mask is " + Text(stored) + " pixels, its image " + Text(expected));
   }
   CheckDecodable(path, stored, max_image_size);
-  const cv::Mat decoded = Decode(path, stored, 1, cv::IMREAD_GRAYSCALE);
-  const ImageSize size = ShrunkSize(stored, max_image_size);
-  cv::Mat use(size.height, size.width, CV_32FC1);
-  Shrink(decoded != 0, {.stored = stored}, &use);
-  std::vector<unsigned char> mask;
-  mask.reserve(use.total());
-  for (int y = 0; y < use.rows; ++y) {
-    const float* row = use.ptr<float>(y);
-    std::transform(row, row + use.cols, std::back_inserter(mask),
-                   [](float value) { return static_cast<unsigned char>(value > 254.9f); });
-  }
-  return mask;
+  return WithNamedErrors(path, [&] { return ReadUse(path, stored, max_image_size); });
 }
 
 }  // namespace limn::colmap_ext
