@@ -62,6 +62,7 @@ Project::Project(const RunOptions& options, Console* console)
   console->Say(layout_.description);
   CheckWritable(layout_.output.drawing_dir);
   CheckWritable(layout_.output.curves_dir);
+  CheckLinkedCurves(layout_.output.curves_dir);
   if (!options.is_led) {
     const bool is_alone = options.shard.empty();
     lock_.emplace(layout_.output.curves_dir, is_alone ? LockMode::kExclusive : LockMode::kShared);
