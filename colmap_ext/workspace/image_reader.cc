@@ -12,6 +12,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "colmap_ext/workspace/image_header.h"
+#include "colmap_ext/workspace/jpeg_check.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -66,16 +67,19 @@ auto WithNamedErrors(const fs::path& path, const Read& read) {
   }
 }
 
-// At 1 / reduction of its size.
-cv::Mat Decode(const fs::path& path, ImageSize stored, int reduction, int flags) {
-  const cv::Mat image =
-      cv::imread(path.string(), flags | ReductionFlag(reduction) | cv::IMREAD_IGNORE_ORIENTATION);
+void CheckDecoded(const fs::path& path, const cv::Mat& image, ImageSize stored, int reduction) {
   if (image.empty()) throw IoError(path.string(), "cannot be decoded as an image");
   const auto reduced = [&](int side) { return (side + reduction - 1) / reduction; };
-  if (image.cols != reduced(stored.width) || image.rows != reduced(stored.height)) {
-    throw IoError(path.string(), "has " + Text({image.cols, image.rows}) +
-                                     " pixels when decoded, but its header says " + Text(stored));
-  }
+  if (image.cols == reduced(stored.width) && image.rows == reduced(stored.height)) return;
+  throw IoError(path.string(), "has " + Text({image.cols, image.rows}) +
+                                   " pixels when decoded, but its header says " + Text(stored));
+}
+
+// At 1 / reduction of its size.
+cv::Mat Decode(const fs::path& path, ImageSize stored, int reduction, int flags) {
+  cv::Mat image =
+      cv::imread(path.string(), flags | ReductionFlag(reduction) | cv::IMREAD_IGNORE_ORIENTATION);
+  CheckDecoded(path, image, stored, reduction);
   return image;
 }
 
@@ -137,15 +141,8 @@ void SwapRedAndBlue(Image* image) {
   }
 }
 
-Image ReadLevels(const fs::path& path, int max_image_size) {
-  Shrinking shrinking;
-  shrinking.stored = ReadImageSize(path);
-  CheckDecodable(path, shrinking.stored, max_image_size);
-  shrinking.reduction = ReductionOf(path, shrinking.stored, max_image_size);
-  const cv::Mat decoded = Decode(path, shrinking.stored, shrinking.reduction,
-                                 cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
-  shrinking.scale = LevelScale(path, decoded);
-
+// `decoded` has channels in the order of the result.
+Image ShrunkImage(const cv::Mat& decoded, const Shrinking& shrinking, int max_image_size) {
   const ImageSize size = ShrunkSize(shrinking.stored, max_image_size);
   Image image;
   image.width = size.width;
@@ -154,6 +151,23 @@ Image ReadLevels(const fs::path& path, int max_image_size) {
   image.data.resize(static_cast<size_t>(NumPixels(size)) * image.channels);
   cv::Mat levels(size.height, size.width, CV_32FC(image.channels), image.data.data());
   Shrink(decoded, shrinking, &levels);
+  return image;
+}
+
+Image ReadLevels(const fs::path& path, int max_image_size) {
+  Shrinking shrinking;
+  shrinking.stored = ReadImageSize(path);
+  CheckDecodable(path, shrinking.stored, max_image_size);
+  shrinking.reduction = ReductionOf(path, shrinking.stored, max_image_size);
+  if (auto jpeg = DecodeJpeg(path, shrinking.reduction)) {
+    const cv::Mat decoded(jpeg->height, jpeg->width, CV_8UC(jpeg->channels), jpeg->data.data());
+    CheckDecoded(path, decoded, shrinking.stored, shrinking.reduction);
+    return ShrunkImage(decoded, shrinking, max_image_size);
+  }
+  const cv::Mat decoded = Decode(path, shrinking.stored, shrinking.reduction,
+                                 cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
+  shrinking.scale = LevelScale(path, decoded);
+  Image image = ShrunkImage(decoded, shrinking, max_image_size);
   if (image.channels == 3) SwapRedAndBlue(&image);
   return image;
 }

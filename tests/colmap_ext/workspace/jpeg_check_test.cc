@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/image_reader.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -87,6 +89,35 @@ TEST_F(JpegCheck, OtherWarningsAreNoDamage) {
 TEST_F(JpegCheck, AMissingHeaderIsAnError) {
   EXPECT_THAT(ErrorText<IoError>([&] { Check("\xFF\xD8 nothing"); }),
               HasSubstr("a.jpg: cannot be decoded: "));
+}
+
+// OpenCV's pixels to the byte, of color and of gray, whole and reduced.
+TEST_F(JpegCheck, PixelsAreThoseOfOpenCv) {
+  const std::string path = dir_.WriteFile("a.jpg", whole_);
+  const std::string gray = (dir_ / "gray.jpg").string();
+  ASSERT_TRUE(cv::imwrite(gray, cv::imread(path, cv::IMREAD_GRAYSCALE)));
+  for (const std::string& file : {path, gray}) {
+    for (const int reduction : {1, 2, 4, 8}) {
+      const cv::Mat expected =
+          cv::imread(file, cv::IMREAD_ANYCOLOR | (reduction == 1 ? 0 : 8 * reduction));
+      const auto pixels = DecodeJpeg(file, reduction);
+      ASSERT_TRUE(pixels) << file;
+      cv::Mat image(pixels->height, pixels->width, CV_8UC(pixels->channels),
+                    const_cast<unsigned char*>(pixels->data.data()));
+      if (pixels->channels == 3) cv::cvtColor(image, image, cv::COLOR_RGB2BGR);
+      EXPECT_EQ(cv::norm(image, expected, cv::NORM_INF), 0) << file << " " << reduction;
+    }
+  }
+  EXPECT_FALSE(DecodeJpeg(dir_.WriteFile("a.txt", "no JPEG"), 1));
+}
+
+TEST_F(JpegCheck, DecodingPrintsNothing) {
+  std::string unknown_version = whole_;
+  unknown_version[11] = 7;
+  const std::string path = dir_.WriteFile("a.jpg", unknown_version);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(ReadImage(path).width, 300);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace
