@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 #include <jpeglib.h>
@@ -16,6 +17,9 @@
 namespace limn::colmap_ext {
 namespace {
 
+// Zero bytes in a row that may be codes: ten blocks of equal frequencies.
+constexpr size_t kMaxZeroBytes = 256;
+
 // libjpeg's handlers write here; they are found by the address of `manager`.
 struct JpegReport {
   jpeg_error_mgr manager = {};
@@ -23,6 +27,8 @@ struct JpegReport {
   std::optional<JpegComplaint> complaint;
   std::string error;
   bool has_header = false;
+  // The codes of pixels, of a file in which many zero bytes cannot be such codes; else empty.
+  std::string_view codes;
 };
 
 JpegReport* ReportOf(j_common_ptr decoder) { return reinterpret_cast<JpegReport*>(decoder->err); }
@@ -79,6 +85,16 @@ void MakePixels(int reduction, jpeg_decompress_struct* decoder) {
   decoder->out_color_space = decoder->num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
 }
 
+// Zero bits are the first code of each table. If that of brightness does not end a block, they are
+// blocks of 63 equal frequencies, which no picture has many of. Files of one scan only, since in
+// the others brightness and color are apart.
+bool MayHoldManyZeros(jpeg_decompress_struct* decoder) {
+  if (jpeg_has_multiple_scans(decoder) || decoder->arith_code) return true;
+  const JHUFF_TBL* table = decoder->ac_huff_tbl_ptrs[decoder->comp_info[0].ac_tbl_no];
+  constexpr UINT8 kEndOfBlock = 0;
+  return !table || table->huffval[0] == kEndOfBlock;
+}
+
 // `reduction` 0: only the codes, and `rows` is one row. A jump out of here passes no destructors:
 // all objects belong to the caller.
 void ReadRows(const std::string& bytes, int reduction, jpeg_decompress_struct* decoder,
@@ -94,6 +110,8 @@ void ReadRows(const std::string& bytes, int reduction, jpeg_decompress_struct* d
   } else {
     ReadCodesOnly(decoder);
   }
+  const bool may_hold_zeros = MayHoldManyZeros(decoder);
+  const JOCTET* codes = decoder->src->next_input_byte;
   jpeg_start_decompress(decoder);
   const size_t row_size = static_cast<size_t>(decoder->output_width) * decoder->output_components;
   rows->resize(reduction > 0 ? row_size * decoder->output_height : row_size);
@@ -101,6 +119,10 @@ void ReadRows(const std::string& bytes, int reduction, jpeg_decompress_struct* d
     JSAMPROW row = rows->data() + (reduction > 0 ? row_size * decoder->output_scanline : 0);
     jpeg_read_scanlines(decoder, &row, 1);
   }
+  // Without what fills the end of the file.
+  const JOCTET* end = decoder->src->next_input_byte;
+  if (!may_hold_zeros)
+    report->codes = {reinterpret_cast<const char*>(codes), reinterpret_cast<const char*>(end)};
   jpeg_finish_decompress(decoder);
 }
 
@@ -116,6 +138,9 @@ JpegPixels ReadFile(const std::filesystem::path& path, int reduction, JpegReport
   pixels.width = static_cast<int>(decoder.output_width);
   pixels.height = static_cast<int>(decoder.output_height);
   pixels.channels = decoder.output_components;
+  if (report->codes.find(std::string(kMaxZeroBytes, '\0')) != std::string_view::npos) {
+    report->complaint = {"Corrupt JPEG data: zero bytes in place of codes", true};
+  }
   jpeg_destroy_decompress(&decoder);
   return pixels;
 }

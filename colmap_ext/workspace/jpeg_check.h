@@ -16,8 +16,9 @@ struct JpegComplaint {
 };
 
 // The first complaint, one of damage if there is any. Nothing for whole files, for files of other
-// formats, and for padding at the end. Reads all codes of the file, but makes no pixels. Throws
-// IoError if the header cannot be read.
+// formats, and for padding at the end. Reads all codes of the file, but makes no pixels; zeros in
+// place of codes are found where they cannot be codes of flat blocks. Throws IoError if the header
+// cannot be read.
 std::optional<JpegComplaint> CheckJpeg(const std::filesystem::path& path);
 
 // Interleaved rows of RGB or one gray channel.

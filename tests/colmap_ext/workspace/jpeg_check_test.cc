@@ -76,6 +76,38 @@ TEST_F(JpegCheck, DamageIsFound) {
   EXPECT_THAT(Check(cut)->text, HasSubstr("Corrupt JPEG data"));
 }
 
+// Wherever it begins and however long it is: the decoder may take zeros for codes and meet neither
+// an impossible one nor the end too early.
+TEST_F(JpegCheck, ZeroedCodesAreFound) {
+  for (size_t begin = 2000; begin < whole_.size() - 6000; begin += 997) {
+    for (const size_t size : {512, 513, 1500, 4096}) {
+      std::string zeroed = whole_;
+      zeroed.replace(begin, size, std::string(size, '\0'));
+      const auto complaint = Check(zeroed);
+      ASSERT_TRUE(complaint) << begin << " " << size;
+      EXPECT_TRUE(complaint->is_damage) << begin << " " << size;
+    }
+  }
+  std::string to_the_end = whole_;
+  to_the_end.replace(10'000, whole_.size() - 10'002, std::string(whole_.size() - 10'002, '\0'));
+  const auto complaint = Check(to_the_end);
+  ASSERT_TRUE(complaint);
+  EXPECT_TRUE(complaint->is_damage);
+}
+
+// In one color, whose codes may be zeros.
+TEST_F(JpegCheck, FlatPicturesAreFine) {
+  for (const int optimize : {0, 1}) {
+    const std::string path = (dir_ / "flat.jpg").string();
+    for (const cv::Scalar& color :
+         {cv::Scalar(0, 0, 0), cv::Scalar(255, 255, 255), cv::Scalar(9, 99, 199)}) {
+      ASSERT_TRUE(cv::imwrite(path, cv::Mat(800, 800, CV_8UC3, color),
+                              {cv::IMWRITE_JPEG_OPTIMIZE, optimize}));
+      EXPECT_FALSE(CheckJpeg(path));
+    }
+  }
+}
+
 TEST_F(JpegCheck, OtherWarningsAreNoDamage) {
   std::string unknown_version = whole_;
   ASSERT_EQ(whole_.substr(6, 4), "JFIF");
