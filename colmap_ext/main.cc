@@ -4,8 +4,10 @@
 #include <exception>
 #include <iterator>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -14,6 +16,7 @@
 #include "colmap_ext/run/interrupt.h"
 #include "colmap_ext/run/ranks.h"
 #include "limn/util/errors.h"
+#include "limn/util/latest_stage.h"
 #include "limn/util/printable.h"
 
 namespace {
@@ -66,6 +69,14 @@ void PrintError(const std::exception& error) {
   std::fprintf(stderr, "ERROR: %s\n", limn::Printable(error.what()).c_str());
 }
 
+// In which stage, and what to lower.
+std::runtime_error OutOfMemoryError() {
+  const std::string stage = limn::LatestStage();
+  if (stage.empty()) return std::runtime_error("out of memory");
+  return std::runtime_error("out of memory in the stage \"" + stage +
+                            "\": lower --max_image_size, --num_threads or --Tiles.max_views");
+}
+
 // Throws what the command throws.
 int Run(int argc, const char* const* argv) {
   const std::string_view name = argv[1];
@@ -89,7 +100,12 @@ int RunAndReport(int argc, const char* const* argv) {
   } catch (const limn::Cancelled&) {
     return kInterruptedExitCode;  // what is kept has been said
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "ERROR: out of memory: lower --max_image_size or --num_threads\n");
+    PrintError(OutOfMemoryError());
+    return 1;
+  } catch (const std::system_error& error) {
+    // No memory for another thread.
+    const bool is_short = error.code() == std::errc::resource_unavailable_try_again;
+    PrintError(is_short ? OutOfMemoryError() : std::runtime_error(error.what()));
     return 1;
   } catch (const std::exception& error) {
     PrintError(error);

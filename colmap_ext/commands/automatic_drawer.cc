@@ -7,7 +7,6 @@
 #include "colmap_ext/run/scene_run.h"
 #include "colmap_ext/run/shard_run.h"
 #include "colmap_ext/run/trust.h"
-#include "limn/sketch/view_selection.h"
 
 namespace limn::colmap_ext {
 
@@ -28,7 +27,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   CheckRefinedFolder(project, run);
   CheckDrawingFiles(project, run);
   CheckReplaceable(project, run, "drawing.json", Provenance(run));
-  CheckViews(project.views());
+  CheckProjectViews(project);
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
                             ProjectBox(project, run), project.cache()};
   const std::vector<Tile> tiles = PlanSceneTiles(input, options, &console);

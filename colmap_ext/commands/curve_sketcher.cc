@@ -4,7 +4,6 @@
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
 #include "limn/pipeline/sketch_views.h"
-#include "limn/sketch/view_selection.h"
 
 namespace limn::colmap_ext {
 
@@ -15,7 +14,7 @@ int RunCurveSketcher(int argc, const char* const* argv) {
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
-  CheckViews(project.views());
+  CheckProjectViews(project);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
 
   const SketchInput input{project.views(), image_curves.curves, project.view_set().hints,

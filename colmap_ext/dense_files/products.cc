@@ -6,6 +6,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "colmap_ext/model/line_reader.h"
 #include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
@@ -192,8 +193,9 @@ bool IsMeshFile(const fs::path& path) {
   if (path.extension() == ".obj") return true;
   CheckIsFile(path.string());
   std::ifstream in(path, std::ios::binary);
-  std::string line;
-  while (std::getline(in, line) && !line.starts_with("end_header")) {
+  LineReader reader(in, path.string());
+  while (reader.NextLine() && !reader.line().starts_with("end_header")) {
+    const std::string& line = reader.line();
     if (line.starts_with("element face") && !line.starts_with("element face 0")) return true;
   }
   return false;

@@ -11,10 +11,25 @@ void SkipSpace(std::string_view* text) {
   text->remove_prefix(std::min(text->find_first_not_of(kSpace), text->size()));
 }
 
+// An image may have millions of points in one line.
+constexpr size_t kMaxLineBytes = 1 << 28;
+
 }  // namespace
 
+// std::getline would take a whole file of another format for one line.
 bool LineReader::NextLine() {
-  if (!std::getline(in_, line_)) return false;
+  line_.clear();
+  char part[1 << 12];
+  do {
+    in_.clear(in_.rdstate() & ~std::ios::failbit);  // of a part that was full
+    in_.getline(part, sizeof(part));
+    const std::streamsize end_of_line = in_.good() ? 1 : 0;
+    line_.append(part, static_cast<size_t>(in_.gcount() - end_of_line));
+    if (line_.size() > kMaxLineBytes) {
+      FilePlace{path_, "line", number_ + 1}.Fail("is longer than 256 MB");
+    }
+  } while (in_.fail() && !in_.eof() && !in_.bad());
+  if (in_.fail() && line_.empty()) return false;
   ++number_;
   if (line_.ends_with('\r')) line_.pop_back();
   return true;

@@ -1,6 +1,7 @@
 #include "colmap_ext/options/ini_file.h"
 
 #include <fstream>
+#include <sstream>
 
 #include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
@@ -41,8 +42,8 @@ std::vector<IniEntry> ReadIniFile(std::istream& in, const std::string& path) {
 
 std::vector<IniEntry> ReadIniFile(const std::string& path) {
   CheckIsFile(path);
-  std::ifstream in(path);
-  if (!in) throw IoError(path, "cannot be opened for reading");
+  if (!std::ifstream(path)) throw IoError(path, "cannot be opened for reading");
+  std::istringstream in(ReadWholeFile(path, kMaxListBytes));
   return ReadIniFile(in, path);
 }
 

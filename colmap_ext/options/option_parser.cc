@@ -129,6 +129,11 @@ void OptionParser::AddOption(const std::string& name, std::string* value, const 
   const auto set = [value](const std::string& text) -> std::string {
     // An ini file could not hold it.
     if (text.find_first_of("\r\n") != std::string::npos) return "without line ends";
+    constexpr std::string_view kSpace = " \t";
+    if (!text.empty() && (kSpace.find(text.front()) != std::string_view::npos ||
+                          kSpace.find(text.back()) != std::string_view::npos)) {
+      return "without white space at its ends (a slash may follow a folder)";
+    }
     *value = text;
     return "";
   };

@@ -11,6 +11,7 @@
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "limn/formats/atomic_file.h"
+#include "limn/sketch/view_selection.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -61,6 +62,7 @@ Project::Project(const RunOptions& options, Console* console)
   console->Say(layout_.description);
   CheckWritable(layout_.output.drawing_dir);
   CheckWritable(layout_.output.curves_dir);
+  CheckLinkedCurves(layout_.output.curves_dir);
   if (!options.is_led) {
     const bool is_alone = options.shard.empty();
     lock_.emplace(layout_.output.curves_dir, is_alone ? LockMode::kExclusive : LockMode::kShared);
@@ -94,6 +96,16 @@ std::string Project::CurvesPath(const std::string& name) const {
 
 std::optional<Eigen::AlignedBox3d> ProjectBox(const Project& project, const RunOptions& options) {
   return Moved(BoxFromNumbers(options.box), -project.origin());
+}
+
+void CheckProjectViews(const Project& project) {
+  try {
+    CheckViews(project.views());
+  } catch (const InputError& error) {
+    std::string reason = error.what();
+    for (const std::string& why : project.view_set().left_out) reason += "; " + why;
+    throw InputError(reason);
+  }
 }
 
 CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,

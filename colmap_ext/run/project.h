@@ -53,6 +53,10 @@ class Project {
 // The box of the options, relative to the project's origin; nothing if none was given.
 std::optional<Eigen::AlignedBox3d> ProjectBox(const Project& project, const RunOptions& options);
 
+// Throws InputError if nothing can be triangulated from the views (see CheckViews); names the
+// images that were left out.
+void CheckProjectViews(const Project& project);
+
 // The image curves of all views, from the project's cache where possible; prints a summary.
 CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
                                   Console* console);

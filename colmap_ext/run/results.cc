@@ -112,7 +112,8 @@ void CheckDrawingFiles(const Project& project, const RunOptions& options) {
     CheckResultFile(project.CurvesPath(name), options.overwrite);
   }
   for (const char* extension : {".bin", ".ply"}) {
-    CheckTakesFile(project.CurvesPath(SketchFileName(options.pipeline.mode) + extension));
+    CheckResultFile(project.CurvesPath(SketchFileName(options.pipeline.mode) + extension),
+                    options.overwrite);
   }
   CheckPicturePaths(project);
 }

@@ -122,7 +122,7 @@ std::string DrawingToView(const Project& project, const ViewerOptions& options) 
 
 std::string ReadReport(const ViewerOptions& options) {
   if (options.report_path.empty()) return "";
-  const std::string report = ReadWholeFile(options.report_path);
+  const std::string report = ReadWholeFile(options.report_path, kMaxJsonBytes);
   if (!report.empty() && !ParseJson(options.report_path, report).is_object()) {
     throw IoError(options.report_path, "must be a JSON object");
   }

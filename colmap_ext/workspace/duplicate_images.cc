@@ -134,6 +134,7 @@ class PoseComparison {
   const Image& PictureOf(int i) {
     const auto [found, is_new] = pictures_.try_emplace(i);
     if (!is_new) return found->second;
+    CheckDecodable(paths_[i], ReadImageSize(paths_[i]), kPictureSize);
     const auto complaint = CheckJpeg(paths_[i]);
     if (!complaint || !complaint->is_damage) {
       found->second = ReadImage(paths_[i], kPictureSize);

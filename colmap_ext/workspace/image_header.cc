@@ -1,8 +1,12 @@
 #include "colmap_ext/workspace/image_header.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <fstream>
+#include <limits>
+#include <string_view>
 
 namespace limn::colmap_ext {
 namespace {
@@ -18,6 +22,22 @@ int64_t ReadBigEndian(std::istream& in, int num_bytes) {
     value = value << 8 | byte;
   }
   return value;
+}
+
+int64_t ReadLittleEndian(std::istream& in, int num_bytes) {
+  int64_t value = 0;
+  for (int i = 0; i < num_bytes; ++i) {
+    const int byte = in.get();
+    if (byte < 0) return -1;
+    value |= int64_t{byte} << (8 * i);
+  }
+  return value;
+}
+
+// Whether these bytes come next; reads no further than the first that differs.
+bool Follows(std::istream& in, std::string_view bytes) {
+  return std::all_of(bytes.begin(), bytes.end(),
+                     [&](char byte) { return in.get() == static_cast<unsigned char>(byte); });
 }
 
 std::optional<ImageSize> CheckedSize(int64_t width, int64_t height) {
@@ -40,12 +60,21 @@ bool IsStartOfFrame(int marker) {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
+// The kind of the next marker, which decoders find behind any other bytes; -1 at the end.
+int NextMarker(std::istream& in) {
+  int byte = in.get();
+  while (byte >= 0) {
+    while (byte >= 0 && byte != 0xFF) byte = in.get();
+    while (byte == 0xFF) byte = in.get();
+    if (byte > 0) return byte;
+  }
+  return -1;
+}
+
 // After the first byte of the start-of-image marker.
 std::optional<ImageSize> ReadJpeg(std::istream& in) {
   if (in.get() != 0xD8) return std::nullopt;
-  while (in.get() == 0xFF) {
-    int marker = in.get();
-    while (marker == 0xFF) marker = in.get();  // fill bytes
+  for (int marker = NextMarker(in); marker >= 0; marker = NextMarker(in)) {
     const int64_t length = ReadBigEndian(in, 2);
     if (length < 2) return std::nullopt;
     if (IsStartOfFrame(marker)) {
@@ -56,6 +85,123 @@ std::optional<ImageSize> ReadJpeg(std::istream& in) {
     in.ignore(length - 2);
   }
   return std::nullopt;
+}
+
+// After the first byte. The size is in the first directory of the file.
+std::optional<ImageSize> ReadTiff(std::istream& in, bool is_little_endian) {
+  const auto read = [&](int num_bytes) {
+    return is_little_endian ? ReadLittleEndian(in, num_bytes) : ReadBigEndian(in, num_bytes);
+  };
+  if (in.get() != (is_little_endian ? 'I' : 'M')) return std::nullopt;
+  const int64_t version = read(2);
+  if (version != 42 && version != 43) return std::nullopt;
+  const bool is_big = version == 43;
+  if (is_big) in.ignore(4);  // size of an offset
+  const int offset_bytes = is_big ? 8 : 4;
+  in.seekg(read(offset_bytes));
+  int64_t width = -1, height = -1;
+  int64_t num_entries = std::min<int64_t>(read(is_big ? 8 : 2), UINT16_MAX);
+  for (; num_entries > 0; --num_entries) {
+    const int64_t tag = read(2);
+    const int64_t type = read(2);
+    in.ignore(offset_bytes);  // number of values
+    constexpr int64_t kShort = 3, kLong = 4;
+    const int num_bytes = type == kShort ? 2 : type == kLong ? 4 : offset_bytes;
+    const int64_t value = read(num_bytes);
+    in.ignore(offset_bytes - num_bytes);
+    if (tag == 256 && width < 0) width = value;
+    if (tag == 257 && height < 0) height = value;
+    if (tag > 257) break;  // they are sorted
+  }
+  return CheckedSize(width, height);
+}
+
+// After the first byte. The height is negative in files whose first row is the top one.
+std::optional<ImageSize> ReadBmp(std::istream& in) {
+  if (in.get() != 'M') return std::nullopt;
+  in.ignore(12);
+  constexpr int64_t kOldHeader = 12;
+  const int num_bytes = ReadLittleEndian(in, 4) == kOldHeader ? 2 : 4;
+  const int64_t width = ReadLittleEndian(in, num_bytes);
+  const int64_t height = ReadLittleEndian(in, num_bytes);
+  return CheckedSize(width, height > INT32_MAX ? (int64_t{1} << 32) - height : height);
+}
+
+// After the first byte. Lossy, lossless or extended.
+std::optional<ImageSize> ReadWebp(std::istream& in) {
+  if (!Follows(in, "IFF")) return std::nullopt;
+  in.ignore(4);
+  if (!Follows(in, "WEBPVP8")) return std::nullopt;
+  const int kind = in.get();
+  in.ignore(4);
+  if (kind == 'L') {
+    in.ignore(1);
+    const int64_t bits = ReadLittleEndian(in, 4);
+    if (bits < 0) return std::nullopt;
+    return CheckedSize((bits & 0x3FFF) + 1, (bits >> 14 & 0x3FFF) + 1);
+  }
+  if (kind == 'X') {
+    in.ignore(4);
+    const int64_t width = ReadLittleEndian(in, 3);
+    const int64_t height = ReadLittleEndian(in, 3);
+    return height < 0 ? std::nullopt : CheckedSize(width + 1, height + 1);
+  }
+  in.ignore(6);
+  const int64_t width = ReadLittleEndian(in, 2);
+  const int64_t height = ReadLittleEndian(in, 2);
+  return height < 0 ? std::nullopt : CheckedSize(width & 0x3FFF, height & 0x3FFF);
+}
+
+// After the first byte of a stream of JPEG 2000 codes.
+std::optional<ImageSize> ReadJpeg2000Codes(std::istream& in) {
+  if (!Follows(in, "\x4F\xFF\x51")) return std::nullopt;
+  in.ignore(4);
+  const int64_t right = ReadBigEndian(in, 4);
+  const int64_t bottom = ReadBigEndian(in, 4);
+  const int64_t left = ReadBigEndian(in, 4);
+  const int64_t top = ReadBigEndian(in, 4);
+  return top < 0 ? std::nullopt : CheckedSize(right - left, bottom - top);
+}
+
+// After the first byte. The codes are in one of the boxes.
+std::optional<ImageSize> ReadJpeg2000(std::istream& in) {
+  if (ReadBigEndian(in, 3) != 12 || !Follows(in, "jP  ")) return std::nullopt;
+  in.ignore(4);
+  while (true) {
+    const int64_t length = ReadBigEndian(in, 4);
+    const int64_t type = ReadBigEndian(in, 4);
+    constexpr int64_t kCodes = 0x6A703263;  // jp2c
+    if (type == kCodes) return in.get() == 0xFF ? ReadJpeg2000Codes(in) : std::nullopt;
+    if (length < 8 || type < 0) return std::nullopt;
+    in.seekg(length - 8, std::ios::cur);
+  }
+}
+
+// After the first byte: the width and the height in words, between spaces and comments.
+std::optional<ImageSize> ReadPnm(std::istream& in) {
+  const int kind = in.get();
+  if (kind < '1' || kind > '6') return std::nullopt;
+  const auto next_number = [&]() -> int64_t {
+    int byte = in.get();
+    while (byte == '#' || std::isspace(byte)) {
+      if (byte == '#') in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+      byte = in.get();
+    }
+    int64_t value = -1;
+    for (; std::isdigit(byte) && value <= INT32_MAX; byte = in.get()) {
+      value = std::max<int64_t>(value, 0) * 10 + byte - '0';
+    }
+    return value;
+  };
+  const int64_t width = next_number();
+  return CheckedSize(width, next_number());
+}
+
+// After the first byte.
+std::optional<ImageSize> ReadSunRaster(std::istream& in) {
+  if (!Follows(in, "\xA6\x6A\x95")) return std::nullopt;
+  const int64_t width = ReadBigEndian(in, 4);
+  return CheckedSize(width, ReadBigEndian(in, 4));
 }
 
 // After the signature.
@@ -75,9 +221,7 @@ bool PngIsTruncated(std::istream& in) {
 // marker.
 bool JpegIsTruncated(std::istream& in) {
   in.get();
-  while (in.get() == 0xFF) {
-    int marker = in.get();
-    while (marker == 0xFF) marker = in.get();
+  for (int marker = NextMarker(in); marker >= 0; marker = NextMarker(in)) {
     const int64_t length = ReadBigEndian(in, 2);
     if (length < 2) return true;
     in.seekg(length - 2, std::ios::cur);
@@ -119,7 +263,21 @@ std::optional<ImageSize> ReadSizeFromHeader(std::istream& in) {
     case 0x89:
       return ReadPng(in);
     case 0xFF:
-      return ReadJpeg(in);
+      return in.peek() == 0x4F ? ReadJpeg2000Codes(in) : ReadJpeg(in);
+    case 'I':
+      return ReadTiff(in, true);
+    case 'M':
+      return ReadTiff(in, false);
+    case 'B':
+      return ReadBmp(in);
+    case 'R':
+      return ReadWebp(in);
+    case 'P':
+      return ReadPnm(in);
+    case 0x59:
+      return ReadSunRaster(in);
+    case 0:
+      return ReadJpeg2000(in);
     default:
       return std::nullopt;
   }

@@ -8,7 +8,7 @@
 
 namespace limn::colmap_ext {
 
-// Size from the header of a PNG (IHDR chunk) or JPEG (first start-of-frame marker) file, without
+// Size from the header of a PNG, JPEG, TIFF, BMP, WebP, JPEG 2000, PNM or Sun raster file, without
 // decoding it. Nothing for other formats, damaged headers and unreadable files.
 std::optional<ImageSize> ReadSizeFromHeader(std::istream& in);
 std::optional<ImageSize> ReadSizeFromHeader(const std::filesystem::path& path);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <new>
 #include <string>
 #include <system_error>
 
@@ -11,6 +12,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "colmap_ext/workspace/image_header.h"
+#include "colmap_ext/workspace/jpeg_check.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -18,15 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Larger JPEG images are decoded reduced where possible.
-constexpr int64_t kAlwaysWholePixels = 16'000'000;
-// With its 15 bytes per pixel of color while it is shrunk, 2.4 GB.
-constexpr int64_t kMaxDecodedPixels = 160'000'000;
-// A progressive JPEG file is in memory before it can be reduced, at up to 6 bytes per pixel.
-constexpr int64_t kMaxStoredPixels = 640'000'000;
+// Larger JPEG images are decoded reduced where possible, and larger images shrunk row by row.
+constexpr int64_t kLargePixels = 16'000'000;
+// Of one image.
+constexpr int64_t kMaxDecoderBytes = 2'000'000'000;
+constexpr int64_t kMaxBytesPerStoredPixel = 6;
+constexpr int64_t kBytesPerPixel = 12;
 
 int64_t NumPixels(ImageSize size) { return int64_t{size.width} * size.height; }
 int LongerSide(ImageSize size) { return std::max(size.width, size.height); }
+
+std::string Text(ImageSize size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
 
 void CheckWhole(const fs::path& path) {
   if (!IsTruncated(path)) return;
@@ -37,7 +43,7 @@ void CheckWhole(const fs::path& path) {
 // still at least twice as large as wanted, and an area filter has the last word.
 int ReductionOf(const fs::path& path, ImageSize stored, int max_image_size) {
   const int wanted = LongerSide(ShrunkSize(stored, max_image_size));
-  if (NumPixels(stored) <= kAlwaysWholePixels || !IsJpeg(path)) return 1;
+  if (NumPixels(stored) <= kLargePixels || !IsJpeg(path)) return 1;
   int reduction = 1;
   while (reduction < 8 && LongerSide(stored) >= 4 * reduction * wanted) reduction *= 2;
   return reduction;
@@ -46,51 +52,155 @@ int ReductionOf(const fs::path& path, ImageSize stored, int max_image_size) {
 // OpenCV's flags: IMREAD_REDUCED_GRAYSCALE_2 = 16 and so on also reduce color, with others.
 int ReductionFlag(int reduction) { return reduction == 1 ? 0 : 8 * reduction; }
 
-cv::Mat Decode(const fs::path& path, int flags) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) throw IoError(path.string(), "no such image file");
-  CheckWhole(path);
-  cv::Mat image;
+// What `read` returns; errors of OpenCV and too little memory become IoErrors.
+template <typename Read>
+auto WithNamedErrors(const fs::path& path, const Read& read) {
+  constexpr const char* kNoMemory =
+      "does not fit in memory: lower --max_image_size or --num_threads";
   try {
-    image = cv::imread(path.string(), flags | cv::IMREAD_IGNORE_ORIENTATION);
+    return read();
+  } catch (const std::bad_alloc&) {
+    throw IoError(path.string(), kNoMemory);
   } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw IoError(path.string(), kNoMemory);
     throw IoError(path.string(), "cannot be decoded: " + error.err);
   }
+}
+
+void CheckDecoded(const fs::path& path, const cv::Mat& image, ImageSize stored, int reduction) {
   if (image.empty()) throw IoError(path.string(), "cannot be decoded as an image");
+  const auto reduced = [&](int side) { return (side + reduction - 1) / reduction; };
+  if (image.cols == reduced(stored.width) && image.rows == reduced(stored.height)) return;
+  throw IoError(path.string(), "has " + Text({image.cols, image.rows}) +
+                                   " pixels when decoded, but its header says " + Text(stored));
+}
+
+// At 1 / reduction of its size.
+cv::Mat Decode(const fs::path& path, ImageSize stored, int reduction, int flags) {
+  cv::Mat image =
+      cv::imread(path.string(), flags | ReductionFlag(reduction) | cv::IMREAD_IGNORE_ORIENTATION);
+  CheckDecoded(path, image, stored, reduction);
   return image;
 }
 
-cv::Mat Shrink(const cv::Mat& image, int max_image_size) {
-  const ImageSize size = ShrunkSize({image.cols, image.rows}, max_image_size);
-  if (size == ImageSize{image.cols, image.rows}) return image;
-  cv::Mat shrunk;
-  cv::resize(image, shrunk, {size.width, size.height}, 0, 0, cv::INTER_AREA);
-  return shrunk;
+// By an area filter, without a copy of the whole image in floating point. `scale` multiplies
+// values.
+void ShrinkRowByRow(const cv::Mat& image, double scale, cv::Mat* shrunk) {
+  const double factor = static_cast<double>(image.rows) / shrunk->rows;
+  *shrunk = 0;
+  for (int y = 0; y < shrunk->rows; ++y) {
+    const double begin = y * factor;
+    const double end = std::min<double>(begin + factor, image.rows);
+    const cv::Range range(static_cast<int>(begin), static_cast<int>(std::ceil(end)));
+    cv::Mat levels, narrow;
+    image.rowRange(range).convertTo(levels, CV_32F, scale / factor);
+    cv::resize(levels, narrow, {shrunk->cols, levels.rows}, 0, 0, cv::INTER_AREA);
+    for (int i = range.start; i < range.end; ++i) {
+      const double share = std::min(end, i + 1.0) - std::max<double>(begin, i);
+      cv::scaleAdd(narrow.row(i - range.start), share, shrunk->row(y), shrunk->row(y));
+    }
+  }
 }
 
-// The same for an image that was decoded reduced. Its last column and row may reach beyond the
-// stored image; the factors are those of the stored image all the same.
-cv::Mat ShrinkReduced(const cv::Mat& image, ImageSize stored, int reduction, int max_image_size) {
+// What Shrink makes of an image that was decoded at 1 / reduction of its size.
+struct Shrinking {
+  ImageSize stored;
+  int reduction = 1;
+  double scale = 1;  // of values
+};
+
+// By an area filter to the size of `result`, which is of floats. The last column and row of a
+// reduced image may reach beyond the stored image; the factors are those of the stored image all
+// the same.
+void Shrink(const cv::Mat& image, const Shrinking& shrinking, cv::Mat* result) {
+  const ImageSize stored = shrinking.stored;
+  if (result->cols == image.cols && result->rows == image.rows) {
+    image.convertTo(*result, CV_32F, shrinking.scale);
+  } else if (NumPixels({image.cols, image.rows}) > kLargePixels) {
+    ShrinkRowByRow(image, shrinking.scale, result);
+  } else {
+    cv::Mat levels;
+    image.convertTo(levels, CV_32F, shrinking.scale);
+    cv::resize(
+        levels, *result, {}, static_cast<double>(result->cols) * shrinking.reduction / stored.width,
+        static_cast<double>(result->rows) * shrinking.reduction / stored.height, cv::INTER_AREA);
+  }
+}
+
+// Of values that scale to gray levels.
+double LevelScale(const fs::path& path, const cv::Mat& image) {
+  if (image.depth() == CV_8U) return 1;
+  if (image.depth() == CV_16U) return 1.0 / 257;
+  throw IoError(path.string(), "only images of 8 or 16 bits per channel can be used");
+}
+
+// To and from OpenCV's order of colors.
+void SwapRedAndBlue(Image* image) {
+  for (size_t i = 0; i + 2 < image->data.size(); i += 3) {
+    std::swap(image->data[i], image->data[i + 2]);
+  }
+}
+
+// `decoded` has channels in the order of the result.
+Image ShrunkImage(const cv::Mat& decoded, const Shrinking& shrinking, int max_image_size) {
+  const ImageSize size = ShrunkSize(shrinking.stored, max_image_size);
+  Image image;
+  image.width = size.width;
+  image.height = size.height;
+  image.channels = decoded.channels();
+  image.data.resize(static_cast<size_t>(NumPixels(size)) * image.channels);
+  cv::Mat levels(size.height, size.width, CV_32FC(image.channels), image.data.data());
+  Shrink(decoded, shrinking, &levels);
+  return image;
+}
+
+Image ReadLevels(const fs::path& path, int max_image_size) {
+  Shrinking shrinking;
+  shrinking.stored = ReadImageSize(path);
+  CheckDecodable(path, shrinking.stored, max_image_size);
+  shrinking.reduction = ReductionOf(path, shrinking.stored, max_image_size);
+  if (auto jpeg = DecodeJpeg(path, shrinking.reduction)) {
+    const cv::Mat decoded(jpeg->height, jpeg->width, CV_8UC(jpeg->channels), jpeg->data.data());
+    CheckDecoded(path, decoded, shrinking.stored, shrinking.reduction);
+    return ShrunkImage(decoded, shrinking, max_image_size);
+  }
+  const cv::Mat decoded = Decode(path, shrinking.stored, shrinking.reduction,
+                                 cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
+  shrinking.scale = LevelScale(path, decoded);
+  Image image = ShrunkImage(decoded, shrinking, max_image_size);
+  if (image.channels == 3) SwapRedAndBlue(&image);
+  return image;
+}
+
+// Nonzero where the file is nonzero in the whole area of a pixel.
+std::vector<unsigned char> ReadUse(const fs::path& path, ImageSize stored, int max_image_size) {
+  const cv::Mat decoded = Decode(path, stored, 1, cv::IMREAD_GRAYSCALE);
   const ImageSize size = ShrunkSize(stored, max_image_size);
-  cv::Mat shrunk;
-  cv::resize(image, shrunk, {}, static_cast<double>(size.width) * reduction / stored.width,
-             static_cast<double>(size.height) * reduction / stored.height, cv::INTER_AREA);
-  return shrunk;
-}
-
-std::string Text(ImageSize size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
+  cv::Mat use(size.height, size.width, CV_32FC1);
+  Shrink(decoded != 0, {.stored = stored}, &use);
+  std::vector<unsigned char> mask;
+  mask.reserve(use.total());
+  for (int y = 0; y < use.rows; ++y) {
+    const float* row = use.ptr<float>(y);
+    std::transform(row, row + use.cols, std::back_inserter(mask),
+                   [](float value) { return static_cast<unsigned char>(value > 254.9f); });
+  }
+  return mask;
 }
 
 }  // namespace
 
 ImageSize ReadImageSize(const fs::path& path) {
-  if (const auto size = ReadSizeFromHeader(path)) {
-    CheckWhole(path);
-    return *size;
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) throw IoError(path.string(), "no such image file");
+  const auto size = ReadSizeFromHeader(path);
+  if (!size) {
+    throw IoError(path.string(),
+                  "cannot be decoded as an image: no header of a PNG, JPEG, TIFF, BMP, WebP, JPEG "
+                  "2000, PNM or Sun raster file");
   }
-  const cv::Mat image = Decode(path, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
-  return {image.cols, image.rows};
+  CheckWhole(path);
+  return *size;
 }
 
 ImageSize ShrunkSize(ImageSize size, int max_image_size) {
@@ -104,70 +214,29 @@ ImageSize ShrunkSize(ImageSize size, int max_image_size) {
 }
 
 void CheckDecodable(const fs::path& path, ImageSize stored, int max_image_size) {
-  const int64_t reduction = ReductionOf(path, stored, max_image_size);
-  const int64_t num_decoded = NumPixels(stored) / (reduction * reduction);
-  if (num_decoded <= kMaxDecodedPixels && NumPixels(stored) <= kMaxStoredPixels) return;
-  throw IoError(path.string(),
-                "too large to decode: " + Text(stored) + " pixels, at most " +
-                    std::to_string(kMaxDecodedPixels / 1'000'000) +
-                    " megapixels are decoded (JPEG files: reduced for a lower --max_image_size, "
-                    "at most " +
-                    std::to_string(kMaxStoredPixels / 1'000'000) + " megapixels are stored)");
+  const int64_t of_stored = kMaxBytesPerStoredPixel * NumPixels(stored);
+  const int64_t bytes = of_stored + kBytesPerPixel * NumPixels(ShrunkSize(stored, max_image_size));
+  if (bytes <= kMaxDecoderBytes) return;
+  constexpr int64_t kMega = 1'000'000;
+  throw IoError(
+      path.string(),
+      "too large to decode: " + Text(stored) + " pixels may take " + std::to_string(bytes / kMega) +
+          " MB, at most " + std::to_string(kMaxDecoderBytes / kMega) + ": " +
+          (of_stored < kMaxDecoderBytes ? "lower --max_image_size" : "make the file smaller"));
 }
 
 Image ReadImage(const fs::path& path, int max_image_size) {
-  int reduction = 1;
-  const auto size = ReadSizeFromHeader(path);
-  if (size) {
-    CheckDecodable(path, *size, max_image_size);
-    reduction = ReductionOf(path, *size, max_image_size);
-  }
-  cv::Mat stored =
-      Decode(path, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH | ReductionFlag(reduction));
-  double scale = 1;
-  if (stored.depth() == CV_16U) {
-    scale = 1.0 / 257;
-  } else if (stored.depth() != CV_8U) {
-    throw IoError(path.string(), "only images of 8 or 16 bits per channel can be used");
-  }
-  if (stored.channels() == 3) cv::cvtColor(stored, stored, cv::COLOR_BGR2RGB);
-  cv::Mat levels;
-  stored.convertTo(levels, CV_32F, scale);
-  levels = reduction == 1 ? Shrink(levels, max_image_size)
-                          : ShrinkReduced(levels, *size, reduction, max_image_size);
-
-  Image image;
-  image.width = levels.cols;
-  image.height = levels.rows;
-  image.channels = levels.channels();
-  const float* first = levels.ptr<float>();
-  image.data.assign(first, first + levels.total() * levels.channels());
-  return image;
+  return WithNamedErrors(path, [&] { return ReadLevels(path, max_image_size); });
 }
 
 std::vector<unsigned char> ReadMask(const fs::path& path, ImageSize expected, int max_image_size) {
-  const auto check_size = [&](ImageSize size) {
-    if (size == expected) return;
+  const ImageSize stored = ReadImageSize(path);
+  if (stored != expected) {
     throw IoError(path.string(),
-                  "the mask is " + Text(size) + " pixels, its image " + Text(expected));
-  };
-  if (const auto size = ReadSizeFromHeader(path)) {
-    check_size(*size);
-    CheckDecodable(path, *size, -1);
+                  "the mask is " + Text(stored) + " pixels, its image " + Text(expected));
   }
-  const cv::Mat stored = Decode(path, cv::IMREAD_GRAYSCALE);
-  check_size({stored.cols, stored.rows});
-  cv::Mat use;
-  cv::Mat(stored != 0).convertTo(use, CV_32F);
-  use = Shrink(use, max_image_size);
-  std::vector<unsigned char> mask;
-  mask.reserve(use.total());
-  for (int y = 0; y < use.rows; ++y) {
-    const float* row = use.ptr<float>(y);
-    std::transform(row, row + use.cols, std::back_inserter(mask),
-                   [](float value) { return static_cast<unsigned char>(value > 254.9f); });
-  }
-  return mask;
+  CheckDecodable(path, stored, max_image_size);
+  return WithNamedErrors(path, [&] { return ReadUse(path, stored, max_image_size); });
 }
 
 }  // namespace limn::colmap_ext

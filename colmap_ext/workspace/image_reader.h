@@ -14,22 +14,23 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-// Size as stored (no EXIF rotation, which COLMAP ignores too). JPEG and PNG headers are parsed,
-// other formats decoded. Throws IoError.
-ImageSize ReadImageSize(const std::filesystem::path& path);
-
 // The size after --max_image_size: unchanged if that is -1 or not exceeded by either side; else the
 // longer side becomes max_image_size and the other is rounded.
 ImageSize ShrunkSize(ImageSize size, int max_image_size);
 
-// Throws IoError if the image is too large to decode: more than 160 megapixels as decoded, or 640
-// as stored. JPEG files of more than 16 megapixels are decoded at a half, a quarter or an eighth of
-// their size if that is at least twice the size wanted; others whole.
+// Size as stored (no EXIF rotation, which COLMAP ignores too), from the header. Throws IoError if
+// the file is missing, truncated or of no known format.
+ImageSize ReadImageSize(const std::filesystem::path& path);
+
+// Throws IoError if decoding may take more than 2 GB: 6 bytes per pixel as stored (16 bits per
+// channel, or a progressive JPEG file) and 12 per pixel of the result.
 void CheckDecodable(const std::filesystem::path& path, ImageSize stored, int max_image_size);
 
 // Decodes a photograph: 8 or 16 bits per channel, gray or color (alpha is dropped), EXIF rotation
-// ignored; values in gray levels 0..255, color as RGB. Shrunk by an area filter to ShrunkSize.
-// Throws IoError if the file is missing, too large, cannot be decoded, or has another bit depth.
+// ignored; values in gray levels 0..255, color as RGB. Shrunk by an area filter to ShrunkSize; JPEG
+// files of more than 16 megapixels are decoded at a half, a quarter or an eighth of their size if
+// that is at least twice the size wanted. Throws IoError as ReadImageSize and CheckDecodable do,
+// and if the file cannot be decoded or has another bit depth.
 Image ReadImage(const std::filesystem::path& path, int max_image_size = -1);
 
 // Decodes a mask and shrinks it likewise: nonzero where the file is nonzero in the whole area of a

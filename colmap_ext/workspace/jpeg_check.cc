@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 #include <jpeglib.h>
@@ -16,6 +17,9 @@
 namespace limn::colmap_ext {
 namespace {
 
+// Zero bytes in a row that may be codes: ten blocks of equal frequencies.
+constexpr size_t kMaxZeroBytes = 256;
+
 // libjpeg's handlers write here; they are found by the address of `manager`.
 struct JpegReport {
   jpeg_error_mgr manager = {};
@@ -23,6 +27,8 @@ struct JpegReport {
   std::optional<JpegComplaint> complaint;
   std::string error;
   bool has_header = false;
+  // The codes of pixels, of a file in which many zero bytes cannot be such codes; else empty.
+  std::string_view codes;
 };
 
 JpegReport* ReportOf(j_common_ptr decoder) { return reinterpret_cast<JpegReport*>(decoder->err); }
@@ -63,43 +69,100 @@ void TakeMessage(j_common_ptr decoder, int level) {
   std::longjmp(ReportOf(decoder)->on_error, 1);
 }
 
-// At an eighth of the size only the means of blocks are computed. A jump out of here passes no
-// destructors: all objects belong to the caller.
-void ReadCodes(const std::string& bytes, jpeg_decompress_struct* decoder, std::vector<JSAMPLE>* row,
-               JpegReport* report) {
-  if (setjmp(report->on_error) != 0) return;
-  jpeg_create_decompress(decoder);
-  jpeg_mem_src(decoder, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
-  jpeg_read_header(decoder, TRUE);
-  report->has_header = true;
+// At an eighth of the size only the means of blocks are computed.
+void ReadCodesOnly(jpeg_decompress_struct* decoder) {
   decoder->scale_num = 1;
   decoder->scale_denom = 8;
   decoder->dct_method = JDCT_IFAST;
   decoder->do_fancy_upsampling = FALSE;
   decoder->out_color_space = decoder->jpeg_color_space;
+}
+
+// As OpenCV does.
+void MakePixels(int reduction, jpeg_decompress_struct* decoder) {
+  decoder->scale_num = 1;
+  decoder->scale_denom = static_cast<unsigned>(reduction);
+  decoder->out_color_space = decoder->num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
+}
+
+// Zero bits are the first code of each table. If that of brightness does not end a block, they are
+// blocks of 63 equal frequencies, which no picture has many of. Files of one scan only, since in
+// the others brightness and color are apart.
+bool MayHoldManyZeros(jpeg_decompress_struct* decoder) {
+  if (jpeg_has_multiple_scans(decoder) || decoder->arith_code) return true;
+  const JHUFF_TBL* table = decoder->ac_huff_tbl_ptrs[decoder->comp_info[0].ac_tbl_no];
+  constexpr UINT8 kEndOfBlock = 0;
+  return !table || table->huffval[0] == kEndOfBlock;
+}
+
+// `reduction` 0: only the codes, and `rows` is one row. A jump out of here passes no destructors:
+// all objects belong to the caller.
+void ReadRows(const std::string& bytes, int reduction, jpeg_decompress_struct* decoder,
+              std::vector<JSAMPLE>* rows, JpegReport* report) {
+  if (setjmp(report->on_error) != 0) return;
+  jpeg_create_decompress(decoder);
+  jpeg_mem_src(decoder, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  jpeg_read_header(decoder, TRUE);
+  report->has_header = true;
+  if (reduction > 0) {
+    if (decoder->num_components != 1 && decoder->num_components != 3) return;
+    MakePixels(reduction, decoder);
+  } else {
+    ReadCodesOnly(decoder);
+  }
+  const bool may_hold_zeros = MayHoldManyZeros(decoder);
+  const JOCTET* codes = decoder->src->next_input_byte;
   jpeg_start_decompress(decoder);
-  row->resize(static_cast<size_t>(decoder->output_width) * decoder->output_components);
-  JSAMPROW rows[] = {row->data()};
-  while (decoder->output_scanline < decoder->output_height) jpeg_read_scanlines(decoder, rows, 1);
+  const size_t row_size = static_cast<size_t>(decoder->output_width) * decoder->output_components;
+  rows->resize(reduction > 0 ? row_size * decoder->output_height : row_size);
+  while (decoder->output_scanline < decoder->output_height) {
+    JSAMPROW row = rows->data() + (reduction > 0 ? row_size * decoder->output_scanline : 0);
+    jpeg_read_scanlines(decoder, &row, 1);
+  }
+  // Without what fills the end of the file.
+  const JOCTET* end = decoder->src->next_input_byte;
+  if (!may_hold_zeros)
+    report->codes = {reinterpret_cast<const char*>(codes), reinterpret_cast<const char*>(end)};
   jpeg_finish_decompress(decoder);
+}
+
+// The same; width, height and channels of the rows. Destroys the decoder.
+JpegPixels ReadFile(const std::filesystem::path& path, int reduction, JpegReport* report) {
+  const std::string bytes = ReadWholeFile(path.string());
+  jpeg_decompress_struct decoder = {};
+  decoder.err = jpeg_std_error(&report->manager);
+  report->manager.emit_message = TakeMessage;
+  report->manager.error_exit = TakeError;
+  JpegPixels pixels;
+  ReadRows(bytes, reduction, &decoder, &pixels.data, report);
+  pixels.width = static_cast<int>(decoder.output_width);
+  pixels.height = static_cast<int>(decoder.output_height);
+  pixels.channels = decoder.output_components;
+  if (report->codes.find(std::string(kMaxZeroBytes, '\0')) != std::string_view::npos) {
+    report->complaint = {"Corrupt JPEG data: zero bytes in place of codes", true};
+  }
+  jpeg_destroy_decompress(&decoder);
+  return pixels;
 }
 
 }  // namespace
 
 std::optional<JpegComplaint> CheckJpeg(const std::filesystem::path& path) {
   if (!IsJpeg(path)) return std::nullopt;
-  const std::string bytes = ReadWholeFile(path.string());
   JpegReport report;
-  jpeg_decompress_struct decoder = {};
-  decoder.err = jpeg_std_error(&report.manager);
-  report.manager.emit_message = TakeMessage;
-  report.manager.error_exit = TakeError;
-  std::vector<JSAMPLE> row;
-  ReadCodes(bytes, &decoder, &row, &report);
-  jpeg_destroy_decompress(&decoder);
+  ReadFile(path, 0, &report);
   if (report.error.empty()) return report.complaint;
   if (!report.has_header) throw IoError(path.string(), "cannot be decoded: " + report.error);
   return JpegComplaint{report.error, true};
+}
+
+std::optional<JpegPixels> DecodeJpeg(const std::filesystem::path& path, int reduction) {
+  if (!IsJpeg(path)) return std::nullopt;
+  JpegReport report;
+  JpegPixels pixels = ReadFile(path, reduction, &report);
+  if (!report.error.empty()) throw IoError(path.string(), "cannot be decoded: " + report.error);
+  if (pixels.data.empty()) return std::nullopt;
+  return pixels;
 }
 
 }  // namespace limn::colmap_ext

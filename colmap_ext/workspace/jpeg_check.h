@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace limn::colmap_ext {
 
@@ -15,8 +16,22 @@ struct JpegComplaint {
 };
 
 // The first complaint, one of damage if there is any. Nothing for whole files, for files of other
-// formats, and for padding at the end. Reads all codes of the file, but makes no pixels. Throws
-// IoError if the header cannot be read.
+// formats, and for padding at the end. Reads all codes of the file, but makes no pixels; zeros in
+// place of codes are found where they cannot be codes of flat blocks. Throws IoError if the header
+// cannot be read.
 std::optional<JpegComplaint> CheckJpeg(const std::filesystem::path& path);
+
+// Interleaved rows of RGB or one gray channel.
+struct JpegPixels {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<unsigned char> data;
+};
+
+// Decodes a JPEG file at 1 / reduction (1, 2, 4 or 8) of its size: the pixels that OpenCV decodes,
+// but nothing is printed; CheckJpeg has told all. Nothing for files of other formats, and for other
+// colors than gray and those that become RGB. Throws IoError if the file cannot be decoded.
+std::optional<JpegPixels> DecodeJpeg(const std::filesystem::path& path, int reduction);
 
 }  // namespace limn::colmap_ext

@@ -20,23 +20,36 @@ namespace {
 
 // The generator of a .glb comes after the list of all its links.
 constexpr size_t kSearchedBytes = 1 << 24;
-constexpr std::string_view kDrawingMark = "\"format\": \"limn-drawing\"";
+constexpr std::string_view kDrawingMark = "{\"format\": \"limn-drawing\"";
 
-// One of them is near the beginning of every file that limn writes for users.
-constexpr std::string_view kMarks[] = {
-    "limn",                  // drawings, curves, sketches: .json, .ply, .obj, .step, .glb
-    "Limn",                  // drawing.html
-    "LIMN",                  // .dxf
-    "path id=\"link_",       // .svg
-    "attr.name=\"link\"",    // .graphml
-    "tau,precision,recall",  // tables of drawing_evaluator
-    "\"reconstructed_length\"",
-    "# Curve tracks: links",  // tracks.txt
-    "view,not linked,",       // account.csv
-    "workspace_path=",        // project.ini
-    "# CAMERA_ID, MODEL,",    // refined/, where COLMAP writes other comments
-    "# IMAGE_ID, QW,",
-    "# POINT3D_ID, X, Y,",
+// What limn writes for users begins with `begin`, and `mark` follows.
+struct Mark {
+  std::string_view begin;
+  std::string_view mark = "";
+};
+
+constexpr Mark kMarks[] = {
+    {"limnfile"},  // results of stages
+    {"{\"format\": \"limn-drawing\",\n"},
+    {"ply\nformat binary_little_endian 1.0\ncomment 3D drawing by limn: "},
+    {"ply\nformat binary_little_endian 1.0\ncomment curves by limn\n"},
+    {"ply\nformat binary_little_endian 1.0\ncomment curve sketch by limn\n"},
+    {"# 3D drawing by limn: "},                                         // .obj
+    {"ISO-10303-21;\n", "'limn "},                                      // .step: the system
+    {"glTF", "\"generator\":\"limn "},                                  // .glb
+    {"0\nSECTION\n2\nHEADER\n", "\nAcDbRegAppTableRecord\n2\nLIMN\n"},  // .dxf
+    {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg ", "<path id=\"link_"},
+    {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graphml ",
+     "<key id=\"link\" for=\"edge\" attr.name=\"link\""},
+    {"<!doctype html>", "<title>Limn</title>"},
+    {"tau,precision,recall,"},  // of drawing_evaluator
+    {"{\n  \"unit\": ", "\"reconstructed_length\": "},
+    {"# Curve tracks: links of drawing.json "},
+    {"view,not linked,"},     // account.csv
+    {"workspace_path="},      // project.ini
+    {"# CAMERA_ID, MODEL,"},  // refined/, where COLMAP begins with other comments
+    {"# IMAGE_ID, QW,"},
+    {"# POINT3D_ID, X, Y,"},
 };
 
 // Empty if the file cannot be read.
@@ -49,8 +62,8 @@ std::string BeginningOf(const std::string& path) {
 }
 
 bool IsMadeByLimn(std::string_view beginning) {
-  return std::any_of(std::begin(kMarks), std::end(kMarks), [&](std::string_view mark) {
-    return beginning.find(mark) != std::string_view::npos;
+  return std::any_of(std::begin(kMarks), std::end(kMarks), [&](const Mark& mark) {
+    return beginning.starts_with(mark.begin) && beginning.find(mark.mark) != std::string_view::npos;
   });
 }
 
@@ -67,6 +80,19 @@ bool IsOneOf(const std::string& path, const std::vector<std::string>& inputs) {
     std::error_code ignored;
     return fs::equivalent(path, input, ignored);
   });
+}
+
+bool IsEmptyButForLock(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::directory_iterator entries(folder, ignored);
+  return std::all_of(begin(entries), end(entries),
+                     [](const auto& entry) { return entry.path().filename() == ".lock"; });
+}
+
+bool HoldsResults(const fs::path& cache_dir) {
+  std::error_code ignored;
+  return fs::is_directory(cache_dir / "fragments", ignored) ||
+         fs::is_directory(cache_dir / "edges", ignored);
 }
 
 [[noreturn]] void RefuseToReplace(const std::string& path, const std::string& what) {
@@ -92,6 +118,18 @@ void CheckWritable(const fs::path& folder) {
                 "results cannot be written here (" + reason + "): choose another --output_path");
 }
 
+void CheckLinkedCurves(const fs::path& curves_dir) {
+  const fs::path cache_dir = curves_dir / "cache";
+  for (const fs::path& folder : {curves_dir, cache_dir}) {
+    std::error_code ignored;
+    if (!fs::is_symlink(folder, ignored)) continue;
+    if (IsEmptyButForLock(folder) || HoldsResults(cache_dir)) continue;
+    throw IoError(folder.string(), "is a link to " + fs::canonical(folder, ignored).string() +
+                                       ", which holds other files than results of limn: link an "
+                                       "empty folder, or choose another --output_path");
+  }
+}
+
 void CheckResultFile(const std::string& path, bool overwrite) {
   CheckTakesFile(path);
   std::error_code ignored;
@@ -106,7 +144,7 @@ void CheckNamedOutput(const std::string& path, const std::vector<std::string>& i
   if (overwrite || !fs::exists(path, ignored)) return;
   if (IsOneOf(path, inputs)) RefuseToReplace(path, "is an input");
   if (IsModelFile(path)) RefuseToReplace(path, "is a file of a model");
-  if (BeginningOf(path).find(kDrawingMark) != std::string::npos) {
+  if (BeginningOf(path).starts_with(kDrawingMark)) {
     RefuseToReplace(path, "is a drawing");
   }
 }

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 std::set<std::string> ReadImageList(const std::string& path) {
   CheckIsFile(path);
   if (!std::ifstream(path)) throw IoError(path, "the image list cannot be opened for reading");
-  std::istringstream in(ReadWholeFile(path));
+  std::istringstream in(ReadWholeFile(path, kMaxListBytes));
   std::set<std::string> names;
   const char* space = " \t\r";
   for (std::string line; std::getline(in, line);) {

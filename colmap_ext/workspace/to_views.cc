@@ -222,7 +222,8 @@ void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double m
     throw InputError(model.folder.string() + ": no image is left, points miss " + misses +
                      " (max_reprojection_px)");
   }
-  set->warnings.push_back("left out (max_reprojection_px), since points miss " + misses);
+  set->left_out.push_back("left out (max_reprojection_px), since points miss " + misses);
+  set->warnings.push_back(set->left_out.back());
   std::vector<uint8_t> keep(set->views.size(), 1);
   for (const Misfit& misfit : check.misfits) keep[misfit.view] = 0;
   Keep(keep, &set->views);
@@ -263,6 +264,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   ViewSet set;
   set.warnings = model.warnings;
   set.warnings.insert(set.warnings.end(), used.warnings.begin(), used.warnings.end());
+  set.left_out = used.warnings;
   set.max_image_size = options.max_image_size;
   set.image_paths = used.paths;
   for (const int index : selected) {

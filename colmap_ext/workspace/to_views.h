@@ -46,6 +46,7 @@ struct ViewSet {
   std::vector<char> is_damaged;
   int max_image_size = -1;
   std::vector<std::string> warnings;
+  std::vector<std::string> left_out;  // those of the warnings that say which images, and why
 };
 
 // The only place where COLMAP's conventions become Limn's. Principal points move by -0.5 pixel;

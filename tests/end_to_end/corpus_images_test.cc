@@ -224,6 +224,15 @@ const CorpusCase kCases[] = {
      .spoil = [](const W& w) { KeepImages(w, 2); },
      .said = {"at least 3 registered images are needed, got 2"},
      .command = "automatic_drawer"},
+    {.name = "Case23_TwoImagesAndADuplicate",
+     .spoil =
+         [](const W& w) {
+           KeepImages(w, 3);
+           w.ReplaceImage("view_02.jpg", w.Read("images/view_01.jpg"));
+         },
+     .said = {"at least 3 registered images are needed, got 2; 1 of 3 images are duplicates",
+              "left out: view_02.jpg (of view_01.jpg)"},
+     .command = "automatic_drawer"},
     {.name = "Case23_NoImages",
      .spoil = [](const W& w) { KeepImages(w, 0); },
      .said = {"no registered image"}},
@@ -360,7 +369,7 @@ const CorpusCase kCases[] = {
                                              size + "\x08" + std::string(12, '\0') + "IEND" +
                                              "1234");
          },
-     .said = {"view_02.jpg: too large to decode: 30000 x 30000 pixels, at most 160 megapixels"}},
+     .said = {"view_02.jpg: too large to decode: 30000 x 30000 pixels may take 5400 MB"}},
     {.name = "Case25_EndlessImageList",
      .said = {"/dev/zero: "},
      .arguments = {"--image_list_path", "/dev/zero"}},

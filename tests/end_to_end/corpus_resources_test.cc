@@ -84,6 +84,39 @@ TEST(CorpusRuns, Case35_ThousandsOfImages) {
   EXPECT_THAT(run.out, HasSubstr("3000 images, 0 3D points"));
 }
 
+// Files of 100 GB without content, and memory that is too small.
+TEST(CorpusRuns, Case35_EmptyGigabytesAreNotRead) {
+  const W w;
+  for (const char* file : {"a.json", "a.ini", "a.txt", "a.ply"}) {
+    w.Write(file, "");
+    fs::resize_file(w / file, uintmax_t{100} << 30);
+  }
+  const auto path = [&](const char* file) { return (w / file).string(); };
+  const std::vector<std::vector<std::string>> runs = {
+      {"drawing_exporter", "--input_path", path("a.json"), "--output_path", path("a.dxf")},
+      {"edge_extractor", "--project_path", path("a.ini")},
+      {"edge_extractor", "--workspace_path", w.path().string(), "--image_list_path", path("a.txt")},
+      {"truth_extractor", "--workspace_path", w.path().string(), "--mesh_path", path("a.ply"),
+       "--output_path", path("truth.ply")}};
+  for (const std::vector<std::string>& arguments : runs) {
+    const LimnRun run = RunLimn(arguments, Limits(20));
+    EXPECT_EQ(run.exit_code, 1) << arguments.front();
+    EXPECT_THAT(run.err, HasSubstr(": has 107374182400 bytes, at most ")) << arguments.front();
+  }
+}
+
+// Enough to begin with, not enough for the edges.
+TEST(CorpusRuns, Case35_TooLittleMemoryIsALine) {
+  const W w;
+  RunConditions conditions = Limits(60);
+  conditions.max_memory_mb = 310;
+  const LimnRun run = RunLimn(
+      {"edge_extractor", "--workspace_path", w.path().string(), "--num_threads", "1"}, conditions);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, ::testing::StartsWith("ERROR: "));
+  EXPECT_THAT(run.err, HasSubstr("lower --max_image_size"));
+}
+
 // Ctrl-C while the edges are looked for.
 TEST(CorpusRuns, Case35_InterruptedRunLeavesNothingHalfWritten) {
   const fs::path day = fs::path(LIMN_SAMPLE_DIR) / "day";

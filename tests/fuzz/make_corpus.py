@@ -86,6 +86,12 @@ def workspaces():
         chunk(b"IDAT", zlib.compress(bytes(15))) + chunk(b"IEND", b""))
     put("image_header", "jpeg", b"\xff\xd8" + segment(0xE0, b"JFIF\0") +
         segment(0xC0, struct.pack(">BHHB", 8, 3, 4, 0)) + segment(0xDA, b"\0") + b"\1\xff\0\2\xff\xd9")
+    put("image_header", "tiff", b"II*\0" + struct.pack("<IH2HI2H2HII", 8, 2, 256, 3, 1, 4, 0, 257, 4, 1, 3))
+    put("image_header", "bmp", b"BM" + bytes(12) + struct.pack("<3i", 40, 4, -3))
+    put("image_header", "webp", b"RIFF\x16\0\0\0WEBPVP8X\x0a\0\0\0" + bytes(4) + b"\3\0\0\2\0\0")
+    put("image_header", "jp2", struct.pack(">I4s4sI4s", 12, b"jP  ", b"\r\n\x87\n", 0, b"jp2c") +
+        b"\xff\x4f\xff\x51" + struct.pack(">2H4I", 47, 0, 4, 3, 0, 0))
+    put("image_header", "pgm", "P5 # gray\n4 3\n255\n")
     put("project_ini", "project", "# options\nworkspace_path = a b\n[Sketch]\nmax_gap_px = 3\n")
 
 

@@ -10,7 +10,7 @@ namespace limn {
 
 std::vector<CurveNode> ReadJunctions(const std::string& path) {
   using Json = nlohmann::ordered_json;
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadWholeFile(path, kMaxJsonBytes);
   std::vector<CurveNode> nodes;
   try {
     const Json file = ParseJson(path, text);

@@ -42,7 +42,7 @@ std::array<CurveSet, kNumLinkKinds> ToCurves(const Json& json) {
 
 std::array<CurveSet, kNumLinkKinds> ReadJsonKinds(const std::string& path) {
   try {
-    return ToCurves(ParseJson(path, ReadWholeFile(path)));
+    return ToCurves(ParseJson(path, ReadWholeFile(path, kMaxJsonBytes)));
   } catch (const std::exception&) {
     RethrowJsonError(path);
   }

@@ -32,7 +32,7 @@ std::vector<std::vector<int>> ReadFaces(const std::string& path, const PlyElemen
 }
 
 FaceSoup ReadPlyFaces(const std::string& path) {
-  const std::string bytes = ReadWholeFile(path);
+  const std::string bytes = ReadWholeFile(path, kMaxMeshBytes);
   const PlyHeader header = ParsePlyHeader(path, bytes);
   PlyValues values(path, bytes, header);
   FaceSoup result;

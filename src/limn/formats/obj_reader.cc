@@ -106,7 +106,7 @@ CurveSet ReadObjCurves(const std::string& path) {
 }
 
 FaceSoup ReadObjFaces(const std::string& path) {
-  const std::string text = ReadWholeFile(path);
+  const std::string text = ReadWholeFile(path, kMaxMeshBytes);
   TextScanner scanner(path, text);
   return ObjParser(&scanner, /*curves=*/false, /*faces=*/true).Faces();
 }

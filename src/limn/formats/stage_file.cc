@@ -63,7 +63,7 @@ void WriteStageFile(const std::string& path, StageKind kind, std::string_view id
 
 std::optional<std::string> ReadStageFile(const std::string& path, StageKind kind,
                                          std::string_view identity) {
-  const std::string bytes = ReadWholeFile(path);
+  const std::string bytes = ReadWholeFile(path, kMaxMeshBytes);
   ByteReader reader(path, bytes);
   if (!std::string_view(bytes).starts_with(kMagic)) throw IoError(path, "not a stage file of limn");
   reader.Take(kMagic.size());

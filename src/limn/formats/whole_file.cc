@@ -24,19 +24,26 @@ void CheckIsFile(const std::string& path) {
 
 namespace {
 
-std::string ReadBytes(const std::string& path, uint64_t max_size) {
+// Text packs to a twentieth of its size at best.
+constexpr uint64_t kSmallUnpackedBytes = uint64_t{1} << 26;
+constexpr uint64_t kMaxUnpackedRatio = 100;
+
+std::string ReadBytes(const std::string& path, uint64_t max_bytes) {
   CheckIsFile(path);
   errno = 0;
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
   if (!file) throw IoError(path, std::string("cannot open: ") + std::strerror(errno));
-  std::error_code ignored;
-  const uintmax_t size_on_disk = std::filesystem::file_size(path, ignored);
-  if (!ignored) max_size = std::max<uint64_t>(max_size, size_on_disk + 1);
+  const uint64_t size_on_disk = std::filesystem::file_size(path);
+  if (size_on_disk > max_bytes) {
+    throw IoError(path, "has " + std::to_string(size_on_disk) + " bytes, at most " +
+                            std::to_string(max_bytes) + " are read");
+  }
+  max_bytes = std::min(max_bytes, std::max(kSmallUnpackedBytes, kMaxUnpackedRatio * size_on_disk));
   std::string bytes;
   constexpr unsigned kBlock = 1 << 16;
   while (true) {
-    if (bytes.size() >= max_size) {
-      throw IoError(path, "does not end after " + std::to_string(max_size) + " bytes");
+    if (bytes.size() > max_bytes) {
+      throw IoError(path, "does not end after " + std::to_string(max_bytes) + " bytes");
     }
     const size_t old_size = bytes.size();
     bytes.resize(old_size + kBlock);
@@ -57,9 +64,9 @@ std::string ReadBytes(const std::string& path, uint64_t max_size) {
 
 }  // namespace
 
-std::string ReadWholeFile(const std::string& path, uint64_t max_size) {
+std::string ReadWholeFile(const std::string& path, uint64_t max_bytes) {
   try {
-    return ReadBytes(path, max_size);
+    return ReadBytes(path, max_bytes);
   } catch (const std::bad_alloc&) {
     throw IoError(path, "is too large for the memory");
   }

@@ -9,9 +9,15 @@ namespace limn {
 // which may never end or never begin. Whether there is anything at all is told when it is opened.
 void CheckIsFile(const std::string& path);
 
-// The bytes of a file; gzip files are decompressed. Throws IoError, also for more bytes than
-// `max_size` and the size on disk (gzip bombs), and if memory is short.
-std::string ReadWholeFile(const std::string& path, uint64_t max_size = uint64_t{1} << 30);
+// How many bytes of a file are read at most.
+constexpr uint64_t kMaxListBytes = uint64_t{1} << 26;  // lists of names and options
+constexpr uint64_t kMaxJsonBytes = uint64_t{1} << 30;
+constexpr uint64_t kMaxBytes = uint64_t{1} << 32;
+constexpr uint64_t kMaxMeshBytes = uint64_t{1} << 34;  // and results of stages
+
+// The bytes of a file; gzip files are decompressed. Throws IoError, also for more than `max_bytes`,
+// for gzip files of more than 64 MB and 100 times their size (bombs), and if memory is short.
+std::string ReadWholeFile(const std::string& path, uint64_t max_bytes = kMaxBytes);
 
 // Lower-case extension with its dot, ignoring a final ".gz".
 std::string FileExtension(const std::string& path);

@@ -14,6 +14,7 @@
 #endif
 
 #include "limn/util/errors.h"
+#include "limn/util/latest_stage.h"
 
 namespace limn {
 namespace {
@@ -77,6 +78,7 @@ void ThrowIfCancelled(const RunContext& context) {
 
 void ParallelFor(const RunContext& context, const char* stage, size_t count,
                  const std::function<void(size_t)>& body) {
+  SetLatestStage(stage);
   std::mutex progress_mutex;
   size_t done = 0;
   LoopOrder order;

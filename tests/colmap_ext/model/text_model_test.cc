@@ -1,8 +1,11 @@
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/model/line_reader.h"
 #include "colmap_ext/model/model_files.h"
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/test_model.h"
@@ -29,6 +32,35 @@ SparseModel Read(const std::string& cameras, const std::string& images, const st
 std::string ErrorOf(const std::string& cameras, const std::string& images = "",
                     const std::string& points = "") {
   return ErrorText<IoError>([&] { Read(cameras, images, points); });
+}
+
+TEST(LineReader, LinesMayBeLong) {
+  std::vector<std::string> lines = {"", "a"};
+  for (const size_t size : {4094, 4095, 4096, 8190, 8191, 100'000}) lines.emplace_back(size, 'x');
+  for (const char* end : {"", "\n"}) {
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    text.resize(text.size() - 1);
+    std::istringstream in(text + end);
+    LineReader reader(in, "a.txt");
+    for (const std::string& line : lines) {
+      ASSERT_TRUE(reader.NextLine());
+      EXPECT_EQ(reader.line(), line);
+    }
+    EXPECT_FALSE(reader.NextLine());
+    EXPECT_EQ(reader.Here().number, lines.size());
+  }
+}
+
+TEST(LineReader, FilesWithoutLinesAreRefused) {
+  const TempDir dir;
+  const std::string path = dir.WriteFile("a.txt", "a line\n");
+  std::filesystem::resize_file(path, uintmax_t{100} << 30);  // sparse
+  std::ifstream in(path);
+  LineReader reader(in, path);
+  EXPECT_TRUE(reader.NextLine());
+  EXPECT_THAT(ErrorText<IoError>([&] { reader.NextLine(); }),
+              testing::HasSubstr("a.txt: line 2: is longer than 256 MB"));
 }
 
 TEST(TextModel, RoundTripsExactly) {

@@ -213,5 +213,14 @@ TEST_F(OptionParserTest, DeclaringAnOptionTwiceIsAProgrammingError) {
   EXPECT_THROW(parser_.AddOption("other", &values_.path, {"a", "b"}, ""), std::logic_error);
 }
 
+// Ini files lose it.
+TEST_F(OptionParserTest, TextHasNoWhiteSpaceAtItsEnds) {
+  for (const char* text : {" a", "a ", "\ta", " "}) {
+    EXPECT_THAT(ErrorOf({"--path", text}), HasSubstr("without white space at its ends")) << text;
+  }
+  Parse({"--path", "a b/"});
+  EXPECT_EQ(values_.path, "a b/");
+}
+
 }  // namespace
 }  // namespace limn

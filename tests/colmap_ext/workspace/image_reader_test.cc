@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/image_header.h"
@@ -15,6 +16,9 @@ namespace limn::colmap_ext {
 namespace {
 
 using testing::HasSubstr;
+
+constexpr const char* kNames[] = {"a.png",  "a.jpg", "a.tiff", "a.bmp",
+                                  "a.webp", "a.jp2", "a.pgm",  "a.ras"};
 
 class ImageReader : public testing::Test {
  protected:
@@ -107,26 +111,51 @@ TEST_F(ImageReader, MissingAndDamagedFilesAreNamed) {
 }
 
 TEST_F(ImageReader, SizeComesFromTheHeader) {
-  const cv::Mat image(5, 7, CV_8UC3, cv::Scalar(0, 0, 0));
-  for (const char* name : {"a.png", "a.jpg"}) {
-    EXPECT_EQ(ReadSizeFromHeader(Write(name, image)), (ImageSize{7, 5})) << name;
+  const cv::Mat image(50, 70, CV_8UC1, cv::Scalar(0));
+  for (const char* name : kNames) {
+    EXPECT_EQ(ReadSizeFromHeader(Write(name, image)), (ImageSize{70, 50})) << name;
+    EXPECT_EQ(ReadImage(dir_ / name).width, 70) << name;
   }
-  for (const char* name : {"a.png", "a.jpg", "a.tiff", "a.bmp"}) {
-    EXPECT_EQ(ReadImageSize(Write(name, image)), (ImageSize{7, 5})) << name;
+}
+
+// Headers that OpenCV does not write.
+TEST_F(ImageReader, SizeComesFromOtherHeaders) {
+  using namespace std::string_literals;
+  const std::string lossy = "RIFF\x2E\0\0\0WEBPVP8 \x22\0\0\0"s;
+  const std::string headers[] = {
+      "MM\0\x2A\0\0\0\x08\0\x02\x01\0\0\x03\0\0\0\x01\0\x07\0\0"
+      "\x01\x01\0\x04\0\0\0\x01\0\0\0\x05"s,
+      "II\x2B\0\x08\0\0\0\x10\0\0\0\0\0\0\0\x02\0\0\0\0\0\0\0"
+      "\0\x01\x03\0\x01\0\0\0\0\0\0\0\x07\0\0\0\0\0\0\0"
+      "\x01\x01\x03\0\x01\0\0\0\0\0\0\0\x05\0\0\0\0\0\0\0"s,
+      "BM" + std::string(12, '\0') + "\x0C\0\0\0\x07\0\x05\0"s,
+      "BM" + std::string(12, '\0') + "\x28\0\0\0\x07\0\0\0\xFB\xFF\xFF\xFF"s,
+      lossy + "\x10\0\0\x9D\x01\x2A\x07\0\x05\0"s,
+      "RIFF\x2E\0\0\0WEBPVP8X\x0A\0\0\0\0\0\0\0\x06\0\0\x04\0\0"s,
+      "\xFF\x4F\xFF\x51\0\x2F\0\0\0\0\0\x08\0\0\0\x06\0\0\0\x01\0\0\0\x01"s,
+      "P2 # a comment 8 8\n# another\n 7\n5 255\n"s,
+      // Bytes between segments, which decoders skip.
+      "\xFF\xD8\xFF\xE0\0\x02xyz\xFF\xFF\xC0\0\x0B\x08\0\x05\0\x07"s};
+  for (const std::string& header : headers) {
+    std::istringstream in(header);
+    EXPECT_EQ(ReadSizeFromHeader(in), (ImageSize{7, 5})) << header;
   }
 }
 
 TEST_F(ImageReader, DamagedHeadersHaveNoSize) {
-  const cv::Mat image(5, 7, CV_8UC3, cv::Scalar(0, 0, 0));
-  for (const char* name : {"a.png", "a.jpg"}) {
+  const cv::Mat image(50, 70, CV_8UC1, cv::Scalar(0));
+  for (const char* name : kNames) {
     const std::string content = Content(Write(name, image));
-    for (size_t size = 0; size < 24; ++size) {
+    for (size_t size = 0; size < 5; ++size) {
       std::istringstream in(content.substr(0, size));
       EXPECT_FALSE(ReadSizeFromHeader(in)) << name << " " << size;
     }
   }
-  std::istringstream text("text");
-  EXPECT_FALSE(ReadSizeFromHeader(text));
+  for (const char* other :
+       {"text", "P5 7 x", "P7\nWIDTH 7\n", "II*", "RIFF", "BMBMBMBMBMBMBMBMBMBM"}) {
+    std::istringstream in(other);
+    EXPECT_FALSE(ReadSizeFromHeader(in)) << other;
+  }
 }
 
 TEST_F(ImageReader, LongerSideIsLimited) {
@@ -181,19 +210,49 @@ TEST_F(ImageReader, LargeJpegsAreDecodedReduced) {
   }
 }
 
+// The filter of large images, whose rows are shrunk one by one, is OpenCV's.
+TEST_F(ImageReader, LargeImagesAreShrunkAsOthers) {
+  cv::Mat noise(4003, 4001, CV_8UC3);
+  cv::RNG(1).fill(noise, cv::RNG::UNIFORM, 0, 255);
+  const std::string path = Write("noise.bmp", noise);
+  for (const int size : {300, 2001}) {
+    const Image image = ReadImage(path, size);
+    cv::Mat levels, expected;
+    noise.convertTo(levels, CV_32F);
+    cv::resize(levels, expected, {image.width, image.height}, 0, 0, cv::INTER_AREA);
+    cv::cvtColor(expected, expected, cv::COLOR_BGR2RGB);
+    const cv::Mat shrunk(image.height, image.width, CV_32FC3,
+                         const_cast<float*>(image.data.data()));
+    // OpenCV leaves out shares of pixels below 0.001.
+    EXPECT_LT(cv::norm(shrunk, expected, cv::NORM_INF), 0.3) << size;
+  }
+}
+
 TEST_F(ImageReader, SizesAreBounded) {
-  const cv::Mat tiny(4, 4, CV_8UC1, cv::Scalar(1));
-  const std::string png = Write("a.png", tiny);
-  const std::string jpeg = Write("a.jpg", tiny);
-  const auto error = [](const std::string& path, ImageSize stored, int max_image_size) {
-    return ErrorText<IoError>([&] { CheckDecodable(path, stored, max_image_size); });
+  const auto error = [](ImageSize stored, int max_image_size) {
+    return ErrorText<IoError>([&] { CheckDecodable("a.png", stored, max_image_size); });
   };
-  EXPECT_EQ(error(png, {12000, 9000}, -1), "");
-  EXPECT_THAT(error(png, {30000, 30000}, 300),
-              HasSubstr("a.png: too large to decode: 30000 x 30000 pixels"));
-  EXPECT_EQ(error(jpeg, {25000, 25000}, 300), "");
-  EXPECT_THAT(error(jpeg, {25000, 25000}, -1), HasSubstr("too large to decode"));
-  EXPECT_THAT(error(jpeg, {30000, 30000}, 300), HasSubstr("too large to decode"));
+  EXPECT_EQ(error({12000, 9000}, -1), "");
+  EXPECT_EQ(error({16000, 16000}, 300), "");
+  EXPECT_EQ(error({16000, 16000}, -1),
+            "a.png: too large to decode: 16000 x 16000 pixels may take 4608 MB, at most 2000: "
+            "lower --max_image_size");
+  EXPECT_EQ(error({30000, 30000}, 300),
+            "a.png: too large to decode: 30000 x 30000 pixels may take 5401 MB, at most 2000: "
+            "make the file smaller");
+}
+
+// A header that promises more pixels than the file can have.
+TEST_F(ImageReader, BombsAreNotDecoded) {
+  using namespace std::string_literals;
+  const std::string header = "BM" + std::string(12, '\0') + "\x28\0\0\0\x30\x75\0\0\x30\x75\0\0"s;
+  const std::string path = dir_.WriteFile("a.bmp", header);
+  for (const std::string& error :
+       {ErrorText<IoError>([&] { ReadImage(path, 300); }), ErrorText<IoError>([&] {
+          ReadMask(path, {30000, 30000}, 300);
+        })}) {
+    EXPECT_THAT(error, HasSubstr("a.bmp: too large to decode: 30000 x 30000"));
+  }
 }
 
 // Cut anywhere within the pixels; OpenCV would make up the rest.

@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/image_reader.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -74,6 +76,38 @@ TEST_F(JpegCheck, DamageIsFound) {
   EXPECT_THAT(Check(cut)->text, HasSubstr("Corrupt JPEG data"));
 }
 
+// Wherever it begins and however long it is: the decoder may take zeros for codes and meet neither
+// an impossible one nor the end too early.
+TEST_F(JpegCheck, ZeroedCodesAreFound) {
+  for (size_t begin = 2000; begin < whole_.size() - 6000; begin += 997) {
+    for (const size_t size : {512, 513, 1500, 4096}) {
+      std::string zeroed = whole_;
+      zeroed.replace(begin, size, std::string(size, '\0'));
+      const auto complaint = Check(zeroed);
+      ASSERT_TRUE(complaint) << begin << " " << size;
+      EXPECT_TRUE(complaint->is_damage) << begin << " " << size;
+    }
+  }
+  std::string to_the_end = whole_;
+  to_the_end.replace(10'000, whole_.size() - 10'002, std::string(whole_.size() - 10'002, '\0'));
+  const auto complaint = Check(to_the_end);
+  ASSERT_TRUE(complaint);
+  EXPECT_TRUE(complaint->is_damage);
+}
+
+// In one color, whose codes may be zeros.
+TEST_F(JpegCheck, FlatPicturesAreFine) {
+  for (const int optimize : {0, 1}) {
+    const std::string path = (dir_ / "flat.jpg").string();
+    for (const cv::Scalar& color :
+         {cv::Scalar(0, 0, 0), cv::Scalar(255, 255, 255), cv::Scalar(9, 99, 199)}) {
+      ASSERT_TRUE(cv::imwrite(path, cv::Mat(800, 800, CV_8UC3, color),
+                              {cv::IMWRITE_JPEG_OPTIMIZE, optimize}));
+      EXPECT_FALSE(CheckJpeg(path));
+    }
+  }
+}
+
 TEST_F(JpegCheck, OtherWarningsAreNoDamage) {
   std::string unknown_version = whole_;
   ASSERT_EQ(whole_.substr(6, 4), "JFIF");
@@ -87,6 +121,35 @@ TEST_F(JpegCheck, OtherWarningsAreNoDamage) {
 TEST_F(JpegCheck, AMissingHeaderIsAnError) {
   EXPECT_THAT(ErrorText<IoError>([&] { Check("\xFF\xD8 nothing"); }),
               HasSubstr("a.jpg: cannot be decoded: "));
+}
+
+// OpenCV's pixels to the byte, of color and of gray, whole and reduced.
+TEST_F(JpegCheck, PixelsAreThoseOfOpenCv) {
+  const std::string path = dir_.WriteFile("a.jpg", whole_);
+  const std::string gray = (dir_ / "gray.jpg").string();
+  ASSERT_TRUE(cv::imwrite(gray, cv::imread(path, cv::IMREAD_GRAYSCALE)));
+  for (const std::string& file : {path, gray}) {
+    for (const int reduction : {1, 2, 4, 8}) {
+      const cv::Mat expected =
+          cv::imread(file, cv::IMREAD_ANYCOLOR | (reduction == 1 ? 0 : 8 * reduction));
+      const auto pixels = DecodeJpeg(file, reduction);
+      ASSERT_TRUE(pixels) << file;
+      cv::Mat image(pixels->height, pixels->width, CV_8UC(pixels->channels),
+                    const_cast<unsigned char*>(pixels->data.data()));
+      if (pixels->channels == 3) cv::cvtColor(image, image, cv::COLOR_RGB2BGR);
+      EXPECT_EQ(cv::norm(image, expected, cv::NORM_INF), 0) << file << " " << reduction;
+    }
+  }
+  EXPECT_FALSE(DecodeJpeg(dir_.WriteFile("a.txt", "no JPEG"), 1));
+}
+
+TEST_F(JpegCheck, DecodingPrintsNothing) {
+  std::string unknown_version = whole_;
+  unknown_version[11] = 7;
+  const std::string path = dir_.WriteFile("a.jpg", unknown_version);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(ReadImage(path).width, 300);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

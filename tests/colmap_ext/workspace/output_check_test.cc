@@ -12,6 +12,8 @@ namespace {
 
 using testing::HasSubstr;
 
+constexpr char kOurCurves[] = "ply\nformat binary_little_endian 1.0\ncomment curves by limn\n";
+
 TEST(CheckWritable, AcceptsFoldersAndWhatCanBecomeOne) {
   const TempDir dir;
   CheckWritable(dir.path());
@@ -47,8 +49,13 @@ std::string RefusalToReplace(const TempDir& dir, const std::string& content, boo
 
 TEST(CheckResultFile, RefusesWhatLimnHasNotMade) {
   const TempDir dir;
-  EXPECT_EQ(RefusalToReplace(dir, "ply\ncomment curves by limn\n", false), "");
-  for (const char* foreign : {"", "ply\nformat ascii 1.0\n", "\xFF\xD8"}) {
+  EXPECT_EQ(RefusalToReplace(dir, kOurCurves, false), "");
+  EXPECT_EQ(RefusalToReplace(dir, "glTF {\"asset\":{\"generator\":\"limn 1\"", false), "");
+  for (const char* foreign :
+       {"", "ply\nformat ascii 1.0\n", "\xFF\xD8", "Notes on limn, Limn and LIMN\n",
+        "ply\nformat ascii 1.0\ncomment curves by limn, edited\n", "glTF {\"generator\":\"other\"",
+        "# my options\nworkspace_path=a\n",
+        "<?xml version=\"1.0\"?>\n<svg><path id=\"link_1\"/>"}) {
     EXPECT_THAT(RefusalToReplace(dir, foreign, false), HasSubstr("was not made by limn"));
     EXPECT_EQ(RefusalToReplace(dir, foreign, true), "");
   }
@@ -58,13 +65,32 @@ TEST(CheckResultFile, RefusesWhatLimnHasNotMade) {
               HasSubstr("is a folder"));
 }
 
+TEST(CheckLinkedCurves, RefusesFoldersOfOthers) {
+  const TempDir dir;
+  const auto refusal = [&] {
+    return ErrorText<IoError>([&] { CheckLinkedCurves(dir / "curves"); });
+  };
+  EXPECT_EQ(refusal(), "");
+  std::filesystem::create_directory(dir / "other");
+  std::filesystem::create_directory_symlink("other", dir / "curves");
+  EXPECT_EQ(refusal(), "");
+  dir.WriteFile("other/.lock", "");
+  EXPECT_EQ(refusal(), "");
+  dir.WriteFile("other/notes", "");
+  EXPECT_EQ(refusal(), (dir / "curves").string() + ": is a link to " + (dir / "other").string() +
+                           ", which holds other files than results of limn: link an empty folder, "
+                           "or choose another --output_path");
+  std::filesystem::create_directories(dir / "other/cache/fragments");
+  EXPECT_EQ(refusal(), "");
+}
+
 TEST(CheckNamedOutput, RefusesInputsModelsAndDrawings) {
   const TempDir dir;
-  const std::string input = dir.WriteFile("input.ply", "curves by limn");
+  const std::string input = dir.WriteFile("input.ply", kOurCurves);
   std::filesystem::create_symlink("input.ply", dir / "link.ply");
   const std::string model = dir.WriteFile("cameras.txt", "# CAMERA_ID, MODEL,");
-  const std::string drawing = dir.WriteFile("d.json", "{\"format\": \"limn-drawing\",");
-  const std::string other = dir.WriteFile("other.ply", "curves by limn");
+  const std::string drawing = dir.WriteFile("d.json", "{\"format\": \"limn-drawing\",\n");
+  const std::string other = dir.WriteFile("other.ply", kOurCurves);
   const auto refusal = [&](const std::string& path, bool overwrite) {
     return ErrorText<IoError>([&] { CheckNamedOutput(path, {"", input}, overwrite); });
   };

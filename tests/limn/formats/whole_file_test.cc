@@ -12,22 +12,28 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(WholeFile, IsReadWhateverItsSizeOnDisk) {
+TEST(WholeFile, LargerFilesThanWantedAreNotRead) {
   const TempDir dir;
   const std::string text(300'000, 'x');
-  EXPECT_EQ(ReadWholeFile(dir.WriteFile("a.txt", text), 10), text);
+  const std::string path = dir.WriteFile("a.txt", text);
+  EXPECT_EQ(ReadWholeFile(path, text.size()), text);
+  EXPECT_THAT(ErrorText<IoError>([&] { ReadWholeFile(path, text.size() - 1); }),
+              HasSubstr("a.txt: has 300000 bytes, at most 299999 are read"));
+  std::filesystem::resize_file(path, uintmax_t{100} << 30);  // sparse
+  EXPECT_THAT(ErrorText<IoError>([&] { ReadWholeFile(path); }), HasSubstr("at most 4294967296"));
 }
 
 TEST(WholeFile, BombsEndWithALine) {
   const TempDir dir;
   const std::string path = (dir / "bomb.gz").string();
   const gzFile file = gzopen(path.c_str(), "wb");
-  const std::string text(300'000, 'x');
-  ASSERT_EQ(gzwrite(file, text.data(), 300'000), 300'000);
+  const std::string text(1 << 20, 'x');
+  for (int i = 0; i < 65; ++i) ASSERT_EQ(gzwrite(file, text.data(), 1 << 20), 1 << 20);
   gzclose(file);
-  EXPECT_EQ(ReadWholeFile(path), text);
   EXPECT_THAT(ErrorText<IoError>([&] { ReadWholeFile(path, 100'000); }),
               HasSubstr("bomb.gz: does not end after 100000 bytes"));
+  EXPECT_THAT(ErrorText<IoError>([&] { ReadWholeFile(path); }),
+              HasSubstr("bomb.gz: does not end after 67108864 bytes"));
 }
 
 TEST(WholeFile, DevicesAreNoFiles) {

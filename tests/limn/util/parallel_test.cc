@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
+#include "limn/util/latest_stage.h"
 
 namespace limn {
 namespace {
@@ -104,6 +105,12 @@ TEST(ParallelFor, ReportsEveryItemInOrder) {
   std::vector<size_t> expected(50);
   std::iota(expected.begin(), expected.end(), 1);
   EXPECT_EQ(reports, expected);
+}
+
+TEST(LatestStage, IsThatOfTheLoopThatBeganLast) {
+  ParallelFor({}, "first", 1, [](size_t) { EXPECT_EQ(LatestStage(), "first"); });
+  ParallelFor({}, "second", 0, [](size_t) {});
+  EXPECT_EQ(LatestStage(), "second");
 }
 
 }  // namespace
