@@ -5,8 +5,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# Suppressed leaks of libraries, with reasons.
-export LSAN_OPTIONS="suppressions=$PWD/tests/lsan_suppressions.txt"
+# Suppressed leaks of libraries, with reasons. Programs under test must not list them.
+export LSAN_OPTIONS="print_suppressions=0:suppressions=$PWD/tests/lsan_suppressions.txt"
 cmake --preset asan
 if (($# == 0)); then
   cmake --build --preset asan

@@ -6,8 +6,10 @@
 #include "limn/util/errors.h"
 
 #ifdef LIMN_WITH_MPI
+#include <algorithm>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/collectives/all_gatherv.hpp>
@@ -47,8 +49,15 @@ MpiSession::~MpiSession() { Environment().reset(); }
 int Rank() { return Environment() ? boost::mpi::communicator().rank() : 0; }
 int NumRanks() { return Environment() ? boost::mpi::communicator().size() : 1; }
 
-void WaitForAllRanks() {
-  if (NumRanks() > 1) boost::mpi::communicator().barrier();
+void MeetAllRanks(const std::string& error) {
+  const std::string place =
+      "rank " + std::to_string(Rank()) + " on " + boost::mpi::environment::processor_name() + ": ";
+  const auto errors = RankTeam().Exchange(error.empty() ? "" : place + error);
+  const auto first = std::find_if(errors.begin(), errors.end(),
+                                  [](const std::string& text) { return !text.empty(); });
+  if (first == errors.end()) return;
+  if (Rank() == 0) throw std::runtime_error(*first);
+  boost::mpi::communicator().barrier();  // which rank 0 never enters
 }
 
 bool AsRankZero(bool value) {
@@ -88,7 +97,7 @@ MpiSession::~MpiSession() = default;
 
 int Rank() { return 0; }
 int NumRanks() { return 1; }
-void WaitForAllRanks() {}
+void MeetAllRanks(const std::string&) {}
 bool AsRankZero(bool value) { return value; }
 std::vector<std::string> RankTeam::Exchange(const std::string& mine) { return {mine}; }
 void AbortRanks(int) {}

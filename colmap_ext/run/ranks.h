@@ -24,8 +24,10 @@ class MpiSession {
 int Rank();
 int NumRanks();
 
-// Waits until all ranks have called it.
-void WaitForAllRanks();
+// Waits until all ranks have called it, each with what went wrong in its part of the work, or
+// nothing. If something did, rank 0 throws std::runtime_error with the first such text, its rank
+// and host, and the others wait for AbortRanks: one line is said, however many ranks met the same.
+void MeetAllRanks(const std::string& error);
 
 // Broadcasts rank 0's value to every rank.
 bool AsRankZero(bool value);

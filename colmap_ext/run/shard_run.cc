@@ -1,9 +1,11 @@
 #include "colmap_ext/run/shard_run.h"
 
+#include <functional>
 #include <string>
 
 #include "colmap_ext/run/ranks.h"
 #include "limn/pipeline/shard.h"
+#include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -26,6 +28,18 @@ void MakeTiles(const PipelineInput& input, const std::vector<Tile>& tiles,
                const PipelineOptions& options, const Shard& shard, Console* console) {
   MakeShardTiles(TiledProject(input, tiles, options, *console), options, shard, console->context(),
                  ReportTo(console));
+}
+
+// Does a part of the work on every rank. A file that one cannot read or write does not end the
+// others before they are done.
+void DoOnAllRanks(const std::function<void()>& part) {
+  std::string error;
+  try {
+    part();
+  } catch (const IoError& of_file) {
+    error = of_file.what();
+  }
+  MeetAllRanks(error);
 }
 
 }  // namespace
@@ -51,16 +65,15 @@ void DoShard(const PipelineInput& input, const std::vector<Tile>& tiles, const R
 void FillCacheByRanks(const PipelineInput& input, const std::vector<Tile>& tiles,
                       const PipelineOptions& options, Console* console) {
   const Shard shard{Rank() + 1, NumRanks()};
-  console->Report(MakeShardCurves(input, options, shard, console->context()));
-  WaitForAllRanks();
+  DoOnAllRanks(
+      [&] { console->Report(MakeShardCurves(input, options, shard, console->context())); });
   if (IsInTiles(tiles, input.views)) {
-    MakeTiles(input, tiles, options, shard, console);
-    WaitForAllRanks();
+    DoOnAllRanks([&] { MakeTiles(input, tiles, options, shard, console); });
     return;
   }
   if (options.mode == SketchMode::kOriginal) return;
-  console->Report(MakeShardSketches(input, options, shard, console->context()));
-  WaitForAllRanks();
+  DoOnAllRanks(
+      [&] { console->Report(MakeShardSketches(input, options, shard, console->context())); });
 }
 
 DrawingGraph DrawProjectTiles(const PipelineInput& input, const std::vector<Tile>& tiles,

@@ -113,17 +113,22 @@ bool OutputLock::TryLock(LockMode mode) {
                                       ", which works on the same results: wait for it, or choose "
                                       "another --output_path");
   }
-  throw IoError(path_.string(), std::string("cannot be locked: ") + std::strerror(reason));
+  // In a folder that was there the file may be that of a process that could lock it.
+  if (!made_folders_.empty()) RemoveWhatWasMade();
+  throw IoError(path_.string(), std::string("cannot be locked: ") + std::strerror(reason) +
+                                    ": choose an --output_path on a file system with flock");
+}
+
+void OutputLock::RemoveWhatWasMade() const {
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+  // Removes empty folders only.
+  for (const fs::path& folder : made_folders_) rmdir(folder.c_str());
 }
 
 OutputLock::~OutputLock() {
   // The last one that shares the lock removes the file.
-  if (flock(file_, LOCK_EX | LOCK_NB) == 0 && IsAt(file_, path_)) {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-    // Removes empty folders only.
-    for (const fs::path& folder : made_folders_) rmdir(folder.c_str());
-  }
+  if (flock(file_, LOCK_EX | LOCK_NB) == 0 && IsAt(file_, path_)) RemoveWhatWasMade();
   close(file_);
 }
 

@@ -16,10 +16,10 @@ class OutputLock {
  public:
   // Creates the folder. Throws IoError if something other than a regular file is in the place of
   // the file (links are not followed), or, with the file and the process that holds the lock, if it
-  // cannot be acquired at once (a shared one: within a second).
+  // cannot be acquired at once (a shared one: within a second), or where the file system has no
+  // flock.
   OutputLock(const std::filesystem::path& folder, LockMode mode);
-  // Removes the file if no other process holds the lock, and the folders that were created for it
-  // if they are empty.
+  // Removes what was made if no other process holds the lock.
   ~OutputLock();
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;
@@ -27,6 +27,8 @@ class OutputLock {
  private:
   // False if another process removed the file in the meantime.
   bool TryLock(LockMode mode);
+  // The file, and the folders that were created for it if they are empty.
+  void RemoveWhatWasMade() const;
 
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_folders_;  // inner ones first

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -14,6 +13,7 @@
 #include "end_to_end/limn_process.h"
 #include "end_to_end/run_limn.h"
 #include "end_to_end/small_scene.h"
+#include "end_to_end/tmp_fs.h"
 
 namespace limn::testing {
 namespace {
@@ -174,39 +174,6 @@ TEST(OutputFolder, ASecondRunIsRefusedUntilTheFirstHasEnded) {
   EXPECT_FALSE(fs::exists(lock));
 }
 
-// A small file system of its own in memory.
-class TmpFs {
- public:
-  TmpFs(fs::path folder, size_t bytes) : folder_(std::move(folder)) {
-    fs::create_directories(folder_);
-    is_mounted_ = Run("mount -t tmpfs -o size=" + std::to_string(bytes) + " tmpfs ");
-  }
-  ~TmpFs() {
-    if (is_mounted_) Run("umount ");
-  }
-  TmpFs(const TmpFs&) = delete;
-  TmpFs& operator=(const TmpFs&) = delete;
-
-  bool is_mounted() const { return is_mounted_; }
-  void Resize(size_t bytes) const {
-    EXPECT_TRUE(Run("mount -o remount,size=" + std::to_string(bytes) + " "));
-  }
-
- private:
-  bool Run(const std::string& command) const {
-    return std::system((command + "'" + folder_.string() + "' 2> /dev/null").c_str()) == 0;
-  }
-
-  fs::path folder_;
-  bool is_mounted_ = false;
-};
-
-size_t NumBytes(const std::map<std::string, std::string>& files) {
-  size_t count = 0;
-  for (const auto& [name, bytes] : files) count += bytes.size();
-  return count;
-}
-
 TEST(OutputFolder, AFullDiskEndsARunWithALineAndLosesNothing) {
   const SmallScene scene;
   const auto whole = RunWhole(scene);
@@ -237,6 +204,19 @@ TEST(OutputFolder, ALimitOnFileSizesEndsARunWithALine) {
   EXPECT_THAT(run.err, AllOf(StartsWith("ERROR: " + scene.output().string()),
                              HasSubstr(": cannot write: File too large")));
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+}
+
+TEST(OutputFolder, WithoutLocksARunIsRefusedAndLeavesNothing) {
+  const SmallScene scene;
+  std::vector<std::string> arguments = {"LD_PRELOAD=" LIMN_NO_FLOCK,
+                                        "ASAN_OPTIONS=verify_asan_link_order=0", LIMN_PROGRAM};
+  for (const std::string& argument : scene.Arguments()) arguments.push_back(argument);
+  const LimnRun run = RunProgram("env", arguments);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err, "ERROR: " + (scene / "curves/.lock").string() +
+                         ": cannot be locked: No locks available: choose an --output_path on a "
+                         "file system with flock\n");
+  EXPECT_FALSE(fs::exists(scene.output()));
 }
 
 TEST(OutputFolder, PathsNeedNotBeUtf8) {

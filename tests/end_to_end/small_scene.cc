@@ -1,5 +1,7 @@
 #include "end_to_end/small_scene.h"
 
+#include <gtest/gtest.h>
+
 #include "end_to_end/run_limn.h"
 #include "limn/formats/atomic_file.h"
 
@@ -33,6 +35,25 @@ std::map<std::string, std::string> Results(const std::filesystem::path& folder) 
   auto files = ReadTree(folder);
   files.erase("drawing.html");
   return files;
+}
+
+std::map<std::string, std::string> ResultsOfRun(const std::filesystem::path& folder) {
+  auto files = Results(folder);
+  EXPECT_EQ(files.erase("curves/project.ini"), 1u);
+  return files;
+}
+
+std::map<std::string, std::string> ResultsInOneGo() {
+  const SmallScene scene;
+  const LimnRun run = RunLimn(scene.Arguments());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return ResultsOfRun(scene.output());
+}
+
+size_t NumBytes(const std::map<std::string, std::string>& files) {
+  size_t count = 0;
+  for (const auto& [name, bytes] : files) count += bytes.size();
+  return count;
 }
 
 std::vector<std::string> WrongFiles(const std::filesystem::path& folder,

@@ -26,6 +26,15 @@ class SmallScene {
 // The files below a folder, but the page, whose report has times.
 std::map<std::string, std::string> Results(const std::filesystem::path& folder);
 
+// The same without the options of the run, which name its folder.
+std::map<std::string, std::string> ResultsOfRun(const std::filesystem::path& folder);
+
+// Those of the main job on a SmallScene in one go.
+std::map<std::string, std::string> ResultsInOneGo();
+
+// Of all files together.
+size_t NumBytes(const std::map<std::string, std::string>& files);
+
 // What a run may leave beside results: nothing; the file of its lock, if it ended in a hurry; and
 // temporary files too, if it was killed.
 enum class Leftovers { kNone, kLock, kAll };

@@ -23,8 +23,6 @@ import sys
 import tempfile
 import threading
 
-TIMEOUT_S = 60
-MAX_RSS_KB = 2 * 1024 * 1024
 NUM_VIEWS = 8
 IMAGE_SIZE = 320
 MAX_POINTS = 300
@@ -140,10 +138,12 @@ def join(*values):
 class Case:
     """One hostile project and one command on it."""
 
-    def __init__(self, seed, limn, sample, base, folder):
+    def __init__(self, seed, arguments, base, folder):
+        self.limn = arguments.limn
+        self.sample = arguments.sample
+        self.max_seconds = arguments.max_seconds
+        self.max_mb = arguments.max_mb
         self.random = random.Random(seed)
-        self.limn = limn
-        self.sample = sample
         self.folder = folder
         self.changes = []
         self.workspace = folder / 'workspace'
@@ -337,7 +337,7 @@ class Case:
         before = snapshot(self.workspace)
         process = subprocess.Popen([self.limn] + self.arguments(), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    stdin=subprocess.DEVNULL, cwd=self.folder, start_new_session=True)
-        timer = threading.Timer(TIMEOUT_S, lambda: os.killpg(process.pid, signal.SIGKILL))
+        timer = threading.Timer(self.max_seconds, lambda: os.killpg(process.pid, signal.SIGKILL))
         timer.start()
         texts = {}
         reader = threading.Thread(target=lambda: texts.update(out=process.stdout.read()))
@@ -347,10 +347,10 @@ class Case:
         _, status, usage = os.wait4(process.pid, 0)
         timer.cancel()
         process.returncode = os.waitstatus_to_exitcode(status)
-        return self.broken(process.returncode, texts['out'], errors, usage.ru_maxrss,
+        return self.broken(process.returncode, texts['out'], errors, usage.ru_maxrss // 1024,
                            before != snapshot(self.workspace))
 
-    def broken(self, code, output, errors, max_rss_kb, is_changed):
+    def broken(self, code, output, errors, peak_mb, is_changed):
         lines = [line for line in errors.decode(errors='replace').splitlines() if line.startswith('ERROR: ')]
         rules = []
         if code not in (0, 1, 130):
@@ -361,8 +361,8 @@ class Case:
             rules.append('words of a library')
         if any(byte < 32 and byte not in b'\n\r\t' or byte == 127 for byte in output + errors):
             rules.append('control characters')
-        if max_rss_kb > MAX_RSS_KB:
-            rules.append(f'{max_rss_kb // 1024} MB')
+        if peak_mb > self.max_mb:
+            rules.append(f'{peak_mb} MB')
         if is_changed:
             rules.append('the workspace is changed')
         if rules:
@@ -398,20 +398,22 @@ def main():
     parser.add_argument('sample', type=pathlib.Path, help='datasets/sample/day')
     parser.add_argument('--seed', type=int, default=1, help='of the first case; the next ones follow')
     parser.add_argument('--cases', type=int, default=60)
+    parser.add_argument('--max_seconds', type=float, default=60, help='more with sanitizers, as below')
+    parser.add_argument('--max_mb', type=int, default=2048)
     parser.add_argument('--keep', action='store_true', help='keep the folders of cases that fail')
     arguments = parser.parse_args()
-    limn = arguments.limn.resolve()
-    sample = arguments.sample.resolve()
-    base = Model(sample / 'sparse')
+    arguments.limn = arguments.limn.resolve()
+    arguments.sample = arguments.sample.resolve()
+    base = Model(arguments.sample / 'sparse')
     num_failed = 0
     codes = {}
     root = pathlib.Path(tempfile.mkdtemp(prefix='limn_hostile_'))
     try:
-        draw_base(limn, sample, base, root)
+        draw_base(arguments.limn, arguments.sample, base, root)
         for seed in range(arguments.seed, arguments.seed + arguments.cases):
             folder = root / f'case{seed}'
             folder.mkdir()
-            case = Case(seed, limn, sample, base, folder)
+            case = Case(seed, arguments, base, folder)
             case.make()
             rules = case.run()
             if rules:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -58,11 +59,15 @@ TEST(ParallelFor, ResultsDoNotDependOnThreads) {
 TEST(ParallelFor, RunsMoreThreadsThanThereAreCoresWhenAsked) {
   const unsigned num_cores = std::thread::hardware_concurrency();
   std::mutex mutex;
+  std::condition_variable another;
   std::set<std::thread::id> threads;
+  // Threads may start late on a busy machine.
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   ParallelFor(Threads(static_cast<int>(num_cores) + 6), "test", 200, [&](size_t) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    const std::lock_guard lock(mutex);
+    std::unique_lock lock(mutex);
     threads.insert(std::this_thread::get_id());
+    another.notify_all();
+    another.wait_until(lock, deadline, [&] { return threads.size() > num_cores; });
   });
   EXPECT_GT(threads.size(), num_cores);
 }
