@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "colmap_ext/workspace/image_header.h"
+#include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -52,6 +53,7 @@ cv::Mat Decode(const fs::path& path, int flags) {
   CheckWhole(path);
   cv::Mat image;
   try {
+    const QuietDecoders quiet;
     image = cv::imread(path.string(), flags | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception& error) {
     throw IoError(path.string(), "cannot be decoded: " + error.err);
