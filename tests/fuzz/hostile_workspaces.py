@@ -30,8 +30,8 @@ import zlib
 import hostile_files
 from hostile_model import Model, ModelChanges
 
-MAX_PROCESSOR_S = 60
-MAX_RSS_KB = 2 * 1024 * 1024
+# A case hangs after so many times --max_seconds: a busy machine gives a program a part of its time.
+PATIENCE = 3
 IMAGE_SIZE = 320
 
 OPTION_VALUES = ['', ' ', '0', '-1', '1', '-0', '2', '1e-300', '1e-9', '0.5', '1e9', '1e300', 'nan', 'inf', '-inf', '1000',
@@ -72,10 +72,12 @@ def option_defaults(limn, command):
 class Case:
     """One hostile project and one command on it."""
 
-    def __init__(self, seed, limn, sample, base, folder):
+    def __init__(self, seed, arguments, base, folder):
+        self.limn = arguments.limn
+        self.sample = arguments.sample
+        self.max_seconds = arguments.max_seconds
+        self.max_mb = arguments.max_mb
         self.random = random.Random(seed)
-        self.limn = limn
-        self.sample = sample
         self.folder = folder
         self.workspace = folder / 'workspace'
         self.output = folder / 'output'
@@ -134,7 +136,7 @@ class Case:
         """Gives an image its picture if its name can be that of a file in the project."""
         images = self.workspace / 'images'
         path = pathlib.Path(os.path.normpath(images / name))
-        if path.is_relative_to(images) and name != '':
+        if path.is_relative_to(images) and name != '' and len(name) < 1000:
             try:
                 if not path.exists():
                     path.parent.mkdir(parents=True, exist_ok=True)
@@ -331,7 +333,7 @@ class Case:
         if self.chance(0.3):
             self.options['--input_type'] = kind
 
-    def run(self, timeout):
+    def run(self):
         """The rules that the run broke."""
         before = snapshot(self.folder, self.output)
         stream = self.random.choice(['read'] * 18 + ['closed', 'full'])
@@ -345,7 +347,7 @@ class Case:
         with open('/dev/full', 'wb') as full, tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:
             process = subprocess.Popen(command, stdout=full if stream == 'full' else output, stderr=errors,
                                        stdin=subprocess.DEVNULL, cwd=self.folder, start_new_session=True, **closed)
-            timers = [threading.Timer(timeout, process.send_signal, [signal.SIGKILL])]
+            timers = [threading.Timer(PATIENCE * self.max_seconds, process.send_signal, [signal.SIGKILL])]
             if interrupt_after:
                 timers.append(threading.Timer(interrupt_after, process.send_signal, [signal.SIGINT]))
             for timer in timers:
@@ -378,9 +380,9 @@ class Case:
             rules.append('words of a library')
         if any(byte < 32 and byte not in b'\n\r\t' or byte == 127 for byte in output + errors.encode()):
             rules.append('control characters')
-        if usage.ru_maxrss > MAX_RSS_KB:
+        if usage.ru_maxrss > self.max_mb * 1024:
             rules.append(f'{usage.ru_maxrss // 1024} MB')
-        if processor_s > MAX_PROCESSOR_S:
+        if processor_s > self.max_seconds:
             rules.append(f'{processor_s:.0f} s of processor time')
         if changed:
             rules.append(f'changed: {", ".join(changed[:5])}')
@@ -422,25 +424,25 @@ def main():
     parser.add_argument('sample', type=pathlib.Path, help='datasets/sample/day')
     parser.add_argument('--seed', type=int, default=1, help='of the first case; the next ones follow')
     parser.add_argument('--cases', type=int, default=60)
-    parser.add_argument('--timeout', type=float, default=60,
-                        help='seconds after which a case hangs; longer on a busy machine')
+    parser.add_argument('--max_seconds', type=float, default=60, help='of processor time; more with sanitizers')
+    parser.add_argument('--max_mb', type=int, default=2048)
     parser.add_argument('--keep', action='store_true',
                         help='keep the folders of cases that fail, and print their commands')
     parser.add_argument('--all', action='store_true', help='print the cases that pass, too')
     arguments = parser.parse_args()
-    limn = arguments.limn.resolve()
-    sample = arguments.sample.resolve()
-    base = Model(sample / 'sparse')
+    arguments.limn = arguments.limn.resolve()
+    arguments.sample = arguments.sample.resolve()
+    base = Model(arguments.sample / 'sparse')
     num_failed, codes = 0, {}
     root = pathlib.Path(tempfile.mkdtemp(prefix='limn_hostile_'))
     try:
-        draw_base(limn, sample, base, root)
+        draw_base(arguments.limn, arguments.sample, base, root)
         for seed in range(arguments.seed, arguments.seed + arguments.cases):
             folder = root / f'case{seed}'
             folder.mkdir()
-            case = Case(seed, limn, sample, base, folder)
+            case = Case(seed, arguments, base, folder)
             case.make()
-            rules = case.run(arguments.timeout)
+            rules = case.run()
             codes[case.code] = codes.get(case.code, 0) + 1
             num_failed += 1 if rules else 0
             if rules or arguments.all:
