@@ -92,6 +92,7 @@ class Case:
         self.options = {}
         self.changes = []
         self.code = None
+        self.costs = ''
 
     def chance(self, probability):
         return self.random.random() < probability
@@ -369,21 +370,25 @@ class Case:
 
     def broken(self, code, output, errors, usage, changed):
         errors = errors.decode(errors='replace')
-        error_lines = [line for line in errors.splitlines() if line.startswith('ERROR: ')]
+        lines = errors.splitlines()
+        num_errors = sum(line.startswith('ERROR: ') for line in lines)
         processor_s = usage.ru_utime + usage.ru_stime
+        self.costs = f'{processor_s:.1f} s, {usage.ru_maxrss // 1024} MB'
         rules = []
         if code not in (0, 1, 130):
             rules.append(f'ended with {code}')
-        if len(error_lines) != (1 if code == 1 else 0):
-            rules.append(f'{len(error_lines)} error lines with exit code {code}')
-        if any(word in line for line in errors.splitlines() for word in RAW_WORDS):
+        if num_errors != (1 if code == 1 else 0):
+            rules.append(f'{num_errors} error lines with exit code {code}')
+        if len(lines) > num_errors + (1 if code == 130 else 0):  # an interrupted run tells what is kept
+            rules.append(f'{len(lines)} lines on standard error')
+        if any(word in line for line in lines for word in RAW_WORDS):
             rules.append('words of a library')
         if any(byte < 32 and byte not in b'\n\r\t' or byte == 127 for byte in output + errors.encode()):
             rules.append('control characters')
         if usage.ru_maxrss > self.max_mb * 1024:
-            rules.append(f'{usage.ru_maxrss // 1024} MB')
+            rules.append('too much memory')
         if processor_s > self.max_seconds:
-            rules.append(f'{processor_s:.0f} s of processor time')
+            rules.append('too much processor time')
         if changed:
             rules.append(f'changed: {", ".join(changed[:5])}')
         if rules:
@@ -446,7 +451,7 @@ def main():
             codes[case.code] = codes.get(case.code, 0) + 1
             num_failed += 1 if rules else 0
             if rules or arguments.all:
-                told = f'seed {seed}: {case.command}: {"; ".join(case.changes)}: exit code {case.code}'
+                told = f'seed {seed}: {case.command}: {"; ".join(case.changes)}: exit code {case.code}, {case.costs}'
                 print('\n    '.join([told] + rules), flush=True)
             if not (rules and arguments.keep):
                 remove(folder)
