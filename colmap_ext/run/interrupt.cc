@@ -1,6 +1,5 @@
 #include "colmap_ext/run/interrupt.h"
 
-#include <cstdio>
 #include <ctime>
 #include <exception>
 #include <utility>
@@ -8,6 +7,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/util/printable.h"
 
@@ -59,7 +59,7 @@ void InterruptWatch::Watch() {
 void InterruptWatch::SayLastWords() {
   if (said_.exchange(true)) return;
   const std::string words = last_words_();
-  if (!words.empty()) std::fprintf(stderr, "%s\n", Printable(words).c_str());
+  if (!words.empty()) PrintErrorLine(Printable(words));
 }
 
 InterruptWatch::~InterruptWatch() {

@@ -13,6 +13,7 @@
 
 #include "colmap_ext/workspace/image_header.h"
 #include "colmap_ext/workspace/jpeg_check.h"
+#include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -77,6 +78,7 @@ void CheckDecoded(const fs::path& path, const cv::Mat& image, ImageSize stored, 
 
 // At 1 / reduction of its size.
 cv::Mat Decode(const fs::path& path, ImageSize stored, int reduction, int flags) {
+  const QuietDecoders quiet;
   cv::Mat image =
       cv::imread(path.string(), flags | ReductionFlag(reduction) | cv::IMREAD_IGNORE_ORIENTATION);
   CheckDecoded(path, image, stored, reduction);

@@ -1,19 +1,22 @@
 #!/usr/bin/env python3
-"""Run Limn's commands on hostile workspaces, made from the sample scene by a seeded generator.
+"""Run all of Limn's commands on hostile workspaces, made from the sample scene by a seeded generator.
 
-Every case changes numbers, names, options or kinds of files of a small project and runs one command. It must end with
-exit code 0, 1 or 130, with exactly one line "ERROR: ..." where it is 1 and none where it is 0, without control
-characters, within 60 s and 2 GB, and change nothing but the output folder. Prints the cases that fail, with the seed
-that makes each again; exit code 1 if there are any.
+Every case changes numbers, names, images, options, kinds of files, stored results or other inputs of a small project
+and runs one command, sometimes interrupted or without a standard output. It must end with exit code 0, 1 or 130, with
+exactly one line "ERROR: ..." where it is 1 and none otherwise, without control characters or words of a library, within
+60 s of processor time and 2 GB, and change nothing but the output folder. Prints the cases that fail, with the seed that
+makes each again; exit code 1 if there are any.
 """
 
 import argparse
-import copy
+import functools
 import hashlib
 import json
 import os
 import pathlib
+import pickle
 import random
+import re
 import shutil
 import signal
 import stat
@@ -22,117 +25,48 @@ import subprocess
 import sys
 import tempfile
 import threading
+import zlib
 
-NUM_VIEWS = 8
+import hostile_files
+from hostile_model import Model, ModelChanges
+
+# A case hangs after so many times --max_seconds: a busy machine gives a program a part of its time.
+PATIENCE = 3
 IMAGE_SIZE = 320
-MAX_POINTS = 300
 
-NUMBERS = [0.0, -0.0, 1.0, -1.0, 1e-300, 1e-45, 1e-12, 1e6, 1e9, 1e12, 1e37, 1e45, 1e150, 1e200, 1e308, -1e6, -1e37,
-           -1e200, float('inf'), float('-inf'), float('nan'), 5e-324, 2.0**31, 2.0**32, 2.0**53, 2.0**63]
-INTEGERS = [0, 1, -1, 2, 7, 2**15, 2**16, 2**31 - 1, 2**31, 2**32 - 1, 2**53, 2**63 - 1, -2**31]
-NAMES = ['', ' ', '.', '..', '../view.jpg', '/etc/passwd', 'a\nb.jpg', 'a\tb.jpg', '\x1b[31mred.jpg', 'a"b,c.jpg',
-         "a'b.jpg", 'x' * 255, 'x' * 300 + '.jpg', 'a b.jpg ', 'ä日本.jpg', 'view_00.jpg/x.png', '-rf', '--help',
-         'a\\b.jpg', 'CON', '%s%n.jpg', '$(reboot).jpg', '<b>.jpg', './view_00.jpg', 'sub/../view_00.jpg']
-OPTION_VALUES = ['', ' ', '0', '-1', '1', '-0', '1e-300', '1e9', '1e300', 'nan', 'inf', '-inf', '100000', '2147483648',
-                 '9223372036854775808', 'true', 'x', '../x', '\x1b[31m', 'a\nb', '0x10', '1,2,3', '0,1,0,1,0,1',
-                 '1,0,1,0,1,0', '/dev/null', '/dev/zero', '/dev/full']
+OPTION_VALUES = ['', ' ', '0', '-1', '1', '-0', '2', '1e-300', '1e-9', '0.5', '1e9', '1e300', 'nan', 'inf', '-inf', '1000',
+                 '100000', '2147483647', '2147483648', '9223372036854775808', '1e99999', 'true', 'x', '\x1b[31m', 'a\nb',
+                 '\udcff', '0x10', '1,2,3', '1,1,1', '0,1,0,1,0,1', '1,0,1,0,1,0', '-1e300,1e300,-1e300,1e300,-1e300,1e300',
+                 'nan,1,0,1,0,1', '1/2', '2/1', '0/0', '-1/2', 'x' * 5000]
+HOSTILE_PATHS = ['', '/', '/dev/zero', '/dev/null', '/dev/full', '/proc/self/mem', '/proc/self/environ', '/missing/x.ply',
+                 'a\nb', '\udcff.ply', 'x' * 5000, '\x1b[31m.json', '.']
 # Words of messages that are not ours.
-RAW_WORDS = ['exception', 'std::', 'bad_alloc', 'basic_string', 'vector::', 'terminate', 'Assertion', 'CHECK']
-# Commands that read the model, and those that also, or only, read a drawing.
-MAKERS = ['automatic_drawer', 'automatic_drawer', 'curve_sketcher', 'edge_extractor', 'curve_linker']
-USERS = ['curve_drawer', 'drawing_refiner', 'drawing_viewer']
-READERS = ['drawing_exporter', 'drawing_evaluator']
-TAKEN_OPTIONS = ['--help_all', '--num_threads', '--workspace_path', '--output_path', '--max_image_size', '--input_path',
-                 '--truth_path', '--taus', '--overwrite']
-MODEL_NAMES = {0: 'SIMPLE_PINHOLE', 1: 'PINHOLE', 2: 'SIMPLE_RADIAL', 3: 'RADIAL', 4: 'OPENCV'}
-NUM_PARAMS = {0: 3, 1: 4, 2: 4, 3: 5, 4: 8}
+RAW_WORDS = ['exception', 'std::', 'bad_alloc', 'basic_string', 'vector::', 'terminate', 'Assertion', 'CHECK', 'Eigen',
+             'Corrupt JPEG', 'Premature end', 'libpng', 'TIFF', 'OpenCV(', 'cv::', '.cc:', '.cpp:', 'json.']
+DRAWERS = ['automatic_drawer', 'automatic_drawer', 'automatic_drawer', 'curve_sketcher', 'edge_extractor',
+           'curve_linker', 'curve_drawer', 'drawing_refiner']
+VIEWERS = ['drawing_viewer', 'drawing_fuser', 'truth_extractor', 'drawing_exporter', 'drawing_evaluator']
+COMMANDS = {'model': DRAWERS + VIEWERS, 'images': DRAWERS + VIEWERS, 'files': DRAWERS + VIEWERS + ['model_importer'],
+            'options': DRAWERS + VIEWERS + ['model_importer'], 'outputs': DRAWERS + VIEWERS + ['model_importer'],
+            'drawing': ['drawing_refiner'] + VIEWERS, 'stored': DRAWERS, 'cameras': ['model_importer'],
+            'dense': VIEWERS}
+REPLACING = ['automatic_drawer', 'curve_drawer', 'drawing_refiner', 'drawing_fuser', 'drawing_viewer', 'truth_extractor',
+             'drawing_exporter', 'drawing_evaluator']
+RESULTS = ['drawing.json', 'drawing.ply', 'drawing.obj', 'drawing.html', 'drawing-fused.json', 'drawing-fused.ply',
+           'curves', 'curves/.lock', 'curves/cache', 'curves/cache/fragments', 'curves/cache/sketch/view_00.jpg.bin',
+           'curves/tracks.txt', 'curves/overlays', 'curves/overlays/view_00.jpg.png', 'curves/project.ini',
+           'curves/account.csv', 'curves/swept-sketch.bin', 'curves/swept-sketch.ply', 'refined', 'refined/cameras.txt',
+           'refined/cameras.bin', 'with-curves', 'with-curves/fused.ply', 'sparse-with-curves/cameras.bin', 'x.svg',
+           'x.glb', 'x.csv', 'truth.ply', 'model', 'drawing.json.limn-tmp']
+CAMERA_FORMATS = ['projection_matrices', 'intrinsic_extrinsic', 'bundler', 'nvm', 'middlebury', 'nerf_transforms']
 
 
-def unpack(stream, pattern):
-    return struct.unpack('<' + pattern, stream.read(struct.calcsize('<' + pattern)))
-
-
-def read_name(stream):
-    name = b''
-    while (byte := stream.read(1)) != b'\0':
-        name += byte
-    return name.decode()
-
-
-class Model:
-    """A COLMAP model of a few views."""
-
-    def __init__(self, folder):
-        self.cameras, self.images, self.points = [], [], []
-        with open(folder / 'cameras.bin', 'rb') as f:
-            for _ in range(unpack(f, 'Q')[0]):
-                camera, model, width, height = unpack(f, 'iiQQ')
-                self.cameras.append([camera, model, width, height, list(unpack(f, f'{NUM_PARAMS[model]}d'))])
-        with open(folder / 'images.bin', 'rb') as f:
-            count, = unpack(f, 'Q')
-            for i in range(count):
-                image, = unpack(f, 'i')
-                pose = list(unpack(f, '7d'))
-                camera, = unpack(f, 'i')
-                name = read_name(f)
-                size, = unpack(f, 'Q')
-                pixels = [list(unpack(f, 'ddq')) for _ in range(size)]
-                if i % (count // NUM_VIEWS) == 0 and len(self.images) < NUM_VIEWS:
-                    self.images.append([image, pose, camera, name, pixels])
-        kept = {image[0] for image in self.images}
-        with open(folder / 'points3D.bin', 'rb') as f:
-            for _ in range(unpack(f, 'Q')[0]):
-                point, x, y, z, r, g, b, error, size = unpack(f, 'QdddBBBdQ')
-                track = [list(unpack(f, 'ii')) for _ in range(size)]
-                track = [entry for entry in track if entry[0] in kept]
-                if len(track) >= 2 and len(self.points) < MAX_POINTS:
-                    self.points.append([point, [x, y, z], [r, g, b], error, track])
-        known = {point[0] for point in self.points}
-        for image in self.images:
-            for pixel in image[4]:
-                if pixel[2] not in known:
-                    pixel[2] = -1
-
-    def write_binary(self, folder):
-        with open(folder / 'cameras.bin', 'wb') as f:
-            f.write(struct.pack('<Q', len(self.cameras)))
-            for camera, model, width, height, params in self.cameras:
-                f.write(struct.pack(f'<iiQQ{len(params)}d', wrap(camera, 32), wrap(model, 32), width % 2**64,
-                                    height % 2**64, *params))
-        with open(folder / 'images.bin', 'wb') as f:
-            f.write(struct.pack('<Q', len(self.images)))
-            for image, pose, camera, name, pixels in self.images:
-                f.write(struct.pack('<i7di', wrap(image, 32), *pose, wrap(camera, 32)))
-                f.write(name.encode() + b'\0' + struct.pack('<Q', len(pixels)))
-                for x, y, point in pixels:
-                    f.write(struct.pack('<ddq', x, y, wrap(point, 64)))
-        with open(folder / 'points3D.bin', 'wb') as f:
-            f.write(struct.pack('<Q', len(self.points)))
-            for point, place, color, error, track in self.points:
-                f.write(struct.pack('<QdddBBBdQ', point % 2**64, *place, *color, error, len(track)))
-                for image, index in track:
-                    f.write(struct.pack('<ii', wrap(image, 32), wrap(index, 32)))
-
-    def write_text(self, folder):
-        with open(folder / 'cameras.txt', 'w', encoding='utf-8') as f:
-            for camera, model, width, height, params in self.cameras:
-                f.write(join(camera, MODEL_NAMES.get(model, model), width, height, *params))
-        with open(folder / 'images.txt', 'w', encoding='utf-8') as f:
-            for image, pose, camera, name, pixels in self.images:
-                f.write(join(image, *pose, camera, name))
-                f.write(join(*[value for pixel in pixels for value in pixel]))
-        with open(folder / 'points3D.txt', 'w', encoding='utf-8') as f:
-            for point, place, color, error, track in self.points:
-                f.write(join(point, *place, *color, error, *[value for entry in track for value in entry]))
-
-
-def wrap(value, bits):
-    value %= 2**bits
-    return value - 2**bits if value >= 2**(bits - 1) else value
-
-
-def join(*values):
-    return ' '.join(repr(value) if isinstance(value, float) else str(value) for value in values) + '\n'
+@functools.cache
+def option_defaults(limn, command):
+    """Of all options whose values a case may change: not the workspace, beside which results would be written."""
+    text = subprocess.run([limn, command, '--help_all'], capture_output=True, text=True, check=True).stdout
+    found = dict(re.findall(r'^  (--\S+)(?: arg)?(?: \(=(.*?)\))?', text, re.MULTILINE))
+    return {name: value for name, value in found.items() if name not in ('--help_all', '--workspace_path')}
 
 
 class Case:
@@ -145,251 +79,348 @@ class Case:
         self.max_mb = arguments.max_mb
         self.random = random.Random(seed)
         self.folder = folder
-        self.changes = []
         self.workspace = folder / 'workspace'
         self.output = folder / 'output'
-        (self.workspace / 'sparse').mkdir(parents=True)
-        (self.workspace / 'images').mkdir()
-        self.output.mkdir()
-        self.model = copy.deepcopy(base)
+        self.auxiliary = folder / 'auxiliary'
+        self.model = pickle.loads(pickle.dumps(base))  # faster than deepcopy
         self.names = [image[3] for image in base.images]
-        self.options = []
-        self.kind = self.random.choice(['model', 'model', 'files', 'drawing'])
-        self.command = self.random.choice(
-            {'model': MAKERS + USERS, 'files': MAKERS + USERS + READERS, 'drawing': USERS + READERS}[self.kind])
+        self.kind = self.random.choice(['model'] * 5 + ['files', 'files', 'options', 'options', 'drawing', 'stored',
+                                                        'stored', 'images', 'images', 'cameras', 'dense', 'outputs'])
+        self.command = self.random.choice(COMMANDS[self.kind])
+        self.dense = self.random.choice(['depth_maps', 'fused', 'mesh', 'pmvs'])
+        self.tiles = self.kind == 'stored' and self.command == 'automatic_drawer' and self.random.random() < 0.3
+        self.options = {}
+        self.changes = []
+        self.code = None
+        self.costs = ''
 
-    def number(self, value):
-        if self.random.random() < 0.3:
-            return value * 10.0**self.random.randint(-40, 40)
-        return self.random.choice(NUMBERS)
+    def chance(self, probability):
+        return self.random.random() < probability
 
-    def change_camera(self):
-        camera = self.random.choice(self.model.cameras)
-        field = self.random.choice([0, 1, 2, 3, 4, 4, 4, 4])
-        if field == 4:
-            i = self.random.randrange(len(camera[4]))
-            camera[4][i] = self.number(camera[4][i])
-            self.changes.append(f'camera parameter {i} = {camera[4][i]}')
-        else:
-            camera[field] = self.random.choice(INTEGERS)
-            self.changes.append(f'camera field {field} = {camera[field]}')
-
-    def change_pose(self):
-        images = self.random.choice([self.model.images, [self.random.choice(self.model.images)]])
-        i = self.random.randrange(7)
-        for image in images:
-            image[1][i] = self.number(image[1][i])
-        self.changes.append(f'pose value {i} of {len(images)} images = {images[0][1][i]}')
-
-    def scale_scene(self):
-        factor = 10.0**self.random.randint(-30, 30)
-        for image in self.model.images:
-            for i in (4, 5, 6):
-                image[1][i] *= factor
-        for point in self.model.points:
-            point[1] = [value * factor for value in point[1]]
-        self.changes.append(f'scene times {factor:g}')
-
-    def change_name(self):
-        image = self.random.choice(self.model.images)
-        image[3] = self.random.choice(NAMES)
-        self.changes.append(f'name {image[3]!r}')
-
-    def change_image_ids(self):
-        image = self.random.choice(self.model.images)
-        field = self.random.choice([0, 2])
-        image[field] = self.random.choice(INTEGERS)
-        self.changes.append(f'image field {field} = {image[field]}')
-
-    def change_point(self):
-        point = self.random.choice(self.model.points)
-        kind = self.random.randrange(4)
-        if kind == 0:
-            point[1][self.random.randrange(3)] = self.number(1.0)
-        elif kind == 1:
-            point[3] = self.number(1.0)
-        elif kind == 2:
-            point[4][0][self.random.randrange(2)] = self.random.choice(INTEGERS)
-        else:
-            point[0] = abs(self.random.choice(INTEGERS))
-        self.changes.append(f'point {point[0]} {point[1]} {point[3]} {point[4][0]}')
-
-    def repeat_image(self):
-        self.model.images.append(copy.deepcopy(self.random.choice(self.model.images)))
-        self.model.images[-1][0] += self.random.choice([0, 100])
-        self.changes.append(f'image repeated as {self.model.images[-1][0]}')
-
-    def change_option(self):
-        options = [line.split()[0] for line in self.help().splitlines() if line.startswith('  --')]
-        option = self.random.choice([o for o in options if o not in TAKEN_OPTIONS])
-        value = self.random.choice(OPTION_VALUES)
-        self.options.append(f'{option}={value}')
-        self.changes.append(f'{option}={value!r}')
-
-    def help(self):
-        return subprocess.run([self.limn, self.command, '--help_all'], capture_output=True, text=True,
-                              check=True).stdout
-
-    def replace_file(self):
-        files = sorted(p for p in self.folder.rglob('*') if p.is_file() and not p.is_symlink())
-        file = self.random.choice(files)
-        kind = self.random.choice(['empty', 'folder', 'pipe', 'loop', 'zero', 'full', 'cut', 'noise', 'missing',
-                                   'unreadable', 'repeated'])
-        content = file.read_bytes()
-        if kind != 'unreadable':
-            file.unlink()
-        if kind == 'empty':
-            file.touch()
-        elif kind == 'folder':
-            file.mkdir()
-        elif kind == 'pipe':
-            os.mkfifo(file)
-        elif kind == 'loop':
-            file.symlink_to(file)
-        elif kind == 'zero':
-            file.symlink_to('/dev/zero')
-        elif kind == 'full':
-            file.symlink_to('/dev/full')
-        elif kind == 'cut':
-            file.write_bytes(content[:self.random.randrange(len(content) + 1)])
-        elif kind == 'noise':
-            damaged = bytearray(content)
-            for _ in range(self.random.randint(1, 64)):
-                if damaged:
-                    damaged[self.random.randrange(len(damaged))] = self.random.randrange(256)
-            file.write_bytes(damaged)
-        elif kind == 'unreadable':
-            file.chmod(0)
-        elif kind == 'repeated':
-            file.write_bytes(content + content)
-        self.changes.append(f'{file.relative_to(self.folder)}: {kind}')
-
-    def change_drawing(self):
-        path = self.output / 'drawing.json'
-        if not path.is_file():
-            return
-        drawing = json.loads(path.read_text())
-        node, key = drawing, None
-        while isinstance(node, (dict, list)) and len(node) > 0:
-            keys = list(node.keys()) if isinstance(node, dict) else range(len(node))
-            parent, key = node, self.random.choice(list(keys))
-            node = parent[key]
-        value = self.random.choice([1e12, 1e37, 1e300, -1, 2**31, 2**53, None, '', 'x' * 1000, [], {}, True, 0])
-        parent[key] = value
-        path.write_text(json.dumps(drawing))
-        self.changes.append(f'drawing.json: a {key!r} = {str(value)[:20]!r}')
+    # The project, and what is changed in it.
 
     def make(self):
-        of_model = [self.change_camera, self.change_pose, self.change_pose, self.scale_scene, self.change_name,
-                    self.change_image_ids, self.change_point, self.repeat_image]
-        of_files = [self.change_option, self.replace_file]
-        is_text = self.random.random() < 0.3
+        for folder in (self.workspace / 'sparse', self.workspace / 'images', self.output, self.folder / 'beside'):
+            folder.mkdir(parents=True)
+        (self.folder / 'beside' / 'note.txt').write_text('not ours\n')
         for name in self.names:
             shutil.copyfile(self.sample / 'images' / name, self.workspace / 'images' / name)
-        if self.command not in MAKERS or self.random.random() < 0.3:
-            shutil.copytree(self.folder.parent / 'drawn', self.output, dirs_exist_ok=True)
-        possible = {'model': of_model, 'files': of_files, 'drawing': [self.change_drawing]}[self.kind]
-        changes = [self.random.choice(possible) for _ in range(self.random.choice([1, 1, 1, 2, 3]))]
-        if self.random.random() < 0.2:
-            changes.append(self.random.choice(of_model + of_files))
-        for change in changes:
-            if change in of_model:
-                change()
-        folder = self.workspace / 'sparse'
-        if is_text:
-            self.model.write_text(folder)
-        else:
-            self.model.write_binary(folder)
+        if self.kind in ('files', 'outputs') or self.command in VIEWERS or self.chance(0.1):
+            hostile_files.write_dense(self.model, self.sample, self.workspace, self.dense)
+        if self.command not in DRAWERS[:6] or self.kind == 'stored' or self.chance(0.4):
+            drawn = self.folder.parent / ('tiled' if self.tiles else 'drawn')
+            shutil.copytree(drawn, self.output, dirs_exist_ok=True)
+        hostile_files.write_auxiliary(self.model, self.auxiliary)
+        self.set_options()
+        kinds = [self.kind] * self.random.choice([1, 1, 1, 2, 3])
+        if self.chance(0.15):
+            kinds.append(self.random.choice(['files', 'options', 'images', 'outputs']))
+        if 'model' in kinds:
+            changes = self.random.choices(ModelChanges(self.model, self.random).all(), k=len(kinds))
+            self.changes += [change() for change in changes]
+        self.model.write(self.workspace / 'sparse', self.chance(0.3))
         for image in self.model.images:
             self.show(image[3])
-        for change in changes:
-            if change not in of_model:
-                change()
+        for kind in kinds:
+            if kind != 'model':
+                self.changes.append(self.change(kind))
+
+    def change(self, kind):
+        try:
+            return getattr(self, 'change_' + kind)()
+        except (IndexError, OSError, ValueError, struct.error, zlib.error):
+            if not self.changes:
+                raise
+            return f'{kind}: an earlier change left nothing to change'
 
     def show(self, name):
         """Gives an image its picture if its name can be that of a file in the project."""
-        path = pathlib.Path(os.path.normpath(self.workspace / 'images' / name))
-        if not path.is_relative_to(self.workspace / 'images') or name == '':
-            return
-        try:
-            if not path.exists():
-                path.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(self.sample / 'images' / self.names[0], path)
-        except (OSError, ValueError):
-            pass
+        images = self.workspace / 'images'
+        path = pathlib.Path(os.path.normpath(images / name))
+        if path.is_relative_to(images) and name != '' and len(name) < 1000:
+            try:
+                if not path.exists():
+                    path.parent.mkdir(parents=True, exist_ok=True)
+                    shutil.copyfile(self.sample / 'images' / self.names[0], path)
+            except (OSError, ValueError):
+                pass
 
-    def arguments(self):
-        drawing = str(self.output / 'drawing.json')
-        by_command = {
-            'drawing_exporter': ['--input_path', drawing, '--output_path',
-                                 str(self.output / ('x' + self.random.choice(['.dxf', '.glb', '.svg', '.obj'])))],
-            'drawing_evaluator': ['--input_path', drawing, '--truth_path',
-                                  str(self.sample.parent / 'truth' / 'curves.ply'), '--taus', '0.01'],
-        }
-        project = ['--workspace_path', str(self.workspace), '--output_path', str(self.output), '--max_image_size',
-                   str(IMAGE_SIZE), '--num_threads', '2', '--overwrite', '1']
-        if self.command not in ('automatic_drawer', 'curve_drawer'):
-            project = project[:-2]
-        return [self.command] + by_command.get(self.command, project) + self.options
+    def input_files(self):
+        """What the command may read: not the files beside, and auxiliary ones if an option names them."""
+        named = ' '.join(self.options.values())
+        return sorted(p for p in self.folder.rglob('*') if p.is_file() and not p.is_symlink() and
+                      'beside' not in p.parts and (self.auxiliary not in p.parents or str(p) in named or
+                                                   (p.parent.name == 'masks' and str(p.parent) in named)))
+
+    def change_files(self):
+        by_folder = {}
+        for file in self.input_files():
+            by_folder.setdefault(file.parent, []).append(file)
+        file = self.random.choice(self.random.choice(list(by_folder.values())))
+        return f'{file.relative_to(self.folder)}: {hostile_files.damage(self.random, file)}'
+
+    def change_images(self):
+        images = [p for p in self.input_files() if p.suffix in ('.jpg', '.png') and self.output not in p.parents]
+        return hostile_files.change_image(self.random, self.random.choice(images))
+
+    def change_drawing(self):
+        path = self.output / 'drawing.json'
+        drawing = json.loads(path.read_text())
+        told = hostile_files.change_json(self.random, drawing)
+        path.write_text(json.dumps(drawing))
+        return 'drawing.json: ' + told
+
+    def change_stored(self):
+        files = [p for p in self.input_files() if self.output in p.parents and p.suffix == '.bin'
+                 and p.read_bytes()[:8] == b'limnfile']
+        # Results of the last stages hide those of the first ones.
+        file = self.random.choice(files)
+        if 'fragments' in file.parts or self.chance(0.5):
+            shutil.rmtree(self.output / 'curves' / 'cache' / 'sketch', ignore_errors=True)
+            files = [p for p in files if p.is_file()]
+            file = file if file.is_file() else self.random.choice(files)
+        return hostile_files.change_stage_file(self.random, file)
+
+    def change_cameras(self):
+        file = self.random.choice([p for p in self.input_files() if 'cameras' in p.parts])
+        if self.chance(0.3):
+            return f'{file.name}: {hostile_files.damage(self.random, file)}'
+        file.write_text(hostile_files.change_digits(self.random, file.read_text()))
+        return f'{file.name}: a number'
+
+    def change_dense(self):
+        file = self.random.choice([p for p in self.input_files() if self.workspace in p.parents and
+                                   (p.suffix in ('.ply', '.vis', '.patch') or 'depth_maps' in p.parts)])
+        if self.chance(0.3):
+            return f'{file.name}: {hostile_files.damage(self.random, file)}'
+        content = file.read_bytes()
+        if file.suffix == '.patch' or self.chance(0.2):  # the header of a binary file is text
+            head, tail = content[:300].decode('latin-1'), content[300:]
+            file.write_bytes(hostile_files.change_digits(self.random, head).encode('latin-1') + tail)
+            return f'{file.name}: a number of its first lines'
+        file.write_bytes(hostile_files.change_word(self.random, content))
+        return f'{file.name}: a number'
+
+    def change_outputs(self):
+        """Something in the place of a result."""
+        path = self.output / self.random.choice(RESULTS)
+        for parent in reversed(path.parents):
+            if parent.exists() and not parent.is_dir():
+                return 'a result is there already'
+        if path.is_dir() and not path.is_symlink():
+            shutil.rmtree(path)
+        path.unlink(missing_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        note = self.folder / 'beside' / 'note.txt'
+        kind = self.random.choice(['link', 'dangling link', 'null', 'full', 'pipe', 'folder', 'full folder', 'file',
+                                   'loop', 'read-only'])
+        if kind == 'link':
+            path.symlink_to(note)
+        elif kind == 'dangling link':
+            path.symlink_to(self.folder / 'beside' / 'new.txt')
+        elif kind in ('null', 'full'):
+            path.symlink_to('/dev/' + kind)
+        elif kind == 'pipe':
+            os.mkfifo(path)
+        elif kind == 'loop':
+            path.symlink_to(path)
+        elif 'folder' in kind:
+            path.mkdir()
+            if kind == 'full folder':
+                (path / 'note.txt').write_text('not ours\n')
+        else:
+            path.write_text('not ours\n')
+            path.chmod(0o444 if kind == 'read-only' else 0o600)
+        return f'output/{path.relative_to(self.output)}: {kind}'
+
+    def defaults(self):
+        return option_defaults(self.limn, self.command)
+
+    def change_options(self):
+        name, default = self.random.choice(list(self.defaults().items()))
+        if name.startswith('--output_') and name != '--output_type':
+            value = self.output_path()
+        elif name.endswith('_path'):
+            value = self.random.choice(HOSTILE_PATHS + [str(p) for p in self.input_files()[:30]] + [str(self.folder)])
+        elif re.fullmatch(r'-?[\d.e-]+', default) and self.chance(0.5):
+            value = f'{float(default) * 10.0**self.random.choice([-9, -3, -1, 1, 2, 3, 4, 6, 9]):g}'
+        else:
+            value = self.random.choice(OPTION_VALUES)
+        self.options[name] = value
+        return f'{name}={value[:100]!r}'
+
+    def output_path(self):
+        inputs = [p for p in self.input_files() if self.workspace in p.parents]
+        is_file = self.command in ('drawing_exporter', 'drawing_evaluator', 'truth_extractor')
+        names = ['drawing.json', 'curves/swept-sketch.bin', 'new/x.ply', 'ä b.json', 'a\nb.ply', '\udcff.ply',
+                 'x' * 300, '\x1b[31m.ply', 'curves', '.']
+        paths = [str(self.output / name) for name in names] + ['/dev/null/x', '/dev/full', '/proc/x.ply']
+        if is_file and '--overwrite' in self.defaults() and self.chance(0.4):
+            self.options['--overwrite'] = '0'
+            return str(self.random.choice(inputs))
+        return self.random.choice(paths)
+
+    # The command.
+
+    def set_options(self):
+        getattr(self, 'set_options_of_' + self.command, self.set_options_of_project)()
+        if self.command in REPLACING and self.chance(0.8):
+            self.options['--overwrite'] = '1'
+        if self.kind in ('files', 'images'):
+            for option, value in (('--mask_path', 'masks'), ('--image_list_path', 'list.txt'),
+                                  ('--project_path', 'options.ini')):
+                if option in self.defaults() and self.chance(0.3):
+                    self.options[option] = str(self.auxiliary / value)
+
+    def set_options_of_project(self):
+        self.options.update({'--workspace_path': str(self.workspace), '--output_path': str(self.output),
+                             '--max_image_size': str(IMAGE_SIZE), '--num_threads': '2'})
+        names = self.defaults()
+        for option, value, probability in (
+                ('--DrawingRefinement.refine_poses', '1', 0.2), ('--account', '1', 0.15), ('--page', '0', 0.5),
+                ('--mode', 'enhanced', 0.1), ('--mode', 'original', 0.1), ('--Drawing.method', 'paper', 0.05),
+                ('--cloud', 'dense', 0.3), ('--cloud', 'sparse', 0.3), ('--dense_type', self.dense, 0.3),
+                ('--Tiles.max_views', '5', 1.0 if self.tiles else 0.05)):
+            changes_the_cache = self.kind == 'stored' and option != '--Tiles.max_views'
+            if option in names and not changes_the_cache and self.chance(probability):
+                self.options[option] = value
+
+    def set_options_of_truth_extractor(self):
+        self.set_options_of_project()
+        self.options['--output_path'] = str(self.output / 'truth.ply')
+        if self.dense == 'fused':
+            self.options['--cloud_path'] = str(self.workspace / 'fused.ply')
+        else:
+            self.options['--mesh_path'] = str(self.workspace / 'meshed-poisson.ply' if self.dense == 'mesh' else
+                                              self.sample.parent / 'truth' / 'mesh.ply')
+
+    def set_options_of_drawing_exporter(self):
+        ending = self.random.choice(['dxf', 'glb', 'svg', 'svg', 'obj', 'ply', 'json', 'graphml', 'step'])
+        self.options.update({'--input_path': str(self.output / 'drawing.json'),
+                             '--output_path': str(self.output / ('x.' + ending))})
+        if ending == 'svg' and (self.kind in ('model', 'images', 'dense') or self.chance(0.5)):
+            self.options.update({'--view': self.names[0], '--workspace_path': str(self.workspace),
+                                 '--photo': self.random.choice('01')})
+        elif ending == 'svg' and self.dense == 'mesh':
+            self.options['--dense_path'] = str(self.workspace / 'meshed-poisson.ply')
+        elif ending == 'glb' and self.dense == 'fused':
+            self.options['--cloud_path'] = str(self.workspace / 'fused.ply')
+
+    def set_options_of_drawing_evaluator(self):
+        truth = self.random.choice([self.sample.parent / 'truth' / 'curves.ply', self.auxiliary / 'points.txt',
+                                    self.auxiliary / 'curves.obj', self.output / 'drawing.json'])
+        self.options.update({'--input_path': str(self.output / 'drawing.json'), '--truth_path': str(truth),
+                             '--taus': '0.01,0.1', '--num_threads': '2'})
+        for option, value in (('--junctions_path', 'junctions.json'), ('--true_kinds_path', 'kinds.json'),
+                              ('--dont_care_path', 'curves.obj')):
+            if self.chance(0.3):
+                self.options[option] = str(self.auxiliary / value)
+        if truth.suffix == '.txt' and self.chance(0.5):
+            self.options['--truth_edges_path'] = str(self.auxiliary / 'edges.txt')
+        if self.kind in ('model', 'images') or self.chance(0.3):
+            self.options.update({'--workspace_path': str(self.workspace), '--unit': 'footprint', '--taus': '1,4'})
+        if self.chance(0.3):
+            self.options.update({'--output_csv': str(self.output / 'x.csv'),
+                                 '--output_json': str(self.output / 'x.json')})
+
+    def set_options_of_model_importer(self):
+        kind = self.random.choice(CAMERA_FORMATS)
+        path = hostile_files.write_foreign_cameras(self.model, self.folder / 'cameras', kind)
+        self.options.update({'--input_path': str(path), '--image_path': str(self.workspace / 'images'),
+                             '--output_path': str(self.output / 'model'),
+                             '--output_type': self.random.choice(['bin', 'txt'])})
+        if kind == 'bundler':
+            self.options['--list_path'] = str(self.folder / 'cameras' / 'list.txt')
+        if self.chance(0.3):
+            self.options['--input_type'] = kind
 
     def run(self):
         """The rules that the run broke."""
-        before = snapshot(self.workspace)
-        process = subprocess.Popen([self.limn] + self.arguments(), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   stdin=subprocess.DEVNULL, cwd=self.folder, start_new_session=True)
-        timer = threading.Timer(self.max_seconds, lambda: os.killpg(process.pid, signal.SIGKILL))
-        timer.start()
-        texts = {}
-        reader = threading.Thread(target=lambda: texts.update(out=process.stdout.read()))
-        reader.start()
-        errors = process.stderr.read()
-        reader.join()
-        _, status, usage = os.wait4(process.pid, 0)
-        timer.cancel()
-        process.returncode = os.waitstatus_to_exitcode(status)
-        return self.broken(process.returncode, texts['out'], errors, usage.ru_maxrss // 1024,
-                           before != snapshot(self.workspace))
+        before = snapshot(self.folder, self.output)
+        stream = self.random.choice(['read'] * 18 + ['closed', 'full'])
+        interrupt_after = self.random.uniform(0.02, 1) if self.chance(0.06) else 0
+        if stream != 'read':
+            self.changes.append(f'standard output {stream}')
+        if interrupt_after:
+            self.changes.append(f'interrupted after {interrupt_after:.2f} s')
+        command = [self.limn, self.command] + [f'{name}={value}' for name, value in self.options.items()]
+        closed = {'preexec_fn': lambda: os.close(1)} if stream == 'closed' else {}
+        with open('/dev/full', 'wb') as full, tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:
+            process = subprocess.Popen(command, stdout=full if stream == 'full' else output, stderr=errors,
+                                       stdin=subprocess.DEVNULL, cwd=self.folder, start_new_session=True, **closed)
+            timers = [threading.Timer(PATIENCE * self.max_seconds, process.send_signal, [signal.SIGKILL])]
+            if interrupt_after:
+                timers.append(threading.Timer(interrupt_after, process.send_signal, [signal.SIGINT]))
+            for timer in timers:
+                timer.start()
+            _, status, usage = os.wait4(process.pid, 0)
+            for timer in timers:
+                timer.cancel()
+            process.returncode = os.waitstatus_to_exitcode(status)
+            texts = []
+            for file in (output, errors):
+                file.seek(0)
+                texts.append(file.read())
+        after = snapshot(self.folder, self.output)
+        changed = [path for path in sorted({**before, **after}) if before.get(path) != after.get(path)]
+        if interrupt_after and process.returncode == -signal.SIGINT:  # before its first line of code
+            process.returncode = 130
+        self.code = process.returncode
+        return self.broken(self.code, *texts, usage, changed)
 
-    def broken(self, code, output, errors, peak_mb, is_changed):
-        lines = [line for line in errors.decode(errors='replace').splitlines() if line.startswith('ERROR: ')]
+    def broken(self, code, output, errors, usage, changed):
+        errors = errors.decode(errors='replace')
+        lines = errors.splitlines()
+        num_errors = sum(line.startswith('ERROR: ') for line in lines)
+        processor_s = usage.ru_utime + usage.ru_stime
+        self.costs = f'{processor_s:.1f} s, {usage.ru_maxrss // 1024} MB'
         rules = []
         if code not in (0, 1, 130):
             rules.append(f'ended with {code}')
-        if len(lines) != (1 if code == 1 else 0):
-            rules.append(f'{len(lines)} error lines with exit code {code}')
+        if num_errors != (1 if code == 1 else 0):
+            rules.append(f'{num_errors} error lines with exit code {code}')
+        if len(lines) > num_errors + (1 if code == 130 else 0):  # an interrupted run tells what is kept
+            rules.append(f'{len(lines)} lines on standard error')
         if any(word in line for line in lines for word in RAW_WORDS):
             rules.append('words of a library')
-        if any(byte < 32 and byte not in b'\n\r\t' or byte == 127 for byte in output + errors):
+        if any(byte < 32 and byte not in b'\n\r\t' or byte == 127 for byte in output + errors.encode()):
             rules.append('control characters')
-        if peak_mb > self.max_mb:
-            rules.append(f'{peak_mb} MB')
-        if is_changed:
-            rules.append('the workspace is changed')
+        if usage.ru_maxrss > self.max_mb * 1024:
+            rules.append('too much memory')
+        if processor_s > self.max_seconds:
+            rules.append('too much processor time')
+        if changed:
+            rules.append(f'changed: {", ".join(changed[:5])}')
         if rules:
-            rules.append('last words: ' + repr(errors.decode(errors='replace')[-300:]))
+            rules.append('last words: ' + repr(errors[-300:]))
         return rules
 
 
-def snapshot(folder):
-    """Kinds, permissions and contents of all that is below a folder."""
+def snapshot(folder, left_out):
+    """Kinds, permissions and contents of all that is below a folder but not in another one."""
     found = {}
     for path in sorted(folder.rglob('*')):
+        if path == left_out or left_out in path.parents:
+            continue
         info = path.lstat()
-        digest = hashlib.sha1(path.read_bytes()).digest() if stat.S_ISREG(info.st_mode) and info.st_mode & 0o400 else b''
-        found[str(path)] = (info.st_mode, info.st_size if stat.S_ISREG(info.st_mode) else 0, digest)
+        is_file = stat.S_ISREG(info.st_mode)
+        digest = hashlib.sha1(path.read_bytes()).digest() if is_file and info.st_mode & 0o400 else b''
+        found[str(path.relative_to(folder))] = (info.st_mode, info.st_size if is_file else 0, digest)
     return found
 
 
 def draw_base(limn, sample, base, folder):
-    """A finished drawing of the unchanged project."""
+    """Finished drawings of the unchanged project, in one piece and in tiles."""
     workspace = folder / 'base'
     (workspace / 'sparse').mkdir(parents=True)
     (workspace / 'images').mkdir()
     base.write_binary(workspace / 'sparse')
     for image in base.images:
         shutil.copyfile(sample / 'images' / image[3], workspace / 'images' / image[3])
-    subprocess.run([limn, 'automatic_drawer', '--workspace_path', workspace, '--output_path', folder / 'drawn',
-                    '--max_image_size', str(IMAGE_SIZE), '--page', '0'], check=True, stdout=subprocess.DEVNULL)
+    for name, max_views in (('drawn', 150), ('tiled', 5)):
+        subprocess.run([limn, 'automatic_drawer', '--workspace_path', workspace, '--output_path', folder / name,
+                        '--max_image_size', str(IMAGE_SIZE), '--page', '0', '--Tiles.max_views', str(max_views)],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def main():
@@ -398,15 +429,16 @@ def main():
     parser.add_argument('sample', type=pathlib.Path, help='datasets/sample/day')
     parser.add_argument('--seed', type=int, default=1, help='of the first case; the next ones follow')
     parser.add_argument('--cases', type=int, default=60)
-    parser.add_argument('--max_seconds', type=float, default=60, help='more with sanitizers, as below')
+    parser.add_argument('--max_seconds', type=float, default=60, help='of processor time; more with sanitizers')
     parser.add_argument('--max_mb', type=int, default=2048)
-    parser.add_argument('--keep', action='store_true', help='keep the folders of cases that fail')
+    parser.add_argument('--keep', action='store_true',
+                        help='keep the folders of cases that fail, and print their commands')
+    parser.add_argument('--all', action='store_true', help='print the cases that pass, too')
     arguments = parser.parse_args()
     arguments.limn = arguments.limn.resolve()
     arguments.sample = arguments.sample.resolve()
     base = Model(arguments.sample / 'sparse')
-    num_failed = 0
-    codes = {}
+    num_failed, codes = 0, {}
     root = pathlib.Path(tempfile.mkdtemp(prefix='limn_hostile_'))
     try:
         draw_base(arguments.limn, arguments.sample, base, root)
@@ -416,17 +448,22 @@ def main():
             case = Case(seed, arguments, base, folder)
             case.make()
             rules = case.run()
-            if rules:
-                num_failed += 1
-                print(f'seed {seed}: {case.command}: {"; ".join(case.changes)}\n    ' + '\n    '.join(rules), flush=True)
+            codes[case.code] = codes.get(case.code, 0) + 1
+            num_failed += 1 if rules else 0
+            if rules or arguments.all:
+                told = f'seed {seed}: {case.command}: {"; ".join(case.changes)}: exit code {case.code}, {case.costs}'
+                print('\n    '.join([told] + rules), flush=True)
             if not (rules and arguments.keep):
                 remove(folder)
+            elif arguments.keep:
+                print('   ', [case.command] + [f'{name}={value}' for name, value in case.options.items()], flush=True)
     finally:
         if not (num_failed and arguments.keep):
             remove(root)
         else:
             print(f'kept in {root}')
-    print(f'{arguments.cases} cases, {num_failed} failed')
+    told = ', '.join(f'{number} with exit code {code}' for code, number in sorted(codes.items()))
+    print(f'{arguments.cases} cases ({told}), {num_failed} failed')
     return 1 if num_failed else 0
 
 

@@ -1,6 +1,9 @@
 #include "limn/formats/curve_sketch_file.h"
 
+#include <nlohmann/json.hpp>
+
 #include "limn/formats/curve3d_bytes.h"
+#include "limn/formats/json_text.h"
 #include "limn/formats/stage_file.h"
 #include "limn/util/byte_stream.h"
 
@@ -25,6 +28,7 @@ std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
   ByteReader in(path + " (unpacked)", *payload);
   StoredCurveSketch stored;
   stored.metadata.options_json = in.GetString();
+  in.Check(ParseJson(path, stored.metadata.options_json).is_object(), "the options are no object");
   const size_t num_views = in.GetCount(sizeof(uint64_t));
   for (size_t i = 0; i < num_views; ++i) stored.metadata.view_names.push_back(in.GetString());
   in.Check(num_views == curves.size(), "made from another number of views");

@@ -10,6 +10,7 @@
 
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/image_header.h"
+#include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -108,6 +109,28 @@ TEST_F(ImageReader, MissingAndDamagedFilesAreNamed) {
     EXPECT_THAT(ErrorText<IoError>([&] { ReadImage(path); }), HasSubstr("cannot be decoded"));
     EXPECT_THAT(ErrorText<IoError>([&] { ReadImageSize(path); }), HasSubstr("cannot be decoded"));
   }
+}
+
+// The lines of libjpeg and libpng name no file: our own do.
+TEST_F(ImageReader, DecodersPrintNothing) {
+  cv::Mat gray(64, 64, CV_8UC1);
+  cv::randu(gray, 0, 255);
+  std::string jpeg = Content(Write("a.jpg", gray));
+  jpeg.replace(jpeg.size() / 2, 200, std::string(200, '\x5A'));
+  const std::string damaged = (dir_ / "damaged.jpg").string();
+  std::ofstream(damaged, std::ios::binary) << jpeg;
+  std::string png = Content(Write("a.png", gray));
+  png[20] = '\x40';  // a size of gigapixels, and the checksum is wrong
+  const std::string huge = (dir_ / "huge.png").string();
+  std::ofstream(huge, std::ios::binary) << png;
+
+  testing::internal::CaptureStderr();
+  EXPECT_NO_THROW(ReadImage(damaged));
+  EXPECT_THROW(ReadMask(huge, {64, 64}), IoError);
+  EXPECT_THROW(ReadImage(huge), IoError);
+  std::fputs("ours\n", stderr);
+  PrintErrorLine("and ours");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "ours\nand ours\n");
 }
 
 TEST_F(ImageReader, SizeComesFromTheHeader) {

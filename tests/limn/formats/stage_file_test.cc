@@ -126,6 +126,16 @@ TEST(ImageCurvesFile, WithoutLens) {
   }
 }
 
+TEST(CurveSketchFile, OptionsAreAnObject) {
+  const TemporaryFolder folder;
+  for (const char* options : {"", "[]", "{\"mo", "{\"a\": \"\xFF\"}"}) {
+    DrawingMetadata metadata = kMetadata;
+    metadata.options_json = options;
+    WriteCurveSketch(folder.Path("a.bin"), SmallSketch(), metadata, "x");
+    EXPECT_THROW(ReadCurveSketch(folder.Path("a.bin"), SketchedCurves(), ""), IoError) << options;
+  }
+}
+
 TEST(CurveSketchFile, RoundTrip) {
   const TemporaryFolder folder;
   const CurveSketch written = SmallSketch();
