@@ -42,7 +42,8 @@ HOSTILE_PATHS = ['', '/', '/dev/zero', '/dev/null', '/dev/full', '/proc/self/mem
                  'a\nb', '\udcff.ply', 'x' * 5000, '\x1b[31m.json', '.']
 # Words of messages that are not ours.
 RAW_WORDS = ['exception', 'std::', 'bad_alloc', 'basic_string', 'vector::', 'terminate', 'Assertion', 'CHECK', 'Eigen',
-             'Corrupt JPEG', 'Premature end', 'libpng', 'TIFF', 'OpenCV(', 'cv::', '.cc:', '.cpp:', 'json.']
+             'Corrupt JPEG', 'Premature end', 'libpng', 'TIFFRead', 'TIFFFetch', 'TIFFOpen', 'OpenCV(', 'cv::', '.cc:', '.cpp:',
+             'json.']
 DRAWERS = ['automatic_drawer', 'automatic_drawer', 'automatic_drawer', 'curve_sketcher', 'edge_extractor',
            'curve_linker', 'curve_drawer', 'drawing_refiner']
 VIEWERS = ['drawing_viewer', 'drawing_fuser', 'truth_extractor', 'drawing_exporter', 'drawing_evaluator']

@@ -10,8 +10,8 @@
 namespace limn {
 namespace {
 
-// Of all curves together: about 2 GB.
-constexpr double kMaxCells = 2e7;
+// Of all curves of a set: about 0.6 GB. There are three sets.
+constexpr double kMaxCells = 6e6;
 
 // Throws InputError if there would be more.
 void CheckNumCells(double length, double step, int num_before) {

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "limn/util/errors.h"
 #include "limn/util/union_find.h"
 
 namespace limn {
 namespace {
 
 const double kMinCosine = std::cos(30.0 * M_PI / 180.0);
+// Steps are a fraction of the tolerance where the unit of length is smallest along a curve. Where
+// it is thousands of times as large, the cameras are not those of the curves.
+constexpr size_t kMaxNeighbors = 20000;
 
 struct Approach {
   int sample = -1;
@@ -61,6 +66,11 @@ bool RunsAlongsideAnother(const AlongsideSearch& search, int sample, double radi
   const CurveSamples& samples = search.samples;
   const Eigen::Vector3d& query = samples.Position(sample);
   samples.FindNear(query, radius, scratch);
+  if (scratch->size() > kMaxNeighbors) {
+    throw InputError("a pixel covers so much more at one place of a curve than at another that " +
+                     std::to_string(scratch->size()) +
+                     " steps are within one tolerance: are the cameras those of the drawing?");
+  }
   const SpatialIndex::Neighbor* const end = scratch->data() + scratch->size();
   // Ascending order keeps the samples of one curve together.
   for (const SpatialIndex::Neighbor* begin = scratch->data(); begin != end;) {

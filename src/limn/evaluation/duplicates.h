@@ -19,7 +19,8 @@ struct AlongsideSearch {
 // Whether another curve runs alongside the sample: its nearest approach is within `radius`, and its
 // direction there is within 30 degrees of the sample's. Curves that merely meet end to end are not
 // alongside: an approach that is nearest at the other curve's end does not count when that end is
-// at a node of the sample's own curve. `scratch` is a buffer.
+// at a node of the sample's own curve. `scratch` is a buffer. Throws InputError if the radius
+// covers more than 20,000 samples.
 bool RunsAlongsideAnother(const AlongsideSearch& search, int sample, double radius,
                           std::vector<SpatialIndex::Neighbor>* scratch);
 

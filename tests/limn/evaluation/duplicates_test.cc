@@ -1,0 +1,24 @@
+#include "limn/evaluation/duplicates.h"
+
+#include <gtest/gtest.h>
+
+#include "limn/evaluation/plain_curves.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+TEST(RunsAlongsideAnother, TolerancesOfTensOfThousandsOfStepsAreRefused) {
+  const CurveSet set = testing::Curves({testing::Line(0, 30), testing::Line(0, 30, 1)});
+  const CurveSamples samples(set, [](const Polyline3d&) { return 0.001; });
+  const CurveTopology topology = FindTopology(set.polylines);
+  const std::vector<int> groups =
+      GroupNodes(set.polylines, topology, [](const Polyline3d&) { return 0.001; });
+  std::vector<SpatialIndex::Neighbor> scratch;
+  EXPECT_FALSE(RunsAlongsideAnother({samples, topology, groups}, 0, 0.9, &scratch));
+  EXPECT_TRUE(RunsAlongsideAnother({samples, topology, groups}, 0, 1.1, &scratch));
+  EXPECT_THROW(RunsAlongsideAnother({samples, topology, groups}, 0, 20, &scratch), InputError);
+}
+
+}  // namespace
+}  // namespace limn
