@@ -121,7 +121,7 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
                  " of the length found is doubtful, hence tentative and not exported");
   }
   if (!trust.error_px || !trust.error_90_px) return;
-  console->Say(Percent(*trust.well_seen) + " of its length is seen by " +
+  console->Say(Percent(*trust.well_seen) + " of the drawing's length is seen by " +
                std::to_string(kManyViews) +
                " or more images; expected error, if the cameras are "
                "right: " +

@@ -14,7 +14,8 @@ namespace limn::colmap_ext {
 // Images that see a well-seen curve.
 constexpr size_t kManyViews = 5;
 
-// How far a drawing can be believed. Links that are tentative or contours do not count.
+// How far a drawing can be believed. Links that are tentative or contours count only in
+// `tentative`.
 struct Trust {
   size_t num_views = 0;
   // Share of the edges of an image that the drawing explains, median over images. Nothing if the

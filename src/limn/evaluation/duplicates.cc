@@ -13,8 +13,8 @@ namespace {
 
 const double kMinCosine = std::cos(30.0 * M_PI / 180.0);
 // Steps are a fraction of the tolerance where the unit of length is smallest along a curve. Where
-// it is thousands of times as large, the cameras are not those of the curves.
-constexpr size_t kMaxNeighbors = 20000;
+// it is hundreds of times as large, the cameras are not those of the curves.
+constexpr size_t kMaxNeighbors = 4000;
 
 struct Approach {
   int sample = -1;

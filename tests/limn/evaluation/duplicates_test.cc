@@ -8,12 +8,12 @@
 namespace limn {
 namespace {
 
-TEST(RunsAlongsideAnother, TolerancesOfTensOfThousandsOfStepsAreRefused) {
+TEST(RunsAlongsideAnother, TolerancesOfThousandsOfStepsAreRefused) {
   const CurveSet set = testing::Curves({testing::Line(0, 30), testing::Line(0, 30, 1)});
-  const CurveSamples samples(set, [](const Polyline3d&) { return 0.001; });
+  const CurveSamples samples(set, [](const Polyline3d&) { return 0.005; });
   const CurveTopology topology = FindTopology(set.polylines);
   const std::vector<int> groups =
-      GroupNodes(set.polylines, topology, [](const Polyline3d&) { return 0.001; });
+      GroupNodes(set.polylines, topology, [](const Polyline3d&) { return 0.005; });
   std::vector<SpatialIndex::Neighbor> scratch;
   EXPECT_FALSE(RunsAlongsideAnother({samples, topology, groups}, 0, 0.9, &scratch));
   EXPECT_TRUE(RunsAlongsideAnother({samples, topology, groups}, 0, 1.1, &scratch));
