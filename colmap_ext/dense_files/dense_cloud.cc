@@ -11,6 +11,7 @@
 #include "colmap_ext/model/record_reading.h"
 #include "colmap_ext/workspace/pmvs_model.h"
 #include "limn/formats/ply_points_reader.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
 
@@ -31,7 +32,7 @@ std::vector<ViewId> ViewsByModelIndex(const std::vector<View>& views, size_t num
 class VisibilityReader {
  public:
   VisibilityReader(const std::string& path, uint64_t num_points, std::vector<ViewId> views)
-      : in_(path, std::ios::binary), reader_(path, in_), views_(std::move(views)) {
+      : in_(OpenFile(path)), reader_(path, in_), views_(std::move(views)) {
     const uint64_t count = ReadCount(reader_, "number of points", sizeof(uint32_t));
     if (count != num_points) {
       reader_.At(0).Fail(std::to_string(count) + " points, but the cloud has " +

@@ -57,9 +57,7 @@ FloatMap ReadFloatMap(std::istream& in, const std::string& path) {
 }
 
 FloatMap ReadFloatMap(const std::filesystem::path& path) {
-  CheckIsFile(path.string());
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw IoError(path.string(), "cannot be opened for reading");
+  std::ifstream in = OpenFile(path.string());
   return ReadFloatMap(in, path.string());
 }
 

@@ -6,6 +6,7 @@
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/ply_output.h"
 #include "limn/formats/ply_points_reader.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -43,7 +44,7 @@ void WriteCloud(const fs::path& path, const fs::path& fused,
 
 void WriteVisibility(const fs::path& path, const fs::path& fused_visibility,
                      const std::vector<CloudPoint>& curve_points, const std::vector<View>& views) {
-  std::ifstream in(fused_visibility, std::ios::binary);
+  std::ifstream in = OpenFile(fused_visibility.string());
   uint64_t count = 0;
   in.read(reinterpret_cast<char*>(&count), sizeof(count));
   if (!in) throw IoError(fused_visibility.string(), "cannot be read");

@@ -17,11 +17,7 @@ constexpr int kMaxImages = 1 << 20;
 
 class PatchReader {
  public:
-  explicit PatchReader(const std::string& path) : lines_(in_, path) {
-    CheckIsFile(path);
-    in_.open(path);
-    if (!in_) throw IoError(path, "cannot be opened for reading");
-  }
+  explicit PatchReader(const std::string& path) : in_(OpenFile(path)), lines_(in_, path) {}
 
   void Run(const std::function<void(const Patch&)>& visit) {
     if (Record("PATCHES") != "PATCHES") lines_.Here().Fail("not a .patch file");

@@ -191,8 +191,7 @@ DenseProducts FindDenseProducts(const DenseOptionsPaths& options, const fs::path
 
 bool IsMeshFile(const fs::path& path) {
   if (path.extension() == ".obj") return true;
-  CheckIsFile(path.string());
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in = OpenFile(path.string());
   LineReader reader(in, path.string());
   while (reader.NextLine() && !reader.line().starts_with("end_header")) {
     const std::string& line = reader.line();

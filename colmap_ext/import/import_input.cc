@@ -120,9 +120,7 @@ bool BeginsWith(const fs::path& file, const std::string& text) {
 }
 
 std::vector<std::string> ReadImageList(const std::string& path) {
-  CheckIsFile(path);
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw IoError(path, "cannot be opened for reading");
+  std::ifstream in = OpenFile(path);
   std::vector<std::string> names;
   LineReader reader(in, path);
   while (reader.NextLine()) {

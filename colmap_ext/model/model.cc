@@ -9,6 +9,7 @@
 #include "colmap_ext/model/model_files.h"
 #include "colmap_ext/model/record_reading.h"
 #include "colmap_ext/model/rig.h"
+#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -67,14 +68,8 @@ const Flavor& FlavorOf(const fs::path& folder) {
   FailIncomplete(folder);
 }
 
-std::ifstream Open(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw IoError(path.string(), "cannot be opened for reading");
-  return in;
-}
-
 void Read(ReadFile read, const fs::path& path, ModelBuilder* builder) {
-  std::ifstream in = Open(path);
+  std::ifstream in = OpenFile(path.string());
   read(in, path.string(), builder);
   if (in.bad()) throw IoError(path.string(), "read error");
 }
@@ -88,8 +83,8 @@ void ReadRigsAndFrames(const fs::path& folder, const Flavor& flavor, SparseModel
                               " is missing: going on with the poses of the images file");
   }
   if (!IsFile(rigs_path) || !IsFile(frames_path)) return;
-  std::ifstream rigs = Open(rigs_path);
-  std::ifstream frames = Open(frames_path);
+  std::ifstream rigs = OpenFile(rigs_path.string());
+  std::ifstream frames = OpenFile(frames_path.string());
   const std::vector<Rig> all_rigs = flavor.rigs(rigs, rigs_path.string());
   model->has_rigs = std::any_of(all_rigs.begin(), all_rigs.end(),
                                 [](const Rig& rig) { return rig.cameras.size() > 1; });
@@ -133,7 +128,7 @@ std::string MissingColmapFile(const fs::path& folder) {
 uint64_t CountColmapImages(const fs::path& folder) {
   const Flavor& flavor = FlavorOf(folder);
   const fs::path path = FileOf(folder, "images", flavor);
-  std::ifstream in = Open(path);
+  std::ifstream in = OpenFile(path.string());
   if (&flavor == &kBinary) {
     ByteReader reader(path.string(), in);
     return ReadCount(reader, "number of images", 73);

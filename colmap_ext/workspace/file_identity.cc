@@ -12,9 +12,7 @@
 namespace limn::colmap_ext {
 
 std::string FileIdentity(const std::string& path) {
-  CheckIsFile(path);
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw IoError(path, "cannot be opened");
+  std::ifstream in = OpenFile(path);
   ContentHash hash;
   std::vector<char> block(1 << 20);
   uint64_t size = 0;

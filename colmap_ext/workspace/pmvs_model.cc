@@ -79,9 +79,7 @@ Camera CameraFrom(const Eigen::Matrix3d& intrinsics, ImageSize size, const std::
 }
 
 DecomposedProjection ReadProjection(const fs::path& path) {
-  CheckIsFile(path.string());
-  std::ifstream in(path);
-  if (!in) throw IoError(path.string(), "cannot be opened for reading");
+  std::ifstream in = OpenFile(path.string());
   const ProjectionMatrix projection = ReadContour(in, path.string());
   try {
     return Decompose(projection);
@@ -191,8 +189,8 @@ SparseModel ReadPmvsModel(const fs::path& folder) {
 std::vector<std::string> ReadPmvsImageNames(const fs::path& folder) {
   const fs::path path = folder / kListName;
   std::vector<std::string> names;
-  CheckIsFile(path.string());
-  std::ifstream in(path);
+  if (!fs::exists(path)) return names;
+  std::ifstream in = OpenFile(path.string());
   LineReader reader(in, path.string());
   while (reader.NextLine()) {
     Fields fields(reader);

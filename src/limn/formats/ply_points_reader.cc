@@ -19,10 +19,7 @@ constexpr size_t kBlockBytes = 1 << 22;
 
 class PointReader {
  public:
-  explicit PointReader(const std::string& path) : path_(path) {
-    CheckIsFile(path);
-    in_.open(path, std::ios::binary);
-    if (!in_) throw IoError(path, "cannot be opened for reading");
+  explicit PointReader(const std::string& path) : path_(path), in_(OpenFile(path)) {
     std::string start(kMaxHeaderBytes, '\0');
     in_.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<size_t>(in_.gcount()));

@@ -22,6 +22,13 @@ void CheckIsFile(const std::string& path) {
   if (std::filesystem::is_other(there)) throw IoError(path, "is a pipe or a device, not a file");
 }
 
+std::ifstream OpenFile(const std::string& path) {
+  CheckIsFile(path);
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw IoError(path, "cannot be opened for reading");
+  return in;
+}
+
 namespace {
 
 // Text packs to a twentieth of its size at best.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <string>
 
 namespace limn {
@@ -8,6 +9,9 @@ namespace limn {
 // Throws IoError if there is something else than a regular file: a folder, or a pipe or device,
 // which may never end or never begin. Whether there is anything at all is told when it is opened.
 void CheckIsFile(const std::string& path);
+
+// A stream of the bytes of a regular file. Throws IoError.
+std::ifstream OpenFile(const std::string& path);
 
 // How many bytes of a file are read at most.
 constexpr uint64_t kMaxListBytes = uint64_t{1} << 26;  // lists of names and options

@@ -93,6 +93,14 @@ TEST(DenseCloud, DamagedVisibilityIsTold) {
               HasSubstr("byte 24: 4 bytes after the last record"));
 }
 
+TEST(DenseCloud, VisibilityIsNoFolder) {
+  const TempDir dir;
+  const std::string path = dir.WriteFile("fused.ply", kCloud);
+  std::filesystem::create_directory(dir / "fused.ply.vis");
+  EXPECT_THAT(ErrorText<IoError>([&] { ReadAll(OpenPlyCloud(path, ThreeViews(), 4)); }),
+              HasSubstr("fused.ply.vis: is a folder, not a file"));
+}
+
 TEST(DenseCloud, DamagedCloudIsTold) {
   const TempDir dir;
   const auto error_of = [&](const std::string& content) {

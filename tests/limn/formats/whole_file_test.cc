@@ -36,6 +36,18 @@ TEST(WholeFile, BombsEndWithALine) {
               HasSubstr("bomb.gz: does not end after 67108864 bytes"));
 }
 
+TEST(OpenFile, OpensRegularFilesOnly) {
+  const TempDir dir;
+  std::string line;
+  std::ifstream in = OpenFile(dir.WriteFile("a.txt", "text"));
+  EXPECT_TRUE(std::getline(in, line));
+  EXPECT_EQ(line, "text");
+  EXPECT_THAT(ErrorText<IoError>([&] { OpenFile((dir / "none").string()); }),
+              HasSubstr("none: cannot be opened for reading"));
+  EXPECT_THAT(ErrorText<IoError>([] { OpenFile("/dev/zero"); }),
+              HasSubstr("/dev/zero: is a pipe or a device, not a file"));
+}
+
 TEST(WholeFile, DevicesAreNoFiles) {
   EXPECT_THAT(ErrorText<IoError>([&] { ReadWholeFile("/dev/zero"); }),
               HasSubstr("/dev/zero: is a pipe or a device, not a file"));
