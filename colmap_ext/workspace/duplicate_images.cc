@@ -13,7 +13,6 @@
 #include "colmap_ext/model/camera_projection.h"
 #include "colmap_ext/workspace/file_identity.h"
 #include "colmap_ext/workspace/image_reader.h"
-#include "colmap_ext/workspace/jpeg_check.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -134,8 +133,7 @@ class PoseComparison {
   const Image& PictureOf(int i) {
     const auto [found, is_new] = pictures_.try_emplace(i);
     if (!is_new) return found->second;
-    CheckDecodable(paths_[i], ReadImageSize(paths_[i]), kPictureSize);
-    const auto complaint = CheckJpeg(paths_[i]);
+    const auto complaint = CheckImage(paths_[i], kPictureSize).complaint;
     if (!complaint || !complaint->is_damage) {
       found->second = ReadImage(paths_[i], kPictureSize);
     }

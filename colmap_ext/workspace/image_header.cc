@@ -60,13 +60,17 @@ bool IsStartOfFrame(int marker) {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-// The kind of the next marker, which decoders find behind any other bytes; -1 at the end.
+// TEM, restarts and the start of the image have no length.
+bool HasLength(int marker) { return marker != 0x01 && (marker < 0xD0 || marker > 0xD8); }
+
+// The kind of the next marker with a length, which decoders find behind any other bytes; -1 at the
+// end.
 int NextMarker(std::istream& in) {
   int byte = in.get();
   while (byte >= 0) {
     while (byte >= 0 && byte != 0xFF) byte = in.get();
     while (byte == 0xFF) byte = in.get();
-    if (byte > 0) return byte;
+    if (byte > 0 && HasLength(byte)) return byte;
   }
   return -1;
 }
@@ -168,12 +172,15 @@ std::optional<ImageSize> ReadJpeg2000(std::istream& in) {
   if (ReadBigEndian(in, 3) != 12 || !Follows(in, "jP  ")) return std::nullopt;
   in.ignore(4);
   while (true) {
-    const int64_t length = ReadBigEndian(in, 4);
+    int64_t length = ReadBigEndian(in, 4);
     const int64_t type = ReadBigEndian(in, 4);
+    const bool is_long = length == 1;
+    if (is_long) length = ReadBigEndian(in, 8);
     constexpr int64_t kCodes = 0x6A703263;  // jp2c
     if (type == kCodes) return in.get() == 0xFF ? ReadJpeg2000Codes(in) : std::nullopt;
-    if (length < 8 || type < 0) return std::nullopt;
-    in.seekg(length - 8, std::ios::cur);
+    const int64_t header = is_long ? 16 : 8;
+    if (length < header || type < 0) return std::nullopt;
+    in.seekg(length - header, std::ios::cur);
   }
 }
 
@@ -237,9 +244,22 @@ bool JpegIsTruncated(std::istream& in) {
 
 }  // namespace
 
-bool IsJpeg(const std::filesystem::path& path) {
+ImageFormat FormatOf(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  return in.get() == 0xFF && in.get() == 0xD8;
+  switch (ReadBigEndian(in, 2)) {
+    case 0xFFD8:
+      return ImageFormat::kJpeg;
+    case 0:
+    case 0xFF4F:
+      return ImageFormat::kJpeg2000;
+    case 0x4949:  // II
+    case 0x4D4D:  // MM
+      return ImageFormat::kTiff;
+    case 0x5249:  // RI
+      return ImageFormat::kWebp;
+    default:
+      return ImageFormat::kOther;
+  }
 }
 
 bool IsTruncated(std::istream& in) {

@@ -4,7 +4,7 @@
 #include <istream>
 #include <optional>
 
-#include "colmap_ext/workspace/image_reader.h"
+#include "colmap_ext/workspace/image_size.h"
 
 namespace limn::colmap_ext {
 
@@ -13,7 +13,11 @@ namespace limn::colmap_ext {
 std::optional<ImageSize> ReadSizeFromHeader(std::istream& in);
 std::optional<ImageSize> ReadSizeFromHeader(const std::filesystem::path& path);
 
-bool IsJpeg(const std::filesystem::path& path);
+// What decoders of different needs read.
+enum class ImageFormat { kJpeg, kJpeg2000, kTiff, kWebp, kOther };
+
+// By the first two bytes.
+ImageFormat FormatOf(const std::filesystem::path& path);
 
 // Whether a PNG or JPEG file is truncated: no IEND chunk, or no end-of-image marker after the first
 // scan. Decoders would fill the missing part with gray. False for other formats.

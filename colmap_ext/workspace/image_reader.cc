@@ -9,11 +9,11 @@
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "colmap_ext/workspace/image_header.h"
 #include "colmap_ext/workspace/jpeg_check.h"
 #include "colmap_ext/workspace/quiet_decoders.h"
+#include "colmap_ext/workspace/shrink_image.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -21,14 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Larger JPEG images are decoded reduced where possible, and larger images shrunk row by row.
+// Larger JPEG images are decoded reduced where possible.
 constexpr int64_t kLargePixels = 16'000'000;
 // Of one image.
-constexpr int64_t kMaxDecoderBytes = 2'000'000'000;
-constexpr int64_t kMaxBytesPerStoredPixel = 6;
-constexpr int64_t kBytesPerPixel = 12;
+constexpr double kMaxDecoderBytes = 2e9;
+constexpr double kBytesPerDecodedPixel = 6;
+constexpr double kBytesPerPixel = 12;
 
-int64_t NumPixels(ImageSize size) { return int64_t{size.width} * size.height; }
 int LongerSide(ImageSize size) { return std::max(size.width, size.height); }
 
 std::string Text(ImageSize size) {
@@ -40,11 +39,35 @@ void CheckWhole(const fs::path& path) {
   throw IoError(path.string(), "truncated: the file ends before the picture does");
 }
 
+ImageSize StoredSize(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) throw IoError(path.string(), "no such image file");
+  const auto size = ReadSizeFromHeader(path);
+  if (size) return *size;
+  throw IoError(path.string(),
+                "cannot be decoded as an image: no header of a PNG, JPEG, TIFF, BMP, WebP, JPEG "
+                "2000, PNM or Sun raster file");
+}
+
+// Of the image and the memory of its decoder.
+double DecoderBytesPerPixel(const fs::path& path) {
+  switch (FormatOf(path)) {
+    case ImageFormat::kJpeg2000:
+      return 30;  // 32 bits per channel, twice
+    case ImageFormat::kTiff:
+      return 18;  // one strip with all rows, as stored and decoded
+    case ImageFormat::kWebp:
+      return 8;
+    default:
+      return kBytesPerDecodedPixel;  // 16 bits per channel, or a progressive JPEG file
+  }
+}
+
 // Of JPEG files, whose decoder reduces by powers of two: 1, 2, 4 or 8, so that a large image is
 // still at least twice as large as wanted, and an area filter has the last word.
 int ReductionOf(const fs::path& path, ImageSize stored, int max_image_size) {
   const int wanted = LongerSide(ShrunkSize(stored, max_image_size));
-  if (NumPixels(stored) <= kLargePixels || !IsJpeg(path)) return 1;
+  if (stored.NumPixels() <= kLargePixels || FormatOf(path) != ImageFormat::kJpeg) return 1;
   int reduction = 1;
   while (reduction < 8 && LongerSide(stored) >= 4 * reduction * wanted) reduction *= 2;
   return reduction;
@@ -85,50 +108,6 @@ cv::Mat Decode(const fs::path& path, ImageSize stored, int reduction, int flags)
   return image;
 }
 
-// By an area filter, without a copy of the whole image in floating point. `scale` multiplies
-// values.
-void ShrinkRowByRow(const cv::Mat& image, double scale, cv::Mat* shrunk) {
-  const double factor = static_cast<double>(image.rows) / shrunk->rows;
-  *shrunk = 0;
-  for (int y = 0; y < shrunk->rows; ++y) {
-    const double begin = y * factor;
-    const double end = std::min<double>(begin + factor, image.rows);
-    const cv::Range range(static_cast<int>(begin), static_cast<int>(std::ceil(end)));
-    cv::Mat levels, narrow;
-    image.rowRange(range).convertTo(levels, CV_32F, scale / factor);
-    cv::resize(levels, narrow, {shrunk->cols, levels.rows}, 0, 0, cv::INTER_AREA);
-    for (int i = range.start; i < range.end; ++i) {
-      const double share = std::min(end, i + 1.0) - std::max<double>(begin, i);
-      cv::scaleAdd(narrow.row(i - range.start), share, shrunk->row(y), shrunk->row(y));
-    }
-  }
-}
-
-// What Shrink makes of an image that was decoded at 1 / reduction of its size.
-struct Shrinking {
-  ImageSize stored;
-  int reduction = 1;
-  double scale = 1;  // of values
-};
-
-// By an area filter to the size of `result`, which is of floats. The last column and row of a
-// reduced image may reach beyond the stored image; the factors are those of the stored image all
-// the same.
-void Shrink(const cv::Mat& image, const Shrinking& shrinking, cv::Mat* result) {
-  const ImageSize stored = shrinking.stored;
-  if (result->cols == image.cols && result->rows == image.rows) {
-    image.convertTo(*result, CV_32F, shrinking.scale);
-  } else if (NumPixels({image.cols, image.rows}) > kLargePixels) {
-    ShrinkRowByRow(image, shrinking.scale, result);
-  } else {
-    cv::Mat levels;
-    image.convertTo(levels, CV_32F, shrinking.scale);
-    cv::resize(
-        levels, *result, {}, static_cast<double>(result->cols) * shrinking.reduction / stored.width,
-        static_cast<double>(result->rows) * shrinking.reduction / stored.height, cv::INTER_AREA);
-  }
-}
-
 // Of values that scale to gray levels.
 double LevelScale(const fs::path& path, const cv::Mat& image) {
   if (image.depth() == CV_8U) return 1;
@@ -150,7 +129,7 @@ Image ShrunkImage(const cv::Mat& decoded, const Shrinking& shrinking, int max_im
   image.width = size.width;
   image.height = size.height;
   image.channels = decoded.channels();
-  image.data.resize(static_cast<size_t>(NumPixels(size)) * image.channels);
+  image.data.resize(static_cast<size_t>(size.NumPixels()) * image.channels);
   cv::Mat levels(size.height, size.width, CV_32FC(image.channels), image.data.data());
   Shrink(decoded, shrinking, &levels);
   return image;
@@ -158,7 +137,7 @@ Image ShrunkImage(const cv::Mat& decoded, const Shrinking& shrinking, int max_im
 
 Image ReadLevels(const fs::path& path, int max_image_size) {
   Shrinking shrinking;
-  shrinking.stored = ReadImageSize(path);
+  shrinking.stored = StoredSize(path);
   CheckDecodable(path, shrinking.stored, max_image_size);
   shrinking.reduction = ReductionOf(path, shrinking.stored, max_image_size);
   if (auto jpeg = DecodeJpeg(path, shrinking.reduction)) {
@@ -193,16 +172,9 @@ std::vector<unsigned char> ReadUse(const fs::path& path, ImageSize stored, int m
 }  // namespace
 
 ImageSize ReadImageSize(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) throw IoError(path.string(), "no such image file");
-  const auto size = ReadSizeFromHeader(path);
-  if (!size) {
-    throw IoError(path.string(),
-                  "cannot be decoded as an image: no header of a PNG, JPEG, TIFF, BMP, WebP, JPEG "
-                  "2000, PNM or Sun raster file");
-  }
+  const ImageSize size = StoredSize(path);
   CheckWhole(path);
-  return *size;
+  return size;
 }
 
 ImageSize ShrunkSize(ImageSize size, int max_image_size) {
@@ -216,15 +188,28 @@ ImageSize ShrunkSize(ImageSize size, int max_image_size) {
 }
 
 void CheckDecodable(const fs::path& path, ImageSize stored, int max_image_size) {
-  const int64_t of_stored = kMaxBytesPerStoredPixel * NumPixels(stored);
-  const int64_t bytes = of_stored + kBytesPerPixel * NumPixels(ShrunkSize(stored, max_image_size));
+  const auto num_stored = static_cast<double>(stored.NumPixels());
+  const auto num_pixels = static_cast<double>(ShrunkSize(stored, max_image_size).NumPixels());
+  const double of_decoder = DecoderBytesPerPixel(path) * num_stored;
+  const double bytes =
+      std::max(of_decoder, kBytesPerDecodedPixel * num_stored + kBytesPerPixel * num_pixels);
   if (bytes <= kMaxDecoderBytes) return;
-  constexpr int64_t kMega = 1'000'000;
+  const auto megabytes = [](double value) {
+    return std::to_string(static_cast<int64_t>(value / 1e6));
+  };
   throw IoError(
       path.string(),
-      "too large to decode: " + Text(stored) + " pixels may take " + std::to_string(bytes / kMega) +
-          " MB, at most " + std::to_string(kMaxDecoderBytes / kMega) + ": " +
-          (of_stored < kMaxDecoderBytes ? "lower --max_image_size" : "make the file smaller"));
+      "too large to decode: " + Text(stored) + " pixels may take " + megabytes(bytes) +
+          " MB, at most " + megabytes(kMaxDecoderBytes) + ": " +
+          (of_decoder < kMaxDecoderBytes ? "lower --max_image_size" : "make the file smaller"));
+}
+
+CheckedImage CheckImage(const fs::path& path, int max_image_size) {
+  CheckedImage checked;
+  checked.size = ReadImageSize(path);
+  CheckDecodable(path, checked.size, max_image_size);
+  checked.complaint = WithNamedErrors(path, [&] { return CheckJpeg(path); });
+  return checked;
 }
 
 Image ReadImage(const fs::path& path, int max_image_size) {

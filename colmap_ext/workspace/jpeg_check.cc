@@ -1,8 +1,9 @@
 #include "colmap_ext/workspace/jpeg_check.h"
 
-#include <algorithm>
 #include <csetjmp>
 #include <cstdio>
+#include <functional>
+#include <new>
 #include <string_view>
 #include <vector>
 
@@ -24,8 +25,10 @@ constexpr size_t kMaxZeroBytes = 256;
 struct JpegReport {
   jpeg_error_mgr manager = {};
   std::jmp_buf on_error = {};
+  std::string bytes;  // of the file
   std::optional<JpegComplaint> complaint;
   std::string error;
+  bool has_memory = true;
   bool has_header = false;
   // The codes of pixels, of a file in which many zero bytes cannot be such codes; else empty.
   std::string_view codes;
@@ -39,12 +42,28 @@ std::string MessageOf(j_common_ptr decoder) {
   return text;
 }
 
+// Bytes of the file before the next one that the decoder reads. Nothing behind the file's end,
+// where libjpeg reads an end marker of its own.
+std::optional<size_t> NumBytesRead(j_common_ptr decoder) {
+  const std::string_view bytes = ReportOf(decoder)->bytes;
+  const auto* next = reinterpret_cast<const char*>(
+      reinterpret_cast<j_decompress_ptr>(decoder)->src->next_input_byte);
+  const std::less<const char*> is_before;
+  if (is_before(next, bytes.data()) || is_before(bytes.data() + bytes.size(), next)) {
+    return std::nullopt;
+  }
+  return static_cast<size_t>(next - bytes.data());
+}
+
 // Some cameras fill the end of the picture.
 bool IsPadding(j_common_ptr decoder) {
-  const JOCTET* end = reinterpret_cast<j_decompress_ptr>(decoder)->src->next_input_byte;
-  const JOCTET* begin = end - decoder->err->msg_parm.i[0];
-  return (*begin == 0 || *begin == 0xFF) &&
-         std::all_of(begin, end, [&](JOCTET byte) { return byte == *begin; });
+  const auto end = NumBytesRead(decoder);
+  const auto size = static_cast<size_t>(decoder->err->msg_parm.i[0]);
+  if (!end || size > *end) return false;
+  const std::string_view bytes = ReportOf(decoder)->bytes;
+  const std::string_view padding = bytes.substr(*end - size, size);
+  return padding.find_first_not_of('\0') == std::string_view::npos ||
+         padding.find_first_not_of('\xFF') == std::string_view::npos;
 }
 
 bool IsDamage(int message) {
@@ -66,6 +85,7 @@ void TakeMessage(j_common_ptr decoder, int level) {
 
 [[noreturn]] void TakeError(j_common_ptr decoder) {
   ReportOf(decoder)->error = MessageOf(decoder);
+  ReportOf(decoder)->has_memory = decoder->err->msg_code != JERR_OUT_OF_MEMORY;
   std::longjmp(ReportOf(decoder)->on_error, 1);
 }
 
@@ -90,18 +110,21 @@ void MakePixels(int reduction, jpeg_decompress_struct* decoder) {
 // the others brightness and color are apart.
 bool MayHoldManyZeros(jpeg_decompress_struct* decoder) {
   if (jpeg_has_multiple_scans(decoder) || decoder->arith_code) return true;
-  const JHUFF_TBL* table = decoder->ac_huff_tbl_ptrs[decoder->comp_info[0].ac_tbl_no];
+  const int number = decoder->comp_info[0].ac_tbl_no;
+  if (number < 0 || number >= NUM_HUFF_TBLS) return true;
+  const JHUFF_TBL* table = decoder->ac_huff_tbl_ptrs[number];
   constexpr UINT8 kEndOfBlock = 0;
   return !table || table->huffval[0] == kEndOfBlock;
 }
 
 // `reduction` 0: only the codes, and `rows` is one row. A jump out of here passes no destructors:
 // all objects belong to the caller.
-void ReadRows(const std::string& bytes, int reduction, jpeg_decompress_struct* decoder,
-              std::vector<JSAMPLE>* rows, JpegReport* report) {
+void ReadRows(int reduction, jpeg_decompress_struct* decoder, std::vector<JSAMPLE>* rows,
+              JpegReport* report) {
   if (setjmp(report->on_error) != 0) return;
   jpeg_create_decompress(decoder);
-  jpeg_mem_src(decoder, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  jpeg_mem_src(decoder, reinterpret_cast<const unsigned char*>(report->bytes.data()),
+               report->bytes.size());
   jpeg_read_header(decoder, TRUE);
   report->has_header = true;
   if (reduction > 0) {
@@ -111,7 +134,8 @@ void ReadRows(const std::string& bytes, int reduction, jpeg_decompress_struct* d
     ReadCodesOnly(decoder);
   }
   const bool may_hold_zeros = MayHoldManyZeros(decoder);
-  const JOCTET* codes = decoder->src->next_input_byte;
+  const auto common = reinterpret_cast<j_common_ptr>(decoder);
+  const auto begin = NumBytesRead(common);
   jpeg_start_decompress(decoder);
   const size_t row_size = static_cast<size_t>(decoder->output_width) * decoder->output_components;
   rows->resize(reduction > 0 ? row_size * decoder->output_height : row_size);
@@ -120,35 +144,45 @@ void ReadRows(const std::string& bytes, int reduction, jpeg_decompress_struct* d
     jpeg_read_scanlines(decoder, &row, 1);
   }
   // Without what fills the end of the file.
-  const JOCTET* end = decoder->src->next_input_byte;
-  if (!may_hold_zeros)
-    report->codes = {reinterpret_cast<const char*>(codes), reinterpret_cast<const char*>(end)};
+  const auto end = NumBytesRead(common);
+  if (!may_hold_zeros && begin && end) {
+    report->codes = std::string_view(report->bytes).substr(*begin, *end - *begin);
+  }
   jpeg_finish_decompress(decoder);
 }
 
-// The same; width, height and channels of the rows. Destroys the decoder.
+struct JpegDecoder {
+  JpegDecoder() = default;
+  ~JpegDecoder() { jpeg_destroy_decompress(&state); }
+  JpegDecoder(const JpegDecoder&) = delete;
+  JpegDecoder& operator=(const JpegDecoder&) = delete;
+
+  jpeg_decompress_struct state = {};
+};
+
+// The same; width, height and channels of the rows. Throws std::bad_alloc.
 JpegPixels ReadFile(const std::filesystem::path& path, int reduction, JpegReport* report) {
-  const std::string bytes = ReadWholeFile(path.string());
-  jpeg_decompress_struct decoder = {};
-  decoder.err = jpeg_std_error(&report->manager);
+  report->bytes = ReadWholeFile(path.string());
+  JpegDecoder decoder;
+  decoder.state.err = jpeg_std_error(&report->manager);
   report->manager.emit_message = TakeMessage;
   report->manager.error_exit = TakeError;
   JpegPixels pixels;
-  ReadRows(bytes, reduction, &decoder, &pixels.data, report);
-  pixels.width = static_cast<int>(decoder.output_width);
-  pixels.height = static_cast<int>(decoder.output_height);
-  pixels.channels = decoder.output_components;
+  ReadRows(reduction, &decoder.state, &pixels.data, report);
+  if (!report->has_memory) throw std::bad_alloc();
+  pixels.width = static_cast<int>(decoder.state.output_width);
+  pixels.height = static_cast<int>(decoder.state.output_height);
+  pixels.channels = decoder.state.output_components;
   if (report->codes.find(std::string(kMaxZeroBytes, '\0')) != std::string_view::npos) {
     report->complaint = {"Corrupt JPEG data: zero bytes in place of codes", true};
   }
-  jpeg_destroy_decompress(&decoder);
   return pixels;
 }
 
 }  // namespace
 
 std::optional<JpegComplaint> CheckJpeg(const std::filesystem::path& path) {
-  if (!IsJpeg(path)) return std::nullopt;
+  if (FormatOf(path) != ImageFormat::kJpeg) return std::nullopt;
   JpegReport report;
   ReadFile(path, 0, &report);
   if (report.error.empty()) return report.complaint;
@@ -157,7 +191,7 @@ std::optional<JpegComplaint> CheckJpeg(const std::filesystem::path& path) {
 }
 
 std::optional<JpegPixels> DecodeJpeg(const std::filesystem::path& path, int reduction) {
-  if (!IsJpeg(path)) return std::nullopt;
+  if (FormatOf(path) != ImageFormat::kJpeg) return std::nullopt;
   JpegReport report;
   JpegPixels pixels = ReadFile(path, reduction, &report);
   if (!report.error.empty()) throw IoError(path.string(), "cannot be decoded: " + report.error);

@@ -18,7 +18,7 @@ struct JpegComplaint {
 // The first complaint, one of damage if there is any. Nothing for whole files, for files of other
 // formats, and for padding at the end. Reads all codes of the file, but makes no pixels; zeros in
 // place of codes are found where they cannot be codes of flat blocks. Throws IoError if the header
-// cannot be read.
+// cannot be read, and std::bad_alloc.
 std::optional<JpegComplaint> CheckJpeg(const std::filesystem::path& path);
 
 // Interleaved rows of RGB or one gray channel.
@@ -31,7 +31,8 @@ struct JpegPixels {
 
 // Decodes a JPEG file at 1 / reduction (1, 2, 4 or 8) of its size: the pixels that OpenCV decodes,
 // but nothing is printed; CheckJpeg has told all. Nothing for files of other formats, and for other
-// colors than gray and those that become RGB. Throws IoError if the file cannot be decoded.
+// colors than gray and those that become RGB. Throws IoError if the file cannot be decoded, and
+// std::bad_alloc.
 std::optional<JpegPixels> DecodeJpeg(const std::filesystem::path& path, int reduction);
 
 }  // namespace limn::colmap_ext

@@ -15,7 +15,6 @@
 #include "colmap_ext/model/camera_lens_map.h"
 #include "colmap_ext/model/scene_reach.h"
 #include "colmap_ext/workspace/camera_check.h"
-#include "colmap_ext/workspace/jpeg_check.h"
 #include "colmap_ext/workspace/select_images.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
@@ -274,9 +273,9 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   set.stored_sizes.resize(selected.size());
   std::vector<std::optional<JpegComplaint>> complaints(selected.size());
   ParallelFor(context, "image headers", selected.size(), [&](size_t i) {
-    set.stored_sizes[i] = ReadImageSize(set.image_paths[i]);
-    CheckDecodable(set.image_paths[i], set.stored_sizes[i], options.max_image_size);
-    complaints[i] = CheckJpeg(set.image_paths[i]);
+    CheckedImage checked = CheckImage(set.image_paths[i], options.max_image_size);
+    set.stored_sizes[i] = checked.size;
+    complaints[i] = std::move(checked.complaint);
   });
   AddComplaints(complaints, &set);
 

@@ -92,6 +92,11 @@ def workspaces():
     put("image_header", "jp2", struct.pack(">I4s4sI4s", 12, b"jP  ", b"\r\n\x87\n", 0, b"jp2c") +
         b"\xff\x4f\xff\x51" + struct.pack(">2H4I", 47, 0, 4, 3, 0, 0))
     put("image_header", "pgm", "P5 # gray\n4 3\n255\n")
+    for name, tables in ("one_block", 0), ("no_table", 4):
+        put("jpeg_check", name, b"\xff\xd8" + segment(0xDB, bytes(1) + b"\1" * 64) +
+            segment(0xC0, struct.pack(">BHHB", 8, 8, 8, 1) + b"\1\x11\0") +
+            b"".join(segment(0xC4, bytes([kind, 1]) + bytes(16)) for kind in (0, 0x10)) +
+            segment(0xDA, bytes([1, 1, tables, 0, 63, 0])) + b"\x3f\xff\xd9")
     put("project_ini", "project", "# options\nworkspace_path = a b\n[Sketch]\nmax_gap_px = 3\n")
 
 

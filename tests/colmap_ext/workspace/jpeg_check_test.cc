@@ -17,6 +17,7 @@ namespace limn::colmap_ext {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string kEnd = "\xFF\xD9";
 
@@ -105,6 +106,30 @@ TEST_F(JpegCheck, FlatPicturesAreFine) {
                               {cv::IMWRITE_JPEG_OPTIMIZE, optimize}));
       EXPECT_FALSE(CheckJpeg(path));
     }
+  }
+}
+
+// libjpeg looks up tables by numbers that it checks only later.
+TEST_F(JpegCheck, TablesThatDoNotExistAreDamage) {
+  const size_t scan = whole_.find("\xFF\xDA");
+  ASSERT_NE(scan, std::string::npos);
+  for (int table = 0; table < 16; ++table) {
+    std::string other_table = whole_;
+    other_table[scan + 6] = static_cast<char>(table);
+    const auto complaint = Check(other_table);
+    EXPECT_TRUE(table == 0 || (complaint && complaint->is_damage)) << table;
+  }
+}
+
+// libjpeg then reads an end marker of its own, which is not in the file.
+TEST_F(JpegCheck, ACutScanIsDamage) {
+  const std::string start = whole_.substr(0, whole_.size() - 2);
+  for (const std::string& cut :
+       {whole_.substr(0, whole_.size() / 2), start + std::string(100'000, 'x')}) {
+    const auto complaint = Check(cut);
+    ASSERT_TRUE(complaint);
+    EXPECT_TRUE(complaint->is_damage);
+    EXPECT_THAT(complaint->text, Not(HasSubstr("zero bytes")));
   }
 }
 
