@@ -15,9 +15,9 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/interrupt.h"
 #include "colmap_ext/run/ranks.h"
+#include "colmap_ext/workspace/error_line.h"
 #include "limn/util/errors.h"
 #include "limn/util/latest_stage.h"
-#include "limn/util/printable.h"
 
 namespace {
 
@@ -66,7 +66,7 @@ void OpenStandardStreams() {
 }
 
 void PrintError(const std::exception& error) {
-  std::fprintf(stderr, "ERROR: %s\n", limn::Printable(error.what()).c_str());
+  PrintErrorLine(std::string("ERROR: ") + error.what());
 }
 
 // In which stage, and what to lower.

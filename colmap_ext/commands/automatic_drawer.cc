@@ -26,6 +26,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   const Project project(run, &console);
   CheckRefinedFolder(project, run);
   CheckDrawingFiles(project, run);
+  CheckSketchFiles(project, run);
   CheckReplaceable(project, run, "drawing.json", Provenance(run));
   CheckProjectViews(project);
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
@@ -48,7 +49,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   if (options.account) WriteAccount(project, *result, &console);
   parser->WriteIni(project.CurvesPath("project.ini"));
   const Trust trust = MeasureTrust(views, result->curves, result->graph);
-  SayTrust(trust, HasBox(Provenance(run)), &console);
+  SayTrust(trust, !run.box.empty(), &console);
   if (options.page) {
     WritePageWithReport(project, run, views, result->graph, trust, options.truth, &console);
   }

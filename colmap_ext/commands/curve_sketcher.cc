@@ -9,11 +9,13 @@ namespace limn::colmap_ext {
 
 int RunCurveSketcher(int argc, const char* const* argv) {
   RunOptions options;
-  const auto parser = ParseRunOptions("curve_sketcher", "reconstruct 3D curves: the curve sketch",
-                                      {.linking = true, .sketch = true}, argc, argv, &options);
+  const auto parser =
+      ParseRunOptions("curve_sketcher", "reconstruct 3D curves: the curve sketch",
+                      {.linking = true, .sketch = true, .overwrites = true}, argc, argv, &options);
   if (!parser) return 0;
   Console console(options.num_threads);
   const Project project(options, &console);
+  CheckSketchFiles(project, options);
   CheckProjectViews(project);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
 

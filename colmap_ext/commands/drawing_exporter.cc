@@ -1,9 +1,8 @@
 #include <iostream>
 
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/drawing_export.h"
-#include "colmap_ext/run/interrupt.h"
-#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 
@@ -13,11 +12,11 @@ int RunDrawingExporter(int argc, const char* const* argv) {
   options.AddOptions(&parser);
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   options.Check();
-  const auto [drawing, format] = PrepareExport(options);
-  const InterruptWatch interrupts;  // reading may need one of its own
+  Console console(/*num_threads=*/-1);
+  const auto [drawing, format] = PrepareExport(options, &console);
   WriteDrawing(options.output_path, drawing.graph, drawing.metadata, format);
-  std::cout << "Written: " << Printable(options.output_path) << " (" << drawing.graph.links.size()
-            << " links)\n";
+  console.Say("Written: " + options.output_path + " (" +
+              std::to_string(drawing.graph.links.size()) + " links)");
   return 0;
 }
 

@@ -22,8 +22,8 @@ int RunDrawingViewer(int argc, const char* const* argv) {
   if (!HasViewerPage()) {
     throw InputError("this limn was built without the viewer (CMake option LIMN_WITH_VIEWER)");
   }
-  const std::string report = ReadReport(viewer);
   Console console(options.num_threads);
+  const std::string report = ReadReport(viewer);
   const Project project(options, &console);
   CheckResultFile(project.DrawingPath(kViewerPage), options.overwrite);
   const std::string drawing_path = DrawingToView(project, viewer);

@@ -4,6 +4,7 @@
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/workspace/model_folder.h"
+#include "limn/formats/temporary_path.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -11,27 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Removes the temporary folder at the end, if it is still there.
-class TemporaryFolder {
- public:
-  explicit TemporaryFolder(fs::path path) : path_(std::move(path)) {
-    std::error_code error;
-    fs::remove_all(path_, error);
-    fs::create_directories(path_, error);
-    if (error) throw IoError(path_.string(), "cannot create the folder: " + error.message());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
+// Empty, whatever a killed run has left there.
+void MakeEmpty(const fs::path& folder) {
+  std::error_code error;
+  fs::remove_all(folder, error);
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder.string(), "cannot create the folder: " + error.message());
+}
 
 // Without a slash at the end, which would make the temporary folder one inside.
 fs::path Plain(const fs::path& folder) {
@@ -59,16 +46,14 @@ void CheckNewModelFolder(const fs::path& folder) {
 void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavor flavor) {
   CheckNewModelFolder(folder);
   const fs::path path = Plain(folder);
-  const TemporaryFolder temporary(path.string() + ".tmp");
+  TemporaryPath temporary(path.string() + ".tmp", &MakeEmpty);
   if (flavor == ModelFlavor::kText) {
     WriteModelText(model, temporary.path());
   } else {
     WriteModelBinary(model, temporary.path());
   }
   // Replaces an empty folder, fails on any other.
-  std::error_code error;
-  fs::rename(temporary.path(), path, error);
-  if (error) {
+  if (const std::error_code error = temporary.RenameTo(path)) {
     throw IoError(path.string(),
                   "cannot rename " + temporary.path().string() + " to it: " + error.message());
   }

@@ -13,7 +13,8 @@ void CheckNewModelFolder(const std::filesystem::path& folder);
 
 // Writes cameras, images and points3D into a folder that must be new or empty (checked). The three
 // files appear together or not at all: they are written to "<folder>.tmp", which is then renamed.
-// Missing parent folders are created. Throws IoError; then only parent folders are left behind.
+// Missing parent folders are created. Throws IoError; then, and after AbandonWrites, only parent
+// folders are left behind.
 void WriteNewModel(const SparseModel& model, const std::filesystem::path& folder,
                    ModelFlavor flavor);
 

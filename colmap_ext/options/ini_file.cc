@@ -1,6 +1,5 @@
 #include "colmap_ext/options/ini_file.h"
 
-#include <fstream>
 #include <sstream>
 
 #include "limn/formats/whole_file.h"
@@ -41,8 +40,6 @@ std::vector<IniEntry> ReadIniFile(std::istream& in, const std::string& path) {
 }
 
 std::vector<IniEntry> ReadIniFile(const std::string& path) {
-  CheckIsFile(path);
-  if (!std::ifstream(path)) throw IoError(path, "cannot be opened for reading");
   std::istringstream in(ReadWholeFile(path, kMaxListBytes));
   return ReadIniFile(in, path);
 }

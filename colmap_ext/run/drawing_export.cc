@@ -25,11 +25,11 @@ std::vector<GlbPoint> ReadCloud(const ExporterOptions& options) {
 }
 
 // What an SVG picture shows of the graph.
-SvgScene SceneOf(const ExporterOptions& options, const DrawingGraph& graph) {
+SvgScene SceneOf(const ExporterOptions& options, const DrawingGraph& graph, Console* console) {
   SvgSource source = options.svg;
   source.style.junctions = options.junctions;
   return source.IsSheet() ? SceneOnSheet(source, graph, ZUpFrom(options.up_axis), options.scale)
-                          : SceneInImage(source, graph, options.output_path);
+                          : SceneInImage(source, graph, options.output_path, console);
 }
 
 void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
@@ -93,7 +93,7 @@ void ExporterOptions::Check() const {
   }
 }
 
-ExportedDrawing PrepareExport(const ExporterOptions& options) {
+ExportedDrawing PrepareExport(const ExporterOptions& options, Console* console) {
   const DenseOptionsPaths& dense = options.svg.dense;
   CheckNamedOutput(options.output_path, {options.input_path, options.cloud_path, dense.dense_path},
                    options.overwrite);
@@ -106,7 +106,7 @@ ExportedDrawing PrepareExport(const ExporterOptions& options) {
   format.dxf.junctions = format.glb.junctions = options.junctions;
   if (!options.cloud_path.empty()) format.glb.cloud = ReadCloud(options);
   if (FormatName(options) == "svg") {
-    SvgScene scene = SceneOf(options, graph);
+    SvgScene scene = SceneOf(options, graph, console);
     format.svg = std::move(scene.picture);
     graph = std::move(scene.graph);
   }

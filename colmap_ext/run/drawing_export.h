@@ -3,6 +3,7 @@
 #include <string>
 
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/selection_options.h"
 #include "colmap_ext/run/svg_source.h"
 #include "limn/formats/json_drawing_reader.h"
@@ -37,6 +38,6 @@ struct ExportedDrawing {
 
 // Reads the drawing and what is exported with it, scaled and rotated. Throws IoError, also if the
 // output must not be replaced, and OptionError for a view that does not exist.
-ExportedDrawing PrepareExport(const ExporterOptions& options);
+ExportedDrawing PrepareExport(const ExporterOptions& options, Console* console);
 
 }  // namespace limn::colmap_ext

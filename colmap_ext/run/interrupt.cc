@@ -7,9 +7,8 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include "colmap_ext/workspace/quiet_decoders.h"
-#include "limn/formats/atomic_file.h"
-#include "limn/util/printable.h"
+#include "colmap_ext/workspace/error_line.h"
+#include "limn/formats/temporary_path.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -33,7 +32,10 @@ InterruptsBlocked::InterruptsBlocked() {
 
 InterruptsBlocked::~InterruptsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
-std::string NothingIsWritten() { return "Interrupted: nothing is written"; }
+std::string WhatIsWritten() {
+  return NumRenamed() == 0 ? "Interrupted: nothing is written"
+                           : "Interrupted: only some of the outputs are written";
+}
 
 InterruptWatch::InterruptWatch(std::function<std::string()> last_words)
     : last_words_(std::move(last_words)), exceptions_before_(std::uncaught_exceptions()) {
@@ -51,15 +53,15 @@ void InterruptWatch::Watch() {
   interrupted_ = true;
   sigtimedwait(&signals, nullptr, &kGrace);
   if (over_) return;
+  AbandonWrites();  // before the words, so that they stay true
   SayLastWords();
-  AbandonWrites();
   _exit(kInterruptedExitCode);
 }
 
 void InterruptWatch::SayLastWords() {
   if (said_.exchange(true)) return;
   const std::string words = last_words_();
-  if (!words.empty()) PrintErrorLine(Printable(words));
+  if (!words.empty()) PrintErrorLine(words);
 }
 
 InterruptWatch::~InterruptWatch() {

@@ -25,7 +25,7 @@ class InterruptsBlocked {
 };
 
 // The last words of a command that writes all of its results at the end.
-std::string NothingIsWritten();
+std::string WhatIsWritten();
 
 // Ends the run on SIGINT and SIGTERM. Stages are asked to stop and have a second to do so; then, or
 // at a second signal, the process exits immediately: files are written atomically, and no library
@@ -33,9 +33,9 @@ std::string NothingIsWritten();
 class InterruptWatch {
  public:
   // Handles both signals, also for threads that start later. `last_words` returns the line to print
-  // on interruption, or nothing; it is called at most once, from any thread. At most one
-  // InterruptWatch may exist.
-  explicit InterruptWatch(std::function<std::string()> last_words = NothingIsWritten);
+  // on interruption, or nothing; it is called at most once, from any thread, and after it no file
+  // appears any more. At most one InterruptWatch may exist.
+  explicit InterruptWatch(std::function<std::string()> last_words = WhatIsWritten);
   // Prints the last words if the run ends because it was interrupted.
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;

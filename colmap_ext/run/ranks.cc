@@ -1,6 +1,7 @@
 #include "colmap_ext/run/ranks.h"
 
 #include <cstdlib>
+#include <stdexcept>
 
 #include "colmap_ext/run/interrupt.h"
 #include "limn/util/errors.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/collectives/all_gatherv.hpp>
@@ -49,7 +49,7 @@ MpiSession::~MpiSession() { Environment().reset(); }
 int Rank() { return Environment() ? boost::mpi::communicator().rank() : 0; }
 int NumRanks() { return Environment() ? boost::mpi::communicator().size() : 1; }
 
-void MeetAllRanks(const std::string& error) {
+static void MeetOtherRanks(const std::string& error) {
   const std::string place =
       "rank " + std::to_string(Rank()) + " on " + boost::mpi::environment::processor_name() + ": ";
   const auto errors = RankTeam().Exchange(error.empty() ? "" : place + error);
@@ -97,12 +97,17 @@ MpiSession::~MpiSession() = default;
 
 int Rank() { return 0; }
 int NumRanks() { return 1; }
-void MeetAllRanks(const std::string&) {}
+static void MeetOtherRanks(const std::string&) {}
 bool AsRankZero(bool value) { return value; }
 std::vector<std::string> RankTeam::Exchange(const std::string& mine) { return {mine}; }
 void AbortRanks(int) {}
 
 #endif
+
+void MeetAllRanks(const std::string& error) {
+  if (NumRanks() > 1) return MeetOtherRanks(error);
+  if (!error.empty()) throw std::runtime_error(error);
+}
 
 int RankTeam::Rank() const { return colmap_ext::Rank(); }
 int RankTeam::Size() const { return NumRanks(); }

@@ -27,6 +27,7 @@ int NumRanks();
 // Waits until all ranks have called it, each with what went wrong in its part of the work, or
 // nothing. If something did, rank 0 throws std::runtime_error with the first such text, its rank
 // and host, and the others wait for AbortRanks: one line is said, however many ranks met the same.
+// A process on its own throws its text.
 void MeetAllRanks(const std::string& error);
 
 // Broadcasts rank 0's value to every rank.

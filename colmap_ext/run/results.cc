@@ -111,11 +111,14 @@ void CheckDrawingFiles(const Project& project, const RunOptions& options) {
   for (const char* name : {"tracks.txt", "account.csv", "project.ini"}) {
     CheckResultFile(project.CurvesPath(name), options.overwrite);
   }
+  CheckPicturePaths(project);
+}
+
+void CheckSketchFiles(const Project& project, const RunOptions& options) {
   for (const char* extension : {".bin", ".ply"}) {
     CheckResultFile(project.CurvesPath(SketchFileName(options.pipeline.mode) + extension),
                     options.overwrite);
   }
-  CheckPicturePaths(project);
 }
 
 std::string SketchFileName(SketchMode mode) {

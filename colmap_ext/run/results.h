@@ -35,6 +35,8 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
 // To be called before work starts: throws IoError if the drawing and what goes with it would
 // replace what is no file or was not made by limn (see CheckResultFile).
 void CheckDrawingFiles(const Project& project, const RunOptions& options);
+// The same for the files of the sketch.
+void CheckSketchFiles(const Project& project, const RunOptions& options);
 
 // Name of a sketch's files in the folder of curves, without extension.
 std::string SketchFileName(SketchMode mode);

@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/fusion_results.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/world_shift.h"
@@ -105,7 +104,7 @@ void SvgSource::AddOptions(OptionParser* parser) {
                      {"kind", SvgColors::kKind}},
                     BasicOption("SVG: meaning of colors"));
   parser->AddOption("line_width_px", &style.line_width_px, "SVG: width of lines, px");
-  parser->AddOption("sheet_scale", &sheet.scale_denominator,
+  parser->AddOption("sheet_scale", &sheet.sheet_scale,
                     BasicOption("SVG: n of 1:n for units of a meter, 0 = the largest that fits on "
                                 "A3"));
   parser->AddOption("azimuth_deg", &sheet.azimuth_deg, "SVG: axonometric, from where");
@@ -116,8 +115,6 @@ bool SvgSource::IsSheet() const { return ProjectionOf(view) != nullptr; }
 
 void SvgSource::Check() const {
   dense.Check();
-  const double sheet_scale = sheet.scale_denominator;
-  LIMN_CHECK_RANGE(sheet_scale, >= 0, <= 1e9);
   sheet.Check();
   style.Check();
   if (IsSheet() && photo) throw OptionError("photo = 1: a sheet has no photograph");
@@ -141,13 +138,12 @@ SvgScene SceneOnSheet(const SvgSource& source, const DrawingGraph& graph,
 }
 
 SvgScene SceneInImage(const SvgSource& source, const DrawingGraph& graph,
-                      const std::string& output_path) {
+                      const std::string& output_path, Console* console) {
   RunOptions options;
   options.layout = source.layout;
   const fs::path folder = fs::path(output_path).parent_path();
   options.layout.output_path = folder.empty() ? "." : folder.string();
-  Console console(options.num_threads);
-  const Project project(options, &console);
+  const Project project(options, console);
   const ViewId view = FindView(project, source.view);
   SvgScene scene = {{}, Moved(graph, -project.origin())};
   scene.picture.view = project.views()[view];
@@ -160,10 +156,10 @@ SvgScene SceneInImage(const SvgSource& source, const DrawingGraph& graph,
   fuser.paths = source.dense;
   if (!LookForDenseProducts(fuser.paths, source.layout.workspace_path,
                             project.layout().dense_dir)) {
-    console.Say("no dense results: nothing is hidden");
+    console->Say("no dense results: nothing is hidden");
     return scene;
   }
-  const DenseInput dense = OpenDenseInput(project, fuser, source.layout.workspace_path, &console);
+  const DenseInput dense = OpenDenseInput(project, fuser, source.layout.workspace_path, console);
   if (const auto depth = dense.depths(view)) {
     scene.picture.is_hidden = HiddenInView(project.views()[view], *depth);
   }

@@ -4,6 +4,7 @@
 
 #include "colmap_ext/dense_files/products.h"
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/console.h"
 #include "colmap_ext/workspace/layout.h"
 #include "limn/formats/write_drawing.h"
 
@@ -40,6 +41,6 @@ struct SvgScene {
 SvgScene SceneOnSheet(const SvgSource& source, const DrawingGraph& graph,
                       const Eigen::Matrix3d& z_up_from_model, double scale);
 SvgScene SceneInImage(const SvgSource& source, const DrawingGraph& graph,
-                      const std::string& output_path);
+                      const std::string& output_path, Console* console);
 
 }  // namespace limn::colmap_ext

@@ -20,6 +20,8 @@ namespace {
 
 // The generator of a .glb comes after the list of all its links.
 constexpr size_t kSearchedBytes = 1 << 24;
+// Of files in a folder of curves, which tell it in their first lines.
+constexpr size_t kFirstBytes = 1 << 12;
 constexpr std::string_view kDrawingMark = "{\"format\": \"limn-drawing\"";
 
 // What limn writes for users begins with `begin`, and `mark` follows.
@@ -53,8 +55,8 @@ constexpr Mark kMarks[] = {
 };
 
 // Empty if the file cannot be read.
-std::string BeginningOf(const std::string& path) {
-  std::string bytes(kSearchedBytes, '\0');
+std::string BeginningOf(const std::string& path, size_t max_bytes = kSearchedBytes) {
+  std::string bytes(max_bytes, '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<size_t>(in.gcount()));
@@ -89,10 +91,20 @@ bool IsEmptyButForLock(const fs::path& folder) {
                      [](const auto& entry) { return entry.path().filename() == ".lock"; });
 }
 
-bool HoldsResults(const fs::path& cache_dir) {
+bool HoldsCache(const fs::path& cache_dir) {
   std::error_code ignored;
   return fs::is_directory(cache_dir / "fragments", ignored) ||
          fs::is_directory(cache_dir / "edges", ignored);
+}
+
+// As a folder of curves does when its cache is deleted.
+bool HoldsResults(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::directory_iterator entries(folder, ignored);
+  return std::any_of(begin(entries), end(entries), [&](const auto& entry) {
+    return entry.is_regular_file(ignored) &&
+           IsMadeByLimn(BeginningOf(entry.path().string(), kFirstBytes));
+  });
 }
 
 [[noreturn]] void RefuseToReplace(const std::string& path, const std::string& what) {
@@ -123,7 +135,7 @@ void CheckLinkedCurves(const fs::path& curves_dir) {
   for (const fs::path& folder : {curves_dir, cache_dir}) {
     std::error_code ignored;
     if (!fs::is_symlink(folder, ignored)) continue;
-    if (IsEmptyButForLock(folder) || HoldsResults(cache_dir)) continue;
+    if (IsEmptyButForLock(folder) || HoldsCache(cache_dir) || HoldsResults(folder)) continue;
     throw IoError(folder.string(), "is a link to " + fs::canonical(folder, ignored).string() +
                                        ", which holds other files than results of limn: link an "
                                        "empty folder, or choose another --output_path");

@@ -11,8 +11,8 @@ namespace limn::colmap_ext {
 void CheckWritable(const std::filesystem::path& folder);
 
 // Throws IoError if the folder of curves, or its cache, is a symbolic link to a folder that holds
-// something, but nothing of limn's cache: results may be kept on another disk, but a link that
-// somebody else has put there must not lead them among other files.
+// something, but no result of limn: results may be kept on another disk, but a link that somebody
+// else has put there must not lead them among other files.
 void CheckLinkedCurves(const std::filesystem::path& curves_dir);
 
 // To be called before the work, too, for every file that will be written. Throws IoError if what is

@@ -51,12 +51,20 @@ void WriteHolder(int file) {
   if (ftruncate(file, 0) == 0) (void)!pwrite(file, text.data(), text.size(), 0);
 }
 
-// Opens or makes the file. A link is not followed: it may lead out of the workspace, to a file
-// whose text would be lost. A pipe does not wait for its other end. -1 with errno on failure.
-int OpenLockFile(const fs::path& path) {
-  const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+struct LockFile {
+  int file = -1;  // or errno says why not
+  bool is_new = false;
+};
+
+// Makes or opens the file. A link is not followed: it may lead out of the workspace, to a file
+// whose text would be lost. A pipe does not wait for its other end.
+LockFile OpenLockFile(const fs::path& path) {
+  constexpr int kFlags = O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+  int file = open(path.c_str(), kFlags | O_CREAT | O_EXCL, 0666);
+  if (file >= 0) return {file, true};
+  if (errno == EEXIST) file = open(path.c_str(), kFlags);
   struct stat opened;
-  if (file < 0 || (fstat(file, &opened) == 0 && S_ISREG(opened.st_mode))) return file;
+  if (file < 0 || (fstat(file, &opened) == 0 && S_ISREG(opened.st_mode))) return {file};
   close(file);
   throw IoError(path.string(), "is no regular file: remove it");
 }
@@ -95,9 +103,10 @@ OutputLock::OutputLock(const fs::path& folder, LockMode mode) : path_(folder / "
 }
 
 bool OutputLock::TryLock(LockMode mode) {
-  file_ = OpenLockFile(path_);
+  const LockFile opened = OpenLockFile(path_);
+  file_ = opened.file;
   if (file_ < 0) {
-    if (errno == ENOENT) return false;  // the folder
+    if (errno == ENOENT) return false;  // the folder, or the file that was there
     if (errno == ELOOP) throw IoError(path_.string(), "is a symbolic link: remove it");
     throw IoError(path_.string(), std::string("cannot write: ") + std::strerror(errno));
   }
@@ -113,8 +122,8 @@ bool OutputLock::TryLock(LockMode mode) {
                                       ", which works on the same results: wait for it, or choose "
                                       "another --output_path");
   }
-  // In a folder that was there the file may be that of a process that could lock it.
-  if (!made_folders_.empty()) RemoveWhatWasMade();
+  // A file that was there may be that of a process that could lock it.
+  if (opened.is_new) RemoveWhatWasMade();
   throw IoError(path_.string(), std::string("cannot be locked: ") + std::strerror(reason) +
                                     ": choose an --output_path on a file system with flock");
 }

@@ -1,10 +1,11 @@
 #include "colmap_ext/workspace/quiet_decoders.h"
 
-#include <cstdio>
 #include <mutex>
 
 #include <fcntl.h>
 #include <unistd.h>
+
+#include "colmap_ext/workspace/error_line.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -29,7 +30,10 @@ QuietDecoders::QuietDecoders() {
   const int null_device = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (null_device < 0) return;
   state.kept = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  if (state.kept >= 0) dup2(null_device, STDERR_FILENO);
+  if (state.kept >= 0) {
+    SendErrorLinesTo(state.kept);
+    dup2(null_device, STDERR_FILENO);
+  }
   close(null_device);
 }
 
@@ -38,14 +42,9 @@ QuietDecoders::~QuietDecoders() {
   const std::lock_guard lock(state.mutex);
   if (--state.num_quiet > 0 || state.kept < 0) return;
   dup2(state.kept, STDERR_FILENO);
+  SendErrorLinesTo(STDERR_FILENO);
   close(state.kept);
   state.kept = -1;
-}
-
-void PrintErrorLine(const std::string& line) {
-  StandardError& state = State();
-  const std::lock_guard lock(state.mutex);
-  dprintf(state.kept >= 0 ? state.kept : STDERR_FILENO, "%s\n", line.c_str());
 }
 
 }  // namespace limn::colmap_ext

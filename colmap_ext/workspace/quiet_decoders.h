@@ -1,11 +1,10 @@
 #pragma once
 
-#include <string>
-
 namespace limn::colmap_ext {
 
-// While one of these exists, nothing that is printed to standard error is seen: decoders of images
-// print lines that name no file. For any number of threads at once.
+// While one of these exists, nothing that is printed to standard error is seen, but for lines of
+// PrintErrorLine: decoders of images print lines that name no file. For any number of threads at
+// once.
 class QuietDecoders {
  public:
   QuietDecoders();
@@ -13,8 +12,5 @@ class QuietDecoders {
   QuietDecoders(const QuietDecoders&) = delete;
   QuietDecoders& operator=(const QuietDecoders&) = delete;
 };
-
-// Prints a line to standard error that is seen all the same.
-void PrintErrorLine(const std::string& line);
 
 }  // namespace limn::colmap_ext

@@ -1,7 +1,6 @@
 #include "colmap_ext/workspace/select_images.h"
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 #include <set>
 #include <sstream>
@@ -19,8 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 std::set<std::string> ReadImageList(const std::string& path) {
-  CheckIsFile(path);
-  if (!std::ifstream(path)) throw IoError(path, "the image list cannot be opened for reading");
   std::istringstream in(ReadWholeFile(path, kMaxListBytes));
   std::set<std::string> names;
   const char* space = " \t\r";

@@ -101,6 +101,8 @@ TEST_F(BadInput, UnknownOption) {
 TEST_F(BadInput, UnregisteredImageInTheList) {
   const std::string list = dir_.WriteFile("list.txt", "view_00.jpg\nview_77.jpg\n");
   ExpectRefused({"--image_list_path", list}, HasSubstr("view_77.jpg"));
+  ExpectRefused({"--image_list_path", "/no/list.txt"},
+                HasSubstr("/no/list.txt: cannot open: No such file or directory"));
 }
 
 TEST_F(BadInput, PipesAndFoldersInPlaceOfFiles) {

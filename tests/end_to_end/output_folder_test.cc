@@ -127,6 +127,37 @@ TEST(OutputFolder, FilesThatAreNotOursStayAndAreFoundBeforeWorkStarts) {
   }
 }
 
+TEST(OutputFolder, ASketchReplacesOnlySketches) {
+  const SmallScene scene;
+  const fs::path sketch = scene / "curves/swept-sketch.ply";
+  const auto run_sketcher = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"curve_sketcher",
+                                          "--workspace_path",
+                                          LIMN_SAMPLE_DIR "/day",
+                                          "--output_path",
+                                          scene.output().string(),
+                                          "--max_image_size",
+                                          "160"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunLimn(arguments);
+  };
+  const auto expect_refusal = [&](const std::string& reason) {
+    const LimnRun run = run_sketcher({});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.err, "ERROR: " + sketch.string() + ": " + reason + "\n");
+    EXPECT_FALSE(fs::exists(scene / "curves/cache"));
+  };
+  fs::create_directories(sketch);
+  expect_refusal("cannot write: is a folder, not a file");
+  fs::remove(sketch);
+  Write(sketch, "mine");
+  expect_refusal("exists, and was not made by limn: --overwrite 1 replaces it");
+  EXPECT_EQ(Read(sketch), "mine");
+  EXPECT_EQ(run_sketcher({"--overwrite", "1"}).exit_code, 0);
+  EXPECT_EQ(run_sketcher({}).exit_code, 0);
+  EXPECT_NE(Read(sketch), "mine");
+}
+
 TEST(OutputFolder, OnlyWhatAnOptionTouchesIsMadeAgain) {
   const SmallScene scene;
   RunWhole(scene);
@@ -211,12 +242,21 @@ TEST(OutputFolder, WithoutLocksARunIsRefusedAndLeavesNothing) {
   std::vector<std::string> arguments = {"LD_PRELOAD=" LIMN_NO_FLOCK,
                                         "ASAN_OPTIONS=verify_asan_link_order=0", LIMN_PROGRAM};
   for (const std::string& argument : scene.Arguments()) arguments.push_back(argument);
-  const LimnRun run = RunProgram("env", arguments);
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.err, "ERROR: " + (scene / "curves/.lock").string() +
-                         ": cannot be locked: No locks available: choose an --output_path on a "
-                         "file system with flock\n");
+  const auto expect_refusal = [&] {
+    const LimnRun run = RunProgram("env", arguments);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.err, "ERROR: " + (scene / "curves/.lock").string() +
+                           ": cannot be locked: No locks available: choose an --output_path on a "
+                           "file system with flock\n");
+  };
+  expect_refusal();
   EXPECT_FALSE(fs::exists(scene.output()));
+  fs::create_directories(scene / "curves");
+  expect_refusal();
+  EXPECT_TRUE(fs::is_empty(scene / "curves"));
+  std::ofstream(scene / "curves/.lock") << "process 1 on another host";
+  expect_refusal();
+  EXPECT_EQ(Read(scene / "curves/.lock"), "process 1 on another host");
 }
 
 TEST(OutputFolder, PathsNeedNotBeUtf8) {

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <random>
 #include <thread>
 
@@ -139,19 +140,48 @@ TEST(StoppedRun, InterruptsStopManyRoundsOfRefinementSoon) {
   }
 }
 
+// Whether a process blocks SIGINT, to take it by a thread of its own.
+bool Listens(pid_t pid) {
+  std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with("SigBlk:")) continue;
+    return (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+  }
+  return false;
+}
+
+// Interrupts a run twice, which leaves it no time, as soon as it listens.
+LimnProcess::End StopAtOnce(const std::vector<std::string>& arguments) {
+  LimnProcess run(arguments);
+  for (int i = 0; i < 10000 && !Listens(run.pid()); ++i) Sleep(0.001);
+  run.Signal(SIGINT);
+  run.Signal(SIGTERM);
+  return run.Wait();
+}
+
 // No project, so no lock and no cache.
 TEST(StoppedRun, InterruptsStopAnEvaluationSoon) {
   const TempDir dir;
   const std::string curve = dir.WriteFile("curve.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
   const fs::path table = dir / "table.csv";
-  LimnProcess run({"drawing_evaluator", "--input_path", curve, "--truth_path", curve, "--taus",
-                   "5e-7", "--output_csv", table.string()});
-  Sleep(1.5);
-  run.Signal(SIGINT);
-  const LimnProcess::End end = run.Wait();
+  const LimnProcess::End end =
+      StopAtOnce({"drawing_evaluator", "--input_path", curve, "--truth_path", curve, "--taus",
+                  "2e-6", "--output_csv", table.string()});
   EXPECT_LT(end.seconds, 2);
   ExpectInterrupted(end);
   EXPECT_FALSE(fs::exists(table));
+}
+
+// While it reads.
+TEST(StoppedRun, InterruptsStopAnExportSoon) {
+  const TempDir dir;
+  const std::string drawing = dir.WriteFile("drawing.json", std::string(size_t{1} << 27, ' '));
+  const fs::path picture = dir / "drawing.obj";
+  const LimnProcess::End end =
+      StopAtOnce({"drawing_exporter", "--input_path", drawing, "--output_path", picture.string()});
+  EXPECT_LT(end.seconds, 2);
+  ExpectInterrupted(end);
+  EXPECT_FALSE(fs::exists(picture));
 }
 
 TEST(StoppedRun, KillsLeaveNothingHalfWrittenAndItGoesOn) {

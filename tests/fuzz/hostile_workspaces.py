@@ -32,6 +32,8 @@ from hostile_model import Model, ModelChanges
 
 # A case hangs after so many times --max_seconds: a busy machine gives a program a part of its time.
 PATIENCE = 3
+# Of the processor time that a case may take: until then the program has begun.
+START_SHARE = 1 / 200
 IMAGE_SIZE = 320
 
 OPTION_VALUES = ['', ' ', '0', '-1', '1', '-0', '2', '1e-300', '1e-9', '0.5', '1e9', '1e300', 'nan', 'inf', '-inf', '1000',
@@ -364,7 +366,8 @@ class Case:
                 texts.append(file.read())
         after = snapshot(self.folder, self.output)
         changed = [path for path in sorted({**before, **after}) if before.get(path) != after.get(path)]
-        if interrupt_after and process.returncode == -signal.SIGINT:  # before its first line of code
+        is_new = usage.ru_utime + usage.ru_stime < START_SHARE * self.max_seconds
+        if interrupt_after and is_new and process.returncode == -signal.SIGINT:  # it does not listen yet
             process.returncode = 130
         self.code = process.returncode
         return self.broken(self.code, *texts, usage, changed)

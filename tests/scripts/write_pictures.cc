@@ -81,7 +81,7 @@ void WriteSheets(const std::string& folder) {
   const DrawingGraph graph = PictureScene();
   SheetOptions options;
   options.projection = SvgProjection::kAxonometric;
-  options.scale_denominator = 20;
+  options.sheet_scale = 20;
   options.legend = false;
   const SvgSheet sheet = MakeSheet(graph, options);
   // Isometric, 1:20, in px of 1/96 inch from the corner of the paper.

@@ -4,13 +4,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <mutex>
+#include <optional>
 #include <random>
-#include <set>
 
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "limn/formats/temporary_path.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -19,18 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t kMaxNameBytes = 255;
-
-// The temporary files of all writes that go on.
-struct OpenWrites {
-  std::mutex mutex;
-  std::set<fs::path> files;
-};
-
-OpenWrites& Writes() {
-  // Never destroyed: a thread may write while the process ends.
-  static OpenWrites* const writes = new OpenWrites;
-  return *writes;
-}
 
 // Several processes may write the same file at the same time, on several hosts.
 std::string RandomName() {
@@ -44,46 +32,19 @@ std::string RandomName() {
   return name;
 }
 
-// Removes the temporary file unless it has been renamed.
-class TemporaryFile {
- public:
-  // Beside `path`. Its name does not contain that of `path`, which may be as long as names can be.
-  explicit TemporaryFile(const fs::path& path)
-      : path_(path.parent_path() / (RandomName() + std::string(kTemporarySuffix))) {
-    const std::lock_guard lock(Writes().mutex);
-    Writes().files.insert(path_);
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    if (!renamed_) fs::remove(path_, ignored);
-    const std::lock_guard lock(Writes().mutex);
-    Writes().files.erase(path_);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+// Beside `path`. Its name does not contain that of `path`, which may be as long as names can be.
+fs::path TemporaryFor(const fs::path& path) {
+  return path.parent_path() / (RandomName() + std::string(kTemporarySuffix));
+}
 
-  const fs::path& path() const { return path_; }
-
-  // Owner and permissions of the file that it will replace, if there is one.
-  void TakeModeOf(const std::string& path) const {
-    struct stat old;
-    if (lstat(path.c_str(), &old) != 0 || !S_ISREG(old.st_mode)) return;
-    // Only root may give files away.
-    (void)!chown(path_.c_str(), old.st_uid, old.st_gid);
-    (void)!chmod(path_.c_str(), old.st_mode & 0777);
-  }
-
-  void RenameTo(const std::string& path) {
-    std::error_code error;
-    fs::rename(path_, path, error);
-    if (error) throw IoError(path, "cannot write: " + error.message());
-    renamed_ = true;
-  }
-
- private:
-  fs::path path_;
-  bool renamed_ = false;
-};
+// Owner and permissions of the file that will be replaced, if there is one.
+void TakeModeOf(const std::string& path, const fs::path& temporary) {
+  struct stat old;
+  if (lstat(path.c_str(), &old) != 0 || !S_ISREG(old.st_mode)) return;
+  // Only root may give files away.
+  (void)!chown(temporary.c_str(), old.st_uid, old.st_gid);
+  (void)!chmod(temporary.c_str(), old.st_mode & 0777);
+}
 
 void MakeParentFolder(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
@@ -131,34 +92,30 @@ void CheckTakesFile(const std::string& path) {
 void WriteFileAtomically(const std::string& path, const std::function<void(std::ostream&)>& write) {
   CheckTakesFile(path);
   MakeParentFolder(path);
-  TemporaryFile temporary(path);
+  std::optional<TemporaryPath> temporary;  // removed after errno was read
   std::ofstream out;
   // An exception at the first byte that cannot be written: the reason is still in errno, and the
   // rest is not made in vain.
   out.exceptions(std::ios::failbit | std::ios::badbit);
   try {
     errno = 0;
-    out.open(temporary.path(), std::ios::binary | std::ios::trunc);
-    temporary.TakeModeOf(path);
+    temporary.emplace(TemporaryFor(path), [&](const fs::path& made) {
+      out.open(made, std::ios::binary | std::ios::trunc);
+    });
+    TakeModeOf(path, temporary->path());
     write(out);
     out.close();
   } catch (const std::ios_base::failure&) {
     throw IoError(path, std::string("cannot write: ") + std::strerror(errno));
   }
-  temporary.RenameTo(path);
+  const std::error_code error = temporary->RenameTo(path);
+  if (error) throw IoError(path, "cannot write: " + error.message());
 }
 
 void WriteFileAtomically(const std::string& path, std::string_view bytes) {
   WriteFileAtomically(path, [&](std::ostream& out) {
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   });
-}
-
-void AbandonWrites() {
-  // Locked for good: no write may begin or end any more.
-  Writes().mutex.lock();
-  std::error_code ignored;
-  for (const fs::path& path : Writes().files) fs::remove(path, ignored);
 }
 
 }  // namespace limn

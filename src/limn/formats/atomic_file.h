@@ -22,8 +22,4 @@ void CheckTakesFile(const std::string& path);
 
 constexpr std::string_view kTemporarySuffix = ".limn-tmp";
 
-// Removes the temporary files of all writes in progress in other threads, and blocks new ones: to
-// be called right before the process exits without waiting for them.
-void AbandonWrites();
-
 }  // namespace limn

@@ -174,7 +174,7 @@ DrawingFile ParseDrawingJson(const std::string& name, const std::string& text) {
 }
 
 DrawingFile ReadDrawingJson(const std::string& path) {
-  return ParseDrawingJson(path, ReadWholeFile(path, kMaxJsonBytes));
+  return ParseDrawingJson(path, ReadWholeFile(path, kMaxDrawingBytes));
 }
 
 }  // namespace limn

@@ -83,7 +83,7 @@ double FittingDenominator(const Eigen::Vector2d& extent, const SheetOptions& opt
 void SheetOptions::Check() const {
   LIMN_CHECK_RANGE(azimuth_deg, >= -360, <= 360);
   LIMN_CHECK_RANGE(elevation_deg, >= -90, <= 90);
-  LIMN_CHECK_RANGE(scale_denominator, >= 0, <= 1e9);
+  LIMN_CHECK_RANGE(sheet_scale, >= 0, <= 1e9);
   LIMN_CHECK_RANGE(margin_mm, >= 0, <= 100);
 }
 
@@ -95,8 +95,8 @@ SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options) {
   const Eigen::AlignedBox2d box = BoxOf(graph, sheet.axes);
   const Eigen::Vector2d extent = box.sizes();
   if (box.center().norm() > kFar * extent.norm()) sheet.origin = box.center().array().round();
-  sheet.scale_denominator = options.scale_denominator > 0 ? options.scale_denominator
-                                                          : FittingDenominator(extent, options);
+  sheet.scale_denominator =
+      options.sheet_scale > 0 ? options.sheet_scale : FittingDenominator(extent, options);
   sheet.drawing_min = box.min() - sheet.origin;
   sheet.drawing_max = box.max() - sheet.origin;
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(options.margin_mm * sheet.mm());
@@ -111,8 +111,8 @@ SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options) {
     sheet.paper_max.x() =
         std::max(sheet.paper_max.x(), sheet.paper_min.x() + kLegendWidthMm * sheet.mm());
   }
-  CheckOption(sheet.PaperMm().maxCoeff() <= kLargestPaperMm, "scale_denominator",
-              sheet.scale_denominator, "such that the sheet is no larger than 100 m");
+  CheckOption(sheet.PaperMm().maxCoeff() <= kLargestPaperMm, "sheet_scale", sheet.scale_denominator,
+              "such that the sheet is no larger than 100 m");
   return sheet;
 }
 

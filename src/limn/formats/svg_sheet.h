@@ -26,7 +26,7 @@ struct SheetOptions {
   double elevation_deg = 35.264389682754654;
   // n of 1:n, where a model unit is a meter. 0: the largest scale with n = 1, 2 or 5 times a power
   // of ten that fits on A3.
-  double scale_denominator = 0;
+  double sheet_scale = 0;
   // Empty margin around the drawing.
   double margin_mm = 10;
   // A scale bar and the directions of the axes below the drawing.

@@ -18,6 +18,7 @@ constexpr uint64_t kMaxListBytes = uint64_t{1} << 26;  // lists of names and opt
 constexpr uint64_t kMaxJsonBytes = uint64_t{1} << 30;
 constexpr uint64_t kMaxBytes = uint64_t{1} << 32;
 constexpr uint64_t kMaxMeshBytes = uint64_t{1} << 34;  // and results of stages
+constexpr uint64_t kMaxDrawingBytes = kMaxMeshBytes;   // a large scene in tiles has gigabytes
 
 // The bytes of a file; gzip files are decompressed. Throws IoError, also for more than `max_bytes`,
 // for gzip files of more than 64 MB and 100 times their size (bombs), and if memory is short.

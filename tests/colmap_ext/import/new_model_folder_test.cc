@@ -1,11 +1,17 @@
 #include "colmap_ext/import/new_model_folder.h"
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/model_folder.h"
+#include "limn/formats/temporary_path.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -41,6 +47,29 @@ TEST(NewModelFolder, OthersAreLeftAlone) {
   EXPECT_THAT(error("file"), HasSubstr("file: is no folder"));
   EXPECT_THAT(error("file/below"), HasSubstr("file"));
   EXPECT_FALSE(fs::exists(dir / "full.tmp"));
+}
+
+TEST(NewModelFolder, NothingIsLeftOfAnAbandonedOne) {
+  const TempDir dir;
+  EXPECT_EXIT(
+      {
+        std::thread([&] {
+          try {
+            for (int i = 0;; ++i) {
+              WriteNewModel(MakeModel(), dir / std::to_string(i), ModelFlavor::kText);
+            }
+          } catch (const IoError&) {
+            _exit(2);  // it would say a second line
+          }
+        }).detach();
+        while (!fs::exists(dir / "5")) std::this_thread::yield();
+        AbandonWrites();
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        const fs::directory_iterator folders(dir.path());
+        _exit(std::any_of(begin(folders), end(folders),
+                          [](const auto& entry) { return entry.path().extension() == ".tmp"; }));
+      },
+      ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(IniFile, OtherLinesAreErrors) {
   EXPECT_THAT(ErrorText<IoError>([] { Read("a=1\nnonsense\n"); }),
               HasSubstr("project.ini: line 2: neither"));
   EXPECT_THAT(ErrorText<IoError>([] { ReadIniFile("/nonexistent/project.ini"); }),
-              HasSubstr("/nonexistent/project.ini: cannot be opened"));
+              HasSubstr("/nonexistent/project.ini: cannot open: No such file"));
 }
 
 }  // namespace

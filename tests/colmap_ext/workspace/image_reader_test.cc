@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/error_line.h"
 #include "colmap_ext/workspace/image_header.h"
 #include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"

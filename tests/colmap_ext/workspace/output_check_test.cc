@@ -82,6 +82,10 @@ TEST(CheckLinkedCurves, RefusesFoldersOfOthers) {
                            "or choose another --output_path");
   std::filesystem::create_directories(dir / "other/cache/fragments");
   EXPECT_EQ(refusal(), "");
+  std::filesystem::remove_all(dir / "other/cache");
+  EXPECT_NE(refusal(), "");
+  dir.WriteFile("other/tracks.txt", "# Curve tracks: links of drawing.json and so on\n");
+  EXPECT_EQ(refusal(), "");
 }
 
 TEST(CheckNamedOutput, RefusesInputsModelsAndDrawings) {

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <future>
 #include <iterator>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include <unistd.h>
 
 #include "limn/formats/temporary_folder.h"
+#include "limn/formats/temporary_path.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -23,6 +25,8 @@ int64_t NumFiles(const std::string& path) {
   const std::filesystem::directory_iterator files(std::filesystem::path(path).parent_path());
   return std::distance(begin(files), end(files));
 }
+
+void MakeFolder(const std::filesystem::path& path) { std::filesystem::create_directory(path); }
 
 TEST(WriteFileAtomically, MakesFoldersAndReplaces) {
   const TemporaryFolder folder;
@@ -153,6 +157,38 @@ TEST(AbandonWrites, RemovesTemporaryFilesOfOtherThreads) {
         _exit(NumFiles(path) == 0 ? 0 : 1);
       },
       ::testing::ExitedWithCode(0), "");
+}
+
+TEST(AbandonWrites, RemovesTemporaryFoldersAndKeepsThemFromAppearing) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("model.tmp");
+  EXPECT_EXIT(
+      {
+        const TemporaryPath temporary(path, &MakeFolder);
+        std::ofstream half(path + "/images.bin");
+        AbandonWrites();
+        std::thread([&] {
+          WriteFileAtomically(folder.Path("file"), "whole");
+          _exit(2);
+        }).detach();
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        _exit(NumFiles(path) == 0 ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+TEST(TemporaryPath, GoesAwayUnlessItIsRenamed) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("model");
+  const size_t num_before = NumRenamed();
+  for (const bool renames : {false, true}) {
+    TemporaryPath temporary(path + ".tmp", &MakeFolder);
+    if (!renames) continue;
+    EXPECT_FALSE(temporary.RenameTo(path));
+  }
+  EXPECT_EQ(NumFiles(path), 1);
+  EXPECT_TRUE(std::filesystem::is_directory(path));
+  EXPECT_EQ(NumRenamed(), num_before + 1);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/temp_dir.h"
 #include "limn/formats/picture_scene.h"
 #include "limn/formats/svg_path.h"
 #include "limn/util/errors.h"
@@ -17,6 +18,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 template <typename Where>
 std::string Written(const DrawingGraph& graph, const Where& where, const IsHidden& is_hidden,
@@ -41,7 +43,7 @@ std::string PathOf(const std::string& svg, int link) {
 SvgSheet SceneSheet(SvgProjection projection, double scale = 20) {
   SheetOptions options;
   options.projection = projection;
-  options.scale_denominator = scale;
+  options.sheet_scale = scale;
   return MakeSheet(PictureScene(), options);
 }
 
@@ -244,9 +246,10 @@ TEST(WriteDrawingSvg, RefusesOptionsOutOfRange) {
   sheet.elevation_deg = 91;
   EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);
   sheet = {};
-  sheet.scale_denominator = 0.001;  // four kilometers of paper
-  EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);
-  sheet.scale_denominator = -1;
+  sheet.sheet_scale = 0.001;  // four kilometers of paper
+  EXPECT_THAT(ErrorText<OptionError>([&] { MakeSheet(PictureScene(), sheet); }),
+              StartsWith("sheet_scale = 0.001"));
+  sheet.sheet_scale = -1;
   EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);
 }
 

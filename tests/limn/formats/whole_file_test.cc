@@ -5,6 +5,7 @@
 #include <zlib.h>
 
 #include "colmap_ext/temp_dir.h"
+#include "limn/formats/json_drawing_reader.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -21,6 +22,15 @@ TEST(WholeFile, LargerFilesThanWantedAreNotRead) {
               HasSubstr("a.txt: has 300000 bytes, at most 299999 are read"));
   std::filesystem::resize_file(path, uintmax_t{100} << 30);  // sparse
   EXPECT_THAT(ErrorText<IoError>([&] { ReadWholeFile(path); }), HasSubstr("at most 4294967296"));
+}
+
+// A scene in tiles has a drawing.json of gigabytes.
+TEST(WholeFile, DrawingsMayBeAsLargeAsMeshes) {
+  const TempDir dir;
+  const std::string path = dir.WriteFile("drawing.json", "{");
+  std::filesystem::resize_file(path, kMaxMeshBytes + 1);  // sparse
+  EXPECT_THAT(ErrorText<IoError>([&] { ReadDrawingJson(path); }),
+              HasSubstr("at most 17179869184 are read"));
 }
 
 TEST(WholeFile, BombsEndWithALine) {

@@ -1,0 +1,35 @@
+#include "colmap_ext/workspace/error_line.h"
+
+#include <cstdio>
+#include <mutex>
+
+#include <unistd.h>
+
+#include "limn/util/printable.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+struct ErrorLines {
+  std::mutex mutex;
+  int descriptor = STDERR_FILENO;
+};
+
+ErrorLines& Lines() {
+  static ErrorLines lines;
+  return lines;
+}
+
+}  // namespace
+
+void PrintErrorLine(const std::string& line) {
+  const std::lock_guard lock(Lines().mutex);
+  dprintf(Lines().descriptor, "%s\n", Printable(line).c_str());
+}
+
+void SendErrorLinesTo(int descriptor) {
+  const std::lock_guard lock(Lines().mutex);
+  Lines().descriptor = descriptor;
+}
+
+}  // namespace limn::colmap_ext
