@@ -10,16 +10,13 @@
 namespace limn {
 namespace {
 
-// Of all curves of a set: about 0.6 GB. There are three sets.
-constexpr double kMaxCells = 6e6;
-
 // Throws InputError if there would be more.
-void CheckNumCells(double length, double step, int num_before) {
+void CheckNumCells(double length, double step, int num_before, int max_cells) {
   const double num_cells = num_before + length / step;
-  if (num_cells <= kMaxCells) return;
+  if (num_cells <= max_cells) return;
   std::ostringstream text;
-  text << "the curves are too long: " << num_cells << " steps of length " << step << ", at most "
-       << kMaxCells << " (is the unit right?)";
+  text << "the curves are too long: " << num_cells << " steps of length " << step
+       << ", but at most " << max_cells << " (is the unit right?)";
   throw InputError(text.str());
 }
 
@@ -40,9 +37,11 @@ void AppendEqualIntervals(const Polyline3d& polyline, const std::vector<double>&
 }  // namespace
 
 CurveSamples::CurveSamples(const CurveSet& set,
-                           const std::function<double(const Polyline3d&)>& step_of)
+                           const std::function<double(const Polyline3d&)>& step_of, int max_cells)
     : index_({}) {
-  for (const Polyline3d& polyline : set.polylines) AddPolyline(polyline, step_of(polyline));
+  for (const Polyline3d& polyline : set.polylines) {
+    AddPolyline(polyline, step_of(polyline), max_cells);
+  }
   if (set.polylines.empty()) {
     for (const Eigen::Vector3d& point : set.points) AddPoint(point);
   }
@@ -62,7 +61,7 @@ void CurveSamples::AddPoint(const Eigen::Vector3d& point) {
   weight_of_curve_.push_back(1.0);
 }
 
-void CurveSamples::AddPolyline(const Polyline3d& polyline, double step) {
+void CurveSamples::AddPolyline(const Polyline3d& polyline, double step, int max_cells) {
   const std::vector<double> lengths = CumulativeLength(polyline);
   const double length = lengths.empty() ? 0.0 : lengths.back();
   if (!(length > 0)) {
@@ -76,7 +75,7 @@ void CurveSamples::AddPolyline(const Polyline3d& polyline, double step) {
     weight_of_curve_.push_back(0.0);
     return;
   }
-  CheckNumCells(length, step, size());
+  CheckNumCells(length, step, size(), max_cells);
   // The allowance keeps a length of exactly n steps at n cells in spite of rounding.
   const int num_cells = std::max(1, static_cast<int>(std::ceil(length / step * (1 - 1e-12))));
   AppendEqualIntervals(polyline, lengths, 2 * num_cells, &points_);

@@ -16,9 +16,12 @@ namespace limn {
 // points, each of weight 1; otherwise points are ignored.
 class CurveSamples {
  public:
-  // step_of(polyline) > 0: the longest allowed cell. Throws InputError for more than 20
-  // million cells.
-  CurveSamples(const CurveSet& set, const std::function<double(const Polyline3d&)>& step_of);
+  // About 1.5 GB.
+  static constexpr int kMaxCells = 15'000'000;
+
+  // step_of(polyline) > 0: the longest allowed cell. Throws InputError for more than max_cells.
+  CurveSamples(const CurveSet& set, const std::function<double(const Polyline3d&)>& step_of,
+               int max_cells = kMaxCells);
 
   int size() const { return static_cast<int>(curve_of_.size()); }
   int CurveOf(int sample) const { return curve_of_[sample]; }
@@ -47,7 +50,7 @@ class CurveSamples {
   const Eigen::Vector3d* CellBegin(int sample) const {
     return &points_[2 * static_cast<size_t>(sample) + curve_of_[sample]];
   }
-  void AddPolyline(const Polyline3d& polyline, double step);
+  void AddPolyline(const Polyline3d& polyline, double step, int max_cells);
   void AddPoint(const Eigen::Vector3d& point);
   SpatialIndex MakeIndex() const;
 

@@ -51,8 +51,9 @@ void CheckSet(const CurveSet& set, const char* name, bool may_be_empty) {
   if (empty && !may_be_empty) throw InputError(std::string(name) + ": no curves and no points");
 }
 
-CurveSamples Sample(const CurveSet& set, double tau, const UnitAt& unit_at) {
-  return CurveSamples(set, [&](const Polyline3d& polyline) {
+// `num_before`: cells of other sets, which share the memory.
+CurveSamples Sample(const CurveSet& set, double tau, const UnitAt& unit_at, int num_before) {
+  const auto step_of = [&](const Polyline3d& polyline) {
     double unit = std::numeric_limits<double>::infinity();
     const double length = Length(polyline);
     if (!(length > 0)) return tau;
@@ -60,7 +61,8 @@ CurveSamples Sample(const CurveSet& set, double tau, const UnitAt& unit_at) {
       unit = std::min(unit, unit_at(probe));
     }
     return kStepPerTau * tau * unit;
-  });
+  };
+  return CurveSamples(set, step_of, CurveSamples::kMaxCells - num_before);
 }
 
 std::vector<Judged> JudgeReconstruction(const Scene& scene, const CurveSamples& samples,
@@ -204,9 +206,10 @@ void AddStructure(const SampledScene& sampled, const TrueChains& chains,
 }
 
 TauResult EvaluateAt(const Scene& scene, double tau) {
-  const CurveSamples samples = Sample(scene.reconstruction, tau, scene.unit_at);
-  const CurveSamples truth = Sample(scene.truth, tau, scene.unit_at);
-  const CurveSamples dont_care = Sample(scene.dont_care, tau, scene.unit_at);
+  const CurveSamples samples = Sample(scene.reconstruction, tau, scene.unit_at, 0);
+  const CurveSamples truth = Sample(scene.truth, tau, scene.unit_at, samples.size());
+  const CurveSamples dont_care =
+      Sample(scene.dont_care, tau, scene.unit_at, samples.size() + truth.size());
   const std::vector<Judged> judged = JudgeReconstruction(scene, samples, truth, dont_care, tau);
   const std::vector<Judged> judged_truth = JudgeTruth(scene, truth, samples);
   const Shares precision = Summarize(judged, tau);
