@@ -226,6 +226,18 @@ TEST_F(SmallRun, AccountTellsWhatBecameOfEveryEdgel) {
   EXPECT_THAT(refused.err, StartsWith("ERROR: account = 1: "));
 }
 
+TEST_F(SmallRun, ThePaperAlone) {
+  const std::string said =
+      Run("automatic_drawer", "out", {"--project_path", LIMN_SOURCE_DIR "/scripts/paper.ini"});
+  EXPECT_THAT(said, HasSubstr("enhanced sketch"));
+  EXPECT_THAT(said, HasSubstr("averaging rounds"));
+  for (const char* ours : {"re-triangulation", "ends continued", "refinement:", "belief:"}) {
+    EXPECT_THAT(said, Not(HasSubstr(ours)));
+  }
+  const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;
+  EXPECT_GT(graph.links.size(), 10u);
+}
+
 TEST_F(SmallRun, PageHoldsAReportOfTheRun) {
   const std::string truth = std::string(LIMN_SAMPLE_DIR) + "/truth/curves-visible.ply";
   if (!HasViewerPage()) GTEST_SKIP() << "built without the viewer";

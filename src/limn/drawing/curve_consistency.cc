@@ -86,6 +86,7 @@ CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalCons
       result.overlaps[c].push_back({other, std::move(overlap.partner)});
     }
   }
+  for (int c = 0; c < num_curves; ++c) result.cluster_of.push_back(components.Find(c));
   return result;
 }
 

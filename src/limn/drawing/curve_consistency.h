@@ -19,6 +19,7 @@ struct CurveOverlap {
 struct CurveConsistency {
   std::vector<std::vector<CurveOverlap>> overlaps;  // per curve, ascending by other
   int num_clusters = 0;                             // connected components
+  std::vector<int> cluster_of;                      // per curve, named by one of its curves
 };
 
 CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalConsistency& network,

@@ -8,7 +8,9 @@
 #include "limn/drawing/link_fitting.h"
 #include "limn/drawing/merging.h"
 #include "limn/drawing/retriangulation.h"
+#include "limn/drawing/sketch_samples.h"
 #include "limn/topology/edit_topology.h"
+#include "limn/topology/finish_links.h"
 #include "limn/topology/sample_fates.h"
 #include "limn/topology/trace_curves.h"
 
@@ -52,9 +54,11 @@ SampleFates FatesOf(const CurveSketch& sketch, const SampleSet& samples) {
 DrawingGraph MakeLinks(const CurveSketch& sketch, const TopologyInput& images,
                        const DrawingOptions& options, const RunContext& context,
                        DrawingCounts* counts, SampleFates* fates) {
-  SampleSet samples = Retriangulate(sketch, images, options, context, &counts->retriangulation);
+  SampleSet samples =
+      options.IsPaper() ? TakeSamples(sketch, images)
+                        : Retriangulate(sketch, images, options, context, &counts->retriangulation);
   *fates = FatesOf(sketch, samples);
-  if (options.method == "paper") {
+  if (options.method != "traced") {
     return MergeSamples(images, options, context, &samples, counts);
   }
   DrawingGraph graph = TraceCurves(samples, options.topology, context, &counts->tracing);
@@ -95,33 +99,8 @@ void SummarizeTracing(const TracingCounts& tracing, StageSummary* summary) {
   Append({{"samples: on no traced curve", tracing.unclaimed}}, &summary->dropped);
 }
 
-StageSummary Summarize(const CurveSketch& sketch, const DrawingOptions& options,
-                       const DrawingCounts& counts, const DrawingGraph& graph) {
-  int64_t samples_in_links = 0;
-  for (const DrawingLink& link : graph.links) {
-    for (const LinkMember& member : link.members) samples_in_links += member.end - member.begin;
-  }
-  const auto num_junctions =
-      std::count_if(graph.nodes.begin(), graph.nodes.end(),
-                    [](const DrawingNode& node) { return node.kind == NodeKind::kJunction; });
-  const CompletionCounts& completion = counts.completion;
+void SummarizeCompletion(const CompletionCounts& completion, StageSummary* summary) {
   const MeetingCounts& meetings = completion.meetings;
-  StageSummary summary;
-  summary.stage = "drawing";
-  summary.in = {{"curves", static_cast<int64_t>(sketch.curves.size())},
-                {"samples", counts.retriangulation.samples_in}};
-  summary.kept = {{"samples", samples_in_links},
-                  {"links", static_cast<int64_t>(graph.links.size())},
-                  {"nodes", static_cast<int64_t>(graph.nodes.size())},
-                  {"junctions", num_junctions}};
-  summary.dropped = {
-      {"samples: too few views after re-triangulation", counts.retriangulation.too_few_views},
-      {"samples: piece too short after re-triangulation", counts.retriangulation.piece_too_short}};
-  if (options.method == "paper") {
-    SummarizeMerging(counts, &summary);
-  } else {
-    SummarizeTracing(counts.tracing, &summary);
-  }
   Append({{"ends continued", completion.continued.ends},
           {"px added to them", completion.continued.length_px},
           {"continuations", meetings.joined},
@@ -133,12 +112,49 @@ StageSummary Summarize(const CurveSketch& sketch, const DrawingOptions& options,
           {"short edges between nodes", completion.short_edges},
           {"forks cut", completion.tidy.forks_cut},
           {"dissolved nodes", completion.tidy.dissolved_nodes}},
-         &summary.kept);
+         &summary->kept);
   Append({{"samples: in links with too little support", completion.samples_doubtful},
           {"samples: in short links", completion.tidy.samples_short},
           {"samples: in links that run along others", completion.tidy.samples_covered},
           {"meetings that the images do not show", meetings.refused}},
-         &summary.dropped);
+         &summary->dropped);
+}
+
+int64_t NumSamples(const CurveSketch& sketch) {
+  int64_t count = 0;
+  for (const Curve3D& curve : sketch.curves) count += static_cast<int64_t>(curve.size());
+  return count;
+}
+
+StageSummary Summarize(const CurveSketch& sketch, const DrawingOptions& options,
+                       const DrawingCounts& counts, const DrawingGraph& graph) {
+  int64_t samples_in_links = 0;
+  for (const DrawingLink& link : graph.links) {
+    for (const LinkMember& member : link.members) samples_in_links += member.end - member.begin;
+  }
+  const auto num_junctions =
+      std::count_if(graph.nodes.begin(), graph.nodes.end(),
+                    [](const DrawingNode& node) { return node.kind == NodeKind::kJunction; });
+  StageSummary summary;
+  summary.stage = "drawing";
+  summary.in = {{"curves", static_cast<int64_t>(sketch.curves.size())},
+                {"samples", NumSamples(sketch)}};
+  summary.kept = {{"samples", samples_in_links},
+                  {"links", static_cast<int64_t>(graph.links.size())},
+                  {"nodes", static_cast<int64_t>(graph.nodes.size())},
+                  {"junctions", num_junctions}};
+  if (!options.IsPaper()) {
+    summary.dropped = {
+        {"samples: too few views after re-triangulation", counts.retriangulation.too_few_views},
+        {"samples: piece too short after re-triangulation",
+         counts.retriangulation.piece_too_short}};
+  }
+  if (options.method == "traced") {
+    SummarizeTracing(counts.tracing, &summary);
+  } else {
+    SummarizeMerging(counts, &summary);
+  }
+  if (!options.IsPaper()) SummarizeCompletion(counts.completion, &summary);
   return summary;
 }
 
@@ -153,8 +169,12 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   DrawingResult result;
   result.graph = MakeLinks(input.sketch, images, options, context, &counts, &result.fates);
   UpdateFates(result.graph, EdgelFate::kNotTraced, &result.fates);
-  counts.completion = CompleteDrawing(images, input.sketch, options.topology, context,
-                                      &result.graph, &result.fates);
+  if (options.IsPaper()) {
+    FinishLinks(images, options.topology, &result.graph);
+  } else {
+    counts.completion = CompleteDrawing(images, input.sketch, options.topology, context,
+                                        &result.graph, &result.fates);
+  }
   result.summary = Summarize(input.sketch, options, counts, result.graph);
   return result;
 }

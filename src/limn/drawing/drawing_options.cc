@@ -5,8 +5,8 @@
 namespace limn {
 
 void DrawingOptions::Check() const {
-  if (method != "traced" && method != "paper") {
-    throw OptionError("method: " + method + ": traced or paper expected");
+  if (method != "traced" && method != "merged" && !IsPaper()) {
+    throw OptionError("method: " + method + ": traced, merged or paper expected");
   }
   LIMN_CHECK_RANGE(max_support_distance_px, > 0, <= 100);
   LIMN_CHECK_RANGE(max_support_angle_deg, > 0, <= 90);

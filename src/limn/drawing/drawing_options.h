@@ -9,7 +9,9 @@ namespace limn {
 
 struct DrawingOptions {
   // How samples become links: "traced" follows the ridges of the consensus of all samples (ours);
-  // "paper" builds consistency networks, averages and merges (ECCV 2016).
+  // "merged" builds the paper's consistency networks, averages and merges in its place; "paper"
+  // does so with the sketch as it is, and nothing else: no re-triangulation, completion, refinement
+  // or belief (ECCV 2016).
   std::string method = "traced";
   // Edgels within this distance across the edge and this angle support a sample.
   double max_support_distance_px = 1.0;
@@ -54,6 +56,8 @@ struct DrawingOptions {
   // Tracing, edits after it, and edits between the fits of the refinement.
   TopologyOptions topology = {};
 
+  // Whether nothing is done that is not in the paper.
+  bool IsPaper() const { return method == "paper"; }
   SupportGate Gate() const {
     return {max_support_distance_px, 1.0, max_support_angle_deg * M_PI / 180};
   }

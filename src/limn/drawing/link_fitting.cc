@@ -61,15 +61,19 @@ void MoveNodes(DrawingGraph* graph) {
   }
 }
 
-}  // namespace
-
-void SmoothLinks(double bending_sigma_px, DrawingGraph* graph) {
+void SetSigmas(DrawingGraph* graph) {
   for (DrawingLink& link : graph->links) {
-    Smooth(bending_sigma_px, &link);
     for (int k = 0; k < link.size(); ++k) {
       link.sigma[k] = SigmaAcross(link.vertices[k].information, link.vertices[k].footprint);
     }
   }
+}
+
+}  // namespace
+
+void SmoothLinks(double bending_sigma_px, DrawingGraph* graph) {
+  for (DrawingLink& link : graph->links) Smooth(bending_sigma_px, &link);
+  SetSigmas(graph);
   MoveNodes(graph);
 }
 
@@ -81,7 +85,12 @@ void FitLinks(const SampleSet& samples, const CurveConsistency& network,
       Describe(samples, network, &link.vertices[k]);
     }
   }
-  SmoothLinks(options.bending_sigma_px, graph);
+  if (options.IsPaper()) {
+    SetSigmas(graph);
+    MoveNodes(graph);
+  } else {
+    SmoothLinks(options.bending_sigma_px, graph);
+  }
 }
 
 }  // namespace limn

@@ -10,9 +10,9 @@ namespace limn {
 void SmoothLinks(double bending_sigma_px, DrawingGraph* graph);
 
 // Fits merged links (see MergeCurves; ALGORITHM.md 11.6). Every vertex moves to the weighted mean
-// of the samples merged into it, across the curve; the links are then smoothed. Vertices get their
-// support, sigma and agreement (see CountAgreeingViews); their samples are renumbered as in the
-// sketch. Linear in the number of samples.
+// of the samples merged into it, across the curve; the links are then smoothed (not by the method
+// "paper"). Vertices get their support, sigma and agreement (see CountAgreeingViews); their samples
+// are renumbered as in the sketch. Linear in the number of samples.
 void FitLinks(const SampleSet& samples, const CurveConsistency& network,
               const DrawingOptions& options, DrawingGraph* graph);
 

@@ -97,9 +97,17 @@ class CurveMerger {
     std::vector<SpatialIndex::Neighbor> near;
     index_.FindWithin(samples_.position[s], kSearchPx * samples_.footprint[s], &near);
     for (const SpatialIndex::Neighbor& other : near) {
-      if (primitives_.IsVertex(other.index)) Consider(s, other.index, &best);
+      if (primitives_.IsVertex(other.index) && MayMerge(curve, other.index)) {
+        Consider(s, other.index, &best);
+      }
     }
     return Covers(s, best) ? best.vertex : -1;
+  }
+
+  // The paper merges the curves of a cluster only.
+  bool MayMerge(int curve, int vertex) const {
+    return !options_.IsPaper() ||
+           network_.cluster_of[curve] == network_.cluster_of[samples_.curve_of[vertex]];
   }
 
   bool Covers(int sample, const Candidate& best) const {

@@ -120,21 +120,6 @@ class CurveRetriangulation {
   SupportLists support_;
 };
 
-// Makes samples [begin, end) of a curve a curve of the set.
-void AppendPiece(const MovedCurve& curve, int begin, int end, const CurveOrigin& origin,
-                 SampleSet* samples) {
-  samples->curve_of.resize(samples->curve_of.size() + end - begin, samples->NumCurves());
-  samples->origins.push_back(origin);
-  for (int s = begin; s < end; ++s) {
-    samples->position.push_back(curve.samples.position[s]);
-    samples->tangent.push_back(curve.samples.tangent[s]);
-    samples->information.push_back(curve.samples.information[s]);
-    samples->footprint.push_back(curve.samples.footprint[s]);
-    samples->support.Append(curve.support.Of(s));
-  }
-  samples->curve_begin.push_back(samples->NumSamples());
-}
-
 // Appends the supported pieces of a curve that are long enough. Returns the number of samples in
 // the others.
 int AppendPieces(const MovedCurve& curve, const CurveOrigin& whole, double min_length_px,
@@ -153,8 +138,8 @@ int AppendPieces(const MovedCurve& curve, const CurveOrigin& whole, double min_l
       return;
     }
     const bool closed = whole.closed && end - begin == size;
-    AppendPiece(curve, begin, end, {whole.sketch_curve, begin, whole.primary_view, closed},
-                samples);
+    AppendCurve(curve.samples, curve.support, begin, end,
+                {whole.sketch_curve, begin, whole.primary_view, closed}, samples);
   });
   return in_short_pieces;
 }

@@ -110,7 +110,8 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
 
 template <typename Visit>
 void VisitFields(DrawingOptions& o, Visit&& visit) {
-  visit("method", o.method, "traced, or paper: networks, averaging and merging");
+  visit("method", o.method,
+        "traced; merged: the paper's networks, averaging and merging; paper: nothing else");
   visit("max_support_distance_px", o.max_support_distance_px,
         "largest distance of a supporting edgel across the edge, px");
   visit("max_support_angle_deg", o.max_support_angle_deg, "and within this angle, deg");

@@ -33,6 +33,19 @@ UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& 
   return {std::move(image_curves), std::move(drawn)};
 }
 
+JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
+                             const RunContext& context, const StageObserver& on_stage_end) {
+  if (options.drawing.IsPaper()) return {input.graph, std::nullopt};
+  RefinementResult refined =
+      RefineDrawing(input, options.refinement, options.drawing.topology, context);
+  on_stage_end(refined.summary);
+  const std::vector<View>& views = refined.cameras ? refined.cameras->views : input.views;
+  BeliefResult judged = JudgeLinks({views, input.curves, refined.graph, refined.fitted},
+                                   options.belief, options.drawing.topology, context);
+  on_stage_end(judged.summary);
+  return {std::move(judged.graph), std::move(refined.cameras)};
+}
+
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end) {
   auto [image_curves, drawn] = DrawUnrefined(input, options, context, on_stage_end);
@@ -41,24 +54,18 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
   RunContext alone = context;
   alone.team = nullptr;
 
-  RefinementResult refined =
-      RefineDrawing({input.views, image_curves.curves, drawing.graph, &input.hints.points},
-                    options.refinement, options.drawing.topology, alone);
-  on_stage_end(refined.summary);
-
-  const std::vector<View>& views = refined.cameras ? refined.cameras->views : input.views;
-  BeliefResult judged = JudgeLinks({views, image_curves.curves, refined.graph, refined.fitted},
-                                   options.belief, options.drawing.topology, alone);
-  on_stage_end(judged.summary);
-
+  JudgedDrawing judged =
+      RefineAndJudge({input.views, image_curves.curves, drawing.graph, &input.hints.points},
+                     options, alone, on_stage_end);
+  const std::vector<View>& views = judged.cameras ? judged.cameras->views : input.views;
   PrimitiveResult primitives = FitPrimitives(judged.graph, views, options.primitives, alone);
   on_stage_end(primitives.summary);
 
   KindsResult kinds = ClassifyKinds({views, input.images.read, primitives.graph}, alone);
   on_stage_end(kinds.summary);
 
-  return {std::move(image_curves.curves), std::move(sketch.sketch),   std::move(sketch.fates),
-          std::move(kinds.graph),         std::move(refined.cameras), std::move(drawing.fates)};
+  return {std::move(image_curves.curves), std::move(sketch.sketch),  std::move(sketch.fates),
+          std::move(kinds.graph),         std::move(judged.cameras), std::move(drawing.fates)};
 }
 
 }  // namespace limn

@@ -59,6 +59,16 @@ struct DrawnCurves {
 DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end);
 
+struct JudgedDrawing {
+  DrawingGraph graph;
+  std::optional<RefinedCameras> cameras;
+};
+
+// Refines a drawing and judges its links (RefineDrawing, JudgeLinks). The paper's drawing stays as
+// it is (DrawingOptions::IsPaper).
+JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
+                             const RunContext& context, const StageObserver& on_stage_end);
+
 // The results before the refinement.
 struct UnrefinedScene {
   CurvesResult image_curves;

@@ -33,6 +33,9 @@ std::string FieldsAsText(const Options& options) {
 void PipelineOptions::Check() const {
   PipelineOptions copy = *this;
   VisitGroups(copy, [](const char* group, const auto& options) { CheckGroup(group, options); });
+  if (drawing.IsPaper() && refinement.refine_poses) {
+    throw OptionError("DrawingRefinement.refine_poses = 1: Drawing.method paper has no refinement");
+  }
 }
 
 QualityPreset PresetOf(Quality quality) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "limn/belief/link_judge.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/json_drawing_writer.h"
 #include "limn/formats/stage_file.h"
@@ -97,14 +96,8 @@ class TileDrawer {
     const DrawnCurves drawn = DrawCurves(
         {scene.views, scene.hints, image_curves.curves, reach, input_.cache, TileName(index)},
         options_, context_, report);
-    const RefinementResult refined =
-        RefineDrawing({scene.views, image_curves.curves, drawn.drawing.graph}, options_.refinement,
-                      options_.drawing.topology, context_);
-    report(refined.summary);
-    BeliefResult judged =
-        JudgeLinks({scene.views, image_curves.curves, refined.graph, refined.fitted},
-                   options_.belief, options_.drawing.topology, context_);
-    report(judged.summary);
+    JudgedDrawing judged = RefineAndJudge({scene.views, image_curves.curves, drawn.drawing.graph},
+                                          options_, context_, report);
     Keep(index, scene, key, judged.graph);
     return std::move(judged.graph);
   }

@@ -34,6 +34,20 @@ void NameInSketch(const SampleSet& samples, LinkVertex* vertex) {
   SortUnique(&edgels);
 }
 
+void AppendCurve(const SampleArrays& curve, const SupportLists& support, int begin, int end,
+                 const CurveOrigin& origin, SampleSet* samples) {
+  samples->curve_of.resize(samples->curve_of.size() + end - begin, samples->NumCurves());
+  samples->origins.push_back(origin);
+  for (int s = begin; s < end; ++s) {
+    samples->position.push_back(curve.position[s]);
+    samples->tangent.push_back(curve.tangent[s]);
+    samples->information.push_back(curve.information[s]);
+    samples->footprint.push_back(curve.footprint[s]);
+    samples->support.Append(support.Of(s));
+  }
+  samples->curve_begin.push_back(samples->NumSamples());
+}
+
 void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples) {
   samples->curve_of.reserve(num_samples);
   samples->position.reserve(num_samples);

@@ -66,6 +66,10 @@ struct SampleSet : SampleArrays {
 // into those in the sketch.
 void NameInSketch(const SampleSet& samples, LinkVertex* vertex);
 
+// Makes samples [begin, end) of a curve one of the set.
+void AppendCurve(const SampleArrays& curve, const SupportLists& support, int begin, int end,
+                 const CurveOrigin& origin, SampleSet* samples);
+
 // Reserves memory. Growing arrays would take up to three times their size.
 void Reserve(size_t num_samples, size_t num_edgels, SampleSet* samples);
 

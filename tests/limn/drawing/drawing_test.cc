@@ -89,7 +89,7 @@ class DrawingTest : public ::testing::TestWithParam<std::string> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Methods, DrawingTest, ::testing::Values("traced", "paper"),
+INSTANTIATE_TEST_SUITE_P(Methods, DrawingTest, ::testing::Values("traced", "merged"),
                          [](const auto& method) { return method.param; });
 
 int64_t Count(const StageSummary::Counts& counts, const std::string& name) {
@@ -242,16 +242,31 @@ int64_t LastMovement(const StageSummary::Counts& in, bool converged) {
   return Count(in, "largest movement in the last round, px/1000");
 }
 
-TEST(PaperDrawingTest, SummaryTellsWhetherAveragingConverged) {
+TEST(MergedDrawingTest, SummaryTellsWhetherAveragingConverged) {
   const auto in_of = [](double tolerance_px, int max_rounds) {
     DrawingOptions options;
-    options.method = "paper";
+    options.method = "merged";
     options.averaging_tolerance_px = tolerance_px;
     options.max_averaging_rounds = max_rounds;
     return Draw(NoisySketch(), options).summary.in;
   };
   EXPECT_LE(LastMovement(in_of(0.5, 50), true), 500);
   EXPECT_GT(LastMovement(in_of(1e-9, 1), false), 0);
+}
+
+// Nothing that is not in the paper: no sample is dropped, nothing is grown or cut.
+TEST(PaperDrawingTest, EverySampleOfTheSketchIsInALink) {
+  DrawingOptions options;
+  options.method = "paper";
+  const DrawingResult result = Draw(NoisySketch(), options);
+  EXPECT_EQ(Count(result.summary.kept, "samples"), Count(result.summary.in, "samples"));
+  EXPECT_TRUE(result.summary.dropped.empty());
+  EXPECT_TRUE(Validate(result.graph).empty());
+  int64_t in_links = 0;
+  for (const DrawingLink& link : result.graph.links) {
+    for (const LinkMember& member : link.members) in_links += member.end - member.begin;
+  }
+  EXPECT_EQ(in_links, Count(result.summary.in, "samples"));
 }
 
 TEST(TracedDrawingTest, SummaryTellsWhatWasTraced) {
@@ -272,7 +287,7 @@ TEST_P(DrawingTest, EverySampleHasTheFateOfTheSummary) {
               Count(summary.dropped, "samples: too few views after re-triangulation") +
                   Count(summary.dropped, "samples: piece too short after re-triangulation"));
     EXPECT_EQ(count[EdgelFate::kNotTraced],
-              GetParam() == "paper" ? 0 : Count(summary.dropped, "samples: on no traced curve"));
+              GetParam() == "merged" ? 0 : Count(summary.dropped, "samples: on no traced curve"));
     EXPECT_EQ(count[EdgelFate::kDoubtfulLink],
               Count(summary.dropped, "samples: in links with too little support"));
   }
@@ -284,14 +299,14 @@ TEST_P(DrawingTest, EmptySketchGivesEmptyGraph) {
   EXPECT_TRUE(result.graph.nodes.empty());
 }
 
-TEST(DrawingOptionsTest, MethodIsTracedOrPaper) {
+TEST(DrawingOptionsTest, MethodIsTracedMergedOrPaper) {
   DrawingOptions options;
   EXPECT_EQ(options.method, "traced");
-  for (const char* method : {"traced", "paper"}) {
+  for (const char* method : {"traced", "merged", "paper"}) {
     options.method = method;
     EXPECT_NO_THROW(options.Check());
   }
-  for (const char* method : {"", "merged", "Paper"}) {
+  for (const char* method : {"", "merge", "Paper"}) {
     options.method = method;
     EXPECT_THROW(options.Check(), OptionError);
     EXPECT_THROW(Draw({Views(), ExactSketch().curves, {}}, options), OptionError);

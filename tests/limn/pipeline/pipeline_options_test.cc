@@ -85,6 +85,14 @@ TEST(PipelineOptions, CheckNamesGroupAndOption) {
   }
 }
 
+TEST(PipelineOptions, ThePaperHasNoRefinementOfPoses) {
+  PipelineOptions options;
+  options.drawing.method = "paper";
+  EXPECT_NO_THROW(options.Check());
+  options.refinement.refine_poses = true;
+  EXPECT_THROW(options.Check(), OptionError);
+}
+
 TEST(PipelineOptions, TextTellsOptionsApart) {
   EdgeDetectionOptions options;
   const std::string before = OptionsAsText(options);
