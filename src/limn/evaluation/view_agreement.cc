@@ -9,11 +9,13 @@ namespace {
 
 double LengthInView(const View& view, const Polyline3d& points) {
   double length = 0;
-  std::optional<Eigen::Vector2d> before;
+  Eigen::Vector2d before = Eigen::Vector2d::Zero();
+  bool was_seen = false;
   for (const Eigen::Vector3d& point : points) {
     const std::optional<Eigen::Vector2d> pixel = view.Project(point);
-    if (before && pixel) length += (*pixel - *before).norm();
-    before = pixel;
+    if (was_seen && pixel) length += (*pixel - before).norm();
+    was_seen = pixel.has_value();
+    if (pixel) before = *pixel;
   }
   return length;
 }
