@@ -214,10 +214,14 @@ TEST(Refinement, ResultDoesNotDependOnThreads) {
 class RefinementOfScaled : public ::testing::TestWithParam<double> {};
 
 TEST_P(RefinementOfScaled, GivesTheScaledDrawing) {
+  DrawingGraph expected = NoisyResult();
+  for (DrawingLink& link : expected.links) {
+    for (Eigen::Vector3d& point : link.points_in_world) point *= GetParam();
+    for (double& sigma : link.sigma) sigma *= GetParam();
+  }
   const std::vector<View> views = testing::Scaled(Views(), GetParam());
   const DrawingGraph scaled = Scaled(Perturbed(CubeGraph(), 0.6), GetParam());
-  ExpectSame(RefineDrawing({views, Curves(kNoisePx), scaled}, {}, {}, {}).graph,
-             Scaled(NoisyResult(), GetParam()));
+  ExpectSame(RefineDrawing({views, Curves(kNoisePx), scaled}, {}, {}, {}).graph, expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scales, RefinementOfScaled,

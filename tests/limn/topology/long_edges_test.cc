@@ -132,19 +132,34 @@ TEST(AddLongEdgesTest, ImageCurvesMustRunFromEndToEnd) {
   EXPECT_EQ(AddTo(&scene).added, 0);
 }
 
+TEST(AddLongEdgesTest, ImageCurvesMustRunStraight) {
+  // The one from end to end makes a detour; those along the edge end before.
+  FrontalScene scene;
+  DrawSides(scene.AllViews(), &scene);
+  scene.Show(PxSegment(-45, 0, -2, 0));
+  scene.Show(PxSegment(2, 0, 45, 0));
+  testing::PxLine detour = PxSegment(-50, 0, 0, -20);
+  const testing::PxLine back = PxSegment(0, -20, 50, 0);
+  detour.insert(detour.end(), back.begin() + 1, back.end());
+  scene.Show(detour);
+  EXPECT_EQ(AddTo(&scene).added, 0);
+}
+
 TEST(AddLongEdgesTest, EndsMustBeCertain) {
   // All cameras are in a row along the edge, so that nothing tells the depth of a link along it.
   // Links from its ends to the side do.
-  const auto added = [](bool with_sides) {
+  const auto added = [](const std::vector<double>& sides_at) {
     FrontalScene scene(6, 1);
     scene.ShowAndDraw(PxSegment(-70, 0, -50, 0));
     scene.ShowAndDraw(PxSegment(50, 0, 70, 0));
     scene.Show(PxSegment(-50, 0, 50, 0));
-    if (with_sides) DrawSides(scene.AllViews(), &scene);
+    for (const double x : sides_at) scene.ShowAndDraw(PxSegment(x, 0, x, 40));
     return AddTo(&scene).added;
   };
-  EXPECT_EQ(added(false), 0);
-  EXPECT_EQ(added(true), 1);
+  EXPECT_EQ(added({}), 0);
+  EXPECT_EQ(added({-50}), 0);
+  EXPECT_EQ(added({50}), 0);
+  EXPECT_EQ(added({-50, 50}), 1);
 }
 
 TEST(AddLongEdgesTest, TheLongestOfSeveralIsDrawn) {
