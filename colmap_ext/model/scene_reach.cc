@@ -2,22 +2,13 @@
 
 #include <algorithm>
 
+#include "limn/geometry/median_point.h"
 #include "limn/util/median.h"
 
 namespace limn::colmap_ext {
 namespace {
 
 constexpr double kFarOutside = 1e5;
-
-Eigen::Vector3d MiddleOf(const std::vector<Eigen::Vector3d>& places) {
-  Eigen::Vector3d middle;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    for (const Eigen::Vector3d& place : places) values.push_back(place[axis]);
-    middle[axis] = Median(std::move(values));
-  }
-  return middle;
-}
 
 }  // namespace
 
@@ -26,7 +17,7 @@ SceneReach::SceneReach(const SparseModel& model, const std::vector<int>& images)
   for (const int image : images) {
     centers.push_back(Inverse(model.images[image].cam_from_world).translation);
   }
-  middle_ = MiddleOf(centers);
+  middle_ = MedianPoint(centers);
   std::vector<double> to_cameras, to_points;
   for (const Eigen::Vector3d& center : centers)
     to_cameras.push_back((center - middle_).stableNorm());

@@ -1,7 +1,9 @@
 #include "limn/refinement/scene_unit.h"
 
 #include <cmath>
+#include <utility>
 
+#include "limn/model/drawing_transform.h"
 #include "limn/model/footprint.h"
 #include "limn/util/median.h"
 
@@ -23,17 +25,8 @@ std::vector<View> Scaled(std::vector<View> views, double factor) {
 }
 
 DrawingGraph Scaled(DrawingGraph graph, double factor) {
-  for (DrawingNode& node : graph.nodes) node.position_in_world *= factor;
-  for (DrawingLink& link : graph.links) {
-    for (Eigen::Vector3d& point : link.points_in_world) point *= factor;
-    for (double& sigma : link.sigma) sigma *= factor;
-    for (LinkVertex& vertex : link.vertices) {
-      vertex.footprint *= factor;
-      vertex.information /= factor * factor;
-    }
-    link.primitive.reset();
-  }
-  return graph;
+  return Transformed(std::move(graph), factor, Eigen::Matrix3d::Identity(),
+                     Eigen::Vector3d::Zero());
 }
 
 }  // namespace limn

@@ -13,7 +13,7 @@ namespace limn {
 // exact.
 double SceneUnit(const std::vector<View>& views, const DrawingGraph& graph);
 
-// The same scene with all lengths multiplied; links lose their primitives, which are fitted later.
+// The same scene with all lengths multiplied. The links of the graph have no vertices.
 std::vector<View> Scaled(std::vector<View> views, double factor);
 DrawingGraph Scaled(DrawingGraph graph, double factor);
 
