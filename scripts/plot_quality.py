@@ -5,12 +5,13 @@
 
 One PNG per plot name of the report's data sets (fixed and mixed light of the pavilion share one):
 a column per tau, a row per box. Each method is a line through its swept thresholds; the big mark
-is the result with default options. Needs Debian's python3-matplotlib.
+is the result with default options; crosses are stored results of other programs. Needs Debian's python3-matplotlib.
 """
 
 import json
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
 import matplotlib
 
@@ -18,6 +19,8 @@ matplotlib.use("Agg")
 from matplotlib import pyplot as plt  # noqa: E402  (the backend must be chosen first)
 
 LINE_STYLES = ["-", "--", ":", "-."]
+AXIS_LABELS = {"precision": "precision", "sample_precision": "precision of samples"}
+PEER_MARKS = {True: "X", False: "x"}  # first data set of a plot, others
 PANEL_INCHES = 4.2
 
 
@@ -35,60 +38,85 @@ def methods_of(data_sets):
     return list(dict.fromkeys(run["method"] for data_set in data_sets for run in data_set["runs"]))
 
 
-def precision_and_recall(run, box, tau_index):
-    """(recall, precision) of a run, or None where there is nothing to take a share of."""
-    row = run["truth"][box]["rows"][tau_index]
-    if row["precision"] is None or row["recall"] is None:
+def programs_of(data_sets):
+    """Names of other programs whose results are stored."""
+    return list(dict.fromkeys(peer["method"] for data_set in data_sets
+                              for peer in data_set["peers"]))
+
+
+class Panel(NamedTuple):
+    box: str
+    tau_index: int
+    precision: str  # "precision", or "sample_precision": the paper's, read literally
+
+
+def recall_and_precision(run, panel):
+    """Of a run, or None where there is nothing to take a share of."""
+    row = run["truth"][panel.box]["rows"][panel.tau_index]
+    if row[panel.precision] is None or row["recall"] is None:
         return None
-    return row["recall"], row["precision"]
+    return row["recall"], row[panel.precision]
 
 
-def draw_method(axes, runs, box, tau_index, color, style, label):
+def draw_method(axes, runs, panel, color, style, label):
     swept = [run for run in runs if run["threshold"] is not None]
-    points = [precision_and_recall(run, box, tau_index)
+    points = [recall_and_precision(run, panel)
               for run in sorted(swept, key=lambda run: run["threshold"])]
     points = [point for point in points if point is not None]
     axes.plot([p[0] for p in points], [p[1] for p in points], style, marker=".", color=color,
               label=label)
     for run in runs:
-        point = precision_and_recall(run, box, tau_index)
+        point = recall_and_precision(run, panel)
         if run["threshold"] is None and point is not None:
             axes.plot(*point, marker="o" if style == "-" else "s", markersize=9, color=color,
                       markerfacecolor="none" if style != "-" else color, linestyle="none")
 
 
-def draw_panel(axes, data_sets, methods, box, tau_index):
+def draw_peers(axes, data_set, programs, panel, filled):
+    for peer in data_set["peers"]:
+        point = recall_and_precision(peer, panel)
+        if point is not None:
+            axes.plot(*point, marker=PEER_MARKS[filled], markersize=8, linestyle="none",
+                      color=f"C{5 + programs.index(peer['method'])}",
+                      label=f"{peer['method']}, {data_set['name']}")
+
+
+def draw_panel(axes, data_sets, methods, panel):
+    programs = programs_of(data_sets)
     for number, data_set in enumerate(data_sets):
         style = LINE_STYLES[number % len(LINE_STYLES)]
         for method in methods:
             runs = [run for run in data_set["runs"] if run["method"] == method]
-            draw_method(axes, runs, box, tau_index, f"C{methods.index(method)}", style,
+            draw_method(axes, runs, panel, f"C{methods.index(method)}", style,
                         f"{method}, {data_set['name']}")
-        ceiling = data_set["ceiling"][box][tau_index]
+        draw_peers(axes, data_set, programs, panel, number == 0)
+        ceiling = data_set["ceiling"][panel.box][panel.tau_index]
         if ceiling is not None:
             axes.axvline(ceiling, color="0.6", linestyle=style, linewidth=1)
     unit = " px" if data_sets[0]["unit"] == "footprint" else ""
-    axes.set(title=f"box {box}, tau {data_sets[0]['taus'][tau_index]:g}{unit}", xlabel="recall",
-             ylabel="precision", xlim=(0, 1.02), ylim=(0, 1.02))
+    axes.set(title=f"box {panel.box}, tau {data_sets[0]['taus'][panel.tau_index]:g}{unit}",
+             xlabel="recall", ylabel=AXIS_LABELS[panel.precision], xlim=(0, 1.02), ylim=(0, 1.02))
     axes.grid(alpha=0.3)
 
 
-def draw_group(data_sets, path):
-    boxes, taus, methods = data_sets[0]["boxes"], data_sets[0]["taus"], methods_of(data_sets)
+def draw_group(data_sets, rows, path, dpi=100):
+    """`rows`: box and kind of precision of each row of panels."""
+    taus, methods = data_sets[0]["taus"], methods_of(data_sets)
     legend_columns = min(3, len(methods))
-    legend_inches = 0.3 + 0.22 * -(-len(methods) * len(data_sets) // legend_columns)
-    height = PANEL_INCHES * len(boxes) + legend_inches
-    figure, panels = plt.subplots(len(boxes), len(taus), squeeze=False,
+    num_labels = sum(len(methods) + len(data_set["peers"]) for data_set in data_sets)
+    legend_inches = 0.3 + 0.22 * -(-num_labels // legend_columns)
+    height = PANEL_INCHES * len(rows) + legend_inches
+    figure, panels = plt.subplots(len(rows), len(taus), squeeze=False,
                                   figsize=(PANEL_INCHES * len(taus), height))
-    for row, box in zip(panels, boxes):
-        for tau_index, axes in enumerate(row):
-            draw_panel(axes, data_sets, methods, box, tau_index)
+    for (box, precision), of_row in zip(rows, panels):
+        for tau_index, axes in enumerate(of_row):
+            draw_panel(axes, data_sets, methods, Panel(box, tau_index, precision))
     handles, labels = panels[0][0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=legend_columns, frameon=False)
-    figure.suptitle("Support threshold swept; big marks: default options; gray: what the image "
-                    "curves can give")
+    figure.suptitle("Support threshold swept; big marks: default options; crosses: other programs; "
+                    "gray: what the image curves can give")
     figure.tight_layout(rect=(0, legend_inches / height, 1, 1))
-    figure.savefig(path, dpi=100)
+    figure.savefig(path, dpi=dpi)
     plt.close(figure)
 
 
@@ -103,7 +131,7 @@ def main():
         sys.exit(f"ERROR: {source}: {error}")
     for name, data_sets in groups.items():
         path = folder / f"precision-recall-{name}.png"
-        draw_group(data_sets, path)
+        draw_group(data_sets, [(box, "precision") for box in data_sets[0]["boxes"]], path)
         print(path)
 
 

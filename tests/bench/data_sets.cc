@@ -29,6 +29,11 @@ std::vector<PeerResult> Peers(const std::string& data_path, const std::string& s
 constexpr const char* kPublished = "published thresholds, 50 inliers";
 constexpr const char* kShortKept = "short curves kept, no inliers asked for";
 
+void AddCloudOfPmvs(DataSet* set) {
+  set->cloud_path = set->workspace_path + "/pmvs/models/option-all.ply";
+  set->peers.push_back({"PMVS points", set->cloud_path});
+}
+
 // Mesh edges marked by hand, meters. Box A: the chairs and the floor around; box B: without it.
 DataSet Pavilion(const std::string& data_path, const std::string& light) {
   const std::string root = data_path + "/pavilion";
@@ -41,10 +46,10 @@ DataSet Pavilion(const std::string& data_path, const std::string& light) {
   set.taus = {0.01, 0.02, 0.05};
   set.boxes = {Box("A", -0.2, 3.2, -2.2, 1.9, 1.45, 2.6),
                Box("B", -0.2, 3.2, -2.2, 1.9, 1.53, 2.6)};
-  set.cloud_path = set.workspace_path + "/pmvs/models/option-all.ply";
   set.peers = Peers(data_path, set.name, {{"short-s0", kShortKept}});
   if (light == "midday") {
     set.peers = Peers(data_path, set.name, {{"pub-s50", kPublished}, {"short-s0", kShortKept}});
+    AddCloudOfPmvs(&set);
   }
   return set;
 }
@@ -58,7 +63,7 @@ DataSet Vase(const std::string& data_path) {
   set.taus = {0.0005, 0.001, 0.002};
   set.judge_around_truth = true;
   set.peers = Peers(data_path, set.name, {{"pub-s50", kPublished}});
-  set.cloud_path = set.workspace_path + "/pmvs/models/option-all.ply";
+  AddCloudOfPmvs(&set);
   return set;
 }
 
@@ -90,8 +95,11 @@ DataSet Rendered(const std::string& name, const std::string& workspace, const st
 // `light` is the folder of the light below truth/, or empty.
 DataSet Sample(const std::string& sample_path, const std::string& variant,
                const std::string& light) {
-  return Rendered("sample-" + variant, sample_path + "/" + variant, sample_path + "/truth/" + light,
-                  Box("all", -1.25, 1.25, -0.95, 0.95, 0.04, 1.05));
+  DataSet set =
+      Rendered("sample-" + variant, sample_path + "/" + variant, sample_path + "/truth/" + light,
+               Box("all", -1.25, 1.25, -0.95, 0.95, 0.04, 1.05));
+  if (variant == "day" || variant == "mixed") set.plot = "sample";
+  return set;
 }
 
 DataSet Room(const std::string& data_path) {

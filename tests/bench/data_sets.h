@@ -15,7 +15,7 @@ struct NamedBox {
   std::optional<Eigen::AlignedBox3d> region;
 };
 
-// What another program made of a data set: curves in a file.
+// What another program made of a data set: curves or points in a file.
 struct PeerResult {
   std::string program;
   std::string path;

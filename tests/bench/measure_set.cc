@@ -50,6 +50,7 @@ Json MeasureRun(const Measured& measured, const Method& method, const Json& thre
                 const Reconstruction& result, Console* console) {
   Json run;
   run["method"] = method.name;
+  run["arguments"] = method.arguments;
   run["threshold_name"] = method.threshold_name;
   run["threshold"] = threshold;
   run["seconds"] = result.times.seconds;
@@ -87,12 +88,12 @@ void MeasureDefaults(const ReportOptions& options, const Measured& measured, Wor
                      Console* console, const std::function<void(Json)>& add_run) {
   Workbench training_bench(measured.training, console->context());
   for (const Method& method : Methods()) {
-    const Reconstruction result = workbench->Run(method, {});
+    const Reconstruction result = workbench->Run(method, std::nullopt);
     Json run = MeasureRun(measured, method, nullptr, result, console);
     run["emap"] = MeasureByEmap(measured.truth, result.set);
     run["held_out"] =
         MeasureHeldOutViews(measured.training, measured.held_out,
-                            training_bench.Run(method, {}).curves, console->context());
+                            training_bench.Run(method, std::nullopt).curves, console->context());
     run["sigmas"] = nullptr;
     if (result.graph) {
       run["sigmas"] = MeasureSigmas(measured.truth, measured.scene.views, *result.graph);
@@ -111,10 +112,8 @@ void MeasureSweep(const Measured& measured, Workbench* workbench, Console* conso
   for (size_t i = 0; i < most; ++i) {
     for (const Method& method : Methods()) {
       if (i >= method.thresholds.size()) continue;
-      PipelineOptions options;
-      method.set_threshold(method.thresholds[i], &options);
-      add_run(MeasureRun(measured, method, method.thresholds[i], workbench->Run(method, options),
-                         console));
+      const int threshold = method.thresholds[i];
+      add_run(MeasureRun(measured, method, threshold, workbench->Run(method, threshold), console));
     }
   }
 }

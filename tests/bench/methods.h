@@ -23,23 +23,26 @@ struct Reconstruction {
   Times times;                        // from image curves on
 };
 
-// From the sketch to what is judged; leaves the times alone.
-using Finish = Reconstruction (*)(const Scene&, const CurveSketch&, const PipelineOptions&,
-                                  const RunContext&);
-
 // A way from image curves to 3D curves, and the threshold that is swept for its curve of precision
 // and recall.
 struct Method {
   std::string name;
-  SketchMode mode;
-  Finish finish;
+  // As automatic_drawer takes them.
+  std::vector<std::string> arguments;
+  // Whether the sketch or the drawing is the result.
+  bool draws = false;
   std::string threshold_name;
+  // The options that are set to the threshold.
+  std::vector<std::string> threshold_options;
   std::vector<int> thresholds;
-  void (*set_threshold)(int threshold, PipelineOptions* options);
 };
 
 // One line per method.
 const std::vector<Method>& Methods();
+
+// The options of a method, with its threshold unless absent. Throws OptionError for a method with
+// options of edges or linking, since all methods begin with the same image curves.
+PipelineOptions OptionsOf(const Method& method, std::optional<int> threshold);
 
 // Runs methods on one scene; keeps the last sketch, since several methods begin with the same one.
 class Workbench {
@@ -48,10 +51,10 @@ class Workbench {
   Workbench(const Scene& scene, const RunContext& context) : scene_(scene), context_(context) {}
 
   // The times include those of the sketch, whether it was made now or before.
-  Reconstruction Run(const Method& method, const PipelineOptions& options);
+  Reconstruction Run(const Method& method, std::optional<int> threshold);
 
  private:
-  void MakeSketch(SketchMode mode, const PipelineOptions& options);
+  void MakeSketch(const PipelineOptions& options);
 
   const Scene& scene_;
   const RunContext& context_;

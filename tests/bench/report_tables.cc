@@ -21,9 +21,11 @@ Cells TauHeads(const Json& set) {
   return heads;
 }
 
-// Of one box; junctions and duplicates at the tau of the header.
+// Of one box; junctions and duplicates at the tau of the header. "P smpl.": of samples
+// (TauResult::sample_precision).
 Cells TruthHeads(const Json& set, size_t junction_tau) {
   Cells heads = TauHeads(set);
+  heads.push_back("P smpl. at " + Short(set["taus"][junction_tau]));
   heads.push_back("dupl. at " + Short(set["taus"][0]));
   heads.push_back("junctions P/R at " + Short(set["taus"][junction_tau]));
   return heads;
@@ -33,6 +35,7 @@ Cells TruthCells(const Json& report, size_t junction_tau) {
   Cells cells;
   for (const Json& row : report["rows"]) cells.push_back(Shares(row));
   const Json& row = report["rows"][junction_tau];
+  cells.push_back(Percent(row["sample_precision"]));
   cells.push_back(Percent(report["rows"][0]["duplicated"]));
   cells.push_back(Percent(row["junction_precision"]) + " / " + Percent(row["junction_recall"]));
   return cells;
@@ -63,7 +66,7 @@ void PrintTruth(const Json& set, std::ostream& out) {
   for (const auto& [box, recalls] : set["ceiling"].items()) {
     Cells cells = {"*ceiling of recall*", box};
     for (const Json& recall : recalls) cells.push_back("- / " + Percent(recall) + " / -");
-    Append({"-", "-"}, &cells);
+    Append({"-", "-", "-"}, &cells);
     PrintRow(cells, out);
   }
   out << '\n';

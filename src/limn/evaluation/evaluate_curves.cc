@@ -103,6 +103,8 @@ std::vector<Judged> JudgeTruth(const Scene& scene, const CurveSamples& truth,
 
 struct Shares {
   double total = 0;
+  int64_t samples_within = 0;
+  int64_t samples_beyond = 0;
   std::optional<double> within, mean, median, duplicated;
 };
 
@@ -116,6 +118,7 @@ Shares Summarize(const std::vector<Judged>& judged, double tau) {
     if (!sample.counts || !(sample.weight > 0)) continue;
     shares.total += sample.weight;
     if (sample.distance <= tau) within += sample.weight;
+    ++(sample.distance <= tau ? shares.samples_within : shares.samples_beyond);
     if (sample.duplicated) duplicated += sample.weight;
     moment += sample.weight * sample.distance;
     distances.emplace_back(sample.distance, sample.weight);
@@ -218,6 +221,10 @@ TauResult EvaluateAt(const Scene& scene, double tau) {
   row.tau = tau;
   row.precision = precision.within;
   row.recall = recall.within;
+  const int64_t num_samples = recall.samples_within + precision.samples_beyond;
+  if (num_samples > 0) {
+    row.sample_precision = static_cast<double>(recall.samples_within) / num_samples;
+  }
   if (row.precision && row.recall) {
     const double sum = *row.precision + *row.recall;
     row.f = sum > 0 ? 2 * *row.precision * *row.recall / sum : 0.0;

@@ -42,6 +42,11 @@ struct TauResult {
   double tau = 0;
   // Share of the reconstructed length (or points) within tau of the truth.
   std::optional<double> precision;
+  // The paper's precision read literally, in samples: the true ones within tau of the
+  // reconstruction over these and the reconstructed ones that are not within tau of the truth
+  // (ECCV 2016, section 4). A copy of a right curve counts for nothing, one of a false curve again.
+  // Samples are the cells of EvaluateCurves, or points.
+  std::optional<double> sample_precision;
   // Share of the true length (or points) within tau of the reconstruction.
   std::optional<double> recall;
   // Harmonic mean of the two.

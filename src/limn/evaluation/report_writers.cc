@@ -55,6 +55,7 @@ void AddStructure(const StructureScores& scores, Json* json) {
 Json RowAsJson(const TauResult& row) {
   Json json = {{"tau", row.tau},
                {"precision", OrNull(row.precision)},
+               {"sample_precision", OrNull(row.sample_precision)},
                {"recall", OrNull(row.recall)},
                {"f", OrNull(row.f)},
                {"accuracy", OrNull(row.accuracy)},
@@ -155,13 +156,14 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
     for (const std::string& cell : cells) out << std::setw(kWidth) << cell << ' ';
     out << '\n';
   };
-  print_row({report.in_footprints ? "tau [rho]" : "tau", "P %", "R %", "F %", "dupl. %", "accuracy",
-             "complete", "length", "true len.", "junc. P %", "junc. R %"});
+  print_row({report.in_footprints ? "tau [rho]" : "tau", "P %", "R %", "F %", "P smpl. %",
+             "dupl. %", "accuracy", "complete", "length", "true len.", "junc. P %", "junc. R %"});
   for (const TauResult& row : report.rows) {
     print_row({Cell(row.tau, 4), Percent(row.precision), Percent(row.recall), Percent(row.f),
-               Percent(row.duplicated), Cell(row.accuracy, 4), Cell(row.completeness, 4),
-               Cell(row.reconstructed_length, 5), Cell(row.true_length, 5),
-               Percent(row.junction_precision), Percent(row.junction_recall)});
+               Percent(row.sample_precision), Percent(row.duplicated), Cell(row.accuracy, 4),
+               Cell(row.completeness, 4), Cell(row.reconstructed_length, 5),
+               Cell(row.true_length, 5), Percent(row.junction_precision),
+               Percent(row.junction_recall)});
   }
   PrintStructure(report, out);
   out << "links " << report.num_links << ", mean length " << Cell(report.mean_link_length, 4)

@@ -62,6 +62,17 @@ TEST(EvaluateCurves, PrecisionWeighsByLengthNotByVertices) {
   EXPECT_NEAR(row.reconstructed_length, 1.0, 1e-9);
 }
 
+TEST(EvaluateCurves, SamplePrecisionCountsCopiesOnlyIfFalse) {
+  const CurveSet truth = Curves({Line(0, 1), Line(0, 1, 5)});
+  // Half of the truth is found twice; as long a false curve, once and twice.
+  const TauResult once = EvaluateAtTau(Curves({Line(0, 1), Line(0, 1), Line(0, 1, 3)}), truth);
+  EXPECT_NEAR(*once.precision, 2.0 / 3, 1e-9);
+  EXPECT_NEAR(*once.sample_precision, 1.0 / 2, 1e-9);
+  const TauResult twice = EvaluateAtTau(Curves({Line(0, 1), Line(0, 1, 3), Line(0, 1, 3)}), truth);
+  EXPECT_NEAR(*twice.sample_precision, 1.0 / 3, 1e-9);
+  EXPECT_FALSE(EvaluateAtTau({}, Curves({Line(0, 1)})).sample_precision);
+}
+
 TEST(EvaluateCurves, SeveralTausGiveARowEach) {
   EvaluationOptions options;
   options.taus = {0.01, 0.03};

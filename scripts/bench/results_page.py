@@ -1,0 +1,206 @@
+#!/usr/bin/python3
+"""Write the page of results from a quality report: tables, what is ahead of Limn, and pictures.
+
+    scripts/bench/results_page.py report.json COMMIT FOLDER
+
+Writes FOLDER/RESULTS.md and FOLDER/results/*.png. scripts/reproduce_results.sh calls it.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+import plot_quality  # noqa: E402
+
+OURS = "default drawing"
+# The paper's order: each should be ahead of the one before.
+ORDER = ["original sketch", "enhanced sketch", "paper drawing", OURS]
+SHARES = {"precision": "P", "recall": "R", "f": "F"}
+PICTURE_DPI = 64
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def percent(share):
+    return "-" if share is None else f"{100 * share:.1f}"
+
+
+def shares(row):
+    return " / ".join(percent(row[key]) for key in SHARES)
+
+
+def box_of(data_set):
+    return data_set["boxes"][0]
+
+
+def row_of(run, data_set, tau_index):
+    return run["truth"][box_of(data_set)]["rows"][tau_index]
+
+
+def tau_name(data_set, tau_index):
+    unit = " px" if data_set["unit"] == "footprint" else ""
+    return f"{data_set['taus'][tau_index]:g}{unit}"
+
+
+def middle(data_set):
+    return len(data_set["taus"]) // 2
+
+
+def runs_of(data_set, method):
+    return [run for run in data_set["runs"] if run["method"] == method]
+
+
+def default_runs(data_set):
+    return [run for run in data_set["runs"] if run["threshold"] is None]
+
+
+def f_of(run, data_set, precision):
+    """F at the middle tau from the given kind of precision (plot_quality.Panel)."""
+    row = row_of(run, data_set, middle(data_set))
+    shares_of = row[precision] or 0, row["recall"] or 0
+    return 2 * shares_of[0] * shares_of[1] / sum(shares_of) if sum(shares_of) > 0 else 0
+
+
+def best_run(data_set, method, precision):
+    """The run of the method, at any threshold, with the best F."""
+    return max(runs_of(data_set, method), key=lambda run: f_of(run, data_set, precision))
+
+
+def table(heads, rows):
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines) + "\n"
+
+
+def threshold_name(run):
+    return "default" if run["threshold"] is None else f"{run['threshold']} {run['threshold_name']}"
+
+
+def summary(data_sets, precision):
+    """F at the middle tau with default options, the best of the sweep, and the order of the best."""
+    rows = []
+    for data_set in data_sets:
+        cells = [data_set["name"], tau_name(data_set, middle(data_set))]
+        best = {method: best_run(data_set, method, precision) for method in ORDER}
+        f_of_best = {method: f_of(run, data_set, precision) for method, run in best.items()}
+        for method in ORDER:
+            default = next(run for run in runs_of(data_set, method) if run["threshold"] is None)
+            cells.append(f"{percent(f_of(default, data_set, precision))} "
+                         f"({percent(f_of_best[method])}, {threshold_name(best[method])})")
+        cells.append("yes" if sorted(ORDER, key=f_of_best.get) == ORDER else "no")
+        rows.append(cells)
+    return table(["set", "tau", *ORDER, "in this order"], rows)
+
+
+def ahead_of_ours(data_set):
+    """What others with default options, or as stored, have more of, at each tau."""
+    ours = next(run for run in default_runs(data_set) if run["method"] == OURS)
+    found = []
+    for other in [*default_runs(data_set), *data_set["peers"]]:
+        parts = []
+        for tau_index in range(len(data_set["taus"])):
+            mine, theirs = (row_of(run, data_set, tau_index) for run in (ours, other))
+            better = [f"{name} {percent(theirs[key])} to {percent(mine[key])}"
+                      for key, name in SHARES.items()
+                      if None not in (theirs[key], mine[key]) and theirs[key] > mine[key]]
+            if better:
+                parts.append(f"at {tau_name(data_set, tau_index)} {', '.join(better)}")
+        if parts:
+            found.append(f"{other['method']} ({'; '.join(parts)})")
+    return found
+
+
+def losses(data_sets):
+    lines = []
+    for data_set in data_sets:
+        ahead = ahead_of_ours(data_set)
+        lines.append(f"* {data_set['name']}: {'; '.join(ahead) if ahead else 'nothing'}.\n")
+    return "".join(lines) + "\n"
+
+
+def data_set_table(data_set):
+    tau = middle(data_set)
+    taus = range(len(data_set["taus"]))
+    heads = ["", *(f"P / R / F at {tau_name(data_set, i)}" for i in taus),
+             f"P of samples at {tau_name(data_set, tau)}", "junctions P / R",
+             "links per true curve", "curves or points", "CPU s"]
+    rows = []
+    for run in [*default_runs(data_set), *data_set["peers"]]:
+        at_tau = row_of(run, data_set, tau)
+        per_curve = at_tau["links_per_chain"]
+        shape = run["shape"]
+        rows.append([run["method"], *(shares(row_of(run, data_set, i)) for i in taus),
+                     percent(at_tau["sample_precision"]),
+                     f"{percent(at_tau['junction_precision'])} / {percent(at_tau['junction_recall'])}",
+                     "-" if per_curve is None else f"{per_curve:.2f}",
+                     str(shape["num_links"] or shape["num_points"]),
+                     f"{run['cpu_seconds']:.1f}" if "cpu_seconds" in run else "-"])
+    ceiling = data_set["ceiling"][box_of(data_set)]
+    rows.append(["*what the image curves can give*", *(f"- / {percent(recall)} / -" for recall in ceiling),
+                 *["-"] * 5])
+    return table(heads, rows)
+
+
+def sweep_table(data_set):
+    taus = range(len(data_set["taus"]))
+    rows = []
+    for method in plot_quality.methods_of([data_set]):
+        for run in sorted((run for run in runs_of(data_set, method) if run["threshold"] is not None),
+                          key=lambda run: run["threshold"]):
+            rows.append([method, threshold_name(run),
+                         *(shares(row_of(run, data_set, i)) for i in taus)])
+    return table(["", "threshold", *(f"P / R / F at {tau_name(data_set, i)}" for i in taus)], rows)
+
+
+def commands(data_set):
+    lines = []
+    for run in default_runs(data_set):
+        arguments = [argument.removeprefix(f"{ROOT}/") for argument in run["arguments"]]
+        lines.append(f"* *{run['method']}*: `{' '.join(['automatic_drawer', *arguments])}`\n")
+    return "".join(lines) + "\n"
+
+
+HEAD = """# Results
+
+Written by `scripts/reproduce_results.sh` at commit {commit}; do not edit. Precision P is the share of the drawn length that is within tau of the
+truth, recall R the share of the true length within tau of the drawing, F their harmonic mean, in percent, inside the box of the data set; px: pixel
+footprints. *P of samples* is the paper's definition read literally ([ALGORITHM.md](../src/limn/ALGORITHM.md), 21.1). All methods begin with the same
+image curves:
+
+"""
+
+
+def page(data_sets, commit, pictures):
+    text = HEAD.format(commit=commit) + commands(data_sets[0])
+    text += ("Swept: the number of supporting views, of the original sketch the total of inliers. Other programs: stored results.\n\n"
+             "## F, with default options (best of the sweep, its threshold)\n\n")
+    text += summary(data_sets, "precision")
+    text += "The same with the precision of samples:\n\n" + summary(data_sets, "sample_precision")
+    text += "## What is ahead of the default drawing, and in what\n\n" + losses(data_sets)
+    for name, group in plot_quality.groups_of({"sets": data_sets}).items():
+        text += f"## {name}\n\n![Precision and recall, {name}](results/{pictures[name].name})\n\n"
+        for data_set in group:
+            text += f"**{data_set['name']}**, {data_set['num_views']} views, box {box_of(data_set)}:\n\n"
+            text += data_set_table(data_set)
+            text += "<details><summary>sweep</summary>\n\n" + sweep_table(data_set) + "</details>\n\n"
+    return text.rstrip() + "\n"
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit("usage: results_page.py report.json COMMIT FOLDER")
+    source, commit, folder = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3])
+    try:
+        data_sets = json.loads(source.read_text(encoding="utf-8"))["sets"]
+    except (OSError, ValueError, KeyError) as error:
+        sys.exit(f"ERROR: {source}: {error}")
+    (folder / "results").mkdir(exist_ok=True)
+    pictures = {}
+    for name, group in plot_quality.groups_of({"sets": data_sets}).items():
+        pictures[name] = folder / "results" / f"precision-recall-{name}.png"
+        rows = [(box_of(group[0]), precision) for precision in plot_quality.AXIS_LABELS]
+        plot_quality.draw_group(group, rows, pictures[name], PICTURE_DPI)
+    (folder / "RESULTS.md").write_text(page(data_sets, commit, pictures), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
