@@ -55,9 +55,9 @@ void AddStructure(const StructureScores& scores, Json* json) {
 Json RowAsJson(const TauResult& row) {
   Json json = {{"tau", row.tau},
                {"precision", OrNull(row.precision)},
-               {"sample_precision", OrNull(row.sample_precision)},
                {"recall", OrNull(row.recall)},
                {"f", OrNull(row.f)},
+               {"sample_precision", OrNull(row.sample_precision)},
                {"accuracy", OrNull(row.accuracy)},
                {"median_accuracy", OrNull(row.median_accuracy)},
                {"completeness", OrNull(row.completeness)},
