@@ -1,10 +1,13 @@
-"""COLMAP models, Blender's cameras and PLY curves for blender_clean_truth.py. Needs Python only.
+"""COLMAP models, Blender's cameras, curves and clouds for blender_clean_truth.py. Needs Python only.
 
 A pixel of COLMAP covers [x, x + 1) and so does Blender's: a photograph fills the frame of its camera and no half
 pixel is added.
 """
 
+import gzip
+import math
 import struct
+import zlib
 
 # Camera models of COLMAP: name, number of parameters, number of focal lengths; None: never a pinhole.
 MODELS = {0: ("SIMPLE_PINHOLE", 3, 1), 1: ("PINHOLE", 4, 2), 2: ("SIMPLE_RADIAL", 4, 1), 3: ("RADIAL", 5, 1),
@@ -94,29 +97,34 @@ def _text_images(path):
 
 
 def _text_lines(path, keep_empty=False):
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except OSError as error:
-        raise InputError(f"{path}: {error.strerror}") from None
-    for number, line in enumerate(lines, 1):
+    for number, line in enumerate(_read_bytes(path).decode("utf-8", "replace").splitlines(), 1):
         if not line.startswith("#") and (keep_empty or line.strip()):
             yield number, line.split()
+
+
+def _read_bytes(path):
+    """Content of a file, unpacked if it is called .gz."""
+    try:
+        data = path.read_bytes()
+        return gzip.decompress(data) if path.suffix == ".gz" else data
+    except (OSError, EOFError, zlib.error) as error:
+        raise InputError(f"{path}: {getattr(error, 'strerror', None) or error}") from None
 
 
 class _Bytes:
     """The values of a little-endian file, one after the other."""
 
     def __init__(self, path):
-        self._path, self._at = path, 0
-        try:
-            self._bytes = path.read_bytes()
-        except OSError as error:
-            raise InputError(f"{path}: {error.strerror}") from None
+        self._path, self._at, self._bytes = path, 0, _read_bytes(path)
 
     def take(self, layout):
-        size = struct.calcsize("<" + layout)
+        return next(self.rows(layout, 1))
+
+    def rows(self, layout, count):
+        """An iterator over `count` tuples."""
+        size = struct.calcsize("<" + layout) * count
         self.skip(size)
-        return struct.unpack_from("<" + layout, self._bytes, self._at - size)
+        return struct.iter_unpack("<" + layout, memoryview(self._bytes)[self._at - size:self._at])
 
     def skip(self, size):
         self._at += size
@@ -158,39 +166,75 @@ def camera_matrix(quaternion, translation):
 
 
 # ----------------------------------------------------------------------------------------------
-# Curves
+# Curves and clouds
 
 
-def read_curves(path):
-    """(vertices, edges, links) of a PLY file as Limn writes it, equal vertices made one; links: one id per edge."""
+def read_shapes(path):
+    """(vertices, edges, links) of a file of curves or points; links: one id per edge. Binary PLY as Limn writes it, or
+    text, a point per line; also packed (.gz)."""
+    unpacked = path.with_suffix("") if path.suffix == ".gz" else path
+    if unpacked.suffix in (".txt", ".xyz"):
+        return _text_points(path), [], []
     try:
-        return _read_curves(path)
-    except (KeyError, IndexError, ValueError) as error:
+        return _read_ply(path)
+    except (KeyError, IndexError, ValueError, struct.error) as error:
         raise InputError(f"{path}: {type(error).__name__} {error}") from None
 
 
-def _read_curves(path):
+def read_cloud(path):
+    """The vertices of read_shapes(), all of them."""
+    vertices = read_shapes(path)[0]
+    if not vertices:
+        raise InputError(f"{path}: has no points")
+    for number, vertex in enumerate(vertices):
+        if not all(map(math.isfinite, vertex)):
+            raise InputError(f"{path}: point {number} is not finite")
+    return vertices
+
+
+def read_curves(path):
+    """read_shapes() of a file that has edges; equal vertices are made one."""
+    vertices, edges, links = read_shapes(path)
+    if not edges:
+        raise InputError(f"{path}: has no vertices or no edges")
+    index = {}
+    welded = [index.setdefault(vertex, len(index)) for vertex in vertices]
+    return list(index), [(welded[a], welded[b]) for a, b in edges], links
+
+
+def _text_points(path):
+    points = []
+    for number, words in _text_lines(path):
+        try:
+            x, y, z = map(float, words[:3])
+        except ValueError as error:
+            raise InputError(f"{path}: line {number}: {error}") from None
+        points.append((x, y, z))
+    return points
+
+
+def _read_ply(path):
     data = _Bytes(path)
     elements = _ply_header(path, data)
-    rows = {name: [dict(zip(properties, data.take(layout))) for _ in range(count)]
-            for name, count, properties, layout in elements}
-    if not rows.get("vertex") or not rows.get("edge"):
-        raise InputError(f"{path}: has no vertices or no edges")
-    index, vertices, welded = {}, [], []
-    for row in rows["vertex"]:
-        position = (row["x"], row["y"], row["z"])
-        if position not in index:
-            index[position] = len(vertices)
-            vertices.append(position)
-        welded.append(index[position])
-    if min(min(row["vertex1"], row["vertex2"]) for row in rows["edge"]) < 0:
-        raise InputError(f"{path}: edge to a vertex below 0")
-    edges = [(welded[row["vertex1"]], welded[row["vertex2"]]) for row in rows["edge"]]
-    return vertices, edges, [row.get("link", 0) for row in rows["edge"]]
+    while elements and elements[-1][0] not in ("vertex", "edge"):
+        elements.pop()
+    columns = {}
+    for name, count, properties, layout in elements:
+        if "list" in layout:
+            raise InputError(f"{path}: {name} has lists")
+        columns[name] = dict(zip(properties, zip(*data.rows("".join(layout), count))))
+    vertex, edge = columns.get("vertex"), columns.get("edge")
+    vertices = list(zip(vertex["x"], vertex["y"], vertex["z"])) if vertex else []
+    if not edge:
+        return vertices, [], []
+    edges = list(zip(edge["vertex1"], edge["vertex2"]))
+    if not all(0 <= end < len(vertices) for ends in edges for end in ends):
+        raise InputError(f"{path}: edge to a vertex that there is not")
+    return vertices, edges, list(edge.get("link", [0] * len(edges)))
 
 
 def _ply_header(path, data):
-    """[(name, count, property names, struct layout)]."""
+    """[(name, count, property names, their struct codes or "list")]."""
     if data.take("4s")[0][:3] != b"ply":
         raise InputError(f"{path}: not a PLY file")
     elements, line = [], ""
@@ -202,27 +246,50 @@ def _ply_header(path, data):
         if words[:1] == ["format"] and words[1:2] != ["binary_little_endian"]:
             raise InputError(f"{path}: is not in the format binary_little_endian")
         if words[:1] == ["element"]:
-            elements.append([words[1], int(words[2]), [], "<"])
+            elements.append((words[1], int(words[2]), [], []))
+            if elements[-1][1] < 0:
+                raise InputError(f"{path}: element {words[1]} less than 0 times")
         if words[:1] == ["property"]:
-            if words[1] not in PLY_TYPES:
+            if words[1] != "list" and words[1] not in PLY_TYPES:
                 raise InputError(f"{path}: property {words[-1]} of type {words[1]}")
-            elements[-1][2].append(words[2])
-            elements[-1][3] += PLY_TYPES[words[1]]
-    return [(name, count, names, layout[1:]) for name, count, names, layout in elements]
+            elements[-1][2].append(words[-1])
+            elements[-1][3].append(PLY_TYPES.get(words[1], "list"))
+    return elements
 
 
 def write_curves(path, vertices, edges, links):
     """Binary PLY: vertex (double x y z), edge (int vertex1 vertex2 link). Vertices without an edge are left out."""
     used = sorted({vertex for edge in edges for vertex in edge})
     number = {vertex: i for i, vertex in enumerate(used)}
-    header = ("ply\nformat binary_little_endian 1.0\ncomment curves cleaned by hand\n"
-              f"element vertex {len(used)}\nproperty double x\nproperty double y\nproperty double z\n"
-              f"element edge {len(edges)}\nproperty int vertex1\nproperty int vertex2\nproperty int link\nend_header\n")
-    body = b"".join(struct.pack("<3d", *vertices[vertex]) for vertex in used)
-    body += b"".join(struct.pack("<3i", number[a], number[b], link) for (a, b), link in zip(edges, links))
+    body = b"".join(struct.pack("<3i", number[a], number[b], link) for (a, b), link in zip(edges, links))
+    _write_ply(path, "curves", [vertices[vertex] for vertex in used],
+               f"element edge {len(edges)}\nproperty int vertex1\nproperty int vertex2\nproperty int link\n", body)
+
+
+def write_cloud(path, points):
+    """Binary PLY (double x y z), or text (.txt) of as many digits as are needed to read the same numbers again."""
+    if path.suffix == ".ply":
+        _write_ply(path, "points", points, "", b"")
+    elif path.suffix == ".txt":
+        _write(path, "".join("%r %r %r\n" % tuple(point) for point in points).encode())
+    else:
+        raise InputError(f"{path}: points are written to .ply or .txt")
+
+
+def _write_ply(path, what, vertices, more_header, more_body):
+    header = (f"ply\nformat binary_little_endian 1.0\ncomment {what} cleaned by hand\n"
+              f"element vertex {len(vertices)}\nproperty double x\nproperty double y\nproperty double z\n"
+              f"{more_header}end_header\n")
+    _write(path, header.encode() + b"".join(struct.pack("<3d", *vertex) for vertex in vertices) + more_body)
+
+
+def _write(path, content):
     partial = path.with_name(path.name + ".tmp")
-    partial.write_bytes(header.encode() + body)
-    partial.replace(path)
+    try:
+        partial.write_bytes(content)
+        partial.replace(path)
+    except OSError as error:
+        raise InputError(f"{path}: {error.strerror}") from None
 
 
 def as_floats(position):

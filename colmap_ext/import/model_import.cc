@@ -1,7 +1,9 @@
 #include "colmap_ext/import/model_import.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -25,10 +27,25 @@ PixelCenters PixelCentersOf(const ImportFormat& format, PixelCentersOption optio
   return option == PixelCentersOption::kInteger ? PixelCenters::kInteger : PixelCenters::kHalf;
 }
 
-void NoteMissing(const std::vector<std::string>& names, std::ostream& notes) {
+// How many they are and the first of them.
+void NoteLeftOut(const std::vector<std::string>& names, const std::string& what,
+                 std::ostream& notes) {
+  constexpr size_t kMaxNames = 8;
   if (names.empty()) return;
-  notes << names.size() << " images are missing and left out: " << Printable(names.front())
-        << (names.size() > 1 ? ", ..." : "") << "\n";
+  notes << names.size() << " images " << what << " and are left out: ";
+  for (size_t i = 0; i < std::min(names.size(), kMaxNames); ++i) {
+    notes << (i > 0 ? ", " : "") << Printable(names[i]);
+  }
+  notes << (names.size() > kMaxNames ? ", ...\n" : "\n");
+}
+
+// Of the images directly in the folder.
+std::vector<std::string> WithoutCamera(const ImageFolder& images, const ImportedScene& scene) {
+  std::set<std::string> with_camera;
+  for (const ImportedImage& image : scene.images) with_camera.insert(image.name);
+  std::vector<std::string> names = images.Names();
+  std::erase_if(names, [&](const std::string& name) { return with_camera.contains(name); });
+  return names;
 }
 
 }  // namespace
@@ -83,7 +100,8 @@ SparseModel ImportModel(const ImporterOptions& options, std::ostream& notes) {
   notes << "Format " << format.name << ", center of the top-left pixel at "
         << (pixel_centers == PixelCenters::kInteger ? "(0, 0)" : "(0.5, 0.5)") << "\n";
   for (const std::string& note : scene.notes) notes << Printable(note) << "\n";
-  NoteMissing(images.missing(), notes);
+  NoteLeftOut(images.missing(), "are missing", notes);
+  NoteLeftOut(WithoutCamera(images, scene), "have no camera", notes);
   return ToSparseModel(std::move(scene), {pixel_centers, options.share_cameras_px});
 }
 

@@ -29,7 +29,7 @@ void SayAccount(const TruthAccount& account, int min_views, bool is_cloud, Conso
 void ExtractorOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("mesh_path", &mesh_path, BasicOption("surface, .ply or .obj: its sharp edges"));
   parser->AddOption("cloud_path", &cloud_path,
-                    BasicOption("or a dense cloud, .ply: its points near image edges"));
+                    BasicOption("or a dense cloud, .ply or .txt: its points near image edges"));
   parser->AddOption("min_dihedral_deg", &sharp_edges.min_dihedral_deg,
                     BasicOption("smallest angle by which the surface bends at a sharp edge"));
   parser->AddOption("min_corner_deg", &sharp_edges.min_corner_deg,

@@ -3,6 +3,7 @@
   blender --background --factory-startup --python-exit-code 1 --python blender_clean_truth_in_blender.py
 """
 
+import gzip
 import math
 import sys
 import tempfile
@@ -79,12 +80,74 @@ def check_curves(folder):
     # A hidden object is left out.
     bpy.ops.object.mode_set(mode="OBJECT")
     thing.hide_set(True)
-    try:
-        script.export_curves(target)
-        raise AssertionError("an empty drawing was written")
-    except files.InputError:
-        pass
+    refused(lambda: script.export_curves(target), "no visible mesh object has an edge")
     assert files.read_curves(target) == cleaned
+
+
+def refused(call, reason):
+    try:
+        call()
+    except files.InputError as error:
+        assert reason in str(error), error
+        return
+    raise AssertionError(f"not refused: {reason}")
+
+
+def check_cloud(folder):
+    # A grid in a plane, whose numbers single precision does not have; the last point is there twice.
+    points = [(x / 10, y / 10, 1 / 3) for y in range(10) for x in range(10)] + [(0.9, 0.9, 1 / 3)]
+    source, curves, same = folder / "scan.txt.gz", folder / "curves.ply", folder / "same.ply"
+    with gzip.open(source, "wt") as file:
+        file.write("# x y z intensity\n" + "".join("%r %r %r 7\n" % point for point in points))
+    files.write_curves(curves, [(0.0, 0.3, 1 / 3), (0.9, 0.3, 1 / 3)], [(0, 1)], [0])
+    files.write_cloud(same, [points[1], points[37]])
+    for near, distance, expected in ((None, 0, points),
+                                     (same, 0, [points[1], points[37]]),
+                                     (same, 0.11, [points[i] for i in (0, 1, 2, 11, 27, 36, 37, 38, 47)]),
+                                     (curves, 0.01, points[30:40]),
+                                     (curves, 0.11, points[20:50])):
+        thing = open_alone(source, near, distance)
+        for name in ("out.ply", "out.txt"):
+            check_export(folder / name, expected)
+    check_editing(thing, points, script.tree_of(curves), folder / "edited.ply")
+
+    # Over the input nothing is written, nor if nothing is selected.
+    refused(lambda: script.export_cloud(source), "is the input")
+    bpy.ops.mesh.select_all(action="DESELECT")
+    refused(lambda: script.export_cloud(folder / "none.ply"), "no visible point is selected")
+    assert files.read_cloud(source) == points and not (folder / "none.ply").exists()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    thing.hide_set(True)
+
+
+def open_alone(source, near, distance):
+    if bpy.context.object.mode == "EDIT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+        bpy.context.object.hide_set(True)
+    script.open_cloud(source, near, distance)
+    assert bpy.context.object.mode == "EDIT"
+    return bpy.context.object
+
+
+def check_export(path, expected):
+    assert script.export_cloud(path) == len(expected)
+    assert files.read_cloud(path) == expected, path
+
+
+def check_editing(thing, points, tree, path):
+    """By hand, of the selected points 20 to 49: one less, one moved, one deleted, one hidden; one more."""
+    mesh = bmesh.from_edit_mesh(thing.data)
+    mesh.verts.ensure_lookup_table()
+    mesh.verts[20].select_set(False)
+    mesh.verts[21].co.z = 7
+    mesh.verts[23].hide_set(True)
+    mesh.verts[99].select_set(True)
+    bmesh.ops.delete(mesh, geom=[mesh.verts[22]], context="VERTS")
+    bmesh.update_edit_mesh(thing.data)
+    check_export(path, [files.as_floats((*points[21][:2], 7)), *points[24:50], points[99]])
+    # Selected again: what is hidden stays so.
+    assert script.select_near(thing, tree, 0.11) == 27
+    check_export(path, [points[20], *points[24:50]])
 
 
 def length(vertices, edges):
@@ -111,10 +174,11 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         check_cameras(SAMPLE / "day" / "sparse", SAMPLE / "day" / "images")
         check_curves(Path(folder))
+        check_cloud(Path(folder))
         bpy.context.scene.timeline_markers.clear()
         check_cameras(write_odd_model(Path(folder)), Path(folder))
-    script.add_export_menu(Path("clean.ply"))
-    assert hasattr(bpy.ops.export_scene, "limn_curves")
+    script.add_export_menu("Limn points (.ply, .txt)", script.export_cloud, Path("clean.ply"))
+    assert bpy.ops.export_scene.limn_truth.get_rna_type().name == "Limn points (.ply, .txt)"
     print("passed")
 
 

@@ -1,5 +1,6 @@
 """Tests of scripts/blender_truth_files.py: the parts of the Blender script that need no Blender."""
 
+import gzip
 import math
 import struct
 import sys
@@ -169,6 +170,52 @@ class Curves(unittest.TestCase):
         self.assertEqual(files.original_or((0.5, 0.5, 0.5), 0, originals), (0.5, 0.5, 0.5))
         for source in (-1, 1):
             self.assertEqual(files.original_or(stored, source, originals), stored)
+
+
+class Clouds(unittest.TestCase):
+    POINTS = [(0.1, 1 / 3, -2.0), (0.1, 1 / 3, -2.0), (1e-9, 5e20, 0.0)]
+
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory()
+        self.folder = Path(self._folder.name)
+        self.addCleanup(self._folder.cleanup)
+
+    def test_come_back_as_they_were(self):
+        for name in ("cloud.ply", "cloud.txt"):
+            path = self.folder / name
+            files.write_cloud(path, self.POINTS)
+            self.assertEqual(files.read_cloud(path), self.POINTS)
+            packed = self.folder / (name + ".gz")
+            packed.write_bytes(gzip.compress(path.read_bytes()))
+            self.assertEqual(files.read_cloud(packed), self.POINTS)
+            self.assertEqual(files.read_shapes(path)[1:], ([], []))
+
+    def test_faces_and_colors_of_a_scan_are_passed_over(self):
+        path = self.folder / "scan.ply"
+        header = ("ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+                  "property float z\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\n"
+                  "end_header\n")
+        path.write_bytes(header.encode() + struct.pack("<fffBfffB", 1, 2, 3, 9, 4, 5, 6, 9) + b"\1\0\0\0\0")
+        self.assertEqual(files.read_cloud(path), [(1, 2, 3), (4, 5, 6)])
+
+    def test_text_with_comments_and_more_columns(self):
+        path = self.folder / "cloud.xyz"
+        path.write_text("# x y z\n\n1 2 3 255 0 0\n4 5 6\n")
+        self.assertEqual(files.read_cloud(path), [(1, 2, 3), (4, 5, 6)])
+
+    def test_bad_files_are_refused(self):
+        for name, content, reason in (("a.txt", b"", "no points"), ("a.txt", b"1 2 3\n1 2\n", "line 2"),
+                                      ("a.txt", b"1 x 3\n", "line 1"), ("a.txt", b"1 nan 3\n", "point 0"),
+                                      ("a.txt.gz", b"1 2 3\n", "gzip"), ("a.ply", b"1 2 3\n", "not a PLY"),
+                                      ("a.txt.gz", gzip.compress(b"1 2 3\n" * 99)[:-9], "end")):
+            with self.subTest(name=name, content=content), self.assertRaisesRegex(files.InputError, reason):
+                (self.folder / name).write_bytes(content)
+                files.read_cloud(self.folder / name)
+        with self.assertRaisesRegex(files.InputError, "No such file"):
+            files.read_cloud(self.folder / "absent.txt")
+        for path in (self.folder / "a.obj", self.folder / "absent" / "a.ply"):
+            with self.assertRaises(files.InputError):
+                files.write_cloud(path, self.POINTS)
 
 
 if __name__ == "__main__":
