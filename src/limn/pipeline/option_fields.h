@@ -14,7 +14,7 @@ namespace limn {
 
 template <typename Visit>
 void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
-  visit("channel", o.channel, "channel of positions and directions: green or luminance");
+  visit("channel", o.channel, "channel of positions and directions: green, luminance or color");
   visit("sigma_px", o.sigma_px, "scale of the Gaussian derivatives, px");
   visit("fine_sigma_px", o.fine_sigma_px, "finer scale for strong edges, px, 0 = none");
   visit("fine_noise_factor", o.fine_noise_factor, "noise_factor at the finer scale");
