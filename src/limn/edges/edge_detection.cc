@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "limn/edges/edge_refinement.h"
+#include "limn/edges/edge_signal.h"
 #include "limn/edges/edgel_selection.h"
 #include "limn/edges/gaussian_derivatives.h"
-#include "limn/edges/gradient_noise.h"
 #include "limn/edges/grid_maxima.h"
 #include "limn/util/errors.h"
 
@@ -25,40 +26,9 @@ const double kSimilarDirectionCosine = std::cos(0.6);
 // neighbors or rounded at a corner, px.
 constexpr double kSameEdgePx = 2;
 
-// One channel prepared for detection.
-struct Channel {
-  PaddedPlane plane;
-  GradientField gradient;
-  std::vector<float> magnitude;
-  NoiseModel noise;
-};
-
-std::vector<float> ExtractChannel(const Image& image, int channel) {
-  const size_t size = static_cast<size_t>(image.width) * image.height;
-  std::vector<float> values(size);
-  for (size_t i = 0; i < size; ++i) values[i] = image.data[i * image.channels + channel];
-  return values;
-}
-
-// Rec. 601 luma.
-std::vector<float> Luminance(const Image& image) {
-  const size_t size = static_cast<size_t>(image.width) * image.height;
-  std::vector<float> values(size);
-  for (size_t i = 0; i < size; ++i) {
-    const float* rgb = image.data.data() + 3 * i;
-    values[i] = 0.299f * rgb[0] + 0.587f * rgb[1] + 0.114f * rgb[2];
-  }
-  return values;
-}
-
-Channel PrepareChannel(const std::vector<float>& values, int width, int height, double sigma_px) {
-  Channel channel;
-  channel.plane = MakePaddedPlane(values, width, height, GaussianPadding(sigma_px));
-  channel.gradient = SmoothedGradient(channel.plane, sigma_px);
-  channel.magnitude = GradientMagnitude(channel.gradient);
-  channel.noise = MeasureNoise(channel.plane, channel.gradient, sigma_px);
-  return channel;
-}
+// Three channels have more noise together than each has along the edge. With this factor as many
+// false edgels are found in white noise as in one channel.
+constexpr double kJointNoiseFactor = 1.35;
 
 // 1 where edgels may be: inside the margin and away from masked pixels.
 std::vector<unsigned char> UsablePixels(const Image& image, const EdgeDetectionOptions& options) {
@@ -90,32 +60,43 @@ bool InUsablePixel(const std::vector<unsigned char>& usable, int width, const Ed
   return usable[static_cast<size_t>(y) * width + x] != 0;
 }
 
-// Below this magnitude the pixel grid shows no edge at any gray level.
-double LowestMagnitude(const RefinementContext& context) {
-  if (context.noise.noise.empty()) return kGridStrengthShare * context.ThresholdFor(0);
-  const auto& noise = context.noise.noise;
-  return kGridStrengthShare * context.ThresholdFor(*std::min_element(noise.begin(), noise.end()));
+RefinementContext ContextOf(const EdgeSignal& signal, double noise_factor, double min_strength) {
+  if (signal.planes.size() > 1) noise_factor *= kJointNoiseFactor;
+  return {signal.sigma_px, signal.noise, noise_factor, min_strength};
 }
 
-// All refined edgels of a channel, unsorted and with duplicates. `skip(position, tangent)`, where
+// Below this magnitude the pixel grid shows no edge at any gray level.
+double LowestMagnitude(const RefinementContext& context) {
+  double lowest_noise = std::numeric_limits<double>::infinity();
+  for (const NoiseModel& model : context.noise) {
+    const auto& noise = model.noise;
+    const double lowest = noise.empty() ? 0 : *std::min_element(noise.begin(), noise.end());
+    lowest_noise = std::min(lowest_noise, lowest);
+  }
+  return kGridStrengthShare * context.ThresholdFor(lowest_noise);
+}
+
+// All refined edgels of a signal, unsorted and with duplicates. `skip(position, tangent)`, where
 // the tangent has any length, tells which grid candidates not to refine.
 template <typename Skip>
-std::vector<RefinedEdgel> DetectInChannel(const Channel& channel, const RefinementContext& context,
-                                          const std::vector<unsigned char>& usable,
-                                          const Skip& skip) {
-  const SubpixelDerivatives derivatives(channel.plane, context.sigma_px);
-  const GradientField& gradient = channel.gradient;
+std::vector<RefinedEdgel> DetectInSignal(const EdgeSignal& signal, const RefinementContext& context,
+                                         const std::vector<unsigned char>& usable,
+                                         const Skip& skip) {
+  std::vector<SubpixelDerivatives> derivatives;
+  for (const PaddedPlane& plane : signal.planes) derivatives.emplace_back(plane, signal.sigma_px);
+  const GradientField& gradient = signal.gradient;
   const int width = gradient.width;
   const float lowest = static_cast<float>(LowestMagnitude(context));
   std::vector<int32_t> near_maximum(width);
   std::vector<RefinedEdgel> edgels;
   for (int y = 1; y < gradient.height - 1; ++y) {
-    FindGridMaxima(gradient, channel.magnitude, y, lowest, near_maximum.data());
+    FindGridMaxima(gradient, signal.magnitude, y, lowest, near_maximum.data());
     for (int x = 1; x < width - 1; ++x) {
       const size_t i = static_cast<size_t>(y) * width + x;
       if (!near_maximum[x] || !usable[i]) continue;
-      const double threshold = context.ThresholdFor(context.noise.At(gradient.smooth[i]));
-      if (channel.magnitude[i] < kGridStrengthShare * threshold) continue;
+      const double threshold =
+          context.ThresholdFor(context.NoiseOf(gradient.smooth[i], signal.SharesAt(i)));
+      if (signal.magnitude[i] < kGridStrengthShare * threshold) continue;
       if (skip(Vector2d(x, y), Vector2d(-gradient.dy[i], gradient.dx[i]))) continue;
       const auto refined = RefineEdgel(derivatives, x, y, context);
       if (refined && InUsablePixel(usable, width, refined->edgel)) edgels.push_back(*refined);
@@ -128,14 +109,19 @@ bool HasFineScale(const EdgeDetectionOptions& options) {
   return options.fine_sigma_px > 0 && options.fine_sigma_px < options.sigma_px;
 }
 
-void AddFineEdgels(const std::vector<float>& values, const EdgeDetectionOptions& options,
+// Are there channels to search beside those of the main search?
+bool HasMoreColors(const Image& image, const EdgeDetectionOptions& options) {
+  return options.find_isoluminant && image.channels == 3 && options.channel != "color";
+}
+
+void AddFineEdgels(const std::vector<ChannelValues>& channels, const EdgeDetectionOptions& options,
                    const std::vector<unsigned char>& usable, EdgelRaster* raster) {
-  const double sigma_px = options.fine_sigma_px;
-  const Channel channel = PrepareChannel(values, raster->width(), raster->height(), sigma_px);
-  const RefinementContext context{sigma_px, channel.noise, options.fine_noise_factor,
-                                  options.fine_min_strength};
+  const EdgeSignal signal =
+      PrepareSignal(channels, raster->width(), raster->height(), options.fine_sigma_px);
+  const RefinementContext context =
+      ContextOf(signal, options.fine_noise_factor, options.fine_min_strength);
   raster->AddStrongestFirst(
-      DetectInChannel(channel, context, usable, [](const auto&, const auto&) { return false; }));
+      DetectInSignal(signal, context, usable, [](const auto&, const auto&) { return false; }));
   raster->DropWeakShortRuns(options.strong_ratio, options.min_run_px);
 }
 
@@ -150,12 +136,11 @@ void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& option
   std::vector<RefinedEdgel> of_channel[2];
   double total_strength[2] = {0, 0};
   for (int k = 0; k < 2; ++k) {
-    const Channel channel = PrepareChannel(ExtractChannel(image, k == 0 ? 0 : 2), image.width,
-                                           image.height, options.sigma_px);
-    const RefinementContext context{options.sigma_px, channel.noise,
-                                    options.isoluminant_noise_factor,
-                                    options.isoluminant_min_strength};
-    of_channel[k] = DetectInChannel(channel, context, usable, explained);
+    const EdgeSignal signal = PrepareSignal({ExtractChannel(image, k == 0 ? 0 : 2)}, image.width,
+                                            image.height, options.sigma_px);
+    const RefinementContext context =
+        ContextOf(signal, options.isoluminant_noise_factor, options.isoluminant_min_strength);
+    of_channel[k] = DetectInSignal(signal, context, usable, explained);
     for (const RefinedEdgel& refined : of_channel[k]) total_strength[k] += refined.edgel.strength;
   }
   const int first = total_strength[1] > total_strength[0] ? 1 : 0;
@@ -185,8 +170,8 @@ void CheckImage(const Image& image) {
 }  // namespace
 
 void EdgeDetectionOptions::Check() const {
-  if (channel != "green" && channel != "luminance") {
-    throw OptionError("channel = " + channel + ": must be green or luminance");
+  if (channel != "green" && channel != "luminance" && channel != "color") {
+    throw OptionError("channel = " + channel + ": must be green, luminance or color");
   }
   LIMN_CHECK_RANGE(sigma_px, >= 0.8, <= 5);
   LIMN_CHECK_RANGE_OR(fine_sigma_px, 0, >= 0.8, <= 5);
@@ -205,29 +190,25 @@ void EdgeDetectionOptions::Check() const {
 EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   options.Check();
   CheckImage(image);
-  const bool color = image.channels == 3;
-  const std::vector<float> values = !color                       ? image.data
-                                    : options.channel == "green" ? ExtractChannel(image, 1)
-                                                                 : Luminance(image);
-  const Channel channel = PrepareChannel(values, image.width, image.height, options.sigma_px);
-  const RefinementContext context{options.sigma_px, channel.noise, options.noise_factor,
-                                  options.min_strength};
+  const std::vector<ChannelValues> channels = SearchedChannels(image, options.channel);
+  const EdgeSignal signal = PrepareSignal(channels, image.width, image.height, options.sigma_px);
+  const RefinementContext context = ContextOf(signal, options.noise_factor, options.min_strength);
   const std::vector<unsigned char> usable = UsablePixels(image, options);
 
   EdgelRaster raster(image.width, image.height);
-  if (HasFineScale(options)) AddFineEdgels(values, options, usable, &raster);
+  if (HasFineScale(options)) AddFineEdgels(channels, options, usable, &raster);
   const auto is_fine = [&](const Vector2d& position, const Vector2d& tangent) {
     return raster.HasParallelNear(position, tangent, kSameEdgePx, /*min_cosine=*/0);
   };
-  raster.AddStrongestFirst(DetectInChannel(channel, context, usable, is_fine));
+  raster.AddStrongestFirst(DetectInSignal(signal, context, usable, is_fine));
   raster.DropWeakShortRuns(options.strong_ratio, options.min_run_px);
-  if (color && options.find_isoluminant) AddIsoluminantEdgels(image, options, usable, &raster);
+  if (HasMoreColors(image, options)) AddIsoluminantEdgels(image, options, usable, &raster);
 
   EdgeMap map;
   map.width = image.width;
   map.height = image.height;
   map.edgels = raster.Edgels();
-  map.gradient_noise = channel.noise.Mean();
+  map.gradient_noise = signal.noise[0].Mean();
   return map;
 }
 

@@ -8,8 +8,9 @@
 namespace limn {
 
 struct EdgeDetectionOptions {
-  // Channel that positions and orientations come from: "green" or "luminance". Green agrees best
-  // with the true edges where the lens disperses colors. A gray image has one channel only.
+  // Channel that positions and orientations come from: "green", "luminance", or "color", which is
+  // L, a and b jointly. Green agrees best with the true edges where the lens disperses colors. A
+  // gray image has one channel only.
   std::string channel = "green";
 
   // Scale of the Gaussian derivatives, px, [0.8, 5]. Larger: less noise, weaker edges found, but
@@ -40,7 +41,8 @@ struct EdgeDetectionOptions {
   double min_run_px = 7;
   double strong_ratio = 1.75;
 
-  // Also search the red and blue channels, for edges that the main channel does not show.
+  // Also search the red and blue channels, for edges that the main channel does not show. Not with
+  // color, which shows them.
   bool find_isoluminant = true;
 
   // Like noise_factor and min_strength, for edges found only in red or blue.
@@ -68,6 +70,10 @@ struct EdgeDetectionOptions {
 // normal, which is a parabola for a blurred step, then shifted against the bias that smoothing
 // causes at curved edges. At most one edgel per pixel, none closer than 0.35 px to another. Weak
 // edgels must be part of a run: see min_run_px.
+//
+// With color, the gradient is the joint one of L, a and b (times 2.55, see LabChannels): the edge
+// is where its magnitude is largest along its direction. Strengths are its magnitude, which between
+// grays is about that of one channel. All else is the same.
 //
 // Edges that rise enough above the noise of a finer scale are found there, as it separates
 // neighboring edges and hardly displaces corners; the main scale finds the others (after the

@@ -1,9 +1,12 @@
 #include "limn/edges/edge_refinement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Core>
+
+#include "limn/edges/local_jet.h"
 
 namespace limn {
 namespace {
@@ -18,33 +21,6 @@ constexpr double kMaxOffsetPx = 0.7;
 constexpr double kMinPositionSigmaPx = 0.05;
 // Curvature above this is a corner, where the correction for a smooth curve means nothing.
 constexpr double kMaxCurvature = 0.2;
-
-// Derivatives in the frame of the gradient: n along it, t = n turned so that (n, t) is a rotation.
-struct LocalJet {
-  double value = 0;
-  Vector2d normal;
-  double n = 0;
-  double nn = 0, nt = 0, tt = 0;
-  double nnn = 0, nnt = 0;
-};
-
-LocalJet AlongGradient(const Jet& jet) {
-  LocalJet local;
-  local.value = jet.value;
-  local.n = std::sqrt(jet.x * jet.x + jet.y * jet.y);
-  if (local.n == 0) return local;
-  const double c = jet.x / local.n;
-  const double s = jet.y / local.n;
-  local.normal = {c, s};
-  local.nn = c * c * jet.xx + 2 * c * s * jet.xy + s * s * jet.yy;
-  local.nt = c * s * (jet.yy - jet.xx) + (c * c - s * s) * jet.xy;
-  local.tt = s * s * jet.xx - 2 * c * s * jet.xy + c * c * jet.yy;
-  local.nnn =
-      c * c * c * jet.xxx + 3 * c * c * s * jet.xxy + 3 * c * s * s * jet.xyy + s * s * s * jet.yyy;
-  local.nnt = -c * c * s * jet.xxx + c * (c * c - 2 * s * s) * jet.xxy +
-              s * (2 * c * c - s * s) * jet.xyy + c * s * s * jet.yyy;
-  return local;
-}
 
 // Step to the maximum of the profile I_n along the normal: Newton on log I_n, exact for a blurred
 // step whatever its width. Nothing where the profile is not concave.
@@ -82,17 +58,32 @@ double CurvatureShift(const LocalJet& jet, double sigma_px, double noise) {
   return 0.5 * shrink * curvature * (sigma_px * sigma_px + 1.0 / 12);
 }
 
+LocalJet JetAt(std::span<const SubpixelDerivatives> derivatives, const Vector2d& node) {
+  std::array<Jet, kMaxChannels> jets;
+  for (size_t k = 0; k < derivatives.size(); ++k) jets[k] = derivatives[k].At(node.x(), node.y());
+  return derivatives.size() == 1 ? AlongGradient(jets[0]) : AlongJointGradient(jets);
+}
+
 }  // namespace
 
-std::optional<RefinedEdgel> RefineEdgel(const SubpixelDerivatives& derivatives, int x, int y,
-                                        const RefinementContext& context) {
+double RefinementContext::NoiseOf(double level, const ChannelShares& shares) const {
+  double variance = 0;
+  for (size_t k = 0; k < std::min(noise.size(), shares.size()); ++k) {
+    const double of_channel = noise[k].At(level);
+    variance += shares[k] * of_channel * of_channel;
+  }
+  return std::sqrt(variance);
+}
+
+std::optional<RefinedEdgel> RefineEdgel(std::span<const SubpixelDerivatives> derivatives, int x,
+                                        int y, const RefinementContext& context) {
   const Vector2d pixel(x, y);
   Vector2d position = pixel;
   LocalJet jet;
   for (int iteration = 0;; ++iteration) {
     const Vector2d node(SubpixelDerivatives::NearestNode(position.x()),
                         SubpixelDerivatives::NearestNode(position.y()));
-    jet = AlongGradient(derivatives.At(node.x(), node.y()));
+    jet = JetAt(derivatives, node);
     if (jet.n == 0) return std::nullopt;
     const auto step = StepToMaximum(jet);
     if (!step) return std::nullopt;
@@ -101,7 +92,7 @@ std::optional<RefinedEdgel> RefineEdgel(const SubpixelDerivatives& derivatives, 
     if (std::abs(*step) < kConvergedPx) break;
     if (iteration + 1 == kMaxIterations) return std::nullopt;
   }
-  const double noise = context.noise.At(jet.value);
+  const double noise = context.NoiseOf(jet.value, jet.shares);
   const double threshold = context.ThresholdFor(noise);
   if (jet.n < threshold) return std::nullopt;
 

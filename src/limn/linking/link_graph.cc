@@ -77,6 +77,22 @@ void Chaining::BreakAfter(EdgelId from) {
   next[from] = kInvalidEdgel;
 }
 
+std::vector<Eigen::Vector2d> TangentsOf(const std::vector<Edgel>& edgels) {
+  std::vector<Eigen::Vector2d> tangents;
+  tangents.reserve(edgels.size());
+  for (const Edgel& edgel : edgels) tangents.push_back(edgel.Tangent());
+  return tangents;
+}
+
+std::optional<DirectedLink> Direct(const std::vector<Edgel>& edgels,
+                                   const std::vector<Eigen::Vector2d>& tangents,
+                                   const EdgelLink& link) {
+  const Eigen::Vector2d d = edgels[link.b].position_px - edgels[link.a].position_px;
+  const double along_a = d.dot(tangents[link.a]);
+  if (along_a * d.dot(tangents[link.b]) <= 0) return std::nullopt;
+  return along_a > 0 ? DirectedLink{link.a, link.b} : DirectedLink{link.b, link.a};
+}
+
 std::vector<EdgelLink> BuildLinkGraph(const std::vector<Edgel>& edgels,
                                       const LinkingOptions& options, int64_t* num_curvelets) {
   CurveletBuilder builder(edgels, options);
@@ -97,19 +113,14 @@ std::vector<EdgelLink> BuildLinkGraph(const std::vector<Edgel>& edgels,
 Chaining ChainMutualBest(const std::vector<Edgel>& edgels, const std::vector<EdgelLink>& links) {
   std::vector<BestLink> ahead(edgels.size());
   std::vector<BestLink> behind(edgels.size());
-  std::vector<Eigen::Vector2d> tangents;
-  tangents.reserve(edgels.size());
-  for (const Edgel& edgel : edgels) tangents.push_back(edgel.Tangent());
+  const std::vector<Eigen::Vector2d> tangents = TangentsOf(edgels);
   for (const EdgelLink& link : links) {
-    const Eigen::Vector2d d = edgels[link.b].position_px - edgels[link.a].position_px;
-    const double along_a = d.dot(tangents[link.a]);
-    const double along_b = d.dot(tangents[link.b]);
-    // Sideways for one of them: a link that hints at a junction, but no way to go on.
-    if (along_a * along_b <= 0) continue;
-    const EdgelId from = along_a > 0 ? link.a : link.b;
-    const EdgelId to = along_a > 0 ? link.b : link.a;
-    Offer({to, link.votes, d.norm()}, &ahead[from]);
-    Offer({from, link.votes, d.norm()}, &behind[to]);
+    const auto directed = Direct(edgels, tangents, link);
+    if (!directed) continue;
+    const auto [from, to] = *directed;
+    const double distance = (edgels[to].position_px - edgels[from].position_px).norm();
+    Offer({to, link.votes, distance}, &ahead[from]);
+    Offer({from, link.votes, distance}, &behind[to]);
   }
   Chaining chaining(edgels.size());
   for (size_t i = 0; i < edgels.size(); ++i) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "limn/linking/linking.h"
@@ -19,6 +21,21 @@ struct Chaining {
   // Removes the link from `from` to its successor.
   void BreakAfter(EdgelId from);
 };
+
+// A way to go on along the tangents of both edgels.
+struct DirectedLink {
+  EdgelId from = kInvalidEdgel;
+  EdgelId to = kInvalidEdgel;
+  auto operator<=>(const DirectedLink&) const = default;
+};
+
+std::vector<Eigen::Vector2d> TangentsOf(const std::vector<Edgel>& edgels);
+
+// Nothing for a link that is sideways for one of its edgels: it hints at a junction, but is no way
+// to go on.
+std::optional<DirectedLink> Direct(const std::vector<Edgel>& edgels,
+                                   const std::vector<Eigen::Vector2d>& tangents,
+                                   const EdgelLink& link);
 
 // All links that curvelets vote for, sorted by (a, b). `num_curvelets` may be null.
 std::vector<EdgelLink> BuildLinkGraph(const std::vector<Edgel>& edgels,

@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include "limn/linking/fork_hypotheses.h"
 #include "limn/linking/fragment_cleanup.h"
 #include "limn/linking/fragment_geometry.h"
 #include "limn/linking/link_graph.h"
+#include "limn/linking/side_colors.h"
 #include "limn/linking/tangent_fit.h"
 #include "limn/util/errors.h"
 
@@ -33,9 +35,23 @@ void KeepLongChains(std::vector<CurveFragment> chains, double min_length_px,
   stats.edgels_unlinked = stats.edgels - in_chains;
 }
 
+Chaining ChainEdgels(const ImageCurves& curves, const LinkingOptions& options, const Image* image,
+                     LinkingStats* stats) {
+  const std::vector<Edgel>& edgels = curves.edge_map.edgels;
+  Chaining chaining = ChainMutualBest(edgels, curves.link_graph);
+  if (options.ComparesForks()) {
+    stats->changed_forks =
+        ResolveForks(edgels, MeasureSideColors(edgels, image), curves.link_graph, &chaining);
+  }
+  return chaining;
+}
+
 }  // namespace
 
 void LinkingOptions::Check() const {
+  if (forks != "best" && forks != "hypotheses") {
+    throw OptionError("forks = " + forks + ": must be best or hypotheses");
+  }
   LIMN_CHECK_RANGE(neighbor_radius_px, > 1, <= 10);
   LIMN_CHECK_RANGE(position_tolerance_px, > 0, <= 2);
   LIMN_CHECK_RANGE(max_position_tolerance_px, > 0, <= 2);
@@ -53,7 +69,7 @@ void LinkingOptions::Check() const {
   LIMN_CHECK_RANGE(tangent_arm_px, > 0, <= 50);
 }
 
-LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options) {
+LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options, const Image* image) {
   options.Check();
   LinkingResult result;
   result.curves.edge_map = std::move(edge_map);
@@ -63,7 +79,7 @@ LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options) {
 
   result.curves.link_graph = BuildLinkGraph(edgels, options, &stats.curvelets);
   stats.graph_links = static_cast<int64_t>(result.curves.link_graph.size());
-  Chaining chaining = ChainMutualBest(edgels, result.curves.link_graph);
+  Chaining chaining = ChainEdgels(result.curves, options, image, &stats);
   SmoothChains smooth;
   stats.corner_breaks = BreakAtCorners(edgels, options, &smooth, &chaining);
   stats.bridged_gaps = BridgeGaps(edgels, options, &chaining);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "limn/model/curve_fragment.h"
+#include "limn/model/image.h"
 
 namespace limn {
 
@@ -25,6 +27,10 @@ struct LinkingOptions {
 
   // Shortest curvelet that links, first to last edgel, > 0. Larger: fewer chance links in noise.
   double min_curvelet_px = 3;
+
+  // Where chains fork: "best" keeps the mutually best links, "hypotheses" compares the ways to go
+  // on over their whole length. Measured, no better: ALGORITHM.md 22.2.
+  std::string forks = "best";
 
   // Fragments are joined over gaps up to this length where the continuation turns by no more than
   // max_bridge_angle_deg at either side, >= 0 and (0, 90].
@@ -51,6 +57,8 @@ struct LinkingOptions {
   // on either side, (0, 50]. Larger: less noise, rounder bends.
   double tangent_arm_px = 4;
 
+  bool ComparesForks() const { return forks == "hypotheses"; }
+
   // Throws OptionError.
   void Check() const;
 };
@@ -65,6 +73,7 @@ struct LinkingStats {
   int64_t edgels_in_short_chains = 0;
   int64_t curvelets = 0;
   int64_t graph_links = 0;
+  int64_t changed_forks = 0;
   int64_t bridged_gaps = 0;
   int64_t corner_breaks = 0;
   int64_t junction_breaks = 0;
@@ -85,7 +94,7 @@ struct LinkingResult {
 //    to curve extraction", ECCV 2014). Consecutive edgels of a curvelet vote for a link.
 // 2. Every edgel keeps the link with the most votes ahead and the one behind, where both ends
 //    agree. Directed tangents must not oppose: a fragment has its bright side on one side
-//    throughout.
+//    throughout. With forks = hypotheses, forks are then decided again: see ResolveForks.
 // 3. Chains are broken at corners, joined over small gaps, broken at T junctions, and dropped if
 // short.
 // 4. Tangents of linked edgels are re-estimated along the fragment; their sense is kept.
@@ -93,6 +102,10 @@ struct LinkingResult {
 // Works in the image as stored, that is, before ApplyLens. An edgel is in at most one fragment;
 // fragments run along the tangents of their edgels and are ordered by their first edgel. Time:
 // linear in edgels, about 2 microseconds each.
-LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options);
+//
+// `image`: the photograph in stored pixels, for the colors beside the chains that hypotheses
+// compare; null: they are not compared.
+LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options,
+                         const Image* image = nullptr);
 
 }  // namespace limn

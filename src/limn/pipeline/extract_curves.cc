@@ -50,10 +50,12 @@ class Extractor {
                             "\n" + OptionsAsText(linking);
     if (auto found = Find(CachedKind::kFragments, view, key)) return std::move(*found);
     auto edges = Find(CachedKind::kEdges, view, edge_key);
-    ImageCurves curves = LinkEdgels(edges ? std::move(edges->edge_map)
-                                          : DetectEdges(input_.images.read(id), edge_options_),
-                                    linking)
-                             .curves;
+    Image image;
+    if (!edges || linking.ComparesForks()) image = input_.images.read(id);
+    ImageCurves curves =
+        LinkEdgels(edges ? std::move(edges->edge_map) : DetectEdges(image, edge_options_), linking,
+                   &image)
+            .curves;
     Store(CachedKind::kFragments, view, key, curves);
     return curves;
   }

@@ -14,7 +14,7 @@ namespace limn {
 
 template <typename Visit>
 void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
-  visit("channel", o.channel, "channel of positions and directions: green or luminance");
+  visit("channel", o.channel, "channel of positions and directions: green, luminance or color");
   visit("sigma_px", o.sigma_px, "scale of the Gaussian derivatives, px");
   visit("fine_sigma_px", o.fine_sigma_px, "finer scale for strong edges, px, 0 = none");
   visit("fine_noise_factor", o.fine_noise_factor, "noise_factor at the finer scale");
@@ -40,6 +40,7 @@ void VisitFields(LinkingOptions& o, Visit&& visit) {
   visit("angle_tolerance_deg", o.angle_tolerance_deg, "curvelets: tolerance on directions, deg");
   visit("max_curvature", o.max_curvature, "largest curvature of a curvelet, 1/px");
   visit("min_curvelet_px", o.min_curvelet_px, "shortest curvelet that links, px");
+  visit("forks", o.forks, "how forks are decided: best (links) or hypotheses (whole fragments)");
   visit("max_bridge_px", o.max_bridge_px, "longest gap over which fragments are joined, px");
   visit("max_bridge_angle_deg", o.max_bridge_angle_deg, "largest turn at such a gap, deg");
   visit("corner_arm_px", o.corner_arm_px, "length of the arms that show a corner, px");

@@ -372,6 +372,10 @@ TEST(DetectEdges, RowMajorOrderAndOnePerPixel) {
 TEST(DetectEdges, NothingWhereThereIsNothing) {
   EXPECT_TRUE(DetectEdges(ConstantImage(64, 64, {255}), {}).edgels.empty());
   EXPECT_TRUE(DetectEdges(ConstantImage(64, 64, {0, 128, 255}), {}).edgels.empty());
+  EdgeDetectionOptions joint;
+  joint.channel = "color";
+  joint.min_strength = 0;
+  EXPECT_TRUE(DetectEdges(ConstantImage(64, 64, {0, 128, 255}), joint).edgels.empty());
   // A ramp in 8 bits: steps of one gray level.
   Image ramp = ConstantImage(128, 64, {0});
   for (int i = 0; i < 128 * 64; ++i) ramp.data[i] = 20.f + 0.15f * static_cast<float>(i % 128);
@@ -384,10 +388,13 @@ TEST(DetectEdges, TinyImages) {
     for (const int height : {1, 2, 17}) {
       Image image = ConstantImage(width, height, {100, 100, 100});
       AddNoise(30, width, &image);
-      EdgeDetectionOptions options;
-      options.margin_px = 0;
-      for (const Edgel& edgel : DetectEdges(image, options).edgels) {
-        EXPECT_TRUE(edgel.position_px.allFinite());
+      for (const std::string channel : {"green", "color"}) {
+        EdgeDetectionOptions options;
+        options.channel = channel;
+        options.margin_px = 0;
+        for (const Edgel& edgel : DetectEdges(image, options).edgels) {
+          EXPECT_TRUE(edgel.position_px.allFinite());
+        }
       }
       EXPECT_EQ(DetectEdges(image, {}).width, width);
     }

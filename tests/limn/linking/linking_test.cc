@@ -269,6 +269,18 @@ TEST(LinkEdgels, Deterministic) {
   }
 }
 
+TEST(LinkEdgels, HypothesesAtForks) {
+  Image image = TeeImage();
+  Paint(Disc(Vector2d(80, 85), 14), {120}, &image);
+  AddNoise(8, 2, &image);
+  LinkingOptions options;
+  options.forks = "hypotheses";
+  const LinkingResult result = LinkEdgels(DetectEdges(image, {}), options, &image);
+  CheckInvariants(result);
+  EXPECT_GT(result.stats.changed_forks, 0);
+  EXPECT_EQ(DetectAndLink(image).stats.changed_forks, 0);
+}
+
 TEST(LinkEdgels, EmptyAndSingle) {
   CheckInvariants(LinkEdgels({}, {}));
   EdgeMap map;
@@ -282,6 +294,9 @@ TEST(LinkEdgels, EmptyAndSingle) {
 TEST(LinkEdgels, BadOptions) {
   LinkingOptions options;
   options.neighbor_radius_px = 0;
+  EXPECT_THROW(LinkEdgels({}, options), OptionError);
+  options = {};
+  options.forks = "all";
   EXPECT_THROW(LinkEdgels({}, options), OptionError);
 }
 

@@ -148,6 +148,22 @@ TEST_F(ExtractCurvesTest, OtherLinkingIsComputedAgain) {
   EXPECT_EQ(use_.outdated, 2);
 }
 
+TEST_F(ExtractCurvesTest, AnotherChannelIsComputedAgain) {
+  Extract(cache_.string());
+  edges_.channel = "color";
+  Extract(cache_.string());
+  EXPECT_EQ(num_read_, 2);
+  EXPECT_EQ(use_.outdated, 2);
+}
+
+TEST_F(ExtractCurvesTest, ForksBetweenKeptEdgesNeedThePhotograph) {
+  ResultCache cache(cache_.string());
+  ExtractEdgeMaps({views_, images_, &cache}, edges_, RunContext());
+  linking_.forks = "hypotheses";
+  Extract(cache_.string());
+  EXPECT_EQ(num_read_, 2);
+}
+
 TEST_F(ExtractCurvesTest, OtherPixelsAreComputedAgain) {
   Extract(cache_.string());
   identity_ = "another square";
