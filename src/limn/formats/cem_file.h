@@ -15,9 +15,9 @@ namespace limn {
 // image, numbers that are not finite and sigmas below 0.
 ImageCurves ReadCem(const std::string& path);
 
-// Writes positions and directions in the virtual pinhole image; edgels and fragments are read back
-// exactly. Of the properties only length
-// (edgels) and mean strength are set, the others are 0.
+// Writes positions and directions in the virtual pinhole image (in the stored one before
+// ApplyLens); edgels and fragments are read back exactly. Of the properties only length (edgels)
+// and mean strength are set, the others are 0.
 void WriteCem(const ImageCurves& curves, std::ostream& out);
 
 }  // namespace limn

@@ -16,9 +16,9 @@ namespace limn {
 // and uncertainties below 0.
 EdgeMap ReadEdg(const std::string& path);
 
-// Version 3: positions and directions in the virtual pinhole image, strength as conf, sigma as
-// uncertainty; all are read back exactly. Directions are from -pi to pi: other programs write 0 to
-// 2 pi, and read both.
+// Version 3: positions and directions in the virtual pinhole image (in the stored one before
+// ApplyLens), strength as conf, sigma as uncertainty; all are read back exactly. Directions are
+// from -pi to pi, while other programs write 0 to 2 pi.
 void WriteEdg(const EdgeMap& edge_map, std::ostream& out);
 
 }  // namespace limn
