@@ -120,6 +120,16 @@ TEST_F(GivenEdgesRun, OutputsDoNotReplaceTheirInputs) {
   EXPECT_EQ(ReadTree(dir_ / "out/curves/edges"), before);
 }
 
+// No edges give no drawing, while the photographs would.
+TEST_F(GivenEdgesRun, TilesAreDrawnFromThem) {
+  for (int i = 0; i < kNumImages; ++i) {
+    dir_.WriteFile("none/view_0" + std::to_string(i) + ".txt", "# none\n");
+  }
+  ExpectRun("automatic_drawer", "out",
+            {"--edges_path", Path("none"), "--Tiles.max_views", "5", "--Tiles.reach_px", "20"});
+  EXPECT_TRUE(ReadDrawingJson(Path("out/drawing.json")).graph.links.empty());
+}
+
 TEST_F(GivenEdgesRun, SegmentsAreDrawnWithoutLinking) {
   fs::create_directories(dir_ / "lines");
   for (int i = 0; i < kNumImages; ++i) {
