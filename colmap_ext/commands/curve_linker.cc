@@ -1,5 +1,6 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/console.h"
+#include "colmap_ext/run/edge_results.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/run_options.h"
 
@@ -7,13 +8,26 @@ namespace limn::colmap_ext {
 
 int RunCurveLinker(int argc, const char* const* argv) {
   RunOptions options;
+  EdgeFormat format = EdgeFormat::kNone;
+  const auto add_format = [&](OptionParser* parser) {
+    parser->AddOption("format", &format, {{"none", EdgeFormat::kNone}, {"cem", EdgeFormat::kCem}},
+                      BasicOption("also write fragments as curves/fragments/<image name>.cem"));
+  };
   if (!ParseRunOptions("curve_linker", "find the curve fragments of all images, into the cache",
-                       {.linking = true}, argc, argv, &options)) {
+                       {.linking = true}, argc, argv, &options, add_format)) {
     return 0;
   }
   Console console(options.num_threads);
   const Project project(options, &console);
-  ExtractProjectCurves(project, options, &console);
+  CheckEdgeResults(project, format);
+  FragmentsObserver write_cem;
+  if (format == EdgeFormat::kCem) {
+    write_cem = [&](ViewId view, const ImageCurves& curves) {
+      WriteCemResult(project, view, curves);
+    };
+  }
+  ExtractProjectCurves(project, options, &console, write_cem);
+  SayEdgeResults(project, format, &console);
   return 0;
 }
 

@@ -1,5 +1,6 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/console.h"
+#include "colmap_ext/run/edge_results.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/run_options.h"
 
@@ -7,16 +8,28 @@ namespace limn::colmap_ext {
 
 int RunEdgeExtractor(int argc, const char* const* argv) {
   RunOptions options;
+  EdgeFormat format = EdgeFormat::kNone;
+  const auto add_format = [&](OptionParser* parser) {
+    parser->AddOption("format", &format, {{"none", EdgeFormat::kNone}, {"edg", EdgeFormat::kEdg}},
+                      BasicOption("also write edgels as curves/edges/<image name>.edg"));
+  };
   if (!ParseRunOptions("edge_extractor", "find the edgels of all images, into the cache", {}, argc,
-                       argv, &options)) {
+                       argv, &options, add_format)) {
     return 0;
   }
   Console console(options.num_threads);
   const Project project(options, &console);
+  CheckEdgeResults(project, format);
   const EdgeMapsResult result =
       ExtractEdgeMaps({project.views(), project.images(), project.cache()}, options.pipeline.edges,
                       console.context());
   console.Report(result.summary);
+  if (format == EdgeFormat::kEdg) {
+    ParallelFor(console.context(), "files of edges", project.views().size(), [&](size_t v) {
+      WriteEdgResult(project, static_cast<ViewId>(v), result.edge_maps[v]);
+    });
+  }
+  SayEdgeResults(project, format, &console);
   return 0;
 }
 

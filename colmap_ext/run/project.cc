@@ -19,6 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// To be raised whenever the same file of edges gives other edges.
+constexpr int kEdgeFilesVersion = 1;
+
 std::string ImageIdentity(const ViewSet& set, ViewId view) {
   std::string identity = "image " + FileIdentity(set.image_paths[view]);
   if (set.is_damaged[view]) identity += "\ndamaged";
@@ -84,6 +87,20 @@ Project::Project(const RunOptions& options, Console* console)
   }
   images_.read = [this](ViewId view) { return ReadViewImage(view_set_, view); };
   images_.identity = [this](ViewId view) { return ImageIdentity(view_set_, view); };
+  if (!options.edges_path.empty()) UseEdges(options, console);
+}
+
+void Project::UseEdges(const RunOptions& options, Console* console) {
+  edge_files_ = FindEdgeFiles(options.edges_path, view_set_);
+  console->Say("Edges of all images from " + options.edges_path);
+  images_.given_edges = [this, maps = options.edge_maps](ViewId view) {
+    return ReadEdgeFile(edge_files_[view], view_set_, view, maps);
+  };
+  const std::string key = "\nedges, version " + std::to_string(kEdgeFilesVersion) + "\n" +
+                          OptionsAsText(options.edge_maps);
+  images_.identity = [this, key](ViewId view) {
+    return ImageIdentity(view_set_, view) + key + FileIdentity(edge_files_[view]);
+  };
 }
 
 std::string Project::DrawingPath(const std::string& name) const {
@@ -109,10 +126,10 @@ void CheckProjectViews(const Project& project) {
 }
 
 CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
-                                  Console* console) {
-  CurvesResult result =
-      ExtractCurves({project.views(), project.images(), project.cache()}, options.pipeline.edges,
-                    options.pipeline.linking, console->context());
+                                  Console* console, const FragmentsObserver& on_fragments) {
+  CurvesResult result = ExtractCurves(
+      {project.views(), project.images(), project.cache(), std::nullopt, on_fragments},
+      options.pipeline.edges, options.pipeline.linking, console->context());
   console->Report(result.summary);
   return result;
 }

@@ -3,11 +3,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "colmap_ext/run/console.h"
 #include "colmap_ext/run/run_options.h"
+#include "colmap_ext/workspace/edge_files.h"
 #include "colmap_ext/workspace/layout.h"
 #include "colmap_ext/workspace/output_lock.h"
 #include "colmap_ext/workspace/to_views.h"
@@ -18,7 +20,8 @@ namespace limn::colmap_ext {
 // A COLMAP project that has been read: its folders, views and photographs.
 class Project {
  public:
-  // Finds and reads the model and the headers of all images, and prints what was chosen. Throws
+  // Finds and reads the model and the headers of all images, finds their files of edges if there is
+  // a folder of such, and prints what was chosen. Throws
   // OptionError, IoError and InputError. Writes only the lock file, which keeps other commands (for
   // a shard: all but other shards) out of the output folder during the lifetime of the project.
   // Removes temporary files of a killed run, unless other shards may be running.
@@ -36,17 +39,22 @@ class Project {
 
   // Image curves and sketches stored for later runs.
   ResultCache* cache() const { return cache_.get(); }
+  // The files of edges of all views, to be used instead of detected ones; empty = detect them.
+  const std::vector<std::string>& edge_files() const { return edge_files_; }
   // Path of a file beside fused.ply.
   std::string DrawingPath(const std::string& name) const;
   // Path of a file in the folder of curves.
   std::string CurvesPath(const std::string& name) const;
 
  private:
+  void UseEdges(const RunOptions& options, Console* console);
+
   WorkspaceLayout layout_;
   std::optional<OutputLock> lock_;
   std::shared_ptr<ResultCache> cache_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   ViewSet view_set_;
+  std::vector<std::string> edge_files_;
   ImageSource images_;
 };
 
@@ -59,6 +67,6 @@ void CheckProjectViews(const Project& project);
 
 // The image curves of all views, from the project's cache where possible; prints a summary.
 CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
-                                  Console* console);
+                                  Console* console, const FragmentsObserver& on_fragments = {});
 
 }  // namespace limn::colmap_ext

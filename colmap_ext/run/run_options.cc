@@ -23,6 +23,8 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
   parser->AddOption("image_list_path", &view.image_list_path,
                     "file with the names of the images to use");
   parser->AddOption("mask_path", &view.mask_path, BasicOption("folder of masks, <image name>.png"));
+  parser->AddOption("edges_path", &options->edges_path,
+                    "folder of edges found elsewhere, <image name>.edg, .cem, .txt or .png");
   parser->AddOption("max_image_size", &view.max_image_size,
                     BasicOption("shrink images to this longer side, px, -1 = do not"));
   parser->AddOption("max_reprojection_px", &view.max_reprojection_px,
@@ -69,6 +71,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
     parser->AddOption("mode", &pipeline.mode, modes, BasicOption("how the sketch is made"));
   }
   AddGroup("EdgeDetection", &pipeline.edges, parser);
+  AddGroup("EdgeMaps", &options->edge_maps, parser);
   if (groups.linking) AddGroup("Linking", &pipeline.linking, parser);
   if (groups.sketch) {
     AddGroup("ViewSelection", &pipeline.sketch.view_selection, parser);
@@ -108,6 +111,7 @@ void RunOptions::Check() const {
   layout.Check();
   pipeline.Check();
   view.Check();
+  CheckGroup("EdgeMaps", edge_maps);
   CheckGroup("DenseFusion", dense);
   BoxFromNumbers(box);
   if (!shard.empty()) ParseShard(shard);

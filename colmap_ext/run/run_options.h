@@ -23,6 +23,10 @@ struct RunOptions {
   ViewOptions view;
   PipelineOptions pipeline;
   DenseOptions dense;
+  // Folder of edges of the images, to use instead of detected ones (see FindEdgeFiles). Empty =
+  // detect them.
+  std::string edges_path;
+  RidgeOptions edge_maps;
   // The 3D box to reconstruct: x0,x1,y0,y1,z0,z1 in the model's unit. Empty = everything.
   std::vector<double> box;
   Quality quality = Quality::kMedium;

@@ -30,10 +30,6 @@ constexpr double kBytesPerPixel = 12;
 
 int LongerSide(ImageSize size) { return std::max(size.width, size.height); }
 
-std::string Text(ImageSize size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-
 void CheckWhole(const fs::path& path) {
   if (!IsTruncated(path)) return;
   throw IoError(path.string(), "truncated: the file ends before the picture does");

@@ -156,16 +156,6 @@ void AddComplaints(const std::vector<std::optional<JpegComplaint>>& complaints, 
   }
 }
 
-// Empty = all pixels may be used.
-std::vector<unsigned char> ReadViewMask(const ViewSet& set, ViewId id) {
-  const PinholeCamera& camera = set.views[id].camera;
-  if (set.is_damaged[id]) {
-    return std::vector<unsigned char>(static_cast<size_t>(camera.width) * camera.height, 0);
-  }
-  if (set.mask_paths[id].empty()) return {};
-  return ReadMask(set.mask_paths[id], set.stored_sizes[id], set.max_image_size);
-}
-
 Image BlackImage(int width, int height) {
   Image image;
   image.width = width;
@@ -313,6 +303,15 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   }
   WarnOfMisfits(&set);
   return set;
+}
+
+std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
+  const PinholeCamera& camera = view_set.views[view].camera;
+  if (view_set.is_damaged[view]) {
+    return std::vector<unsigned char>(static_cast<size_t>(camera.width) * camera.height, 0);
+  }
+  if (view_set.mask_paths[view].empty()) return {};
+  return ReadMask(view_set.mask_paths[view], view_set.stored_sizes[view], view_set.max_image_size);
 }
 
 Image ReadViewImage(const ViewSet& view_set, ViewId view) {

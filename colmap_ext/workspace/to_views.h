@@ -63,6 +63,10 @@ struct ViewSet {
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
                 const ViewOptions& options, const RunContext& context = {});
 
+// One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
+// pixels may be used. Throws IoError.
+std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view);
+
 // The photograph of a view with its mask, at the size of the view; black and masked entirely if it
 // is damaged. Throws IoError.
 Image ReadViewImage(const ViewSet& view_set, ViewId view);

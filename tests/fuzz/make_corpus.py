@@ -226,6 +226,7 @@ def edges():
     put("cem", "two", ".CEM v2.0\nsize=[64 48]\n[Edgemap]\ncount=3\n(1, 2)\t0.5\t9\t0\n"
         "(2, 2)\t0.5\t9\t0\n(3, 2)\t0.5\t9\t0\n[Contours]\ncount=2\n[0 1 2 ]\n[0 1 2 0 ]\n"
         "[Contour Properties]\n# <len>\n3 9 0 0 0 0 0 0\n")
+    put("image_polylines", "two", "# x1 y1 x2 y2 ...\n1 2 30.5 2\n\n3,4, 10,4, 10,12, 3,4\n")
 
 
 def text(string):

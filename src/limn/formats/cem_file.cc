@@ -1,9 +1,10 @@
 #include "limn/formats/cem_file.h"
 
-#include <charconv>
 #include <cmath>
 #include <ostream>
 
+#include "limn/formats/check_edgel.h"
+#include "limn/formats/number_text.h"
 #include "limn/formats/text_scanner.h"
 #include "limn/formats/whole_file.h"
 
@@ -22,17 +23,17 @@ void Expect(TextScanner* scanner, const char* word) {
   if (scanner->Word(word) != word) scanner->Fail(std::string("expected ") + word);
 }
 
-Edgel ReadEdgel(TextScanner* scanner) {
+Edgel ReadEdgel(TextScanner* scanner, const EdgeMap& map) {
   Edgel edgel;
   edgel.position_px.x() = scanner->Number("x");
   edgel.position_px.y() = scanner->Number("y");
   edgel.tangent_rad = std::remainder(scanner->Number("direction"), 2 * M_PI);
   edgel.strength = static_cast<float>(scanner->Number("strength"));
   scanner->Number("second derivative");
-  if (!edgel.position_px.allFinite() || !std::isfinite(edgel.tangent_rad) ||
-      !std::isfinite(edgel.strength)) {
-    scanner->Fail("edgel not finite");
+  if (!scanner->AtEndOfLine()) {
+    edgel.position_sigma_px = static_cast<float>(scanner->Number("uncertainty"));
   }
+  CheckEdgel(*scanner, edgel, map.width, map.height);
   edgel.stored_px = edgel.position_px.cast<float>();
   return edgel;
 }
@@ -50,13 +51,6 @@ CurveFragment ReadFragment(TextScanner* scanner, int num_edgels) {
     fragment.edgel_ids.pop_back();
   }
   return fragment;
-}
-
-template <typename T>
-void PutNumber(std::ostream& out, T value) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof(text), value);
-  out.write(text, end - text);
 }
 
 double MeanStrength(const ImageCurves& curves, const CurveFragment& fragment) {
@@ -79,7 +73,9 @@ ImageCurves ReadCem(const std::string& path) {
   Expect(&scanner, "Edgemap");
   Expect(&scanner, "count");
   const int num_edgels = scanner.Count("number of edgels");
-  for (int i = 0; i < num_edgels; ++i) curves.edge_map.edgels.push_back(ReadEdgel(&scanner));
+  for (int i = 0; i < num_edgels; ++i) {
+    curves.edge_map.edgels.push_back(ReadEdgel(&scanner, curves.edge_map));
+  }
   Expect(&scanner, "Contours");
   Expect(&scanner, "count");
   const int num_fragments = scanner.Count("number of contours");
@@ -96,11 +92,9 @@ void WriteCem(const ImageCurves& curves, std::ostream& out) {
   out << ".CEM v2.0\nsize=[" << curves.edge_map.width << ' ' << curves.edge_map.height
       << "]\n[Edgemap]\ncount=" << curves.edge_map.edgels.size() << '\n';
   for (const Edgel& edgel : curves.edge_map.edgels) {
-    PutNumber(out << '(', edgel.position_px.x());
-    PutNumber(out << ", ", edgel.position_px.y());
-    PutNumber(out << ")\t", edgel.tangent_rad);
-    PutNumber(out << '\t', edgel.strength);
-    out << "\t0\n";
+    out << '(' << NumberText(edgel.position_px.x()) << ", " << NumberText(edgel.position_px.y())
+        << ")\t" << NumberText(edgel.tangent_rad) << '\t' << NumberText(edgel.strength) << "\t0\t"
+        << NumberText(edgel.position_sigma_px) << '\n';
   }
   out << "[Contours]\ncount=" << curves.fragments.size() << '\n';
   for (const CurveFragment& fragment : curves.fragments) {
@@ -112,9 +106,8 @@ void WriteCem(const ImageCurves& curves, std::ostream& out) {
   out << "[Contour Properties]\n"
          "# <len> <avg. str> <mean con> <Lstd> <Rstd> <avg. d2f> <avg. k> <max k>\n";
   for (const CurveFragment& fragment : curves.fragments) {
-    out << fragment.edgel_ids.size() << ' ';
-    PutNumber(out, MeanStrength(curves, fragment));
-    out << " 0 0 0 0 0 0\n";
+    out << fragment.edgel_ids.size() << ' ' << NumberText(MeanStrength(curves, fragment))
+        << " 0 0 0 0 0 0\n";
   }
 }
 

@@ -8,14 +8,16 @@
 namespace limn {
 
 // Curve fragments with their edge map in the text format of the MSEL tools (`.cem` version 2, also
-// gzipped): [Edgemap] with "(x, y) dir conf d2f" per edgel, [Contours] with "[id id ... ]" per
-// fragment, [Contour Properties], which are ignored. A fragment whose last id equals its first is
-// closed. Reading sets position_px and stored_px to the same values; there is no link graph. Throws
-// IoError.
+// gzipped): [Edgemap] with "(x, y) dir conf d2f" per edgel and, if written by Limn, its sigma,
+// [Contours] with "[id id ... ]" per fragment, [Contour Properties], which are ignored. A fragment
+// whose last id equals its first is closed. Reading sets position_px and stored_px to the same
+// values; there is no link graph. Throws IoError, also for edgels more than a pixel outside the
+// image, numbers that are not finite and sigmas below 0.
 ImageCurves ReadCem(const std::string& path);
 
-// Writes positions and directions in the virtual pinhole image. Of the properties only length
-// (edgels) and mean strength are set, the others are 0.
+// Writes positions and directions in the virtual pinhole image (in the stored one before
+// ApplyLens); edgels and fragments are read back exactly. Of the properties only length (edgels)
+// and mean strength are set, the others are 0.
 void WriteCem(const ImageCurves& curves, std::ostream& out);
 
 }  // namespace limn

@@ -5,6 +5,8 @@
 #include <optional>
 #include <ostream>
 
+#include "limn/formats/check_edgel.h"
+#include "limn/formats/number_text.h"
 #include "limn/formats/text_scanner.h"
 #include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
@@ -64,7 +66,7 @@ EdgHeader ReadHeader(TextScanner* scanner) {
   scanner->Fail("no EDGE_COUNT");
 }
 
-Edgel ReadEdgel(TextScanner* scanner, bool has_uncertainty) {
+Edgel ReadEdgel(TextScanner* scanner, const EdgHeader& header) {
   if (scanner->AtEnd()) scanner->Fail("the file ends before its last edgel");
   if (scanner->Peek() == 'E') {  // "EDGE :" in old versions
     scanner->Word("EDGE");
@@ -76,21 +78,13 @@ Edgel ReadEdgel(TextScanner* scanner, bool has_uncertainty) {
   edgel.position_px.y() = scanner->Number("y");
   edgel.tangent_rad = std::remainder(scanner->Number("direction"), kTwoPi);
   edgel.strength = static_cast<float>(scanner->Number("strength"));
-  if (has_uncertainty) edgel.position_sigma_px = static_cast<float>(scanner->Number("uncertainty"));
-  if (!edgel.position_px.allFinite() || !std::isfinite(edgel.tangent_rad) ||
-      !std::isfinite(edgel.strength)) {
-    scanner->Fail("edgel not finite");
+  if (header.has_uncertainty) {
+    edgel.position_sigma_px = static_cast<float>(scanner->Number("uncertainty"));
   }
+  CheckEdgel(*scanner, edgel, header.width, header.height);
   edgel.stored_px = edgel.position_px.cast<float>();
   if (!scanner->AtEndOfLine()) scanner->Fail("more numbers than an edgel has");
   return edgel;
-}
-
-template <typename T>
-void PutNumber(std::ostream& out, T value) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof(text), value);
-  out.write(text, end - text);
 }
 
 }  // namespace
@@ -103,7 +97,7 @@ EdgeMap ReadEdg(const std::string& path) {
   map.width = header.width;
   map.height = header.height;
   for (size_t i = 0; i < header.count; ++i) {
-    map.edgels.push_back(ReadEdgel(&scanner, header.has_uncertainty));
+    map.edgels.push_back(ReadEdgel(&scanner, header));
   }
   if (!scanner.AtEnd()) scanner.Fail("more edgels than EDGE_COUNT says");
   return map;
@@ -116,17 +110,13 @@ void WriteEdg(const EdgeMap& edge_map, std::ostream& out) {
       << "WIDTH=" << edge_map.width << "\nHEIGHT=" << edge_map.height
       << "\nEDGE_COUNT=" << edge_map.edgels.size() << "\n\n\n";
   for (const Edgel& edgel : edge_map.edgels) {
-    const double direction = edgel.tangent_rad < 0 ? edgel.tangent_rad + kTwoPi : edgel.tangent_rad;
     const Eigen::Vector2d& position = edgel.position_px;
-    out << '[' << std::lround(position.x()) << ", " << std::lround(position.y()) << "]    ";
-    PutNumber(out, direction);
-    PutNumber(out << ' ', edgel.strength);
-    PutNumber(out << "   [", position.x());
-    PutNumber(out << ", ", position.y());
-    PutNumber(out << "]   ", direction);
-    PutNumber(out << ' ', edgel.strength);
-    PutNumber(out << ' ', edgel.position_sigma_px);
-    out << '\n';
+    const std::string direction_and_strength =
+        NumberText(edgel.tangent_rad) + ' ' + NumberText(edgel.strength);
+    out << '[' << std::lround(position.x()) << ", " << std::lround(position.y()) << "]    "
+        << direction_and_strength << "   [" << NumberText(position.x()) << ", "
+        << NumberText(position.y()) << "]   " << direction_and_strength << ' '
+        << NumberText(edgel.position_sigma_px) << '\n';
   }
 }
 

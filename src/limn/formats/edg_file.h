@@ -12,11 +12,13 @@ namespace limn {
 //   [ix, iy]  idir iconf  [x, y]  dir conf uncertainty        (the last number is absent before v3)
 // Edgel ids are the order of the lines. The center of the top-left pixel is (0, 0), as here. The
 // sense of `dir` along the edge is kept. Reading sets position_px and stored_px to the same values;
-// throws IoError.
+// throws IoError, also for edgels more than a pixel outside the image, numbers that are not finite
+// and uncertainties below 0.
 EdgeMap ReadEdg(const std::string& path);
 
-// Version 3: positions and directions in the virtual pinhole image, strength as conf, sigma as
-// uncertainty; all are read back exactly, except that directions below 0 gain 2 pi.
+// Version 3: positions and directions in the virtual pinhole image (in the stored one before
+// ApplyLens), strength as conf, sigma as uncertainty; all are read back exactly. Directions are
+// from -pi to pi, while other programs write 0 to 2 pi.
 void WriteEdg(const EdgeMap& edge_map, std::ostream& out);
 
 }  // namespace limn

@@ -31,11 +31,6 @@ void PutEdgel(const Edgel& edgel, bool as_stored, ByteWriter* out) {
   for (int i = 0; i < 4; ++i) out->Put(edgel.stored_from_virtual(i / 2, i % 2));
 }
 
-// Whether a place is in the image, or within a pixel of it.
-bool IsInImage(const Eigen::Vector2d& px, const EdgeMap& map) {
-  return px.x() >= -1 && px.x() <= map.width && px.y() >= -1 && px.y() <= map.height;
-}
-
 Edgel GetEdgel(bool as_stored, ByteReader* in) {
   Edgel edgel;
   edgel.position_px.x() = in->Get<double>();
@@ -86,7 +81,8 @@ EdgeMap GetEdgeMap(ByteReader* in) {
   map.edgels.reserve(count);
   for (size_t i = 0; i < count; ++i) {
     map.edgels.push_back(GetEdgel(as_stored, in));
-    in->Check(IsInImage(map.edgels.back().position_px, map), "edgel outside the image");
+    in->Check(IsNearImage(map.width, map.height, map.edgels.back().position_px),
+              "edgel outside the image");
   }
   return map;
 }

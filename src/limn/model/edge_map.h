@@ -20,6 +20,12 @@ struct EdgeMap {
   int num_outside_lens = 0;
 };
 
+// Whether a place is in an image of this size, or within a pixel of it: lenses, and programs that
+// round, place edgels there.
+inline bool IsNearImage(int width, int height, const Eigen::Vector2d& px) {
+  return px.x() >= -1 && px.x() <= width && px.y() >= -1 && px.y() <= height;
+}
+
 // Maps edgels from stored pixels to the virtual pinhole image: position, tangent and Jacobian. Ids
 // stay valid: an edgel that the lens cannot map (outside its valid range) stays in the map with
 // strength 0 and is counted in num_outside_lens. Returns, per id, whether it was mapped. A null

@@ -32,6 +32,8 @@ struct Edgel {
   Eigen::Vector2d Tangent() const { return {std::cos(tangent_rad), std::sin(tangent_rad)}; }
   // Unit normal along which luminance rises.
   Eigen::Vector2d Normal() const { return {std::sin(tangent_rad), -std::cos(tangent_rad)}; }
+  // Makes the other side the brighter one.
+  void Turn() { tangent_rad = std::remainder(tangent_rad + M_PI, 2 * M_PI); }
 };
 
 }  // namespace limn

@@ -37,7 +37,9 @@ class Extractor {
     const std::string key = EdgeKey(id);
     if (auto found = Find(CachedKind::kEdges, view, key)) return std::move(found->edge_map);
     ImageCurves curves;
-    curves.edge_map = DetectEdges(input_.images.read(id), edge_options_);
+    curves.edge_map = input_.images.given_edges
+                          ? std::move(input_.images.given_edges(id).curves.edge_map)
+                          : Detect(id);
     Store(CachedKind::kEdges, view, key, curves);
     return std::move(curves.edge_map);
   }
@@ -49,18 +51,29 @@ class Extractor {
     const std::string key = edge_key + "linking, version " + std::to_string(kLinkingVersion) +
                             "\n" + OptionsAsText(linking);
     if (auto found = Find(CachedKind::kFragments, view, key)) return std::move(*found);
-    auto edges = Find(CachedKind::kEdges, view, edge_key);
-    Image image;
-    if (!edges || linking.ComparesForks()) image = input_.images.read(id);
-    ImageCurves curves =
-        LinkEdgels(edges ? std::move(edges->edge_map) : DetectEdges(image, edge_options_), linking,
-                   &image)
-            .curves;
+    ImageCurves curves = NewFragments(id, edge_key, linking);
     Store(CachedKind::kFragments, view, key, curves);
     return curves;
   }
 
  private:
+  EdgeMap Detect(ViewId id) const { return DetectEdges(input_.images.read(id), edge_options_); }
+
+  ImageCurves NewFragments(ViewId id, const std::string& edge_key, const LinkingOptions& linking) {
+    std::optional<EdgeMap> edges;
+    if (input_.images.given_edges) {
+      GivenEdges given = input_.images.given_edges(id);
+      if (given.are_linked) return std::move(given.curves);
+      edges = std::move(given.curves.edge_map);
+    } else if (auto found = Find(CachedKind::kEdges, input_.views[id], edge_key)) {
+      edges = std::move(found->edge_map);
+    }
+    Image image;
+    if (!edges || linking.ComparesForks()) image = input_.images.read(id);
+    EdgeMap edge_map = edges ? std::move(*edges) : DetectEdges(image, edge_options_);
+    return LinkEdgels(std::move(edge_map), linking, &image).curves;
+  }
+
   std::optional<ImageCurves> Find(CachedKind kind, const View& view, const std::string& key) {
     return input_.cache->Find<ImageCurves>(kind, view.name, [&](const std::string& path) {
       std::optional<ImageCurves> found = ReadImageCurves(path, key);
@@ -203,6 +216,7 @@ CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOpti
     const ViewId v = ids[i];
     ImageCurves& curves = result.curves[v];
     curves = extractor.FragmentsOf(v, linking);
+    if (input.on_fragments) input.on_fragments(v, curves);
     ViewCounts& of_view = counts[i];
     of_view = CountLinked(curves);
     RemoveUnusableEdgels(ApplyLens(input.views[v].lens.get(), &curves.edge_map), &curves);

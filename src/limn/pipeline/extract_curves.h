@@ -7,6 +7,7 @@
 #include "limn/edges/edge_detection.h"
 #include "limn/linking/linking.h"
 #include "limn/model/curve_fragment.h"
+#include "limn/model/given_edges.h"
 #include "limn/model/image.h"
 #include "limn/model/view.h"
 #include "limn/model/view_subset.h"
@@ -16,12 +17,17 @@
 
 namespace limn {
 
-// The source of the photographs. Both functions must be thread-safe.
+// The source of the photographs. All functions must be thread-safe.
 struct ImageSource {
   std::function<Image(ViewId)> read;
-  // A key that differs if the pixels that `read` returns differ, for cached results.
+  // A key that differs if what the other functions return differs, for cached results.
   std::function<std::string(ViewId)> identity;
+  // Edges to use instead of those in the photograph; none = detect them.
+  std::function<GivenEdges(ViewId)> given_edges = nullptr;
 };
+
+// Told of the fragments of a view, in stored pixels, before ApplyLens. Must be thread-safe.
+using FragmentsObserver = std::function<void(ViewId, const ImageCurves&)>;
 
 struct ExtractionInput {
   const std::vector<View>& views;
@@ -30,6 +36,7 @@ struct ExtractionInput {
   ResultCache* cache;
   // The requested views; the others get empty results.
   ViewSubset only = std::nullopt;
+  FragmentsObserver on_fragments = nullptr;
 };
 
 struct EdgeMapsResult {
@@ -42,13 +49,14 @@ struct CurvesResult {
   StageSummary summary;
 };
 
-// Edge maps of the views, stored in the cache. At most one image per thread is in memory.
+// Edge maps of the views, detected or given, stored in the cache. At most one image per thread is
+// in memory.
 EdgeMapsResult ExtractEdgeMaps(const ExtractionInput& input, const EdgeDetectionOptions& edges,
                                const RunContext& context);
 
-// Edges and fragments of the views, mapped by their lenses. Edgels keep the detector's ids; a
-// fragment is split at edgels that the lens cannot map. The cache stores the fragments. At most one
-// image per thread is in memory.
+// Edges and fragments of the views, found or given, mapped by their lenses. Edgels keep their ids;
+// a fragment is split at edgels that the lens cannot map. The cache stores the fragments. At most
+// one image per thread is in memory.
 CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOptions& edges,
                            const LinkingOptions& linking, const RunContext& context);
 

@@ -32,6 +32,13 @@ void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
 }
 
 template <typename Visit>
+void VisitFields(RidgeOptions& o, Visit&& visit) {
+  visit("min_probability", o.min_probability,
+        "edges_path: weakest edge in maps, share of their full range");
+  visit("sigma_px", o.sigma_px, "edges_path: scale at which maps are smoothed, px");
+}
+
+template <typename Visit>
 void VisitFields(LinkingOptions& o, Visit&& visit) {
   visit("neighbor_radius_px", o.neighbor_radius_px, "neighborhood of a curvelet, px");
   visit("position_tolerance_px", o.position_tolerance_px, "curvelets: tolerance across, px");

@@ -81,6 +81,8 @@ std::string OptionsAsJson(const DenseOptions& options) { return FieldsAsJson(opt
 
 std::string OptionsAsText(const EdgeDetectionOptions& options) { return FieldsAsText(options); }
 
+std::string OptionsAsText(const RidgeOptions& options) { return FieldsAsText(options); }
+
 std::string OptionsAsText(const LinkingOptions& options) { return FieldsAsText(options); }
 
 std::string OptionsAsText(const ViewSelectionOptions& options) { return FieldsAsText(options); }

@@ -6,6 +6,7 @@
 #include "limn/dense/dense_options.h"
 #include "limn/drawing/drawing_options.h"
 #include "limn/edges/edge_detection.h"
+#include "limn/edges/ridge_detection.h"
 #include "limn/linking/linking.h"
 #include "limn/primitives/primitive_options.h"
 #include "limn/refinement/refinement_options.h"
@@ -65,6 +66,7 @@ std::string OptionsAsJson(const DenseOptions& options);
 
 // One group as "name=value" lines: two structs have the same text if and only if they are equal.
 std::string OptionsAsText(const EdgeDetectionOptions& options);
+std::string OptionsAsText(const RidgeOptions& options);
 std::string OptionsAsText(const LinkingOptions& options);
 std::string OptionsAsText(const ViewSelectionOptions& options);
 // Without the view selection, which is a group of its own.

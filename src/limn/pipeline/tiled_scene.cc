@@ -160,9 +160,11 @@ std::function<CurvesResult(const SceneSubset&)> CurvesFromImages(const PipelineI
                                                                  const PipelineOptions& options,
                                                                  const RunContext& context) {
   return [input, &options, &context](const SceneSubset& scene) {
-    const ImageSource images = {
-        [&](ViewId view) { return input.images.read(scene.ids[view]); },
-        [&](ViewId view) { return input.images.identity(scene.ids[view]); }};
+    ImageSource images = {[&](ViewId view) { return input.images.read(scene.ids[view]); },
+                          [&](ViewId view) { return input.images.identity(scene.ids[view]); }};
+    if (input.images.given_edges) {
+      images.given_edges = [&](ViewId view) { return input.images.given_edges(scene.ids[view]); };
+    }
     return ExtractCurves({scene.views, images, input.cache}, options.edges, options.linking,
                          context);
   };

@@ -32,8 +32,9 @@ void ExpectSameEdgels(const EdgeMap& read, const EdgeMap& written) {
   ASSERT_EQ(read.edgels.size(), written.edgels.size());
   for (size_t i = 0; i < read.edgels.size(); ++i) {
     EXPECT_EQ(read.edgels[i].position_px, written.edgels[i].position_px);
-    EXPECT_NEAR(read.edgels[i].tangent_rad, written.edgels[i].tangent_rad, 1e-12);
+    EXPECT_EQ(read.edgels[i].tangent_rad, written.edgels[i].tangent_rad);
     EXPECT_EQ(read.edgels[i].strength, written.edgels[i].strength);
+    EXPECT_EQ(read.edgels[i].position_sigma_px, written.edgels[i].position_sigma_px);
   }
 }
 
@@ -49,7 +50,6 @@ TEST(EdgFile, RoundTrip) {
   const EdgeMap written = SmallImageCurves().edge_map;
   const EdgeMap read = ReadEdg(WriteTo(folder.Path("a.edg"), written, WriteEdg));
   ExpectSameEdgels(read, written);
-  EXPECT_EQ(read.edgels[2].position_sigma_px, 0.07f);
   EXPECT_EQ(read.edgels[2].stored_px, read.edgels[2].position_px.cast<float>());
 }
 
@@ -88,6 +88,28 @@ TEST(EdgFile, DamagedFilesAreRefused) {
   EXPECT_THROW(read(header + "EDGE_COUNT=-3\n"), IoError);
 }
 
+TEST(EdgFile, ImpossibleEdgelsAreRefusedByLine) {
+  const TemporaryFolder folder;
+  const auto error_of = [&](const std::string& numbers) {
+    const std::string path =
+        folder.Write("a.edg", "# EDGE_MAP v3.0\n\nWIDTH=6\nHEIGHT=4\nEDGE_COUNT=1\n[1, 1] 0 1 " +
+                                  numbers + "\n");
+    try {
+      ReadEdg(path);
+    } catch (const IoError& error) {
+      return std::string(error.what()).substr(path.size());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(error_of("[6, 4] 0 1 0"), "");
+  EXPECT_EQ(error_of("[6.1, 1] 0 1 0"), ": line 6: edgel outside the image");
+  EXPECT_EQ(error_of("[1, -1.1] 0 1 0"), ": line 6: edgel outside the image");
+  EXPECT_EQ(error_of("[1e300, 1] 0 1 0"), ": line 6: edgel outside the image");
+  EXPECT_EQ(error_of("[1, 1] 0 1 inf"), ": line 6: edgel not finite");
+  EXPECT_EQ(error_of("[1, 1] nan 1 0"), ": line 6: edgel not finite");
+  EXPECT_EQ(error_of("[1, 1] 0 1 -1"), ": line 6: uncertainty below 0");
+}
+
 TEST(CemFile, RoundTrip) {
   const TemporaryFolder folder;
   const ImageCurves written = SmallImageCurves();
@@ -98,6 +120,18 @@ TEST(CemFile, RoundTrip) {
     EXPECT_EQ(read.fragments[i].edgel_ids, written.fragments[i].edgel_ids);
     EXPECT_EQ(read.fragments[i].closed, written.fragments[i].closed);
   }
+}
+
+// As the MSEL tools write it.
+TEST(CemFile, UncertaintyMayBeMissing) {
+  const TemporaryFolder folder;
+  const ImageCurves read = ReadCem(
+      folder.Write("a.cem",
+                   ".CEM v2.0\nsize=[64 48]\n[Edgemap]\ncount=2\n(1, 2)\t0.5\t9\t0\n"
+                   "(2, 2)\t0.5\t9\t0\n[Contours]\ncount=1\n[0 1 ]\n[Contour Properties]\n"));
+  ASSERT_EQ(read.edge_map.edgels.size(), 2u);
+  EXPECT_EQ(read.edge_map.edgels[1].position_sigma_px, 0);
+  EXPECT_EQ(read.fragments.size(), 1u);
 }
 
 TEST(CemFile, DamagedFilesAreRefused) {

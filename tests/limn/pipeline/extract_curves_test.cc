@@ -140,6 +140,59 @@ TEST_F(ExtractCurvesTest, KeptEdgeMapsAreUsed) {
   EXPECT_EQ(Key(views_, result.curves), Key(views_, direct.curves));
 }
 
+TEST_F(ExtractCurvesTest, GivenEdgelsAreLinkedAndGivenFragmentsStay) {
+  const CurvesResult detected = Extract();
+  ResultCache none("");
+  const std::vector<EdgeMap> maps =
+      ExtractEdgeMaps({views_, images_, &none}, edges_, RunContext()).edge_maps;
+  GivenEdges given;
+  images_.given_edges = [&](ViewId id) {
+    given.curves.edge_map = maps[id];
+    return given;
+  };
+  const CurvesResult linked = Extract();
+  EXPECT_EQ(num_read_, 0);
+  EXPECT_EQ(Key(views_, linked.curves), Key(views_, detected.curves));
+
+  given.are_linked = true;
+  given.curves.fragments = {{{0, 1}, false}};
+  const CurvesResult stay = Extract();
+  ASSERT_EQ(stay.curves[0].fragments.size(), 1u);
+  EXPECT_EQ(stay.curves[0].fragments[0].edgel_ids, (std::vector<EdgelId>{0, 1}));
+}
+
+// Of other edges, which the identity tells.
+TEST_F(ExtractCurvesTest, GivenFragmentsDoNotComeFromKeptEdgeMaps) {
+  images_.given_edges = [](ViewId) {
+    GivenEdges given;
+    given.are_linked = true;
+    given.curves.edge_map.width = kWidth;
+    given.curves.edge_map.height = kHeight;
+    given.curves.edge_map.edgels.resize(3);
+    given.curves.fragments = {{{0, 2}, false}};
+    return given;
+  };
+  ResultCache cache(cache_.string());
+  EXPECT_EQ(
+      ExtractEdgeMaps({views_, images_, &cache}, edges_, RunContext()).edge_maps[1].edgels.size(),
+      3u);
+  EXPECT_EQ(Extract(cache_.string()).curves[1].fragments.size(), 1u);
+  EXPECT_EQ(Extract(cache_.string()).curves[1].fragments.size(), 1u);
+  EXPECT_EQ(use_.reused, 2);
+}
+
+TEST_F(ExtractCurvesTest, FragmentsAreToldBeforeTheLens) {
+  views_[0].lens = std::make_shared<HalfLens>();
+  ResultCache none("");
+  std::vector<ImageCurves> told(2);
+  const ExtractionInput input = {views_, images_, &none, std::nullopt,
+                                 [&](ViewId id, const ImageCurves& curves) { told[id] = curves; }};
+  const CurvesResult result = ExtractCurves(input, edges_, linking_, RunContext());
+  EXPECT_EQ(told[0].edge_map.num_outside_lens, 0);
+  EXPECT_GT(result.curves[0].edge_map.num_outside_lens, 0);
+  EXPECT_EQ(Key(views_, {told[1], told[1]}), Key(views_, {result.curves[1], result.curves[1]}));
+}
+
 TEST_F(ExtractCurvesTest, OtherLinkingIsComputedAgain) {
   Extract(cache_.string());
   linking_.min_length_px = 20;

@@ -1,0 +1,41 @@
+#include "limn/edges/given_edgels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+
+void ResizeEdgeMap(int width, int height, EdgeMap* edge_map) {
+  if (edge_map->width == width && edge_map->height == height) return;
+  const Eigen::Vector2d scale(width / static_cast<double>(edge_map->width),
+                              height / static_cast<double>(edge_map->height));
+  for (Edgel& edgel : edge_map->edgels) {
+    edgel.position_px = ResizedPlace(edgel.position_px, scale);
+    edgel.stored_px = edgel.position_px.cast<float>();
+    const Eigen::Vector2d tangent = edgel.Tangent().cwiseProduct(scale);
+    edgel.tangent_rad = std::atan2(tangent.y(), tangent.x());
+    edgel.position_sigma_px *= static_cast<float>(std::sqrt(scale.prod()));
+  }
+  edge_map->width = width;
+  edge_map->height = height;
+}
+
+void SetUnknownSigmas(EdgeMap* edge_map) {
+  for (Edgel& edgel : edge_map->edgels) {
+    if (edgel.position_sigma_px == 0) edgel.position_sigma_px = kUnknownSigmaPx;
+  }
+}
+
+std::vector<bool> OutsideMask(const EdgeMap& edge_map, const std::vector<unsigned char>& mask) {
+  std::vector<bool> outside(edge_map.edgels.size(), true);
+  if (mask.empty()) return outside;
+  for (size_t i = 0; i < outside.size(); ++i) {
+    const Eigen::Vector2d& position = edge_map.edgels[i].position_px;
+    const auto x = std::clamp<long>(std::lround(position.x()), 0, edge_map.width - 1);
+    const auto y = std::clamp<long>(std::lround(position.y()), 0, edge_map.height - 1);
+    outside[i] = mask[static_cast<size_t>(y) * edge_map.width + x] != 0;
+  }
+  return outside;
+}
+
+}  // namespace limn

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cmath>
+
+#include "limn/formats/text_scanner.h"
+#include "limn/model/edge_map.h"
+
+namespace limn {
+
+// Throws the scanner's error if an edgel is not finite, its sigma below 0, or its position more
+// than a pixel outside the image.
+inline void CheckEdgel(const TextScanner& scanner, const Edgel& edgel, int width, int height) {
+  if (!edgel.position_px.allFinite() || !std::isfinite(edgel.tangent_rad) ||
+      !std::isfinite(edgel.strength) || !std::isfinite(edgel.position_sigma_px)) {
+    scanner.Fail("edgel not finite");
+  }
+  if (edgel.position_sigma_px < 0) scanner.Fail("uncertainty below 0");
+  if (!IsNearImage(width, height, edgel.position_px)) scanner.Fail("edgel outside the image");
+}
+
+}  // namespace limn

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/curve_fragment.h"
+
+namespace limn {
+
+// Fragments that other programs have linked. Linear time.
+
+// The fragments of polylines in an image of width x height pixels: edgels at most 1 px apart, their
+// tangents along the polyline, strength 1, sigma 0. A polyline whose last point equals its first is
+// closed. Each must have a length.
+ImageCurves CurvesOfPolylines(const std::vector<std::vector<Eigen::Vector2d>>& polylines, int width,
+                              int height);
+
+// Turns a fragment and the tangents of its edgels around, so that their other side is the brighter
+// one.
+void TurnAround(CurveFragment* fragment, std::vector<Edgel>* edgels);
+
+// Makes fragments what linking promises, and leaves those of LinkEdgels as they are: every edgel is
+// in at most one (a copy takes its place in the others) and once there, a fragment has at least
+// two, and tangents run along it: it takes the direction of most of them, and the others are
+// turned.
+void MakeConsistent(ImageCurves* curves);
+
+}  // namespace limn

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "limn/model/curve_fragment.h"
+
+namespace limn {
+
+// Edges of an image that come from elsewhere, in pixels of the image as stored (after
+// --max_image_size), before ApplyLens.
+struct GivenEdges {
+  ImageCurves curves;
+  // The fragments are given, too. Else there are none, and the edgels are still to be linked.
+  bool are_linked = false;
+};
+
+}  // namespace limn

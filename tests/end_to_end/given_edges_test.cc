@@ -1,0 +1,145 @@
+// Edges from elsewhere: --edges_path, and the files that edge_extractor and curve_linker write.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "end_to_end/run_limn.h"
+#include "limn/formats/json_drawing_reader.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class GivenEdgesRun : public ::testing::Test {
+ protected:
+  GivenEdgesRun() {
+    std::string names;
+    for (int i = 0; i < kNumImages; ++i) names += "view_0" + std::to_string(i) + ".jpg\n";
+    list_ = dir_.WriteFile("list.txt", names);
+  }
+
+  LimnRun Run(const std::string& command, const std::string& output,
+              const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {command,
+                                          "--workspace_path",
+                                          LIMN_SAMPLE_DIR "/day",
+                                          "--output_path",
+                                          Path(output),
+                                          "--image_list_path",
+                                          list_,
+                                          "--quality",
+                                          "low",
+                                          "--max_image_size",
+                                          "240"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunLimn(arguments);
+  }
+
+  void ExpectRun(const std::string& command, const std::string& output,
+                 const std::vector<std::string>& more = {}) const {
+    const LimnRun run = Run(command, output, more);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+  }
+
+  std::string Path(const std::string& name) const { return (dir_ / name).string(); }
+
+  // All that is drawn: no options, no times, no stored results.
+  std::map<std::string, std::string> Drawn(const std::string& output) const {
+    auto files = ReadTree(dir_ / output);
+    std::erase_if(files, [](const auto& file) {
+      return file.first.starts_with("curves/cache") || file.first == "curves/project.ini" ||
+             file.first == "drawing.html";
+    });
+    return files;
+  }
+
+  static constexpr int kNumImages = 6;
+  TempDir dir_;
+  std::string list_;
+};
+
+TEST_F(GivenEdgesRun, OwnEdgesReadBackGiveTheSameBytes) {
+  ExpectRun("automatic_drawer", "own");
+  const auto own = Drawn("own");
+  ASSERT_GT(ReadDrawingJson(Path("own/drawing.json")).graph.links.size(), 5u);
+
+  ExpectRun("edge_extractor", "files", {"--format", "edg"});
+  ExpectRun("automatic_drawer", "edg", {"--edges_path", Path("files/curves/edges")});
+  EXPECT_EQ(Drawn("edg"), own);
+
+  ExpectRun("curve_linker", "files", {"--format", "cem"});
+  ExpectRun("automatic_drawer", "cem", {"--edges_path", Path("files/curves/fragments")});
+  EXPECT_EQ(Drawn("cem"), own);
+}
+
+TEST_F(GivenEdgesRun, ChangedFilesAreReadAgain) {
+  ExpectRun("edge_extractor", "files", {"--format", "edg"});
+  const std::vector<std::string> given = {"--edges_path", Path("files/curves/edges")};
+  ExpectRun("curve_linker", "out", given);
+  EXPECT_THAT(Run("curve_linker", "out", given).out,
+              HasSubstr("image curves of 6 images were taken from the cache"));
+  std::ofstream(Path("files/curves/edges/view_02.jpg.edg"))
+      << "# EDGE_MAP v3.0\n\nWIDTH=240\nHEIGHT=180\nEDGE_COUNT=0\n";
+  EXPECT_THAT(Run("curve_linker", "out", given).out,
+              Not(HasSubstr("curves of 6 images were taken from the cache")));
+}
+
+TEST_F(GivenEdgesRun, BadFilesEndTheRun) {
+  ExpectRun("edge_extractor", "files", {"--format", "edg"});
+  const std::string edges = Path("files/curves/edges");
+  const auto error_of = [&](const std::string& folder) {
+    const LimnRun run = Run("automatic_drawer", "out", {"--edges_path", folder});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_FALSE(fs::exists(Path("out/drawing.json")));
+    return run.err;
+  };
+  std::ofstream(edges + "/view_02.jpg.edg")
+      << "# EDGE_MAP v3.0\n\nWIDTH=240\nHEIGHT=180\nEDGE_COUNT=1\n[1, 1] 0 1 [nan, 1] 0 1 0\n";
+  EXPECT_THAT(error_of(edges), HasSubstr("view_02.jpg.edg: line 6: edgel not finite"));
+  fs::remove(edges + "/view_02.jpg.edg");
+  EXPECT_THAT(error_of(edges), HasSubstr("edges: has no edges of 1 of 6 images (view_02.jpg)"));
+  EXPECT_THAT(error_of(Path("nowhere")), HasSubstr("nowhere: no such folder (edges_path)"));
+}
+
+TEST_F(GivenEdgesRun, OutputsDoNotReplaceTheirInputs) {
+  ExpectRun("edge_extractor", "out", {"--format", "edg"});
+  const auto before = ReadTree(dir_ / "out/curves/edges");
+  const LimnRun run =
+      Run("edge_extractor", "out", {"--format", "edg", "--edges_path", Path("out/curves/edges")});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("view_00.jpg.edg: would be replaced, but is an input"));
+  EXPECT_EQ(ReadTree(dir_ / "out/curves/edges"), before);
+}
+
+// No edges give no drawing, while the photographs would.
+TEST_F(GivenEdgesRun, TilesAreDrawnFromThem) {
+  for (int i = 0; i < kNumImages; ++i) {
+    dir_.WriteFile("none/view_0" + std::to_string(i) + ".txt", "# none\n");
+  }
+  ExpectRun("automatic_drawer", "out",
+            {"--edges_path", Path("none"), "--Tiles.max_views", "5", "--Tiles.reach_px", "20"});
+  EXPECT_TRUE(ReadDrawingJson(Path("out/drawing.json")).graph.links.empty());
+}
+
+TEST_F(GivenEdgesRun, SegmentsAreDrawnWithoutLinking) {
+  fs::create_directories(dir_ / "lines");
+  for (int i = 0; i < kNumImages; ++i) {
+    dir_.WriteFile("lines/view_0" + std::to_string(i) + ".txt", "# none\n100 100 200 120\n");
+  }
+  ExpectRun("curve_linker", "out", {"--edges_path", Path("lines"), "--format", "cem"});
+  std::ifstream cem(Path("out/curves/fragments/view_00.jpg.cem"));
+  const std::string text{std::istreambuf_iterator<char>(cem), std::istreambuf_iterator<char>()};
+  EXPECT_THAT(text, HasSubstr("[Contours]\ncount=1\n"));
+}
+
+}  // namespace
+}  // namespace limn::testing

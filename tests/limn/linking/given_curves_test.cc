@@ -1,0 +1,83 @@
+#include "limn/linking/given_curves.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+using ::testing::ElementsAre;
+
+ImageCurves Row(const std::vector<double>& tangents, std::vector<CurveFragment> fragments) {
+  ImageCurves curves;
+  for (size_t i = 0; i < tangents.size(); ++i) {
+    Edgel edgel;
+    edgel.position_px = {static_cast<double>(i), 5};
+    edgel.tangent_rad = tangents[i];
+    curves.edge_map.edgels.push_back(edgel);
+  }
+  curves.fragments = std::move(fragments);
+  return curves;
+}
+
+TEST(CurvesOfPolylines, EdgelsAreAPixelApartAlongTheCurve) {
+  const ImageCurves curves = CurvesOfPolylines({{{2, 3}, {12, 3}, {12, 7}}}, 64, 48);
+  EXPECT_EQ(curves.edge_map.width, 64);
+  EXPECT_EQ(curves.edge_map.height, 48);
+  ASSERT_EQ(curves.fragments.size(), 1u);
+  EXPECT_FALSE(curves.fragments[0].closed);
+  const auto& edgels = curves.edge_map.edgels;
+  ASSERT_EQ(edgels.size(), 15u);
+  EXPECT_EQ(edgels.front().position_px, Eigen::Vector2d(2, 3));
+  EXPECT_NEAR((edgels.back().position_px - Eigen::Vector2d(12, 7)).norm(), 0, 1e-12);
+  EXPECT_NEAR(edgels[4].position_px.x(), 6, 1e-12);
+  EXPECT_NEAR(edgels[4].tangent_rad, 0, 1e-12);
+  EXPECT_NEAR(edgels[13].tangent_rad, M_PI / 2, 1e-12);
+}
+
+TEST(CurvesOfPolylines, EqualEndsCloseACurve) {
+  const ImageCurves curves =
+      CurvesOfPolylines({{{2, 2}, {12, 2}, {12, 12}, {2, 12}, {2, 2}}}, 64, 48);
+  ASSERT_EQ(curves.fragments.size(), 1u);
+  EXPECT_TRUE(curves.fragments[0].closed);
+  EXPECT_EQ(curves.fragments[0].edgel_ids.size(), 40u);
+  // Between the side that ends there and the one that begins.
+  EXPECT_NEAR(curves.edge_map.edgels[0].tangent_rad, -M_PI / 4, 1e-9);
+}
+
+TEST(MakeConsistent, GoodFragmentsStay) {
+  ImageCurves curves = Row({0.1, -0.2, 0, 0}, {{{0, 1, 2, 3}, false}});
+  MakeConsistent(&curves);
+  ASSERT_EQ(curves.fragments.size(), 1u);
+  EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(0, 1, 2, 3));
+  EXPECT_EQ(curves.edge_map.edgels[0].tangent_rad, 0.1);
+  EXPECT_EQ(curves.edge_map.edgels[1].tangent_rad, -0.2);
+}
+
+TEST(MakeConsistent, FragmentsRunAlongMostTangents) {
+  ImageCurves curves = Row({0, 0, M_PI - 0.1, 0}, {{{3, 2, 1, 0}, false}});
+  MakeConsistent(&curves);
+  EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(0, 1, 2, 3));
+  EXPECT_NEAR(curves.edge_map.edgels[2].tangent_rad, -0.1, 1e-12);
+}
+
+TEST(MakeConsistent, SharedEdgelsAreCopied) {
+  ImageCurves curves = Row({0, 0, 0, 0}, {{{0, 1, 1, 2}, false}, {{2, 3}, false}, {{3}, false}});
+  MakeConsistent(&curves);
+  ASSERT_EQ(curves.fragments.size(), 2u);
+  EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(0, 1, 2));
+  EXPECT_THAT(curves.fragments[1].edgel_ids, ElementsAre(4, 3));
+  EXPECT_EQ(curves.edge_map.edgels[4].position_px, curves.edge_map.edgels[2].position_px);
+}
+
+TEST(TurnAround, TurnsOrderAndTangents) {
+  ImageCurves curves = Row({0, 0.1}, {{{0, 1}, false}});
+  TurnAround(&curves.fragments[0], &curves.edge_map.edgels);
+  EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(1, 0));
+  EXPECT_NEAR(curves.edge_map.edgels[1].tangent_rad, 0.1 - M_PI, 1e-12);
+}
+
+}  // namespace
+}  // namespace limn
