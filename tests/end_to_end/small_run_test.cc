@@ -227,11 +227,13 @@ TEST_F(SmallRun, AccountTellsWhatBecameOfEveryEdgel) {
 }
 
 TEST_F(SmallRun, ThePaperAlone) {
-  const std::string said =
-      Run("automatic_drawer", "out", {"--project_path", LIMN_SOURCE_DIR "/scripts/paper.ini"});
+  const std::string said = Run("automatic_drawer", "out",
+                               {"--project_path", LIMN_SOURCE_DIR "/scripts/paper.ini",
+                                "--Sketch.min_supporting_views", "3"});
   EXPECT_THAT(said, HasSubstr("enhanced sketch"));
   EXPECT_THAT(said, HasSubstr("averaging rounds"));
-  for (const char* ours : {"re-triangulation", "ends continued", "refinement:", "belief:"}) {
+  for (const char* ours :
+       {"re-triangulation", "ends continued", "refinement:", "belief:", "primitives:"}) {
     EXPECT_THAT(said, Not(HasSubstr(ours)));
   }
   const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;

@@ -21,10 +21,15 @@ constexpr int kSearchSamples = 6;
 // the mean and cost time.
 constexpr size_t kMaxPartners = 12;
 
+// The closest point of a curve, and the sample before it.
+struct Foot {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  int sample = -1;
+};
+
 // Closest point to x on the other curve near `partner`; nothing where the foot is beyond the
 // curve's end.
-std::optional<Eigen::Vector3d> ClosestNear(const SampleSet& samples, int partner,
-                                           const Eigen::Vector3d& x) {
+std::optional<Foot> ClosestNear(const SampleSet& samples, int partner, const Eigen::Vector3d& x) {
   const int curve = samples.curve_of[partner];
   const int begin = samples.curve_begin[curve];
   const int last = samples.curve_begin[curve + 1] - 1;
@@ -38,7 +43,7 @@ std::optional<Eigen::Vector3d> ClosestNear(const SampleSet& samples, int partner
   const double t = (x - samples.position[segment]).dot(along) / along.squaredNorm();
   const bool beyond = (t < 0 && segment == begin) || (t > 1 && segment + 1 == last);
   if (beyond && !samples.origins[curve].closed) return std::nullopt;
-  return closest.position;
+  return Foot{closest.position, segment};
 }
 
 // Where sample s goes, which is on a curve with these overlaps.
@@ -65,8 +70,8 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   const size_t stride = (partners.size() + kMaxPartners - 1) / kMaxPartners;
   for (size_t i = 0; i < partners.size(); i += stride) {
     const auto foot = ClosestNear(samples, partners[i], x);
-    if (!foot || (*foot - x).norm() > 3 * max_distance) continue;
-    const Eigen::Vector2d offset = across.transpose() * (*foot - x);
+    if (!foot || (foot->position - x).norm() > 3 * max_distance) continue;
+    const Eigen::Vector2d offset = across.transpose() * (foot->position - x);
     const Eigen::Matrix2d w = weight(partners[i]);
     // Distance in units of the better determined direction, so that depth errors do not exclude.
     const double mahalanobis_px = std::sqrt(offset.dot(w * offset) / w.trace()) / footprint;
@@ -77,11 +82,43 @@ Eigen::Vector3d Average(const SampleSet& samples, const std::vector<CurveOverlap
   return x + across * sum.inverse() * right;
 }
 
+// Closest point to x that is reached from `partner` along the other curve; nothing beyond its end.
+std::optional<Foot> FollowTo(const SampleSet& samples, int partner, const Eigen::Vector3d& x) {
+  std::optional<Foot> foot = ClosestNear(samples, partner, x);
+  while (foot && foot->sample != partner) {
+    partner = foot->sample;
+    foot = ClosestNear(samples, partner, x);
+  }
+  return foot;
+}
+
+// The paper's: the mean of sample s and its closest points on all curves that it overlaps, which
+// become its partners. A curve beyond whose end the foot once was is left out from then on, so that
+// nothing switches on and off.
+Eigen::Vector3d PlainAverage(const SampleSet& samples, int s, std::vector<CurveOverlap>* overlaps) {
+  const int k = samples.NameOf(s).sample;
+  Eigen::Vector3d sum = samples.position[s];
+  int count = 1;
+  for (CurveOverlap& overlap : *overlaps) {
+    int& partner = overlap.partner[k];
+    if (partner < 0) continue;
+    const auto foot = FollowTo(samples, partner, samples.position[s]);
+    partner = foot ? foot->sample : -1;
+    if (!foot) continue;
+    sum += foot->position;
+    ++count;
+  }
+  return sum / count;
+}
+
 }  // namespace
 
 AveragingResult AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
                               const RunContext& context, SampleSet* samples) {
   const int num_curves = samples->NumCurves();
+  std::vector<std::vector<CurveOverlap>> followed;
+  if (options.IsPaper()) followed = network.overlaps;
+  std::vector<uint8_t> rests(samples->NumSamples(), 0);
   AveragingResult result;
   result.converged = num_curves == 0;
   while (!result.converged && result.rounds < options.max_averaging_rounds) {
@@ -89,7 +126,13 @@ AveragingResult AverageCurves(const CurveConsistency& network, const DrawingOpti
       std::vector<Eigen::Vector3d> of_curve;
       if (network.overlaps[c].empty()) return of_curve;
       for (int s = samples->curve_begin[c]; s < samples->curve_begin[c + 1]; ++s) {
-        of_curve.push_back(Average(*samples, network.overlaps[c], s, options));
+        if (rests[s]) {
+          of_curve.push_back(samples->position[s]);
+        } else if (options.IsPaper()) {
+          of_curve.push_back(PlainAverage(*samples, s, &followed[c]));
+        } else {
+          of_curve.push_back(Average(*samples, network.overlaps[c], s, options));
+        }
       }
       return of_curve;
     });
@@ -99,6 +142,7 @@ AveragingResult AverageCurves(const CurveConsistency& network, const DrawingOpti
       for (const Eigen::Vector3d& average : averages[c]) {
         const double move_px = (average - samples->position[s]).norm() / samples->footprint[s];
         result.last_move_px = std::max(result.last_move_px, move_px);
+        rests[s] = options.IsPaper() && move_px <= options.averaging_tolerance_px;
         samples->position[s++] = average;
       }
     }

@@ -20,7 +20,14 @@ double OwnLength(const std::vector<double>& arc, size_t k) {
 struct RawOverlap {
   std::vector<int> partner;
   double strong_length_px = 0;
+  int strong_links = 0;
 };
+
+// Whether the strong links of one curve to another one link the two.
+bool IsLinked(const RawOverlap& overlap, const DrawingOptions& options) {
+  return options.IsPaper() ? overlap.strong_links >= options.min_strong_links
+                           : overlap.strong_length_px >= options.min_linked_length_px;
+}
 
 // By the other curve, regularized.
 std::map<int, RawOverlap> RawOverlaps(const SampleSet& samples,
@@ -33,6 +40,7 @@ std::map<int, RawOverlap> RawOverlaps(const SampleSet& samples,
     RawOverlap& overlap = overlaps[samples.curve_of[link.other]];
     overlap.partner.resize(arc.size(), -1);
     overlap.partner[k] = link.other;
+    overlap.strong_links += link.num_strong;
     if (link.votes >= options.strong_link_views) overlap.strong_length_px += OwnLength(arc, k);
   }
   for (auto& [other, overlap] : overlaps) {
@@ -76,9 +84,8 @@ CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalCons
   for (int c = 0; c < num_curves; ++c) {
     for (auto& [other, overlap] : raw[c]) {
       const auto reverse = raw[other].find(c);
-      const double reverse_length =
-          reverse != raw[other].end() ? reverse->second.strong_length_px : 0;
-      if (std::max(overlap.strong_length_px, reverse_length) < options.min_linked_length_px) {
+      if (!IsLinked(overlap, options) &&
+          (reverse == raw[other].end() || !IsLinked(reverse->second, options))) {
         continue;
       }
       if (std::ranges::max(overlap.partner) < 0) continue;

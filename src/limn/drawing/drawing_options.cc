@@ -19,6 +19,7 @@ void DrawingOptions::Check() const {
   LIMN_CHECK_RANGE(dense_link_views, >= 1, <= 1e6);
   LIMN_CHECK_RANGE(strong_link_views, >= 1, <= 1e6);
   LIMN_CHECK_OPTION(strong_link_views, >= dense_link_views);
+  LIMN_CHECK_RANGE(min_strong_links, >= 1, <= 1e9);
   LIMN_CHECK_RANGE(min_linked_length_px, >= 0, <= 1e5);
   LIMN_CHECK_RANGE(overlap_regularity_px, >= 0, <= 1e5);
   LIMN_CHECK_RANGE(max_link_angle_deg, > 0, <= 180);

@@ -29,15 +29,18 @@ struct DrawingOptions {
   int max_supporting_views = 5;
 
   // Local consistency network: samples that share edgels in this many views are strongly (tau_eps)
-  // or densely linked. With the defaults the two coincide.
+  // or densely linked. With the defaults the two coincide; the paper's are 3 and 2.
   int strong_link_views = 3;
   int dense_link_views = 3;
-  // Curve consistency network: two curves are linked by strong links over this arc length (tau_sl),
-  // px. Shorter pieces are dropped after re-triangulation.
+  // Curve consistency network: two curves are linked by this many strong links (tau_sl; method
+  // "paper"), or by strong links over this arc length, px. Shorter pieces are dropped after
+  // re-triangulation.
+  int min_strong_links = 5;
   double min_linked_length_px = 4;
   // Gaps in the overlap of two curves up to this length are filled, overlaps below it removed, px.
   double overlap_regularity_px = 9;
-  // Largest angle between the directions of linked samples.
+  // Largest angle between the directions of merged samples, and of linked ones except in the method
+  // "paper".
   double max_link_angle_deg = 25;
 
   // Averaging stops when no sample moves by more than this, px, or after this many rounds.

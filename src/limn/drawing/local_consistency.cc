@@ -72,18 +72,21 @@ std::vector<SampleLink> LinksOf(const SampleSet& samples, const std::vector<Imag
   for (auto next = sharing.begin(); next != sharing.end();) {
     const auto first = next;
     next = std::upper_bound(first, sharing.end(), *first);
-    const SampleLink link{s, *first, static_cast<int>(next - first)};
+    SampleLink link{s, *first, static_cast<int>(next - first)};
     if (link.votes < options.dense_link_views) continue;
-    if (LineAngleBetween(samples.tangent[s], samples.tangent[link.other]) >
-        options.max_link_angle_deg * kDeg) {
+    if (!options.IsPaper() && LineAngleBetween(samples.tangent[s], samples.tangent[link.other]) >
+                                  options.max_link_angle_deg * kDeg) {
       continue;
     }
     if (best.empty() || samples.curve_of[best.back().other] != samples.curve_of[link.other]) {
       best.push_back(link);
     } else if (rank(link) < rank(best.back())) {
+      link.num_strong = best.back().num_strong;
       best.back() = link;
     }
+    best.back().num_strong += link.votes >= options.strong_link_views;
   }
+  if (options.IsPaper()) return best;
   std::erase_if(best, [&](const SampleLink& link) {
     return CountSideBySide(samples, curves, s, link.other) >= link.votes;
   });

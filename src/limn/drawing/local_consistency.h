@@ -13,6 +13,8 @@ struct SampleLink {
   int sample = -1;
   int other = -1;
   int votes = 0;  // views in which both are supported by the same edgel (phi)
+  // Samples of the other curve to which this one is strongly linked.
+  int num_strong = 0;
 };
 
 // The multiview local consistency network (ECCV 2016, section 3; MLN in the paper; ALGORITHM.md 8).
@@ -22,8 +24,8 @@ struct SampleLink {
 using LocalConsistency = std::vector<std::vector<SampleLink>>;
 
 // Leaves out links between samples whose directions differ by more than max_link_angle_deg, or that
-// are supported by edgels side by side (two parallel bars) in as many views as agree. Time: sum
-// over edgels of the square of the number of samples they support.
+// are supported by edgels side by side (two parallel bars) in as many views as agree; the method
+// "paper" keeps them. Time: sum over edgels of the square of the number of samples they support.
 LocalConsistency BuildLocalConsistency(const SampleSet& samples,
                                        const std::vector<ImageCurves>& curves,
                                        const DrawingOptions& options, const RunContext& context);

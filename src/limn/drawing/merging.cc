@@ -1,35 +1,33 @@
 #include "limn/drawing/merging.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 
-#include "limn/geometry/spatial_index.h"
-#include "limn/support/edgel_residual.h"
-#include "limn/topology/link_geometry.h"
-#include "limn/util/angles.h"
-#include "limn/util/median.h"
+#include "limn/drawing/sample_homes.h"
 
 namespace limn {
 namespace {
 
-// Vertices farther than this from a sample are not compared with it, px.
-constexpr double kSearchPx = 6;
 // Shorter free runs between absorbed samples are noise in the overlap, px.
 constexpr double kMinRunPx = 4;
+
+// Where a curve leaves or rejoins links: its last sample there, and that sample's home.
+struct Touch {
+  int sample = -1;
+  int home = -1;
+
+  explicit operator bool() const { return home >= 0; }
+};
 
 class CurveMerger {
  public:
   CurveMerger(const SampleSet& samples, const CurveConsistency& network,
               const std::vector<View>& views, const DrawingOptions& options)
       : samples_(samples),
-        network_(network),
-        views_(views),
         options_(options),
         primitives_(samples, options, &graph_),
-        index_(samples.position) {}
+        homes_(samples, network, views, options, primitives_) {}
 
   DrawingGraph Run(const RunContext& context, MergingCounts* counts) {
     for (const int curve : LongestFirst()) {
@@ -51,116 +49,89 @@ class CurveMerger {
     return curves;
   }
 
-  // Median over the supporting views of the distance, across the curve, between the reprojections.
-  double ReprojectedDistancePx(int sample, int vertex) const {
-    std::vector<double> distances;
-    const Eigen::Vector3d& position = samples_.position[sample];
-    for (const EdgelRef& ref : samples_.support.Of(sample)) {
-      const View& view = views_[ref.view];
-      const auto direction = ProjectedDirection(view, position, samples_.tangent[sample]);
-      if (!direction) continue;
-      const EdgelLine line(view.camera.Project(view.cam_from_world * position),
-                           {std::sin(*direction), -std::cos(*direction)});
-      const auto residual = ResidualToEdgel(view, line, samples_.position[vertex]);
-      if (residual) distances.push_back(std::abs(residual->residual_px));
-    }
-    if (distances.empty()) return std::numeric_limits<double>::infinity();
-    return Median(std::move(distances));
-  }
-
-  // A vertex that may stand for a sample. The nearest is the best.
-  struct Candidate {
-    double squared_distance = std::numeric_limits<double>::infinity();
-    int vertex = -1;
-
-    auto operator<=>(const Candidate&) const = default;
-  };
-
-  void Consider(int sample, int vertex, Candidate* best) const {
-    const Candidate candidate = {
-        (samples_.position[vertex] - samples_.position[sample]).squaredNorm(), vertex};
-    if (candidate >= *best) return;
-    const double angle = LineAngleBetween(samples_.tangent[vertex], samples_.tangent[sample]);
-    if (angle <= options_.max_link_angle_deg * kDeg) *best = candidate;
-  }
-
-  // The existing vertex that stands for a sample; -1 if there is none.
-  int FindHome(int curve, int k) const {
-    const int s = samples_.curve_begin[curve] + k;
-    Candidate best;
-    for (const CurveOverlap& overlap : network_.overlaps[curve]) {
-      const int home = overlap.partner[k] < 0 ? -1 : primitives_.HomeOf(overlap.partner[k]);
-      if (home >= 0) Consider(s, home, &best);
-    }
-    if (Covers(s, best)) return best.vertex;
-    best = {};
-    std::vector<SpatialIndex::Neighbor> near;
-    index_.FindWithin(samples_.position[s], kSearchPx * samples_.footprint[s], &near);
-    for (const SpatialIndex::Neighbor& other : near) {
-      if (primitives_.IsVertex(other.index) && MayMerge(curve, other.index)) {
-        Consider(s, other.index, &best);
-      }
-    }
-    return Covers(s, best) ? best.vertex : -1;
-  }
-
-  // The paper merges the curves of a cluster only.
-  bool MayMerge(int curve, int vertex) const {
-    return !options_.IsPaper() ||
-           network_.cluster_of[curve] == network_.cluster_of[samples_.curve_of[vertex]];
-  }
-
-  bool Covers(int sample, const Candidate& best) const {
-    const double footprint = samples_.footprint[sample];
-    if (best.squared_distance > std::pow(kSearchPx * footprint, 2)) return false;
-    // Along the curve a vertex stands for its neighborhood only.
-    const double along = std::abs(
-        samples_.tangent[sample].dot(samples_.position[best.vertex] - samples_.position[sample]));
-    if (along > options_.junction_distance_px * footprint) return false;
-    return ReprojectedDistancePx(sample, best.vertex) <= options_.merge_distance_px;
-  }
-
   void MergeCurve(int curve) {
-    const int first = samples_.curve_begin[curve];
-    const int size = samples_.Size(curve);
+    std::vector<int> order(samples_.Size(curve));
+    std::iota(order.begin(), order.end(), samples_.curve_begin[curve]);
     std::vector<int> home;
-    for (int k = 0; k < size; ++k) home.push_back(FindHome(curve, k));
+    for (const int sample : order) home.push_back(homes_.Find(sample));
+    const bool closed = samples_.origins[curve].closed;
+    if (closed) {
+      BeginAtAHome(&order, &home);
+    } else {
+      homes_.FindOwn(curve, &home);
+    }
+    const int size = static_cast<int>(order.size());
+    for (int k = 0; k < size; ++k) primitives_.SetHome(order[k], home[k]);
+    const auto touch = [&](int k) {
+      return k < 0 || k >= size ? Touch() : Touch{order[k], home[k]};
+    };
     const auto is_free = [&](int k) { return home[k] < 0; };
-    for (int k = 0; k < size; ++k) primitives_.SetHome(first + k, home[k]);
     ForEachRun(size, is_free, [&](int begin, int end) {
-      MergeRun(curve, begin, end, begin > 0 ? home[begin - 1] : -1, end < size ? home[end] : -1);
+      const std::vector<int> run(order.begin() + begin, order.begin() + end);
+      MergeRun(run, closed, touch(begin - 1), touch(end));
     });
+    if (closed) return;
+    AttachToOwnInterior(order.front());
+    AttachToOwnInterior(order.back());
   }
 
-  // `before` and `after`: the vertices where the curve leaves and rejoins existing links; -1 if it
-  // does not.
-  void MergeRun(int curve, int begin, int end, int before, int after) {
-    std::vector<int> run(end - begin);
-    std::iota(run.begin(), run.end(), samples_.curve_begin[curve] + begin);
+  // Rotates a closed curve that has homes so that it begins and ends at one of them.
+  static void BeginAtAHome(std::vector<int>* order, std::vector<int>* home) {
+    const auto found = std::ranges::find_if(*home, [](int vertex) { return vertex >= 0; });
+    if (found == home->end()) return;
+    std::rotate(order->begin(), order->begin() + (found - home->begin()), order->end());
+    std::rotate(home->begin(), found, home->end());
+    order->push_back(order->front());
+    home->push_back(home->front());
+  }
+
+  // A run of a curve without homes, between the places where the curve leaves and rejoins existing
+  // links, or itself, if it does.
+  void MergeRun(const std::vector<int>& run, bool closed, const Touch& before, const Touch& after) {
     MergingCounts& counts = primitives_.counts();
-    if (before < 0 && after < 0) {
+    if (!before && !after) {
       ++counts.released;
-      primitives_.AddRun(run, samples_.origins[curve].closed);
+      primitives_.AddRun(run, closed);
       return;
     }
-    const double length_px = LengthPx(samples_, run.front(), run.back() + 1);
-    const bool is_between = before >= 0 && after >= 0;
-    if (length_px < kMinRunPx ||
-        (is_between && length_px < options_.min_branch_length_px && Near(before, after))) {
-      const size_t to_before = after < 0 ? run.size() : before < 0 ? 0 : (run.size() + 1) / 2;
-      for (size_t i = 0; i < run.size(); ++i) {
-        primitives_.SetHome(run[i], i < to_before ? before : after);
-      }
+    const bool meets_itself = std::ranges::count(run, after.home) > 0;
+    if (!meets_itself && IsNoise(run, before, after)) {
+      Absorb(run, before, after);
       return;
     }
-    if (is_between) {
-      const bool same_link = primitives_.LinkOf(before) == primitives_.LinkOf(after);
-      int64_t& count = same_link ? counts.rejoined : counts.bridged;
-      ++count;
+    const bool is_between = before && after && !meets_itself;
+    if (meets_itself ||
+        (is_between && primitives_.LinkOf(before.home) == primitives_.LinkOf(after.home))) {
+      ++counts.rejoined;
+    } else if (is_between) {
+      ++counts.bridged;
     }
+    const std::vector<int> front = Touched(before);
+    const std::vector<int> back = Touched(after);
     primitives_.AddRun(run, false);
-    if (before >= 0) primitives_.Attach(run.front(), before);
-    if (after >= 0) primitives_.Attach(run.back(), after);
+    primitives_.Attach(run.front(), front, after.home);
+    primitives_.Attach(run.back(), back, before.home);
+  }
+
+  std::vector<int> Touched(const Touch& touch) const {
+    return touch ? homes_.FindTouched(touch.sample, touch.home) : std::vector<int>();
+  }
+
+  bool IsNoise(const std::vector<int>& run, const Touch& before, const Touch& after) const {
+    double length_px = 0;
+    for (size_t i = 1; i < run.size(); ++i) {
+      length_px += (samples_.position[run[i]] - samples_.position[run[i - 1]]).norm() /
+                   samples_.footprint[run[i]];
+    }
+    return length_px < kMinRunPx || (before && after && length_px < options_.min_branch_length_px &&
+                                     Near(before.home, after.home));
+  }
+
+  void Absorb(const std::vector<int>& run, const Touch& before, const Touch& after) {
+    const size_t to_before = !after ? run.size() : !before ? 0 : (run.size() + 1) / 2;
+    for (size_t i = 0; i < run.size(); ++i) {
+      primitives_.SetHome(run[i], i < to_before ? before.home : after.home);
+    }
   }
 
   bool Near(int vertex_a, int vertex_b) const {
@@ -170,13 +141,19 @@ class CurveMerger {
            options_.min_branch_length_px * samples_.footprint[a];
   }
 
+  void AttachToOwnInterior(int tip) {
+    if (!primitives_.IsFreeEnd(tip)) return;
+    const int ahead = homes_.FindAhead(tip);
+    if (ahead < 0) return;
+    ++primitives_.counts().rejoined;
+    primitives_.Attach(tip, {ahead}, -1);
+  }
+
   const SampleSet& samples_;
-  const CurveConsistency& network_;
-  const std::vector<View>& views_;
   const DrawingOptions& options_;
   DrawingGraph graph_;
   MergingPrimitives primitives_;
-  SpatialIndex index_;  // of the samples; only some are vertices
+  SampleHomes homes_;
 };
 
 }  // namespace

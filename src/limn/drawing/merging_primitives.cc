@@ -1,6 +1,8 @@
 #include "limn/drawing/merging_primitives.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "limn/topology/link_geometry.h"
 
@@ -9,6 +11,8 @@ namespace {
 
 // Cosine of the largest turn from a link into a run that elongates it.
 constexpr double kMinElongationCosine = 0.5;
+
+std::array<LinkEnd, 2> EndsOf(LinkId link) { return {{{link, 0}, {link, 1}}}; }
 
 }  // namespace
 
@@ -26,20 +30,22 @@ int MergingPrimitives::HomeOf(int sample) const {
   return sample;
 }
 
-int MergingPrimitives::IndexOf(int vertex) const {
-  const std::vector<LinkVertex>& vertices = editor_.link(link_of_[vertex]).vertices;
+MergingPrimitives::Place MergingPrimitives::PlaceOf(int sample) const {
+  const int vertex = HomeOf(sample);
+  const LinkId link = link_of_[vertex];
+  const std::vector<LinkVertex>& vertices = editor_.link(link).vertices;
   const auto found = std::ranges::find_if(vertices, [&](const LinkVertex& of_link) {
     return std::ranges::count(of_link.samples, samples_.NameOf(vertex)) > 0;
   });
-  return static_cast<int>(found - vertices.begin());
+  return {link, static_cast<int>(found - vertices.begin())};
 }
 
-std::optional<LinkEnd> MergingPrimitives::EndOf(int vertex) const {
-  const LinkId id = link_of_[vertex];
-  const DrawingLink& link = editor_.link(id);
-  const int index = IndexOf(vertex);
-  if (index == link.size() - 1) return LinkEnd{id, 1};
-  if (index == 0 && !link.closed) return LinkEnd{id, 0};
+std::optional<LinkEnd> MergingPrimitives::FreeEndOf(int vertex) const {
+  const Place place = PlaceOf(vertex);
+  for (const LinkEnd& end : EndsOf(place.link)) {
+    const int last = editor_.link(place.link).size() - 1;
+    if (place.index == (end.end == 0 ? 0 : last) && editor_.IsFree(end)) return end;
+  }
   return std::nullopt;
 }
 
@@ -68,67 +74,109 @@ double MergingPrimitives::StubPx(const LinkEnd& end, int index) const {
   return end.end == 0 ? ArcPx(link, 0, index) : ArcPx(link, index, link.size() - 1);
 }
 
-// Returns whether the target is a free end, the stub between it and the vertex short, and the run
-// continues it.
-bool MergingPrimitives::CanElongate(const LinkEnd& target, int index, const LinkEnd& run) const {
-  if (editor_.link(target.link).closed || !editor_.IsFree(target)) return false;
-  if (StubPx(target, index) >= options_.min_branch_length_px) return false;
+// Returns whether the target is a free end, the stub between it and the point short and
+// dispensable, and the run continues it.
+bool MergingPrimitives::CanElongate(const LinkEnd& target, int index, const LinkEnd& run,
+                                    int kept) const {
+  if (target == run || !editor_.IsFree(target)) return false;
+  const double stub_px = StubPx(target, index);
+  if (stub_px >= options_.min_branch_length_px) return false;
+  if (kept >= 0) {
+    const Place needed = PlaceOf(kept);
+    if (needed.link == target.link && StubPx(target, needed.index) < stub_px) return false;
+  }
   const LinkTip tip = TipOf(editor_.link(target.link), target.end);
   return tip.outward.dot(TipOf(editor_.link(run.link), run.end).outward) < -kMinElongationCosine;
 }
 
-// Replaces the stub by the run.
-void MergingPrimitives::Elongate(const LinkEnd& target, int index, const LinkEnd& run) {
+// Cuts the stub off and joins what is left to the run. The samples of the stub are merged into the
+// nearest vertices.
+void MergingPrimitives::ReplaceStub(const LinkEnd& target, int index, const LinkEnd& run) {
   const DrawingLink& link = editor_.link(target.link);
-  const std::vector<LinkVertex>& of_run = editor_.link(run.link).vertices;
-  const LinkVertex& first = run.end == 0 ? of_run.front() : of_run.back();
   // A link needs two points.
   const int begin = target.end == 0 ? std::min(index, link.size() - 2) : 0;
   const int end = target.end == 0 ? link.size() : std::max(index + 1, 2);
+  std::vector<int> of_stub;
   for (int k = 0; k < link.size(); ++k) {
     if (k >= begin && k < end) continue;
     for (const SketchSample& sample : link.vertices[k].samples) {
-      home_[samples_.IdOf(sample)] = samples_.IdOf(first.samples.front());
+      of_stub.push_back(samples_.IdOf(sample));
     }
   }
   editor_.CutTo(target.link, begin, end);
   editor_.Join(target, run);
   SetLink(target.link);
+  for (const int sample : of_stub) home_[sample] = NearestVertex(editor_.link(target.link), sample);
 }
 
-void MergingPrimitives::Attach(int tip, int vertex) {
-  const std::optional<LinkEnd> run = EndOf(HomeOf(tip));
-  if (!run) return;
-  vertex = HomeOf(vertex);
-  const LinkId target = link_of_[vertex];
-  const int index = IndexOf(vertex);
-  if (target == run->link) {
-    // The run meets its own link: it closes a loop if it meets its other end.
-    const LinkEnd other = {target, 1 - run->end};
-    if (!editor_.IsFree(*run) || !editor_.IsFree(other)) return;
-    if (StubPx(other, index) < options_.min_branch_length_px)
-      editor_.Join({target, 0}, {target, 1});
-    return;
+int MergingPrimitives::NearestVertex(const DrawingLink& link, int sample) const {
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < link.size(); ++k) {
+    if (link.vertices[k].samples.empty()) continue;
+    const double squared = (link.points_in_world[k] - samples_.position[sample]).squaredNorm();
+    if (squared >= least) continue;
+    least = squared;
+    nearest = samples_.IdOf(link.vertices[k].samples.front());
   }
-  const LinkEnd ends[] = {{target, 0}, {target, 1}};
-  for (const LinkEnd& end : ends) {
-    if (!CanElongate(end, index, *run)) continue;
-    Elongate(end, index, *run);
-    ++counts_.elongated;
-    return;
+  return nearest;
+}
+
+bool MergingPrimitives::Elongate(const Place& place, const LinkEnd& run, int kept) {
+  for (const LinkEnd& end : EndsOf(place.link)) {
+    if (!CanElongate(end, place.index, run, kept)) continue;
+    if (place.link != run.link) ++counts_.elongated;
+    ReplaceStub(end, place.index, run);
+    return true;
   }
-  for (const LinkEnd& end : ends) {
-    if (editor_.link(target).closed) continue;
-    if (StubPx(end, index) > options_.junction_distance_px) continue;
-    editor_.EndAt(*run, editor_.NodeAt(end));
-    ++counts_.multi_attached;
-    return;
+  return false;
+}
+
+NodeId MergingPrimitives::NodeFor(const Place& place, const LinkEnd& run, bool* is_new) {
+  *is_new = false;
+  for (const LinkEnd& end : EndsOf(place.link)) {
+    if (end == run || editor_.link(place.link).closed) continue;
+    if (StubPx(end, place.index) <= options_.junction_distance_px) return editor_.NodeAt(end);
   }
+  *is_new = true;
   const LinkId second = editor_.NumLinks();
-  const NodeId node = editor_.Split(target, index);
+  const NodeId node = editor_.Split(place.link, place.index);
   if (second < editor_.NumLinks()) SetLink(second);
-  editor_.EndAt(*run, node);
-  ++counts_.branched;
+  return node;
+}
+
+// Whether a link between two nodes is so short that it would vanish if they became one.
+bool MergingPrimitives::AreJoined(NodeId a, NodeId b) const {
+  return std::ranges::any_of(editor_.node(a).incident, [&](const LinkEnd& end) {
+    return editor_.NodeAt({end.link, 1 - end.end}) == b &&
+           LengthPx(editor_.link(end.link)) < options_.min_branch_length_px;
+  });
+}
+
+void MergingPrimitives::Attach(int tip, const std::vector<int>& touched, int kept) {
+  tip = HomeOf(tip);
+  std::optional<NodeId> node;
+  bool is_branch = touched.size() == 1;
+  for (const int vertex : touched) {
+    const std::optional<LinkEnd> run = FreeEndOf(tip);
+    if (!run) return;
+    const Place place = PlaceOf(vertex);
+    if (place.link == run->link && StubPx(*run, place.index) < options_.min_branch_length_px) {
+      continue;
+    }
+    if (touched.size() == 1 && Elongate(place, *run, kept)) return;
+    bool is_new = false;
+    const NodeId at = NodeFor(place, *run, &is_new);
+    is_branch &= is_new;
+    if (!node) {
+      node = at;
+    } else if (at != *node && !AreJoined(at, *node)) {
+      editor_.MoveEnds(at, *node);
+    }
+  }
+  if (!node) return;
+  editor_.EndAt(*FreeEndOf(tip), *node);
+  ++(is_branch ? counts_.branched : counts_.multi_attached);
 }
 
 void MergingPrimitives::ListSamples() {

@@ -97,6 +97,7 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
   visit("max_epipolar_angle_deg", o.max_epipolar_angle_deg,
         "above this angle it has full weight, deg");
   visit("min_tangency_weight", o.min_tangency_weight, "the least weight");
+  visit("averaging", o.averaging, "enhanced mode: robust, or paper: the paper's section 2");
   visit("depth_gate_px", o.depth_gate_px, "reconstructions of an edgel within this agree, px");
   visit("max_unsupported_gap_px", o.max_unsupported_gap_px, "longest unsupported gap, px");
   visit("max_interpolated_gap_px", o.max_interpolated_gap_px,
@@ -113,7 +114,7 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
   visit("original_min_inliers_total", o.original_min_inliers_total,
         "original mode: inliers per confirmation view a curve needs in all");
   visit("original_first_to_second_ratio", o.original_first_to_second_ratio,
-        "original mode: support of the best match over that of the next");
+        "original mode, averaging paper: support of the best match over that of the next");
 }
 
 template <typename Visit>
@@ -134,6 +135,7 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("strong_link_views", o.strong_link_views,
         "paper: views with shared edgels for a strong link");
   visit("dense_link_views", o.dense_link_views, "paper: the same for a dense link");
+  visit("min_strong_links", o.min_strong_links, "method paper: strong links that link two curves");
   visit("min_linked_length_px", o.min_linked_length_px,
         "strongly linked length that links two curves, px");
   visit("overlap_regularity_px", o.overlap_regularity_px,

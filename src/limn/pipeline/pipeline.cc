@@ -46,6 +46,18 @@ JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions
   return {std::move(judged.graph), std::move(refined.cameras)};
 }
 
+DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
+                           const std::function<Image(ViewId)>& read_image,
+                           const PipelineOptions& options, const RunContext& context,
+                           const StageObserver& on_stage_end) {
+  if (options.drawing.IsPaper()) return graph;
+  PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
+  on_stage_end(primitives.summary);
+  KindsResult kinds = ClassifyKinds({views, read_image, primitives.graph}, context);
+  on_stage_end(kinds.summary);
+  return std::move(kinds.graph);
+}
+
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end) {
   auto [image_curves, drawn] = DrawUnrefined(input, options, context, on_stage_end);
@@ -58,14 +70,11 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
       RefineAndJudge({input.views, image_curves.curves, drawing.graph, &input.hints.points},
                      options, alone, on_stage_end);
   const std::vector<View>& views = judged.cameras ? judged.cameras->views : input.views;
-  PrimitiveResult primitives = FitPrimitives(judged.graph, views, options.primitives, alone);
-  on_stage_end(primitives.summary);
-
-  KindsResult kinds = ClassifyKinds({views, input.images.read, primitives.graph}, alone);
-  on_stage_end(kinds.summary);
-
-  return {std::move(image_curves.curves), std::move(sketch.sketch),  std::move(sketch.fates),
-          std::move(kinds.graph),         std::move(judged.cameras), std::move(drawing.fates)};
+  DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, input.images.read, options,
+                                     alone, on_stage_end);
+  return {std::move(image_curves.curves), std::move(sketch.sketch),
+          std::move(sketch.fates),        std::move(graph),
+          std::move(judged.cameras),      std::move(drawing.fates)};
 }
 
 }  // namespace limn

@@ -69,6 +69,13 @@ struct JudgedDrawing {
 JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                              const RunContext& context, const StageObserver& on_stage_end);
 
+// Fits primitives to the links and tells their kinds (FitPrimitives, ClassifyKinds). The paper's
+// drawing stays as it is.
+DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
+                           const std::function<Image(ViewId)>& read_image,
+                           const PipelineOptions& options, const RunContext& context,
+                           const StageObserver& on_stage_end);
+
 // The results before the refinement.
 struct UnrefinedScene {
   CurvesResult image_curves;

@@ -192,12 +192,8 @@ DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,
   }
   JoinedTiles joined = JoinTiles(std::move(drawings), input.views);
   on_stage_end(Summarize(input, tiles.size(), joined, num_links));
-  PrimitiveResult primitives =
-      FitPrimitives(joined.graph, input.views, options.primitives, context);
-  on_stage_end(primitives.summary);
-  KindsResult kinds = ClassifyKinds({input.views, input.read_image, primitives.graph}, context);
-  on_stage_end(kinds.summary);
-  return std::move(kinds.graph);
+  return DescribeLinks(std::move(joined.graph), input.views, input.read_image, options, context,
+                       on_stage_end);
 }
 
 void MakeShardTiles(const TiledInput& input, const PipelineOptions& options, const Shard& shard,

@@ -17,6 +17,9 @@ constexpr double kJumpCost = 2.0;
 constexpr double kMaxJumpCost = 10.0;
 constexpr double kBoundaryCost = 2.0;
 
+// The paper drops candidates farther than this many standard deviations from the mean.
+constexpr double kPaperSigmas = 2;
+
 // The modes of one vertex, and the candidates that each was made from.
 struct VertexModes {
   std::vector<DepthMode> modes;
@@ -112,6 +115,58 @@ FusedDepth Average(const std::vector<DepthCandidate>& candidates, const std::vec
   return fused;
 }
 
+// Standard deviation of the pairwise distances between the candidates of each vertex, along the ray
+// in units of depth: the Gaussian about zero that fits them all.
+double PairwiseSigma(const std::vector<std::vector<DepthCandidate>>& candidates) {
+  double sum = 0;
+  int64_t count = 0;
+  for (const std::vector<DepthCandidate>& of_vertex : candidates) {
+    for (size_t i = 0; i < of_vertex.size(); ++i) {
+      for (size_t j = 0; j < i; ++j) {
+        const double distance = 1 / of_vertex[i].inverse_depth - 1 / of_vertex[j].inverse_depth;
+        sum += distance * distance;
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
+}
+
+// The mean depth of the candidates without those farther from their mean than `gate`; none if
+// nothing is left.
+FusedDepth MeanWithin(const std::vector<DepthCandidate>& candidates, double gate) {
+  const double count = static_cast<double>(candidates.size());
+  double mean = 0;
+  for (const DepthCandidate& candidate : candidates) mean += 1 / candidate.inverse_depth / count;
+  FusedDepth fused;
+  double sum = 0;
+  int kept = 0;
+  for (const DepthCandidate& candidate : candidates) {
+    const double depth = 1 / candidate.inverse_depth;
+    if (std::abs(depth - mean) > gate) continue;
+    ++kept;
+    sum += depth;
+    fused.weight += candidate.weight;
+    fused.px_per_inverse_depth = candidate.px_per_inverse_depth;
+    fused.certain |= candidate.certain;
+  }
+  fused.has_depth = kept > 0;
+  if (fused.has_depth) fused.inverse_depth = kept / sum;
+  return fused;
+}
+
+std::vector<FusedDepth> AverageDepths(const std::vector<std::vector<DepthCandidate>>& candidates) {
+  const double sigma = PairwiseSigma(candidates);
+  std::vector<FusedDepth> fused;
+  for (const auto& of_vertex : candidates) {
+    // A single one is its own mean, but for rounding.
+    const double gate =
+        of_vertex.size() == 1 ? std::numeric_limits<double>::infinity() : kPaperSigmas * sigma;
+    fused.push_back(MeanWithin(of_vertex, gate));
+  }
+  return fused;
+}
+
 }  // namespace
 
 std::vector<int> ChooseModes(const FragmentRays& fragment,
@@ -161,6 +216,7 @@ std::vector<int> ChooseModes(const FragmentRays& fragment,
 std::vector<FusedDepth> FuseDepths(const FragmentRays& fragment,
                                    const std::vector<std::vector<DepthCandidate>>& candidates,
                                    const SketchOptions& options) {
+  if (options.AveragesAsPaper()) return AverageDepths(candidates);
   std::vector<std::vector<DepthMode>> modes(candidates.size());
   std::vector<std::vector<std::vector<int>>> members(candidates.size());
   for (size_t i = 0; i < candidates.size(); ++i) {

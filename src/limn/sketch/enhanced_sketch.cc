@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 #include "limn/sketch/local_sketch.h"
 
 namespace limn {
@@ -24,24 +28,72 @@ class PairedDepths {
   }
 
  private:
-  // Per vertex, the reconstructions with enough local support.
-  std::vector<std::vector<DepthCandidate>> Candidates(const FragmentRays& fragment,
-                                                      std::vector<EdgelFate>* fates) const {
+  // A hypothesis that some view supports.
+  struct SupportedHypothesis {
+    CurveHypothesis hypothesis;
+    HypothesisSupport support;
+  };
+
+  // Of the hypotheses of one second view, the total support of the best two at a vertex.
+  struct BestTotals {
+    double first = 0;
+    double second = 0;
+
+    void Add(double total) {
+      second = std::max(second, std::min(first, total));
+      first = std::max(first, total);
+    }
+  };
+
+  static double TotalSupport(const HypothesisSupport& support) {
+    return std::accumulate(support.weighted.begin(), support.weighted.end(), 0.0);
+  }
+
+  static std::vector<BestTotals> FindBestTotals(const FragmentRays& fragment,
+                                                const std::vector<SupportedHypothesis>& rivals) {
+    std::vector<BestTotals> best(fragment.size());
+    for (const auto& [hypothesis, support] : rivals) {
+      const double total = TotalSupport(support);
+      for (const HypothesisSample& sample : hypothesis.samples) best[sample.vertex].Add(total);
+    }
+    return best;
+  }
+
+  std::vector<SupportedHypothesis> Supported(const FragmentRays& fragment, size_t rank,
+                                             std::vector<EdgelFate>* fates) const {
     const ViewPlan& plan = primary_.plan;
     const SketchOptions& options = primary_.options;
+    const ViewId second = plan.second_views[rank];
+    std::vector<SupportedHypothesis> supported;
+    for (CurveHypothesis& hypothesis :
+         FindHypotheses(fragment, primary_.input.views[primary_.id], primary_.input.views[second],
+                        chords_[rank], plan.min_depth, plan.max_depth, options)) {
+      for (const HypothesisSample& sample : hypothesis.samples) {
+        (*fates)[sample.vertex] = EdgelFate::kTooFewViews;
+      }
+      auto support = primary_.confirmation.Confirm(fragment, hypothesis, second, options);
+      if (support) supported.push_back({std::move(hypothesis), std::move(*support)});
+    }
+    return supported;
+  }
+
+  // Per vertex, the reconstructions with enough local support. With the averaging of the paper, of
+  // each second view only the hypothesis with the most support in all counts, if it clearly has.
+  std::vector<std::vector<DepthCandidate>> Candidates(const FragmentRays& fragment,
+                                                      std::vector<EdgelFate>* fates) const {
+    const SketchOptions& options = primary_.options;
     std::vector<std::vector<DepthCandidate>> candidates(fragment.size());
-    for (size_t rank = 0; rank < plan.second_views.size(); ++rank) {
-      const ViewId second = plan.second_views[rank];
-      for (const CurveHypothesis& hypothesis :
-           FindHypotheses(fragment, primary_.input.views[primary_.id], primary_.input.views[second],
-                          chords_[rank], plan.min_depth, plan.max_depth, options)) {
-        for (const HypothesisSample& sample : hypothesis.samples) {
-          (*fates)[sample.vertex] = EdgelFate::kTooFewViews;
-        }
-        const auto support = primary_.confirmation.Confirm(fragment, hypothesis, second, options);
-        if (!support) continue;
+    for (size_t rank = 0; rank < chords_.size(); ++rank) {
+      const std::vector<SupportedHypothesis> rivals = Supported(fragment, rank, fates);
+      const std::vector<BestTotals> best = FindBestTotals(fragment, rivals);
+      for (const auto& [hypothesis, support] : rivals) {
+        const double total = TotalSupport(support);
         for (size_t j = 0; j < hypothesis.samples.size(); ++j) {
-          AddCandidate(fragment, hypothesis.samples[j], *support, j, static_cast<int>(rank),
+          const BestTotals& totals = best[hypothesis.samples[j].vertex];
+          const bool wins = total == totals.first &&
+                            total > options.original_first_to_second_ratio * totals.second;
+          if (options.AveragesAsPaper() && !wins) continue;
+          AddCandidate(fragment, hypothesis.samples[j], support, j, static_cast<int>(rank),
                        &candidates);
         }
       }

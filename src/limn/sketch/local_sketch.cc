@@ -145,13 +145,15 @@ PrimaryView::PrimaryView(const SketchInput& sketch_input, ViewId view, const Vie
 PrimaryView::Verdict PrimaryView::Judge(const HypothesisSupport& support, size_t j,
                                         const Eigen::Vector3d& point_in_cam) const {
   const int required = options.min_supporting_views;
+  const bool certain = support.weighted[j] >= required;
   if (std::popcount(support.supporting[j]) < required) return {};
   if (input.box && !input.box->contains(world_from_cam * point_in_cam)) return {};
+  if (options.AveragesAsPaper()) return {certain, certain};
   if (confirmation.MaxAngleDeg(point_in_cam, support.supporting[j]) < kNarrowSupportDeg &&
       confirmation.MaxAngleDeg(point_in_cam, support.contained[j]) > kWideViewsDeg) {
     return {};
   }
-  return {true, support.weighted[j] >= required};
+  return {true, certain};
 }
 
 SketchResult SketchFragments(const char* stage, const SketchInput& input,

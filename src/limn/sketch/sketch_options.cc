@@ -20,6 +20,9 @@ void SketchOptions::Check() const {
   LIMN_CHECK_RANGE(max_epipolar_angle_deg, >= 0, <= 90);
   LIMN_CHECK_OPTION(max_epipolar_angle_deg, > min_epipolar_angle_deg);
   LIMN_CHECK_RANGE(min_tangency_weight, >= 0, <= 1);
+  if (averaging != "robust" && !AveragesAsPaper()) {
+    throw OptionError("averaging: " + averaging + ": robust or paper expected");
+  }
   LIMN_CHECK_RANGE(depth_gate_px, > 0, <= 100);
   LIMN_CHECK_RANGE(max_unsupported_gap_px, >= 0, <= 1e4);
   LIMN_CHECK_RANGE(max_interpolated_gap_px, >= 0, <= 1e4);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "limn/sketch/view_selection.h"
 #include "limn/support/edgel_index.h"
 
@@ -37,6 +39,12 @@ struct SketchOptions {
   double max_epipolar_angle_deg = 15;
   double min_tangency_weight = 0.1;
 
+  // Enhanced sketch: how all reconstructions of an edgel become one. "robust" chooses modes jointly
+  // along the fragment (ours); "paper" takes their mean without those farther from it than two
+  // standard deviations of their pairwise distances, and a view's support counts by its tangency
+  // weight (ECCV 2016, section 2).
+  std::string averaging = "robust";
+
   // Two reconstructions of one edgel belong together when they reproject within this distance.
   double depth_gate_px = 1.5;
   // Gaps in support up to this length do not break a curve, px.
@@ -58,6 +66,7 @@ struct SketchOptions {
   int original_min_inliers_total = 5;
   double original_first_to_second_ratio = 1.5;
 
+  bool AveragesAsPaper() const { return averaging == "paper"; }
   SupportGate Gate() const {
     return {max_support_distance_px, 1.0, max_support_angle_deg * M_PI / 180};
   }

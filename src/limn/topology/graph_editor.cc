@@ -220,6 +220,10 @@ void GraphEditor::EndAt(const LinkEnd& end, NodeId node) {
   Attach(end, node);
 }
 
+void GraphEditor::MoveEnds(NodeId from, NodeId to) {
+  for (const LinkEnd& end : std::vector(graph_->nodes[from].incident)) EndAt(end, to);
+}
+
 void GraphEditor::Free(const LinkEnd& end) {
   Detach(end);
   Attach(end, AddNode(EndPoint(link(end.link), end.end)));

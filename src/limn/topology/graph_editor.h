@@ -50,6 +50,8 @@ class GraphEditor {
 
   // Moves a free end to a node: drops points that overshoot it, then appends its position.
   void EndAt(const LinkEnd& end, NodeId node);
+  // Moves all ends at a node to another one, as EndAt() does.
+  void MoveEnds(NodeId from, NodeId to);
   // Gives an end that shares its node a node of its own, where the link ends.
   void Free(const LinkEnd& end);
   // Keeps only the points [begin, end) of a link, at least two. Ends that were cut are free. The

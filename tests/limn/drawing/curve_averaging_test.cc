@@ -255,6 +255,41 @@ TEST(CurveAveragingTest, ClosedCurvesHaveNoEndToBeBeyond) {
   }
 }
 
+// The paper's average: all curves count the same, however far, and whatever their information.
+TEST(CurveAveragingTest, ThePaperTakesThePlainMean) {
+  Scene scene({{0, 0, 0}, {0, 3, 0}, {0, 0, 6}});
+  scene.options.method = "paper";
+  scene.SetInformation(1, Vector3d(0, 4, 400).asDiagonal());
+  for (const int other : {1, 2}) scene.Overlap(0, other);
+  scene.options.max_averaging_rounds = 1;
+  scene.Average();
+  ExpectRow(scene, 0, {0, 1, 2}, 1e-9);
+  ExpectRow(scene, 1, {0, 3, 0}, 1e-9);
+}
+
+// The partner is 20 samples off.
+TEST(CurveAveragingTest, ThePaperSeeksTheClosestPointsAnew) {
+  Scene scene({{0, 0, 0}, {0, 1, 0}});
+  scene.options.method = "paper";
+  scene.Overlap(0, 1, 20);
+  scene.options.max_averaging_rounds = 200;
+  EXPECT_TRUE(scene.Average().converged);
+  ExpectRow(scene, 0, {0, scene.At(0, 5).y(), 0}, 1e-9);
+  EXPECT_NEAR(scene.At(0, 5).y(), 1, scene.options.averaging_tolerance_px);
+}
+
+// A sample that has moved by no more than the tolerance rests, even if it is pulled later.
+TEST(CurveAveragingTest, InThePaperWhatRestsStays) {
+  Scene scene({{0, 0, 0}, {0, 1, 0}, {0, 1.02, 0}});
+  scene.options.method = "paper";
+  scene.OverlapBoth(0, 1);
+  scene.OverlapBoth(1, 2);
+  scene.options.averaging_tolerance_px = 0.02;
+  scene.options.max_averaging_rounds = 500;
+  EXPECT_TRUE(scene.Average().converged);
+  ExpectRow(scene, 2, {0, 1.02 - 0.01, 0}, 1e-9);
+}
+
 // Five copies of a line with noise of 0.15 px, each overlapping all others.
 Scene NoisyCopies() {
   Scene scene(std::vector<Vector3d>(5, Vector3d::Zero()));

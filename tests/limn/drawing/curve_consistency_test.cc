@@ -131,7 +131,9 @@ class NetworkScene {
   CurveConsistency Build() const {
     LocalConsistency network(samples.NumCurves());
     for (int s = 0; s < samples.NumSamples(); ++s) {
-      for (const auto& [other, votes] : votes_[s]) network[s / kSize].push_back({s, other, votes});
+      for (const auto& [other, votes] : votes_[s]) {
+        network[s / kSize].push_back({s, other, votes, votes >= options.strong_link_views});
+      }
     }
     return BuildCurveConsistency(samples, network, options, {});
   }
@@ -209,6 +211,19 @@ TEST(CurveConsistencyTest, DenseLinksJoinTheOverlapButDoNotMakeOne) {
   ASSERT_EQ(NetworkScene::Others(network, 0), Others{2});
   EXPECT_EQ(network.overlaps[0][0].partner, NetworkScene::PartnersOn(2, {{10, 50}}));
   EXPECT_EQ(network.num_clusters, 2);
+}
+
+// However short they are together.
+TEST(CurveConsistencyTest, InThePaperTheNumberOfStrongLinksCounts) {
+  NetworkScene scene(3);
+  scene.options.method = "paper";
+  scene.options.min_linked_length_px = 100;
+  for (const int other : {1, 2}) scene.Link(0, other, 10, 50, 2);
+  scene.Link(0, 1, 20, 24, 3);
+  scene.Link(0, 2, 20, 25, 3);
+  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others{2});
+  scene.options.min_strong_links = 4;
+  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), (Others{1, 2}));
 }
 
 TEST(CurveConsistencyTest, StrongLinksInEitherDirectionSuffice) {

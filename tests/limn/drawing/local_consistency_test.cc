@@ -102,6 +102,35 @@ TEST(LocalConsistencyTest, VotesAreTheViewsThatShareAnEdgel) {
   EXPECT_EQ(scene.LinksOf(b), (Links{{a, 4}}));
 }
 
+// The paper links what shares edgels, whatever the direction and what else supports it.
+TEST(LocalConsistencyTest, ThePaperRejectsNoLinks) {
+  Scene scene(3);
+  scene.options.method = "paper";
+  // They share an edgel in three views, and have edgels side by side in four.
+  const int a = scene.AddCurve(0, {{Joined(In({0, 1, 2}, 5), In({3, 4, 5, 6}, 5))}});
+  const int b = scene.AddCurve(
+      1, {{Joined(In({0, 1, 2}, 5), In({3, 4, 5, 6}, kRowLength + 5)), {}, Vector3d::UnitY()}});
+  EXPECT_EQ(scene.LinksOf(a), (Links{{b, 3}}));
+  EXPECT_EQ(scene.LinksOf(b), (Links{{a, 3}}));
+  scene.options.method = "merged";
+  EXPECT_EQ(scene.LinksOf(a), Links());
+}
+
+TEST(LocalConsistencyTest, StrongLinksOfASampleAreCounted) {
+  // Three views share edgels with two samples of the other curve, two with a third one.
+  Scene scene;
+  scene.options.dense_link_views = 2;
+  scene.AddCurve(0, {{In({0, 1, 2, 3}, 5)}});
+  scene.AddCurve(1, {{In({0, 1, 2}, 5)}, {In({1, 2, 3}, 5)}, {In({2, 3}, 5)}});
+  const LocalConsistency network = scene.Build();
+  ASSERT_EQ(network[0].size(), 1u);
+  EXPECT_EQ(network[0][0].votes, 3);
+  EXPECT_EQ(network[0][0].num_strong, 2);
+  ASSERT_EQ(network[1].size(), 3u);
+  EXPECT_EQ(network[1][0].num_strong, 1);
+  EXPECT_EQ(network[1][2].num_strong, 0);
+}
+
 TEST(LocalConsistencyTest, TheSameEdgelIdInAnotherViewIsAnotherEdgel) {
   Scene scene;
   const int a = scene.AddCurve(0, {{In({0, 1, 2}, 5)}});

@@ -80,9 +80,12 @@ class MergingPrimitivesTest : public ::testing::TestWithParam<std::tuple<bool, b
   void ExpectConsistent() {
     Compact();
     for (int s = 0; s < samples_.NumSamples(); ++s) {
-      const auto made_from = SamplesOf(graph_.links.at(primitives_->LinkOf(s)));
-      EXPECT_EQ(std::count(made_from.begin(), made_from.end(), primitives_->HomeOf(s)), 1)
-          << "sample " << s;
+      const SketchSample home = samples_.NameOf(primitives_->HomeOf(s));
+      int count = 0;
+      for (const LinkVertex& vertex : graph_.links.at(primitives_->LinkOf(s)).vertices) {
+        count += static_cast<int>(std::count(vertex.samples.begin(), vertex.samples.end(), home));
+      }
+      EXPECT_EQ(count, 1) << "sample " << s;
     }
   }
 
@@ -132,7 +135,7 @@ TEST_P(MergingPrimitivesTest, RunBeyondAFreeEndElongates) {
   Start({Row({0, 0, 0}, kX, 50), Row({50, 0, 0}, kX, 40)});
   AddTarget(Range(0, 50));
   AddRun(Range(50, 40));
-  primitives_->Attach(50, 49);
+  primitives_->Attach(50, {49}, -1);
   ExpectConsistent();
   const DrawingGraph graph = Compact();
   ASSERT_EQ(graph.links.size(), 1u);
@@ -148,12 +151,12 @@ TEST_P(MergingPrimitivesTest, ElongationReplacesAShortStub) {
   Start({Row({0, 0, 0}, kX, 50), Row({46, 0.5, 0}, kX, 40)});
   AddTarget(Range(0, 50));
   AddRun(Range(50, 40));
-  primitives_->Attach(50, 45);
+  primitives_->Attach(50, {45}, -1);
   ExpectConsistent();
   ASSERT_EQ(Compact().links.size(), 1u);
   EXPECT_EQ(Compact().links[0].size(), 46 + 40);
-  // The stub's vertices live on where the run begins.
-  EXPECT_EQ(primitives_->HomeOf(48), 50);
+  // The stub's vertices live on beside where they were.
+  EXPECT_EQ(primitives_->HomeOf(48), 52);
   EXPECT_EQ(primitives_->LinkOf(48), primitives_->LinkOf(60));
 }
 
@@ -161,7 +164,7 @@ TEST_P(MergingPrimitivesTest, RunThatLeavesTheInsideBranches) {
   Start({Row({0, 0, 0}, kX, 61), Row({30, 1, 0}, kY, 40)});
   AddTarget(Range(0, 61));
   AddRun(Range(61, 40));
-  primitives_->Attach(61, 30);
+  primitives_->Attach(61, {30}, -1);
   ExpectConsistent();
   EXPECT_EQ(counts().branched, 1);
   EXPECT_EQ(Degrees(), std::vector<int>({3}));
@@ -175,9 +178,9 @@ TEST_P(MergingPrimitivesTest, RunBetweenTwoFreeEndsMakesOneLink) {
   AddTarget(Range(0, 40));
   AddTarget(Range(40, 40));
   AddRun(Range(80, 20));
-  primitives_->Attach(80, 39);
+  primitives_->Attach(80, {39}, -1);
   // The run's other end is now an end of the longer link.
-  primitives_->Attach(99, 40);
+  primitives_->Attach(99, {40}, -1);
   ExpectConsistent();
   const DrawingGraph graph = Compact();
   ASSERT_EQ(graph.links.size(), 1u);
@@ -194,9 +197,9 @@ TEST_P(MergingPrimitivesTest, RunToAnExistingNodeEndsThere) {
   Start({Row({0, 0, 0}, kX, 61), Row({30, 1, 0}, kY, 40), Row({30, 0, 1}, {0, 0, 1}, 40)});
   AddTarget(Range(0, 61));
   AddRun(Range(61, 40));
-  primitives_->Attach(61, 30);
+  primitives_->Attach(61, {30}, -1);
   AddRun(Range(101, 40));
-  primitives_->Attach(101, 29);
+  primitives_->Attach(101, {29}, -1);
   ExpectConsistent();
   EXPECT_EQ(Degrees(), std::vector<int>({4}));
   EXPECT_EQ(counts().multi_attached, 1);
@@ -206,7 +209,7 @@ TEST_P(MergingPrimitivesTest, OnlyEndsAreAttached) {
   Start({Row({0, 0, 0}, kX, 61), Row({30, 1, 0}, kY, 40)});
   AddTarget(Range(0, 61));
   AddRun(Range(61, 40));
-  primitives_->Attach(80, 30);
+  primitives_->Attach(80, {30}, -1);
   ExpectConsistent();
   EXPECT_TRUE(Degrees().empty());
   EXPECT_EQ(Compact().links.size(), 2u);
@@ -216,11 +219,123 @@ TEST_P(MergingPrimitivesTest, LoopCloses) {
   Start({CircleOf(120, 20)});
   AddTarget(Range(0, 120));
   const int first = RunBackwards() ? 119 : 0;
-  primitives_->Attach(119 - first, first);
+  primitives_->Attach(119 - first, {first}, -1);
   ExpectConsistent();
   ASSERT_EQ(Compact().links.size(), 1u);
   EXPECT_TRUE(Compact().links[0].closed);
   EXPECT_TRUE(Degrees().empty());
+}
+
+TEST_P(MergingPrimitivesTest, LoopClosesWithoutAStub) {
+  // It comes upon itself 5 px from its other end.
+  Start({CircleOf(120, 20)});
+  AddTarget(Range(0, 120));
+  primitives_->Attach(RunBackwards() ? 0 : 119, {RunBackwards() ? 114 : 5}, -1);
+  ExpectConsistent();
+  const DrawingGraph graph = Compact();
+  ASSERT_EQ(graph.links.size(), 1u);
+  EXPECT_TRUE(graph.links[0].closed);
+  EXPECT_EQ(graph.links[0].size(), 116);  // the first is repeated
+  EXPECT_EQ(counts().elongated + counts().branched + counts().multi_attached, 0);
+}
+
+TEST_P(MergingPrimitivesTest, RunThatMeetsItsOwnInsideEndsThere) {
+  std::vector<Vector3d> p = Row({0, 0, 0}, kX, 61);
+  for (const auto& leg :
+       {Row({60, 1, 0}, kY, 30), Row({59, 30, 0}, -kX, 34), Row({26, 29, 0}, -kY, 28)}) {
+    p.insert(p.end(), leg.begin(), leg.end());
+  }
+  Start({p});
+  AddRun(Range(0, static_cast<int>(p.size())));
+  primitives_->Attach(static_cast<int>(p.size()) - 1, {26}, -1);
+  ExpectConsistent();
+  EXPECT_EQ(Degrees(), std::vector<int>({3}));
+  EXPECT_EQ(testing::DegreeAt(graph_, {26, 0, 0}), 3);
+  EXPECT_EQ(Compact().links.size(), 2u);
+  EXPECT_EQ(counts().branched, 1);
+}
+
+TEST_P(MergingPrimitivesTest, RunDoesNotMeetItselfBesideItsEnd) {
+  Start({Row({0, 0, 0}, kX, 61)});
+  AddRun(Range(0, 61));
+  primitives_->Attach(60, {52}, -1);
+  ExpectConsistent();
+  EXPECT_TRUE(Degrees().empty());
+  EXPECT_EQ(Compact().links.size(), 1u);
+}
+
+// A run that leaves a row near its beginning, in its direction, and returns to it from below.
+std::vector<Vector3d> Detour() {
+  std::vector<Vector3d> detour = Row({4, 0.5, 0}, -kX, 30);
+  for (const auto& leg :
+       {Row({-26, 0, 0}, -kY, 40), Row({-26, -40, 0}, kX, 56), Row({30, -40, 0}, kY, 40)}) {
+    detour.insert(detour.end(), leg.begin(), leg.end());
+  }
+  return detour;
+}
+
+TEST_P(MergingPrimitivesTest, RunElongatesAndRejoins) {
+  const auto detour = Detour();
+  const int size = static_cast<int>(detour.size());
+  Start({Row({0, 0, 0}, kX, 61), detour});
+  AddTarget(Range(0, 61));
+  AddRun(Range(61, size));
+  primitives_->Attach(61, {5}, 30);
+  primitives_->Attach(61 + size - 1, {30}, 5);
+  ExpectConsistent();
+  EXPECT_EQ(counts().elongated, 1);
+  EXPECT_EQ(counts().branched, 1);
+  EXPECT_EQ(Degrees(), std::vector<int>({3}));
+  EXPECT_EQ(testing::DegreeAt(graph_, {30, 0, 0}), 3);
+  const std::vector<std::array<int, 3>> expected = {{31, 0, 1}, {size + 26 + 1, 0, 2}};
+  EXPECT_EQ(Shape(), expected);
+}
+
+TEST_P(MergingPrimitivesTest, StubThatTheOtherEndTouchesIsKept) {
+  const auto detour = Detour();
+  const int size = static_cast<int>(detour.size());
+  Start({Row({0, 0, 0}, kX, 61), detour});
+  AddTarget(Range(0, 61));
+  AddRun(Range(61, size));
+  primitives_->Attach(61, {9}, 5);
+  primitives_->Attach(61 + size - 1, {5}, 9);
+  ExpectConsistent();
+  EXPECT_EQ(counts().elongated, 0);
+  EXPECT_EQ(counts().branched, 1);
+  EXPECT_EQ(counts().multi_attached, 1);  // 4 px beside the new node
+  EXPECT_EQ(Degrees(), std::vector<int>({4}));
+  EXPECT_EQ(Compact().links.size(), 3u);
+}
+
+TEST_P(MergingPrimitivesTest, RunAtTwoLinksMeetsBothInOneNode) {
+  Start({Row({0, 0, 0}, kX, 61), Row({0, 1, 0}, kX, 61), Row({30, 2, 0}, kY, 40)});
+  AddTarget(Range(0, 61));
+  AddTarget(Range(61, 61));
+  AddRun(Range(122, 40));
+  primitives_->Attach(122, {61 + 30, 30}, -1);
+  ExpectConsistent();
+  EXPECT_EQ(counts().multi_attached, 1);
+  EXPECT_EQ(counts().branched, 0);
+  EXPECT_EQ(Degrees(), std::vector<int>({5}));
+  EXPECT_EQ(Compact().links.size(), 5u);
+}
+
+TEST_P(MergingPrimitivesTest, RunAtTwoNodesMakesThemOne) {
+  Start({Row({0, 0, 0}, kX, 61), Row({0, 1, 0}, kX, 61), Row({30, -1, 0}, -kY, 40),
+         Row({30, 2, 0}, kY, 40), Row({30, 0.5, 1}, {0, 0, 1}, 40)});
+  AddTarget(Range(0, 61));
+  AddTarget(Range(61, 61));
+  AddRun(Range(122, 40));
+  primitives_->Attach(122, {30}, -1);
+  AddRun(Range(162, 40));
+  primitives_->Attach(162, {61 + 30}, -1);
+  AddRun(Range(202, 40));
+  primitives_->Attach(202, {29, 61 + 29}, -1);
+  ExpectConsistent();
+  EXPECT_EQ(counts().branched, 2);
+  EXPECT_EQ(counts().multi_attached, 1);
+  EXPECT_EQ(Degrees(), std::vector<int>({7}));
+  EXPECT_EQ(Compact().links.size(), 7u);
 }
 
 TEST_P(MergingPrimitivesTest, BranchFromALoopMakesItBeginAtTheJunction) {
@@ -229,7 +344,7 @@ TEST_P(MergingPrimitivesTest, BranchFromALoopMakesItBeginAtTheJunction) {
   std::rotate(loop.begin(), loop.begin() + 60, loop.end());  // sample 0 is inside
   AddTarget(loop, true);
   AddRun(Range(120, 30));
-  primitives_->Attach(120, 0);
+  primitives_->Attach(120, {0}, -1);
   ExpectConsistent();
   EXPECT_EQ(Degrees(), std::vector<int>({3}));
   const std::vector<std::array<int, 3>> expected = {{31, 0, 1}, {121, 0, 2}};
@@ -242,7 +357,7 @@ TEST_P(MergingPrimitivesTest, SamplesAreMergedIntoTheVerticesOfTheirHomes) {
   Start({Row({0, 0, 0}, kX, 50), Row({46, 0.5, 0}, kX, 40), Row({20, 1, 0}, kX, 3)});
   AddTarget(Range(0, 50));
   AddRun(Range(50, 40));
-  primitives_->Attach(50, 45);
+  primitives_->Attach(50, {45}, -1);
   for (const auto& [sample, home] : {std::pair(90, 20), std::pair(91, 20), std::pair(92, 48)}) {
     primitives_->SetHome(sample, home);
   }
@@ -257,9 +372,8 @@ TEST_P(MergingPrimitivesTest, SamplesAreMergedIntoTheVerticesOfTheirHomes) {
     if (merged.front() == 20) {
       EXPECT_EQ(merged, (std::vector<int>{20, 90, 91}));
     }
-    if (merged.front() == 50) {
-      EXPECT_EQ(merged.size(), 6u);  // those of the stub, too
-      EXPECT_EQ(std::count(merged.begin(), merged.end(), 92), 1);
+    if (merged.front() == 52) {
+      EXPECT_EQ(merged, (std::vector<int>{52, 48, 92}));  // that of the stub, too
     }
   }
   std::sort(all.begin(), all.end());

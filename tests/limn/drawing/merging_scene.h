@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,10 @@ class MergingScene : public DrawingScene {
   void RunAlong(int curve, int other) { along_.push_back({curve, other}); }
 
   MergingCounts Merge(const DrawingOptions& options = {});
+
+  // Writes <name>.svg, the curves and below them the links, into the folder that the environment
+  // variable LIMN_PICTURES names, if it does (src/limn/drawing/README.md).
+  void WritePicture(const std::string& name);
 
  private:
   SampleSet MakeSampleSet() const;

@@ -319,6 +319,180 @@ TEST_P(MergeCurvesTest, LongerRunAmidstIsNot) {
   EXPECT_EQ(scene_.Merge({.min_branch_length_px = 0}).rejoined, 1);
 }
 
+TEST_P(MergeCurvesTest, CurveThatReturnsIntoItselfIsASix) {
+  // Down the stem, around, and 15 px down the stem again.
+  auto six = Path({{0, 80, 0}, {0, 1, 0}});
+  const auto loop = Arc({20, 0, 0}, 20, 180, 180 + 360 + 45);
+  six.insert(six.end(), loop.begin(), loop.end());
+  scene_.AddLink(six);
+  const MergingCounts counts = scene_.Merge();
+  scene_.WritePicture("six");
+  EXPECT_EQ(counts.rejoined, 1);
+  EXPECT_EQ(counts.branched, 1);
+  EXPECT_EQ(counts.elongated + counts.bridged + counts.multi_attached, 0);
+  const Picture picture = scene_.Look();
+  EXPECT_EQ(picture.NumLinks(), 2);
+  EXPECT_EQ(picture.NumMeetings(), 1);
+  // Where the curve is within .7 px of the stem.
+  EXPECT_EQ(picture.DegreeAt({0, 5, 0}, 3), 3);
+  ASSERT_EQ(picture.FreeEnds().size(), 1u);
+  EXPECT_TRUE(picture.HasFreeEndAt({0, 80, 0}, kNear));
+  EXPECT_NEAR(picture.LengthPxAt({40, 0, 0}), 2 * M_PI * 20, 5);
+  EXPECT_NEAR(picture.LengthPxAt({0, 60, 0}), 75, 4);
+  ExpectAllSamplesInLinks();
+}
+
+TEST_P(MergeCurvesTest, CurveWhoseEndComesUponItsInsideIsAP) {
+  scene_.AddLink(Path({{0, 0, 0}, {0, 80, 0}, {40, 80, 0}, {40, 40, 0}, {2, 40, 0}}));
+  const MergingCounts counts = scene_.Merge();
+  scene_.WritePicture("p");
+  EXPECT_EQ(counts.released, 1);
+  EXPECT_EQ(counts.rejoined, 1);
+  EXPECT_EQ(counts.branched, 1);
+  EXPECT_EQ(counts.elongated + counts.bridged + counts.multi_attached, 0);
+  const Picture picture = scene_.Look();
+  EXPECT_EQ(picture.NumLinks(), 2);
+  EXPECT_EQ(picture.NumMeetings(), 1);
+  EXPECT_EQ(picture.DegreeAt({0, 40, 0}, 1 + kNear), 3);
+  EXPECT_EQ(picture.FreeEnds().size(), 1u);
+  EXPECT_NEAR(picture.LengthPxAt({0, 20, 0}), 40, 1 + kNear);
+  EXPECT_NEAR(picture.LengthPxAt({40, 60, 0}), 160, 3);  // corners are smoothed
+  ExpectAllSamplesInLinks();
+}
+
+TEST_P(MergeCurvesTest, CurveThatTurnsBackIsNoLoop) {
+  // Half a px beside itself, and with an end 3 px beside it.
+  scene_.AddLink(Path({{0, 0, 0}, {80, 0, 0}, {80, 0.5, 0}, {0, 0.5, 0}}));
+  scene_.AddLink(Path({{0, 50, 0}, {80, 50, 0}, {80, 53, 0}, {20, 53, 0}}));
+  const MergingCounts counts = scene_.Merge();
+  EXPECT_EQ(counts.released, 2);
+  ExpectNothingJoined(counts);
+  EXPECT_EQ(scene_.Look().NumLinks(), 2);
+}
+
+TEST_P(MergeCurvesTest, CurveAroundALoopClosesWithoutAStub) {
+  scene_.AddLink(Arc({0, 0, 0}, 30, 0, 400));
+  const MergingCounts counts = scene_.Merge();
+  EXPECT_EQ(counts.rejoined, 1);
+  EXPECT_EQ(counts.elongated + counts.branched + counts.bridged + counts.multi_attached, 0);
+  const Picture picture = scene_.Look();
+  EXPECT_EQ(picture.NumLinks(), 1);
+  EXPECT_EQ(picture.NumClosed(), 1);
+  EXPECT_NEAR(picture.LengthPxAt({30, 0, 0}), 2 * M_PI * 30, 1 + kNear);
+  EXPECT_TRUE(picture.LinksAdvance());
+  ExpectAllSamplesInLinks();
+}
+
+TEST_P(MergeCurvesTest, EndThatALoopPassesIsCutOff) {
+  // The first 7 px of the longer arc leave the circle.
+  Polyline3d hooked;
+  for (int k = 0; k < 7; ++k) hooked.push_back(Polar(30 + 0.7 * (7 - k), 2 * k));
+  const auto arc = Arc({0, 0, 0}, 30, 14, 300);
+  hooked.insert(hooked.end(), arc.begin(), arc.end());
+  scene_.AddLink(hooked);
+  scene_.AddLink(Arc({0, 0, 0}, 30, 260, 400));
+  const MergingCounts counts = scene_.Merge();
+  scene_.WritePicture("loop");
+  EXPECT_EQ(counts.released, 1);
+  EXPECT_EQ(counts.elongated, 1);
+  EXPECT_EQ(counts.rejoined, 1);
+  EXPECT_EQ(counts.branched + counts.bridged + counts.multi_attached, 0);
+  const Picture picture = scene_.Look();
+  ASSERT_EQ(picture.NumLinks(), 1);
+  EXPECT_EQ(picture.NumClosed(), 1);
+  for (const Vector3d& point : picture.links[0].points) EXPECT_NEAR(point.norm(), 30, 2);
+  EXPECT_TRUE(picture.LinksAdvance());
+  ExpectAllSamplesInLinks();
+}
+
+TEST_P(MergeCurvesTest, RestOfAClosedCurveIsOneRun) {
+  // The closed curve begins where no link is.
+  scene_.AddLink(Path({{-200, 0, 0}, {200, 0, 0}}));
+  scene_.AddLink(
+      Path({{0, 60, 0}, {30, 60, 0}, {30, 0, 0}, {-30, 0, 0}, {-30, 60, 0}, {-1, 60, 0}}),
+      {.closed = true});
+  const MergingCounts counts = scene_.Merge();
+  scene_.WritePicture("bubble");
+  EXPECT_EQ(counts.released, 1);
+  EXPECT_EQ(counts.rejoined, 1);
+  EXPECT_EQ(counts.branched, 2);
+  const Picture picture = scene_.Look();
+  EXPECT_EQ(picture.NumLinks(), 4);
+  EXPECT_EQ(picture.FreeEnds().size(), 2u);
+  EXPECT_NEAR(picture.LengthPxAt({0, 60, 0}), 180, 4);
+  ExpectAllSamplesInLinks();
+}
+
+TEST_P(MergeCurvesTest, EndsOfABridgeAreDecidedOneByOne) {
+  // It elongates one bar and branches from the other.
+  AddBar();
+  scene_.AddLink(Path({{130, -70, 0}, {130, 70, 0}}));
+  scene_.AddLink(Path({{40, 0, 0}, {130, 0, 0}, {130, 30, 0}}));
+  const MergingCounts counts = scene_.Merge();
+  scene_.WritePicture("bridge");
+  EXPECT_EQ(counts.released, 2);
+  EXPECT_EQ(counts.bridged, 1);
+  EXPECT_EQ(counts.elongated, 1);
+  EXPECT_EQ(counts.branched, 1);
+  EXPECT_EQ(counts.rejoined + counts.multi_attached, 0);
+  const Picture picture = scene_.Look();
+  EXPECT_EQ(picture.NumLinks(), 3);
+  EXPECT_EQ(picture.NumMeetings(), 1);
+  EXPECT_EQ(picture.DegreeAt({130, 0, 0}, 1 + kNear), 3);
+  EXPECT_EQ(picture.FreeEnds().size(), 3u);
+  EXPECT_NEAR(picture.LengthPxAt({0, 0, 0}), 205, 2);
+  ExpectAllSamplesInLinks();
+}
+
+TEST_P(MergeCurvesTest, RunThatElongatesAndRejoinsMakesALollipop) {
+  scene_.AddLink(Path({{-75, 0, 0}, {190, 0, 0}}));
+  scene_.AddLink(
+      Path({{-60, 0, 0}, {-90, 0, 0}, {-90, -30, 0}, {0, -30, 0}, {0, 0, 0}, {40, 0, 0}}));
+  const MergingCounts counts = scene_.Merge();
+  scene_.WritePicture("rejoining");
+  EXPECT_EQ(counts.released, 1);
+  EXPECT_EQ(counts.elongated, 1);
+  EXPECT_EQ(counts.rejoined, 1);
+  EXPECT_EQ(counts.branched, 1);
+  EXPECT_EQ(counts.bridged + counts.multi_attached, 0);
+  const Picture picture = scene_.Look();
+  EXPECT_EQ(picture.NumLinks(), 2);
+  EXPECT_EQ(picture.NumMeetings(), 1);
+  EXPECT_EQ(picture.DegreeAt({0, 0, 0}, 1 + kNear), 3);
+  ASSERT_EQ(picture.FreeEnds().size(), 1u);
+  EXPECT_TRUE(picture.HasFreeEndAt({190, 0, 0}, kNear));
+  EXPECT_NEAR(picture.LengthPxAt({-50, -30, 0}), 240, 4);
+  EXPECT_NEAR(picture.LengthPxAt({150, 0, 0}), 190, 2);
+  ExpectAllSamplesInLinks();
+}
+
+TEST_P(MergeCurvesTest, RunFromTwoLinksMeetsBothInOneNode) {
+  // The curve lies between two bars before it leaves them.
+  AddBar();
+  scene_.AddLink(Path({{-60, 1.1, 0}, {60, 1.1, 0}}));
+  scene_.AddLink(Path({{-40, 0.5, 0}, {0, 0.5, 0}, {0, -40, 0}}));
+  const MergingCounts counts = scene_.Merge();
+  scene_.WritePicture("multi-attachment");
+  EXPECT_EQ(counts.released, 2);
+  EXPECT_EQ(counts.multi_attached, 1);
+  EXPECT_EQ(counts.branched + counts.elongated + counts.bridged + counts.rejoined, 0);
+  const Picture picture = scene_.Look();
+  EXPECT_EQ(picture.NumLinks(), 5);
+  EXPECT_EQ(picture.NumMeetings(), 1);
+  EXPECT_EQ(picture.DegreeAt({0, 0.5, 0}, 2), 5);
+  EXPECT_EQ(picture.FreeEnds().size(), 5u);
+  ExpectAllSamplesInLinks();
+}
+
+TEST_P(MergeCurvesTest, LinksMoreThanTwiceAsFarAreNotTouched) {
+  AddBar();
+  scene_.AddLink(Path({{-60, 0.9, 0}, {60, 0.9, 0}}));
+  scene_.AddLink(Path({{-40, 0.25, 0}, {0, 0.25, 0}, {0, -40, 0}}));
+  EXPECT_EQ(scene_.Merge({.merge_distance_px = 0.8}).branched, 1);
+  EXPECT_EQ(scene_.Look().NumLinks(), 4);
+  EXPECT_EQ(scene_.Look().DegreeAt({0, 0, 0}, 1 + kNear), 3);
+}
+
 TEST_P(MergeCurvesTest, CurvesThatCrossAtALargeAngleHaveNothingInCommon) {
   AddBar();
   scene_.AddLink(Path({Polar(-40, 30), Polar(40, 30)}));

@@ -68,6 +68,36 @@ TEST(DepthFusionTest, OutliersOfAModeAreDropped) {
   }
 }
 
+TEST(DepthFusionTest, ThePaperTakesTheMeanWithinTwoSigmas) {
+  // Depths of 5 +- .01 at every vertex, once 6.
+  SketchOptions options;
+  options.averaging = "paper";
+  std::vector<std::vector<DepthCandidate>> candidates(20);
+  for (auto& of_vertex : candidates) {
+    for (int i = 0; i < 13; ++i) {
+      of_vertex.push_back(Candidate(1 / (i < 6 ? 4.99 : i < 12 ? 5.01 : 5.0), 8 + i, i));
+    }
+  }
+  candidates[7].push_back(Candidate(1 / 6.0, 20, 13));
+  const auto fused = FuseDepths(StraightFragment(20), candidates, options);
+  for (const FusedDepth& depth : fused) {
+    ASSERT_TRUE(depth.has_depth);
+    EXPECT_NEAR(1 / depth.inverse_depth, 5, 1e-9);
+    EXPECT_NEAR(depth.weight, 13 * 0.1, 1e-9);
+  }
+}
+
+TEST(DepthFusionTest, ThePaperAveragesWhatIsNearAndKeepsASingleOne) {
+  SketchOptions options;
+  options.averaging = "paper";
+  const auto fused = FuseDepths(
+      StraightFragment(3),
+      {{Candidate(1 / 4.0, 8, 0), Candidate(1 / 5.0, 4, 1)}, {}, {Candidate(0.3, 4, 0)}}, options);
+  EXPECT_NEAR(1 / fused[0].inverse_depth, 4.5, 1e-9);  // not weighted
+  EXPECT_FALSE(fused[1].has_depth);
+  EXPECT_EQ(fused[2].inverse_depth, 0.3);
+}
+
 TEST(DepthFusionTest, SmoothCourseBeatsAccidentalSupport) {
   // One vertex has a little more support for a wrong depth 50 px off.
   std::vector<std::vector<DepthCandidate>> candidates(21, {Candidate(0.2, 8, 0)});

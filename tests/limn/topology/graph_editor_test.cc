@@ -200,6 +200,18 @@ TEST(SplitTest, EndThatComesToASplitLoopMakesAJunction) {
   EXPECT_EQ(graph.nodes[node].Degree(), 3);
 }
 
+TEST(MoveEndsTest, AllEndsAtANodeMove) {
+  DrawingGraph graph =
+      GraphWithVertices({{{0, 0, 0}, {4, 0, 0}}, {{9, 0, 0}, {5, 0, 0}}, {{4, 9, 0}, {4, 1, 0}}});
+  GraphEditor editor(&graph);
+  editor.EndAt({2, 1}, graph.links[0].node1);
+  editor.MoveEnds(graph.links[0].node1, graph.links[1].node1);
+  ExpectSound(graph, "move ends");
+  EXPECT_EQ(graph.links[0].node1, graph.links[1].node1);
+  EXPECT_EQ(graph.links[2].node1, graph.links[1].node1);
+  EXPECT_EQ(graph.links[2].points_in_world.back(), Eigen::Vector3d(5, 0, 0));
+}
+
 TEST(FreeTest, SplitLoopHasTwoFreeEndsAtThePoint) {
   for (const int index : {0, 1, 3}) {
     DrawingGraph graph = GraphWithVertices({Square()});
