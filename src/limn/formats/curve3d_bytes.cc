@@ -86,6 +86,7 @@ void PutCurve3d(const Curve3D& curve, ByteWriter* out) {
   out->Put<int32_t>(curve.anchor.fragment);
   out->Put<int32_t>(curve.anchor.begin);
   out->Put<uint8_t>(curve.closed);
+  out->Put(curve.total_support);
   out->PutCount(curve.size());
   for (size_t i = 0; i < curve.size(); ++i) {
     PutVector(curve.points_in_world[i], out);
@@ -107,6 +108,8 @@ Curve3D GetCurve3d(ByteReader* in, const std::vector<ImageCurves>& curves) {
   curve.anchor.begin = in->Get<int32_t>();
   in->Check(IsIndexOf(curve.anchor.view, curves), "view out of range");
   curve.closed = GetFlag(in);
+  curve.total_support = in->Get<double>();
+  in->Check(curve.total_support >= 0, "total support is no positive number");
   const size_t count = in->GetCount(kSampleBytes);
   const AnchorEdgels own(*in, curve.anchor, count, curves);
   std::vector<EdgelRef> support;

@@ -10,7 +10,7 @@ namespace limn {
 namespace {
 
 constexpr std::string_view kMagic = "limnfile";
-constexpr uint32_t kFormatVersion = 2;
+constexpr uint32_t kFormatVersion = 3;
 // zlib cannot pack better than this; a header that claims more is wrong.
 constexpr uint64_t kMaxRatio = 1100;
 constexpr uint64_t kMinUnpacked = 1 << 16;

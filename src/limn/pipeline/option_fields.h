@@ -112,9 +112,11 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
   visit("original_min_inliers_view", o.original_min_inliers_view,
         "original mode: inlier edgels that make a view count");
   visit("original_min_inliers_total", o.original_min_inliers_total,
-        "original mode: inliers per confirmation view a curve needs in all");
+        "original mode: inliers over all confirmation views that a curve needs");
   visit("original_first_to_second_ratio", o.original_first_to_second_ratio,
         "original mode, averaging paper: support of the best match over that of the next");
+  visit("original_exhaustive_pairs", o.original_exhaustive_pairs,
+        "original mode: match all pairs of views, not the selected ones");
 }
 
 template <typename Visit>

@@ -1,12 +1,13 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "limn/sketch/confirmation.h"
+#include "limn/sketch/epipolar_stretches.h"
 #include "limn/sketch/sketch.h"
 #include "limn/sketch/sketch_edgels.h"
 #include "limn/sketch/sketch_pieces.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -17,11 +18,27 @@ struct Counts {
   int64_t too_short = 0;
   int64_t too_little_support = 0;
   int64_t ambiguous = 0;
+  int64_t outside = 0;
 };
 
 struct PrimaryCurves {
   std::vector<Curve3D> curves;
   Counts counts;
+};
+
+// A hypothesis with enough support.
+struct Match {
+  CurveHypothesis hypothesis;
+  HypothesisSupport support;
+  double total = 0;
+};
+
+// A stretch of a fragment that nowhere runs along the epipolar lines of the second view, as a
+// fragment of its own.
+struct Stretch {
+  int fragment = -1;
+  int begin = 0;  // vertex of the fragment
+  FragmentRays rays;
 };
 
 // Total support S (CVPR 2010): the sum over confirmation views of the supported samples, where a
@@ -37,20 +54,20 @@ double TotalSupport(const HypothesisSupport& support, size_t num_views,
   return total >= options.original_min_inliers_total ? total : 0;
 }
 
-// Cut away the portions tangent to epipolar lines; keep stretches of the minimum length.
-std::vector<CurveHypothesis> CutTangentPortions(const FragmentRays& fragment,
+// Cut away the portions tangent to epipolar lines of either view; keep those of the minimum length.
+std::vector<CurveHypothesis> CutTangentPortions(const FragmentRays& stretch,
                                                 const std::vector<CurveHypothesis>& hypotheses,
-                                                const SketchOptions& options, Counts* counts) {
-  const double min_sine = std::sin(options.original_min_epipolar_angle_deg * M_PI / 180);
+                                                double min_sine, double min_length_px,
+                                                Counts* counts) {
   std::vector<CurveHypothesis> cut;
   for (const CurveHypothesis& hypothesis : hypotheses) {
     CurveHypothesis piece{hypothesis.second_fragment, {}};
     const auto finish = [&] {
       if (piece.samples.empty()) return;
       ++counts->made;
-      const double length = fragment.arc_px[piece.samples.back().vertex] -
-                            fragment.arc_px[piece.samples.front().vertex];
-      if (length >= options.original_min_fragment_length_px) {
+      const double length = stretch.arc_px[piece.samples.back().vertex] -
+                            stretch.arc_px[piece.samples.front().vertex];
+      if (length >= min_length_px) {
         cut.push_back(piece);
       } else {
         ++counts->too_short;
@@ -69,20 +86,33 @@ std::vector<CurveHypothesis> CutTangentPortions(const FragmentRays& fragment,
   return cut;
 }
 
-std::vector<FusedDepth> AsDepths(const FragmentRays& fragment, const CurveHypothesis& hypothesis,
-                                 const HypothesisSupport& support) {
-  std::vector<FusedDepth> depths(fragment.size());
-  for (size_t j = 0; j < hypothesis.samples.size(); ++j) {
-    const HypothesisSample& sample = hypothesis.samples[j];
+// Whether both explain the same part of the curve; pieces that continue each other do not.
+bool AreRivals(const FragmentRays& stretch, const Match& a, const Match& b,
+               const SketchOptions& options) {
+  const int begin =
+      std::max(a.hypothesis.samples.front().vertex, b.hypothesis.samples.front().vertex);
+  const int end = std::min(a.hypothesis.samples.back().vertex, b.hypothesis.samples.back().vertex);
+  return begin < end && stretch.arc_px[end] - stretch.arc_px[begin] >= options.min_overlap_px;
+}
+
+// The depths of all vertices that the match covers: inner ones that its curve does not cross lie on
+// the line between their neighbors.
+std::vector<FusedDepth> AsDepths(const FragmentRays& stretch, const Match& match) {
+  std::vector<int> vertices;
+  std::vector<FusedDepth> depths;
+  for (size_t j = 0; j < match.hypothesis.samples.size(); ++j) {
+    const HypothesisSample& sample = match.hypothesis.samples[j];
     const double sine = sample.triangulation_sine * sample.epipolar_sine;
-    FusedDepth& depth = depths[sample.vertex];
+    FusedDepth depth;
     depth.has_depth = true;
     depth.certain = true;
     depth.inverse_depth = 1 / sample.depth;
     depth.weight = sine * sine;
-    depth.px_per_inverse_depth = support.px_per_inverse_depth[j];
+    depth.px_per_inverse_depth = match.support.px_per_inverse_depth[j];
+    vertices.push_back(sample.vertex);
+    depths.push_back(depth);
   }
-  return depths;
+  return ExpandDepths(stretch, vertices, depths);
 }
 
 class PairMatcher {
@@ -94,77 +124,80 @@ class PairMatcher {
         plan_(plan),
         edgels_(edgels),
         options_(options),
+        min_sine_(std::sin(options.original_min_epipolar_angle_deg * kDeg)),
         confirmation_(primary, plan.confirmation_views, input.views, edgels.masks) {
     for (const ViewId second : plan.second_views) {
       chords_.emplace_back(input.views[primary], input.views[second], input.curves[second]);
     }
   }
 
-  // At most one curve per stretch of fragment and second view: the best supported one, if it beats
-  // the second best by the ratio.
-  void Match(int fragment_id, PrimaryCurves* sketch) const {
+  void MatchFragment(int fragment_id, PrimaryCurves* sketch) const {
     const FragmentRays fragment =
         MakeFragmentRays(input_.views[primary_], input_.curves[primary_], fragment_id);
     if (fragment.size() < 2 || fragment.arc_px.back() < options_.original_min_fragment_length_px) {
       return;
     }
     for (size_t rank = 0; rank < plan_.second_views.size(); ++rank) {
-      const ViewId second = plan_.second_views[rank];
-      const auto hypotheses = CutTangentPortions(
-          fragment,
-          FindHypotheses(fragment, input_.views[primary_], input_.views[second], chords_[rank],
-                         plan_.min_depth, plan_.max_depth, options_),
-          options_, &sketch->counts);
-      double best = 0;
-      double second_best = 0;
-      const CurveHypothesis* winner = nullptr;
-      HypothesisSupport winner_support;
-      for (const CurveHypothesis& hypothesis : hypotheses) {
-        auto support = confirmation_.Confirm(fragment, hypothesis, second, options_);
-        const double total = support ? TotalSupport(*support, confirmation_.size(), options_) : 0;
-        if (total == 0) ++sketch->counts.too_little_support;
-        if (total > best) {
-          if (winner) ++sketch->counts.ambiguous;
-          second_best = best;
-          best = total;
-          winner = &hypothesis;
-          winner_support = std::move(*support);
-        } else if (total > 0) {
-          ++sketch->counts.ambiguous;
-          second_best = std::max(second_best, total);
-        }
+      for (const VertexStretch& part : EpipolarStretches(
+               fragment, input_.views[primary_], input_.views[plan_.second_views[rank]], min_sine_,
+               options_.original_min_fragment_length_px)) {
+        std::vector<int> vertices(part.end - part.begin);
+        std::iota(vertices.begin(), vertices.end(), part.begin);
+        MatchStretch({fragment_id, part.begin, Subset(fragment, vertices)}, rank, sketch);
       }
-      if (!winner) continue;
-      if (!(options_.original_first_to_second_ratio * second_best < best)) {
-        ++sketch->counts.ambiguous;
-        continue;
-      }
-      Emit(fragment_id, fragment, *winner, winner_support, sketch);
     }
   }
 
  private:
-  void Emit(int fragment_id, const FragmentRays& fragment, const CurveHypothesis& hypothesis,
-            const HypothesisSupport& support, PrimaryCurves* sketch) const {
-    const auto depths = AsDepths(fragment, hypothesis, support);
-    const int begin = hypothesis.samples.front().vertex;
-    // One curve over the whole overlap, as published: inner vertices without a match are passed
-    // over.
-    std::vector<int> vertices;
-    std::vector<FusedDepth> matched_depths;
-    for (const HypothesisSample& sample : hypothesis.samples) {
-      vertices.push_back(sample.vertex);
-      matched_depths.push_back(depths[sample.vertex]);
-    }
-    const FragmentRays matched = Subset(fragment, vertices);
-    const int count = static_cast<int>(matched.size());
-    Curve3D curve = MakeCurve(input_.views[primary_], matched, matched_depths, {0, count, false});
-    if (input_.box) {
-      for (const Eigen::Vector3d& point : curve.points_in_world) {
-        if (!input_.box->contains(point)) return;
+  // Matches of one part of a stretch compete: one becomes a curve if it beats every other by the
+  // ratio.
+  void MatchStretch(const Stretch& stretch, size_t rank, PrimaryCurves* sketch) const {
+    const std::vector<Match> matches = FindMatches(stretch.rays, rank, &sketch->counts);
+    for (const Match& match : matches) {
+      const bool wins = std::ranges::all_of(matches, [&](const Match& other) {
+        return &other == &match || !AreRivals(stretch.rays, match, other, options_) ||
+               options_.original_first_to_second_ratio * other.total < match.total;
+      });
+      if (wins) {
+        Emit(stretch, match, sketch);
+      } else {
+        ++sketch->counts.ambiguous;
       }
     }
-    curve.anchor = {primary_, fragment_id, begin};
+  }
+
+  std::vector<Match> FindMatches(const FragmentRays& stretch, size_t rank, Counts* counts) const {
+    const ViewId second = plan_.second_views[rank];
+    const auto hypotheses = CutTangentPortions(
+        stretch,
+        FindHypotheses(stretch, input_.views[primary_], input_.views[second], chords_[rank],
+                       plan_.min_depth, plan_.max_depth, options_),
+        min_sine_, options_.original_min_fragment_length_px, counts);
+    std::vector<Match> matches;
+    for (const CurveHypothesis& hypothesis : hypotheses) {
+      auto support = confirmation_.Confirm(stretch, hypothesis, second, options_);
+      const double total = support ? TotalSupport(*support, confirmation_.size(), options_) : 0;
+      if (total > 0) {
+        matches.push_back({hypothesis, std::move(*support), total});
+      } else {
+        ++counts->too_little_support;
+      }
+    }
+    return matches;
+  }
+
+  void Emit(const Stretch& stretch, const Match& match, PrimaryCurves* sketch) const {
+    const int begin = match.hypothesis.samples.front().vertex;
+    const int size = match.hypothesis.samples.back().vertex + 1 - begin;
+    Curve3D curve = MakeCurve(input_.views[primary_], stretch.rays, AsDepths(stretch.rays, match),
+                              {begin, size, false});
+    const auto inside = [&](const Eigen::Vector3d& point) { return input_.box->contains(point); };
+    if (input_.box && !std::ranges::all_of(curve.points_in_world, inside)) {
+      ++sketch->counts.outside;
+      return;
+    }
+    curve.anchor = {primary_, stretch.fragment, stretch.begin + begin};
+    curve.total_support = match.total;
     std::vector<ViewId> support_views = plan_.confirmation_views;
     std::sort(support_views.begin(), support_views.end());
     CollectSupport(input_.views, input_.curves, edgels_.views, support_views, options_.Gate(),
@@ -177,40 +210,58 @@ class PairMatcher {
   const ViewPlan& plan_;
   const SketchEdgels& edgels_;
   const SketchOptions& options_;
+  double min_sine_;
   ConfirmationViews confirmation_;
   std::vector<EpipolarChords> chords_;  // per second view
 };
+
+// The plans of all views; with original_exhaustive_pairs every other view is a second view.
+std::vector<ViewPlan> PairViews(const SketchInput& input, const SketchOptions& options,
+                                const RunContext& context) {
+  std::vector<ViewPlan> plans =
+      SelectViews(input.views, input.hints, options.view_selection, context);
+  if (!options.original_exhaustive_pairs) return plans;
+  for (size_t v = 0; v < plans.size(); ++v) {
+    plans[v].second_views = IdsOf({}, plans.size());
+    std::erase(plans[v].second_views, static_cast<ViewId>(v));
+  }
+  return plans;
+}
 
 }  // namespace
 
 SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& options,
                                  const RunContext& context) {
   options.Check();
-  const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
+  const auto plans = PairViews(input, options, context);
   SketchEdgels edgels(input.views.size());
   HoldViews(IdsOf({}, input.views.size()), input, options.Gate(), context, &edgels);
   std::vector<PrimaryCurves> by_view(input.views.size());
   ParallelFor(context, "original sketch", input.views.size(), [&](size_t v) {
     const PairMatcher matcher(input, static_cast<ViewId>(v), plans[v], edgels, options);
     for (size_t f = 0; f < input.curves[v].fragments.size(); ++f) {
-      matcher.Match(static_cast<int>(f), &by_view[v]);
+      matcher.MatchFragment(static_cast<int>(f), &by_view[v]);
     }
   });
   SketchResult result;
   Counts counts;
+  int64_t num_pairs = 0;
+  for (const ViewPlan& plan : plans) num_pairs += static_cast<int64_t>(plan.second_views.size());
   for (PrimaryCurves& sketch : by_view) {
     counts.made += sketch.counts.made;
     counts.too_short += sketch.counts.too_short;
     counts.too_little_support += sketch.counts.too_little_support;
     counts.ambiguous += sketch.counts.ambiguous;
+    counts.outside += sketch.counts.outside;
     for (Curve3D& curve : sketch.curves) result.sketch.curves.push_back(std::move(curve));
   }
   result.summary.stage = "original sketch";
-  result.summary.in = {{"hypotheses", counts.made}};
+  result.summary.in = {{"pairs of views", num_pairs}, {"hypotheses", counts.made}};
   result.summary.kept = {{"curves", static_cast<int64_t>(result.sketch.curves.size())}};
   result.summary.dropped = {{"hypotheses: too short", counts.too_short},
                             {"hypotheses: too little support", counts.too_little_support},
-                            {"hypotheses: not better than another by the ratio", counts.ambiguous}};
+                            {"hypotheses: not better than another by the ratio", counts.ambiguous},
+                            {"hypotheses: outside the box", counts.outside}};
   return result;
 }
 

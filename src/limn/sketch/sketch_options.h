@@ -59,12 +59,15 @@ struct SketchOptions {
   int max_sweep_views = 16;
   double sweep_spacing_px = 3;
 
-  // Original sketch only (whole-curve support as published; lengths as for 640 x 360 images).
+  // Original sketch only (whole-curve support as published; lengths as for 640 x 360 images). The
+  // total is the one at which its authors cut their results.
   double original_min_fragment_length_px = 20;
   double original_min_epipolar_angle_deg = 10;
   int original_min_inliers_view = 15;
-  int original_min_inliers_total = 5;
+  int original_min_inliers_total = 125;
   double original_first_to_second_ratio = 1.5;
+  // Whether all other views are second views of a view, instead of the selected ones.
+  bool original_exhaustive_pairs = false;
 
   bool AveragesAsPaper() const { return averaging == "paper"; }
   SupportGate Gate() const {

@@ -61,6 +61,7 @@ CurveSketch SmallSketch() {
     }
     curve.anchor = {c % 2, 0, 3};
     curve.closed = c == 2;
+    curve.total_support = 100.5 * c;
     sketch.curves.push_back(curve);
   }
   return sketch;
@@ -159,6 +160,7 @@ TEST(CurveSketchFile, RoundTrip) {
     EXPECT_EQ(a.anchor.fragment, b.anchor.fragment);
     EXPECT_EQ(a.anchor.begin, b.anchor.begin);
     EXPECT_EQ(a.closed, b.closed);
+    EXPECT_EQ(a.total_support, b.total_support);
   }
 }
 
@@ -261,6 +263,7 @@ TEST(StageFile, IdsOutOfRangeAreRefused) {
   refuse_sketch([](Curve3D* curve) { curve->support.edgels[0].edgel = -5; });
   refuse_sketch([](Curve3D* curve) { curve->points_in_world[0].y() = INFINITY; });
   refuse_sketch([](Curve3D* curve) { curve->depth_sigma[0] = NAN; });
+  refuse_sketch([](Curve3D* curve) { curve->total_support = NAN; });
   const auto refuse_view = [&](const std::function<void(ViewSketch*)>& spoil) {
     ViewSketch sketch = SmallViewSketch();
     spoil(&sketch);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/evaluation/evaluate_curves.h"
+#include "limn/sketch/epipolar_stretches.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -89,6 +90,73 @@ TEST(OriginalSketchTest, DepthsAreKnownNoBetterThanEdgels) {
 
 TEST(OriginalSketchTest, FindsMostOfTheCube) {
   EXPECT_GE(Evaluate(Original().sketch, 2).recall.value(), 0.8);
+}
+
+// Two curves in line that the linker took for one in the first view, and for two in all others:
+// every half is matched by itself.
+TEST(OriginalSketchTest, StretchesOfAFragmentThatMatchDifferentCurvesDoNotCompete) {
+  std::vector<ImageCurves> curves =
+      testing::ProjectCurves(Views(), {testing::Segment({-0.8, -0.3, 0.1}, {-0.1, -0.05, 0.0}),
+                                       testing::Segment({0.1, 0.02, -0.03}, {0.8, 0.27, -0.13})});
+  std::vector<CurveFragment>& fragments = curves[0].fragments;
+  const int half = static_cast<int>(fragments[0].edgel_ids.size());
+  const std::vector<EdgelId> second_half = fragments[1].edgel_ids;
+  fragments[0].edgel_ids.insert(fragments[0].edgel_ids.end(), second_half.begin(),
+                                second_half.end());
+  fragments.resize(1);
+  const CurveSketch sketch =
+      BuildOriginalSketch({Views(), curves, {}, std::nullopt}, SketchOptions(), {}).sketch;
+  int num_first = 0;
+  int num_second = 0;
+  for (const Curve3D& curve : sketch.curves) {
+    if (curve.anchor.view == 0) ++(curve.anchor.begin < half ? num_first : num_second);
+  }
+  EXPECT_GE(num_first, 5);
+  EXPECT_EQ(num_first, num_second);
+}
+
+TEST(OriginalSketchTest, AllPairsOfViewsAreMatchedOnRequest) {
+  SketchOptions options;
+  const auto num_pairs = [&] {
+    const SketchResult result =
+        BuildOriginalSketch({Views(), Curves(), {}, std::nullopt}, options, {});
+    return result.summary.in.at(0).second;
+  };
+  EXPECT_LE(num_pairs(), 16 * options.view_selection.max_second_views);
+  options.original_exhaustive_pairs = true;
+  EXPECT_EQ(num_pairs(), 16 * 15);
+}
+
+TEST(OriginalSketchTest, CurvesKnowTheirTotalSupport) {
+  SketchOptions options;
+  for (const Curve3D& curve : Original().sketch.curves) {
+    ASSERT_GE(curve.total_support, options.original_min_inliers_total);
+    // At most every sample in every confirmation view.
+    ASSERT_LE(curve.total_support, static_cast<double>(curve.size()) * 14);
+  }
+}
+
+// Epipolar lines are horizontal.
+TEST(EpipolarStretchesTest, AreCutWhereTheCurveTurnsBackOrRunsAlongTheLines) {
+  const auto views = testing::FrontalViews(2, 1, 0.6);
+  const testing::SceneCurve roof{{testing::FrontalPoint(-90, 0), testing::FrontalPoint(-30, 60),
+                                  testing::FrontalPoint(30, 60), testing::FrontalPoint(90, 0)},
+                                 false};
+  const testing::SceneCurve tip{
+      {testing::FrontalPoint(-60, 0), testing::FrontalPoint(0, 60), testing::FrontalPoint(30, 30)},
+      false};
+  const auto curves = testing::ProjectCurves(views, {roof, tip});
+  const auto stretches = [&](int fragment, double min_length_px) {
+    return EpipolarStretches(MakeFragmentRays(views[0], curves[0], fragment), views[0], views[1],
+                             std::sin(0.2), min_length_px);
+  };
+  const auto of_roof = stretches(0, 20);
+  ASSERT_EQ(of_roof.size(), 2u);
+  EXPECT_GT(of_roof[1].begin - of_roof[0].end, 50);
+  const auto of_tip = stretches(1, 20);
+  ASSERT_EQ(of_tip.size(), 2u);
+  EXPECT_LE(of_tip[1].begin - of_tip[0].end, 2);
+  EXPECT_EQ(stretches(1, 60).size(), 1u);
 }
 
 // The two sketches that judge sample by sample.
