@@ -34,7 +34,7 @@ const std::vector<Method>& Methods() {
   static const std::vector<std::string> supporting_views = {"Sketch.min_supporting_views",
                                                             "Drawing.min_supporting_views",
                                                             "Drawing.max_supporting_views"};
-  static const std::vector<int> views = {3, 4, 5, 6, 8, 10, 12};
+  static const std::vector<int> views = {3, 4, 6, 8, 12};
   static const std::vector<Method> methods = {
       {"original sketch", {"--mode", "original"}, false, "inliers", inliers, inlier_totals},
       {"enhanced sketch", paper, false, "views", supporting_views, views},
