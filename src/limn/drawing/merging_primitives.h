@@ -17,6 +17,7 @@ struct MergingCounts {
   int64_t bridged = 0;    // a run between two links
   int64_t rejoined = 0;   // a run with both ends on one link (bubble), or one that meets itself
   int64_t multi_attached = 0;  // a run that ends at an existing node, or at several links at once
+  int64_t samples_alone = 0;   // dropped with curves that merged with none
 };
 
 // Makes links of runs of samples and attaches runs to links. A vertex is named by the sample it was

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -13,8 +14,9 @@ namespace {
 
 const double kMinCosine = std::cos(30.0 * M_PI / 180.0);
 // Steps are a fraction of the tolerance where the unit of length is smallest along a curve. Where
-// it is hundreds of times as large, the cameras are not those of the curves.
-constexpr size_t kMaxNeighbors = 4000;
+// it is hundreds of times as large, the cameras are not those of the curves. Of one curve: a sketch
+// has many copies of an edge.
+constexpr ptrdiff_t kMaxNeighbors = 4000;
 
 struct Approach {
   int sample = -1;
@@ -66,17 +68,17 @@ bool RunsAlongsideAnother(const AlongsideSearch& search, int sample, double radi
   const CurveSamples& samples = search.samples;
   const Eigen::Vector3d& query = samples.Position(sample);
   samples.FindNear(query, radius, scratch);
-  if (scratch->size() > kMaxNeighbors) {
-    throw InputError("a pixel covers so much more at one place of a curve than at another that " +
-                     std::to_string(scratch->size()) +
-                     " steps are within one tolerance: are the cameras those of the drawing?");
-  }
   const SpatialIndex::Neighbor* const end = scratch->data() + scratch->size();
   // Ascending order keeps the samples of one curve together.
   for (const SpatialIndex::Neighbor* begin = scratch->data(); begin != end;) {
     const int curve = samples.CurveOf(begin->index);
     const SpatialIndex::Neighbor* next = begin;
     while (next != end && samples.CurveOf(next->index) == curve) ++next;
+    if (next - begin > kMaxNeighbors) {
+      throw InputError("a pixel covers so much more at one place of a curve than at another that " +
+                       std::to_string(next - begin) +
+                       " steps are within one tolerance: are the cameras those of the drawing?");
+    }
     if (curve != samples.CurveOf(sample) &&
         IsAlongside(search, sample, radius, NearestApproach(search, query, begin, next))) {
       return true;

@@ -20,7 +20,7 @@ struct AlongsideSearch {
 // direction there is within 30 degrees of the sample's. Curves that merely meet end to end are not
 // alongside: an approach that is nearest at the other curve's end does not count when that end is
 // at a node of the sample's own curve. `scratch` is a buffer. Throws InputError if the radius
-// covers more than 4,000 samples.
+// covers more than 4,000 samples of one curve.
 bool RunsAlongsideAnother(const AlongsideSearch& search, int sample, double radius,
                           std::vector<SpatialIndex::Neighbor>* scratch);
 

@@ -53,6 +53,19 @@ TEST_P(MergeCurvesTest, CurvesFarFromEachOtherAreReleased) {
   ExpectAllSamplesInLinks();
 }
 
+TEST_P(MergeCurvesTest, ThePaperDropsCurvesThatMergeWithNone) {
+  AddBar();
+  scene_.AddLink(Path({{-30, 0.6, 0}, {30, 0.6, 0}}));
+  scene_.AddLink(Path({{0, -50, 0}, {0, -2, 0}}));
+  scene_.AddLink(Path({{-50, 30, 0}, {50, 30, 0}}));
+  const MergingCounts counts = scene_.Merge({.method = "paper"});
+  const Picture picture = scene_.Look();
+  EXPECT_EQ(picture.NumLinks(), 1);
+  EXPECT_NEAR(picture.LengthPxAt({0, 0.3, 0}), 150, 1);
+  EXPECT_GT(counts.samples_alone, 0);
+  EXPECT_EQ(picture.NumSamples() + counts.samples_alone, scene_.NumSketchSamples());
+}
+
 TEST_P(MergeCurvesTest, CurveAlongALinkIsAbsorbed) {
   AddBar();
   scene_.AddLink(Path({{-30, 0.6, 0}, {30, 0.6, 0}}));
