@@ -122,7 +122,8 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
                                             const char* const* argv, RunOptions* options,
                                             const std::function<void(OptionParser*)>& add_more) {
   *options = RunOptions();
-  // First to learn the level of quality, then to let single options override what it sets.
+  // First to learn the level of quality and the method, then to let single options override what
+  // they set.
   for (const bool final_pass : {false, true}) {
     OptionParser parser(command, summary);
     AddOptions(groups, options, &parser);
@@ -134,7 +135,8 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
       return parser;
     }
     const Quality quality = options->quality;
-    const QualityPreset preset = PresetOf(quality);
+    QualityPreset preset = PresetOf(quality);
+    if (options->pipeline.drawing.IsPaper()) SetPaperDefaults(&preset.options);
     *options = RunOptions();
     options->quality = quality;
     options->pipeline = preset.options;

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Write the page of results from a quality report: tables, what is ahead of Limn, and pictures.
+"""Write the page of results from a complete quality report: tables, what is ahead of Limn, and pictures.
 
     scripts/bench/results_page.py report.json COMMIT FOLDER
 
@@ -151,11 +151,17 @@ def sweep_table(data_set):
     return table(["", "threshold", *(f"P / R / F at {tau_name(data_set, i)}" for i in taus)], rows)
 
 
+def judged_file(run):
+    """Which of the results of its command a method is."""
+    return {"original sketch": "curves/sketch.ply", "enhanced sketch": "curves/enhanced-sketch.ply",
+            "swept sketch": "curves/swept-sketch.ply"}.get(run["method"], "drawing.json")
+
+
 def commands(data_set):
     lines = []
     for run in default_runs(data_set):
         arguments = [argument.removeprefix(f"{ROOT}/") for argument in run["arguments"]]
-        lines.append(f"* *{run['method']}*: `{' '.join(['automatic_drawer', *arguments])}`\n")
+        lines.append(f"* *{run['method']}*: `{judged_file(run)}` of `limn {' '.join(['automatic_drawer', *arguments])}`\n")
     return "".join(lines) + "\n"
 
 
@@ -163,10 +169,17 @@ HEAD = """# Results
 
 Written by `scripts/reproduce_results.sh` at commit {commit}; do not edit. Precision P is the share of the drawn length that is within tau of the
 truth, recall R the share of the true length within tau of the drawing, F their harmonic mean, in percent, inside the box of the data set; px: pixel
-footprints. *P of samples* is the paper's definition read literally ([ALGORITHM.md](../src/limn/ALGORITHM.md), 21.1). All methods begin with the same
-image curves:
+footprints. *P of samples* is the paper's definition read literally ([ALGORITHM.md](../src/limn/ALGORITHM.md), 21.1): copies of right curves do not
+raise it. It depends on the density of points where either side has points instead of curves (PMVS; the truth of the vase). All methods begin with the
+same image curves:
 
 """
+
+
+def missing(data_sets):
+    """Other programs' results that are not there, which have no rows."""
+    paths = [Path(path).name for data_set in data_sets for path in data_set["missing_peers"]]
+    return f"**Left out**, not there when this was made: {', '.join(paths)}.\n\n" if paths else ""
 
 
 def page(data_sets, commit, pictures):
@@ -175,6 +188,7 @@ def page(data_sets, commit, pictures):
              "## F, with default options (best of the sweep, its threshold)\n\n")
     text += summary(data_sets, "precision")
     text += "The same with the precision of samples:\n\n" + summary(data_sets, "sample_precision")
+    text += missing(data_sets)
     text += "## What is ahead of the default drawing, and in what\n\n" + losses(data_sets)
     for name, group in plot_quality.groups_of({"sets": data_sets}).items():
         text += f"## {name}\n\n![Precision and recall, {name}](results/{pictures[name].name})\n\n"
@@ -185,6 +199,16 @@ def page(data_sets, commit, pictures):
     return text.rstrip() + "\n"
 
 
+def check_complete(source, data_sets):
+    """All methods on all data sets, with their default options."""
+    for data_set in data_sets:
+        if data_set is None or data_set["ceiling"] is None:
+            sys.exit(f"ERROR: {source}: a data set has no truth, or was not measured")
+        methods = {run["method"] for run in default_runs(data_set)}
+        if not methods.issuperset(ORDER):
+            sys.exit(f"ERROR: {source}: {data_set['name']}: not all methods were measured")
+
+
 def main():
     if len(sys.argv) != 4:
         sys.exit("usage: results_page.py report.json COMMIT FOLDER")
@@ -193,6 +217,7 @@ def main():
         data_sets = json.loads(source.read_text(encoding="utf-8"))["sets"]
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"ERROR: {source}: {error}")
+    check_complete(source, data_sets)
     (folder / "results").mkdir(exist_ok=True)
     pictures = {}
     for name, group in plot_quality.groups_of({"sets": data_sets}).items():

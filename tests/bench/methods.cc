@@ -1,5 +1,7 @@
 #include "bench/methods.h"
 
+#include <utility>
+
 #include "colmap_ext/run/run_options.h"
 #include "limn/drawing/drawing.h"
 #include "limn/model/link_selection.h"
@@ -13,14 +15,18 @@ namespace {
 // The links of a drawing that a user gets by default.
 DrawingGraph Draw(const Scene& scene, const CurveSketch& sketch, const PipelineOptions& options,
                   const RunContext& context) {
+  const StageObserver unheard = [](const StageSummary&) {};
   const DrawingGraph drawing =
       BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph;
-  const DrawingGraph judged =
+  DrawingGraph judged =
       RefineAndJudge({scene.views, scene.curves, drawing, &scene.hints.points}, options, context,
-                     [](const StageSummary&) {})
+                     unheard)
           .graph;
-  return Selected(FitPrimitives(judged, scene.views, options.primitives, context).graph,
-                  LinkSelection());
+  // Kinds, which need the photographs, do not change the curves.
+  if (!options.drawing.IsPaper()) {
+    judged = FitPrimitives(judged, scene.views, options.primitives, context).graph;
+  }
+  return Selected(std::move(judged), LinkSelection());
 }
 
 }  // namespace

@@ -15,9 +15,31 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
+std::string ReadText(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
 nlohmann::json ReadJson(const std::filesystem::path& path) {
   std::ifstream in(path);
   return nlohmann::json::parse(in);
+}
+
+// The page of a report with these files: a row per method, a picture.
+void ExpectPageOfResults(const std::filesystem::path& folder) {
+  const std::string python = "/usr/bin/python3";
+  if (RunProgram(python, {"-c", "import matplotlib"}).exit_code != 0) return;  // no pictures
+  const LimnRun run =
+      RunProgram(python, {LIMN_SOURCE_DIR "/scripts/bench/results_page.py",
+                          (folder / "report.json").string(), "abcdef", folder.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string page = ReadText(folder / "RESULTS.md");
+  for (const char* method : {"original sketch", "enhanced sketch", "paper drawing", "default drawing"}) {
+    EXPECT_THAT(page, HasSubstr("| " + std::string(method) + " | "));
+  }
+  EXPECT_THAT(page, HasSubstr("at commit abcdef"));
+  EXPECT_THAT(page, HasSubstr("`curves/enhanced-sketch.ply` of `limn automatic_drawer"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "results/precision-recall-sample.png"));
 }
 
 TEST(QualityReport, MeasuresEveryMethod) {
@@ -50,6 +72,7 @@ TEST(QualityReport, MeasuresEveryMethod) {
   }
   EXPECT_TRUE(std::filesystem::exists(dir / "sample-day" / "default-drawing.json"));
   EXPECT_TRUE(std::filesystem::exists(dir / "report.md"));
+  ExpectPageOfResults(dir.path());
 }
 
 void WriteText(const std::filesystem::path& path, const std::string& text) {
@@ -82,8 +105,7 @@ TEST(QualityReport, ShowsStoredResultsOfOtherPrograms) {
   EXPECT_NEAR(row.at("recall").get<double>(), 2.0 / 3, 1e-9);
   EXPECT_EQ(row.at("num_free_ends"), 2);
   ASSERT_EQ(set.at("missing_peers").size(), 2u);
-  std::ifstream in(dir / "out/report.md");
-  const std::string tables((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  const std::string tables = ReadText(dir / "out/report.md");
   EXPECT_THAT(tables, HasSubstr("| Line3D++ | all |"));
   EXPECT_THAT(tables, HasSubstr("Left out, there is no such file: "));
   EXPECT_THAT(tables, HasSubstr("mcs-vase-pub-s50.obj.gz"));

@@ -19,7 +19,7 @@ struct AveragingResult {
 // are left out, and a sample that moves by no more than the tolerance rests for good (as in the
 // authors' program), since strands drift towards each other without end. All samples move at once,
 // until none moves by more than averaging_tolerance_px or max_averaging_rounds have been made.
-// Time: rounds times samples times at most 12 partners.
+// Time: rounds times samples times partners, at most 12 of them unless with "paper".
 AveragingResult AverageCurves(const CurveConsistency& network, const DrawingOptions& options,
                               const RunContext& context, SampleSet* samples);
 

@@ -88,8 +88,10 @@ CurveConsistency BuildCurveConsistency(const SampleSet& samples, const LocalCons
           (reverse == raw[other].end() || !IsLinked(reverse->second, options))) {
         continue;
       }
-      if (std::ranges::max(overlap.partner) < 0) continue;
-      result.num_clusters -= components.Union(c, other);
+      // In the paper strong links alone make a cluster.
+      const bool overlaps = std::ranges::max(overlap.partner) >= 0;
+      if (overlaps || options.IsPaper()) result.num_clusters -= components.Union(c, other);
+      if (!overlaps) continue;
       result.overlaps[c].push_back({other, std::move(overlap.partner)});
     }
   }

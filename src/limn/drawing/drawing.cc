@@ -89,7 +89,6 @@ void SummarizeMerging(const DrawingCounts& counts, StageSummary* summary) {
           {"rejoinings", merging.rejoined},
           {"multi-attachments", merging.multi_attached}},
          &summary->kept);
-  Append({{"samples: in curves that merged with none", merging.samples_alone}}, &summary->dropped);
 }
 
 void SummarizeTracing(const TracingCounts& tracing, StageSummary* summary) {

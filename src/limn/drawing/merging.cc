@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
-#include <set>
 
 #include "limn/drawing/sample_homes.h"
-#include "limn/model/drawing_paths.h"
-#include "limn/topology/graph_editor.h"
 
 namespace limn {
 namespace {
@@ -22,29 +19,6 @@ struct Touch {
 
   explicit operator bool() const { return home >= 0; }
 };
-
-// Removes the connected parts of a graph that are made of one curve each. Returns the number of
-// their samples.
-int64_t DropLoneCurves(DrawingGraph* graph) {
-  const std::vector<int> component_of = ComponentsOfLinks(*graph);
-  std::vector<std::set<int>> curves_of(graph->links.size());  // per component
-  for (size_t l = 0; l < graph->links.size(); ++l) {
-    for (const LinkVertex& vertex : graph->links[l].vertices) {
-      for (const SketchSample& sample : vertex.samples) {
-        curves_of[component_of[l]].insert(sample.curve);
-      }
-    }
-  }
-  GraphEditor editor(graph);
-  int64_t dropped = 0;
-  for (LinkId l = 0; l < editor.NumLinks(); ++l) {
-    if (curves_of[component_of[l]].size() > 1) continue;
-    for (const LinkVertex& vertex : editor.link(l).vertices) dropped += vertex.samples.size();
-    editor.Remove(l);
-  }
-  editor.Compact();
-  return dropped;
-}
 
 class CurveMerger {
  public:
@@ -62,7 +36,6 @@ class CurveMerger {
     }
     primitives_.ListSamples();
     *counts = primitives_.counts();
-    if (options_.IsPaper()) counts->samples_alone = DropLoneCurves(&graph_);
     return std::move(graph_);
   }
 
@@ -172,8 +145,7 @@ class CurveMerger {
     if (!primitives_.IsFreeEnd(tip)) return;
     const int ahead = homes_.FindAhead(tip);
     if (ahead < 0) return;
-    ++primitives_.counts().rejoined;
-    primitives_.Attach(tip, {ahead}, -1);
+    if (primitives_.Attach(tip, {ahead}, -1)) ++primitives_.counts().rejoined;
   }
 
   const SampleSet& samples_;

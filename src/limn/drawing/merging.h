@@ -13,8 +13,7 @@ namespace limn {
 // longest first. A sample that runs along an existing link, by the consistency network or because
 // both reproject within the merge distance, is absorbed. The runs between absorbed samples become
 // links; where the curve continues along an existing link, a primitive attaches the run to it
-// (MergingPrimitives). Every sample ends up in a link; the method "paper" then drops curves that
-// merged with none, as the authors' program does. The geometry of the links is not fitted yet;
+// (MergingPrimitives). Every sample ends up in a link. The geometry of the links is not fitted yet;
 // every vertex lists the samples merged into it, as curves and samples of the SampleSet, beginning
 // with the one it was made from.
 DrawingGraph MergeCurves(const SampleSet& samples, const CurveConsistency& network,

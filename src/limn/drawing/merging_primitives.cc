@@ -83,7 +83,7 @@ bool MergingPrimitives::CanElongate(const LinkEnd& target, int index, const Link
   if (stub_px >= options_.min_branch_length_px) return false;
   if (kept >= 0) {
     const Place needed = PlaceOf(kept);
-    if (needed.link == target.link && StubPx(target, needed.index) < stub_px) return false;
+    if (needed.link == target.link && StubPx(target, needed.index) <= stub_px) return false;
   }
   const LinkTip tip = TipOf(editor_.link(target.link), target.end);
   return tip.outward.dot(TipOf(editor_.link(run.link), run.end).outward) < -kMinElongationCosine;
@@ -153,20 +153,33 @@ bool MergingPrimitives::AreJoined(NodeId a, NodeId b) const {
   });
 }
 
-void MergingPrimitives::Attach(int tip, const std::vector<int>& touched, int kept) {
+// Whether the link of a place ends at the node, near the place.
+bool MergingPrimitives::EndsAt(const Place& place, NodeId node) const {
+  const auto is_near = [&](const LinkEnd& end) {
+    return editor_.NodeAt(end) == node &&
+           StubPx(end, place.index) < options_.min_branch_length_px;
+  };
+  return std::ranges::any_of(EndsOf(place.link), is_near);
+}
+
+bool MergingPrimitives::Attach(int tip, const std::vector<int>& touched, int kept) {
   tip = HomeOf(tip);
-  std::optional<NodeId> node;
-  bool is_branch = touched.size() == 1;
-  for (const int vertex : touched) {
-    const std::optional<LinkEnd> run = FreeEndOf(tip);
-    if (!run) return;
+  const std::optional<LinkEnd> run = FreeEndOf(tip);
+  if (!run) return false;
+  std::vector<int> reached;
+  std::ranges::copy_if(touched, std::back_inserter(reached), [&](int vertex) {
     const Place place = PlaceOf(vertex);
-    if (place.link == run->link && StubPx(*run, place.index) < options_.min_branch_length_px) {
-      continue;
-    }
-    if (touched.size() == 1 && Elongate(place, *run, kept)) return;
+    return place.link != run->link || StubPx(*run, place.index) > options_.min_branch_length_px;
+  });
+  if (reached.empty()) return false;
+  if (reached.size() == 1 && Elongate(PlaceOf(reached.front()), *run, kept)) return true;
+  std::optional<NodeId> node;
+  bool is_branch = reached.size() == 1;
+  for (const int vertex : reached) {
+    const Place place = PlaceOf(vertex);
+    if (node && EndsAt(place, *node)) continue;
     bool is_new = false;
-    const NodeId at = NodeFor(place, *run, &is_new);
+    const NodeId at = NodeFor(place, *FreeEndOf(tip), &is_new);
     is_branch &= is_new;
     if (!node) {
       node = at;
@@ -174,9 +187,9 @@ void MergingPrimitives::Attach(int tip, const std::vector<int>& touched, int kep
       editor_.MoveEnds(at, *node);
     }
   }
-  if (!node) return;
   editor_.EndAt(*FreeEndOf(tip), *node);
   ++(is_branch ? counts_.branched : counts_.multi_attached);
+  return true;
 }
 
 void MergingPrimitives::ListSamples() {

@@ -17,7 +17,6 @@ struct MergingCounts {
   int64_t bridged = 0;    // a run between two links
   int64_t rejoined = 0;   // a run with both ends on one link (bubble), or one that meets itself
   int64_t multi_attached = 0;  // a run that ends at an existing node, or at several links at once
-  int64_t samples_alone = 0;   // dropped with curves that merged with none
 };
 
 // Makes links of runs of samples and attaches runs to links. A vertex is named by the sample it was
@@ -36,9 +35,9 @@ class MergingPrimitives {
   // directions agree and the stub does not have the vertex `kept` (-1: none), where the run's other
   // end belongs. Else the run ends at a node: that of the link's end if it is near, or one that
   // splits the link. The nodes of several links become one. The vertices may be of the run's own
-  // link: a loop, closed without a stub where the run comes upon its other end. Does nothing if
-  // `tip` is at no free end, or all vertices are near it along its own link.
-  void Attach(int tip, const std::vector<int>& touched, int kept);
+  // link: a loop, closed without a stub where the run comes upon its other end. Returns false, and
+  // does nothing, if `tip` is at no free end, or all vertices are near it along its own link.
+  bool Attach(int tip, const std::vector<int>& touched, int kept);
 
   // Whether a sample is a vertex at a free end of its link.
   bool IsFreeEnd(int sample) const { return IsVertex(sample) && FreeEndOf(sample).has_value(); }
@@ -73,6 +72,7 @@ class MergingPrimitives {
   // The node that the end of a run gets at a place.
   NodeId NodeFor(const Place& place, const LinkEnd& run, bool* is_new);
   bool AreJoined(NodeId a, NodeId b) const;
+  bool EndsAt(const Place& place, NodeId node) const;
   // Name of the vertex of a link that is nearest to a sample.
   int NearestVertex(const DrawingLink& link, int sample) const;
   void SetLink(LinkId link);

@@ -47,7 +47,7 @@ void VisitFields(LinkingOptions& o, Visit&& visit) {
   visit("angle_tolerance_deg", o.angle_tolerance_deg, "curvelets: tolerance on directions, deg");
   visit("max_curvature", o.max_curvature, "largest curvature of a curvelet, 1/px");
   visit("min_curvelet_px", o.min_curvelet_px, "shortest curvelet that links, px");
-  visit("forks", o.forks, "how forks are decided: best (links) or hypotheses (whole fragments)");
+  visit("forks", o.forks, "how forks are decided: best (links) or hypotheses (fragments)");
   visit("max_bridge_px", o.max_bridge_px, "longest gap over which fragments are joined, px");
   visit("max_bridge_angle_deg", o.max_bridge_angle_deg, "largest turn at such a gap, deg");
   visit("corner_arm_px", o.corner_arm_px, "length of the arms that show a corner, px");
@@ -142,7 +142,7 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
         "strongly linked length that links two curves, px");
   visit("overlap_regularity_px", o.overlap_regularity_px,
         "paper: shorter gaps in an overlap are filled, shorter overlaps removed, px");
-  visit("max_link_angle_deg", o.max_link_angle_deg, "paper: largest angle of linked curves, deg");
+  visit("max_link_angle_deg", o.max_link_angle_deg, "paper: largest angle of merged curves, deg");
   visit("averaging_tolerance_px", o.averaging_tolerance_px,
         "paper: averaging stops when samples move less, px");
   visit("max_averaging_rounds", o.max_averaging_rounds, "paper: or after this many rounds");

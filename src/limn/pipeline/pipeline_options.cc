@@ -57,6 +57,13 @@ QualityPreset PresetOf(Quality quality) {
   return preset;
 }
 
+void SetPaperDefaults(PipelineOptions* options) {
+  options->sketch.averaging = "paper";
+  options->sketch.min_supporting_views = 6;
+  options->drawing.dense_link_views = 2;
+  options->drawing.max_averaging_rounds = 300;
+}
+
 const char* SketchModeName(SketchMode mode) {
   switch (mode) {
     case SketchMode::kOriginal:

@@ -56,6 +56,10 @@ struct QualityPreset {
 // of medium.
 QualityPreset PresetOf(Quality quality);
 
+// The defaults of the method "paper": those of the paper and of its authors' program. Options given
+// explicitly override them.
+void SetPaperDefaults(PipelineOptions* options);
+
 const char* SketchModeName(SketchMode mode);
 
 // All options as the text of a JSON object {"mode": name, group: {name: value}}, for provenance.

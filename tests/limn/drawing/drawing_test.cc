@@ -254,21 +254,19 @@ TEST(MergedDrawingTest, SummaryTellsWhetherAveragingConverged) {
   EXPECT_GT(LastMovement(in_of(1e-9, 1), false), 0);
 }
 
-// Nothing that is not in the paper: nothing is grown or cut.
-TEST(PaperDrawingTest, EverySampleOfACurveThatMergesIsInALink) {
+// Nothing that is not in the paper: no sample is dropped, nothing is grown or cut.
+TEST(PaperDrawingTest, EverySampleOfTheSketchIsInALink) {
   DrawingOptions options;
   options.method = "paper";
   const DrawingResult result = Draw(NoisySketch(), options);
-  ASSERT_EQ(result.summary.dropped.size(), 1u);
-  const int64_t alone = Count(result.summary.dropped, "samples: in curves that merged with none");
-  EXPECT_LT(alone, 0.1 * Count(result.summary.in, "samples"));
-  EXPECT_EQ(Count(result.summary.kept, "samples") + alone, Count(result.summary.in, "samples"));
+  EXPECT_EQ(Count(result.summary.kept, "samples"), Count(result.summary.in, "samples"));
+  EXPECT_TRUE(result.summary.dropped.empty());
   EXPECT_TRUE(Validate(result.graph).empty());
   int64_t in_links = 0;
   for (const DrawingLink& link : result.graph.links) {
     for (const LinkMember& member : link.members) in_links += member.end - member.begin;
   }
-  EXPECT_EQ(in_links, Count(result.summary.kept, "samples"));
+  EXPECT_EQ(in_links, Count(result.summary.in, "samples"));
 }
 
 TEST(TracedDrawingTest, SummaryTellsWhatWasTraced) {

@@ -338,6 +338,19 @@ TEST_P(MergingPrimitivesTest, RunAtTwoNodesMakesThemOne) {
   EXPECT_EQ(Compact().links.size(), 7u);
 }
 
+TEST_P(MergingPrimitivesTest, LinkThatEndsAtTheNodeIsNotCutBesideIt) {
+  Start({Row({0, 0, 0}, kX, 61), Row({0, 0.1, 0}, {std::cos(0.1), std::sin(0.1), 0}, 61),
+         Row({4, 0.2, 1}, {0, 0, 1}, 40)});
+  AddTarget(Range(0, 61));
+  AddTarget(Range(61, 61));
+  primitives_->Attach(61, {0}, -1);
+  AddRun(Range(122, 40));
+  primitives_->Attach(122, {3, 61 + 5}, -1);
+  ExpectConsistent();
+  EXPECT_EQ(Degrees(), std::vector<int>({3}));
+  EXPECT_EQ(Compact().links.size(), 3u);
+}
+
 TEST_P(MergingPrimitivesTest, BranchFromALoopMakesItBeginAtTheJunction) {
   Start({CircleOf(120, 20), Row({21, 0, 0}, kX, 30)});
   std::vector<int> loop = Range(0, 120);

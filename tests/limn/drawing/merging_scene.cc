@@ -55,6 +55,7 @@ CurveConsistency MergingScene::MakeNetwork(const SampleSet& samples) const {
   CurveConsistency network;
   network.overlaps.resize(samples.NumCurves());
   network.cluster_of.assign(samples.NumCurves(), 0);
+  for (const auto& [curve, cluster] : cluster_of_) network.cluster_of[curve] = cluster;
   for (const auto& [curve, other] : along_) {
     CurveOverlap overlap{other, {}};
     for (int k = 0; k < samples.Size(curve); ++k) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,9 @@ class MergingScene : public DrawingScene {
   // of the other.
   void RunAlong(int curve, int other) { along_.push_back({curve, other}); }
 
+  // All others are in cluster 0.
+  void PutIntoCluster(int curve, int cluster) { cluster_of_[curve] = cluster; }
+
   MergingCounts Merge(const DrawingOptions& options = {});
 
   // Writes <name>.svg, the curves and below them the links, into the folder that the environment
@@ -31,6 +35,7 @@ class MergingScene : public DrawingScene {
   CurveConsistency MakeNetwork(const SampleSet& samples) const;
 
   std::vector<std::pair<int, int>> along_;
+  std::map<int, int> cluster_of_;
 };
 
 class MergingSceneTest : public ::testing::TestWithParam<SceneVariant> {

@@ -53,17 +53,14 @@ TEST_P(MergeCurvesTest, CurvesFarFromEachOtherAreReleased) {
   ExpectAllSamplesInLinks();
 }
 
-TEST_P(MergeCurvesTest, ThePaperDropsCurvesThatMergeWithNone) {
+TEST_P(MergeCurvesTest, ThePaperMergesWithinClustersOnly) {
   AddBar();
   scene_.AddLink(Path({{-30, 0.6, 0}, {30, 0.6, 0}}));
-  scene_.AddLink(Path({{0, -50, 0}, {0, -2, 0}}));
-  scene_.AddLink(Path({{-50, 30, 0}, {50, 30, 0}}));
-  const MergingCounts counts = scene_.Merge({.method = "paper"});
-  const Picture picture = scene_.Look();
-  EXPECT_EQ(picture.NumLinks(), 1);
-  EXPECT_NEAR(picture.LengthPxAt({0, 0.3, 0}), 150, 1);
-  EXPECT_GT(counts.samples_alone, 0);
-  EXPECT_EQ(picture.NumSamples() + counts.samples_alone, scene_.NumSketchSamples());
+  EXPECT_EQ(scene_.Merge({.method = "paper"}).released, 1);
+  scene_.PutIntoCluster(1, 1);
+  EXPECT_EQ(scene_.Merge({.method = "merged"}).released, 1);
+  EXPECT_EQ(scene_.Merge({.method = "paper"}).released, 2);
+  EXPECT_EQ(scene_.Look().NumLinks(), 2);
 }
 
 TEST_P(MergeCurvesTest, CurveAlongALinkIsAbsorbed) {
