@@ -29,6 +29,13 @@ def shares(row):
     return " / ".join(percent(row[key]) for key in SHARES)
 
 
+def by_box(data_sets):
+    """A data set of its own for every box that others are judged in."""
+    return [{**data_set, "boxes": [box],
+             "name": data_set["name"] + (f", box {box}" if len(data_set["boxes"]) > 1 else "")}
+            for data_set in data_sets for box in data_set["boxes"]]
+
+
 def box_of(data_set):
     return data_set["boxes"][0]
 
@@ -186,14 +193,14 @@ def page(data_sets, commit, pictures):
     text = HEAD.format(commit=commit) + commands(data_sets[0])
     text += ("Swept: the number of supporting views, of the original sketch the total of inliers. Other programs: stored results.\n\n"
              "## F, with default options (best of the sweep, its threshold)\n\n")
-    text += summary(data_sets, "precision")
-    text += "The same with the precision of samples:\n\n" + summary(data_sets, "sample_precision")
+    text += summary(by_box(data_sets), "precision")
+    text += "The same with the precision of samples:\n\n" + summary(by_box(data_sets), "sample_precision")
     text += missing(data_sets)
-    text += "## What is ahead of the default drawing, and in what\n\n" + losses(data_sets)
+    text += "## What is ahead of the default drawing, and in what\n\n" + losses(by_box(data_sets))
     for name, group in plot_quality.groups_of({"sets": data_sets}).items():
         text += f"## {name}\n\n![Precision and recall, {name}](results/{pictures[name].name})\n\n"
-        for data_set in group:
-            text += f"**{data_set['name']}**, {data_set['num_views']} views, box {box_of(data_set)}:\n\n"
+        for data_set in by_box(group):
+            text += f"**{data_set['name']}**, {data_set['num_views']} views:\n\n"
             text += data_set_table(data_set)
             text += "<details><summary>sweep</summary>\n\n" + sweep_table(data_set) + "</details>\n\n"
     return text.rstrip() + "\n"
@@ -222,7 +229,8 @@ def main():
     pictures = {}
     for name, group in plot_quality.groups_of({"sets": data_sets}).items():
         pictures[name] = folder / "results" / f"precision-recall-{name}.png"
-        rows = [(box_of(group[0]), precision) for precision in plot_quality.AXIS_LABELS]
+        rows = [(box, "precision") for box in group[0]["boxes"]]
+        rows.append((group[0]["boxes"][-1], "sample_precision"))
         plot_quality.draw_group(group, rows, pictures[name], PICTURE_DPI)
     (folder / "RESULTS.md").write_text(page(data_sets, commit, pictures), encoding="utf-8")
 

@@ -18,10 +18,9 @@ DrawingGraph Draw(const Scene& scene, const CurveSketch& sketch, const PipelineO
   const StageObserver unheard = [](const StageSummary&) {};
   const DrawingGraph drawing =
       BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph;
-  DrawingGraph judged =
-      RefineAndJudge({scene.views, scene.curves, drawing, &scene.hints.points}, options, context,
-                     unheard)
-          .graph;
+  DrawingGraph judged = RefineAndJudge({scene.views, scene.curves, drawing, &scene.hints.points},
+                                       options, context, unheard)
+                            .graph;
   // Kinds, which need the photographs, do not change the curves.
   if (!options.drawing.IsPaper()) {
     judged = FitPrimitives(judged, scene.views, options.primitives, context).graph;

@@ -34,7 +34,8 @@ void ExpectPageOfResults(const std::filesystem::path& folder) {
                           (folder / "report.json").string(), "abcdef", folder.string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const std::string page = ReadText(folder / "RESULTS.md");
-  for (const char* method : {"original sketch", "enhanced sketch", "paper drawing", "default drawing"}) {
+  for (const char* method :
+       {"original sketch", "enhanced sketch", "paper drawing", "default drawing"}) {
     EXPECT_THAT(page, HasSubstr("| " + std::string(method) + " | "));
   }
   EXPECT_THAT(page, HasSubstr("at commit abcdef"));

@@ -232,8 +232,8 @@ TEST_F(SmallRun, ThePaperAlone) {
                                 "--Sketch.min_supporting_views", "3"});
   EXPECT_THAT(said, HasSubstr("enhanced sketch"));
   EXPECT_THAT(said, HasSubstr("averaging rounds"));
-  for (const char* ours :
-       {"re-triangulation", "ends continued", "refinement:", "belief:", "primitives:", "kinds of"}) {
+  for (const char* ours : {"re-triangulation", "ends continued",
+                           "refinement:", "belief:", "primitives:", "kinds of"}) {
     EXPECT_THAT(said, Not(HasSubstr(ours)));
   }
   const DrawingGraph graph = ReadDrawingJson(Output("out", "drawing.json").string()).graph;

@@ -156,8 +156,7 @@ bool MergingPrimitives::AreJoined(NodeId a, NodeId b) const {
 // Whether the link of a place ends at the node, near the place.
 bool MergingPrimitives::EndsAt(const Place& place, NodeId node) const {
   const auto is_near = [&](const LinkEnd& end) {
-    return editor_.NodeAt(end) == node &&
-           StubPx(end, place.index) < options_.min_branch_length_px;
+    return editor_.NodeAt(end) == node && StubPx(end, place.index) < options_.min_branch_length_px;
   };
   return std::ranges::any_of(EndsOf(place.link), is_near);
 }

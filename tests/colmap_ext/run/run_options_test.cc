@@ -50,8 +50,8 @@ TEST(RunOptions, MethodPaperSetsDefaults) {
   EXPECT_EQ(pipeline.drawing.dense_link_views, 2);
   EXPECT_EQ(pipeline.drawing.min_strong_links, 5);
   RunOptions of_file;
-  ASSERT_TRUE(Parse({"--workspace_path", "w", "--project_path", LIMN_SOURCE_DIR "/scripts/paper.ini",
-                     "--Sketch.min_supporting_views", "4"},
+  ASSERT_TRUE(Parse({"--workspace_path", "w", "--project_path",
+                     LIMN_SOURCE_DIR "/scripts/paper.ini", "--Sketch.min_supporting_views", "4"},
                     &of_file));
   EXPECT_EQ(OptionsAsJson(of_file.pipeline), OptionsAsJson(pipeline));
 }
