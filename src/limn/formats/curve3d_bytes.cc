@@ -109,7 +109,7 @@ Curve3D GetCurve3d(ByteReader* in, const std::vector<ImageCurves>& curves) {
   in->Check(IsIndexOf(curve.anchor.view, curves), "view out of range");
   curve.closed = GetFlag(in);
   curve.total_support = in->Get<double>();
-  in->Check(curve.total_support >= 0, "total support is no positive number");
+  in->Check(curve.total_support >= 0, "total support is negative or no number");
   const size_t count = in->GetCount(kSampleBytes);
   const AnchorEdgels own(*in, curve.anchor, count, curves);
   std::vector<EdgelRef> support;
@@ -117,7 +117,7 @@ Curve3D GetCurve3d(ByteReader* in, const std::vector<ImageCurves>& curves) {
     curve.points_in_world.push_back(GetVector(in));
     curve.tangents_in_world.push_back(GetVector(in));
     curve.depth_sigma.push_back(in->Get<double>());
-    in->Check(curve.depth_sigma.back() >= 0, "sigma is no positive number");
+    in->Check(curve.depth_sigma.back() >= 0, "sigma is negative or no number");
     curve.certain.push_back(GetFlag(in));
     GetSupport(in, curves, own.Of(i), &support);
     curve.support.Append(support);

@@ -98,6 +98,8 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
         "above this angle it has full weight, deg");
   visit("min_tangency_weight", o.min_tangency_weight, "the least weight");
   visit("averaging", o.averaging, "enhanced mode: robust, or paper: the paper's section 2");
+  visit("first_to_second_ratio", o.first_to_second_ratio,
+        "original mode, averaging paper: support of the best match over that of the next");
   visit("depth_gate_px", o.depth_gate_px, "reconstructions of an edgel within this agree, px");
   visit("max_unsupported_gap_px", o.max_unsupported_gap_px, "longest unsupported gap, px");
   visit("max_interpolated_gap_px", o.max_interpolated_gap_px,
@@ -112,9 +114,7 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
   visit("original_min_inliers_view", o.original_min_inliers_view,
         "original mode: inlier edgels that make a view count");
   visit("original_min_inliers_total", o.original_min_inliers_total,
-        "original mode: inliers over all confirmation views that a curve needs");
-  visit("original_first_to_second_ratio", o.original_first_to_second_ratio,
-        "original mode, averaging paper: support of the best match over that of the next");
+        "original mode: inliers over all confirmation views, of 5 or more, that a curve needs");
   visit("original_exhaustive_pairs", o.original_exhaustive_pairs,
         "original mode: match all pairs of views, not the selected ones");
 }

@@ -1,8 +1,7 @@
-#include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "limn/sketch/local_sketch.h"
+#include "limn/sketch/vertex_winners.h"
 
 namespace limn {
 namespace {
@@ -28,37 +27,6 @@ class PairedDepths {
   }
 
  private:
-  // A hypothesis that some view supports.
-  struct SupportedHypothesis {
-    CurveHypothesis hypothesis;
-    HypothesisSupport support;
-  };
-
-  // Of the hypotheses of one second view, the total support of the best two at a vertex.
-  struct BestTotals {
-    double first = 0;
-    double second = 0;
-
-    void Add(double total) {
-      second = std::max(second, std::min(first, total));
-      first = std::max(first, total);
-    }
-  };
-
-  static double TotalSupport(const HypothesisSupport& support) {
-    return std::accumulate(support.weighted.begin(), support.weighted.end(), 0.0);
-  }
-
-  static std::vector<BestTotals> FindBestTotals(const FragmentRays& fragment,
-                                                const std::vector<SupportedHypothesis>& rivals) {
-    std::vector<BestTotals> best(fragment.size());
-    for (const auto& [hypothesis, support] : rivals) {
-      const double total = TotalSupport(support);
-      for (const HypothesisSample& sample : hypothesis.samples) best[sample.vertex].Add(total);
-    }
-    return best;
-  }
-
   std::vector<SupportedHypothesis> Supported(const FragmentRays& fragment, size_t rank,
                                              std::vector<EdgelFate>* fates) const {
     const ViewPlan& plan = primary_.plan;
@@ -85,14 +53,16 @@ class PairedDepths {
     std::vector<std::vector<DepthCandidate>> candidates(fragment.size());
     for (size_t rank = 0; rank < chords_.size(); ++rank) {
       const std::vector<SupportedHypothesis> rivals = Supported(fragment, rank, fates);
-      const std::vector<BestTotals> best = FindBestTotals(fragment, rivals);
-      for (const auto& [hypothesis, support] : rivals) {
-        const double total = TotalSupport(support);
+      std::vector<int> winners;  // with the averaging of the paper
+      if (options.AveragesAsPaper()) {
+        winners = FindVertexWinners(rivals, fragment.size(), options.first_to_second_ratio);
+      }
+      for (size_t r = 0; r < rivals.size(); ++r) {
+        const auto& [hypothesis, support] = rivals[r];
         for (size_t j = 0; j < hypothesis.samples.size(); ++j) {
-          const BestTotals& totals = best[hypothesis.samples[j].vertex];
-          const bool wins = total == totals.first &&
-                            total > options.original_first_to_second_ratio * totals.second;
-          if (options.AveragesAsPaper() && !wins) continue;
+          const bool wins =
+              winners.empty() || winners[hypothesis.samples[j].vertex] == static_cast<int>(r);
+          if (!wins) continue;
           AddCandidate(fragment, hypothesis.samples[j], support, j, static_cast<int>(rank),
                        &candidates);
         }

@@ -1,5 +1,8 @@
 #include "limn/sketch/epipolar_stretches.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace limn {
 namespace {
 
@@ -12,34 +15,47 @@ double SignedEpipolarSine(const Eigen::Vector3d& epipole, const Eigen::Vector2d&
   return norm > 0 ? (line.x() * tangent.y() - line.y() * tangent.x()) / norm : 0;
 }
 
+// Per vertex the sense in which the curve crosses the epipolar lines, 1 or -1; 0 where it runs
+// along them.
+std::vector<int> CrossingSenses(const FragmentRays& fragment, const View& primary,
+                                const View& second, double min_sine) {
+  const Eigen::Vector3d second_center = Inverse(second.cam_from_world).translation;
+  const Eigen::Vector3d epipole =
+      primary.camera.Calibration() * (primary.cam_from_world * second_center);
+  std::vector<int> senses;
+  for (size_t i = 0; i < fragment.size(); ++i) {
+    const double sine =
+        SignedEpipolarSine(epipole, fragment.positions_px[i], fragment.tangents_px[i]);
+    senses.push_back(sine >= min_sine ? 1 : -sine >= min_sine ? -1 : 0);
+  }
+  return senses;
+}
+
+// Where to begin: at the first vertex, unless a closed fragment goes on through it in one sense;
+// then where the sense first changes.
+int FirstVertex(const FragmentRays& fragment, const std::vector<int>& senses) {
+  if (!fragment.closed || senses.front() != senses.back()) return 0;
+  const auto change = std::adjacent_find(senses.begin(), senses.end(), std::not_equal_to<>());
+  return change == senses.end() ? 0 : static_cast<int>(change - senses.begin()) + 1;
+}
+
 }  // namespace
 
 std::vector<VertexStretch> EpipolarStretches(const FragmentRays& fragment, const View& primary,
                                              const View& second, double min_sine,
                                              double min_length_px) {
-  const Eigen::Vector3d second_center = Inverse(second.cam_from_world).translation;
-  const Eigen::Vector3d epipole =
-      primary.camera.Calibration() * (primary.cam_from_world * second_center);
-  const int count = static_cast<int>(fragment.size());
+  const std::vector<int> senses = CrossingSenses(fragment, primary, second, min_sine);
+  const int count = static_cast<int>(senses.size());
+  const int first = FirstVertex(fragment, senses);
   std::vector<VertexStretch> stretches;
-  int begin = 0;
-  int sense = 0;  // of the stretch since begin; 0 = none
-  const auto finish = [&](int end) {
-    if (sense == 0) return;
-    if (fragment.arc_px[end - 1] - fragment.arc_px[begin] >= min_length_px) {
-      stretches.push_back({begin, end});
-    }
-  };
-  for (int i = 0; i < count; ++i) {
-    const double sine =
-        SignedEpipolarSine(epipole, fragment.positions_px[i], fragment.tangents_px[i]);
-    const int here = sine >= min_sine ? 1 : -sine >= min_sine ? -1 : 0;
-    if (here == sense) continue;
-    finish(i);
-    begin = i;
-    sense = here;
+  for (int begin = first; begin < first + count;) {
+    const int sense = senses[begin % count];
+    int end = begin + 1;
+    while (end < first + count && senses[end % count] == sense) ++end;
+    const bool is_long = fragment.ArcTo(end - 1) - fragment.ArcTo(begin) >= min_length_px;
+    if (sense != 0 && is_long) stretches.push_back({begin, end});
+    begin = end;
   }
-  finish(count);
   return stretches;
 }
 

@@ -118,6 +118,9 @@ std::optional<HypothesisSample> Triangulate(const FragmentRays& fragment, int ve
 // Collects intersections into runs: each continues the run of its fragment that ends nearest to it.
 class RunBuilder {
  public:
+  // Runs pass the first vertex of the closed ones among these fragments; null: of none.
+  explicit RunBuilder(const std::vector<CurveFragment>* fragments) : fragments_(fragments) {}
+
   void Add(int fragment, const HypothesisSample& sample) {
     std::vector<int>& open = open_[fragment];
     int best = -1;
@@ -126,7 +129,7 @@ class RunBuilder {
       const HypothesisSample& last = runs_[run].samples.back();
       const int gap = sample.vertex - last.vertex;
       if (gap < 1 || gap > kMaxVertexGap) continue;
-      const double step = std::abs(sample.second_parameter - last.second_parameter);
+      const double step = ParameterStep(fragment, sample, last);
       if (step > kMaxParameterStep * gap) continue;
       if (best < 0 || step < best_step) {
         best = run;
@@ -147,6 +150,13 @@ class RunBuilder {
   std::vector<CurveHypothesis> Take() { return std::move(runs_); }
 
  private:
+  double ParameterStep(int fragment, const HypothesisSample& a, const HypothesisSample& b) const {
+    const double step = std::abs(a.second_parameter - b.second_parameter);
+    if (!fragments_ || !(*fragments_)[fragment].closed) return step;
+    return std::min(step, static_cast<double>((*fragments_)[fragment].edgel_ids.size()) - step);
+  }
+
+  const std::vector<CurveFragment>* fragments_;
   std::vector<CurveHypothesis> runs_;
   std::map<int, std::vector<int>> open_;  // by second fragment
 };
@@ -176,6 +186,13 @@ FragmentRays MakeFragmentRays(const View& view, const ImageCurves& curves, int f
   return rays;
 }
 
+double FragmentRays::ArcTo(int vertex) const {
+  const int count = static_cast<int>(size());
+  if (vertex < count) return arc_px[vertex];
+  const double closing = (positions_px.front() - positions_px.back()).norm();
+  return arc_px.back() + closing + arc_px[vertex - count];
+}
+
 std::vector<int> SpacedVertices(const FragmentRays& fragment, double spacing_px) {
   std::vector<int> vertices;
   const int count = static_cast<int>(fragment.size());
@@ -200,13 +217,23 @@ FragmentRays Subset(const FragmentRays& fragment, const std::vector<int>& vertic
   return subset;
 }
 
+FragmentRays OpenStretch(const FragmentRays& fragment, int begin, int end) {
+  std::vector<int> vertices;
+  for (int i = begin; i < end; ++i) vertices.push_back(i % static_cast<int>(fragment.size()));
+  FragmentRays stretch = Subset(fragment, vertices);
+  for (int i = begin; i < end; ++i) stretch.arc_px[i - begin] = fragment.ArcTo(i);
+  stretch.closed = false;
+  return stretch;
+}
+
 std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,
                                             const View& second,
                                             const EpipolarChords& chords_of_second,
                                             double min_depth, double max_depth,
-                                            const SketchOptions& options) {
+                                            const SketchOptions& options,
+                                            const std::vector<CurveFragment>* seamless) {
   const PairGeometry pair(primary, second);
-  RunBuilder runs;
+  RunBuilder runs(seamless);
   std::vector<LineCrossing> crossings;
   for (size_t vertex = 0; vertex < fragment.size(); ++vertex) {
     const Eigen::Vector2d& pixel = fragment.positions_px[vertex];

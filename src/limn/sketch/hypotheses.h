@@ -42,6 +42,9 @@ struct FragmentRays {
   bool closed = false;
 
   size_t size() const { return rays.size(); }
+  // Arc length from the first vertex, px. From size() on, a vertex of a closed fragment once more,
+  // after a full round.
+  double ArcTo(int vertex) const;
 };
 
 FragmentRays MakeFragmentRays(const View& view, const ImageCurves& curves, int fragment);
@@ -52,15 +55,21 @@ std::vector<int> SpacedVertices(const FragmentRays& fragment, double spacing_px)
 // The fragment reduced to some of its vertices.
 FragmentRays Subset(const FragmentRays& fragment, const std::vector<int>& vertices);
 
+// The vertices [begin, end) as an open fragment. In a closed one they may pass the last vertex:
+// they are taken modulo its size.
+FragmentRays OpenStretch(const FragmentRays& fragment, int begin, int end);
+
 // All curve hypotheses of one primary fragment with one second view (curve sketch, CVPR 2010;
 // ALGORITHM.md 5.1). For every vertex the epipolar line, cut to the depth range, is intersected
 // with the fragments of the second view; position and tangent are interpolated at the intersection;
 // runs of intersections with one fragment become hypotheses. No hypothesis leaves the depth range.
-// Expected time: curves on the epipolar lines.
+// Runs end at the first vertex of a closed fragment of the second view unless that view's fragments
+// are given as `seamless`. Expected time: curves on the epipolar lines.
 std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,
                                             const View& second,
                                             const EpipolarChords& chords_of_second,
                                             double min_depth, double max_depth,
-                                            const SketchOptions& options);
+                                            const SketchOptions& options,
+                                            const std::vector<CurveFragment>* seamless = nullptr);
 
 }  // namespace limn

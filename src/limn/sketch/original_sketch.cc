@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "limn/sketch/confirmation.h"
 #include "limn/sketch/epipolar_stretches.h"
@@ -11,6 +10,9 @@
 
 namespace limn {
 namespace {
+
+// So many views confirmed a pair where original_min_inliers_total was chosen.
+constexpr double kPublishedConfirmationViews = 5;
 
 // What became of a hypothesis.
 struct Counts {
@@ -37,13 +39,13 @@ struct Match {
 // fragment of its own.
 struct Stretch {
   int fragment = -1;
-  int begin = 0;  // vertex of the fragment
+  int begin = 0;  // vertex of the fragment; those of a closed one go on modulo its size
   FragmentRays rays;
 };
 
 // Total support S (CVPR 2010): the sum over confirmation views of the supported samples, where a
 // view with fewer than min_inliers_view of them does not vote.
-double TotalSupport(const HypothesisSupport& support, size_t num_views,
+double TotalInliers(const HypothesisSupport& support, size_t num_views,
                     const SketchOptions& options) {
   double total = 0;
   for (size_t k = 0; k < num_views; ++k) {
@@ -51,7 +53,16 @@ double TotalSupport(const HypothesisSupport& support, size_t num_views,
     for (const uint32_t mask : support.inliers) inliers += mask >> k & 1;
     if (inliers >= options.original_min_inliers_view) total += inliers;
   }
-  return total >= options.original_min_inliers_total ? total : 0;
+  return total;
+}
+
+// The total that a pair needs: fewer than the published number of confirmation views, of which the
+// second view is none, cannot give all of it.
+double RequiredInliers(const ViewPlan& plan, ViewId second, const SketchOptions& options) {
+  const std::vector<ViewId>& views = plan.confirmation_views;
+  const auto num_views = std::ranges::count_if(views, [&](ViewId v) { return v != second; });
+  const double share = static_cast<double>(num_views) / kPublishedConfirmationViews;
+  return std::min(1.0, share) * options.original_min_inliers_total;
 }
 
 // Cut away the portions tangent to epipolar lines of either view; keep those of the minimum length.
@@ -141,9 +152,8 @@ class PairMatcher {
       for (const VertexStretch& part : EpipolarStretches(
                fragment, input_.views[primary_], input_.views[plan_.second_views[rank]], min_sine_,
                options_.original_min_fragment_length_px)) {
-        std::vector<int> vertices(part.end - part.begin);
-        std::iota(vertices.begin(), vertices.end(), part.begin);
-        MatchStretch({fragment_id, part.begin, Subset(fragment, vertices)}, rank, sketch);
+        MatchStretch({fragment_id, part.begin, OpenStretch(fragment, part.begin, part.end)}, rank,
+                     sketch);
       }
     }
   }
@@ -156,7 +166,7 @@ class PairMatcher {
     for (const Match& match : matches) {
       const bool wins = std::ranges::all_of(matches, [&](const Match& other) {
         return &other == &match || !AreRivals(stretch.rays, match, other, options_) ||
-               options_.original_first_to_second_ratio * other.total < match.total;
+               options_.first_to_second_ratio * other.total < match.total;
       });
       if (wins) {
         Emit(stretch, match, sketch);
@@ -168,16 +178,18 @@ class PairMatcher {
 
   std::vector<Match> FindMatches(const FragmentRays& stretch, size_t rank, Counts* counts) const {
     const ViewId second = plan_.second_views[rank];
-    const auto hypotheses = CutTangentPortions(
-        stretch,
-        FindHypotheses(stretch, input_.views[primary_], input_.views[second], chords_[rank],
-                       plan_.min_depth, plan_.max_depth, options_),
-        min_sine_, options_.original_min_fragment_length_px, counts);
+    const auto hypotheses =
+        CutTangentPortions(stretch,
+                           FindHypotheses(stretch, input_.views[primary_], input_.views[second],
+                                          chords_[rank], plan_.min_depth, plan_.max_depth, options_,
+                                          &input_.curves[second].fragments),
+                           min_sine_, options_.original_min_fragment_length_px, counts);
+    const double required = RequiredInliers(plan_, second, options_);
     std::vector<Match> matches;
     for (const CurveHypothesis& hypothesis : hypotheses) {
       auto support = confirmation_.Confirm(stretch, hypothesis, second, options_);
-      const double total = support ? TotalSupport(*support, confirmation_.size(), options_) : 0;
-      if (total > 0) {
+      const double total = support ? TotalInliers(*support, confirmation_.size(), options_) : 0;
+      if (total > 0 && total >= required) {
         matches.push_back({hypothesis, std::move(*support), total});
       } else {
         ++counts->too_little_support;
@@ -196,7 +208,9 @@ class PairMatcher {
       ++sketch->counts.outside;
       return;
     }
-    curve.anchor = {primary_, stretch.fragment, stretch.begin + begin};
+    const auto& vertices = input_.curves[primary_].fragments[stretch.fragment].edgel_ids;
+    curve.anchor = {primary_, stretch.fragment,
+                    (stretch.begin + begin) % static_cast<int>(vertices.size())};
     curve.total_support = match.total;
     std::vector<ViewId> support_views = plan_.confirmation_views;
     std::sort(support_views.begin(), support_views.end());

@@ -23,6 +23,7 @@ void SketchOptions::Check() const {
   if (averaging != "robust" && !AveragesAsPaper()) {
     throw OptionError("averaging: " + averaging + ": robust or paper expected");
   }
+  LIMN_CHECK_RANGE(first_to_second_ratio, >= 1, <= 1e6);
   LIMN_CHECK_RANGE(depth_gate_px, > 0, <= 100);
   LIMN_CHECK_RANGE(max_unsupported_gap_px, >= 0, <= 1e4);
   LIMN_CHECK_RANGE(max_interpolated_gap_px, >= 0, <= 1e4);
@@ -31,7 +32,6 @@ void SketchOptions::Check() const {
   LIMN_CHECK_RANGE(original_min_epipolar_angle_deg, >= 0, <= 90);
   LIMN_CHECK_RANGE(original_min_inliers_view, >= 1, <= 1e9);
   LIMN_CHECK_RANGE(original_min_inliers_total, >= 0, <= 1e9);
-  LIMN_CHECK_RANGE(original_first_to_second_ratio, >= 1, <= 1e6);
 }
 
 }  // namespace limn

@@ -44,6 +44,9 @@ struct SketchOptions {
   // standard deviations of their pairwise distances, and a view's support counts by its tangency
   // weight (ECCV 2016, section 2).
   std::string averaging = "robust";
+  // Original sketch, and enhanced sketch with averaging "paper": of rival hypotheses one counts if
+  // it has more than this times the support of every other.
+  double first_to_second_ratio = 1.5;
 
   // Two reconstructions of one edgel belong together when they reproject within this distance.
   double depth_gate_px = 1.5;
@@ -60,12 +63,12 @@ struct SketchOptions {
   double sweep_spacing_px = 3;
 
   // Original sketch only (whole-curve support as published; lengths as for 640 x 360 images). The
-  // total is the one at which its authors cut their results.
+  // total is the one at which its authors cut their results; pairs with fewer than 5 confirmation
+  // views need a fifth of it per view.
   double original_min_fragment_length_px = 20;
   double original_min_epipolar_angle_deg = 10;
   int original_min_inliers_view = 15;
   int original_min_inliers_total = 125;
-  double original_first_to_second_ratio = 1.5;
   // Whether all other views are second views of a view, instead of the selected ones.
   bool original_exhaustive_pairs = false;
 

@@ -17,15 +17,6 @@ constexpr double kSlopeWindowPx = 6;
 // Standard deviation of an edgel across the edge that depth errors are derived from, px.
 constexpr double kEdgelSigmaPx = 0.2;
 
-double ArcBetween(const FragmentRays& fragment, int from, int to) {
-  const int count = static_cast<int>(fragment.size());
-  if (to < count) return fragment.arc_px[to] - fragment.arc_px[from];
-  const double closing = (fragment.positions_px.front() - fragment.positions_px.back()).norm();
-  const double full = fragment.arc_px.back() + closing;
-  return full + fragment.arc_px[to - count] -
-         (from < count ? fragment.arc_px[from] : full + fragment.arc_px[from - count]);
-}
-
 void FillBetween(const FragmentRays& fragment, int from, int to, std::vector<FusedDepth>* depths) {
   const FusedDepth first = (*depths)[from];
   const FusedDepth last = (*depths)[to];
@@ -205,7 +196,7 @@ std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<
     if (continues) continue;
     const int first = wraps ? (start + begin) % count : begin;
     const int size = k - begin + 1;
-    if (ArcBetween(fragment, first, first + size - 1) >= options.min_piece_length_px) {
+    if (fragment.ArcTo(first + size - 1) - fragment.ArcTo(first) >= options.min_piece_length_px) {
       runs.push_back({first, size, false});
     }
     begin = -1;
@@ -231,7 +222,7 @@ Curve3D MakeCurve(const View& view, const FragmentRays& fragment,
   std::vector<double> arc, inverse_depth, weight;
   for (int k = 0; k < run.size; ++k) {
     const int i = (run.begin + k) % count;
-    arc.push_back(ArcBetween(fragment, run.begin, run.begin + k));
+    arc.push_back(fragment.ArcTo(run.begin + k) - fragment.ArcTo(run.begin));
     inverse_depth.push_back(depths[i].inverse_depth);
     weight.push_back(depths[i].weight + 1e-9);
   }

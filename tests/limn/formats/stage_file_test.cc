@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -225,6 +226,27 @@ TEST(StageFile, EveryCutAndEveryFlippedBitIsNoticed) {
   }
   EXPECT_TRUE(is_refused(bytes + "x"));
   EXPECT_THROW(ReadImageCurves(folder.Path("absent.bin"), "id"), IoError);
+}
+
+TEST(StageFile, NoNumberMayBeNegative) {
+  const TemporaryFolder folder;
+  const auto complaint = [&](double total_support, double sigma) -> std::string {
+    CurveSketch sketch = SmallSketch();
+    sketch.curves[2].total_support = total_support;
+    sketch.curves[2].depth_sigma[0] = sigma;
+    WriteCurveSketch(folder.Path("s.bin"), sketch, kMetadata, "id");
+    try {
+      ReadCurveSketch(folder.Path("s.bin"), SketchedCurves(), "id");
+    } catch (const IoError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint(0, 0), "");
+  for (const double bad : {-1.0, static_cast<double>(NAN)}) {
+    EXPECT_TRUE(complaint(bad, 0).ends_with("total support is negative or no number"));
+    EXPECT_TRUE(complaint(0, bad).ends_with("sigma is negative or no number"));
+  }
 }
 
 // Files whose checksum is right but whose content is wrong.

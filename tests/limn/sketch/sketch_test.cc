@@ -53,6 +53,10 @@ TauResult Evaluate(const CurveSketch& sketch, double tau) {
   return row;
 }
 
+// Circumference of 80 px in frontal views, seen without rotation: one fragment, whose first vertex
+// is in the middle of an arc that crosses the horizontal epipolar lines.
+testing::SceneCurve Ring() { return testing::Circle({0, 0, 0}, 40 / M_PI * testing::kFrontalPx); }
+
 // Arrays of equal length, unit tangents along the curve, support sorted by view and with the
 // anchor's own edgel.
 void ExpectSound(const CurveSketch& sketch) {
@@ -136,6 +140,62 @@ TEST(OriginalSketchTest, CurvesKnowTheirTotalSupport) {
   }
 }
 
+// A curve that every view sees along 60 px. Two views confirm a pair of four, three one of five.
+TEST(OriginalSketchTest, FewViewsNeedLessTotalSupport) {
+  for (const int num_views : {4, 5}) {
+    const auto views = testing::FrontalViews(num_views, 1, 0.4);
+    const auto curves = testing::ProjectCurves(
+        views, {testing::Segment(testing::FrontalPoint(0, -30), testing::FrontalPoint(10, 30))});
+    SketchOptions options;
+    const auto num_curves = [&] {
+      const CurveSketch sketch =
+          BuildOriginalSketch({views, curves, {}, std::nullopt}, options, {}).sketch;
+      for (const Curve3D& curve : sketch.curves) {
+        EXPECT_GE(curve.total_support, options.original_min_inliers_total / 5.0 * (num_views - 2));
+      }
+      return static_cast<int>(sketch.curves.size());
+    };
+    EXPECT_EQ(num_curves(), num_views * (num_views - 1)) << num_views;
+    options.original_min_inliers_total = 330;  // more than 60 in each view
+    EXPECT_EQ(num_curves(), 0) << num_views;
+  }
+}
+
+// 7 times 22 px are more than 125, but less than 7 times 25.
+TEST(OriginalSketchTest, ManyViewsNeedNoMoreTotalSupport) {
+  const auto views = testing::FrontalViews(9, 1, 0.25);
+  const auto curves = testing::ProjectCurves(
+      views, {testing::Segment(testing::FrontalPoint(0, -11), testing::FrontalPoint(3, 11))});
+  const CurveSketch sketch =
+      BuildOriginalSketch({views, curves, {}, std::nullopt}, SketchOptions(), {}).sketch;
+  EXPECT_GE(sketch.curves.size(), 9u);
+}
+
+// Each half of the ring is a curve, though one passes the first vertex of the fragment.
+TEST(OriginalSketchTest, CurvesOfAClosedFragmentPassItsFirstVertex) {
+  const auto views = testing::FrontalViews(9, 1, 0.4);
+  const auto curves = testing::ProjectCurves(views, {Ring()});
+  const CurveSketch sketch =
+      BuildOriginalSketch({views, curves, {}, std::nullopt}, SketchOptions(), {}).sketch;
+  size_t num_passing = 0;
+  for (const Curve3D& curve : sketch.curves) {
+    const View& view = views.at(curve.anchor.view);
+    const ImageCurves& image = curves.at(curve.anchor.view);
+    const auto& ids = image.fragments.at(0).edgel_ids;
+    ASSERT_FALSE(curve.closed);
+    ASSERT_GE(curve.anchor.begin, 0);
+    ASSERT_LT(curve.anchor.begin, static_cast<int>(ids.size()));
+    num_passing += curve.anchor.begin + curve.size() > ids.size();
+    for (size_t s = 0; s < curve.size(); ++s) {
+      const Edgel& edgel = image.edge_map.edgels[ids[(curve.anchor.begin + s) % ids.size()]];
+      EXPECT_LT((view.Project(curve.points_in_world[s]).value() - edgel.position_px).norm(), 1e-6);
+      EXPECT_LT(std::abs(curve.points_in_world[s].z()), 0.05);
+    }
+  }
+  EXPECT_GE(num_passing, 9u);
+  EXPECT_EQ(sketch.curves.size(), 2 * num_passing);
+}
+
 // Epipolar lines are horizontal.
 TEST(EpipolarStretchesTest, AreCutWhereTheCurveTurnsBackOrRunsAlongTheLines) {
   const auto views = testing::FrontalViews(2, 1, 0.6);
@@ -157,6 +217,34 @@ TEST(EpipolarStretchesTest, AreCutWhereTheCurveTurnsBackOrRunsAlongTheLines) {
   ASSERT_EQ(of_tip.size(), 2u);
   EXPECT_LE(of_tip[1].begin - of_tip[0].end, 2);
   EXPECT_EQ(stretches(1, 60).size(), 1u);
+}
+
+TEST(EpipolarStretchesTest, OfAClosedFragmentPassItsFirstVertex) {
+  const auto views = testing::FrontalViews(2, 1, 0.6);
+  const ImageCurves curves = testing::ProjectCurves(views[0], {Ring()});
+  FragmentRays ring = MakeFragmentRays(views[0], curves, 0);
+  const int size = static_cast<int>(ring.size());
+  ASSERT_EQ(size, 80);
+  const auto stretches = [&] {
+    return EpipolarStretches(ring, views[0], views[1], std::sin(0.2), 20);
+  };
+  const auto of_ring = stretches();
+  ASSERT_EQ(of_ring.size(), 2u);
+  EXPECT_LE(of_ring[0].end, size);
+  EXPECT_LT(of_ring[1].begin, size);
+  EXPECT_GT(of_ring[1].end, size);
+  for (const VertexStretch& stretch : of_ring) {
+    const FragmentRays open = OpenStretch(ring, stretch.begin, stretch.end);
+    EXPECT_FALSE(open.closed);
+    ASSERT_EQ(static_cast<int>(open.size()), stretch.end - stretch.begin);
+    EXPECT_NEAR(open.arc_px.back() - open.arc_px.front(), 35, 2);
+    for (size_t i = 1; i < open.size(); ++i) {
+      EXPECT_NEAR(open.arc_px[i] - open.arc_px[i - 1], 1, 0.01);
+      EXPECT_NEAR((open.positions_px[i] - open.positions_px[i - 1]).norm(), 1, 0.01);
+    }
+  }
+  ring.closed = false;  // the second half falls into two that are too short
+  EXPECT_EQ(stretches().size(), 1u);
 }
 
 // The two sketches that judge sample by sample.

@@ -1,0 +1,107 @@
+#include "limn/sketch/local_sketch.h"
+
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "support/synthetic_scene.h"
+
+namespace limn {
+namespace {
+
+// Confirmation views at these angles beside the primary one, around the origin. With the last one
+// left out, support is narrow.
+constexpr double kAnglesOfViewsDeg[] = {-10, 5, 12, 35};
+constexpr uint32_t kNarrow = 0b0111;
+constexpr uint32_t kWide = 0b1110;
+constexpr uint32_t kAll = 0b1111;
+
+class VerdictTest : public ::testing::Test {
+ protected:
+  VerdictTest() {
+    views_.push_back(testing::LookAt({5, 0, 0}, {0, 0, 0}));
+    for (const double degrees : kAnglesOfViewsDeg) {
+      const double angle = degrees * M_PI / 180;
+      plan_.confirmation_views.push_back(static_cast<ViewId>(views_.size()));
+      views_.push_back(testing::LookAt({5 * std::cos(angle), 5 * std::sin(angle), 0}, {0, 0, 0}));
+    }
+  }
+
+  // Of a sample at the origin.
+  PrimaryView::Verdict Judge(uint32_t contained, uint32_t supporting, double weighted) const {
+    const SketchEdgels edgels(views_.size());
+    const SketchInput input{views_, curves_, hints_, box_};
+    const PrimaryView primary(input, 0, plan_, edgels, options_);
+    HypothesisSupport support;
+    support.contained = {contained};
+    support.supporting = {supporting};
+    support.weighted = {weighted};
+    return primary.Judge(support, 0, views_[0].cam_from_world * Eigen::Vector3d::Zero());
+  }
+
+  std::vector<View> views_;
+  ViewPlan plan_;
+  SketchOptions options_;
+  std::optional<Eigen::AlignedBox3d> box_;
+  const std::vector<ImageCurves> curves_ = std::vector<ImageCurves>(5);
+  const SceneHints hints_;
+};
+
+TEST_F(VerdictTest, SupportedByEnoughViewsAndCertainByEnoughWeight) {
+  EXPECT_FALSE(Judge(kAll, 0b1100, 3).supported);
+  EXPECT_TRUE(Judge(kAll, kWide, 2.9).supported);
+  EXPECT_FALSE(Judge(kAll, kWide, 2.9).certain);
+  EXPECT_TRUE(Judge(kAll, kWide, 3).certain);
+}
+
+TEST_F(VerdictTest, NarrowSupportIsNoneIfAWideViewContainsTheSample) {
+  EXPECT_FALSE(Judge(kAll, kNarrow, 3).supported);
+  EXPECT_TRUE(Judge(kNarrow, kNarrow, 3).supported);
+}
+
+TEST_F(VerdictTest, ThePaperSupportsWhatIsCertainAtAnyAngles) {
+  options_.averaging = "paper";
+  EXPECT_TRUE(Judge(kAll, kNarrow, 3).supported);
+  EXPECT_TRUE(Judge(kAll, kNarrow, 3).certain);
+  EXPECT_FALSE(Judge(kAll, kWide, 2.9).supported);
+  EXPECT_FALSE(Judge(kAll, kWide, 2.9).certain);
+  EXPECT_FALSE(Judge(kAll, 0b1100, 3).supported);
+}
+
+TEST_F(VerdictTest, NothingOutsideOfTheBoxIsSupported) {
+  for (const char* averaging : {"robust", "paper"}) {
+    options_.averaging = averaging;
+    box_ = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
+    EXPECT_TRUE(Judge(kAll, kWide, 3).supported);
+    box_ = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, 0.1), Eigen::Vector3d(1, 1, 1));
+    EXPECT_FALSE(Judge(kAll, kWide, 3).supported);
+  }
+}
+
+// Only with the averaging of the paper does a rival with little support keep a hypothesis from
+// being counted.
+TEST(EnhancedSketchTest, TheRatioIsAskedForByThePaperOnly) {
+  const auto views = testing::DomeViews(10, 5);
+  const auto curves = testing::ProjectCurves(views, testing::CubeEdges(0.8));
+  SketchOptions options;
+  const auto num_samples = [&](const char* averaging, double ratio) {
+    options.averaging = averaging;
+    options.first_to_second_ratio = ratio;
+    size_t count = 0;
+    const SketchInput input{views, curves, {}, std::nullopt};
+    for (const Curve3D& curve : BuildEnhancedSketch(input, options, {}, nullptr).sketch.curves) {
+      count += curve.size();
+    }
+    return count;
+  };
+  const size_t num_robust = num_samples("robust", 1);
+  EXPECT_GT(num_robust, 0u);
+  EXPECT_EQ(num_samples("robust", 1e6), num_robust);
+  const size_t num_of_paper = num_samples("paper", 1);
+  EXPECT_GT(num_of_paper, 0u);
+  EXPECT_LT(num_samples("paper", 1e6), 0.9 * static_cast<double>(num_of_paper));
+}
+
+}  // namespace
+}  // namespace limn
