@@ -13,13 +13,13 @@ int RunEdgeExtractor(int argc, const char* const* argv) {
     parser->AddOption("format", &format, {{"none", EdgeFormat::kNone}, {"edg", EdgeFormat::kEdg}},
                       BasicOption("also write edgels as curves/edges/<image name>.edg"));
   };
-  if (!ParseRunOptions("edge_extractor", "find the edgels of all images, into the cache", {}, argc,
-                       argv, &options, add_format)) {
+  if (!ParseRunOptions("edge_extractor", "find the edgels of all images, into the cache",
+                       {.overwrites = true}, argc, argv, &options, add_format)) {
     return 0;
   }
   Console console(options.num_threads);
   const Project project(options, &console);
-  CheckEdgeResults(project, format);
+  CheckEdgeResults(project, format, options.overwrite);
   const EdgeMapsResult result =
       ExtractEdgeMaps({project.views(), project.images(), project.cache()}, options.pipeline.edges,
                       console.context());

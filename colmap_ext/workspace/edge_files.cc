@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "colmap_ext/workspace/file_set.h"
 #include "colmap_ext/workspace/image_reader.h"
 #include "limn/edges/brighter_side.h"
 #include "limn/edges/given_edgels.h"
@@ -34,8 +35,10 @@ std::string ListedExtensions() {
   return list;
 }
 
-// Those that exist.
-std::vector<std::string> EdgeFilesOf(const fs::path& folder, const std::string& image_name) {
+// Those that exist and are none of the photographs, which may lie beside them. Throws IoError if
+// only such are there.
+std::vector<std::string> EdgeFilesOf(const fs::path& folder, const std::string& image_name,
+                                     const FileSet& photographs) {
   const fs::path without_extension = fs::path(image_name).replace_extension();
   std::vector<std::string> files;
   for (const std::string& name : {image_name, without_extension.string()}) {
@@ -46,10 +49,15 @@ std::vector<std::string> EdgeFilesOf(const fs::path& folder, const std::string& 
     }
     if (name == without_extension) break;
   }
+  const auto is_photograph = [&](const std::string& file) { return photographs.Contains(file); };
+  if (!files.empty() && std::all_of(files.begin(), files.end(), is_photograph)) {
+    throw IoError(files[0], "is an image itself, not its edges (edges_path)");
+  }
+  std::erase_if(files, is_photograph);
   return files;
 }
 
-// A file that fits two images is that of neither; a photograph is no file of edges.
+// A file that fits two images is that of neither.
 void CheckDistinct(const std::vector<std::string>& files, const ViewSet& set) {
   std::map<std::string, std::string> image_of_file;
   for (size_t i = 0; i < files.size(); ++i) {
@@ -58,10 +66,6 @@ void CheckDistinct(const std::vector<std::string>& files, const ViewSet& set) {
     if (!is_new) {
       throw IoError(files[i], "may be the edges of \"" + other->second + "\" or of \"" + name +
                                   "\": name it by the whole name of its image");
-    }
-    std::error_code ignored;
-    if (fs::equivalent(files[i], set.image_paths[i], ignored)) {
-      throw IoError(files[i], "is the image itself, not its edges (edges_path)");
     }
   }
 }
@@ -137,10 +141,11 @@ std::vector<std::string> FindEdgeFiles(const std::string& folder, const ViewSet&
   if (std::error_code ignored; !fs::is_directory(folder, ignored)) {
     throw IoError(folder, "no such folder (edges_path)");
   }
+  const FileSet photographs(set.image_paths);
   std::vector<std::string> result;
   std::vector<std::string> missing;
   for (const View& view : set.views) {
-    const std::vector<std::string> files = EdgeFilesOf(folder, view.name);
+    const std::vector<std::string> files = EdgeFilesOf(folder, view.name, photographs);
     if (files.size() > 1) {
       throw IoError(files[0], "and " + files[1] + " are both edges of image \"" + view.name +
                                   "\": remove one of them");

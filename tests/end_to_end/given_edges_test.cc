@@ -120,6 +120,18 @@ TEST_F(GivenEdgesRun, OutputsDoNotReplaceTheirInputs) {
   EXPECT_EQ(ReadTree(dir_ / "out/curves/edges"), before);
 }
 
+TEST_F(GivenEdgesRun, FilesOfOthersStayUnlessOverwrite) {
+  dir_.WriteFile("out/curves/edges/view_01.jpg.edg", "my edges\n");
+  LimnRun run = Run("edge_extractor", "out", {"--format", "edg"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("view_01.jpg.edg: exists, and was not made by limn"));
+  EXPECT_EQ(ReadTree(dir_ / "out/curves/edges").size(), 1u);
+  ExpectRun("edge_extractor", "out", {"--format", "edg", "--overwrite", "1"});
+  ExpectRun("edge_extractor", "out", {"--format", "edg"});
+  ExpectRun("curve_linker", "out", {"--format", "cem"});
+  ExpectRun("curve_linker", "out", {"--format", "cem"});
+}
+
 // No edges give no drawing, while the photographs would.
 TEST_F(GivenEdgesRun, TilesAreDrawnFromThem) {
   for (int i = 0; i < kNumImages; ++i) {

@@ -19,6 +19,10 @@ std::string WithoutDecoration(std::string text) {
   return text;
 }
 
+void SkipComments(TextScanner* scanner) {
+  while (!scanner->AtEnd() && scanner->Peek() == '#') scanner->RestOfLine();
+}
+
 void Expect(TextScanner* scanner, const char* word) {
   if (scanner->Word(word) != word) scanner->Fail(std::string("expected ") + word);
 }
@@ -67,6 +71,7 @@ ImageCurves ReadCem(const std::string& path) {
   Expect(&scanner, ".CEM");
   Expect(&scanner, "v2.0");
   ImageCurves curves;
+  SkipComments(&scanner);
   Expect(&scanner, "size");
   curves.edge_map.width = scanner.Count("width");
   curves.edge_map.height = scanner.Count("height");
@@ -89,8 +94,8 @@ ImageCurves ReadCem(const std::string& path) {
 }
 
 void WriteCem(const ImageCurves& curves, std::ostream& out) {
-  out << ".CEM v2.0\nsize=[" << curves.edge_map.width << ' ' << curves.edge_map.height
-      << "]\n[Edgemap]\ncount=" << curves.edge_map.edgels.size() << '\n';
+  out << ".CEM v2.0\n# Curve fragments by limn\nsize=[" << curves.edge_map.width << ' '
+      << curves.edge_map.height << "]\n[Edgemap]\ncount=" << curves.edge_map.edgels.size() << '\n';
   for (const Edgel& edgel : curves.edge_map.edgels) {
     out << '(' << NumberText(edgel.position_px.x()) << ", " << NumberText(edgel.position_px.y())
         << ")\t" << NumberText(edgel.tangent_rad) << '\t' << NumberText(edgel.strength) << "\t0\t"

@@ -108,7 +108,14 @@ TEST_F(EdgeFilesTest, PhotographsAreNoEdges) {
   set_.views[0].name = "sub/c.png";
   set_.image_paths[0] = (dir_ / "images/sub/c.png").string();
   EXPECT_THAT(ErrorText<IoError>([&] { FindEdgeFiles((dir_ / "images").string(), set_); }),
-              HasSubstr("c.png: is the image itself"));
+              HasSubstr("c.png: is an image itself"));
+}
+
+TEST_F(EdgeFilesTest, PhotographsMayLieBesideTheirEdges) {
+  std::vector<std::string> files;
+  for (const View& view : set_.views)
+    files.push_back(dir_.WriteFile("images/" + view.name + ".edg", ""));
+  EXPECT_EQ(FindEdgeFiles((dir_ / "images").string(), set_), files);
 }
 
 TEST_F(EdgeFilesTest, EdgelsAreToBeLinked) {
