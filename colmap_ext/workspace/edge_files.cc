@@ -84,11 +84,15 @@ float GrayLevel(const std::string& path, const Image& image, size_t pixel) {
   return values[0];
 }
 
-ProbabilityMap ReadProbabilityMap(const std::string& path) {
-  const auto complaint = CheckImage(path, -1).complaint;
+// Decodes only maps of the right size.
+ProbabilityMap ReadProbabilityMap(const std::string& path, ImageSize stored, ImageSize used) {
+  const CheckedImage checked = CheckImage(path, -1);
+  CheckEdgeSize(path, checked.size, stored, used);
+  const auto& complaint = checked.complaint;
   if (complaint && complaint->is_damage) throw IoError(path, complaint->text);
   const Image image = ReadImage(path);
   ProbabilityMap map{image.width, image.height, {}};
+  map.values.reserve(image.data.size() / image.channels);
   size_t num_bright = 0;
   for (size_t i = 0; i < image.data.size() / image.channels; ++i) {
     map.values.push_back(GrayLevel(path, image, i) / 255);
@@ -166,6 +170,7 @@ std::vector<std::string> FindEdgeFiles(const std::string& folder, const ViewSet&
 GivenEdges ReadEdgeFile(const std::string& path, const ViewSet& set, ViewId view,
                         const RidgeOptions& maps) {
   const PinholeCamera& camera = set.views[view].camera;
+  const ImageSize stored = set.stored_sizes[view];
   const ImageSize used{camera.width, camera.height};
   const std::string extension = FileExtension(path);
   const bool is_text = extension == ".txt";
@@ -175,12 +180,12 @@ GivenEdges ReadEdgeFile(const std::string& path, const ViewSet& set, ViewId view
   given.are_linked = extension == ".cem" || is_text;
   if (extension == ".edg") curves.edge_map = ReadEdg(path);
   if (extension == ".cem") curves = ReadCem(path);
-  if (is_text) curves = ReadTextCurves(path, set.stored_sizes[view], used);
-  if (is_map) curves.edge_map = DetectRidges(ReadProbabilityMap(path), maps);
-  CheckEdgeSize(path, {curves.edge_map.width, curves.edge_map.height}, set.stored_sizes[view],
-                used);
+  if (is_text) curves = ReadTextCurves(path, stored, used);
+  if (is_map) curves.edge_map = DetectRidges(ReadProbabilityMap(path, stored, used), maps);
+  CheckEdgeSize(path, {curves.edge_map.width, curves.edge_map.height}, stored, used);
   ResizeEdgeMap(used.width, used.height, &curves.edge_map);
   SetUnknownSigmas(&curves.edge_map);
+  if (!given.are_linked) ThinEdgels(&curves.edge_map);
   MakeConsistent(&curves);
   if (is_text) DirectFragments(ReadViewImage(set, view), &curves);
   if (is_map) DirectByBrightness(ReadViewImage(set, view), &curves.edge_map.edgels);

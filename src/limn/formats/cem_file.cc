@@ -1,5 +1,6 @@
 #include "limn/formats/cem_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -42,12 +43,17 @@ Edgel ReadEdgel(TextScanner* scanner, const EdgeMap& map) {
   return edgel;
 }
 
-CurveFragment ReadFragment(TextScanner* scanner, int num_edgels) {
+// Takes the length from that which all fragments may have together; an edgel has a pixel at least.
+CurveFragment ReadFragment(TextScanner* scanner, const std::vector<Edgel>& edgels,
+                           double* max_length_px) {
   CurveFragment fragment;
   if (scanner->AtEnd()) scanner->Fail("the file ends before its last contour");
   while (!scanner->AtEndOfLine()) {
     const int id = scanner->Count("edgel id");
-    if (id >= num_edgels) scanner->Fail("edgel id out of range");
+    if (static_cast<size_t>(id) >= edgels.size()) scanner->Fail("edgel id out of range");
+    const EdgelId last = fragment.edgel_ids.empty() ? id : fragment.edgel_ids.back();
+    *max_length_px -= std::max(1.0, (edgels[id].position_px - edgels[last].position_px).norm());
+    if (*max_length_px < 0) scanner->Fail("contours longer than the image has pixels");
     fragment.edgel_ids.push_back(id);
   }
   if (fragment.edgel_ids.size() > 2 && fragment.edgel_ids.front() == fragment.edgel_ids.back()) {
@@ -84,8 +90,9 @@ ImageCurves ReadCem(const std::string& path) {
   Expect(&scanner, "Contours");
   Expect(&scanner, "count");
   const int num_fragments = scanner.Count("number of contours");
+  double max_length_px = static_cast<double>(curves.edge_map.width) * curves.edge_map.height;
   for (int i = 0; i < num_fragments; ++i) {
-    curves.fragments.push_back(ReadFragment(&scanner, num_edgels));
+    curves.fragments.push_back(ReadFragment(&scanner, curves.edge_map.edgels, &max_length_px));
   }
   // Without this a file cut within its last contour would look whole.
   Expect(&scanner, "Contour");

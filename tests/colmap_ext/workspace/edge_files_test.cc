@@ -186,6 +186,23 @@ TEST_F(EdgeFilesTest, MapsOf8And16BitsGiveTheSameEdgels) {
   }
 }
 
+// The file ends within its pixels, which is not noticed.
+TEST_F(EdgeFilesTest, MapsOfAnotherSizeAreNotDecoded) {
+  const std::string path = WriteMap("a.pgm", cv::Mat::zeros(61, 80, CV_8UC1));
+  fs::resize_file(path, 20);
+  EXPECT_THAT(ReadError(path), HasSubstr("a.pgm: the edges of an image of 80 x 61 pixels"));
+}
+
+// Linking would not end on them.
+TEST_F(EdgeFilesTest, EdgelsAreThinnedAtTheSizeOfTheView) {
+  UseHalfSize();
+  std::string text = "# EDGE_MAP v3.0\n\nWIDTH=80\nHEIGHT=60\nEDGE_COUNT=40\n";
+  for (int i = 0; i < 40; ++i) {
+    text += "[0, 0] 0 5 [" + std::to_string(20 + i) + ", 20] 0 5 0.1\n";
+  }
+  EXPECT_EQ(Read(dir_.WriteFile("a.edg", text)).curves.edge_map.edgels.size(), 20u);
+}
+
 TEST_F(EdgeFilesTest, PicturesThatAreNoMapsAreRefused) {
   EXPECT_THAT(ReadError(WriteMap("a.png", cv::Mat(60, 80, CV_8UC1, cv::Scalar(255)))),
               HasSubstr("edges must be bright on dark"));
