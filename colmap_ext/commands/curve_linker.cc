@@ -20,13 +20,8 @@ int RunCurveLinker(int argc, const char* const* argv) {
   Console console(options.num_threads);
   const Project project(options, &console);
   CheckEdgeResults(project, format, options.overwrite);
-  FragmentsObserver write_cem;
-  if (format == EdgeFormat::kCem) {
-    write_cem = [&](ViewId view, const ImageCurves& curves) {
-      WriteCemResult(project, view, curves);
-    };
-  }
-  ExtractProjectCurves(project, options, &console, write_cem);
+  ExtractProjectCurves(project, options, &console,
+                       format == EdgeFormat::kCem ? CemWriter(project) : FragmentsObserver());
   SayEdgeResults(project, format, &console);
   return 0;
 }

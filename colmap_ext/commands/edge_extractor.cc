@@ -10,11 +10,13 @@ int RunEdgeExtractor(int argc, const char* const* argv) {
   RunOptions options;
   EdgeFormat format = EdgeFormat::kNone;
   const auto add_format = [&](OptionParser* parser) {
-    parser->AddOption("format", &format, {{"none", EdgeFormat::kNone}, {"edg", EdgeFormat::kEdg}},
-                      BasicOption("also write edgels as curves/edges/<image name>.edg"));
+    parser->AddOption(
+        "format", &format,
+        {{"none", EdgeFormat::kNone}, {"edg", EdgeFormat::kEdg}, {"cem", EdgeFormat::kCem}},
+        BasicOption("also write edgels (.edg), or link them and write fragments"));
   };
   if (!ParseRunOptions("edge_extractor", "find the edgels of all images, into the cache",
-                       {.overwrites = true}, argc, argv, &options, add_format)) {
+                       {.linking = true, .overwrites = true}, argc, argv, &options, add_format)) {
     return 0;
   }
   Console console(options.num_threads);
@@ -28,6 +30,9 @@ int RunEdgeExtractor(int argc, const char* const* argv) {
     ParallelFor(console.context(), "files of edges", project.views().size(), [&](size_t v) {
       WriteEdgResult(project, static_cast<ViewId>(v), result.edge_maps[v]);
     });
+  }
+  if (format == EdgeFormat::kCem) {
+    ExtractProjectCurves(project, options, &console, CemWriter(project));
   }
   SayEdgeResults(project, format, &console);
   return 0;

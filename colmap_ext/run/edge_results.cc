@@ -42,9 +42,11 @@ void WriteEdgResult(const Project& project, ViewId view, const EdgeMap& edge_map
                       [&](std::ostream& out) { WriteEdg(edge_map, out); });
 }
 
-void WriteCemResult(const Project& project, ViewId view, const ImageCurves& curves) {
-  WriteFileAtomically(PathOf(project, EdgeFormat::kCem, project.views()[view].name),
-                      [&](std::ostream& out) { WriteCem(curves, out); });
+FragmentsObserver CemWriter(const Project& project) {
+  return [&project](ViewId view, const ImageCurves& curves) {
+    WriteFileAtomically(PathOf(project, EdgeFormat::kCem, project.views()[view].name),
+                        [&](std::ostream& out) { WriteCem(curves, out); });
+  };
 }
 
 void SayEdgeResults(const Project& project, EdgeFormat format, Console* console) {
