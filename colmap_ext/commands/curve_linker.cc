@@ -14,19 +14,14 @@ int RunCurveLinker(int argc, const char* const* argv) {
                       BasicOption("also write fragments as curves/fragments/<image name>.cem"));
   };
   if (!ParseRunOptions("curve_linker", "find the curve fragments of all images, into the cache",
-                       {.linking = true}, argc, argv, &options, add_format)) {
+                       {.linking = true, .overwrites = true}, argc, argv, &options, add_format)) {
     return 0;
   }
   Console console(options.num_threads);
   const Project project(options, &console);
-  CheckEdgeResults(project, format);
-  FragmentsObserver write_cem;
-  if (format == EdgeFormat::kCem) {
-    write_cem = [&](ViewId view, const ImageCurves& curves) {
-      WriteCemResult(project, view, curves);
-    };
-  }
-  ExtractProjectCurves(project, options, &console, write_cem);
+  CheckEdgeResults(project, format, options.overwrite);
+  ExtractProjectCurves(project, options, &console,
+                       format == EdgeFormat::kCem ? CemWriter(project) : FragmentsObserver());
   SayEdgeResults(project, format, &console);
   return 0;
 }

@@ -10,16 +10,18 @@ int RunEdgeExtractor(int argc, const char* const* argv) {
   RunOptions options;
   EdgeFormat format = EdgeFormat::kNone;
   const auto add_format = [&](OptionParser* parser) {
-    parser->AddOption("format", &format, {{"none", EdgeFormat::kNone}, {"edg", EdgeFormat::kEdg}},
-                      BasicOption("also write edgels as curves/edges/<image name>.edg"));
+    parser->AddOption(
+        "format", &format,
+        {{"none", EdgeFormat::kNone}, {"edg", EdgeFormat::kEdg}, {"cem", EdgeFormat::kCem}},
+        BasicOption("also write edgels (.edg), or link them and write fragments"));
   };
-  if (!ParseRunOptions("edge_extractor", "find the edgels of all images, into the cache", {}, argc,
-                       argv, &options, add_format)) {
+  if (!ParseRunOptions("edge_extractor", "find the edgels of all images, into the cache",
+                       {.linking = true, .overwrites = true}, argc, argv, &options, add_format)) {
     return 0;
   }
   Console console(options.num_threads);
   const Project project(options, &console);
-  CheckEdgeResults(project, format);
+  CheckEdgeResults(project, format, options.overwrite);
   const EdgeMapsResult result =
       ExtractEdgeMaps({project.views(), project.images(), project.cache()}, options.pipeline.edges,
                       console.context());
@@ -28,6 +30,9 @@ int RunEdgeExtractor(int argc, const char* const* argv) {
     ParallelFor(console.context(), "files of edges", project.views().size(), [&](size_t v) {
       WriteEdgResult(project, static_cast<ViewId>(v), result.edge_maps[v]);
     });
+  }
+  if (format == EdgeFormat::kCem) {
+    ExtractProjectCurves(project, options, &console, CemWriter(project));
   }
   SayEdgeResults(project, format, &console);
   return 0;

@@ -1,9 +1,9 @@
 #include "colmap_ext/run/edge_results.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <system_error>
 
+#include "colmap_ext/workspace/file_set.h"
+#include "colmap_ext/workspace/output_check.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/cem_file.h"
 #include "limn/formats/edg_file.h"
@@ -25,17 +25,13 @@ std::string PathOf(const Project& project, EdgeFormat format, const std::string&
 
 }  // namespace
 
-void CheckEdgeResults(const Project& project, EdgeFormat format) {
+void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite) {
   if (format == EdgeFormat::kNone) return;
+  const FileSet inputs(project.edge_files());
   for (const View& view : project.views()) {
     const std::string path = PathOf(project, format, view.name);
-    CheckTakesFile(path);
-    const auto& inputs = project.edge_files();
-    const auto is_input = [&](const std::string& input) {
-      std::error_code ignored;
-      return fs::equivalent(path, input, ignored);
-    };
-    if (std::any_of(inputs.begin(), inputs.end(), is_input)) {
+    CheckResultFile(path, overwrite);
+    if (inputs.Contains(path)) {
       throw IoError(path, "would be replaced, but is an input (edges_path)");
     }
   }
@@ -46,9 +42,11 @@ void WriteEdgResult(const Project& project, ViewId view, const EdgeMap& edge_map
                       [&](std::ostream& out) { WriteEdg(edge_map, out); });
 }
 
-void WriteCemResult(const Project& project, ViewId view, const ImageCurves& curves) {
-  WriteFileAtomically(PathOf(project, EdgeFormat::kCem, project.views()[view].name),
-                      [&](std::ostream& out) { WriteCem(curves, out); });
+FragmentsObserver CemWriter(const Project& project) {
+  return [&project](ViewId view, const ImageCurves& curves) {
+    WriteFileAtomically(PathOf(project, EdgeFormat::kCem, project.views()[view].name),
+                        [&](std::ostream& out) { WriteCem(curves, out); });
+  };
 }
 
 void SayEdgeResults(const Project& project, EdgeFormat format, Console* console) {

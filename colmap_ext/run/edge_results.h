@@ -12,13 +12,15 @@ namespace limn::colmap_ext {
 // as used.
 enum class EdgeFormat { kNone, kEdg, kCem };
 
-// To be called before the work: throws IoError if the files of a format would replace what is no
-// file, or one that the project takes its edges from.
-void CheckEdgeResults(const Project& project, EdgeFormat format);
+// To be called before the work: throws IoError if the files of a format would replace one that the
+// project takes its edges from, what is no file or, unless `overwrite`, was not made by limn.
+void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite);
 
-// Write the file of a view, before ApplyLens. Thread-safe for different views.
+// Writes the file of a view, before ApplyLens. Thread-safe for different views.
 void WriteEdgResult(const Project& project, ViewId view, const EdgeMap& edge_map);
-void WriteCemResult(const Project& project, ViewId view, const ImageCurves& curves);
+
+// The same for fragments, as an observer of ExtractProjectCurves. The project must outlive it.
+FragmentsObserver CemWriter(const Project& project);
 
 // Prints where the files of a format are.
 void SayEdgeResults(const Project& project, EdgeFormat format, Console* console);

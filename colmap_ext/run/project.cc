@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // To be raised whenever the same file of edges gives other edges.
-constexpr int kEdgeFilesVersion = 1;
+constexpr int kEdgeFilesVersion = 2;
 
 std::string ImageIdentity(const ViewSet& set, ViewId view) {
   std::string identity = "image " + FileIdentity(set.image_paths[view]);

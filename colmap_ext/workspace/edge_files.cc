@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "colmap_ext/workspace/file_set.h"
 #include "colmap_ext/workspace/image_reader.h"
 #include "limn/edges/brighter_side.h"
 #include "limn/edges/given_edgels.h"
@@ -34,8 +35,10 @@ std::string ListedExtensions() {
   return list;
 }
 
-// Those that exist.
-std::vector<std::string> EdgeFilesOf(const fs::path& folder, const std::string& image_name) {
+// Those that exist and are none of the photographs, which may lie beside them. Throws IoError if
+// only such are there.
+std::vector<std::string> EdgeFilesOf(const fs::path& folder, const std::string& image_name,
+                                     const FileSet& photographs) {
   const fs::path without_extension = fs::path(image_name).replace_extension();
   std::vector<std::string> files;
   for (const std::string& name : {image_name, without_extension.string()}) {
@@ -46,10 +49,15 @@ std::vector<std::string> EdgeFilesOf(const fs::path& folder, const std::string& 
     }
     if (name == without_extension) break;
   }
+  const auto is_photograph = [&](const std::string& file) { return photographs.Contains(file); };
+  if (!files.empty() && std::all_of(files.begin(), files.end(), is_photograph)) {
+    throw IoError(files[0], "is an image itself, not its edges (edges_path)");
+  }
+  std::erase_if(files, is_photograph);
   return files;
 }
 
-// A file that fits two images is that of neither; a photograph is no file of edges.
+// A file that fits two images is that of neither.
 void CheckDistinct(const std::vector<std::string>& files, const ViewSet& set) {
   std::map<std::string, std::string> image_of_file;
   for (size_t i = 0; i < files.size(); ++i) {
@@ -58,10 +66,6 @@ void CheckDistinct(const std::vector<std::string>& files, const ViewSet& set) {
     if (!is_new) {
       throw IoError(files[i], "may be the edges of \"" + other->second + "\" or of \"" + name +
                                   "\": name it by the whole name of its image");
-    }
-    std::error_code ignored;
-    if (fs::equivalent(files[i], set.image_paths[i], ignored)) {
-      throw IoError(files[i], "is the image itself, not its edges (edges_path)");
     }
   }
 }
@@ -80,11 +84,15 @@ float GrayLevel(const std::string& path, const Image& image, size_t pixel) {
   return values[0];
 }
 
-ProbabilityMap ReadProbabilityMap(const std::string& path) {
-  const auto complaint = CheckImage(path, -1).complaint;
+// Decodes only maps of the right size.
+ProbabilityMap ReadProbabilityMap(const std::string& path, ImageSize stored, ImageSize used) {
+  const CheckedImage checked = CheckImage(path, -1);
+  CheckEdgeSize(path, checked.size, stored, used);
+  const auto& complaint = checked.complaint;
   if (complaint && complaint->is_damage) throw IoError(path, complaint->text);
   const Image image = ReadImage(path);
   ProbabilityMap map{image.width, image.height, {}};
+  map.values.reserve(image.data.size() / image.channels);
   size_t num_bright = 0;
   for (size_t i = 0; i < image.data.size() / image.channels; ++i) {
     map.values.push_back(GrayLevel(path, image, i) / 255);
@@ -137,10 +145,11 @@ std::vector<std::string> FindEdgeFiles(const std::string& folder, const ViewSet&
   if (std::error_code ignored; !fs::is_directory(folder, ignored)) {
     throw IoError(folder, "no such folder (edges_path)");
   }
+  const FileSet photographs(set.image_paths);
   std::vector<std::string> result;
   std::vector<std::string> missing;
   for (const View& view : set.views) {
-    const std::vector<std::string> files = EdgeFilesOf(folder, view.name);
+    const std::vector<std::string> files = EdgeFilesOf(folder, view.name, photographs);
     if (files.size() > 1) {
       throw IoError(files[0], "and " + files[1] + " are both edges of image \"" + view.name +
                                   "\": remove one of them");
@@ -161,6 +170,7 @@ std::vector<std::string> FindEdgeFiles(const std::string& folder, const ViewSet&
 GivenEdges ReadEdgeFile(const std::string& path, const ViewSet& set, ViewId view,
                         const RidgeOptions& maps) {
   const PinholeCamera& camera = set.views[view].camera;
+  const ImageSize stored = set.stored_sizes[view];
   const ImageSize used{camera.width, camera.height};
   const std::string extension = FileExtension(path);
   const bool is_text = extension == ".txt";
@@ -170,12 +180,12 @@ GivenEdges ReadEdgeFile(const std::string& path, const ViewSet& set, ViewId view
   given.are_linked = extension == ".cem" || is_text;
   if (extension == ".edg") curves.edge_map = ReadEdg(path);
   if (extension == ".cem") curves = ReadCem(path);
-  if (is_text) curves = ReadTextCurves(path, set.stored_sizes[view], used);
-  if (is_map) curves.edge_map = DetectRidges(ReadProbabilityMap(path), maps);
-  CheckEdgeSize(path, {curves.edge_map.width, curves.edge_map.height}, set.stored_sizes[view],
-                used);
+  if (is_text) curves = ReadTextCurves(path, stored, used);
+  if (is_map) curves.edge_map = DetectRidges(ReadProbabilityMap(path, stored, used), maps);
+  CheckEdgeSize(path, {curves.edge_map.width, curves.edge_map.height}, stored, used);
   ResizeEdgeMap(used.width, used.height, &curves.edge_map);
   SetUnknownSigmas(&curves.edge_map);
+  if (!given.are_linked) ThinEdgels(&curves.edge_map);
   MakeConsistent(&curves);
   if (is_text) DirectFragments(ReadViewImage(set, view), &curves);
   if (is_map) DirectByBrightness(ReadViewImage(set, view), &curves.edge_map.edgels);

@@ -9,6 +9,7 @@
 
 #include <unistd.h>
 
+#include "colmap_ext/workspace/file_set.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
@@ -20,7 +21,7 @@ namespace {
 
 // The generator of a .glb comes after the list of all its links.
 constexpr size_t kSearchedBytes = 1 << 24;
-// Of files in a folder of curves, which tell it in their first lines.
+// Most files tell it in their first lines.
 constexpr size_t kFirstBytes = 1 << 12;
 constexpr std::string_view kDrawingMark = "{\"format\": \"limn-drawing\"";
 
@@ -47,6 +48,8 @@ constexpr Mark kMarks[] = {
     {"tau,precision,recall,"},  // of drawing_evaluator
     {"{\n  \"unit\": ", "\"reconstructed_length\": "},
     {"# Curve tracks: links of drawing.json "},
+    {"# EDGE_MAP v3.0\n\n# Format :  ", " by limn\n"},
+    {".CEM v2.0\n# Curve fragments by limn\n"},
     {"view,not linked,"},     // account.csv
     {"workspace_path="},      // project.ini
     {"# CAMERA_ID, MODEL,"},  // refined/, where COLMAP begins with other comments
@@ -69,19 +72,16 @@ bool IsMadeByLimn(std::string_view beginning) {
   });
 }
 
+bool IsFileOfLimn(const std::string& path) {
+  return IsMadeByLimn(BeginningOf(path, kFirstBytes)) || IsMadeByLimn(BeginningOf(path));
+}
+
 bool IsModelFile(const fs::path& path) {
   const std::string stem = path.stem().string();
   const std::string extension = path.extension().string();
   constexpr std::string_view kStems[] = {"cameras", "images", "points3D", "rigs", "frames"};
   return (extension == ".bin" || extension == ".txt") &&
          std::find(std::begin(kStems), std::end(kStems), stem) != std::end(kStems);
-}
-
-bool IsOneOf(const std::string& path, const std::vector<std::string>& inputs) {
-  return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
-    std::error_code ignored;
-    return fs::equivalent(path, input, ignored);
-  });
 }
 
 bool IsEmptyButForLock(const fs::path& folder) {
@@ -145,7 +145,7 @@ void CheckLinkedCurves(const fs::path& curves_dir) {
 void CheckResultFile(const std::string& path, bool overwrite) {
   CheckTakesFile(path);
   std::error_code ignored;
-  if (overwrite || !fs::exists(path, ignored) || IsMadeByLimn(BeginningOf(path))) return;
+  if (overwrite || !fs::exists(path, ignored) || IsFileOfLimn(path)) return;
   RefuseToReplace(path, "exists, and was not made by limn");
 }
 
@@ -154,7 +154,7 @@ void CheckNamedOutput(const std::string& path, const std::vector<std::string>& i
   CheckResultFile(path, overwrite);
   std::error_code ignored;
   if (overwrite || !fs::exists(path, ignored)) return;
-  if (IsOneOf(path, inputs)) RefuseToReplace(path, "is an input");
+  if (FileSet(inputs).Contains(path)) RefuseToReplace(path, "is an input");
   if (IsModelFile(path)) RefuseToReplace(path, "is a file of a model");
   if (BeginningOf(path).starts_with(kDrawingMark)) {
     RefuseToReplace(path, "is a drawing");

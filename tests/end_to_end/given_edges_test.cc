@@ -15,6 +15,7 @@ namespace limn::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -28,17 +29,10 @@ class GivenEdgesRun : public ::testing::Test {
 
   LimnRun Run(const std::string& command, const std::string& output,
               const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {command,
-                                          "--workspace_path",
-                                          LIMN_SAMPLE_DIR "/day",
-                                          "--output_path",
-                                          Path(output),
-                                          "--image_list_path",
-                                          list_,
-                                          "--quality",
-                                          "low",
-                                          "--max_image_size",
-                                          "240"};
+    std::vector<std::string> arguments = {
+        command, "--workspace_path", workspace_, "--output_path", Path(output), "--image_list_path",
+        list_,   "--mask_path",      masks_,     "--quality",     "low",        "--max_image_size",
+        "240"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return RunLimn(arguments);
   }
@@ -61,23 +55,40 @@ class GivenEdgesRun : public ::testing::Test {
     return files;
   }
 
+  // The drawing from files of edges is that from the photographs.
+  void ExpectRoundTrip(const std::string& extractor_of_fragments) const {
+    ExpectRun("automatic_drawer", "own");
+    const auto own = Drawn("own");
+    ASSERT_GT(ReadDrawingJson(Path("own/drawing.json")).graph.links.size(), 5u);
+
+    ExpectRun("edge_extractor", "files", {"--format", "edg"});
+    ExpectRun("automatic_drawer", "edg", {"--edges_path", Path("files/curves/edges")});
+    EXPECT_EQ(Drawn("edg"), own);
+
+    ExpectRun(extractor_of_fragments, "files", {"--format", "cem"});
+    ExpectRun("automatic_drawer", "cem", {"--edges_path", Path("files/curves/fragments")});
+    EXPECT_EQ(Drawn("cem"), own);
+  }
+
   static constexpr int kNumImages = 6;
   TempDir dir_;
   std::string list_;
+  std::string workspace_ = LIMN_SAMPLE_DIR "/day";
+  std::string masks_;  // empty = none
 };
 
-TEST_F(GivenEdgesRun, OwnEdgesReadBackGiveTheSameBytes) {
-  ExpectRun("automatic_drawer", "own");
-  const auto own = Drawn("own");
-  ASSERT_GT(ReadDrawingJson(Path("own/drawing.json")).graph.links.size(), 5u);
+TEST_F(GivenEdgesRun, OwnEdgesReadBackGiveTheSameBytes) { ExpectRoundTrip("curve_linker"); }
 
-  ExpectRun("edge_extractor", "files", {"--format", "edg"});
-  ExpectRun("automatic_drawer", "edg", {"--edges_path", Path("files/curves/edges")});
-  EXPECT_EQ(Drawn("edg"), own);
-
-  ExpectRun("curve_linker", "files", {"--format", "cem"});
-  ExpectRun("automatic_drawer", "cem", {"--edges_path", Path("files/curves/fragments")});
-  EXPECT_EQ(Drawn("cem"), own);
+// The masks hide a corner of every image.
+TEST_F(GivenEdgesRun, OwnEdgesBeforeALensAndOutsideMasksToo) {
+  workspace_ = LIMN_SAMPLE_DIR "/distorted";
+  masks_ = Path("masks");
+  std::string mask = "P5\n640 480\n255\n" + std::string(640 * 480, '\xff');
+  for (int y = 0; y < 160; ++y) mask.replace(mask.size() - (y + 1) * 640, 300, 300, '\0');
+  for (int i = 0; i < kNumImages; ++i) {
+    dir_.WriteFile("masks/view_0" + std::to_string(i) + ".jpg.png", mask);
+  }
+  ExpectRoundTrip("edge_extractor");
 }
 
 TEST_F(GivenEdgesRun, ChangedFilesAreReadAgain) {
@@ -88,8 +99,10 @@ TEST_F(GivenEdgesRun, ChangedFilesAreReadAgain) {
               HasSubstr("image curves of 6 images were taken from the cache"));
   std::ofstream(Path("files/curves/edges/view_02.jpg.edg"))
       << "# EDGE_MAP v3.0\n\nWIDTH=240\nHEIGHT=180\nEDGE_COUNT=0\n";
-  EXPECT_THAT(Run("curve_linker", "out", given).out,
-              Not(HasSubstr("curves of 6 images were taken from the cache")));
+  const LimnRun again = Run("curve_linker", "out", given);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.out, AllOf(HasSubstr("of 5 images were taken from the cache"),
+                               Not(HasSubstr("of 6 images were taken from the cache"))));
 }
 
 TEST_F(GivenEdgesRun, BadFilesEndTheRun) {
@@ -120,13 +133,28 @@ TEST_F(GivenEdgesRun, OutputsDoNotReplaceTheirInputs) {
   EXPECT_EQ(ReadTree(dir_ / "out/curves/edges"), before);
 }
 
+TEST_F(GivenEdgesRun, FilesOfOthersStayUnlessOverwrite) {
+  dir_.WriteFile("out/curves/edges/view_01.jpg.edg", "my edges\n");
+  LimnRun run = Run("edge_extractor", "out", {"--format", "edg"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("view_01.jpg.edg: exists, and was not made by limn"));
+  EXPECT_EQ(ReadTree(dir_ / "out/curves/edges").size(), 1u);
+  ExpectRun("edge_extractor", "out", {"--format", "edg", "--overwrite", "1"});
+  ExpectRun("edge_extractor", "out", {"--format", "edg"});
+  ExpectRun("curve_linker", "out", {"--format", "cem"});
+  ExpectRun("curve_linker", "out", {"--format", "cem"});
+}
+
 // No edges give no drawing, while the photographs would.
 TEST_F(GivenEdgesRun, TilesAreDrawnFromThem) {
   for (int i = 0; i < kNumImages; ++i) {
     dir_.WriteFile("none/view_0" + std::to_string(i) + ".txt", "# none\n");
   }
-  ExpectRun("automatic_drawer", "out",
-            {"--edges_path", Path("none"), "--Tiles.max_views", "5", "--Tiles.reach_px", "20"});
+  std::vector<std::string> options = {"--Tiles.max_views", "5", "--Tiles.reach_px", "20"};
+  ExpectRun("automatic_drawer", "own", options);
+  EXPECT_FALSE(ReadDrawingJson(Path("own/drawing.json")).graph.links.empty());
+  options.insert(options.end(), {"--edges_path", Path("none")});
+  ExpectRun("automatic_drawer", "out", options);
   EXPECT_TRUE(ReadDrawingJson(Path("out/drawing.json")).graph.links.empty());
 }
 

@@ -22,7 +22,7 @@ class EdgelRaster {
   int height() const { return height_; }
 
   // Adds the edgels whose pixel is free and that have no other within 0.35 px, strongest first,
-  // ties in the given order.
+  // ties in the given order. No strength may be below 0.
   void AddStrongestFirst(const std::vector<RefinedEdgel>& edgels);
 
   // Whether an edgel within `radius_px` of a position has a tangent whose undirected angle to

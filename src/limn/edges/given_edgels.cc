@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limn/edges/edgel_selection.h"
+
 namespace limn {
 
 void ResizeEdgeMap(int width, int height, EdgeMap* edge_map) {
@@ -24,6 +26,15 @@ void SetUnknownSigmas(EdgeMap* edge_map) {
   for (Edgel& edgel : edge_map->edgels) {
     if (edgel.position_sigma_px == 0) edgel.position_sigma_px = kUnknownSigmaPx;
   }
+}
+
+void ThinEdgels(EdgeMap* edge_map) {
+  std::vector<RefinedEdgel> edgels;
+  edgels.reserve(edge_map->edgels.size());
+  for (const Edgel& edgel : edge_map->edgels) edgels.push_back({edgel});
+  EdgelRaster raster(edge_map->width, edge_map->height);
+  raster.AddStrongestFirst(edgels);
+  edge_map->edgels = raster.Edgels();
 }
 
 std::vector<bool> OutsideMask(const EdgeMap& edge_map, const std::vector<unsigned char>& mask) {

@@ -26,6 +26,11 @@ void ResizeEdgeMap(int width, int height, EdgeMap* edge_map);
 // Gives those with sigma 0 kUnknownSigmaPx.
 void SetUnknownSigmas(EdgeMap* edge_map);
 
+// Makes the edgels what linking takes for granted, those of an EdgelRaster: at most one per pixel
+// of the image, none within 0.35 px of another, in row-major order. The stronger stays; edgels
+// outside the image are dropped.
+void ThinEdgels(EdgeMap* edge_map);
+
 // By edgel: whether its pixel, or the nearest in the image, is nonzero in the mask: one byte per
 // pixel, or empty = all are.
 std::vector<bool> OutsideMask(const EdgeMap& edge_map, const std::vector<unsigned char>& mask);

@@ -1,5 +1,6 @@
 #include "limn/formats/cem_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -17,6 +18,10 @@ std::string WithoutDecoration(std::string text) {
     if (c == '[' || c == ']' || c == '(' || c == ')' || c == '=') c = ' ';
   }
   return text;
+}
+
+void SkipComments(TextScanner* scanner) {
+  while (!scanner->AtEnd() && scanner->Peek() == '#') scanner->RestOfLine();
 }
 
 void Expect(TextScanner* scanner, const char* word) {
@@ -38,12 +43,17 @@ Edgel ReadEdgel(TextScanner* scanner, const EdgeMap& map) {
   return edgel;
 }
 
-CurveFragment ReadFragment(TextScanner* scanner, int num_edgels) {
+// Takes the length from that which all fragments may have together; an edgel has a pixel at least.
+CurveFragment ReadFragment(TextScanner* scanner, const std::vector<Edgel>& edgels,
+                           double* max_length_px) {
   CurveFragment fragment;
   if (scanner->AtEnd()) scanner->Fail("the file ends before its last contour");
   while (!scanner->AtEndOfLine()) {
     const int id = scanner->Count("edgel id");
-    if (id >= num_edgels) scanner->Fail("edgel id out of range");
+    if (static_cast<size_t>(id) >= edgels.size()) scanner->Fail("edgel id out of range");
+    const EdgelId last = fragment.edgel_ids.empty() ? id : fragment.edgel_ids.back();
+    *max_length_px -= std::max(1.0, (edgels[id].position_px - edgels[last].position_px).norm());
+    if (*max_length_px < 0) scanner->Fail("contours longer than the image has pixels");
     fragment.edgel_ids.push_back(id);
   }
   if (fragment.edgel_ids.size() > 2 && fragment.edgel_ids.front() == fragment.edgel_ids.back()) {
@@ -67,6 +77,7 @@ ImageCurves ReadCem(const std::string& path) {
   Expect(&scanner, ".CEM");
   Expect(&scanner, "v2.0");
   ImageCurves curves;
+  SkipComments(&scanner);
   Expect(&scanner, "size");
   curves.edge_map.width = scanner.Count("width");
   curves.edge_map.height = scanner.Count("height");
@@ -79,8 +90,9 @@ ImageCurves ReadCem(const std::string& path) {
   Expect(&scanner, "Contours");
   Expect(&scanner, "count");
   const int num_fragments = scanner.Count("number of contours");
+  double max_length_px = static_cast<double>(curves.edge_map.width) * curves.edge_map.height;
   for (int i = 0; i < num_fragments; ++i) {
-    curves.fragments.push_back(ReadFragment(&scanner, num_edgels));
+    curves.fragments.push_back(ReadFragment(&scanner, curves.edge_map.edgels, &max_length_px));
   }
   // Without this a file cut within its last contour would look whole.
   Expect(&scanner, "Contour");
@@ -89,8 +101,8 @@ ImageCurves ReadCem(const std::string& path) {
 }
 
 void WriteCem(const ImageCurves& curves, std::ostream& out) {
-  out << ".CEM v2.0\nsize=[" << curves.edge_map.width << ' ' << curves.edge_map.height
-      << "]\n[Edgemap]\ncount=" << curves.edge_map.edgels.size() << '\n';
+  out << ".CEM v2.0\n# Curve fragments by limn\nsize=[" << curves.edge_map.width << ' '
+      << curves.edge_map.height << "]\n[Edgemap]\ncount=" << curves.edge_map.edgels.size() << '\n';
   for (const Edgel& edgel : curves.edge_map.edgels) {
     out << '(' << NumberText(edgel.position_px.x()) << ", " << NumberText(edgel.position_px.y())
         << ")\t" << NumberText(edgel.tangent_rad) << '\t' << NumberText(edgel.strength) << "\t0\t"

@@ -106,7 +106,7 @@ EdgeMap ReadEdg(const std::string& path) {
 void WriteEdg(const EdgeMap& edge_map, std::ostream& out) {
   out << "# EDGE_MAP v3.0\n\n"
          "# Format :  [Pixel_Pos]  Pixel_Dir Pixel_Conf  [Sub_Pixel_Pos] Sub_Pixel_Dir Strength "
-         "Uncer\n\n"
+         "Uncer, by limn\n\n"
       << "WIDTH=" << edge_map.width << "\nHEIGHT=" << edge_map.height
       << "\nEDGE_COUNT=" << edge_map.edgels.size() << "\n\n\n";
   for (const Edgel& edgel : edge_map.edgels) {

@@ -12,6 +12,10 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kEdgelSpacingPx = 1;
+// Neighboring edgels that are further apart belong to two curves.
+constexpr double kMaxStepPx = 10;
+// Nearer ones are in the same place, and the chord between them has no direction.
+constexpr double kMinStepPx = 1e-9;
 
 // Along the fragment at its vertex i: from the neighbor before to that behind.
 Vector2d ChordAt(const CurveFragment& fragment, const std::vector<Edgel>& edgels, size_t i) {
@@ -48,14 +52,56 @@ void AddPolyline(const std::vector<Vector2d>& points, ImageCurves* curves) {
   curves->fragments.push_back(std::move(fragment));
 }
 
+// Without edgels that are where the one before them is.
+void RemoveCoincident(const std::vector<Edgel>& edgels, CurveFragment* fragment) {
+  std::vector<EdgelId>& ids = fragment->edgel_ids;
+  const auto coincide = [&](EdgelId a, EdgelId b) {
+    return (edgels[a].position_px - edgels[b].position_px).norm() < kMinStepPx;
+  };
+  ids.erase(std::unique(ids.begin(), ids.end(), coincide), ids.end());
+  while (fragment->closed && ids.size() > 1 && coincide(ids.front(), ids.back())) ids.pop_back();
+  if (ids.size() < 3) fragment->closed = false;
+}
+
+// The parts of a fragment without steps of more than kMaxStepPx, those of one edgel included.
+std::vector<CurveFragment> CutAtGaps(const CurveFragment& fragment,
+                                     const std::vector<Edgel>& edgels) {
+  std::vector<EdgelId> ids = fragment.edgel_ids;
+  const auto is_gap = [&](EdgelId a, EdgelId b) {
+    return (edgels[b].position_px - edgels[a].position_px).norm() > kMaxStepPx;
+  };
+  if (fragment.closed) {
+    const auto gap = std::adjacent_find(ids.begin(), ids.end(), is_gap);
+    if (gap == ids.end() && !is_gap(ids.back(), ids.front())) return {fragment};
+    if (gap != ids.end()) std::rotate(ids.begin(), gap + 1, ids.end());
+  }
+  std::vector<CurveFragment> parts;
+  for (size_t i = 0; i < ids.size(); ++i) {
+    if (i == 0 || is_gap(ids[i - 1], ids[i])) parts.emplace_back();
+    parts.back().edgel_ids.push_back(ids[i]);
+  }
+  return parts;
+}
+
+// Every step between neighbors has a direction, none is a jump, and a fragment has two edgels.
+void MakeConnected(ImageCurves* curves) {
+  const std::vector<Edgel>& edgels = curves->edge_map.edgels;
+  std::vector<CurveFragment> connected;
+  for (CurveFragment& fragment : curves->fragments) {
+    RemoveCoincident(edgels, &fragment);
+    for (CurveFragment& part : CutAtGaps(fragment, edgels)) {
+      if (part.edgel_ids.size() >= 2) connected.push_back(std::move(part));
+    }
+  }
+  curves->fragments = std::move(connected);
+}
+
 // Every edgel in one fragment, and there once.
 void MakeDisjoint(ImageCurves* curves) {
   std::vector<Edgel>& edgels = curves->edge_map.edgels;
   std::vector<bool> used(edgels.size(), false);
   for (CurveFragment& fragment : curves->fragments) {
-    std::vector<EdgelId>& ids = fragment.edgel_ids;
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-    for (EdgelId& id : ids) {
+    for (EdgelId& id : fragment.edgel_ids) {
       if (used[id]) {
         edgels.push_back(edgels[id]);
         used.push_back(false);
@@ -64,8 +110,6 @@ void MakeDisjoint(ImageCurves* curves) {
       used[id] = true;
     }
   }
-  std::erase_if(curves->fragments,
-                [](const CurveFragment& fragment) { return fragment.edgel_ids.size() < 2; });
 }
 
 void DirectAlong(CurveFragment* fragment, std::vector<Edgel>* edgels) {
@@ -98,6 +142,7 @@ void TurnAround(CurveFragment* fragment, std::vector<Edgel>* edgels) {
 }
 
 void MakeConsistent(ImageCurves* curves) {
+  MakeConnected(curves);
   MakeDisjoint(curves);
   for (CurveFragment& fragment : curves->fragments) {
     DirectAlong(&fragment, &curves->edge_map.edgels);

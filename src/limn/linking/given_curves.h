@@ -20,10 +20,11 @@ ImageCurves CurvesOfPolylines(const std::vector<std::vector<Eigen::Vector2d>>& p
 // one.
 void TurnAround(CurveFragment* fragment, std::vector<Edgel>* edgels);
 
-// Makes fragments what linking promises, and leaves those of LinkEdgels as they are: every edgel is
-// in at most one (a copy takes its place in the others) and once there, a fragment has at least
-// two, and tangents run along it: it takes the direction of most of them, and the others are
-// turned.
+// Makes fragments what linking promises, and leaves those of LinkEdgels (with bridges of at most 10
+// px) as they are: no edgel follows another in the same place, nor one more than 10 px away, where
+// the fragment is cut; every edgel is in at most one (a copy takes its place in the others) and
+// once there; a fragment has at least two, a closed one three; and tangents run along it: it takes
+// the direction of most of them, and the others are turned.
 void MakeConsistent(ImageCurves* curves);
 
 }  // namespace limn

@@ -108,7 +108,14 @@ TEST_F(EdgeFilesTest, PhotographsAreNoEdges) {
   set_.views[0].name = "sub/c.png";
   set_.image_paths[0] = (dir_ / "images/sub/c.png").string();
   EXPECT_THAT(ErrorText<IoError>([&] { FindEdgeFiles((dir_ / "images").string(), set_); }),
-              HasSubstr("c.png: is the image itself"));
+              HasSubstr("c.png: is an image itself"));
+}
+
+TEST_F(EdgeFilesTest, PhotographsMayLieBesideTheirEdges) {
+  std::vector<std::string> files;
+  for (const View& view : set_.views)
+    files.push_back(dir_.WriteFile("images/" + view.name + ".edg", ""));
+  EXPECT_EQ(FindEdgeFiles((dir_ / "images").string(), set_), files);
 }
 
 TEST_F(EdgeFilesTest, EdgelsAreToBeLinked) {
@@ -177,6 +184,23 @@ TEST_F(EdgeFilesTest, MapsOf8And16BitsGiveTheSameEdgels) {
   for (size_t i = 0; i < edges.edgels.size(); ++i) {
     EXPECT_NEAR((of_deep.edgels[i].position_px - edges.edgels[i].position_px).norm(), 0, 1e-4);
   }
+}
+
+// The file ends within its pixels, which is not noticed.
+TEST_F(EdgeFilesTest, MapsOfAnotherSizeAreNotDecoded) {
+  const std::string path = WriteMap("a.pgm", cv::Mat::zeros(61, 80, CV_8UC1));
+  fs::resize_file(path, 20);
+  EXPECT_THAT(ReadError(path), HasSubstr("a.pgm: the edges of an image of 80 x 61 pixels"));
+}
+
+// Linking would not end on them.
+TEST_F(EdgeFilesTest, EdgelsAreThinnedAtTheSizeOfTheView) {
+  UseHalfSize();
+  std::string text = "# EDGE_MAP v3.0\n\nWIDTH=80\nHEIGHT=60\nEDGE_COUNT=40\n";
+  for (int i = 0; i < 40; ++i) {
+    text += "[0, 0] 0 5 [" + std::to_string(20 + i) + ", 20] 0 5 0.1\n";
+  }
+  EXPECT_EQ(Read(dir_.WriteFile("a.edg", text)).curves.edge_map.edgels.size(), 20u);
 }
 
 TEST_F(EdgeFilesTest, PicturesThatAreNoMapsAreRefused) {

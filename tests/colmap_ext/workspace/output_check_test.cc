@@ -51,10 +51,16 @@ TEST(CheckResultFile, RefusesWhatLimnHasNotMade) {
   const TempDir dir;
   EXPECT_EQ(RefusalToReplace(dir, kOurCurves, false), "");
   EXPECT_EQ(RefusalToReplace(dir, "glTF {\"asset\":{\"generator\":\"limn 1\"", false), "");
+  EXPECT_EQ(
+      RefusalToReplace(dir, "# EDGE_MAP v3.0\n\n# Format :  [Pixel_Pos]  Strength Uncer, by limn\n",
+                       false),
+      "");
+  EXPECT_EQ(RefusalToReplace(dir, ".CEM v2.0\n# Curve fragments by limn\nsize=[4 3]\n", false), "");
   for (const char* foreign :
        {"", "ply\nformat ascii 1.0\n", "\xFF\xD8", "Notes on limn, Limn and LIMN\n",
         "ply\nformat ascii 1.0\ncomment curves by limn, edited\n", "glTF {\"generator\":\"other\"",
         "# my options\nworkspace_path=a\n",
+        "# EDGE_MAP v3.0\n\n# Format :  [Pixel_Pos]  Strength Uncer\n", ".CEM v2.0\nsize=[4 3]\n",
         "<?xml version=\"1.0\"?>\n<svg><path id=\"link_1\"/>"}) {
     EXPECT_THAT(RefusalToReplace(dir, foreign, false), HasSubstr("was not made by limn"));
     EXPECT_EQ(RefusalToReplace(dir, foreign, true), "");

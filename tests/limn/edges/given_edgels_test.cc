@@ -39,6 +39,28 @@ TEST(GivenEdgels, TheSameSizeChangesNoBit) {
   EXPECT_EQ(map.edgels[0].position_sigma_px, 0.2f);
 }
 
+EdgeMap EdgelsAt(const std::vector<Eigen::Vector3d>& places_and_strengths) {
+  EdgeMap map = OneEdgel({0, 0}, 0);
+  map.edgels.clear();
+  for (const Eigen::Vector3d& place : places_and_strengths) {
+    map.edgels.push_back(OneEdgel(place.head<2>(), 0).edgels[0]);
+    map.edgels.back().strength = static_cast<float>(place.z());
+  }
+  return map;
+}
+
+TEST(GivenEdgels, TheStrongestOfAPixelStays) {
+  // Two of a pixel, one of the next too near them, one of no strength, two outside the image.
+  EdgeMap map = EdgelsAt(
+      {{20, 9, 0}, {10.2, 5, 1}, {10.4, 5, 2}, {10.6, 5, 1}, {-0.9, 5, 3}, {80, 5, 3}, {2, 5, 1}});
+  ThinEdgels(&map);
+  ASSERT_EQ(map.edgels.size(), 3u);
+  EXPECT_EQ(map.edgels[0].position_px, Eigen::Vector2d(2, 5));
+  EXPECT_EQ(map.edgels[1].position_px, Eigen::Vector2d(10.4, 5));
+  EXPECT_EQ(map.edgels[1].strength, 2);
+  EXPECT_EQ(map.edgels[2].position_px, Eigen::Vector2d(20, 9));
+}
+
 TEST(GivenEdgels, UnknownSigmasAreThoseOfAPixel) {
   EdgeMap map = OneEdgel({1, 1}, 0);
   map.edgels[0].position_sigma_px = 0;

@@ -108,6 +108,7 @@ TEST(EdgFile, ImpossibleEdgelsAreRefusedByLine) {
   EXPECT_EQ(error_of("[1, 1] 0 1 inf"), ": line 6: edgel not finite");
   EXPECT_EQ(error_of("[1, 1] nan 1 0"), ": line 6: edgel not finite");
   EXPECT_EQ(error_of("[1, 1] 0 1 -1"), ": line 6: uncertainty below 0");
+  EXPECT_EQ(error_of("[1, 1] 0 -1 0"), ": line 6: strength below 0");
 }
 
 TEST(CemFile, RoundTrip) {
@@ -132,6 +133,22 @@ TEST(CemFile, UncertaintyMayBeMissing) {
   ASSERT_EQ(read.edge_map.edgels.size(), 2u);
   EXPECT_EQ(read.edge_map.edgels[1].position_sigma_px, 0);
   EXPECT_EQ(read.fragments.size(), 1u);
+}
+
+// The image has 4 x 3 pixels.
+TEST(CemFile, LengthIsBounded) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& contours) {
+    return ReadCem(folder.Write(
+        "a.cem",
+        ".CEM v2.0\n# by hand\nsize=[4 3]\n[Edgemap]\ncount=3\n(0, 0)\t0\t9\t0\n(4, 3)\t0\t9\t0\n"
+        "(0, 0.1)\t0\t9\t0\n[Contours]\ncount=2\n" +
+            contours + "[Contour Properties]\n"));
+  };
+  EXPECT_EQ(read("[0 2 0 2 0 2]\n[0 2 0 2 0 2]\n").fragments.size(), 2u);
+  EXPECT_THROW(read("[0 2 0 2 0 2]\n[0 2 0 2 0 2 0]\n"), IoError);
+  EXPECT_EQ(read("[0 1]\n[1 0]\n").fragments.size(), 2u);
+  EXPECT_THROW(read("[0 1 0]\n[0 1]\n"), IoError);
 }
 
 TEST(CemFile, DamagedFilesAreRefused) {

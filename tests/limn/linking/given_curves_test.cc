@@ -72,6 +72,38 @@ TEST(MakeConsistent, SharedEdgelsAreCopied) {
   EXPECT_EQ(curves.edge_map.edgels[4].position_px, curves.edge_map.edgels[2].position_px);
 }
 
+TEST(MakeConsistent, GapsCutFragments) {
+  ImageCurves curves = Row(std::vector<double>(30, 0), {{{0, 1, 2, 20, 9, 10}, false}});
+  MakeConsistent(&curves);
+  ASSERT_EQ(curves.fragments.size(), 2u);
+  EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(0, 1, 2));
+  EXPECT_THAT(curves.fragments[1].edgel_ids, ElementsAre(9, 10));
+}
+
+TEST(MakeConsistent, GapsOpenClosedFragments) {
+  ImageCurves curves =
+      Row(std::vector<double>(30, 0), {{{1, 2, 20, 21, 10, 0}, true}, {{3, 8, 14}, true}});
+  MakeConsistent(&curves);
+  ASSERT_EQ(curves.fragments.size(), 3u);
+  EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(20, 21));
+  EXPECT_THAT(curves.fragments[1].edgel_ids, ElementsAre(2, 1, 0, 10));
+  EXPECT_THAT(curves.fragments[2].edgel_ids, ElementsAre(3, 8, 14));
+  for (const CurveFragment& fragment : curves.fragments) EXPECT_FALSE(fragment.closed);
+}
+
+TEST(MakeConsistent, TwoEdgelsOrOnePlaceAreNotClosed) {
+  ImageCurves curves =
+      Row(std::vector<double>(12, 0), {{{0, 1}, true}, {{2, 10, 3, 4, 11}, true}, {{5, 9}, false}});
+  std::vector<Edgel>& edgels = curves.edge_map.edgels;
+  edgels[10].position_px = edgels[11].position_px = edgels[2].position_px;
+  edgels[9].position_px = edgels[5].position_px;
+  MakeConsistent(&curves);
+  ASSERT_EQ(curves.fragments.size(), 2u);
+  EXPECT_FALSE(curves.fragments[0].closed);
+  EXPECT_THAT(curves.fragments[1].edgel_ids, ElementsAre(2, 3, 4));
+  EXPECT_TRUE(curves.fragments[1].closed);
+}
+
 TEST(TurnAround, TurnsOrderAndTangents) {
   ImageCurves curves = Row({0, 0.1}, {{{0, 1}, false}});
   TurnAround(&curves.fragments[0], &curves.edge_map.edgels);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limn::colmap_ext {
+
+// Files that exist, by what they are, not by their names: links to a file are that file.
+class FileSet {
+ public:
+  // Names of what does not exist are left out.
+  explicit FileSet(const std::vector<std::string>& paths);
+
+  // False if there is no such file. Logarithmic time.
+  bool Contains(const std::string& path) const;
+
+ private:
+  std::set<std::pair<unsigned long, unsigned long>> files_;  // device and inode
+};
+
+}  // namespace limn::colmap_ext
