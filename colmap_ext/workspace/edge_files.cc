@@ -124,19 +124,19 @@ void DirectFragments(const Image& image, ImageCurves* curves) {
   }
 }
 
-// Linked edgels stay in the map, in no fragment, since fragments have their ids.
-void RemoveMasked(const std::vector<unsigned char>& mask, GivenEdges* given) {
-  std::vector<Edgel>& edgels = given->curves.edge_map.edgels;
-  const std::vector<bool> keep = OutsideMask(given->curves.edge_map, mask);
-  if (given->are_linked) {
-    RemoveUnusableEdgels(keep, &given->curves);
-    return;
-  }
+// Fragments are cut where edgels of theirs go.
+void KeepOnly(const std::vector<bool>& keep, ImageCurves* curves) {
+  RemoveUnusableEdgels(keep, curves);
   std::vector<Edgel> kept;
+  std::vector<EdgelId> new_ids;
   for (size_t i = 0; i < keep.size(); ++i) {
-    if (keep[i]) kept.push_back(edgels[i]);
+    new_ids.push_back(static_cast<EdgelId>(kept.size()));
+    if (keep[i]) kept.push_back(curves->edge_map.edgels[i]);
   }
-  edgels = std::move(kept);
+  curves->edge_map.edgels = std::move(kept);
+  for (CurveFragment& fragment : curves->fragments) {
+    for (EdgelId& id : fragment.edgel_ids) id = new_ids[id];
+  }
 }
 
 }  // namespace
@@ -187,9 +187,10 @@ GivenEdges ReadEdgeFile(const std::string& path, const ViewSet& set, ViewId view
   SetUnknownSigmas(&curves.edge_map);
   if (!given.are_linked) ThinEdgels(&curves.edge_map);
   MakeConsistent(&curves);
+  KeepOnly(OutsideCrowds(curves.edge_map), &curves);
   if (is_text) DirectFragments(ReadViewImage(set, view), &curves);
   if (is_map) DirectByBrightness(ReadViewImage(set, view), &curves.edge_map.edgels);
-  RemoveMasked(ReadViewMask(set, view), &given);
+  KeepOnly(OutsideMask(curves.edge_map, ReadViewMask(set, view)), &curves);
   return given;
 }
 

@@ -6,6 +6,18 @@
 #include "limn/edges/edgel_selection.h"
 
 namespace limn {
+namespace {
+
+constexpr int kMaxEdgelsOfPixel = 8;
+
+// The index of its pixel, or of the nearest in the image.
+size_t PixelOf(const EdgeMap& edge_map, const Edgel& edgel) {
+  const auto x = std::clamp<long>(std::lround(edgel.position_px.x()), 0, edge_map.width - 1);
+  const auto y = std::clamp<long>(std::lround(edgel.position_px.y()), 0, edge_map.height - 1);
+  return static_cast<size_t>(y) * edge_map.width + x;
+}
+
+}  // namespace
 
 void ResizeEdgeMap(int width, int height, EdgeMap* edge_map) {
   if (edge_map->width == width && edge_map->height == height) return;
@@ -37,14 +49,20 @@ void ThinEdgels(EdgeMap* edge_map) {
   edge_map->edgels = raster.Edgels();
 }
 
+std::vector<bool> OutsideCrowds(const EdgeMap& edge_map) {
+  std::vector<int> num_of_pixel(static_cast<size_t>(edge_map.width) * edge_map.height, 0);
+  std::vector<bool> outside;
+  for (const Edgel& edgel : edge_map.edgels) {
+    outside.push_back(++num_of_pixel[PixelOf(edge_map, edgel)] <= kMaxEdgelsOfPixel);
+  }
+  return outside;
+}
+
 std::vector<bool> OutsideMask(const EdgeMap& edge_map, const std::vector<unsigned char>& mask) {
   std::vector<bool> outside(edge_map.edgels.size(), true);
   if (mask.empty()) return outside;
   for (size_t i = 0; i < outside.size(); ++i) {
-    const Eigen::Vector2d& position = edge_map.edgels[i].position_px;
-    const auto x = std::clamp<long>(std::lround(position.x()), 0, edge_map.width - 1);
-    const auto y = std::clamp<long>(std::lround(position.y()), 0, edge_map.height - 1);
-    outside[i] = mask[static_cast<size_t>(y) * edge_map.width + x] != 0;
+    outside[i] = mask[PixelOf(edge_map, edge_map.edgels[i])] != 0;
   }
   return outside;
 }

@@ -31,6 +31,10 @@ void SetUnknownSigmas(EdgeMap* edge_map);
 // outside the image are dropped.
 void ThinEdgels(EdgeMap* edge_map);
 
+// By edgel: whether it is one of the first 8 of its pixel. Curves from elsewhere may run over each
+// other, but what is given many times over must not take the time of the whole image.
+std::vector<bool> OutsideCrowds(const EdgeMap& edge_map);
+
 // By edgel: whether its pixel, or the nearest in the image, is nonzero in the mask: one byte per
 // pixel, or empty = all are.
 std::vector<bool> OutsideMask(const EdgeMap& edge_map, const std::vector<unsigned char>& mask);

@@ -12,8 +12,9 @@ namespace limn {
 // [Contours] with "[id id ... ]" per fragment, [Contour Properties], which are ignored. A fragment
 // whose last id equals its first is closed. Reading sets position_px and stored_px to the same
 // values; there is no link graph. Throws IoError, also for edgels more than a pixel outside the
-// image, numbers that are not finite, strengths and sigmas below 0, and fragments that are
-// together longer than the image has pixels, where every edgel counts as a pixel at least.
+// image, numbers that are not finite, strengths and sigmas below 0, sigmas above 10 px, and
+// fragments that are together longer than the image has pixels, where every edgel counts as a pixel
+// at least.
 ImageCurves ReadCem(const std::string& path);
 
 // Writes positions and directions in the virtual pinhole image (in the stored one before

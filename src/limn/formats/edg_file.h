@@ -12,8 +12,8 @@ namespace limn {
 //   [ix, iy]  idir iconf  [x, y]  dir conf uncertainty        (the last number is absent before v3)
 // Edgel ids are the order of the lines. The center of the top-left pixel is (0, 0), as here. The
 // sense of `dir` along the edge is kept. Reading sets position_px and stored_px to the same values;
-// throws IoError, also for edgels more than a pixel outside the image, numbers that are not finite
-// and uncertainties below 0.
+// throws IoError, also for edgels more than a pixel outside the image, numbers that are not finite,
+// strengths and uncertainties below 0, and uncertainties above 10 px.
 EdgeMap ReadEdg(const std::string& path);
 
 // Version 3: positions and directions in the virtual pinhole image (in the stored one before

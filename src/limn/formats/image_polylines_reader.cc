@@ -7,6 +7,9 @@
 namespace limn {
 namespace {
 
+// Shorter ones may have no length in another unit.
+constexpr double kMinCurvePx = 1e-6;
+
 double PolylineLength(const ImagePolyline& polyline) {
   double length = 0;
   for (size_t i = 1; i < polyline.size(); ++i) length += (polyline[i] - polyline[i - 1]).norm();
@@ -42,7 +45,7 @@ std::vector<ImagePolyline> ReadImagePolylines(const std::string& path, int width
     }
     polylines.push_back(ReadImagePolyline(&scanner, width, height));
     const double length = PolylineLength(polylines.back());
-    if (length == 0) scanner.Fail("a curve without length");
+    if (length < kMinCurvePx) scanner.Fail("a curve without length");
     total += length;
     if (total > static_cast<double>(width) * height) {
       scanner.Fail("curves longer than the image has pixels");

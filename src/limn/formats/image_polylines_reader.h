@@ -14,9 +14,9 @@ using ImagePolyline = std::vector<Eigen::Vector2d>;
 // between numbers. A curve whose last point equals its first is closed. Empty lines and those that
 // begin with '#' are skipped. The center of the top-left pixel is (0, 0).
 //
-// Throws IoError with the line: something else than numbers, half a point, a curve without length,
-// a point more than a pixel outside the image or not finite, or curves that are together longer
-// than the image has pixels.
+// Throws IoError with the line: something else than numbers, half a point, a curve shorter than
+// 1e-6 px, a point more than a pixel outside the image or not finite, or curves that are together
+// longer than the image has pixels.
 std::vector<ImagePolyline> ReadImagePolylines(const std::string& path, int width, int height);
 
 }  // namespace limn

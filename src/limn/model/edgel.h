@@ -20,7 +20,8 @@ struct Edgel {
   // Direction of the edge in the virtual image, in [-pi, pi], such that luminance rises along (sin
   // t, -cos t), the left side on screen when walking along (cos t, sin t).
   double tangent_rad = 0;
-  // Gradient magnitude at the edge, gray levels per pixel.
+  // Gradient magnitude at the edge, gray levels per pixel. Of edges from elsewhere what their file
+  // says, such as a probability; 1 of text. Not below 0.
   float strength = 0;
   // Standard deviation of the position across the edge, stored pixels.
   float position_sigma_px = 0;

@@ -193,6 +193,12 @@ TEST_F(EdgeFilesTest, MapsOfAnotherSizeAreNotDecoded) {
   EXPECT_THAT(ReadError(path), HasSubstr("a.pgm: the edges of an image of 80 x 61 pixels"));
 }
 
+TEST_F(EdgeFilesTest, CurvesGivenManyTimesAreNotKeptMoreThanEightTimes) {
+  std::string text;
+  for (int i = 0; i < 100; ++i) text += "2 20 30 20\n";
+  EXPECT_EQ(Read(dir_.WriteFile("a.txt", text)).curves.fragments.size(), 8u);
+}
+
 // Linking would not end on them.
 TEST_F(EdgeFilesTest, EdgelsAreThinnedAtTheSizeOfTheView) {
   UseHalfSize();
@@ -217,7 +223,15 @@ TEST_F(EdgeFilesTest, MaskedPixelsHoldNone) {
   set_.mask_paths[0] = WriteMap("mask.png", mask);
   EXPECT_EQ(Read(dir_.WriteFile("a.edg", kEdg)).curves.edge_map.edgels.size(), 1u);
   // A fragment is cut there.
-  EXPECT_EQ(Read(dir_.WriteFile("a.txt", "2 20 30 20\n")).curves.fragments.size(), 2u);
+  const ImageCurves curves = Read(dir_.WriteFile("a.txt", "2 20 30 20\n")).curves;
+  ASSERT_EQ(curves.fragments.size(), 2u);
+  EXPECT_EQ(curves.edge_map.edgels.size(), 28u);
+  // All ids are those of the rest.
+  for (const CurveFragment& fragment : curves.fragments) {
+    for (const EdgelId id : fragment.edgel_ids) {
+      EXPECT_GT(std::abs(curves.edge_map.edgels.at(id).position_px.x() - 10), 0.9);
+    }
+  }
 }
 
 TEST_F(EdgeFilesTest, DamagedPhotographsHaveNone) {

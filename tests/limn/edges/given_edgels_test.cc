@@ -61,6 +61,14 @@ TEST(GivenEdgels, TheStrongestOfAPixelStays) {
   EXPECT_EQ(map.edgels[2].position_px, Eigen::Vector2d(20, 9));
 }
 
+TEST(GivenEdgels, TheFirstEightOfAPixelAreNoCrowd) {
+  EdgeMap map = EdgelsAt(std::vector<Eigen::Vector3d>(9, {10.2, 5, 1}));
+  map.edgels.push_back(OneEdgel({11, 5}, 0).edgels[0]);
+  std::vector<bool> outside(10, true);
+  outside[8] = false;
+  EXPECT_EQ(OutsideCrowds(map), outside);
+}
+
 TEST(GivenEdgels, UnknownSigmasAreThoseOfAPixel) {
   EdgeMap map = OneEdgel({1, 1}, 0);
   map.edgels[0].position_sigma_px = 0;

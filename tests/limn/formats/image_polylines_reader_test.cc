@@ -38,6 +38,7 @@ TEST(ImagePolylines, WhatIsNoCurveIsRefusedByLine) {
   EXPECT_EQ(error_of("1 1 2"), ": line 2: x without y");
   EXPECT_EQ(error_of("1 1"), ": line 2: a curve without length");
   EXPECT_EQ(error_of("1 1 1 1"), ": line 2: a curve without length");
+  EXPECT_EQ(error_of("0 0 1e-17 0"), ": line 2: a curve without length");
   EXPECT_EQ(error_of("1 1 2 b"), ": line 2: y expected, not \"b\"");
   EXPECT_EQ(error_of("1 1 2 nan"), ": line 2: y is not finite");
   EXPECT_EQ(error_of("1 1 8.5 2"), ": line 2: point outside the image of 8 x 6 pixels");

@@ -108,6 +108,8 @@ TEST(EdgFile, ImpossibleEdgelsAreRefusedByLine) {
   EXPECT_EQ(error_of("[1, 1] 0 1 inf"), ": line 6: edgel not finite");
   EXPECT_EQ(error_of("[1, 1] nan 1 0"), ": line 6: edgel not finite");
   EXPECT_EQ(error_of("[1, 1] 0 1 -1"), ": line 6: uncertainty below 0");
+  EXPECT_EQ(error_of("[1, 1] 0 1 10"), "");
+  EXPECT_EQ(error_of("[1, 1] 0 1 1e30"), ": line 6: uncertainty above 10 px");
   EXPECT_EQ(error_of("[1, 1] 0 -1 0"), ": line 6: strength below 0");
 }
 
