@@ -34,7 +34,7 @@ constexpr double kMinRecall = 0.88;
 constexpr double kMinMixedPrecision = 0.935;
 constexpr double kMinMixedRecall = 0.887;
 constexpr double kMinShareOfFixedLight = 0.95;
-// Of F, from sketch to sketch and to the drawing: 0.68, 0.83, 0.93 now.
+// Of F, from sketch to sketch and to the drawing.
 constexpr double kMinGain = 0.02;
 // Of 141 junctions a few come and go with every change of the arithmetic: the same method gave
 // precisions from 0.73 to 0.84 and recalls from 0.49 to 0.56.
