@@ -22,6 +22,8 @@ LINE_STYLES = ["-", "--", ":", "-."]
 AXIS_LABELS = {"precision": "precision", "sample_precision": "precision of samples"}
 PEER_MARKS = {True: "X", False: "x"}  # first data set of a plot, others
 PANEL_INCHES = 4.2
+TITLE_INCHES = 0.4
+LEGEND_POINTS = 8  # size of its letters
 
 
 def groups_of(report):
@@ -72,13 +74,18 @@ def draw_method(axes, runs, panel, color, style, label):
                       markerfacecolor="none" if style != "-" else color, linestyle="none")
 
 
+def short_name(data_set):
+    """Of a data set among those of its plot."""
+    return data_set["name"].removeprefix(data_set["plot"] + "-")
+
+
 def draw_peers(axes, data_set, programs, panel, filled):
     for peer in data_set["peers"]:
         point = recall_and_precision(peer, panel)
         if point is not None:
             axes.plot(*point, marker=PEER_MARKS[filled], markersize=8, linestyle="none",
                       color=f"C{5 + programs.index(peer['method'])}",
-                      label=f"{peer['method']}, {data_set['name']}")
+                      label=f"{peer['method']}, {short_name(data_set)}")
 
 
 def draw_panel(axes, data_sets, methods, panel):
@@ -88,7 +95,7 @@ def draw_panel(axes, data_sets, methods, panel):
         for method in methods:
             runs = [run for run in data_set["runs"] if run["method"] == method]
             draw_method(axes, runs, panel, f"C{methods.index(method)}", style,
-                        f"{method}, {data_set['name']}")
+                        f"{method}, {short_name(data_set)}")
         draw_peers(axes, data_set, programs, panel, number == 0)
         ceiling = data_set["ceiling"][panel.box][panel.tau_index]
         if ceiling is not None:
@@ -102,20 +109,21 @@ def draw_panel(axes, data_sets, methods, panel):
 def draw_group(data_sets, rows, path, dpi=100):
     """`rows`: box and kind of precision of each row of panels."""
     taus, methods = data_sets[0]["taus"], methods_of(data_sets)
-    legend_columns = min(3, len(methods))
+    legend_columns = min(3, len(taus))
     num_labels = sum(len(methods) + len(data_set["peers"]) for data_set in data_sets)
-    legend_inches = 0.3 + 0.22 * -(-num_labels // legend_columns)
-    height = PANEL_INCHES * len(rows) + legend_inches
+    legend_inches = 0.3 + 0.18 * -(-num_labels // legend_columns)
+    height = TITLE_INCHES + PANEL_INCHES * len(rows) + legend_inches
     figure, panels = plt.subplots(len(rows), len(taus), squeeze=False,
                                   figsize=(PANEL_INCHES * len(taus), height))
     for (box, precision), of_row in zip(rows, panels):
         for tau_index, axes in enumerate(of_row):
             draw_panel(axes, data_sets, methods, Panel(box, tau_index, precision))
     handles, labels = panels[0][0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=legend_columns, frameon=False)
+    figure.legend(handles, labels, loc="lower center", ncol=legend_columns, frameon=False,
+                  fontsize=LEGEND_POINTS)
     figure.suptitle("Support threshold swept; big marks: default options; crosses: other programs; "
-                    "gray: what the image curves can give")
-    figure.tight_layout(rect=(0, legend_inches / height, 1, 1))
+                    "gray: what the image curves can give", y=1 - 0.3 * TITLE_INCHES / height)
+    figure.tight_layout(rect=(0, legend_inches / height, 1, 1 - TITLE_INCHES / height))
     figure.savefig(path, dpi=dpi)
     plt.close(figure)
 

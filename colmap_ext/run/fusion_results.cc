@@ -33,19 +33,6 @@ std::string Number(double value) {
   return text;
 }
 
-// The color at a pixel, gray or RGB.
-std::array<uint8_t, 3> ColorAt(const Image& image, const Eigen::Vector2d& pixel) {
-  const int column = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, image.width - 1);
-  const int row = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, image.height - 1);
-  const size_t at = (static_cast<size_t>(row) * image.width + column) * image.channels;
-  std::array<uint8_t, 3> color;
-  for (int c = 0; c < 3; ++c) {
-    const float value = image.data[at + (image.channels == 3 ? c : 0)];
-    color[c] = static_cast<uint8_t>(std::clamp(value, 0.f, 255.f));
-  }
-  return color;
-}
-
 // Files hold the coordinates of the model that was read.
 DensePointStream MovedStream(const DensePointStream& points, const Eigen::Vector3d& shift) {
   return [=](const DensePointVisitor& visit) {
@@ -240,7 +227,9 @@ void ColorCurvePoints(const Project& project, const RunContext& context,
       CurvePoint& point = (*points)[p];
       const auto pixel = view.Project(point.position);
       const auto stored = pixel ? view.StoredFromVirtual(*pixel) : std::nullopt;
-      if (stored) point.color = ColorAt(image, *stored);
+      if (!stored) continue;
+      const Eigen::Vector3f color = ColorAt(image, *stored).cwiseMax(0.F).cwiseMin(255.F);
+      for (int c = 0; c < 3; ++c) point.color[c] = static_cast<uint8_t>(std::lround(color[c]));
     }
   });
 }

@@ -17,7 +17,7 @@ OURS = "default drawing"
 # The paper's order: each should be ahead of the one before.
 ORDER = ["original sketch", "enhanced sketch", "paper drawing", OURS]
 SHARES = {"precision": "P", "recall": "R", "f": "F"}
-PICTURE_DPI = 64
+PICTURE_DPI = 80
 ROOT = Path(__file__).resolve().parents[2]
 
 

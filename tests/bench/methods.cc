@@ -22,10 +22,9 @@ DrawingGraph Draw(const Scene& scene, const CurveSketch& sketch, const PipelineO
                                        options, context, unheard)
                             .graph;
   // Kinds, which need the photographs, do not change the curves.
-  if (!options.drawing.IsPaper()) {
-    judged = FitPrimitives(judged, scene.views, options.primitives, context).graph;
-  }
-  return Selected(std::move(judged), LinkSelection());
+  const DrawingGraph described =
+      DescribeLinks(std::move(judged), scene.views, nullptr, options, context, unheard);
+  return Selected(described, LinkSelection());
 }
 
 }  // namespace

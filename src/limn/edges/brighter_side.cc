@@ -13,28 +13,6 @@ constexpr int kVotePx = 3;
 constexpr double kMaxVoteOffsetPx = 1;  // across
 const double kVoteMinCosine = std::cos(M_PI / 6);
 
-double BrightnessAtPixel(const Image& image, int x, int y) {
-  x = std::clamp(x, 0, image.width - 1);
-  y = std::clamp(y, 0, image.height - 1);
-  const float* values =
-      image.data.data() + (static_cast<size_t>(y) * image.width + x) * image.channels;
-  double sum = 0;
-  for (int c = 0; c < image.channels; ++c) sum += values[c];
-  return sum / image.channels;
-}
-
-// Bilinear.
-double BrightnessAt(const Image& image, const Vector2d& px) {
-  const int x = static_cast<int>(std::floor(px.x()));
-  const int y = static_cast<int>(std::floor(px.y()));
-  const double u = px.x() - x;
-  const double v = px.y() - y;
-  const auto row = [&](int at) {
-    return (1 - u) * BrightnessAtPixel(image, x, at) + u * BrightnessAtPixel(image, x + 1, at);
-  };
-  return (1 - v) * row(y) + v * row(y + 1);
-}
-
 // The edgels of an image by cells of kVotePx, so that neighbors are in adjacent cells.
 class VoteCells {
  public:
@@ -84,8 +62,9 @@ double BrighterSide(const Image& image, const Edgel& edgel) {
   const Vector2d normal = edgel.Normal();
   double difference = 0;
   for (const double distance : {1.0, 2.0, 3.0}) {
-    difference += BrightnessAt(image, edgel.position_px + distance * normal) -
-                  BrightnessAt(image, edgel.position_px - distance * normal);
+    difference += (ColorAt(image, edgel.position_px + distance * normal) -
+                   ColorAt(image, edgel.position_px - distance * normal))
+                      .mean();
   }
   return difference / 3;
 }

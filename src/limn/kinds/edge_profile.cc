@@ -35,20 +35,6 @@ bool IsUsable(const Image& image, const Eigen::Vector2d& place) {
   return at[0] != 0 && at[1] != 0 && at[image.width] != 0 && at[image.width + 1] != 0;
 }
 
-void AddColor(const Image& image, const Eigen::Vector2d& place, SideColor* sum) {
-  const auto x = static_cast<size_t>(place.x());
-  const auto y = static_cast<size_t>(place.y());
-  const auto fx = static_cast<float>(place.x() - static_cast<double>(x));
-  const auto fy = static_cast<float>(place.y() - static_cast<double>(y));
-  const size_t row = static_cast<size_t>(image.width) * image.channels;
-  const float* at = image.data.data() + y * row + x * image.channels;
-  for (int c = 0; c < image.channels; ++c, ++at) {
-    const float above = at[0] + fx * (at[image.channels] - at[0]);
-    const float below = at[row] + fx * (at[row + image.channels] - at[row]);
-    (*sum)[c] += above + fy * (below - above);
-  }
-}
-
 std::optional<Profile> MeanProfile(const Image& image, const Eigen::Vector2d& center,
                                    const Eigen::Vector2d& along) {
   const Eigen::Vector2d across(along.y(), -along.x());
@@ -61,12 +47,10 @@ std::optional<Profile> MeanProfile(const Image& image, const Eigen::Vector2d& ce
   for (int k = 0; k < kNumPlaces; ++k) {
     const Eigen::Vector2d place =
         center + (static_cast<double>(k - kCenter) / kStepsPerPx) * across;
-    SideColor& color = profile[k];
-    for (int v = -kHalfAlongPx; v <= kHalfAlongPx; ++v) {
-      AddColor(image, place + v * along, &color);
-    }
-    for (float& value : color) value /= 2 * kHalfAlongPx + 1;
-    if (image.channels == 1) color[1] = color[2] = color[0];
+    Eigen::Vector3f color = Eigen::Vector3f::Zero();
+    for (int v = -kHalfAlongPx; v <= kHalfAlongPx; ++v) color += ColorAt(image, place + v * along);
+    color /= 2 * kHalfAlongPx + 1;
+    profile[k] = {color[0], color[1], color[2]};
   }
   return profile;
 }

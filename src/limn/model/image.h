@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace limn {
 
 // A decoded photograph: interleaved rows of RGB or one gray channel, values in gray levels 0..255
@@ -13,5 +15,9 @@ struct Image {
   std::vector<float> data;
   std::vector<unsigned char> mask;
 };
+
+// RGB at a place, bilinear between the centers of pixels, which are at whole numbers; beyond the
+// border that of the border; gray as three same values. The image has pixels; masks are not asked.
+Eigen::Vector3f ColorAt(const Image& image, const Eigen::Vector2d& px);
 
 }  // namespace limn

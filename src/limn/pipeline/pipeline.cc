@@ -53,6 +53,7 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
   if (options.drawing.IsPaper()) return graph;
   PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
   on_stage_end(primitives.summary);
+  if (!read_image) return std::move(primitives.graph);
   KindsResult kinds = ClassifyKinds({views, read_image, primitives.graph}, context);
   on_stage_end(kinds.summary);
   return std::move(kinds.graph);
