@@ -1,5 +1,4 @@
-# Debian packages by `cpack`: limn, liblimn-dev, and python3-limn where the Python module is built, whose files are the
-# component `python`.
+# Debian packages by `cpack`: limn, liblimn-dev, and python3-limn where the Python module is built.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The Limn authors")
 set(CPACK_PACKAGE_CONTACT "The Limn authors <limn@localhost>")
@@ -43,13 +42,16 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
 
 if(LIMN_WITH_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
-  find_package(Python3 QUIET COMPONENTS Interpreter)
-  math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   limn_package(python python3-limn
-    DESCRIPTION "3D drawings from COLMAP projects, Python module"
-    DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+    DESCRIPTION "3D drawings from COLMAP projects, Python module
+ The package limn for Debian's Python."
+    DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+  # Where only Debian's Python looks; others install the wheel.
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/python/limn DESTINATION lib/python3/dist-packages
+    COMPONENT python EXCLUDE_FROM_ALL PATTERN __pycache__ EXCLUDE)
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-limn COMPONENT python)
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-limn COMPONENT python EXCLUDE_FROM_ALL)
 endif()
 
 include(CPack)

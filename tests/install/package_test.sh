@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# package_test.sh <build folder>: make the package, install it with apt into a Debian root that has nothing else, and
-# draw some images of the sample scene there. Needs root, mmdebstrap and the mirror of the machine's apt.
+# package_test.sh <build folder>: make the packages, install that of the program, and of the Python module if there is
+# one, with apt into a Debian root that has nothing else, and draw some images of the sample scene there. Needs root,
+# mmdebstrap and the mirror of the machine's apt.
 set -euo pipefail
 build=$1
 here=$(cd "$(dirname "$0")" && pwd)
@@ -38,10 +39,13 @@ mmdebstrap --quiet --variant=apt bookworm "$root" "${sources[@]}" 2>"$work/mmdeb
 in_root() {
   chroot "$root" env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"
 }
-cp "$work/packages/$package" "$root/root/"
+install_package() {
+  cp "$work/packages/$1" "$root/root/"
+  in_root apt-get install -y -q --no-install-recommends "/root/$1" >"$work/apt.log" 2>&1 ||
+    { cat "$work/apt.log"; fail "apt does not install $1"; }
+}
 in_root apt-get update -q >"$work/apt.log" 2>&1 || { cat "$work/apt.log"; skip "the mirror does not answer"; }
-in_root apt-get install -y -q --no-install-recommends "/root/$package" >"$work/apt.log" 2>&1 ||
-  { cat "$work/apt.log"; fail "apt does not install the package"; }
+install_package "$package"
 
 in_root limn --version | tee "$work/version"
 grep -q "^limn $version" "$work/version" || fail "another version"
@@ -58,3 +62,8 @@ for file in drawing.json drawing.ply drawing.obj; do
   [[ -s $root/root/drawn/$file ]] || fail "$file is missing"
 done
 in_root limn drawing_exporter --input_path /root/drawn/drawing.json --output_path /root/drawn/drawing.glb
+
+python_package=python3-limn_${version}_amd64.deb
+[[ -f $work/packages/$python_package ]] || exit 0
+install_package "$python_package"
+in_root python3 -c 'import limn; print(len(limn.read_drawing("/root/drawn/drawing.json").links), "links")'
