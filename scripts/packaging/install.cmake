@@ -52,6 +52,7 @@ function(limn_installed_library name)
       OUTPUT_NAME ${name} EXPORT_NAME ${ARG_EXPORT_NAME} LINKER_LANGUAGE CXX
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     target_compile_features(${library} PUBLIC cxx_std_20)
+    add_dependencies(${library} limn_commit)  # a header
     list(TRANSFORM ARG_DEPENDS APPEND _${kind} OUTPUT_VARIABLE depends)
     target_link_libraries(${library} PUBLIC ${depends})
     foreach(module ${ARG_MODULES})
@@ -84,7 +85,7 @@ endforeach()
 
 # Headers, as they are included; but not those that need the headers of libraries that users need not have.
 set(private_headers
-  page  # a folder without any
+  drawing/pictures page  # folders without any
   limn/formats/json_text.h limn/formats/step_edges.h limn/primitives/shape_solver.h
   limn/refinement/curve_fit.h limn/refinement/pose_fit.h limn/refinement/pull_cost.h limn/refinement/variance_factors.h
   limn/viewer/payload_arrays.h workspace/shrink_image.h)
