@@ -2,19 +2,23 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <iterator>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/options/command_help.h"
 #include "colmap_ext/run/interrupt.h"
 #include "colmap_ext/run/ranks.h"
+#include "colmap_ext/run/version_line.h"
 #include "colmap_ext/workspace/error_line.h"
 #include "limn/util/errors.h"
 #include "limn/util/latest_stage.h"
@@ -54,6 +58,37 @@ void PrintUsage() {
     std::printf("  %-20.*s %s\n", static_cast<int>(command.name.size()), command.name.data(),
                 command.summary);
   }
+}
+
+// "help --help_format man" and the like: as OptionParser's, of the program.
+void PrintUsageFor(std::string_view format) {
+  std::vector<limn::CommandDescription> commands;
+  for (const Command& command : kCommands) {
+    commands.push_back({std::string(command.name), command.summary, {}});
+  }
+  if (format == "man") {
+    WriteManPage(commands, std::cout);
+  } else if (format == "words") {
+    for (const auto& command : commands) std::cout << command.name << "\n";
+  } else {
+    throw limn::OptionError("help_format = " + std::string(format) + ": must be man or words");
+  }
+}
+
+// Whether this was all that was asked for.
+bool PrintHelp(int argc, const char* const* argv) {
+  const std::string_view name = argc > 1 ? argv[1] : "help";
+  if (name == "--version") {
+    std::printf("%s\n", VersionLine().c_str());
+    return true;
+  }
+  if (name != "help" && name != "-h" && name != "--help") return false;
+  if (argc == 4 && std::string_view(argv[2]) == "--help_format") {
+    PrintUsageFor(argv[3]);
+  } else {
+    PrintUsage();
+  }
+  return true;
 }
 
 // A file opened later must not take the place of a closed standard stream: what is printed would
@@ -119,12 +154,8 @@ int main(int argc, char** argv) {
   OpenStandardStreams();
   // A file beyond the limit on sizes is then a failed write, with a line that names it.
   std::signal(SIGXFSZ, SIG_IGN);
-  const std::string_view name = argc > 1 ? argv[1] : "help";
-  if (name == "help" || name == "-h" || name == "--help") {
-    PrintUsage();
-    return 0;
-  }
   try {
+    if (PrintHelp(argc, argv)) return 0;
     const MpiSession mpi;
     const int exit_code = RunAndReport(argc, argv);
     if (exit_code != 0) AbortRanks(exit_code);

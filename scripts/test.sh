@@ -4,7 +4,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/setup.sh python3-numpy python3-opencv python3-ezdxf python3-matplotlib librsvg2-bin chromium
+scripts/setup.sh python3-numpy python3-opencv python3-ezdxf python3-matplotlib librsvg2-bin chromium \
+  dpkg-dev man-db mandoc mmdebstrap
 cmake --preset release  # the same as in run_sample.sh: nothing is compiled twice
 cmake --build --preset release
 ctest --preset release --parallel 2

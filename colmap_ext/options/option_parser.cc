@@ -21,6 +21,10 @@ namespace po = boost::program_options;
 
 constexpr char kProjectPath[] = "project_path";
 constexpr char kHelpAll[] = "help_all";
+constexpr char kHelpFormat[] = "help_format";
+constexpr char kWord[] = "word";
+constexpr char kProjectPathHelp[] =
+    "Read options from this ini file; the command line overrides it.";
 constexpr unsigned kHelpColumns = 100;
 
 template <typename Number>
@@ -65,6 +69,17 @@ std::string FormatDoubles(const std::vector<double>& values) {
   return text;
 }
 
+std::string ListOf(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "{" : ", ") + word;
+  return list + "}";
+}
+
+// Files and folders are named by such options.
+bool IsPathOption(const std::string& name) {
+  return name.ends_with("_path") || name == "output_csv" || name == "output_json";
+}
+
 std::string GroupOf(const std::string& name) {
   const size_t dot = name.find('.');
   return dot == std::string::npos ? "" : name.substr(0, dot);
@@ -89,8 +104,8 @@ OptionParser::OptionParser(std::string command, std::string summary)
     : command_(std::move(command)), summary_(std::move(summary)) {}
 
 void OptionParser::Add(Option option) {
-  const bool is_taken =
-      option.name == kProjectPath || option.name == "help" || option.name == kHelpAll;
+  const bool is_taken = option.name == kProjectPath || option.name == "help" ||
+                        option.name == kHelpAll || option.name == kHelpFormat;
   if (is_taken || Find(option.name)) {
     throw std::logic_error("option " + option.name + " is declared twice");
   }
@@ -104,7 +119,7 @@ void OptionParser::AddOption(const std::string& name, double* value, const Optio
     *value = *parsed;
     return "";
   };
-  Add({name, help, set, [value] { return FormatDouble(*value); }});
+  Add({name, help, "number", {}, set, [value] { return FormatDouble(*value); }});
 }
 
 void OptionParser::AddOption(const std::string& name, int* value, const OptionHelp& help) {
@@ -114,7 +129,7 @@ void OptionParser::AddOption(const std::string& name, int* value, const OptionHe
     *value = *parsed;
     return "";
   };
-  Add({name, help, set, [value] { return std::to_string(*value); }});
+  Add({name, help, "integer", {}, set, [value] { return std::to_string(*value); }});
 }
 
 void OptionParser::AddOption(const std::string& name, bool* value, const OptionHelp& help) {
@@ -122,7 +137,7 @@ void OptionParser::AddOption(const std::string& name, bool* value, const OptionH
     *value = text == "1" || text == "true";
     return *value || text == "0" || text == "false" ? "" : "0, 1, true or false";
   };
-  Add({name, help, set, [value] { return std::string(*value ? "1" : "0"); }});
+  Add({name, help, "switch", {"0", "1"}, set, [value] { return std::string(*value ? "1" : "0"); }});
 }
 
 void OptionParser::AddOption(const std::string& name, std::string* value, const OptionHelp& help) {
@@ -137,7 +152,8 @@ void OptionParser::AddOption(const std::string& name, std::string* value, const 
     *value = text;
     return "";
   };
-  Add({name, help, set, [value] { return *value; }});
+  const std::string kind = IsPathOption(name) ? "path" : "text";
+  Add({name, help, kind, {}, set, [value] { return *value; }});
 }
 
 void OptionParser::AddOption(const std::string& name, std::vector<double>* value,
@@ -148,7 +164,7 @@ void OptionParser::AddOption(const std::string& name, std::vector<double>* value
     *value = *parsed;
     return "";
   };
-  Add({name, help, set, [value] { return FormatDoubles(*value); }});
+  Add({name, help, "numbers", {}, set, [value] { return FormatDoubles(*value); }});
 }
 
 void OptionParser::AddOption(const std::string& name, std::string* value,
@@ -163,9 +179,7 @@ void OptionParser::AddOption(const std::string& name, std::string* value,
 void OptionParser::AddWords(const std::string& name, const OptionHelp& help,
                             std::vector<std::string> words, std::function<void(size_t)> set,
                             std::function<size_t()> get) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "{" : ", ") + word;
-  list += "}";
+  const std::string list = ListOf(words);
   if (get() >= words.size())
     throw std::logic_error("the default of " + name + " is not in " + list);
   const auto set_text = [words, set, list](const std::string& text) -> std::string {
@@ -174,9 +188,7 @@ void OptionParser::AddWords(const std::string& name, const OptionHelp& help,
     set(found - words.begin());
     return "";
   };
-  Add({name, {help.text + " " + list, help.is_basic}, set_text, [words, get] {
-         return words[get()];
-       }});
+  Add({name, help, kWord, words, set_text, [words, get] { return words[get()]; }});
 }
 
 OptionParser::Option* OptionParser::Find(const std::string& name) {
@@ -217,6 +229,7 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
   po::options_description known;
   known.add_options()("help,h", "");
   known.add_options()(kHelpAll, "");
+  known.add_options()(kHelpFormat, po::value<std::string>(), "");
   known.add_options()(kProjectPath, po::value<std::string>(), "");
   for (const Option& option : options_) {
     known.add_options()(option.name.c_str(), po::value<std::string>(), "");
@@ -228,6 +241,10 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
   for (const po::option& option : given) {
     if (option.string_key == "help" || option.string_key == kHelpAll) {
       PrintHelp(option.string_key == kHelpAll, help_out);
+      return Outcome::kHelp;
+    }
+    if (option.string_key == kHelpFormat) {
+      PrintHelpFor(option.value.front(), help_out);
       return Outcome::kHelp;
     }
     if (option.position_key >= 0 || option.string_key.empty()) {
@@ -249,8 +266,7 @@ void OptionParser::PrintHelp(bool all, std::ostream& out) const {
   po::options_description table(kHelpColumns, kHelpColumns / 2);
   table.add_options()("help,h", "Print the basic options.");
   table.add_options()(kHelpAll, "Print all options.");
-  table.add_options()(kProjectPath, po::value<std::string>(),
-                      "Read options from this ini file; the command line overrides it.");
+  table.add_options()(kProjectPath, po::value<std::string>(), kProjectPathHelp);
   size_t num_hidden = 0;
   for (const Option& option : options_) {
     if (!all && !option.help.is_basic) {
@@ -260,11 +276,33 @@ void OptionParser::PrintHelp(bool all, std::ostream& out) const {
     const std::string value = option.get();
     auto* semantic = po::value<std::string>();
     if (!value.empty()) semantic->default_value(value);
-    table.add_options()(option.name.c_str(), semantic, option.help.text.c_str());
+    std::string text = option.help.text;
+    if (option.value == kWord) text += " " + ListOf(option.words);
+    table.add_options()(option.name.c_str(), semantic, text.c_str());
   }
   out << "limn " << command_ << ": " << summary_ << "\n\n" << table;
   if (num_hidden > 0) {
     out << "\n" << num_hidden << " more options: limn " << command_ << " --" << kHelpAll << "\n";
+  }
+}
+
+CommandDescription OptionParser::Describe() const {
+  CommandDescription command{command_, summary_, {}};
+  command.options.push_back({kProjectPath, kProjectPathHelp, "path", "", {}, true});
+  for (const Option& option : options_) {
+    command.options.push_back({option.name, option.help.text, option.value, option.get(),
+                               option.words, option.help.is_basic});
+  }
+  return command;
+}
+
+void OptionParser::PrintHelpFor(const std::string& format, std::ostream& out) const {
+  if (format == "man") {
+    WriteManPage(Describe(), out);
+  } else if (format == "words") {
+    WriteCompletionWords(Describe(), out);
+  } else {
+    throw OptionError(std::string(kHelpFormat) + " = " + format + ": must be man or words");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "colmap_ext/options/command_help.h"
 #include "limn/util/option_help.h"
 
 namespace limn {
@@ -16,6 +17,7 @@ namespace limn {
 //   --project_path file.ini     options from a file; the command line overrides it (unlike COLMAP)
 //   -h, --help                  the basic options with their defaults
 //   --help_all                  every option
+//   --help_format man|words     the same for programs: a man page, or the words of completion
 //
 // Each option is bound to a variable, whose value at the time of AddOption is the default. Names
 // cannot be abbreviated; an option may be given once. Bools are 0, 1, true or false.
@@ -53,6 +55,9 @@ class OptionParser {
   void WriteIni(const std::string& path) const;
   void WriteIni(std::ostream& out) const;
 
+  // All options with their current values, --project_path first.
+  CommandDescription Describe() const;
+
   // Whether an option was given on the command line or in the ini file (after Parse).
   bool WasGiven(const std::string& name) const;
 
@@ -60,6 +65,8 @@ class OptionParser {
   struct Option {
     std::string name;
     OptionHelp help;
+    std::string value;  // see OptionDescription
+    std::vector<std::string> words;
     // Returns what the value must be, or an empty string on success.
     std::function<std::string(const std::string& text)> set;
     std::function<std::string()> get;
@@ -70,6 +77,7 @@ class OptionParser {
   void AddWords(const std::string& name, const OptionHelp& help, std::vector<std::string> words,
                 std::function<void(size_t)> set, std::function<size_t()> get);
   void PrintHelp(bool all, std::ostream& out) const;
+  void PrintHelpFor(const std::string& format, std::ostream& out) const;
   Option* Find(const std::string& name);
   void Set(const std::string& name, const std::string& text, const std::string& origin);
   void ReadIni(const std::string& path);

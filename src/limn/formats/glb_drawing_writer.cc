@@ -18,6 +18,7 @@
 
 #include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
+#include "limn/version.h"
 
 namespace limn {
 namespace {

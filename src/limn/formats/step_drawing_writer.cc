@@ -29,6 +29,7 @@
 #include "limn/model/drawing_paths.h"
 #include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
+#include "limn/version.h"
 
 namespace limn {
 namespace {

@@ -151,6 +151,17 @@ TEST_F(OptionParserTest, HelpAllShowsEveryOptionWithItsDefault) {
   EXPECT_EQ(values_.count, -1);
 }
 
+TEST_F(OptionParserTest, HelpFormatTellsProgramsEveryOption) {
+  EXPECT_EQ(Parse({"--help_format", "words"}), OptionParser::Outcome::kHelp);
+  EXPECT_EQ(help_.str(),
+            "-h\n--help_all\n--project_path <path>\n--path <text>\n--quality low medium high\n"
+            "--Sketch.mode original enhanced\n--Linking.length_px <number>\n"
+            "--Linking.count <integer>\n--Sketch.refine 0 1\n--taus <numbers>\n");
+  EXPECT_EQ(Parse({"--help_format", "man"}), OptionParser::Outcome::kHelp);
+  EXPECT_THAT(help_.str(), HasSubstr("limn\\-curve_drawer \\- Draws curves."));
+  EXPECT_EQ(ErrorOf({"--help_format", "html"}), "help_format = html: must be man or words");
+}
+
 TEST_F(OptionParserTest, IniFileSetsAndCommandLineOverrides) {
   const std::string ini = dir_.WriteFile(
       "project.ini", "path=from ini\n[Linking]\nlength_px=7\ncount=2\n[Sketch]\nmode=original\n");
@@ -210,6 +221,7 @@ TEST_F(OptionParserTest, DeclaringAnOptionTwiceIsAProgrammingError) {
   EXPECT_THROW(parser_.AddOption("taus", &values_.count, ""), std::logic_error);
   EXPECT_THROW(parser_.AddOption("project_path", &values_.path, ""), std::logic_error);
   EXPECT_THROW(parser_.AddOption("help_all", &values_.refine, ""), std::logic_error);
+  EXPECT_THROW(parser_.AddOption("help_format", &values_.refine, ""), std::logic_error);
   EXPECT_THROW(parser_.AddOption("other", &values_.path, {"a", "b"}, ""), std::logic_error);
 }
 

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# package_test.sh <build folder>: make the packages, install that of the program, and of the Python module if there is
+# one, with apt into a Debian root that has nothing else, and draw some images of the sample scene there. Needs root,
+# mmdebstrap and the mirror of the machine's apt.
+set -euo pipefail
+build=$1
+here=$(cd "$(dirname "$0")" && pwd)
+sample=$(cd "$here/../../datasets/sample/day" && pwd)
+
+skip() {
+  echo "SKIPPED: $*"
+  exit 77
+}
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+command -v mmdebstrap >/dev/null || skip "mmdebstrap is not installed"
+((EUID == 0)) || skip "a root of its own needs root"
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+root=$work/root
+
+(cd "$work" && cpack --config "$build/CPackConfig.cmake" -B "$work/packages" >"$work/cpack.log") ||
+  { cat "$work/cpack.log"; fail "cpack"; }
+version=$(sed -n 's/^set(CPACK_PACKAGE_VERSION "\(.*\)")$/\1/p' "$build/CPackConfig.cmake")
+package=limn_${version}_amd64.deb
+[[ -f $work/packages/$package ]] || fail "there is no $package: $(ls "$work/packages")"
+dpkg-deb --info "$work/packages/$package"
+
+sources=()
+for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
+  [[ ! -s $file ]] || sources+=("$file")
+done
+mmdebstrap --quiet --variant=apt bookworm "$root" "${sources[@]}" 2>"$work/mmdebstrap.log" ||
+  { cat "$work/mmdebstrap.log"; skip "no Debian root can be made here"; }
+
+in_root() {
+  chroot "$root" env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"
+}
+install_package() {
+  cp "$work/packages/$1" "$root/root/"
+  in_root apt-get install -y -q --no-install-recommends "/root/$1" >"$work/apt.log" 2>&1 ||
+    { cat "$work/apt.log"; fail "apt does not install $1"; }
+}
+in_root apt-get update -q >"$work/apt.log" 2>&1 || { cat "$work/apt.log"; skip "the mirror does not answer"; }
+install_package "$package"
+
+in_root limn --version | tee "$work/version"
+grep -q "^limn $version" "$work/version" || fail "another version"
+for file in man/man1/limn.1 man/man1/limn-automatic_drawer.1 bash-completion/completions/limn doc/limn/copyright; do
+  [[ -s $root/usr/share/$file ]] || fail "/usr/share/$file is missing"
+done
+
+mkdir "$root/root/project"
+cp -r "$sample/images" "$sample/sparse" "$root/root/project/"
+printf 'view_0%d.jpg\n' 0 1 2 3 4 5 >"$root/root/images.txt"
+in_root limn automatic_drawer --workspace_path /root/project --image_list_path /root/images.txt \
+  --quality low --max_image_size 320 --output_path /root/drawn
+for file in drawing.json drawing.ply drawing.obj; do
+  [[ -s $root/root/drawn/$file ]] || fail "$file is missing"
+done
+in_root limn drawing_exporter --input_path /root/drawn/drawing.json --output_path /root/drawn/drawing.glb
+
+python_package=python3-limn_${version}_amd64.deb
+[[ -f $work/packages/$python_package ]] || exit 0
+install_package "$python_package"
+in_root python3 -c 'import limn; print(len(limn.read_drawing("/root/drawn/drawing.json").links), "links")'
