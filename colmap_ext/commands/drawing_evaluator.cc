@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/evaluation_run.h"
 #include "colmap_ext/run/interrupt.h"
 
@@ -13,6 +14,10 @@ int RunDrawingEvaluator(int argc, const char* const* argv) {
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   options.Check();
   const InterruptWatch interrupts;
+  if (options.input_path.empty()) {
+    options.input_path = FindDrawing(options.layout, DrawingChoice::kNewest, "input_path");
+    std::cout << "drawing: " << options.input_path << '\n';
+  }
   WriteReport(EvaluateFile(options), options);
   return 0;
 }

@@ -13,10 +13,8 @@ int RunDrawingExporter(int argc, const char* const* argv) {
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   options.Check();
   Console console(/*num_threads=*/-1);
-  const auto [drawing, format] = PrepareExport(options, &console);
-  WriteDrawing(options.output_path, drawing.graph, drawing.metadata, format);
-  console.Say("Written: " + options.output_path + " (" +
-              std::to_string(drawing.graph.links.size()) + " links)");
+  const size_t num_links = ExportDrawing(options, &console);
+  console.Say("Written: " + options.output_path + " (" + std::to_string(num_links) + " links)");
   return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/console.h"
+#include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/fusion_results.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/results.h"
@@ -20,7 +21,10 @@ int RunDrawingFuser(int argc, const char* const* argv) {
   fuser.Check();
   Console console(options.num_threads);
   const Project project(options, &console);
-  if (fuser.drawing_path.empty()) fuser.drawing_path = project.DrawingPath("drawing.json");
+  if (fuser.drawing_path.empty()) {
+    fuser.drawing_path =
+        FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kUnfused, "drawing_path");
+  }
   DrawingFile drawing = ReadDrawingResult(project, fuser.drawing_path);
   drawing.metadata.options_json = FusionProvenance(options, fuser, drawing.metadata.options_json);
   CheckReplaceable(project, options, kFusedDrawing, drawing.metadata.options_json);

@@ -1,5 +1,6 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/console.h"
+#include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/results.h"
@@ -29,7 +30,10 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   CheckRefinedFolder(project, options);
   CheckDrawingFiles(project, options);
   const bool in_place = drawing_path.empty();
-  if (in_place) drawing_path = project.DrawingPath("drawing.json");
+  if (in_place) {
+    drawing_path =
+        FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kUnfused, "drawing_path");
+  }
   const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
   const std::string provenance = RefinementProvenance(options, drawing.metadata.options_json);
   if (!in_place) CheckReplaceable(project, options, "drawing.json", provenance);

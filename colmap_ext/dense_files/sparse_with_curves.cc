@@ -1,26 +1,15 @@
 #include "colmap_ext/dense_files/sparse_with_curves.h"
 
-#include <algorithm>
 #include <optional>
+
+#include "colmap_ext/workspace/to_views.h"
 
 namespace limn::colmap_ext {
 namespace {
 
-// Where the camera of the model sees a point, COLMAP's pixels. A view may be of a shrunk image.
-std::optional<Eigen::Vector2d> ModelPixel(const View& view, const Camera& camera,
-                                          const Eigen::Vector3d& point) {
+std::optional<Eigen::Vector2d> StoredPixel(const View& view, const Eigen::Vector3d& point) {
   const auto pixel = view.Project(point);
-  const auto stored = pixel ? view.StoredFromVirtual(*pixel) : std::nullopt;
-  if (!stored) return std::nullopt;
-  return Eigen::Vector2d(
-      (stored->x() + 0.5) * static_cast<double>(camera.width) / view.camera.width,
-      (stored->y() + 0.5) * static_cast<double>(camera.height) / view.camera.height);
-}
-
-uint64_t NextPointId(const SparseModel& model) {
-  uint64_t next = 1;
-  for (const ModelPoint& point : model.points) next = std::max(next, point.id + 1);
-  return next;
+  return pixel ? view.StoredFromVirtual(*pixel) : std::nullopt;
 }
 
 }  // namespace
@@ -43,8 +32,9 @@ SparseModel AddCurvePoints(SparseModel model, const std::vector<CurvePoint>& poi
     std::vector<std::pair<ModelImage*, Eigen::Vector2d>> seen;
     for (const ViewId view : from.views) {
       ModelImage& image = model.images[views[view].model_index];
-      const auto pixel = ModelPixel(views[view], model.CameraOf(image), from.position);
-      if (pixel) seen.push_back({&image, *pixel});
+      const auto stored = StoredPixel(views[view], from.position);
+      if (!stored) continue;
+      seen.push_back({&image, ModelPixel(views[view], model.CameraOf(image), *stored)});
     }
     if (seen.size() < 2) continue;
     for (const auto& [image, pixel] : seen) {

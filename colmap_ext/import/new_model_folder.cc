@@ -43,7 +43,8 @@ void CheckNewModelFolder(const fs::path& folder) {
   }
 }
 
-void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavor flavor) {
+void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavor flavor,
+                   const std::function<void(const fs::path&)>& write_more) {
   CheckNewModelFolder(folder);
   const fs::path path = Plain(folder);
   TemporaryPath temporary(path.string() + ".tmp", &MakeEmpty);
@@ -52,6 +53,7 @@ void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavor
   } else {
     WriteModelBinary(model, temporary.path());
   }
+  if (write_more) write_more(temporary.path());
   // Replaces an empty folder, fails on any other.
   if (const std::error_code error = temporary.RenameTo(path)) {
     throw IoError(path.string(),

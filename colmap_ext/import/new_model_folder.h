@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "colmap_ext/model/model.h"
 
@@ -13,9 +14,11 @@ void CheckNewModelFolder(const std::filesystem::path& folder);
 
 // Writes cameras, images and points3D into a folder that must be new or empty (checked). The three
 // files appear together or not at all: they are written to "<folder>.tmp", which is then renamed.
-// Missing parent folders are created. Throws IoError; then, and after AbandonWrites, only parent
+// Missing parent folders are created. `write_more` may write further files into the folder.
+// Throws IoError; then, and after AbandonWrites, only parent
 // folders are left behind.
 void WriteNewModel(const SparseModel& model, const std::filesystem::path& folder,
-                   ModelFlavor flavor);
+                   ModelFlavor flavor,
+                   const std::function<void(const std::filesystem::path&)>& write_more = {});
 
 }  // namespace limn::colmap_ext

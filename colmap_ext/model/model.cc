@@ -8,7 +8,6 @@
 #include "colmap_ext/model/model_builder.h"
 #include "colmap_ext/model/model_files.h"
 #include "colmap_ext/model/record_reading.h"
-#include "colmap_ext/model/rig.h"
 #include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
@@ -85,10 +84,9 @@ void ReadRigsAndFrames(const fs::path& folder, const Flavor& flavor, SparseModel
   if (!IsFile(rigs_path) || !IsFile(frames_path)) return;
   std::ifstream rigs = OpenFile(rigs_path.string());
   std::ifstream frames = OpenFile(frames_path.string());
-  const std::vector<Rig> all_rigs = flavor.rigs(rigs, rigs_path.string());
-  model->has_rigs = std::any_of(all_rigs.begin(), all_rigs.end(),
-                                [](const Rig& rig) { return rig.cameras.size() > 1; });
-  ApplyRigs(all_rigs, flavor.frames(frames, frames_path.string()), model);
+  model->rigs = flavor.rigs(rigs, rigs_path.string());
+  model->frames = flavor.frames(frames, frames_path.string());
+  ApplyRigs(model);
 }
 
 void WarnAboutSecondFlavor(const fs::path& folder, ModelBuilder* builder) {
@@ -108,6 +106,12 @@ void WarnAboutSecondFlavor(const fs::path& folder, ModelBuilder* builder) {
 const Camera& SparseModel::CameraOf(const ModelImage& image) const {
   return *std::find_if(cameras.begin(), cameras.end(),
                        [&](const Camera& camera) { return camera.id == image.camera_id; });
+}
+
+uint64_t NextPointId(const SparseModel& model) {
+  uint64_t next = 1;
+  for (const ModelPoint& point : model.points) next = std::max(next, point.id + 1);
+  return next;
 }
 
 bool HoldsColmapModel(const fs::path& folder) {

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "colmap_ext/model/camera_model.h"
+#include "colmap_ext/model/rig.h"
 #include "limn/geometry/rigid3.h"
 
 namespace limn::colmap_ext {
@@ -61,15 +62,19 @@ struct SparseModel {
   // In file order, to which .vis files, consistency graphs and PMVS numbers refer.
   std::vector<ModelImage> images;
   std::vector<ModelPoint> points;
-  // Some rig has several cameras, whose poses were composed. (COLMAP 3.12 and later write a rig for
-  // every single camera, too.)
-  bool has_rigs = false;
+  // If the model has both: poses of images were composed from them. (COLMAP 3.12 and later write a
+  // rig for every single camera, too.)
+  std::vector<Rig> rigs;
+  std::vector<Frame> frames;
   // Problems that did not prevent reading, for the user.
   std::vector<std::string> warnings;
 
   // Precondition: the camera exists, as it does for every image of a model that was read.
   const Camera& CameraOf(const ModelImage& image) const;
 };
+
+// An id that no point has, nor any after it.
+uint64_t NextPointId(const SparseModel& model);
 
 // Whether the folder contains cameras and images, in binary or text format.
 bool HoldsColmapModel(const std::filesystem::path& folder);

@@ -141,6 +141,9 @@ void WriteModelBinary(const SparseModel& model, const std::filesystem::path& fol
   WriteFile(WriteCamerasBinary, model, folder / "cameras.bin");
   WriteFile(WriteImagesBinary, model, folder / "images.bin");
   WriteFile(WritePointsBinary, model, folder / "points3D.bin");
+  if (model.rigs.empty()) return;
+  WriteFile(WriteRigsBinary, model, folder / "rigs.bin");
+  WriteFile(WriteFramesBinary, model, folder / "frames.bin");
 }
 
 void WriteModelText(const SparseModel& model, const std::filesystem::path& folder) {
@@ -148,6 +151,9 @@ void WriteModelText(const SparseModel& model, const std::filesystem::path& folde
   WriteFile(WriteCamerasText, model, folder / "cameras.txt");
   WriteFile(WriteImagesText, model, folder / "images.txt");
   WriteFile(WritePointsText, model, folder / "points3D.txt");
+  if (model.rigs.empty()) return;
+  WriteFile(WriteRigsText, model, folder / "rigs.txt");
+  WriteFile(WriteFramesText, model, folder / "frames.txt");
 }
 
 }  // namespace limn::colmap_ext

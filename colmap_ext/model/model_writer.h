@@ -20,7 +20,8 @@ void WritePointsText(const SparseModel& model, std::ostream& out);
 // Throws InputError if images.txt could not be read back because of the name of an image.
 void CheckTextNames(const SparseModel& model);
 
-// Write cameras, images and points3D into an existing folder. Throw IoError, as text also what
+// Write cameras, images, points3D and, where the model has some, rigs and frames into an existing
+// folder. Throw IoError, as text also what
 // CheckTextNames throws.
 void WriteModelBinary(const SparseModel& model, const std::filesystem::path& folder);
 void WriteModelText(const SparseModel& model, const std::filesystem::path& folder);

@@ -1,9 +1,14 @@
 #include "colmap_ext/model/refined_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <unordered_map>
+
+#include <Eigen/Geometry>
 
 #include "limn/util/errors.h"
+#include "limn/util/median.h"
 
 namespace limn::colmap_ext {
 
@@ -50,6 +55,27 @@ void ApplyRefinement(const RefinedScene& refined, SparseModel* model) {
     point.position = refined.points[p];
     point.error = -1;
   }
+}
+
+std::vector<double> PoseShiftsPx(const SparseModel& from, const SparseModel& to) {
+  std::unordered_map<uint64_t, const ModelPoint*> point_of_id;
+  for (const ModelPoint& point : from.points) point_of_id.emplace(point.id, &point);
+  std::vector<double> shifts;
+  for (size_t i = 0; i < from.images.size(); ++i) {
+    const ModelImage& image = from.images[i];
+    const double focal = from.CameraOf(image).params.front();
+    std::vector<double> of_points;
+    for (const Observation& observation : image.observations) {
+      const auto point = point_of_id.find(observation.point3D_id);
+      if (point == point_of_id.end()) continue;
+      const Eigen::Vector3d before = image.cam_from_world * point->second->position;
+      const Eigen::Vector3d after = to.images[i].cam_from_world * point->second->position;
+      const double px = focal * (after.hnormalized() - before.hnormalized()).norm();
+      if (std::isfinite(px)) of_points.push_back(px);
+    }
+    if (!of_points.empty()) shifts.push_back(Median(of_points));
+  }
+  return shifts;
 }
 
 }  // namespace limn::colmap_ext

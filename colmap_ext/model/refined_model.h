@@ -19,7 +19,12 @@ struct RefinedScene {
 // Applies refined cameras to the model that the given views and hints were made from. Focal lengths
 // are multiplied by the factor by which those of the views changed; distortion and principal points
 // stay, images without a view keep their poses. The errors of the points become unknown. Throws
-// IoError, and changes nothing, if this is another model.
+// IoError, and changes nothing, if this is another model. Rigs and frames are left as they are.
 void ApplyRefinement(const RefinedScene& refined, SparseModel* model);
+
+// How far the points of each image, in the median, move when its pose in `from` becomes that in
+// `to`, px: for images that see points, in their order. Precondition: the models differ in poses
+// only.
+std::vector<double> PoseShiftsPx(const SparseModel& from, const SparseModel& to);
 
 }  // namespace limn::colmap_ext

@@ -49,6 +49,7 @@ Rigid3d Moved(const Rigid3d& cam_from_world, const Eigen::Vector3d& shift) {
 
 void MoveModel(const Eigen::Vector3d& shift, SparseModel* model) {
   for (ModelImage& image : model->images) image.cam_from_world = Moved(image.cam_from_world, shift);
+  for (Frame& frame : model->frames) frame.rig_from_world = Moved(frame.rig_from_world, shift);
   for (ModelPoint& point : model->points) point.position += shift;
 }
 

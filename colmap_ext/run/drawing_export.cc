@@ -1,15 +1,25 @@
 #include "colmap_ext/run/drawing_export.h"
 
+#include <filesystem>
 #include <utility>
 
+#include "colmap_ext/import/new_model_folder.h"
+#include "colmap_ext/run/drawing_input.h"
+#include "colmap_ext/run/limap_model.h"
+#include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
+#include "colmap_ext/workspace/to_views.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
 namespace {
 
+// A model of LIMAP, in a folder: the format that goes with cameras.
+constexpr const char* kLimapFormat = "limap";
+
 std::string FormatName(const ExporterOptions& options) {
+  if (options.format.format == kLimapFormat) return kLimapFormat;
   return DrawingFormatOf(options.output_path, options.format);
 }
 
@@ -28,11 +38,40 @@ std::vector<GlbPoint> ReadCloud(const ExporterOptions& options) {
 SvgScene SceneOf(const ExporterOptions& options, const DrawingGraph& graph, Console* console) {
   SvgSource source = options.svg;
   source.style.junctions = options.junctions;
-  return source.IsSheet() ? SceneOnSheet(source, graph, ZUpFrom(options.up_axis), options.scale)
-                          : SceneInImage(source, graph, options.output_path, console);
+  return source.IsSheet()
+             ? SceneOnSheet(source, graph, ZUpFrom(options.up_axis), options.scale)
+             : SceneInImage(source, options.workspace, graph, options.output_path, console);
+}
+
+// The drawing that is asked for; says which one was found.
+std::string InputPath(const ExporterOptions& options, Console* console) {
+  if (!options.input_path.empty()) return options.input_path;
+  const std::string found = FindDrawing(options.workspace, DrawingChoice::kNewest, "input_path");
+  console->Say("drawing: " + found);
+  return found;
+}
+
+size_t ExportLimap(const ExporterOptions& options, Console* console) {
+  CheckNewModelFolder(options.output_path);
+  DrawingFile drawing = ReadDrawing(InputPath(options, console));
+  drawing.graph = Selected(std::move(drawing.graph), options.selection.Selection());
+  const WorkspaceLayout layout = ResolveLayout(options.workspace);
+  SparseModel model = ReadModel(layout.model_dir);
+  const ViewSet views = ToViews(model, layout.image_dir, {}, console->context());
+  const LimapModel limap = ToLimap(drawing, std::move(model), views.views, options.chains);
+  WriteNewModel(limap.model, options.output_path, ModelFlavor::kBinary,
+                [&](const std::filesystem::path& folder) {
+                  std::filesystem::create_directory(folder / "structures");
+                  WriteLimapStructures(limap.structures, folder / "structures");
+                });
+  console->Say(std::to_string(limap.structures.lines.size()) + " lines, " +
+               std::to_string(limap.structures.wireframe.size()) + " ends where lines meet");
+  return options.chains ? drawing.graph.links.size() : limap.structures.lines.size();
 }
 
 void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
+  parser->AddOption("segments", &format->obj.segments,
+                    "OBJ: elements of two vertices, for MeshLab, which shows no polylines");
   parser->AddOption(
       "layers", &format->dxf.layers,
       {{"class", DxfLayers::kClass},
@@ -56,8 +95,17 @@ void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
 void ExporterOptions::AddOptions(OptionParser* parser) {
   std::vector<std::string> formats = DrawingFormats();
   formats.insert(formats.begin(), kAutoFormat);
-  parser->AddOption("input_path", &input_path, BasicOption("the drawing.json"));
-  parser->AddOption("output_path", &output_path, BasicOption("the file to write"));
+  formats.push_back(kLimapFormat);
+  parser->AddOption("input_path", &input_path,
+                    BasicOption("a drawing.json or a model of LIMAP, instead of the newest drawing "
+                                "of the workspace"));
+  parser->AddOption("output_path", &output_path,
+                    BasicOption("the file to write; for limap a new folder"));
+  parser->AddOption("workspace_path", &workspace.workspace_path,
+                    BasicOption("COLMAP project: where the drawing is, the image of an SVG, the "
+                                "model for limap"));
+  parser->AddOption("image_path", &workspace.image_path, "images of the project");
+  parser->AddOption("model_index", &workspace.model_index, "which of its models");
   parser->AddOption("overwrite", &overwrite, BasicOption(kOverwriteHelp));
   parser->AddOption("output_type", &format.format, formats,
                     BasicOption("its format; auto = by its extension"));
@@ -76,33 +124,43 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, BasicOption("GLB: a cloud to go with it, .ply"));
   svg.AddOptions(parser);
+  parser->AddOption("chains", &chains, "limap: links that are no lines, too, as chains of lines");
 }
 
 void ExporterOptions::Check() const {
-  if (input_path.empty()) throw OptionError("--input_path must be given");
+  if (input_path.empty() && workspace.workspace_path.empty()) {
+    throw OptionError("--input_path or --workspace_path must be given");
+  }
   if (output_path.empty()) throw OptionError("--output_path must be given");
+  if (!workspace.workspace_path.empty()) workspace.Check();
   selection.Selection();  // throws
   LIMN_CHECK_RANGE(scale, >= 1e-12, <= 1e12);
-  if (!cloud_path.empty() && FormatName(*this) != "glb") {
+  const std::string name = FormatName(*this);
+  if (!cloud_path.empty() && name != "glb") {
     throw OptionError("cloud_path: only .glb files hold a cloud");
   }
-  if (FormatName(*this) != "svg") return;
-  svg.Check();
-  if (!svg.IsSheet() && (scale != 1 || up_axis != SignedAxis::kZ)) {
-    throw OptionError("scale and up_axis: the picture of an image is in its pixels");
+  if (name == "svg") svg.Check(workspace);
+  if (name == kLimapFormat && workspace.workspace_path.empty()) {
+    throw OptionError("output_type = limap: the cameras of --workspace_path go with it");
+  }
+  const bool is_in_model = name == kLimapFormat || (name == "svg" && !svg.IsSheet());
+  if (is_in_model && (scale != 1 || up_axis != SignedAxis::kZ)) {
+    throw OptionError("scale and up_axis: " +
+                      std::string(name == "svg" ? "the picture of an image is in its pixels"
+                                                : "a model of LIMAP keeps its coordinates"));
   }
 }
 
-ExportedDrawing PrepareExport(const ExporterOptions& options, Console* console) {
-  const DenseOptionsPaths& dense = options.svg.dense;
-  CheckNamedOutput(options.output_path, {options.input_path, options.cloud_path, dense.dense_path},
+size_t ExportDrawing(const ExporterOptions& options, Console* console) {
+  if (FormatName(options) == kLimapFormat) return ExportLimap(options, console);
+  const std::string path = InputPath(options, console);
+  CheckNamedOutput(options.output_path, {path, options.cloud_path, options.svg.dense.dense_path},
                    options.overwrite);
-  ExportedDrawing exported = {ReadDrawingJson(options.input_path), options.format};
-  DrawingGraph& graph = exported.drawing.graph;
-  graph = Selected(std::move(graph), options.selection.Selection());
-  DrawingFormatOptions& format = exported.format;
-  graph = Transformed(std::move(graph), options.scale, ZUpFrom(options.up_axis),
-                      Eigen::Vector3d::Zero());
+  const DrawingFile drawing = ReadDrawing(path);
+  DrawingGraph graph =
+      Transformed(Selected(drawing.graph, options.selection.Selection()), options.scale,
+                  ZUpFrom(options.up_axis), Eigen::Vector3d::Zero());
+  DrawingFormatOptions format = options.format;
   format.dxf.junctions = format.glb.junctions = options.junctions;
   if (!options.cloud_path.empty()) format.glb.cloud = ReadCloud(options);
   if (FormatName(options) == "svg") {
@@ -110,7 +168,8 @@ ExportedDrawing PrepareExport(const ExporterOptions& options, Console* console) 
     format.svg = std::move(scene.picture);
     graph = std::move(scene.graph);
   }
-  return exported;
+  WriteDrawing(options.output_path, graph, drawing.metadata, format);
+  return graph.links.size();
 }
 
 }  // namespace limn::colmap_ext

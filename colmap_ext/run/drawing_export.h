@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/run/console.h"
 #include "colmap_ext/run/selection_options.h"
 #include "colmap_ext/run/svg_source.h"
-#include "limn/formats/json_drawing_reader.h"
+#include "colmap_ext/workspace/layout.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/model/drawing_transform.h"
 
@@ -14,7 +15,10 @@ namespace limn::colmap_ext {
 
 // The options of drawing_exporter.
 struct ExporterOptions {
-  std::string input_path, output_path;
+  // The drawing; empty: the newest one of the workspace.
+  std::string input_path;
+  std::string output_path;
+  LayoutOptions workspace;
   // Replace an output that is an input, a drawing.json or not ours.
   bool overwrite = false;
   bool junctions = true;
@@ -24,20 +28,17 @@ struct ExporterOptions {
   double scale = 1;
   SignedAxis up_axis = SignedAxis::kZ;
   SvgSource svg;
+  // LIMAP: links that are no lines, too.
+  bool chains = false;
 
   void AddOptions(OptionParser* parser);
   // Throws OptionError.
   void Check() const;
 };
 
-// A drawing in the coordinates of its file, and the options it is written with.
-struct ExportedDrawing {
-  DrawingFile drawing;
-  DrawingFormatOptions format;
-};
-
-// Reads the drawing and what is exported with it, scaled and rotated. Throws IoError, also if the
-// output must not be replaced, and OptionError for a view that does not exist.
-ExportedDrawing PrepareExport(const ExporterOptions& options, Console* console);
+// Reads the drawing and what is exported with it, scaled and rotated, and writes it. Returns the
+// number of links. Throws IoError, also if the output must not be replaced, InputError, and
+// OptionError for a view that does not exist.
+size_t ExportDrawing(const ExporterOptions& options, Console* console);
 
 }  // namespace limn::colmap_ext

@@ -22,7 +22,10 @@ std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& c
   return ToViews(ReadModel(layout.model_dir), layout.image_dir, {}, context).views;
 }
 
-bool IsDrawing(const EvaluatorOptions& options) { return options.input_path.ends_with(".json"); }
+// Without a path it is the drawing of the workspace.
+bool IsDrawing(const EvaluatorOptions& options) {
+  return options.input_path.empty() || options.input_path.ends_with(".json");
+}
 
 void CheckOutputs(const EvaluatorOptions& options) {
   const TruthInput& truth = options.truth;
@@ -50,17 +53,21 @@ KindConfusion KindsOf(const DrawingGraph& drawing, const EvaluatorOptions& optio
 }  // namespace
 
 void EvaluatorOptions::AddOptions(OptionParser* parser) {
-  parser->AddOption("input_path", &input_path, BasicOption("curves or points to judge"));
+  parser->AddOption("input_path", &input_path,
+                    BasicOption("curves or points to judge, instead of the newest drawing of the "
+                                "workspace"));
   truth.AddOptions(/*are_basic=*/true, parser);
   selection.AddOptions(parser);
   parser->AddOption("true_kinds_path", &true_kinds_path,
                     BasicOption("true curves with their kinds, .json: also compare the kinds of "
                                 "the links of a drawing.json"));
   parser->AddOption("box", &box, BasicOption("only what is inside counts: x0,x1,y0,y1,z0,z1"));
-  parser->AddOption("workspace_path", &layout.workspace_path,
-                    BasicOption("COLMAP project whose pixels are the unit footprint; with it "
-                                "saw-teeth and the normalized errors of a drawing.json are told "
-                                "too"));
+  parser->AddOption(
+      "workspace_path", &layout.workspace_path,
+      BasicOption(
+          "COLMAP project, where the drawing is and whose pixels are the "
+          "unit footprint; with it saw-teeth and the normalized errors of a drawing.json are told "
+          "too"));
   parser->AddOption("image_path", &layout.image_path, "its images");
   parser->AddOption("model_index", &layout.model_index, "which of its models");
   parser->AddOption("output_csv", &output_csv, BasicOption("also write the table to this file"));
@@ -74,7 +81,9 @@ void EvaluatorOptions::Check() const {
   const auto require = [](const std::string& value, const char* name) {
     if (value.empty()) throw OptionError(std::string("--") + name + " must be given");
   };
-  require(input_path, "input_path");
+  if (input_path.empty() && layout.workspace_path.empty()) {
+    throw OptionError("--input_path or --workspace_path must be given");
+  }
   require(truth.truth_path, "truth_path");
   truth.Check();
   selection.Selection();  // throws

@@ -11,6 +11,7 @@ namespace limn::colmap_ext {
 
 // The options of drawing_evaluator.
 struct EvaluatorOptions {
+  // Empty: the newest drawing of the workspace.
   std::string input_path;
   TruthInput truth;
   // Of a drawing.
@@ -29,9 +30,9 @@ struct EvaluatorOptions {
   void Check() const;
 };
 
-// Evaluates the input file. With a workspace also measures saw-teeth and, of a drawing, the
-// normalized errors; with true kinds compares those of the links. Throws IoError, also if
-// an output must not be replaced, and InputError.
+// Evaluates the input file. Precondition: its path is given. With a workspace also measures
+// saw-teeth and, of a drawing, the normalized errors; with true kinds compares those of the links.
+// Throws IoError, also if an output must not be replaced, and InputError.
 EvaluationReport EvaluateFile(const EvaluatorOptions& options);
 
 // Writes the report to standard output and to the requested files. Throws IoError.

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/world_shift.h"
 #include "colmap_ext/workspace/output_check.h"
@@ -192,7 +193,7 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
 }
 
 DrawingFile ReadDrawingResult(const Project& project, const std::string& path) {
-  DrawingFile drawing = ReadDrawingJson(path);
+  DrawingFile drawing = ReadDrawing(path);
   if (drawing.metadata.view_names != Metadata(project, "{}").view_names) {
     throw IoError(path, "is a drawing of other images than those of the model");
   }

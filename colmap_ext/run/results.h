@@ -56,7 +56,7 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
                                    const std::vector<ImageCurves>& curves,
                                    const RunContext& context);
 
-// Reads a drawing.json; the returned graph is relative to the project's origin. Throws IoError if
+// ReadDrawing; the returned graph is relative to the project's origin. Throws IoError if
 // the file is missing, damaged or of other views.
 DrawingFile ReadDrawingResult(const Project& project, const std::string& path);
 

@@ -81,10 +81,6 @@ void SvgSource::AddOptions(OptionParser* parser) {
   parser->AddOption("view", &view,
                     BasicOption("SVG: top, front, side or axonometric to scale, or the name of an "
                                 "image"));
-  parser->AddOption("workspace_path", &layout.workspace_path,
-                    BasicOption("SVG of an image: its project"));
-  parser->AddOption("image_path", &layout.image_path, "SVG of an image: images of the project");
-  parser->AddOption("model_index", &layout.model_index, "SVG of an image: which of its models");
   parser->AddOption("dense_path", &dense.dense_path,
                     BasicOption("SVG: what hides parts; for sheets a mesh or a cloud"));
   parser->AddOption("dense_type", &dense.dense_type,
@@ -113,15 +109,14 @@ void SvgSource::AddOptions(OptionParser* parser) {
 
 bool SvgSource::IsSheet() const { return ProjectionOf(view) != nullptr; }
 
-void SvgSource::Check() const {
+void SvgSource::Check(const LayoutOptions& workspace) const {
   dense.Check();
   sheet.Check();
   style.Check();
   if (IsSheet() && photo) throw OptionError("photo = 1: a sheet has no photograph");
-  if (!IsSheet() && layout.workspace_path.empty()) {
+  if (!IsSheet() && workspace.workspace_path.empty()) {
     throw OptionError("view = " + view + ": the picture of an image needs --workspace_path");
   }
-  if (!IsSheet()) layout.Check();
 }
 
 SvgScene SceneOnSheet(const SvgSource& source, const DrawingGraph& graph,
@@ -137,10 +132,10 @@ SvgScene SceneOnSheet(const SvgSource& source, const DrawingGraph& graph,
   return scene;
 }
 
-SvgScene SceneInImage(const SvgSource& source, const DrawingGraph& graph,
-                      const std::string& output_path, Console* console) {
+SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
+                      const DrawingGraph& graph, const std::string& output_path, Console* console) {
   RunOptions options;
-  options.layout = source.layout;
+  options.layout = workspace;
   const fs::path folder = fs::path(output_path).parent_path();
   options.layout.output_path = folder.empty() ? "." : folder.string();
   const Project project(options, console);
@@ -154,12 +149,11 @@ SvgScene SceneInImage(const SvgSource& source, const DrawingGraph& graph,
   if (source.show_hidden) return scene;
   FuserOptions fuser;
   fuser.paths = source.dense;
-  if (!LookForDenseProducts(fuser.paths, source.layout.workspace_path,
-                            project.layout().dense_dir)) {
+  if (!LookForDenseProducts(fuser.paths, workspace.workspace_path, project.layout().dense_dir)) {
     console->Say("no dense results: nothing is hidden");
     return scene;
   }
-  const DenseInput dense = OpenDenseInput(project, fuser, source.layout.workspace_path, console);
+  const DenseInput dense = OpenDenseInput(project, fuser, workspace.workspace_path, console);
   if (const auto depth = dense.depths(view)) {
     scene.picture.is_hidden = HiddenInView(project.views()[view], *depth);
   }

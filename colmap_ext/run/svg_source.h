@@ -14,8 +14,6 @@ namespace limn::colmap_ext {
 struct SvgSource {
   // top, front, side or axonometric: a sheet to scale; else the name of an image.
   std::string view = "axonometric";
-  // Where the image and its dense results are.
-  LayoutOptions layout;
   // What hides parts of the drawing: for images as in drawing_fuser, for sheets a mesh or cloud
   // given here.
   DenseOptionsPaths dense;
@@ -27,20 +25,20 @@ struct SvgSource {
   void AddOptions(OptionParser* parser);
   bool IsSheet() const;
   // Throws OptionError.
-  void Check() const;
+  void Check(const LayoutOptions& workspace) const;
 };
 
 // A picture of `graph`, and the graph in its coordinates: on sheets the given graph (z up; what
 // hides it is transformed by `z_up_from_model` and `scale`, as the graph was), in images the graph
-// in the model's coordinates. Throws IoError, and OptionError for an image that the model does not
-// have.
+// in the model's coordinates, as the workspace has it with its dense results. Throws IoError, and
+// OptionError for an image that the model does not have.
 struct SvgScene {
   SvgPicture picture;
   DrawingGraph graph;
 };
 SvgScene SceneOnSheet(const SvgSource& source, const DrawingGraph& graph,
                       const Eigen::Matrix3d& z_up_from_model, double scale);
-SvgScene SceneInImage(const SvgSource& source, const DrawingGraph& graph,
-                      const std::string& output_path, Console* console);
+SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
+                      const DrawingGraph& graph, const std::string& output_path, Console* console);
 
 }  // namespace limn::colmap_ext

@@ -7,7 +7,7 @@
 
 #include "colmap_ext/dense_files/dense_cloud.h"
 #include "colmap_ext/dense_files/products.h"
-#include "colmap_ext/run/fusion_results.h"
+#include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/world_shift.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "limn/formats/atomic_file.h"
@@ -112,12 +112,7 @@ void ViewerOptions::Check() const {
 
 std::string DrawingToView(const Project& project, const ViewerOptions& options) {
   if (!options.drawing_path.empty()) return options.drawing_path;
-  const std::string drawing = project.DrawingPath("drawing.json");
-  const std::string fused = project.DrawingPath(kFusedDrawing);
-  if (!fs::exists(fused)) return drawing;
-  const bool is_newer =
-      !fs::exists(drawing) || fs::last_write_time(fused) >= fs::last_write_time(drawing);
-  return is_newer ? fused : drawing;
+  return FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kNewest, "drawing_path");
 }
 
 std::string ReadReport(const ViewerOptions& options) {

@@ -27,8 +27,7 @@ struct ViewerOptions {
 
 constexpr const char* kViewerPage = "drawing.html";
 
-// Path of the drawing to show. By default drawing-fused.json, which has more, unless drawing.json
-// is newer.
+// Path of the drawing to show, by default the newest one. Throws IoError if there is none.
 std::string DrawingToView(const Project& project, const ViewerOptions& options);
 
 // The text of the report; empty if none is given. Throws IoError.

@@ -54,7 +54,9 @@ constexpr Mark kMarks[] = {
     {"workspace_path="},      // project.ini
     {"# CAMERA_ID, MODEL,"},  // refined/, where COLMAP begins with other comments
     {"# IMAGE_ID, QW,"},
-    {"# POINT3D_ID, X, Y,"},
+    {"# POINT3D_ID, X, Y, Z,"},
+    {"# RIG_ID, NUM_SENSORS,"},
+    {"# FRAME_ID, RIG_ID,"},
 };
 
 // Empty if the file cannot be read.

@@ -305,6 +305,12 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   return set;
 }
 
+Eigen::Vector2d ModelPixel(const View& view, const Camera& camera,
+                           const Eigen::Vector2d& stored_px) {
+  return {(stored_px.x() + 0.5) * static_cast<double>(camera.width) / view.camera.width,
+          (stored_px.y() + 0.5) * static_cast<double>(camera.height) / view.camera.height};
+}
+
 std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
   const PinholeCamera& camera = view_set.views[view].camera;
   if (view_set.is_damaged[view]) {

@@ -63,6 +63,11 @@ struct ViewSet {
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
                 const ViewOptions& options, const RunContext& context = {});
 
+// A pixel of the image of a view, as stored, in the model's camera, COLMAP's pixels: the view may
+// be of another size.
+Eigen::Vector2d ModelPixel(const View& view, const Camera& camera,
+                           const Eigen::Vector2d& stored_px);
+
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
 // pixels may be used. Throws IoError.
 std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -141,6 +142,60 @@ TEST_F(SmallRun, RefinedCamerasAreAModelOfTheirOwn) {
                "--image_list_path", list_, "--DrawingRefinement.refine_poses", "1"});
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.err, HasSubstr("refine_poses = 1: "));
+}
+
+// The first two images as those of one frame of a rig, the others of frames of their own.
+colmap_ext::SparseModel WithRig(colmap_ext::SparseModel model) {
+  using namespace colmap_ext;
+  model.cameras.push_back(model.cameras.front());
+  model.cameras.back().id = 2;
+  const auto find = [&](const std::string& name) -> ModelImage& {
+    return *std::find_if(model.images.begin(), model.images.end(),
+                         [&](const ModelImage& image) { return image.name == name; });
+  };
+  const ModelImage& left = find("view_00.jpg");
+  ModelImage& right = find("view_01.jpg");
+  right.camera_id = 2;
+  const Rigid3d right_from_left = right.cam_from_world * Inverse(left.cam_from_world);
+  model.rigs = {{1, {{{kCameraSensor, 1}, true, {}}, {{kCameraSensor, 2}, true, right_from_left}}}};
+  for (const ModelImage& image : model.images) {
+    if (&image == &right) continue;
+    Frame frame = {image.id, 1, image.cam_from_world, {{{kCameraSensor, 1}, image.id}}};
+    if (&image == &left) frame.data.push_back({{kCameraSensor, 2}, right.id});
+    model.frames.push_back(frame);
+  }
+  return model;
+}
+
+TEST_F(SmallRun, RefinedCamerasKeepTheirRig) {
+  const colmap_ext::SparseModel plain = colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse");
+  const colmap_ext::SparseModel given = WithRig(plain);
+  for (const auto& [name, model] : {std::pair("plain", &plain), {"rigged", &given}}) {
+    fs::create_directories(dir_ / name);
+    colmap_ext::WriteModelBinary(*model, dir_ / name);
+  }
+  const auto run = [&](const std::string& model) {
+    return Run("automatic_drawer", "out",
+               {"--DrawingRefinement.refine_poses", "1", "--input_path", (dir_ / model).string(),
+                "--image_path", LIMN_SAMPLE_DIR "/day/images", "--overwrite", "1"});
+  };
+  // Any poses fit a rig with one frame of two images.
+  EXPECT_THAT(run("rigged"), HasSubstr("Rigs are kept: their images are 0.00 px (median; at most "
+                                       "0.00 px) from where they were refined"));
+  const colmap_ext::SparseModel refined = colmap_ext::ReadModel(dir_ / "out/refined");
+  EXPECT_TRUE(refined.warnings.empty());
+  ASSERT_EQ(refined.rigs.size(), 1u);
+  ASSERT_EQ(refined.frames.size(), given.frames.size());
+  EXPECT_EQ(refined.frames.front().data.size(), given.frames.front().data.size());
+  const auto translation = [](const colmap_ext::SparseModel& model) {
+    return model.rigs[0].sensors[1].sensor_from_rig.translation;
+  };
+  EXPECT_NE(translation(refined), translation(given));
+  EXPECT_LT((translation(refined) - translation(given)).norm(), 0.02);
+  // A model without rigs leaves none behind.
+  run("plain");
+  EXPECT_FALSE(fs::exists(Output("out", "refined/rigs.txt")));
+  EXPECT_FALSE(fs::exists(Output("out", "refined/frames.txt")));
 }
 
 // Cameras that are a pixel off. The drawing fits the refined model that was written, and not the

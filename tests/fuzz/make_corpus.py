@@ -69,6 +69,27 @@ def rigs():
     put("frames_txt", "one", "1 1 1 0 0 0 0.1 -0.2 3 2 CAMERA 1 1 CAMERA 2 2\n")
 
 
+def line_maps():
+    ends = (0.0, 0.0, 0.0, 1.0, 0.5, 0.25)
+    put("limap_lines", "two", counted([
+        struct.pack("<Q6d", 7, *ends) + counted([struct.pack("<II", 3, 0), struct.pack("<II", 3, 1)]) +
+        struct.pack("<d", 0.01), struct.pack("<Q6d", 8, *ends) + counted([]) + struct.pack("<d", -1)]))
+    put("limap_lines_txt", "two", "2\n7\n0 0 0 1 0.5 0.25\n2\n3 0\n3 1\n0.01\n8\n1 0 0 1 1 0\n0\n-1\n")
+    put("limap_wireframe", "two", counted([struct.pack("<QQd", 9, 7, 2), struct.pack("<QQd", 10, 7, 0.5)]))
+    members = counted([struct.pack("<Qd", 9, 1), struct.pack("<Qd", 10, 0.5)])
+    put("limap_groups", "one", counted([
+        struct.pack("<Qi", 2, 1) + members + counted([struct.pack("<Qd", 7, 1)]) +
+        counted([struct.pack("<II", 3, 0)]) + counted([struct.pack("<d", 1)] * 3)]))
+    segments = counted([struct.pack("<5dQ", 1.5, 2, 3, 4, -1, 7), struct.pack("<5dQ", 1, 2, 3, 4, 0.5, NO_POINT)])
+    group = struct.pack("<i", 1) + counted([struct.pack("<Id", 0, 1)]) + counted([]) + struct.pack("<Q", 2)
+    put("limap_images", "one", counted([
+        struct.pack("<II", 3, 1) + segments + counted([group]) + counted([struct.pack("<IId", 0, 1, 1)])]))
+    put("limap_tracks", "one", "1\n0 2 2\n1.0 2.0     3.0\n4 5 6\n3 4 \n0 1 \n")
+    put("line3dpp", "two", "1 0 0 0 1 0 0.5 1 4 17 1.5 2 3 4 \n2 1 2 3 4 5 6 7 8 9 7 8 10 0 \n")
+    put("line3dpp_stl", "one", "solid lineModel\n facet normal 1.0e+000 0.0e+000 0.0e+000\n  outer loop\n"
+        "   vertex 0 0 0\n   vertex 1 0 0.5\n   vertex 0 0 0\n  endloop\n endfacet\nendsolid lineModel\n")
+
+
 def chunk(name, data):
     return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 
@@ -263,5 +284,6 @@ if __name__ == "__main__":
     dense()
     meshes()
     curves()
+    line_maps()
     edges()
     stages()

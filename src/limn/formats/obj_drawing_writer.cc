@@ -1,6 +1,7 @@
 #include "limn/formats/obj_drawing_writer.h"
 
 #include <ostream>
+#include <vector>
 
 #include "limn/formats/link_kind.h"
 #include "limn/formats/number_text.h"
@@ -14,9 +15,19 @@ void PutVertex(std::ostream& out, const Eigen::Vector3d& point) {
   out << '\n';
 }
 
+// Elements of lines, from the numbers of the vertices of a polyline.
+void PutLines(const std::vector<size_t>& vertices, const ObjOptions& options, std::ostream& out) {
+  out << "l " << vertices.front();
+  for (size_t i = 1; i < vertices.size(); ++i) {
+    if (options.segments && i > 1) out << "\nl " << vertices[i - 1];
+    out << ' ' << vertices[i];
+  }
+  out << '\n';
+}
+
 }  // namespace
 
-void WriteDrawingObj(const DrawingGraph& graph, std::ostream& out) {
+void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, std::ostream& out) {
   out << "# 3D drawing by limn: the first " << graph.nodes.size() << " vertices are its nodes\n";
   for (const DrawingNode& node : graph.nodes) PutVertex(out, node.position_in_world);
   const bool has_kinds = HasKinds(graph);
@@ -25,12 +36,13 @@ void WriteDrawingObj(const DrawingGraph& graph, std::ostream& out) {
     const DrawingLink& link = graph.links[id];
     out << "o link_" << id << '\n';
     if (has_kinds) out << "g " << LinkKindName(link.kind) << '\n';
-    const size_t num_inner = link.points_in_world.size() - 2;
-    for (size_t i = 1; i <= num_inner; ++i) PutVertex(out, link.points_in_world[i]);
-    out << "l " << link.node0 + 1;
-    for (size_t i = 1; i <= num_inner; ++i) out << ' ' << num_vertices + i;
-    out << ' ' << link.node1 + 1 << '\n';
-    num_vertices += num_inner;
+    std::vector<size_t> vertices = {static_cast<size_t>(link.node0) + 1};
+    for (size_t i = 1; i + 1 < link.points_in_world.size(); ++i) {
+      PutVertex(out, link.points_in_world[i]);
+      vertices.push_back(++num_vertices);
+    }
+    vertices.push_back(static_cast<size_t>(link.node1) + 1);
+    PutLines(vertices, options, out);
   }
 }
 

@@ -6,9 +6,14 @@
 
 namespace limn {
 
+struct ObjOptions {
+  // Elements of two vertices each, for programs that show no polylines (MeshLab).
+  bool segments = false;
+};
+
 // Writes a drawing as Wavefront OBJ: the nodes' vertices first, then per link an object "link_<id>"
 // in the group of its kind of edge, where kinds are known, with its inner vertices and one polyline
-// element.
-void WriteDrawingObj(const DrawingGraph& graph, std::ostream& out);
+// element (or one per segment).
+void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, std::ostream& out);
 
 }  // namespace limn

@@ -7,7 +7,6 @@
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/graphml_drawing_writer.h"
 #include "limn/formats/json_drawing_writer.h"
-#include "limn/formats/obj_drawing_writer.h"
 #include "limn/formats/ply_drawing_writer.h"
 #include "limn/formats/ply_sketch_writer.h"
 #include "limn/formats/step_drawing_writer.h"
@@ -44,7 +43,9 @@ const std::vector<Format>& Formats() {
   using Out = std::ostream;
   static const std::vector<Format> formats = {
       {"ply", {".ply"}, [](const Job& job, Out& out) { WriteDrawingPly(job.graph, out); }},
-      {"obj", {".obj"}, [](const Job& job, Out& out) { WriteDrawingObj(job.graph, out); }},
+      {"obj",
+       {".obj"},
+       [](const Job& job, Out& out) { WriteDrawingObj(job.graph, job.options.obj, out); }},
       {"json",
        {".json"},
        [](const Job& job, Out& out) { WriteDrawingJson(job.graph, job.metadata, out); }},

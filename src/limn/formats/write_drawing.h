@@ -8,6 +8,7 @@
 #include "limn/formats/glb_drawing_writer.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/length_unit.h"
+#include "limn/formats/obj_drawing_writer.h"
 #include "limn/formats/svg_drawing_writer.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
@@ -30,6 +31,7 @@ struct SvgPicture {
 struct DrawingFormatOptions {
   // One of DrawingFormats(), or kAutoFormat: by the path's extension.
   std::string format = kAutoFormat;
+  ObjOptions obj;
   DxfOptions dxf;
   GlbOptions glb;
   SvgPicture svg;

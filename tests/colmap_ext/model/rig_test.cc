@@ -58,11 +58,14 @@ std::string FramesBinary() {
 
 void ExpectRigs(const std::vector<Rig>& rigs) {
   ASSERT_EQ(rigs.size(), 2u);
-  ASSERT_EQ(rigs[0].cameras.size(), 2u);
-  EXPECT_TRUE(rigs[0].cameras.at(3).has_pose);
-  EXPECT_EQ(rigs[0].cameras.at(3).cam_from_rig.translation, Eigen::Vector3d(0, 0, 0));
-  EXPECT_EQ(rigs[0].cameras.at(7).cam_from_rig.translation, Eigen::Vector3d(0.5, 0, 0));
-  EXPECT_FALSE(rigs[1].cameras.at(21).has_pose);
+  ASSERT_EQ(rigs[0].sensors.size(), 3u);
+  EXPECT_EQ(rigs[0].NumCameras(), 2);
+  EXPECT_TRUE(rigs[0].sensors[0].has_pose);
+  EXPECT_EQ(rigs[0].sensors[0].sensor_from_rig.translation, Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(rigs[0].sensors[1].sensor, (SensorId{0, 7}));
+  EXPECT_EQ(rigs[0].sensors[1].sensor_from_rig.translation, Eigen::Vector3d(0.5, 0, 0));
+  EXPECT_EQ(rigs[0].sensors[2].sensor, (SensorId{1, 9}));
+  EXPECT_FALSE(rigs[1].sensors[1].has_pose);
 }
 
 void ExpectFrames(const std::vector<Frame>& frames) {
@@ -70,8 +73,11 @@ void ExpectFrames(const std::vector<Frame>& frames) {
   EXPECT_EQ(frames[0].id, 6u);
   EXPECT_EQ(frames[0].rig_id, 1u);
   EXPECT_EQ(frames[0].rig_from_world.translation, Eigen::Vector3d(1, 2, 3));
-  EXPECT_THAT(frames[0].image_ids, ElementsAre(9u, 4u));
-  EXPECT_THAT(frames[1].image_ids, ElementsAre(5u));
+  ASSERT_EQ(frames[0].data.size(), 3u);
+  EXPECT_EQ(frames[0].data[1].id, 4u);
+  EXPECT_EQ(frames[0].data[2].sensor.type, 1);
+  ASSERT_EQ(frames[1].data.size(), 1u);
+  EXPECT_EQ(frames[1].data[0].id, 5u);
 }
 
 std::vector<Rig> TextRigs() {
@@ -84,6 +90,13 @@ std::vector<Frame> TextFrames() {
   return ReadFramesText(in, "frames.txt");
 }
 
+SparseModel ModelWithRigs() {
+  SparseModel model = MakeModel();
+  model.rigs = TextRigs();
+  model.frames = TextFrames();
+  return model;
+}
+
 TEST(Rig, TextIsRead) {
   ExpectRigs(TextRigs());
   ExpectFrames(TextFrames());
@@ -93,6 +106,20 @@ TEST(Rig, BinaryIsRead) {
   std::istringstream rigs(RigsBinary()), frames(FramesBinary());
   ExpectRigs(ReadRigsBinary(rigs, "rigs.bin"));
   ExpectFrames(ReadFramesBinary(frames, "frames.bin"));
+}
+
+TEST(Rig, WhatIsReadIsWrittenAgain) {
+  const SparseModel model = ModelWithRigs();
+  std::ostringstream rigs, frames;
+  WriteRigsBinary(model, rigs);
+  WriteFramesBinary(model, frames);
+  EXPECT_EQ(rigs.str(), RigsBinary());
+  EXPECT_EQ(frames.str(), FramesBinary());
+  std::stringstream rigs_text, frames_text;
+  WriteRigsText(model, rigs_text);
+  WriteFramesText(model, frames_text);
+  ExpectRigs(ReadRigsText(rigs_text, "rigs.txt"));
+  ExpectFrames(ReadFramesText(frames_text, "frames.txt"));
 }
 
 TEST(Rig, EveryTruncationOfBinaryIsNoticed) {
@@ -109,43 +136,40 @@ TEST(Rig, EveryTruncationOfBinaryIsNoticed) {
 }
 
 TEST(Rig, ComposedPoseWinsWithOneWarning) {
-  SparseModel model = MakeModel();
-  ApplyRigs(TextRigs(), TextFrames(), &model);
+  SparseModel model = ModelWithRigs();
+  ApplyRigs(&model);
   EXPECT_EQ(model.images[0].cam_from_world.translation, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(model.images[1].cam_from_world.translation, Eigen::Vector3d(1.5, 2, 3));
   EXPECT_EQ(model.images[2].cam_from_world.translation, Eigen::Vector3d(4, 5, 6));
   EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("3 image poses differ")));
   // Now they agree.
   model.warnings.clear();
-  ApplyRigs(TextRigs(), TextFrames(), &model);
+  ApplyRigs(&model);
   EXPECT_THAT(model.warnings, IsEmpty());
 }
 
 TEST(Rig, RotatedRigsCompose) {
   const double half = std::sqrt(0.5);
-  Rig rig;
-  rig.id = 1;
+  SparseModel model = MakeModel();
   // A quarter turn about z, then a shift.
-  rig.cameras[3] = {true, {{half, 0, 0, half}, {10, 0, 0}}};
+  model.rigs = {{1, {{{kCameraSensor, 3}, true, {{half, 0, 0, half}, {10, 0, 0}}}}}};
   Frame frame;
   frame.rig_id = 1;
   frame.rig_from_world.translation = {1, 0, 0};
-  frame.image_ids = {9};
-  SparseModel model = MakeModel();
-  ApplyRigs({rig}, {frame}, &model);
+  frame.data = {{{kCameraSensor, 3}, 9}};
+  model.frames = {frame};
+  ApplyRigs(&model);
   const Eigen::Vector3d origin_in_cam = model.images[0].cam_from_world * Eigen::Vector3d::Zero();
   EXPECT_LT((origin_in_cam - Eigen::Vector3d(10, 1, 0)).norm(), 1e-14);
 }
 
 TEST(Rig, PoseIsKeptWhereRigsDoNotTell) {
   const SparseModel before = MakeModel();
-  std::vector<Rig> rigs = TextRigs();
-  rigs[0].cameras.at(7).has_pose = false;  // image 4
-  std::vector<Frame> frames = TextFrames();
-  frames[1].rig_id = 99;  // image 5
-  frames[0].image_ids.push_back(9);
-  SparseModel model = before;
-  ApplyRigs(rigs, frames, &model);
+  SparseModel model = ModelWithRigs();
+  model.rigs[0].sensors[1].has_pose = false;  // image 4
+  model.frames[1].rig_id = 99;                // image 5
+  model.frames[0].data.push_back({{kCameraSensor, 3}, 9});
+  ApplyRigs(&model);
   for (const int i : {1, 2}) {
     EXPECT_EQ(model.images[i].cam_from_world.translation,
               before.images[i].cam_from_world.translation);
@@ -162,11 +186,12 @@ TEST(Rig, IsAppliedWhenAModelIsRead) {
   SparseModel model = ReadColmapModel(dir.path());
   EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("frames.bin is missing")));
   EXPECT_EQ(model.images[0].cam_from_world.translation.x(), 0.9);
-  EXPECT_FALSE(model.has_rigs);
+  EXPECT_THAT(model.rigs, IsEmpty());
   dir.WriteFile("frames.bin", FramesBinary());
   model = ReadColmapModel(dir.path());
   EXPECT_EQ(model.images[0].cam_from_world.translation.x(), 1);
-  EXPECT_TRUE(model.has_rigs);
+  ExpectRigs(model.rigs);
+  ExpectFrames(model.frames);
 }
 
 TEST(Rig, OfSingleCamerasIsNone) {
@@ -176,7 +201,98 @@ TEST(Rig, OfSingleCamerasIsNone) {
   dir.WriteFile("frames.txt", "1 1 1 0 0 0 1 2 3 1 CAMERA 3 9\n");
   const SparseModel model = ReadColmapModel(dir.path());
   EXPECT_EQ(model.images[0].cam_from_world.translation, Eigen::Vector3d(1, 2, 3));
-  EXPECT_FALSE(model.has_rigs);
+  EXPECT_EQ(model.rigs[0].NumCameras(), 1);
+}
+
+// Three frames of a rig of two cameras, and one of the second camera alone.
+SparseModel ModelOfRig() {
+  SparseModel model;
+  const SensorId left = {kCameraSensor, 1}, right = {kCameraSensor, 2};
+  model.cameras = {MakeCamera(CameraModelId::kPinhole, 1), MakeCamera(CameraModelId::kPinhole, 2)};
+  Rigid3d right_from_left;
+  right_from_left.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY());
+  right_from_left.translation = {-1, 0.125, 0.25};
+  model.rigs = {{1, {{left, true, {}}, {right, true, right_from_left}}}};
+  for (uint32_t f = 0; f < 4; ++f) {
+    Frame frame;
+    frame.id = f;
+    frame.rig_id = 1;
+    frame.rig_from_world.rotation =
+        Eigen::AngleAxisd(0.75 * f, Eigen::Vector3d(1, 2, 3).normalized());
+    frame.rig_from_world.translation = {0.5 * f, 1, 5};
+    for (const uint32_t camera : {1u, 2u}) {
+      if (f == 3 && camera == 1) continue;
+      ModelImage image;
+      image.id = 10 * f + camera;
+      image.camera_id = camera;
+      image.name = std::to_string(image.id);
+      model.images.push_back(image);
+      frame.data.push_back({{kCameraSensor, camera}, image.id});
+    }
+    model.frames.push_back(frame);
+  }
+  ApplyRigs(&model);
+  model.warnings.clear();
+  return model;
+}
+
+double LargestDifference(const SparseModel& a, const SparseModel& b) {
+  double largest = 0;
+  for (size_t i = 0; i < a.images.size(); ++i) {
+    const Rigid3d& x = a.images[i].cam_from_world;
+    const Rigid3d& y = b.images[i].cam_from_world;
+    largest = std::max(
+        {largest, x.rotation.angularDistance(y.rotation), (x.translation - y.translation).norm()});
+  }
+  return largest;
+}
+
+TEST(RigFit, FramesAndSensorsFollowPosesOfARigidRig) {
+  SparseModel moved = ModelOfRig();
+  // Another rig, in other places.
+  moved.rigs[0].sensors[1].sensor_from_rig.translation.x() += 0.1;
+  moved.rigs[0].sensors[1].sensor_from_rig.rotation =
+      Eigen::AngleAxisd(0.45, Eigen::Vector3d(0.1, 1, 0).normalized());
+  for (Frame& frame : moved.frames) frame.rig_from_world.translation.z() += 0.2;
+  ApplyRigs(&moved);
+  SparseModel model = ModelOfRig();
+  for (size_t i = 0; i < model.images.size(); ++i) {
+    model.images[i].cam_from_world = moved.images[i].cam_from_world;
+  }
+  FitRigs(&model);
+  EXPECT_LT(LargestDifference(model, moved), 1e-9);
+  EXPECT_LT((model.rigs[0].sensors[1].sensor_from_rig.translation -
+             moved.rigs[0].sensors[1].sensor_from_rig.translation)
+                .norm(),
+            1e-9);
+  EXPECT_TRUE(model.rigs[0].sensors[0].sensor_from_rig.translation.isZero());
+  // Poses of images are those that a reader composes.
+  ApplyRigs(&model);
+  EXPECT_THAT(model.warnings, IsEmpty());
+}
+
+TEST(RigFit, OfPosesThatNoRigHasIsNear) {
+  SparseModel given = ModelOfRig();
+  for (size_t i = 0; i < given.images.size(); ++i) {
+    Rigid3d turn;
+    turn.rotation = Eigen::AngleAxisd(0.01 * std::sin(5.0 * i),
+                                      Eigen::Vector3d(std::cos(i), std::sin(i), 0.5).normalized());
+    turn.translation = 0.01 * Eigen::Vector3d(std::sin(i), std::cos(3.0 * i), 0);
+    given.images[i].cam_from_world = turn * given.images[i].cam_from_world;
+  }
+  SparseModel model = given;
+  FitRigs(&model);
+  EXPECT_GT(LargestDifference(model, given), 1e-4);
+  EXPECT_LT(LargestDifference(model, given), 0.06);
+  // The last frame has one image, which nothing contradicts.
+  EXPECT_LT((model.images.back().cam_from_world.translation -
+             given.images.back().cam_from_world.translation)
+                .norm(),
+            1e-9);
+  // Nothing is left to improve.
+  SparseModel again = model;
+  FitRigs(&again);
+  EXPECT_LT(LargestDifference(again, model), 1e-9);
 }
 
 }  // namespace

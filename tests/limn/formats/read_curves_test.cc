@@ -113,7 +113,7 @@ TEST(ReadCurves, BadPlyIsRefusedWithPlaceAndReason) {
   ExpectIoError(folder.Path("absent.ply"), "No such file");
   std::filesystem::create_directory(folder.Path("d.ply"));
   ExpectIoError(folder.Path("d.ply"), "folder");
-  ExpectIoError(folder.Write("8.stl", "solid"), "unknown extension");
+  ExpectIoError(folder.Write("8.off", "solid"), "unknown extension");
 }
 
 TEST(ReadCurves, ObjLinesAndPoints) {

@@ -1,5 +1,6 @@
 #include "limn/formats/write_drawing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -43,6 +44,24 @@ TEST(WriteDrawing, LinksComeBackExactlyFromEveryFormat) {
     WriteDrawing(folder.Path(name), graph, SmallMetadata());
     ExpectSamePolylines(ReadCurves(folder.Path(name)), graph);
   }
+}
+
+// MeshLab shows no element of more than two vertices.
+TEST(WriteDrawing, ObjOfSegmentsHasTwoVerticesPerElement) {
+  const TemporaryFolder folder;
+  const DrawingGraph graph = SmallDrawing();
+  DrawingFormatOptions options;
+  options.obj.segments = true;
+  WriteDrawing(folder.Path("d.obj"), graph, SmallMetadata(), options);
+  std::istringstream lines(TemporaryFolder::Read(folder.Path("d.obj")));
+  size_t num_segments = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("l ")) continue;
+    ++num_segments;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ' '), 2) << line;
+  }
+  EXPECT_EQ(num_segments, 2u + 3u + 1u + 4u);
+  ExpectSamePolylines(ReadCurves(folder.Path("d.obj")), graph);
 }
 
 TEST(WriteDrawing, JsonKeepsTheWholeGraph) {

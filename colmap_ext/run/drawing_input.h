@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "colmap_ext/workspace/layout.h"
+#include "limn/formats/json_drawing_reader.h"
+
+namespace limn::colmap_ext {
+
+// Which drawing of a folder a command reads if no path is given.
+enum class DrawingChoice {
+  kUnfused,  // drawing.json: to go on with it
+  kNewest,   // that, or drawing-fused.json, which has more, unless it is older: to use it
+};
+
+// The path of the drawing in an output folder. Throws IoError if there is none; it names what was
+// looked for, and the option that takes a path.
+std::string FindDrawing(const std::filesystem::path& folder, DrawingChoice choice,
+                        const std::string& path_option);
+
+// The same in the output folder of a workspace, else in the workspace itself, which may be an
+// output folder without a model.
+std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
+                        const std::string& path_option);
+
+// Reads a drawing.json, or a drawing from the folder of a model of LIMAP (see ReadLimapDrawing).
+// Throws IoError.
+DrawingFile ReadDrawing(const std::string& path);
+
+}  // namespace limn::colmap_ext

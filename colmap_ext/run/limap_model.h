@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "colmap_ext/model/model.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/limap_structures.h"
+#include "limn/model/view.h"
+
+namespace limn::colmap_ext {
+
+// A COLMAP model with LIMAP's structures: what LIMAP 2.0 calls a model.
+struct LimapModel {
+  SparseModel model;
+  LimapStructures structures;
+};
+
+// A drawing as LIMAP's structures, beside the model that `views` were made from:
+// - a straight link (a line, or two points) is a line, with a segment in each view that supports it
+//   and has it in its region, and the mean of its sigmas as uncertainty;
+// - with `chains` any other link is a chain of lines within half a pixel of it, else left out;
+// - where lines meet is a new 3D point of the model, with an observation in all images of these
+//   lines; the wireframes say which lines go through it.
+// Groups are not made. Throws InputError for images with lens distortion, whose lines are not
+// straight, and IoError if the drawing has images that the model has not.
+LimapModel ToLimap(const DrawingFile& drawing, SparseModel model, const std::vector<View>& views,
+                   bool chains);
+
+// A drawing whose links are LIMAP's lines, supported by the images of their tracks. Lines meet
+// where they end within their uncertainty of the same point of the wireframe, and are moved there.
+// Lines of no length and groups are left out. Throws IoError for images or points that the model
+// does not have.
+DrawingFile FromLimap(const LimapModel& limap);
+
+// FromLimap of a folder with structures/, or of structures/ itself, whose model is the folder
+// above. Throws IoError.
+DrawingFile ReadLimapDrawing(const std::filesystem::path& folder);
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,177 @@
+// Commands that are given a workspace find its drawing; the drawing goes to LIMAP and back.
+#include <algorithm>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/model/model.h"
+#include "colmap_ext/temp_dir.h"
+#include "end_to_end/run_limn.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/limap_structures.h"
+#include "limn/formats/write_drawing.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// A workspace of the sample's images whose drawing has a line and a bent link that continues it.
+class WorkspaceDrawing : public ::testing::Test {
+ protected:
+  WorkspaceDrawing() {
+    for (const char* name : {"images", "sparse"}) {
+      fs::create_directory_symlink(fs::path(LIMN_SAMPLE_DIR "/day") / name, dir_ / name);
+    }
+    for (const auto& image : colmap_ext::ReadColmapModel(dir_ / "sparse").images) {
+      drawing_.metadata.view_names.push_back(image.name);
+    }
+    std::sort(drawing_.metadata.view_names.begin(), drawing_.metadata.view_names.end());
+    DrawingGraph& graph = drawing_.graph;
+    graph.nodes.resize(3);
+    graph.nodes[1].position_in_world = {0.5, 0, 0.5};
+    graph.nodes[2].position_in_world = {0.5, 0.75, 0.5};
+    graph.links.resize(2);
+    graph.links[0].points_in_world = {{0, 0, 0}, {0.5, 0, 0.5}};
+    graph.links[1].points_in_world = {{0.5, 0, 0.5}, {0.75, 0.25, 0.5}, {0.5, 0.75, 0.5}};
+    for (const int id : {0, 1}) {
+      graph.links[id].node0 = id;
+      graph.links[id].node1 = id + 1;
+      graph.links[id].sigma.assign(graph.links[id].size(), 0.01);
+      graph.links[id].supporting_views = {0, 1, 2, 3, 4};
+    }
+    RebuildIncidence(&graph);
+  }
+
+  void Store(const std::string& name) {
+    WriteDrawing((dir_ / name).string(), drawing_.graph, drawing_.metadata);
+  }
+
+  LimnRun Run(const std::string& command, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {command, "--workspace_path", dir_.path().string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunLimn(arguments);
+  }
+
+  std::string Path(const std::string& name) const { return (dir_ / name).string(); }
+
+  TempDir dir_;
+  DrawingFile drawing_;
+};
+
+TEST_F(WorkspaceDrawing, IsFoundByCommandsThatUseIt) {
+  Store("drawing.json");
+  const LimnRun exported = Run("drawing_exporter", {"--output_path", Path("a.json")});
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_THAT(exported.out, HasSubstr("drawing: " + Path("drawing.json") + "\n"));
+  EXPECT_EQ(ReadDrawingJson(Path("a.json")).graph.links.size(), 2u);
+  const LimnRun judged =
+      Run("drawing_evaluator", {"--truth_path", Path("a.json"), "--taus", "0.01"});
+  ASSERT_EQ(judged.exit_code, 0) << judged.err;
+  EXPECT_THAT(judged.out, HasSubstr("drawing: " + Path("drawing.json") + "\n"));
+}
+
+TEST_F(WorkspaceDrawing, OfTheDenseWorkspaceComesFirst) {
+  fs::create_directories(dir_ / "dense");
+  fs::rename(dir_ / "images", dir_ / "dense/images");
+  fs::rename(dir_ / "sparse", dir_ / "dense/sparse");
+  Store("drawing.json");
+  EXPECT_THAT(Run("drawing_exporter", {"--output_path", Path("a.obj")}).out,
+              HasSubstr("drawing: " + Path("drawing.json") + "\n"));
+  Store("dense/drawing.json");
+  Store("dense/drawing-fused.json");
+  EXPECT_THAT(Run("drawing_exporter", {"--output_path", Path("b.obj")}).out,
+              HasSubstr("drawing: " + Path("dense/drawing-fused.json") + "\n"));
+  // A path that is given is the one.
+  EXPECT_EQ(Run("drawing_exporter",
+                {"--output_path", Path("c.obj"), "--input_path", Path("drawing.json")})
+                .out,
+            "Written: " + Path("c.obj") + " (2 links)\n");
+}
+
+TEST_F(WorkspaceDrawing, MissingItIsNamedByEveryCommand) {
+  const std::string w = dir_.path().string();
+  const auto expect_refused = [&](const std::string& command, const std::vector<std::string>& more,
+                                  const std::string& names, const std::string& option) {
+    const LimnRun run = Run(command, more);
+    EXPECT_EQ(run.exit_code, 1) << command;
+    EXPECT_EQ(run.err, "ERROR: " + w + ": no " + names + " (looked in " + w +
+                           "): draw one first, or name one with --" + option + "\n");
+  };
+  const std::string both = "drawing.json or drawing-fused.json";
+  expect_refused("drawing_exporter", {"--output_path", Path("a.obj")}, both, "input_path");
+  expect_refused("drawing_evaluator", {"--truth_path", Path("a.obj"), "--taus", "1"}, both,
+                 "input_path");
+  expect_refused("drawing_viewer", {}, both, "drawing_path");
+  expect_refused("drawing_refiner", {}, "drawing.json", "drawing_path");
+  expect_refused("drawing_fuser", {}, "drawing.json", "drawing_path");
+  const LimnRun nothing = RunLimn({"drawing_exporter", "--output_path", Path("a.obj")});
+  EXPECT_EQ(nothing.err, "ERROR: --input_path or --workspace_path must be given\n");
+}
+
+// An output folder without a model is a workspace, too, for what needs none.
+TEST_F(WorkspaceDrawing, IsFoundInAFolderOfResults) {
+  fs::create_directories(dir_ / "results");
+  Store("results/drawing.json");
+  const LimnRun run = RunLimn(
+      {"drawing_exporter", "--workspace_path", Path("results"), "--output_path", Path("a.dxf")});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+}
+
+TEST_F(WorkspaceDrawing, ObjOfSegments) {
+  Store("drawing.json");
+  ASSERT_EQ(Run("drawing_exporter", {"--output_path", Path("a.obj"), "--segments", "1"}).exit_code,
+            0);
+  EXPECT_THAT(ReadTree(dir_.path()).at("a.obj"), HasSubstr("\nl 2 4\nl 4 3\n"));
+}
+
+TEST_F(WorkspaceDrawing, GoesToLimapAndBack) {
+  Store("drawing.json");
+  const LimnRun made = Run("drawing_exporter", {"--output_path", Path("limap"), "--output_type",
+                                                "limap", "--chains", "1"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("3 lines, 4 ends where lines meet"));
+  const colmap_ext::SparseModel model = colmap_ext::ReadColmapModel(dir_ / "limap");
+  EXPECT_TRUE(model.warnings.empty());
+  const LimapStructures structures = ReadLimapStructures(dir_ / "limap/structures");
+  ASSERT_EQ(structures.images.size(), model.images.size());
+  for (const LimapImage& image : structures.images) {
+    const auto of_model = std::find_if(model.images.begin(), model.images.end(),
+                                       [&](const auto& other) { return other.id == image.id; });
+    ASSERT_NE(of_model, model.images.end());
+    EXPECT_EQ(image.num_points, of_model->observations.size());
+  }
+  // Its lines are curves, and a drawing for the other commands.
+  const LimnRun judged = RunLimn({"drawing_evaluator", "--input_path", Path("limap"),
+                                  "--truth_path", Path("drawing.json"), "--taus", "0.001"});
+  EXPECT_EQ(judged.exit_code, 0) << judged.err;
+  ASSERT_EQ(
+      Run("drawing_exporter", {"--input_path", Path("limap"), "--output_path", Path("back.json")})
+          .exit_code,
+      0);
+  const DrawingFile back = ReadDrawingJson(Path("back.json"));
+  EXPECT_EQ(back.metadata.view_names, drawing_.metadata.view_names);
+  ASSERT_EQ(back.graph.links.size(), 3u);
+  EXPECT_EQ(back.graph.nodes.size(), 4u);
+  EXPECT_EQ(back.graph.links[0].points_in_world, drawing_.graph.links[0].points_in_world);
+  EXPECT_EQ(back.graph.links[0].node1, back.graph.links[1].node0);
+  // Without chains the bent link stays behind.
+  EXPECT_THAT(
+      Run("drawing_exporter", {"--output_path", Path("lines"), "--output_type", "limap"}).out,
+      HasSubstr("lines (1 links)\n"));
+  // Nothing is overwritten, and a failure leaves nothing.
+  const LimnRun again =
+      Run("drawing_exporter", {"--output_path", Path("limap"), "--output_type", "limap"});
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_THAT(again.err, HasSubstr("holds a model already"));
+  EXPECT_THAT(Run("drawing_exporter",
+                  {"--output_path", Path("l2"), "--output_type", "limap", "--scale", "2"})
+                  .err,
+              HasSubstr("a model of LIMAP keeps its coordinates"));
+  EXPECT_FALSE(fs::exists(dir_ / "l2"));
+}
+
+}  // namespace
+}  // namespace limn::testing

@@ -1,0 +1,5 @@
+#include "fuzz/limap_folder.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  return limn::fuzz::FuzzLimap(data, size, "wireframe3D.bin");
+}
