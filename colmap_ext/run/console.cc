@@ -33,24 +33,28 @@ std::string WithCommas(int64_t value) {
   return text;
 }
 
-void PrintTable(const char* heading, const StageSummary::Counts& counts) {
+void AddTable(const char* heading, const StageSummary::Counts& counts,
+              std::vector<std::string>* lines) {
   const char* label = heading;
   for (const auto& [reason, count] : counts) {
-    std::printf("  %-8s %12s  %s\n", label, WithCommas(count).c_str(), Printable(reason).c_str());
+    char columns[60];
+    std::snprintf(columns, sizeof(columns), "  %-8s %12s  ", label, WithCommas(count).c_str());
+    lines->push_back(columns + reason);
     label = "";
   }
 }
 
-void PrintStage(const RunLog::Stage& stage) {
+std::vector<std::string> LinesOf(const RunLog::Stage& stage) {
   const StageSummary& summary = stage.summary;
-  std::printf("%s: %.1f s, peak memory %s MB\n", summary.stage.c_str(), stage.seconds,
-              WithCommas(stage.peak_memory_mb).c_str());
-  PrintTable("in", summary.in);
-  PrintTable("kept", summary.kept);
-  PrintTable("dropped", summary.dropped);
-  for (const std::string& warning : summary.warnings) {
-    std::printf("  WARNING: %s\n", Printable(warning).c_str());
-  }
+  char seconds[40];
+  std::snprintf(seconds, sizeof(seconds), ": %.1f s, peak memory ", stage.seconds);
+  std::vector<std::string> lines = {summary.stage + seconds + WithCommas(stage.peak_memory_mb) +
+                                    " MB"};
+  AddTable("in", summary.in, &lines);
+  AddTable("kept", summary.kept, &lines);
+  AddTable("dropped", summary.dropped, &lines);
+  for (const std::string& warning : summary.warnings) lines.push_back("  WARNING: " + warning);
+  return lines;
 }
 
 // "sketches of 3 of 30 views"
@@ -88,23 +92,41 @@ int64_t PeakMemoryMb() {
 }  // namespace
 
 Console::Console(int num_threads, bool speaks)
-    : speaks_(speaks),
-      is_terminal_(isatty(STDOUT_FILENO) == 1),
-      stage_start_(Clock::now()),
-      interrupts_([this]() -> std::string {
-        if (!speaks_) return "";
-        if (is_terminal_) std::printf("\r\033[K");
-        std::fflush(stdout);
-        return WhatIsKept();
-      }) {
-  context_.num_threads = num_threads;
-  context_.progress = [this](const char* stage, size_t done, size_t total) {
-    ShowProgress(stage, done, total);
-  };
-  context_.cancelled = &interrupts_.interrupted();
+    : speaks_(speaks), is_terminal_(isatty(STDOUT_FILENO) == 1), stage_start_(Clock::now()) {
+  interrupts_.emplace([this]() -> std::string {
+    if (!speaks_) return "";
+    if (is_terminal_) std::printf("\r\033[K");
+    std::fflush(stdout);
+    return WhatIsKept();
+  });
+  SetUpContext(num_threads);
+  context_.cancelled = &interrupts_->interrupted();
+}
+
+Console::Console(int num_threads, ConsoleHost host)
+    : host_(std::move(host)), stage_start_(Clock::now()) {
+  SetUpContext(num_threads);
+  context_.cancelled = &is_stopped_;
 }
 
 Console::~Console() { ClearProgressLine(); }
+
+void Console::SetUpContext(int num_threads) {
+  context_.num_threads = num_threads;
+  context_.progress = [this](const char* stage, size_t done, size_t total) {
+    if (host_ && host_->is_stopped()) is_stopped_ = true;
+    ShowProgress(stage, done, total);
+  };
+}
+
+void Console::Print(const std::string& line) const {
+  if (host_) {
+    host_->say(Printable(line));
+  } else if (speaks_) {
+    std::printf("%s\n", Printable(line).c_str());
+    std::fflush(stdout);
+  }
+}
 
 void Console::SetCache(std::shared_ptr<const ResultCache> cache) {
   const std::lock_guard lock(cache_mutex_);
@@ -152,23 +174,23 @@ void Console::ShowProgress(const char* stage, size_t done, size_t total) {
   }
   if (is_terminal_) {
     std::printf("\r\033[K%s", line);
+    std::fflush(stdout);
     has_progress_line_ = true;
   } else {
-    std::printf("%s\n", line);
+    Print(line);
   }
-  std::fflush(stdout);
 }
 
 void Console::ClearProgressLine() {
-  if (has_progress_line_) std::printf("\r\033[K");
-  has_progress_line_ = false;
+  if (!has_progress_line_) return;
+  std::printf("\r\033[K");
   std::fflush(stdout);
+  has_progress_line_ = false;
 }
 
 void Console::Say(const std::string& line) {
   ClearProgressLine();
-  if (speaks_) std::printf("%s\n", Printable(line).c_str());
-  std::fflush(stdout);
+  Print(line);
   constexpr std::string_view kWarning = "WARNING: ";
   if (line.starts_with(kWarning)) log_.warnings.push_back(line.substr(kWarning.size()));
 }
@@ -185,8 +207,7 @@ void Console::Report(const StageSummary& summary) {
   const RunLog::Stage stage = {summary, SecondsSince(stage_start_), PeakMemoryMb()};
   log_.stages.push_back(stage);
   log_.warnings.insert(log_.warnings.end(), summary.warnings.begin(), summary.warnings.end());
-  if (speaks_) PrintStage(stage);
-  std::fflush(stdout);
+  for (const std::string& line : LinesOf(stage)) Print(line);
   stage_start_ = Clock::now();
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -27,6 +30,14 @@ struct RunLog {
   std::vector<std::string> warnings;
 };
 
+// A program of others that a run is a part of.
+struct ConsoleHost {
+  // Takes a line for the user, from any thread, one at a time.
+  std::function<void(const std::string& line)> say;
+  // Asked at every report of progress: whether the run is to stop. May block.
+  std::function<bool()> is_stopped;
+};
+
 // Prints a run on standard output: progress with the remaining time (one line that is rewritten on
 // a terminal; otherwise a plain line every 10 %, at most one in 2 seconds), and a summary after
 // every stage. SIGINT and SIGTERM end the run (see InterruptWatch) with a line that says what is
@@ -35,6 +46,8 @@ class Console {
  public:
   // At most one console may exist at a time. If `speaks` is false it prints nothing.
   explicit Console(int num_threads, bool speaks = true);
+  // Speaks to a host, and leaves standard output and signals alone.
+  Console(int num_threads, ConsoleHost host);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
   ~Console();
@@ -59,13 +72,17 @@ class Console {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void SetUpContext(int num_threads);
+  void Print(const std::string& line) const;
   void ReportCache();
   // The line that says what an interrupted run leaves behind.
   std::string WhatIsKept() const;
   void ShowProgress(const char* stage, size_t done, size_t total);
   void ClearProgressLine();
 
-  bool speaks_;
+  bool speaks_ = true;
+  std::optional<ConsoleHost> host_;
+  std::atomic<bool> is_stopped_ = false;  // by the host
   RunContext context_;
   RunLog log_;
   mutable std::mutex cache_mutex_;
@@ -79,8 +96,8 @@ class Console {
   Clock::time_point progress_start_;
   Clock::time_point last_shown_;
   Clock::time_point stage_start_;
-  // Last: its thread asks what is kept.
-  InterruptWatch interrupts_;
+  // Last: its thread asks what is kept. Nothing with a host.
+  std::optional<InterruptWatch> interrupts_;
 };
 
 }  // namespace limn::colmap_ext

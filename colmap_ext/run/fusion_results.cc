@@ -59,7 +59,7 @@ InModel ToModel(const Project& project, const std::vector<CurvePoint>& points) {
 void WriteSparseWithCurves(const Project& project, int every, const InModel& curves,
                            Console* console) {
   const fs::path folder = project.DrawingPath("sparse-with-curves");
-  SparseModel model = ReadModel(project.layout().model_dir);
+  SparseModel model = project.ReadModel();
   const size_t before = model.points.size();
   model = AddCurvePoints(std::move(model), curves.points, curves.views, every);
   const auto write = [&](const char* name, void (*writer)(const SparseModel&, std::ostream&)) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/scene_origin.h"
@@ -61,7 +62,16 @@ void RemoveTemporaryFiles(const OutputLayout& output) {
 }  // namespace
 
 Project::Project(const RunOptions& options, Console* console)
-    : layout_(ResolveLayout(options.layout)) {
+    : Project(ResolveLayout(options.layout), std::nullopt, options, console) {}
+
+// Braces evaluate from left to right.
+Project::Project(SparseModel model, const RunOptions& options, Console* console)
+    : Project{LayoutInMemory(options.layout, model.images.size()), std::move(model), options,
+              console} {}
+
+Project::Project(WorkspaceLayout layout, std::optional<SparseModel> given_model,
+                 const RunOptions& options, Console* console)
+    : layout_(std::move(layout)), given_model_(std::move(given_model)) {
   console->Say(layout_.description);
   CheckWritable(layout_.output.drawing_dir);
   CheckWritable(layout_.output.curves_dir);
@@ -73,7 +83,7 @@ Project::Project(const RunOptions& options, Console* console)
   }
   cache_ = std::make_shared<ResultCache>(CurvesPath("cache"));
   console->SetCache(cache_);
-  SparseModel model = ReadModel(layout_.model_dir);
+  SparseModel model = ReadModel();
   if (options.pipeline.refinement.refine_poses) CheckTextNames(model);
   origin_ = SceneOrigin(model);
   MoveModel(-origin_, &model);
@@ -88,6 +98,10 @@ Project::Project(const RunOptions& options, Console* console)
   images_.read = [this](ViewId view) { return ReadViewImage(view_set_, view); };
   images_.identity = [this](ViewId view) { return ImageIdentity(view_set_, view); };
   if (!options.edges_path.empty()) UseEdges(options, console);
+}
+
+SparseModel Project::ReadModel() const {
+  return given_model_ ? *given_model_ : colmap_ext::ReadModel(layout_.model_dir);
 }
 
 void Project::UseEdges(const RunOptions& options, Console* console) {

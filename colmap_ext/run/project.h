@@ -26,10 +26,15 @@ class Project {
   // a shard: all but other shards) out of the output folder during the lifetime of the project.
   // Removes temporary files of a killed run, unless other shards may be running.
   Project(const RunOptions& options, Console* console);
+  // The same with a model in memory, for which only image_path and output_path of the layout count.
+  Project(SparseModel model, const RunOptions& options, Console* console);
   Project(const Project&) = delete;
   Project& operator=(const Project&) = delete;
 
   const WorkspaceLayout& layout() const { return layout_; }
+  // The model in its own coordinates, which is read again: to keep it would cost memory. Throws
+  // IoError.
+  SparseModel ReadModel() const;
   const ViewSet& view_set() const { return view_set_; }
   const std::vector<View>& views() const { return view_set_.views; }
   const ImageSource& images() const { return images_; }
@@ -47,9 +52,12 @@ class Project {
   std::string CurvesPath(const std::string& name) const;
 
  private:
+  Project(WorkspaceLayout layout, std::optional<SparseModel> given_model, const RunOptions& options,
+          Console* console);
   void UseEdges(const RunOptions& options, Console* console);
 
   WorkspaceLayout layout_;
+  std::optional<SparseModel> given_model_;
   std::optional<OutputLock> lock_;
   std::shared_ptr<ResultCache> cache_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
