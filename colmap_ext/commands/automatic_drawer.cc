@@ -10,7 +10,7 @@
 
 namespace limn::colmap_ext {
 
-int RunAutomaticDrawer(int argc, const char* const* argv) {
+int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   // The others begin when rank 0 knows that there is work and holds the lock.
   const bool leads = Rank() == 0;
   if (!leads && !AsRankZero(true)) return 0;
@@ -22,38 +22,38 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   }
   RunOptions& run = options.run;
   run.is_led = !leads;
-  Console console(run.num_threads, leads);
-  const Project project(run, &console);
+  const auto console = make_console(run.num_threads, leads);
+  const Project project(run, console.get());
   CheckRefinedFolder(project, run);
   CheckDrawingFiles(project, run);
   CheckSketchFiles(project, run);
   CheckReplaceable(project, run, "drawing.json", Provenance(run));
-  CheckProjectViews(project);
+  CheckSceneViews(project);
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
-                            ProjectBox(project, run), project.cache()};
-  const std::vector<Tile> tiles = PlanSceneTiles(input, options, &console);
+                            SceneBox(project, run), project.cache()};
+  const std::vector<Tile> tiles = PlanSceneTiles(input, options, console.get());
   if (!run.shard.empty()) {
-    DoShard(input, tiles, run, &console);
+    DoShard(input, tiles, run, console.get());
     return 0;
   }
-  const auto result = DrawSceneOrTiles(input, tiles, run.pipeline, &console);
+  const auto result = DrawSceneOrTiles(input, tiles, run.pipeline, console.get());
   if (!result) return 0;
   CheckGraph(result->graph);
   if (!IsInTiles(tiles, input.views)) {
     WriteSketchResults(project, SketchFileName(run.pipeline.mode), result->curves, result->sketch,
-                       Provenance(run), console.context());
+                       Provenance(run), console->context());
   }
-  WriteRefinedModel(project, result->cameras, &console);
+  WriteRefinedModel(project, result->cameras, console.get());
   const std::vector<View>& views = ViewsOfDrawing(project, result->cameras);
-  WriteDrawingResults(project, views, result->graph, Provenance(run), &console);
-  if (options.account) WriteAccount(project, *result, &console);
+  WriteDrawingResults(project, views, result->graph, Provenance(run), console.get());
+  if (options.account) WriteAccount(project, *result, console.get());
   parser->WriteIni(project.CurvesPath("project.ini"));
   const Trust trust = MeasureTrust(views, result->curves, result->graph);
-  SayTrust(trust, !run.box.empty(), &console);
+  SayTrust(trust, !run.box.empty(), console.get());
   if (options.page) {
-    WritePageWithReport(project, run, views, result->graph, trust, options.truth, &console);
+    WritePageWithReport(project, run, views, result->graph, trust, options.truth, console.get());
   }
-  console.RepeatWarnings();
+  console->RepeatWarnings();
   return 0;
 }
 
