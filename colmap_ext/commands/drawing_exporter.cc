@@ -15,7 +15,7 @@ int RunDrawingExporter(int argc, const char* const* argv, const ConsoleMaker& ma
   const auto [drawing, format] = PrepareExport(options, console.get());
   WriteDrawing(options.output_path, drawing.graph, drawing.metadata, format);
   console->Say("Written: " + options.output_path + " (" +
-              std::to_string(drawing.graph.links.size()) + " links)");
+               std::to_string(drawing.graph.links.size()) + " links)");
   return 0;
 }
 

@@ -24,7 +24,8 @@ int RunDrawingFuser(int argc, const char* const* argv, const ConsoleMaker& make_
   drawing.metadata.options_json = FusionProvenance(options, fuser, drawing.metadata.options_json);
   CheckReplaceable(project, options, kFusedDrawing, drawing.metadata.options_json);
   CheckFusionFiles(project, options);
-  const DenseInput dense = OpenDenseInput(project, fuser, options.layout.workspace_path, console.get());
+  const DenseInput dense =
+      OpenDenseInput(project, fuser, options.layout.workspace_path, console.get());
   FusionResult result = FuseDrawing({project.views(), drawing.graph, dense.depths,
                                      dense.cloud ? std::optional(dense.points) : std::nullopt},
                                     options.dense, console->context());

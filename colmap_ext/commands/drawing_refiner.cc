@@ -51,7 +51,8 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
   CheckGraph(kinds.graph);
   WriteRefinedModel(project, result.cameras, console.get());
   WriteDrawingResults(project, views, kinds.graph, provenance, console.get());
-  SayTrust(MeasureTrust(views, image_curves.curves, kinds.graph), HasBox(provenance), console.get());
+  SayTrust(MeasureTrust(views, image_curves.curves, kinds.graph), HasBox(provenance),
+           console.get());
   console->RepeatWarnings();
   return 0;
 }

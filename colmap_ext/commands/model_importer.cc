@@ -17,9 +17,8 @@ int RunModelImporter(int argc, const char* const* argv, const ConsoleMaker& make
   const SparseModel model = ImportModel(options, std::cout);
   for (const std::string& warning : model.warnings) console->Say("WARNING: " + warning);
   WriteNewModel(model, options.output_path, options.output_type);
-  console->Say("Written: " + options.output_path + " with " +
-               std::to_string(model.cameras.size()) + " cameras, " +
-               std::to_string(model.images.size()) + " images, " +
+  console->Say("Written: " + options.output_path + " with " + std::to_string(model.cameras.size()) +
+               " cameras, " + std::to_string(model.images.size()) + " images, " +
                std::to_string(model.points.size()) + " points");
   return 0;
 }

@@ -3,9 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include <pybind11/numpy.h>
-
 #include <Eigen/Core>
+#include <pybind11/numpy.h>
 
 namespace limn::colmap_ext {
 

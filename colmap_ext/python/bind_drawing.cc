@@ -141,7 +141,8 @@ void BindItems(py::module_* module, const char* name, const char* text,
            [size](const Items<Item>& items, py::ssize_t i) {
              return Item{items.drawing, IndexOf(i, size(*items.drawing))};
            })
-      .def("__len__", [size](const Items<Item>& items) { return size(*items.drawing); });
+      .def("__len__", [size](const Items<Item>& items) { return size(*items.drawing); })
+      .def("__iter__", IterateSequence);
 }
 
 void BindPrimitive(py::module_* module) {
@@ -195,7 +196,8 @@ void BindLink(py::module_* module) {
       .def_property_readonly(
           "id", [](const Link& link) { return link.id; }, "Index in the drawing's links.")
       .def_property_readonly(
-          "points", [](const Link& link) { return PointsOver(link.Get().points_in_world, link.drawing); },
+          "points",
+          [](const Link& link) { return PointsOver(link.Get().points_in_world, link.drawing); },
           "N x 3 points in the model's coordinates; the first and the last are nodes.")
       .def_property_readonly(
           "sigma", [](const Link& link) { return NumbersOver(link.Get().sigma, link.drawing); },
@@ -217,8 +219,7 @@ void BindLink(py::module_* module) {
           "'edge' (crease or border), 'paint', 'shadow', 'contour' (outline of a smooth body) or "
           "'unknown'.")
       .def_property_readonly(
-          "kind_confidence", [](const Link& link) { return link.Get().kind_confidence; },
-          "0 to 1.")
+          "kind_confidence", [](const Link& link) { return link.Get().kind_confidence; }, "0 to 1.")
       .def_property_readonly(
           "tentative", [](const Link& link) { return link.Get().tentative; },
           "Whether there is little evidence for it.")
@@ -234,11 +235,12 @@ void BindLink(py::module_* module) {
           "After limn.fuse: 'surface', 'boundary', 'free' or 'unknown'; else None.")
       .def_property_readonly("supporting_views", SupportingViews,
                              "Names of the images with edges along it.")
-      .def_property_readonly(
-          "tracks", TracksOf,
-          "The link in its supporting images: name of the image to M x 2 polyline (x, y), px of the "
-          "image as used; the center of the top-left pixel is (0, 0). Rows of not-a-number separate "
-          "visible parts.")
+      .def_property_readonly("tracks", TracksOf,
+                             "The link in its supporting images: name of the image to M x 2 "
+                             "polyline (x, y), px of the "
+                             "image as used; the center of the top-left pixel is (0, 0). Rows of "
+                             "not-a-number separate "
+                             "visible parts.")
       .def("__len__", [](const Link& link) { return link.Get().points_in_world.size(); })
       .def("__repr__", [](const Link& link) {
         return "<limn.Link " + std::to_string(link.id) + ": " + std::to_string(link.Get().size()) +
@@ -272,9 +274,7 @@ void BindNode(py::module_* module) {
 }
 
 // A function of limn._interop.
-py::object Interop(const char* name) {
-  return py::module_::import("limn._interop").attr(name);
-}
+py::object Interop(const char* name) { return py::module_::import("limn._interop").attr(name); }
 
 }  // namespace
 
@@ -305,7 +305,8 @@ void BindDrawing(py::module_* module) {
           "The cameras that it fits, per image; empty for a drawing that was read without them.")
       .def_property_readonly(
           "scene",
-          [](const SceneDrawing& drawing) -> std::shared_ptr<OpenScene> {
+          [](const SceneDrawing& drawing) -> std::optional<std::shared_ptr<OpenScene>> {
+            if (!drawing.scene) return std::nullopt;
             return std::const_pointer_cast<OpenScene>(drawing.scene);
           },
           "What it was drawn from; None for a drawing that was read without it.")
@@ -330,14 +331,17 @@ void BindDrawing(py::module_* module) {
             SaveDrawing(drawing, path.string());
           },
           py::arg("path"),
-          "Writes the drawing in the format of the extension (.json, .ply, .obj, .dxf, .step, .glb, "
+          "Writes the drawing in the format of the extension (.json, .ply, .obj, .dxf, .step, "
+          ".glb, "
           ".graphml): as .json all of it, without loss; in other formats without tentative links "
           "and outlines of smooth bodies. limn.export() has options.")
-      .def("to_networkx", [](const py::object& self) { return Interop("to_networkx")(self); },
-           "A networkx.MultiGraph: nodes with position and kind, edges with link, points, length, "
-           "kind and tentative. Raises ImportError without networkx.")
-      .def("to_open3d", [](const py::object& self) { return Interop("to_open3d")(self); },
-           "An open3d.geometry.LineSet with a color per link. Raises ImportError without open3d.")
+      .def(
+          "to_networkx", [](const py::object& self) { return Interop("to_networkx")(self); },
+          "A networkx.MultiGraph: nodes with position and kind, edges with link, points, length, "
+          "kind and tentative. Raises ImportError without networkx.")
+      .def(
+          "to_open3d", [](const py::object& self) { return Interop("to_open3d")(self); },
+          "An open3d.geometry.LineSet with a color per link. Raises ImportError without open3d.")
       .def("__repr__", [](const SceneDrawing& drawing) {
         return "<limn.Drawing of " + std::to_string(drawing.graph.links.size()) + " links and " +
                std::to_string(drawing.graph.nodes.size()) + " nodes>";

@@ -55,21 +55,22 @@ std::vector<bool> ClosedOf(const ImageFragments& image) {
 // What Python expects of a mapping from the names of the scene's images.
 template <typename Results, typename Class, typename Get>
 void AddMapping(Class* bound, const Get& get) {
-  bound->def("__getitem__",
-             [get](std::shared_ptr<const Results> results, const std::string& name) {
-               const auto& views = results->scene->scene.views();
-               return get(results, static_cast<size_t>(ViewNamed(views, name)));
-             })
-      .def("keys",
-           [](const Results& results) {
-             std::vector<std::string> names;
-             for (const View& view : results.scene->scene.views()) names.push_back(view.name);
-             return names;
-           },
-           "Names of the images.")
+  bound
+      ->def("__getitem__",
+            [get](std::shared_ptr<const Results> results, const std::string& name) {
+              const auto& views = results->scene->scene.views();
+              return get(results, static_cast<size_t>(ViewNamed(views, name)));
+            })
+      .def(
+          "keys",
+          [](const Results& results) {
+            std::vector<std::string> names;
+            for (const View& view : results.scene->scene.views()) names.push_back(view.name);
+            return names;
+          },
+          "Names of the images.")
       .def("__iter__", [](const py::object& self) { return py::iter(self.attr("keys")()); })
-      .def("__len__",
-           [](const Results& results) { return results.scene->scene.views().size(); })
+      .def("__len__", [](const Results& results) { return results.scene->scene.views().size(); })
       .def_property_readonly(
           "scene",
           [](const Results& results) { return std::const_pointer_cast<OpenScene>(results.scene); },
@@ -86,8 +87,7 @@ void BindImageCurves(py::module_* module) {
                          "The edgels (oriented edge points) of an image: M rows. Arrays are "
                          "read-only and not copied.")
       .def_property_readonly(
-          "positions",
-          [](const ImageEdges& e) { return Column<float>(e, &Edgel::stored_px, 2); },
+          "positions", [](const ImageEdges& e) { return Column<float>(e, &Edgel::stored_px, 2); },
           "M x 2 positions (x, y), px of the image as used; the center of the top-left pixel is "
           "(0, 0).")
       .def_property_readonly(
@@ -166,6 +166,7 @@ void BindImageCurves(py::module_* module) {
              return SketchCurve{std::move(sketch), index};
            })
       .def("__len__", [](const SceneSketch& sketch) { return sketch.in_model->curves.size(); })
+      .def("__iter__", IterateSequence)
       .def_property_readonly(
           "scene",
           [](const SceneSketch& sketch) {

@@ -27,7 +27,8 @@ Eigen::Vector3d ToVector(const Values<double>& array, const char* what) {
 }
 
 Eigen::Matrix3d ToMatrix(const Values<double>& array, const char* what) {
-  if (array.ndim() != 2 || array.size() != 9) throw InputError(std::string(what) + ": must be 3 x 3");
+  if (array.ndim() != 2 || array.size() != 9)
+    throw InputError(std::string(what) + ": must be 3 x 3");
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(array.data());
 }
 

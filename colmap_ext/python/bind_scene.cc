@@ -71,6 +71,10 @@ size_t IndexOf(py::ssize_t i, size_t n) {
   return static_cast<size_t>(i < 0 ? i + size : i);
 }
 
+py::iterator IterateSequence(const py::object& sequence) {
+  return py::reinterpret_steal<py::iterator>(PySeqIter_New(sequence.ptr()));
+}
+
 ViewId ViewNamed(const std::vector<View>& views, const std::string& name) {
   const auto found =
       std::find_if(views.begin(), views.end(), [&](const View& view) { return view.name == name; });
@@ -116,9 +120,7 @@ void BindScene(py::module_* module) {
       .def_property_readonly("names", NamesOf, "Names of the images, sorted.")
       .def_property_readonly(
           "cameras",
-          [](const OpenScene& scene) {
-            return Moved(scene.scene.views(), scene.scene.origin());
-          },
+          [](const OpenScene& scene) { return Moved(scene.scene.views(), scene.scene.origin()); },
           "A camera per image, in the order of the names.")
       .def_property_readonly(
           "warnings", [](const OpenScene& scene) { return WarningsOf(scene.made.log); },

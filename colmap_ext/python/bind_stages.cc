@@ -35,9 +35,8 @@ void BindStages(py::module_* module) {
   module->def(
       "open",
       [](const OptionTexts& options, const py::object& progress) {
-        return RunFree(progress, [options](RunMonitor* monitor) {
-          return OpenWorkspace(options, monitor);
-        });
+        return RunFree(progress,
+                       [options](RunMonitor* monitor) { return OpenWorkspace(options, monitor); });
       },
       py::arg("options"), py::arg("progress"));
   BindStage(module, "extract_edges", ExtractSceneEdges);

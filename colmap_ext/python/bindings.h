@@ -21,6 +21,9 @@ pybind11::list StagesOf(const RunLog& log);
 // The index of Python's item i of n; negative ones count from the end. Raises IndexError.
 size_t IndexOf(pybind11::ssize_t i, size_t n);
 
+// Over a sequence that has __getitem__.
+pybind11::iterator IterateSequence(const pybind11::object& sequence);
+
 // The view of this name. Raises KeyError.
 ViewId ViewNamed(const std::vector<View>& views, const std::string& name);
 

@@ -33,8 +33,7 @@ class MemoryModel {
 
   // Instead of records: a pinhole camera x_px = K (R X + t) with its image.
   void AddView(const std::string& name, const Eigen::Matrix3d& calibration,
-               const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation,
-               ImageSize size);
+               const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, ImageSize size);
 
   void AddPhoto(const std::string& name, PhotoPixels pixels);
 

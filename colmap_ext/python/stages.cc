@@ -48,8 +48,9 @@ constexpr const char* kOptionsOfCurves[] = {"EdgeDetection", "Linking"};
 constexpr const char* kOptionsOfSketch[] = {"EdgeDetection", "Linking",       "mode",
                                             "Sketch",        "ViewSelection", "box"};
 
-// The options of a stage: those that its input was made with, and its own. `groups` are the stage's,
-// `fixed` those that its input depends on, besides the scene's. `add_more` as in ParseRunOptions.
+// The options of a stage: those that its input was made with, and its own. `groups` are the
+// stage's, `fixed` those that its input depends on, besides the scene's. `add_more` as in
+// ParseRunOptions.
 MadeWith AddOptions(const MadeWith& made, const std::string& stage, const OptionGroups& groups,
                     const OptionTexts& own, std::span<const char* const> fixed,
                     const std::function<void(OptionParser*)>& add_more = {}) {
@@ -102,9 +103,9 @@ std::shared_ptr<const std::vector<ImageCurves>> CurvesOf(std::shared_ptr<const O
                                                          Console* console) {
   ResultCache no_cache("");
   const Scene& read = scene->scene;
-  CurvesResult result = ExtractCurves({read.views(), read.images(), &no_cache},
-                                      options.pipeline.edges, options.pipeline.linking,
-                                      console->context());
+  CurvesResult result =
+      ExtractCurves({read.views(), read.images(), &no_cache}, options.pipeline.edges,
+                    options.pipeline.linking, console->context());
   console->Report(result.summary);
   return std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
 }
@@ -145,9 +146,8 @@ std::shared_ptr<SceneEdges> ExtractSceneEdges(std::shared_ptr<const OpenScene> s
   const RunOptions& run = edges->made.options;
   LibraryConsole console(run.num_threads, monitor);
   ResultCache no_cache("");
-  EdgeMapsResult result =
-      ExtractEdgeMaps({scene->scene.views(), scene->scene.images(), &no_cache}, run.pipeline.edges,
-                      console.context());
+  EdgeMapsResult result = ExtractEdgeMaps({scene->scene.views(), scene->scene.images(), &no_cache},
+                                          run.pipeline.edges, console.context());
   console.Report(result.summary);
   edges->edge_maps = std::move(result.edge_maps);
   for (EdgeMap& map : edges->edge_maps) ApplyLens(nullptr, &map);  // they stay in stored pixels
@@ -170,22 +170,22 @@ std::shared_ptr<SceneCurves> LinkScene(std::shared_ptr<const OpenScene> scene,
 std::shared_ptr<SceneSketch> SketchScene(std::shared_ptr<const SceneCurves> curves,
                                          const OptionTexts& options, RunMonitor* monitor) {
   auto sketch = std::make_shared<SceneSketch>();
-  sketch->made =
-      AddOptions(curves->made, "sketch", {.sketch = true}, options, kOptionsOfCurves);
+  sketch->made = AddOptions(curves->made, "sketch", {.sketch = true}, options, kOptionsOfCurves);
   const RunOptions& run = sketch->made.options;
   LibraryConsole console(run.num_threads, monitor);
   const Scene& scene = curves->scene->scene;
   CheckSceneViews(scene);
   ResultCache no_cache("");
-  SketchResult result = SketchViews(
-      run.pipeline.mode,
-      {scene.views(), *curves->curves, scene.view_set().hints, SceneBox(scene, run)},
-      run.pipeline.sketch, &no_cache, console.context());
+  SketchResult result =
+      SketchViews(run.pipeline.mode,
+                  {scene.views(), *curves->curves, scene.view_set().hints, SceneBox(scene, run)},
+                  run.pipeline.sketch, &no_cache, console.context());
   console.Report(result.summary);
   sketch->sketch = std::make_shared<const CurveSketch>(std::move(result.sketch));
-  sketch->in_model = scene.origin().isZero() ? sketch->sketch
-                                             : std::make_shared<const CurveSketch>(
-                                                   Moved(*sketch->sketch, scene.origin()));
+  sketch->in_model =
+      scene.origin().isZero()
+          ? sketch->sketch
+          : std::make_shared<const CurveSketch>(Moved(*sketch->sketch, scene.origin()));
   sketch->curves = std::move(curves);
   sketch->made.log = console.log();
   return sketch;
@@ -229,8 +229,7 @@ std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> sce
   auto drawing = MakeDrawing(scene, std::move(made), result.graph, result.cameras, Provenance(run));
   SayTrust(MeasureTrust(drawing->views, result.curves, result.graph), !run.box.empty(), &console);
   if (!IsInTiles(tiles, input.views)) {
-    drawing->curves =
-        std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
+    drawing->curves = std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
   }
   drawing->made.log = console.log();
   return drawing;
@@ -249,9 +248,8 @@ std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDraw
       {scene.views(), *curves, GraphInScene(*drawing), &scene.view_set().hints.points},
       run.pipeline, console.context(), ReportTo(&console));
   const std::vector<View>& views = judged.cameras ? judged.cameras->views : scene.views();
-  const DrawingGraph graph =
-      DescribeLinks(std::move(judged.graph), views, scene.images().read, run.pipeline,
-                    console.context(), ReportTo(&console));
+  const DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, scene.images().read,
+                                           run.pipeline, console.context(), ReportTo(&console));
   const std::string provenance = RefinementProvenance(run, drawing->metadata.options_json);
   auto refined = MakeDrawing(drawing->scene, std::move(made), graph, judged.cameras, provenance);
   SayTrust(MeasureTrust(refined->views, *curves, graph), HasBox(provenance), &console);
@@ -282,10 +280,9 @@ std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawin
   console.Report(result.summary);
   // Options of the fusion are of no use to later stages.
   auto fused = std::make_shared<SceneDrawing>(*drawing);
-  fused->graph = Moved(fuser.remove_occluded ? WithoutOccluded(result.graph) : result.graph,
-                       scene.origin());
-  fused->metadata.options_json =
-      FusionProvenance(run, fuser, drawing->metadata.options_json);
+  fused->graph =
+      Moved(fuser.remove_occluded ? WithoutOccluded(result.graph) : result.graph, scene.origin());
+  fused->metadata.options_json = FusionProvenance(run, fuser, drawing->metadata.options_json);
   fused->made.log = console.log();
   return fused;
 }
@@ -369,7 +366,8 @@ void RunCommand(const std::string& command, const OptionTexts& options, RunMonit
 OptionTexts OptionsOfScene(const OptionTexts& options) {
   const CommandLine line("open", {{"workspace_path", "."}});
   RunOptions ignored;
-  const auto parser = ParseRunOptions("open", "", OptionsOfAllStages(), line.argc(), line.argv(), &ignored);
+  const auto parser =
+      ParseRunOptions("open", "", OptionsOfAllStages(), line.argc(), line.argv(), &ignored);
   OptionTexts of_scene;
   for (const auto& [name, text] : options) {
     if (parser->Knows(name)) of_scene[name] = text;

@@ -27,7 +27,7 @@ def python_types(signature):
     """The types of a signature by pybind11 as those of a stub."""
     for pattern, replacement in [(r"numpy\.ndarray\[([\w.]+)\]", r"numpy.typing.NDArray[\1]"), (r"\b(limn\.)?_limn\.", ""),
                                  (r"\bos\.PathLike\b", "os.PathLike[str] | str"), (r"\bobject\b", "Any"),
-                                 (r"\bdict\b", "Dict[str, Any]"), (r"\blist\b", "List[Any]"), (r"\barg0\b", "self")]:
+                                 (r"\bdict\b", "Dict[str, Any]"), (r"\blist\b", "List[Any]"), (r"\barg0\b", "key")]:
         signature = re.sub(pattern, replacement, signature)
     return signature
 
@@ -44,6 +44,13 @@ def stub_of_function(function, name, indent):
     return f"{indent}def {name}{signature_of(function, name)}: ...\n"
 
 
+def item_of(bound):
+    """What iterating over a sequence or a mapping gives."""
+    match = re.search(r"\(.*, key: (\w+)\) -> (\w+)", signature_of(vars(bound)["__getitem__"], "__getitem__")) \
+        if "__getitem__" in vars(bound) else None
+    return match and (match.group(2) if match.group(1) == "int" else match.group(1))
+
+
 def stub_of_class(bound):
     lines = [f"class {bound.__name__}:\n"]
     for name, member in sorted(vars(bound).items()):
@@ -54,8 +61,8 @@ def stub_of_class(bound):
             signature = str(inspect.signature(member.__func__)).replace("limn._limn.", "")
             lines.append(f"    @staticmethod\n    def {name}{signature}: ...\n")
         elif callable(member) and (not name.startswith("_") or name in ("__getitem__", "__len__", "__iter__")):
-            text = stub_of_function(member, name, "    ")
-            lines.append(re.sub(r"\(self: \w+", "(self", text))
+            text = re.sub(r"\(self: \w+", "(self", stub_of_function(member, name, "    "))
+            lines.append(text.replace("Iterator", f"Iterator[{item_of(bound)}]"))
     return "".join(lines if len(lines) > 1 else [lines[0], "    ...\n"])
 
 

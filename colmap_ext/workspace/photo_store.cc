@@ -23,8 +23,8 @@ std::string_view BytesOf(const PhotoPixels& pixels) {
 }  // namespace
 
 PhotoStore::PhotoStore(std::map<std::string, PhotoPixels> in_memory)
-    : in_memory_(
-          std::make_shared<const std::map<std::string, PhotoPixels>>(std::move(in_memory))) {}
+    : in_memory_(std::make_shared<const std::map<std::string, PhotoPixels>>(std::move(in_memory))) {
+}
 
 const PhotoPixels* PhotoStore::Find(const std::string& path) const {
   if (!in_memory_) return nullptr;

@@ -248,7 +248,8 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
       !options.mask_path.empty() && !fs::is_directory(options.mask_path, ignored)) {
     throw IoError(options.mask_path, "no such folder (mask_path)");
   }
-  const SelectedImages used = SelectImages(model, image_dir, options.image_list_path, photos, context);
+  const SelectedImages used =
+      SelectImages(model, image_dir, options.image_list_path, photos, context);
   const std::vector<int>& selected = used.images;
   ViewSet set;
   set.warnings = model.warnings;

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterable, Mapping
+from numbers import Integral
 from typing import Any
 
 from limn.errors import OptionError
@@ -17,8 +18,8 @@ def _text_of(name: str, value: Any) -> str:
     if isinstance(value, Iterable):
         return ",".join(_text_of(name, one) for one in value)
     try:
-        return repr(int(value)) if float(value).is_integer() else repr(float(value))
-    except (TypeError, ValueError, OverflowError):
+        return repr(int(value)) if isinstance(value, Integral) else repr(float(value))
+    except (TypeError, ValueError):
         raise OptionError(f"{name} = {value!r}: must be a number, a text or a path") from None
 
 

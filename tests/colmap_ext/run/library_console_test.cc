@@ -17,7 +17,8 @@ TEST(LibraryConsole, PrintsNothingAndKeepsItsLog) {
   LibraryConsole console(1, &monitor);
   console.Say("a line");
   console.Say("WARNING: of a line");
-  console.Report({.stage = "stage", .in = {}, .kept = {}, .dropped = {}, .warnings = {"of a stage"}});
+  console.Report(
+      {.stage = "stage", .in = {}, .kept = {}, .dropped = {}, .warnings = {"of a stage"}});
   console.RepeatWarnings();
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
