@@ -6,6 +6,7 @@
 
 #include <glog/logging.h>
 
+#include "colmap_ext/adapter/log_console.h"
 #include "colmap_ext/adapter/reconstruction_model.h"
 #include "colmap_ext/dense_files/sparse_with_curves.h"
 #include "colmap_ext/run/drawer_run.h"
@@ -66,9 +67,7 @@ void CurveDrawerController::Draw() {
   options.run.layout.image_path = options_.image_path;
   options.run.layout.output_path = options_.output_path;
   options.run.view.border_margin_px = options.run.pipeline.edges.margin_px;
-  Console console(options.run.num_threads,
-                  {.say = [](const std::string& line) { LOG(INFO) << line; },
-                   .is_stopped = [this] { return IsColmapStopped(this); }});
+  LogConsole console(options.run.num_threads, [this] { return IsColmapStopped(this); });
   const Project project(ToSparseModel(*reconstruction_), options.run, &console);
   std::optional<DrawingGraph> graph = DrawProject(project, options, &console);
   if (!graph) return;  // a shard

@@ -4,7 +4,7 @@
 
 namespace limn::colmap_ext {
 
-int RunAutomaticDrawer(int argc, const char* const* argv) {
+int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   // The others begin when rank 0 knows that there is work and holds the lock.
   const bool leads = Rank() == 0;
   if (!leads && !AsRankZero(true)) return 0;
@@ -15,9 +15,11 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
     return 0;
   }
   options.run.is_led = !leads;
-  Console console(options.run.num_threads, leads);
-  const Project project(options.run, &console);
-  if (DrawProject(project, options, &console)) parser->WriteIni(project.CurvesPath("project.ini"));
+  const auto console = make_console(options.run.num_threads, leads);
+  const Project project(options.run, console.get());
+  if (DrawProject(project, options, console.get())) {
+    parser->WriteIni(project.CurvesPath("project.ini"));
+  }
   return 0;
 }
 

@@ -53,6 +53,8 @@ class OptionParser {
   void WriteIni(const std::string& path) const;
   void WriteIni(std::ostream& out) const;
 
+  // Whether there is an option of this name.
+  bool Knows(const std::string& name) const;
   // Whether an option was given on the command line or in the ini file (after Parse).
   bool WasGiven(const std::string& name) const;
 

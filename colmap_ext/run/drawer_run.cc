@@ -18,9 +18,9 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   CheckDrawingFiles(project, run);
   CheckSketchFiles(project, run);
   CheckReplaceable(project, run, "drawing.json", Provenance(run));
-  CheckProjectViews(project);
+  CheckSceneViews(project);
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
-                            ProjectBox(project, run), project.cache()};
+                            SceneBox(project, run), project.cache()};
   const std::vector<Tile> tiles = PlanSceneTiles(input, options, console);
   if (!run.shard.empty()) {
     DoShard(input, tiles, run, console);

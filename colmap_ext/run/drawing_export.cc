@@ -32,6 +32,12 @@ SvgScene SceneOf(const ExporterOptions& options, const DrawingGraph& graph, Cons
                           : SceneInImage(source, graph, options.output_path, console);
 }
 
+void CheckOutput(const ExporterOptions& options) {
+  CheckNamedOutput(options.output_path,
+                   {options.input_path, options.cloud_path, options.svg.dense.dense_path},
+                   options.overwrite);
+}
+
 void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
   parser->AddOption(
       "layers", &format->dxf.layers,
@@ -94,10 +100,14 @@ void ExporterOptions::Check() const {
 }
 
 ExportedDrawing PrepareExport(const ExporterOptions& options, Console* console) {
-  const DenseOptionsPaths& dense = options.svg.dense;
-  CheckNamedOutput(options.output_path, {options.input_path, options.cloud_path, dense.dense_path},
-                   options.overwrite);
-  ExportedDrawing exported = {ReadDrawingJson(options.input_path), options.format};
+  CheckOutput(options);
+  return PrepareExport(ReadDrawingJson(options.input_path), options, console);
+}
+
+ExportedDrawing PrepareExport(DrawingFile drawing, const ExporterOptions& options,
+                              Console* console) {
+  CheckOutput(options);
+  ExportedDrawing exported = {std::move(drawing), options.format};
   DrawingGraph& graph = exported.drawing.graph;
   graph = Selected(std::move(graph), options.selection.Selection());
   DrawingFormatOptions& format = exported.format;

@@ -36,8 +36,11 @@ struct ExportedDrawing {
   DrawingFormatOptions format;
 };
 
-// Reads the drawing and what is exported with it, scaled and rotated. Throws IoError, also if the
+// The drawing as the options say, with what is exported beside it. Throws IoError, also if the
 // output must not be replaced, and OptionError for a view that does not exist.
+ExportedDrawing PrepareExport(DrawingFile drawing, const ExporterOptions& options,
+                              Console* console);
+// The same for the drawing of the options' input_path.
 ExportedDrawing PrepareExport(const ExporterOptions& options, Console* console);
 
 }  // namespace limn::colmap_ext

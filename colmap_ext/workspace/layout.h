@@ -19,6 +19,7 @@ struct LayoutOptions {
   // registered images (the lowest number on ties).
   int model_index = -1;
 
+  bool operator==(const LayoutOptions&) const = default;
   // Throws OptionError.
   void Check() const;
 };
