@@ -1,5 +1,5 @@
-// COLMAP's library as an oracle for lenses: every camera model that it has, 100 cameras of random
-// parameters each, 100 random points in the image of each.
+// COLMAP's library, 3.9 or later, as an oracle for lenses: every camera model that it has, 100
+// cameras of random parameters each, 100 random points in the image of each.
 //
 // COLMAP's undistortion stops at a step of 1e-5 and follows numerical derivatives. It is therefore
 // compared twice: as it is, and continued to a root by Newton steps on COLMAP's projection with

@@ -131,10 +131,11 @@ TEST(ColmapLibraryModels, UnregisteredImagesAreLeftOut) {
 
 TEST(ColmapLibraryModels, WhatIsNoModelIsRefused) {
   const TempDir dir;
-  WriteModelBinary(MakeModel(), dir.path());
+  SparseModel bad = MakeModel();
+  bad.cameras[0].params[0] = -1;
+  WriteModelBinary(bad, dir.path());
   colmap::Reconstruction reconstruction;
   reconstruction.Read(dir.path().string());
-  reconstruction.Camera(7).params[0] = -1;
   EXPECT_EQ(ErrorText<IoError>([&] { ToSparseModel(reconstruction); }),
             "reconstruction: id 7: camera 7: the focal length is not positive");
 }
