@@ -18,6 +18,7 @@
 #include "colmap_ext/options/command_help.h"
 #include "colmap_ext/run/interrupt.h"
 #include "colmap_ext/run/ranks.h"
+#include "colmap_ext/run/terminal_console.h"
 #include "colmap_ext/run/version_line.h"
 #include "colmap_ext/workspace/error_line.h"
 #include "limn/util/errors.h"
@@ -29,7 +30,7 @@ using namespace limn::colmap_ext;
 
 struct Command {
   std::string_view name;
-  int (*run)(int argc, const char* const* argv);
+  int (*run)(int argc, const char* const* argv, const ConsoleMaker& make_console);
   const char* summary;
 };
 
@@ -123,7 +124,7 @@ int Run(int argc, const char* const* argv) {
     throw limn::OptionError(std::string(name) +
                             ": only automatic_drawer runs in several MPI processes");
   }
-  if (is_known) return command->run(argc - 1, argv + 1);
+  if (is_known) return command->run(argc - 1, argv + 1, MakeTerminalConsole);
   throw limn::OptionError("unknown command '" + std::string(name) +
                           "'; 'limn help' lists the commands");
 }

@@ -28,7 +28,8 @@ COLMAP_EXT_LAYERS = [
     ["workspace"],
     ["dense_files", "import"],
     ["run"],
-    ["commands"],
+    ["commands", "adapter"],
+    ["python"],
 ]
 # Folder of modules -> its layers. src/limn never includes colmap_ext.
 LAYERS = {"src/limn": LIMN_LAYERS, "colmap_ext": COLMAP_EXT_LAYERS}
@@ -44,7 +45,9 @@ THIRD_PARTY = {
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
     "boost/program_options": ["colmap_ext/options/"],
     "boost/mpi/": ["colmap_ext/run/ranks.cc"],
+    **{prefix: ["colmap_ext/adapter/"] for prefix in ("colmap/", "base/", "util/", "glog/")},
     "boost/sort/": ["src/limn/edges/edgel_selection.cc"],
+    "pybind11/": ["colmap_ext/python/"],
     "tiny_gltf.h": ["src/limn/formats/glb_drawing_writer.cc"],
     # OpenCASCADE: its headers are in no folder.
     **{prefix: ["src/limn/formats/step_drawing_writer.cc", "src/limn/formats/step_edges"]

@@ -1,16 +1,10 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/drawer_run.h"
 #include "colmap_ext/run/ranks.h"
-#include "colmap_ext/run/refined_cameras.h"
-#include "colmap_ext/run/results.h"
-#include "colmap_ext/run/run_report.h"
-#include "colmap_ext/run/scene_run.h"
-#include "colmap_ext/run/shard_run.h"
-#include "colmap_ext/run/trust.h"
 
 namespace limn::colmap_ext {
 
-int RunAutomaticDrawer(int argc, const char* const* argv) {
+int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   // The others begin when rank 0 knows that there is work and holds the lock.
   const bool leads = Rank() == 0;
   if (!leads && !AsRankZero(true)) return 0;
@@ -20,40 +14,12 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
     AsRankZero(false);
     return 0;
   }
-  RunOptions& run = options.run;
-  run.is_led = !leads;
-  Console console(run.num_threads, leads);
-  const Project project(run, &console);
-  CheckRefinedFolder(project, run);
-  CheckDrawingFiles(project, run);
-  CheckSketchFiles(project, run);
-  CheckReplaceable(project, run, "drawing.json", Provenance(run));
-  CheckProjectViews(project);
-  const PipelineInput input{project.views(), project.view_set().hints, project.images(),
-                            ProjectBox(project, run), project.cache()};
-  const std::vector<Tile> tiles = PlanSceneTiles(input, options, &console);
-  if (!run.shard.empty()) {
-    DoShard(input, tiles, run, &console);
-    return 0;
+  options.run.is_led = !leads;
+  const auto console = make_console(options.run.num_threads, leads);
+  const Project project(options.run, console.get());
+  if (DrawProject(project, options, console.get())) {
+    parser->WriteIni(project.CurvesPath("project.ini"));
   }
-  const auto result = DrawSceneOrTiles(input, tiles, run.pipeline, &console);
-  if (!result) return 0;
-  CheckGraph(result->graph);
-  if (!IsInTiles(tiles, input.views)) {
-    WriteSketchResults(project, SketchFileName(run.pipeline.mode), result->curves, result->sketch,
-                       Provenance(run), console.context());
-  }
-  WriteRefinedModel(project, result->cameras, &console);
-  const std::vector<View>& views = ViewsOfDrawing(project, result->cameras);
-  WriteDrawingResults(project, views, result->graph, Provenance(run), &console);
-  if (options.account) WriteAccount(project, *result, &console);
-  parser->WriteIni(project.CurvesPath("project.ini"));
-  const Trust trust = MeasureTrust(views, result->curves, result->graph);
-  SayTrust(trust, !run.box.empty(), &console);
-  if (options.page) {
-    WritePageWithReport(project, run, views, result->graph, trust, options.truth, &console);
-  }
-  console.RepeatWarnings();
   return 0;
 }
 

@@ -1,21 +1,23 @@
 #pragma once
 
+#include "colmap_ext/run/console.h"
+
 namespace limn::colmap_ext {
 
 // One function per command: declare options, parse, read, call, write. `argv` begins with the name
-// of the command. Returns the exit code. Exceptions are turned into one line and exit code 1 by
-// main.cc.
-int RunAutomaticDrawer(int argc, const char* const* argv);
-int RunCurveDrawer(int argc, const char* const* argv);
-int RunCurveLinker(int argc, const char* const* argv);
-int RunCurveSketcher(int argc, const char* const* argv);
-int RunDrawingEvaluator(int argc, const char* const* argv);
-int RunDrawingExporter(int argc, const char* const* argv);
-int RunDrawingRefiner(int argc, const char* const* argv);
-int RunDrawingFuser(int argc, const char* const* argv);
-int RunDrawingViewer(int argc, const char* const* argv);
-int RunEdgeExtractor(int argc, const char* const* argv);
-int RunModelImporter(int argc, const char* const* argv);
-int RunTruthExtractor(int argc, const char* const* argv);
+// of the command; what it says goes to the console that it makes. Returns the exit code. Exceptions
+// are turned into one line and exit code 1 by main.cc.
+int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunCurveLinker(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunCurveSketcher(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunDrawingEvaluator(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunDrawingExporter(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunDrawingFuser(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunDrawingViewer(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunEdgeExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunModelImporter(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunTruthExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console);
 
 }  // namespace limn::colmap_ext

@@ -1,5 +1,4 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/results.h"
@@ -9,30 +8,30 @@
 
 namespace limn::colmap_ext {
 
-int RunCurveDrawer(int argc, const char* const* argv) {
+int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
   const auto parser = ParseRunOptions(
       "curve_drawer", "make the 3D drawing from the sketch that curve_sketcher has stored",
       {.linking = true, .drawing = true, .overwrites = true}, argc, argv, &options);
   if (!parser) return 0;
-  Console console(options.num_threads);
-  const Project project(options, &console);
+  const auto console = make_console(options.num_threads, /*speaks=*/true);
+  const Project project(options, console.get());
   CheckDrawingFiles(project, options);
-  const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
+  const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
   const StoredCurveSketch stored = ReadSketchResult(project, SketchFileName(options.pipeline.mode),
-                                                    image_curves.curves, console.context());
+                                                    image_curves.curves, console->context());
   const std::string provenance = DrawingProvenance(options, stored.metadata.options_json);
   CheckReplaceable(project, options, "drawing.json", provenance);
   const DrawingResult result = BuildDrawing(
-      {project.views(), image_curves.curves, stored.sketch, ProjectBox(project, options)},
-      options.pipeline.drawing, console.context());
-  console.Report(result.summary);
+      {project.views(), image_curves.curves, stored.sketch, SceneBox(project, options)},
+      options.pipeline.drawing, console->context());
+  console->Report(result.summary);
   CheckGraph(result.graph);
-  WriteRefinedModel(project, std::nullopt, &console);
-  WriteDrawingResults(project, project.views(), result.graph, provenance, &console);
+  WriteRefinedModel(project, std::nullopt, console.get());
+  WriteDrawingResults(project, project.views(), result.graph, provenance, console.get());
   SayTrust(MeasureTrust(project.views(), image_curves.curves, result.graph), HasBox(provenance),
-           &console);
-  console.RepeatWarnings();
+           console.get());
+  console->RepeatWarnings();
   return 0;
 }
 

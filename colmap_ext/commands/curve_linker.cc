@@ -1,12 +1,11 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/edge_results.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/run_options.h"
 
 namespace limn::colmap_ext {
 
-int RunCurveLinker(int argc, const char* const* argv) {
+int RunCurveLinker(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
   EdgeFormat format = EdgeFormat::kNone;
   const auto add_format = [&](OptionParser* parser) {
@@ -17,12 +16,12 @@ int RunCurveLinker(int argc, const char* const* argv) {
                        {.linking = true, .overwrites = true}, argc, argv, &options, add_format)) {
     return 0;
   }
-  Console console(options.num_threads);
-  const Project project(options, &console);
+  const auto console = make_console(options.num_threads, /*speaks=*/true);
+  const Project project(options, console.get());
   CheckEdgeResults(project, format, options.overwrite);
-  ExtractProjectCurves(project, options, &console,
+  ExtractProjectCurves(project, options, console.get(),
                        format == EdgeFormat::kCem ? CemWriter(project) : FragmentsObserver());
-  SayEdgeResults(project, format, &console);
+  SayEdgeResults(project, format, console.get());
   return 0;
 }
 

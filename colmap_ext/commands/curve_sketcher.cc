@@ -1,5 +1,4 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
@@ -7,29 +6,29 @@
 
 namespace limn::colmap_ext {
 
-int RunCurveSketcher(int argc, const char* const* argv) {
+int RunCurveSketcher(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
   const auto parser =
       ParseRunOptions("curve_sketcher", "reconstruct 3D curves: the curve sketch",
                       {.linking = true, .sketch = true, .overwrites = true}, argc, argv, &options);
   if (!parser) return 0;
-  Console console(options.num_threads);
-  const Project project(options, &console);
+  const auto console = make_console(options.num_threads, /*speaks=*/true);
+  const Project project(options, console.get());
   CheckSketchFiles(project, options);
-  CheckProjectViews(project);
-  const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
+  CheckSceneViews(project);
+  const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
 
   const SketchInput input{project.views(), image_curves.curves, project.view_set().hints,
-                          ProjectBox(project, options)};
+                          SceneBox(project, options)};
   const SketchMode mode = options.pipeline.mode;
   const SketchResult result =
-      SketchViews(mode, input, options.pipeline.sketch, project.cache(), console.context());
-  console.Report(result.summary);
+      SketchViews(mode, input, options.pipeline.sketch, project.cache(), console->context());
+  console->Report(result.summary);
 
   const std::string name = SketchFileName(mode);
   WriteSketchResults(project, name, image_curves.curves, result.sketch, Provenance(options),
-                     console.context());
-  console.Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");
+                     console->context());
+  console->Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");
   return 0;
 }
 

@@ -1,20 +1,19 @@
 #include <iostream>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/drawing_export.h"
 
 namespace limn::colmap_ext {
 
-int RunDrawingExporter(int argc, const char* const* argv) {
+int RunDrawingExporter(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   ExporterOptions options;
   OptionParser parser("drawing_exporter", "write a drawing in the format of another program");
   options.AddOptions(&parser);
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   options.Check();
-  Console console(/*num_threads=*/-1);
-  const size_t num_links = ExportDrawing(options, &console);
-  console.Say("Written: " + options.output_path + " (" + std::to_string(num_links) + " links)");
+  const auto console = make_console(/*num_threads=*/-1, /*speaks=*/true);
+  const size_t num_links = ExportDrawing(options, console.get());
+  console->Say("Written: " + options.output_path + " (" + std::to_string(num_links) + " links)");
   return 0;
 }
 

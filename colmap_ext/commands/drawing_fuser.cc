@@ -1,7 +1,6 @@
 #include <optional>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/fusion_results.h"
 #include "colmap_ext/run/project.h"
@@ -10,7 +9,7 @@
 
 namespace limn::colmap_ext {
 
-int RunDrawingFuser(int argc, const char* const* argv) {
+int RunDrawingFuser(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
   FuserOptions fuser;
   const auto parser = ParseRunOptions(
@@ -19,8 +18,8 @@ int RunDrawingFuser(int argc, const char* const* argv) {
       [&](OptionParser* more) { fuser.AddOptions(more); });
   if (!parser) return 0;
   fuser.Check();
-  Console console(options.num_threads);
-  const Project project(options, &console);
+  const auto console = make_console(options.num_threads, /*speaks=*/true);
+  const Project project(options, console.get());
   if (fuser.drawing_path.empty()) {
     fuser.drawing_path =
         FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kUnfused, "drawing_path");
@@ -29,14 +28,15 @@ int RunDrawingFuser(int argc, const char* const* argv) {
   drawing.metadata.options_json = FusionProvenance(options, fuser, drawing.metadata.options_json);
   CheckReplaceable(project, options, kFusedDrawing, drawing.metadata.options_json);
   CheckFusionFiles(project, options);
-  const DenseInput dense = OpenDenseInput(project, fuser, options.layout.workspace_path, &console);
+  const DenseInput dense =
+      OpenDenseInput(project, fuser, options.layout.workspace_path, console.get());
   FusionResult result = FuseDrawing({project.views(), drawing.graph, dense.depths,
                                      dense.cloud ? std::optional(dense.points) : std::nullopt},
-                                    options.dense, console.context());
-  console.Report(result.summary);
-  SayLengths(result, options.dense, &console);
-  ColorCurvePoints(project, console.context(), &result.points);
-  WriteFusionResults(project, options, fuser, dense, drawing.metadata, result, &console);
+                                    options.dense, console->context());
+  console->Report(result.summary);
+  SayLengths(result, options.dense, console.get());
+  ColorCurvePoints(project, console->context(), &result.points);
+  WriteFusionResults(project, options, fuser, dense, drawing.metadata, result, console.get());
   return 0;
 }
 

@@ -1,5 +1,4 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/refined_cameras.h"
@@ -13,7 +12,7 @@
 
 namespace limn::colmap_ext {
 
-int RunDrawingRefiner(int argc, const char* const* argv) {
+int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
   std::string drawing_path;
   const auto parser = ParseRunOptions(
@@ -25,8 +24,8 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
                                     "output folder"));
       });
   if (!parser) return 0;
-  Console console(options.num_threads);
-  const Project project(options, &console);
+  const auto console = make_console(options.num_threads, /*speaks=*/true);
+  const Project project(options, console.get());
   CheckRefinedFolder(project, options);
   CheckDrawingFiles(project, options);
   const bool in_place = drawing_path.empty();
@@ -37,27 +36,28 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
   const std::string provenance = RefinementProvenance(options, drawing.metadata.options_json);
   if (!in_place) CheckReplaceable(project, options, "drawing.json", provenance);
-  const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
+  const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
   const RefinementResult result = RefineDrawing(
       {project.views(), image_curves.curves, drawing.graph, &project.view_set().hints.points},
-      options.pipeline.refinement, options.pipeline.drawing.topology, console.context());
-  console.Report(result.summary);
+      options.pipeline.refinement, options.pipeline.drawing.topology, console->context());
+  console->Report(result.summary);
   const std::vector<View>& views = ViewsOfDrawing(project, result.cameras);
   const BeliefResult judged =
       JudgeLinks({views, image_curves.curves, result.graph, result.fitted}, options.pipeline.belief,
-                 options.pipeline.drawing.topology, console.context());
-  console.Report(judged.summary);
+                 options.pipeline.drawing.topology, console->context());
+  console->Report(judged.summary);
   const PrimitiveResult primitives =
-      FitPrimitives(judged.graph, views, options.pipeline.primitives, console.context());
-  console.Report(primitives.summary);
+      FitPrimitives(judged.graph, views, options.pipeline.primitives, console->context());
+  console->Report(primitives.summary);
   const KindsResult kinds =
-      ClassifyKinds({views, project.images().read, primitives.graph}, console.context());
-  console.Report(kinds.summary);
+      ClassifyKinds({views, project.images().read, primitives.graph}, console->context());
+  console->Report(kinds.summary);
   CheckGraph(kinds.graph);
-  WriteRefinedModel(project, result.cameras, &console);
-  WriteDrawingResults(project, views, kinds.graph, provenance, &console);
-  SayTrust(MeasureTrust(views, image_curves.curves, kinds.graph), HasBox(provenance), &console);
-  console.RepeatWarnings();
+  WriteRefinedModel(project, result.cameras, console.get());
+  WriteDrawingResults(project, views, kinds.graph, provenance, console.get());
+  SayTrust(MeasureTrust(views, image_curves.curves, kinds.graph), HasBox(provenance),
+           console.get());
+  console->RepeatWarnings();
   return 0;
 }
 

@@ -1,5 +1,4 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
@@ -10,7 +9,7 @@
 
 namespace limn::colmap_ext {
 
-int RunDrawingViewer(int argc, const char* const* argv) {
+int RunDrawingViewer(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
   ViewerOptions viewer;
   const auto parser =
@@ -22,15 +21,15 @@ int RunDrawingViewer(int argc, const char* const* argv) {
   if (!HasViewerPage()) {
     throw InputError("this limn was built without the viewer (CMake option LIMN_WITH_VIEWER)");
   }
-  Console console(options.num_threads);
+  const auto console = make_console(options.num_threads, /*speaks=*/true);
   const std::string report = ReadReport(viewer);
-  const Project project(options, &console);
+  const Project project(options, console.get());
   CheckResultFile(project.DrawingPath(kViewerPage), options.overwrite);
   const std::string drawing_path = DrawingToView(project, viewer);
   const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
-  console.Say("drawing: " + drawing_path);
+  console->Say("drawing: " + drawing_path);
   WriteViewerResult(project, options.layout.workspace_path, project.views(), drawing.graph, viewer,
-                    report, &console);
+                    report, console.get());
   return 0;
 }
 

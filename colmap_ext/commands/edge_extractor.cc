@@ -1,12 +1,11 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/edge_results.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/run_options.h"
 
 namespace limn::colmap_ext {
 
-int RunEdgeExtractor(int argc, const char* const* argv) {
+int RunEdgeExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
   EdgeFormat format = EdgeFormat::kNone;
   const auto add_format = [&](OptionParser* parser) {
@@ -19,22 +18,22 @@ int RunEdgeExtractor(int argc, const char* const* argv) {
                        {.linking = true, .overwrites = true}, argc, argv, &options, add_format)) {
     return 0;
   }
-  Console console(options.num_threads);
-  const Project project(options, &console);
+  const auto console = make_console(options.num_threads, /*speaks=*/true);
+  const Project project(options, console.get());
   CheckEdgeResults(project, format, options.overwrite);
   const EdgeMapsResult result =
       ExtractEdgeMaps({project.views(), project.images(), project.cache()}, options.pipeline.edges,
-                      console.context());
-  console.Report(result.summary);
+                      console->context());
+  console->Report(result.summary);
   if (format == EdgeFormat::kEdg) {
-    ParallelFor(console.context(), "files of edges", project.views().size(), [&](size_t v) {
+    ParallelFor(console->context(), "files of edges", project.views().size(), [&](size_t v) {
       WriteEdgResult(project, static_cast<ViewId>(v), result.edge_maps[v]);
     });
   }
   if (format == EdgeFormat::kCem) {
-    ExtractProjectCurves(project, options, &console, CemWriter(project));
+    ExtractProjectCurves(project, options, console.get(), CemWriter(project));
   }
-  SayEdgeResults(project, format, &console);
+  SayEdgeResults(project, format, console.get());
   return 0;
 }
 

@@ -3,26 +3,23 @@
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/import/model_import.h"
 #include "colmap_ext/import/new_model_folder.h"
-#include "colmap_ext/run/interrupt.h"
-#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 
-int RunModelImporter(int argc, const char* const* argv) {
+int RunModelImporter(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   ImporterOptions options;
   OptionParser parser("model_importer", "make a COLMAP model from cameras in another format");
   options.AddOptions(&parser);
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
   options.Check();
-  const InterruptWatch interrupts;
+  const auto console = make_console(/*num_threads=*/-1, /*speaks=*/true);
   CheckNewModelFolder(options.output_path);
   const SparseModel model = ImportModel(options, std::cout);
-  for (const std::string& warning : model.warnings)
-    std::cout << "WARNING: " << Printable(warning) << "\n";
+  for (const std::string& warning : model.warnings) console->Say("WARNING: " + warning);
   WriteNewModel(model, options.output_path, options.output_type);
-  std::cout << "Written: " << Printable(options.output_path) << " with " << model.cameras.size()
-            << " cameras, " << model.images.size() << " images, " << model.points.size()
-            << " points\n";
+  console->Say("Written: " + options.output_path + " with " + std::to_string(model.cameras.size()) +
+               " cameras, " + std::to_string(model.images.size()) + " images, " +
+               std::to_string(model.points.size()) + " points");
   return 0;
 }
 

@@ -1,5 +1,4 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/console.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/run/truth_run.h"
@@ -9,7 +8,7 @@
 
 namespace limn::colmap_ext {
 
-int RunTruthExtractor(int argc, const char* const* argv) {
+int RunTruthExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
   ExtractorOptions extractor;
   if (!ParseRunOptions(
@@ -22,13 +21,13 @@ int RunTruthExtractor(int argc, const char* const* argv) {
   extractor.Check();
   const std::string output_path = TakeTruthPath(&options.layout);
   CheckNamedOutput(output_path, {extractor.mesh_path, extractor.cloud_path}, options.overwrite);
-  Console console(options.num_threads);
-  const TruthSource source = ReadTruthSource(extractor, &console);
-  const Project project(options, &console);
+  const auto console = make_console(options.num_threads, /*speaks=*/true);
+  const TruthSource source = ReadTruthSource(extractor, console.get());
+  const Project project(options, console.get());
   const ExtractedTruth truth =
-      ExtractProjectTruth(project, options, source, extractor.truth, &console);
+      ExtractProjectTruth(project, options, source, extractor.truth, console.get());
   WriteFileAtomically(output_path, [&](std::ostream& out) { WriteCurvesPly(truth.set, out); });
-  console.Say("wrote " + output_path);
+  console->Say("wrote " + output_path);
   return 0;
 }
 

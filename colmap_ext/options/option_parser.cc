@@ -197,6 +197,11 @@ OptionParser::Option* OptionParser::Find(const std::string& name) {
   return found == options_.end() ? nullptr : &*found;
 }
 
+bool OptionParser::Knows(const std::string& name) const {
+  return std::any_of(options_.begin(), options_.end(),
+                     [&](const Option& option) { return option.name == name; });
+}
+
 bool OptionParser::WasGiven(const std::string& name) const {
   return std::any_of(options_.begin(), options_.end(),
                      [&](const Option& option) { return option.name == name && option.given; });

@@ -58,6 +58,8 @@ class OptionParser {
   // All options with their current values, --project_path first.
   CommandDescription Describe() const;
 
+  // Whether there is an option of this name.
+  bool Knows(const std::string& name) const;
   // Whether an option was given on the command line or in the ini file (after Parse).
   bool WasGiven(const std::string& name) const;
 

@@ -1,63 +1,14 @@
 #include "colmap_ext/run/console.h"
 
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <string_view>
 
-#include <unistd.h>
-
 #include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
-
-constexpr double kSecondsBetweenLines = 2;
-constexpr double kSecondsBetweenRewrites = 0.1;
-// Before that the estimate of the time left is worth nothing.
-constexpr double kSecondsBeforeEstimate = 1;
-
-double SecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// 1234567 -> "1,234,567".
-std::string WithCommas(int64_t value) {
-  const std::string digits = std::to_string(value);
-  std::string text;
-  for (size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0 && digits[i - 1] != '-') text += ',';
-    text += digits[i];
-  }
-  return text;
-}
-
-void PrintTable(const char* heading, const StageSummary::Counts& counts) {
-  const char* label = heading;
-  for (const auto& [reason, count] : counts) {
-    std::printf("  %-8s %12s  %s\n", label, WithCommas(count).c_str(), Printable(reason).c_str());
-    label = "";
-  }
-}
-
-void PrintStage(const RunLog::Stage& stage) {
-  const StageSummary& summary = stage.summary;
-  std::printf("%s: %.1f s, peak memory %s MB\n", summary.stage.c_str(), stage.seconds,
-              WithCommas(stage.peak_memory_mb).c_str());
-  PrintTable("in", summary.in);
-  PrintTable("kept", summary.kept);
-  PrintTable("dropped", summary.dropped);
-  for (const std::string& warning : summary.warnings) {
-    std::printf("  WARNING: %s\n", Printable(warning).c_str());
-  }
-}
-
-// "sketches of 3 of 30 views"
-std::string KeptOf(const CacheUse& use) {
-  return std::string(use.what) + " of " + WithCommas(use.NumKept()) + " of " +
-         WithCommas(use.total) + " " + use.items;
-}
 
 // "3 made of other input, 1 damaged (file: reason)"
 std::string WhyMadeAgain(const CacheUse& use) {
@@ -85,26 +36,39 @@ int64_t PeakMemoryMb() {
   return 0;
 }
 
-}  // namespace
-
-Console::Console(int num_threads, bool speaks)
-    : speaks_(speaks),
-      is_terminal_(isatty(STDOUT_FILENO) == 1),
-      stage_start_(Clock::now()),
-      interrupts_([this]() -> std::string {
-        if (!speaks_) return "";
-        if (is_terminal_) std::printf("\r\033[K");
-        std::fflush(stdout);
-        return WhatIsKept();
-      }) {
-  context_.num_threads = num_threads;
-  context_.progress = [this](const char* stage, size_t done, size_t total) {
-    ShowProgress(stage, done, total);
-  };
-  context_.cancelled = &interrupts_.interrupted();
+void AddTable(const char* heading, const StageSummary::Counts& counts,
+              std::vector<std::string>* lines) {
+  const char* label = heading;
+  for (const auto& [reason, count] : counts) {
+    char columns[60];
+    std::snprintf(columns, sizeof(columns), "  %-8s %12s  ", label, WithCommas(count).c_str());
+    lines->push_back(columns + reason);
+    label = "";
+  }
 }
 
-Console::~Console() { ClearProgressLine(); }
+}  // namespace
+
+std::vector<std::string> LinesOf(const RunLog::Stage& stage) {
+  const StageSummary& summary = stage.summary;
+  char seconds[40];
+  std::snprintf(seconds, sizeof(seconds), ": %.1f s, peak memory ", stage.seconds);
+  std::vector<std::string> lines = {summary.stage + seconds + WithCommas(stage.peak_memory_mb) +
+                                    " MB"};
+  AddTable("in", summary.in, &lines);
+  AddTable("kept", summary.kept, &lines);
+  AddTable("dropped", summary.dropped, &lines);
+  for (const std::string& warning : summary.warnings) lines.push_back("  WARNING: " + warning);
+  return lines;
+}
+
+Console::Console(int num_threads) : stage_start_(Clock::now()) {
+  context_.num_threads = num_threads;
+}
+
+double Console::SecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 void Console::SetCache(std::shared_ptr<const ResultCache> cache) {
   const std::lock_guard lock(cache_mutex_);
@@ -112,63 +76,13 @@ void Console::SetCache(std::shared_ptr<const ResultCache> cache) {
   reported_rounds_.clear();
 }
 
-std::string Console::WhatIsKept() const {
+std::shared_ptr<const ResultCache> Console::cache() const {
   const std::lock_guard lock(cache_mutex_);
-  std::string kept;
-  for (int kind = 0; cache_ && kind < kNumCachedKinds; ++kind) {
-    const CacheUse use = cache_->Use(static_cast<CachedKind>(kind));
-    if (use.NumKept() > 0 && use.total > 0) kept += (kept.empty() ? "" : " and ") + KeptOf(use);
-  }
-  if (kept.empty())
-    return "Interrupted: nothing new is kept; run the same command again to start over";
-  return "Interrupted: " + kept + " are kept in " + cache_->dir() +
-         "; run the same command again to go on";
-}
-
-void Console::ShowProgress(const char* stage, size_t done, size_t total) {
-  if (!speaks_ || total == 0) return;
-  // Another stage, or the same one again from the start.
-  if (progress_stage_ != stage || done < progress_done_) {
-    progress_stage_ = stage;
-    progress_tenth_ = 0;
-    progress_start_ = last_shown_ = Clock::now();
-  }
-  progress_done_ = done;
-  const double seconds = SecondsSince(progress_start_);
-  const double share = static_cast<double>(done) / static_cast<double>(total);
-  const int tenth = static_cast<int>(10 * share);
-  const bool due =
-      is_terminal_ ? SecondsSince(last_shown_) >= kSecondsBetweenRewrites
-                   : tenth > progress_tenth_ && SecondsSince(last_shown_) >= kSecondsBetweenLines;
-  if (!due) return;
-  last_shown_ = Clock::now();
-  progress_tenth_ = tenth;
-  char line[160];
-  const int length =
-      std::snprintf(line, sizeof(line), "%s: %3.0f %%", stage, std::floor(100 * share));
-  if (seconds >= kSecondsBeforeEstimate && done > 0 && done < total) {
-    std::snprintf(line + length, sizeof(line) - length, ", about %.0f s left",
-                  std::ceil(seconds * (1 - share) / share));
-  }
-  if (is_terminal_) {
-    std::printf("\r\033[K%s", line);
-    has_progress_line_ = true;
-  } else {
-    std::printf("%s\n", line);
-  }
-  std::fflush(stdout);
-}
-
-void Console::ClearProgressLine() {
-  if (has_progress_line_) std::printf("\r\033[K");
-  has_progress_line_ = false;
-  std::fflush(stdout);
+  return cache_;
 }
 
 void Console::Say(const std::string& line) {
-  ClearProgressLine();
-  if (speaks_) std::printf("%s\n", Printable(line).c_str());
-  std::fflush(stdout);
+  ShowLine(line);
   constexpr std::string_view kWarning = "WARNING: ";
   if (line.starts_with(kWarning)) log_.warnings.push_back(line.substr(kWarning.size()));
 }
@@ -180,13 +94,11 @@ void Console::RepeatWarnings() {
 }
 
 void Console::Report(const StageSummary& summary) {
-  ClearProgressLine();
   ReportCache();
   const RunLog::Stage stage = {summary, SecondsSince(stage_start_), PeakMemoryMb()};
   log_.stages.push_back(stage);
   log_.warnings.insert(log_.warnings.end(), summary.warnings.begin(), summary.warnings.end());
-  if (speaks_) PrintStage(stage);
-  std::fflush(stdout);
+  ShowStage(stage);
   stage_start_ = Clock::now();
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -9,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "colmap_ext/run/interrupt.h"
 #include "limn/pipeline/result_cache.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
@@ -27,60 +27,59 @@ struct RunLog {
   std::vector<std::string> warnings;
 };
 
-// Prints a run on standard output: progress with the remaining time (one line that is rewritten on
-// a terminal; otherwise a plain line every 10 %, at most one in 2 seconds), and a summary after
-// every stage. SIGINT and SIGTERM end the run (see InterruptWatch) with a line that says what is
-// kept.
+// Who a run speaks to. Keeps its log; what is shown of it is up to the kinds of consoles: that of
+// the terminal (terminal_console.h) prints, that of programs that use Limn as a library
+// (library_console.h) does not.
 class Console {
  public:
-  // At most one console may exist at a time. If `speaks` is false it prints nothing.
-  explicit Console(int num_threads, bool speaks = true);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
-  ~Console();
+  virtual ~Console() = default;
 
   // The context for the stages. Refers to this console.
   const RunContext& context() const { return context_; }
 
-  // Prints a line, without the control characters in it. Lines that begin with "WARNING: " are
-  // added to the log.
+  // Shows a line. Lines that begin with "WARNING: " are added to the log.
   void Say(const std::string& line);
-  // Prints what the stage reused from the cache, recomputed and could not store, one line each;
+  // Shows what the stage reused from the cache, recomputed and could not store, one line each;
   // then the counts in, kept and dropped, the seconds since the last summary and the peak memory of
   // the program.
   void Report(const StageSummary& summary);
-  // Prints the warnings of the whole run again, if there are any: stages hide them.
+  // Shows the warnings of the whole run again, if there are any: stages hide them.
   void RepeatWarnings();
   // The cache that results are stored in from now on.
   void SetCache(std::shared_ptr<const ResultCache> cache);
 
   const RunLog& log() const { return log_; }
 
- private:
+ protected:
   using Clock = std::chrono::steady_clock;
 
-  void ReportCache();
-  // The line that says what an interrupted run leaves behind.
-  std::string WhatIsKept() const;
-  void ShowProgress(const char* stage, size_t done, size_t total);
-  void ClearProgressLine();
+  explicit Console(int num_threads);
 
-  bool speaks_;
+  static double SecondsSince(Clock::time_point start);
+
+  RunContext& mutable_context() { return context_; }
+  // The cache that was set last, or null. From any thread.
+  std::shared_ptr<const ResultCache> cache() const;
+
+ private:
+  virtual void ShowLine(const std::string& line) = 0;
+  virtual void ShowStage(const RunLog::Stage& stage) = 0;
+  void ReportCache();
+
   RunContext context_;
   RunLog log_;
   mutable std::mutex cache_mutex_;
   std::shared_ptr<const ResultCache> cache_;
   std::set<std::pair<CachedKind, int>> reported_rounds_;
-  bool is_terminal_ = false;
-  bool has_progress_line_ = false;
-  std::string progress_stage_;
-  size_t progress_done_ = 0;
-  int progress_tenth_ = 0;
-  Clock::time_point progress_start_;
-  Clock::time_point last_shown_;
   Clock::time_point stage_start_;
-  // Last: its thread asks what is kept.
-  InterruptWatch interrupts_;
 };
+
+// What to show of a stage: what came in, what was kept and dropped, warnings.
+std::vector<std::string> LinesOf(const RunLog::Stage& stage);
+
+// Makes the console of a command. One that does not speak shows nothing.
+using ConsoleMaker = std::function<std::unique_ptr<Console>(int num_threads, bool speaks)>;
 
 }  // namespace limn::colmap_ext

@@ -51,9 +51,7 @@ std::string InputPath(const ExporterOptions& options, Console* console) {
   return found;
 }
 
-size_t ExportLimap(const ExporterOptions& options, Console* console) {
-  CheckNewModelFolder(options.output_path);
-  DrawingFile drawing = ReadDrawing(InputPath(options, console));
+size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console* console) {
   drawing.graph = Selected(std::move(drawing.graph), options.selection.Selection());
   const WorkspaceLayout layout = ResolveLayout(options.workspace);
   SparseModel model = ReadModel(layout.model_dir);
@@ -67,6 +65,34 @@ size_t ExportLimap(const ExporterOptions& options, Console* console) {
   console->Say(std::to_string(limap.structures.lines.size()) + " lines, " +
                std::to_string(limap.structures.wireframe.size()) + " ends where lines meet");
   return options.chains ? drawing.graph.links.size() : limap.structures.lines.size();
+}
+
+size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* console) {
+  if (FormatName(options) == kLimapFormat) return ExportLimap(std::move(drawing), options, console);
+  DrawingGraph graph =
+      Transformed(Selected(std::move(drawing.graph), options.selection.Selection()), options.scale,
+                  ZUpFrom(options.up_axis), Eigen::Vector3d::Zero());
+  DrawingFormatOptions format = options.format;
+  format.dxf.junctions = format.glb.junctions = options.junctions;
+  if (!options.cloud_path.empty()) format.glb.cloud = ReadCloud(options);
+  if (FormatName(options) == "svg") {
+    SvgScene scene = SceneOf(options, graph, console);
+    format.svg = std::move(scene.picture);
+    graph = std::move(scene.graph);
+  }
+  ThrowIfCancelled(console->context());
+  WriteDrawing(options.output_path, graph, drawing.metadata, format);
+  return graph.links.size();
+}
+
+void CheckOutput(const ExporterOptions& options) {
+  if (FormatName(options) == kLimapFormat) {
+    CheckNewModelFolder(options.output_path);
+    return;
+  }
+  CheckNamedOutput(options.output_path,
+                   {options.input_path, options.cloud_path, options.svg.dense.dense_path},
+                   options.overwrite);
 }
 
 void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
@@ -152,24 +178,15 @@ void ExporterOptions::Check() const {
 }
 
 size_t ExportDrawing(const ExporterOptions& options, Console* console) {
-  if (FormatName(options) == kLimapFormat) return ExportLimap(options, console);
-  const std::string path = InputPath(options, console);
-  CheckNamedOutput(options.output_path, {path, options.cloud_path, options.svg.dense.dense_path},
-                   options.overwrite);
-  const DrawingFile drawing = ReadDrawing(path);
-  DrawingGraph graph =
-      Transformed(Selected(drawing.graph, options.selection.Selection()), options.scale,
-                  ZUpFrom(options.up_axis), Eigen::Vector3d::Zero());
-  DrawingFormatOptions format = options.format;
-  format.dxf.junctions = format.glb.junctions = options.junctions;
-  if (!options.cloud_path.empty()) format.glb.cloud = ReadCloud(options);
-  if (FormatName(options) == "svg") {
-    SvgScene scene = SceneOf(options, graph, console);
-    format.svg = std::move(scene.picture);
-    graph = std::move(scene.graph);
-  }
-  WriteDrawing(options.output_path, graph, drawing.metadata, format);
-  return graph.links.size();
+  ExporterOptions of_file = options;
+  of_file.input_path = InputPath(options, console);
+  CheckOutput(of_file);
+  return Export(ReadDrawing(of_file.input_path), of_file, console);
+}
+
+size_t ExportDrawing(DrawingFile drawing, const ExporterOptions& options, Console* console) {
+  CheckOutput(options);
+  return Export(std::move(drawing), options, console);
 }
 
 }  // namespace limn::colmap_ext

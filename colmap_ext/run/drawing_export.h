@@ -40,5 +40,7 @@ struct ExporterOptions {
 // number of links. Throws IoError, also if the output must not be replaced, InputError, and
 // OptionError for a view that does not exist.
 size_t ExportDrawing(const ExporterOptions& options, Console* console);
+// The same for a drawing that was read.
+size_t ExportDrawing(DrawingFile drawing, const ExporterOptions& options, Console* console);
 
 }  // namespace limn::colmap_ext

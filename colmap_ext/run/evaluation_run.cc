@@ -18,6 +18,7 @@ namespace limn::colmap_ext {
 namespace {
 
 std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& context) {
+  if (options.views) return *options.views;
   const WorkspaceLayout layout = ResolveLayout(options.layout);
   return ToViews(ReadModel(layout.model_dir), layout.image_dir, {}, context).views;
 }
@@ -48,6 +49,35 @@ KindConfusion KindsOf(const DrawingGraph& drawing, const EvaluatorOptions& optio
   const bool in_footprints = options.truth.unit == TruthInput::Unit::kFootprint;
   return CompareKinds(drawing, ReadJsonKinds(options.true_kinds_path),
                       in_footprints ? views : std::vector<View>(), of_kinds);
+}
+
+// What is evaluated: a drawing, or else curves.
+struct Judged {
+  std::optional<DrawingGraph> drawing;
+  CurveSet curves;
+};
+
+EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const RunContext& context) {
+  TruthInput input = options.truth;
+  input.evaluation.region = BoxFromNumbers(options.box);
+  if (judged.drawing) {
+    judged.drawing = Selected(*std::move(judged.drawing), options.selection.Selection());
+    judged.curves = ToCurveSet(*judged.drawing);
+  }
+  const Truth truth = ReadTruth(input);
+  const bool has_views = options.views || !options.layout.workspace_path.empty();
+  const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
+  EvaluationReport report = Evaluate(judged.curves, truth, input, views, context);
+  if (!options.true_kinds_path.empty()) report.kinds = KindsOf(*judged.drawing, options, views);
+  if (!has_views) return report;
+  report.saw_teeth = MeasureSawTeeth(judged.curves.polylines, views);
+  if (judged.drawing) {
+    NormalizedErrorOptions of_sigmas;
+    of_sigmas.region = input.evaluation.region;
+    report.normalized_errors =
+        MeasureNormalizedErrors(*judged.drawing, truth.curves, truth.dont_care, views, of_sigmas);
+  }
+  return report;
 }
 
 }  // namespace
@@ -90,39 +120,31 @@ void EvaluatorOptions::Check() const {
   if (!true_kinds_path.empty() && !IsDrawing(*this)) {
     throw OptionError("true_kinds_path: only links of a drawing.json have kinds");
   }
-  if (truth.unit == TruthInput::Unit::kFootprint) require(layout.workspace_path, "workspace_path");
+  if (truth.unit == TruthInput::Unit::kFootprint && !views) {
+    require(layout.workspace_path, "workspace_path");
+  }
   if (!layout.workspace_path.empty()) layout.Check();
   LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
 }
 
-EvaluationReport EvaluateFile(const EvaluatorOptions& options) {
+EvaluationReport EvaluateFile(const EvaluatorOptions& options, const RunContext& context) {
   CheckOutputs(options);
-  RunContext context;
-  context.num_threads = options.num_threads;
-  TruthInput input = options.truth;
-  input.evaluation.region = BoxFromNumbers(options.box);
-  std::optional<DrawingGraph> drawing;
+  Judged judged;
   if (IsDrawing(options)) {
-    drawing = Selected(ReadDrawingJson(options.input_path).graph, options.selection.Selection());
+    judged.drawing = ReadDrawingJson(options.input_path).graph;
+  } else {
+    judged.curves = ReadCurves(options.input_path);
   }
-  const CurveSet reconstruction = drawing ? ToCurveSet(*drawing) : ReadCurves(options.input_path);
-  const Truth truth = ReadTruth(input);
-  const bool has_views = !options.layout.workspace_path.empty();
-  const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
-  EvaluationReport report = Evaluate(reconstruction, truth, input, views, context);
-  if (!options.true_kinds_path.empty()) report.kinds = KindsOf(*drawing, options, views);
-  if (!has_views) return report;
-  report.saw_teeth = MeasureSawTeeth(reconstruction.polylines, views);
-  if (drawing) {
-    NormalizedErrorOptions of_sigmas;
-    of_sigmas.region = input.evaluation.region;
-    report.normalized_errors =
-        MeasureNormalizedErrors(*drawing, truth.curves, truth.dont_care, views, of_sigmas);
-  }
-  return report;
+  return Judge(std::move(judged), options, context);
 }
 
-void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options) {
+EvaluationReport EvaluateDrawing(const DrawingGraph& graph, const EvaluatorOptions& options,
+                                 const RunContext& context) {
+  CheckOutputs(options);
+  return Judge({graph, {}}, options, context);
+}
+
+void WriteReportFiles(const EvaluationReport& report, const EvaluatorOptions& options) {
   if (!options.output_csv.empty()) {
     WriteFileAtomically(options.output_csv,
                         [&](std::ostream& out) { WriteReportCsv(report, out); });
@@ -131,6 +153,10 @@ void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options
     WriteFileAtomically(options.output_json,
                         [&](std::ostream& out) { WriteReportJson(report, out); });
   }
+}
+
+void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options) {
+  WriteReportFiles(report, options);
   PrintReport(report, std::cout);
   if (!std::cout.flush()) throw IoError("standard output", "the table could not be written");
 }

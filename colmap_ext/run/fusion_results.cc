@@ -59,7 +59,7 @@ InModel ToModel(const Project& project, const std::vector<CurvePoint>& points) {
 void WriteSparseWithCurves(const Project& project, int every, const InModel& curves,
                            Console* console) {
   const fs::path folder = project.DrawingPath("sparse-with-curves");
-  SparseModel model = ReadModel(project.layout().model_dir);
+  SparseModel model = project.ReadModel();
   const size_t before = model.points.size();
   model = AddCurvePoints(std::move(model), curves.points, curves.views, every);
   const auto write = [&](const char* name, void (*writer)(const SparseModel&, std::ostream&)) {
@@ -155,37 +155,37 @@ void CheckFusionFiles(const Project& project, const RunOptions& options) {
   }
 }
 
-DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
+DenseInput OpenDenseInput(const Scene& scene, const FuserOptions& options,
                           const std::string& workspace_path, Console* console) {
   DenseInput dense;
-  dense.products = FindDenseProducts(options.paths, workspace_path, project.layout().dense_dir);
+  dense.products = FindDenseProducts(options.paths, workspace_path, scene.layout().dense_dir);
   console->Say(dense.products.description);
-  const size_t num_images = CountRegisteredImages(project.layout().model_dir);
+  const size_t num_images = CountRegisteredImages(scene.layout().model_dir);
   if (!dense.products.clouds.empty()) {
-    dense.cloud = OpenClouds(dense.products.clouds, project.views(), num_images);
-    dense.points = MovedStream(dense.cloud->points, -project.origin());
+    dense.cloud = OpenClouds(dense.products.clouds, scene.views(), num_images);
+    dense.points = MovedStream(dense.cloud->points, -scene.origin());
     console->Say(std::to_string(dense.cloud->num_points) + " dense points" +
                  (dense.cloud->has_visibility ? " with the images that see them" : ""));
   }
   switch (dense.products.kind) {
     case DenseKind::kDepthMaps: {
-      const size_t count = CountDepthMaps(dense.products.path, project.views());
+      const size_t count = CountDepthMaps(dense.products.path, scene.views());
       if (count == 0) throw IoError(dense.products.path.string(), "no depth map of any image");
       console->Say(std::to_string(count) + " depth maps for " +
-                   std::to_string(project.views().size()) + " images");
-      dense.depths = DepthMapSource(dense.products.path, project.views());
+                   std::to_string(scene.views().size()) + " images");
+      dense.depths = DepthMapSource(dense.products.path, scene.views());
       break;
     }
     case DenseKind::kPmvs:
       WarnWithoutImageNames(dense.products.path, console);
       [[fallthrough]];
     case DenseKind::kFusedCloud:
-      dense.depths = CloudDepthSource(dense.points, project.views());
+      dense.depths = CloudDepthSource(dense.points, scene.views());
       break;
     case DenseKind::kMesh: {
       TriangleMesh mesh = ReadMesh(dense.products.path.string());
-      for (Eigen::Vector3d& vertex : mesh.vertices) vertex -= project.origin();
-      dense.depths = MeshDepthSource(std::move(mesh), project.views());
+      for (Eigen::Vector3d& vertex : mesh.vertices) vertex -= scene.origin();
+      dense.depths = MeshDepthSource(std::move(mesh), scene.views());
       break;
     }
   }

@@ -42,7 +42,7 @@ struct DenseInput {
   DepthSource depths;
   // PMVS's or fused.ply; with depth maps, the fused cloud if there is one.
   std::optional<DenseCloud> cloud;
-  // Its points, relative to the project's origin.
+  // Its points, relative to the scene's origin.
   DensePointStream points;
   // fused.ply, if it exists and has the normals that meshers need; else empty.
   std::filesystem::path for_meshers;
@@ -50,7 +50,7 @@ struct DenseInput {
 
 // Finds and opens the dense results and prints what was chosen. Throws IoError, also if no view has
 // a depth map.
-DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
+DenseInput OpenDenseInput(const Scene& scene, const FuserOptions& options,
                           const std::string& workspace_path, Console* console);
 
 // Prints the length of the drawing by class, and what it adds to the dense results.

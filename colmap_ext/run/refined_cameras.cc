@@ -7,7 +7,6 @@
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/refined_model.h"
 #include "colmap_ext/run/world_shift.h"
-#include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
@@ -96,7 +95,7 @@ void WriteRefinedModel(const Project& project, const std::optional<RefinedCamera
     }
     return;
   }
-  SparseModel model = ReadModel(project.layout().model_dir);
+  SparseModel model = project.ReadModel();
   const std::vector<View> views = Moved(cameras->views, project.origin());
   std::vector<Eigen::Vector3d> points = cameras->points;
   for (Eigen::Vector3d& point : points) point += project.origin();

@@ -26,13 +26,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-DrawingMetadata Metadata(const Project& project, const std::string& provenance) {
-  DrawingMetadata metadata;
-  for (const View& view : project.views()) metadata.view_names.push_back(view.name);
-  metadata.options_json = provenance;
-  return metadata;
-}
-
 // A picture per photograph; one photograph per thread is in memory.
 void WritePictures(const Project& project, const std::string& folder, const RunContext& context,
                    const std::function<Picture(ViewId)>& draw) {
@@ -192,12 +185,23 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
   return std::move(*stored);
 }
 
-DrawingFile ReadDrawingResult(const Project& project, const std::string& path) {
+DrawingMetadata Metadata(const Scene& scene, const std::string& provenance) {
+  DrawingMetadata metadata;
+  for (const View& view : scene.views()) metadata.view_names.push_back(view.name);
+  metadata.options_json = provenance;
+  return metadata;
+}
+
+void CheckDrawingViews(const Scene& scene, const std::string& path,
+                       const DrawingMetadata& metadata) {
+  if (metadata.view_names == Metadata(scene, "{}").view_names) return;
+  throw IoError(path, "is a drawing of other images than those of the model");
+}
+
+DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path) {
   DrawingFile drawing = ReadDrawing(path);
-  if (drawing.metadata.view_names != Metadata(project, "{}").view_names) {
-    throw IoError(path, "is a drawing of other images than those of the model");
-  }
-  drawing.graph = Moved(std::move(drawing.graph), -project.origin());
+  CheckDrawingViews(scene, path, drawing.metadata);
+  drawing.graph = Moved(std::move(drawing.graph), -scene.origin());
   return drawing;
 }
 

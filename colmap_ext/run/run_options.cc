@@ -107,14 +107,27 @@ std::optional<Eigen::AlignedBox3d> BoxFromNumbers(const std::vector<double>& num
 }
 
 void RunOptions::Check() const {
-  LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
+  CheckValues();
   layout.Check();
+}
+
+void RunOptions::CheckValues() const {
+  LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
   pipeline.Check();
   view.Check();
   CheckGroup("EdgeMaps", edge_maps);
   CheckGroup("DenseFusion", dense);
   BoxFromNumbers(box);
   if (!shard.empty()) ParseShard(shard);
+}
+
+RunOptions DefaultRunOptions(Quality quality) {
+  const QualityPreset preset = PresetOf(quality);
+  RunOptions options;
+  options.quality = quality;
+  options.pipeline = preset.options;
+  options.view.max_image_size = preset.max_image_size;
+  return options;
 }
 
 std::optional<OptionParser> ParseRunOptions(const std::string& command, const std::string& summary,
@@ -134,13 +147,9 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
       options->Check();
       return parser;
     }
-    const Quality quality = options->quality;
-    QualityPreset preset = PresetOf(quality);
-    if (options->pipeline.drawing.IsPaper()) SetPaperDefaults(&preset.options);
-    *options = RunOptions();
-    options->quality = quality;
-    options->pipeline = preset.options;
-    options->view.max_image_size = preset.max_image_size;
+    const bool is_paper = options->pipeline.drawing.IsPaper();
+    *options = DefaultRunOptions(options->quality);
+    if (is_paper) SetPaperDefaults(&options->pipeline);
   }
   return std::nullopt;
 }

@@ -41,7 +41,12 @@ struct RunOptions {
 
   // Throws OptionError.
   void Check() const;
+  // The same without the paths, for a model in memory.
+  void CheckValues() const;
 };
+
+// The options of a command at a level of quality, if no others are given.
+RunOptions DefaultRunOptions(Quality quality);
 
 // The option groups of a command, in addition to paths and selection.
 struct OptionGroups {

@@ -59,7 +59,7 @@ IsHidden HiddenBy(const std::string& path, const Eigen::Matrix3d& z_up_from_mode
   return HiddenOnSheet(SplatOrthographicDepth(points, frame, radius));
 }
 
-ViewId FindView(const Project& project, const std::string& name) {
+ViewId FindView(const Scene& project, const std::string& name) {
   for (size_t v = 0; v < project.views().size(); ++v) {
     if (project.views()[v].name == name) return static_cast<ViewId>(v);
   }
@@ -136,9 +136,7 @@ SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
                       const DrawingGraph& graph, const std::string& output_path, Console* console) {
   RunOptions options;
   options.layout = workspace;
-  const fs::path folder = fs::path(output_path).parent_path();
-  options.layout.output_path = folder.empty() ? "." : folder.string();
-  const Project project(options, console);
+  const Scene project(ChooseLayout(options, console), options, console);
   const ViewId view = FindView(project, source.view);
   SvgScene scene = {{}, Moved(graph, -project.origin())};
   scene.picture.view = project.views()[view];

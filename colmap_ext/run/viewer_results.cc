@@ -43,7 +43,7 @@ class Thinning {
 
 // In the model's coordinates, as its file holds them.
 Points SparsePoints(const Project& project, int budget) {
-  const SparseModel model = ReadModel(project.layout().model_dir);
+  const SparseModel model = project.ReadModel();
   Thinning thinning(model.points.size(), budget);
   Points points;
   for (const ModelPoint& point : model.points) {

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <cstdint>
 #include <map>
 #include <numeric>
-#include <system_error>
 #include <unordered_map>
 
 #include <Eigen/Geometry>
 
 #include "colmap_ext/model/camera_projection.h"
-#include "colmap_ext/workspace/file_identity.h"
-#include "colmap_ext/workspace/image_reader.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -34,19 +31,17 @@ double MedianOf(std::vector<double> values) {
 
 // Of each file that has the size of another one; empty for others.
 std::vector<std::string> IdentitiesOfEqualSizes(const std::vector<std::string>& paths,
+                                                const PhotoStore& photos,
                                                 const RunContext& context) {
-  std::map<uintmax_t, std::vector<size_t>> of_size;
-  for (size_t i = 0; i < paths.size(); ++i) {
-    std::error_code ignored;
-    of_size[std::filesystem::file_size(paths[i], ignored)].push_back(i);
-  }
+  std::map<uint64_t, std::vector<size_t>> of_size;
+  for (size_t i = 0; i < paths.size(); ++i) of_size[photos.NumBytes(paths[i])].push_back(i);
   std::vector<size_t> jobs;
   for (const auto& [size, files] : of_size) {
     if (files.size() > 1) jobs.insert(jobs.end(), files.begin(), files.end());
   }
   std::vector<std::string> identities(paths.size());
   ParallelFor(context, "image files of equal size", jobs.size(),
-              [&](size_t i) { identities[jobs[i]] = FileIdentity(paths[jobs[i]]); });
+              [&](size_t i) { identities[jobs[i]] = photos.Identity(paths[jobs[i]]); });
   return identities;
 }
 
@@ -54,8 +49,8 @@ std::vector<std::string> IdentitiesOfEqualSizes(const std::vector<std::string>& 
 class PoseComparison {
  public:
   PoseComparison(const SparseModel& model, const std::vector<int>& images,
-                 const std::vector<std::string>& paths)
-      : model_(model), images_(images), paths_(paths) {
+                 const std::vector<std::string>& paths, const PhotoStore& photos)
+      : model_(model), images_(images), paths_(paths), photos_(photos) {
     for (const int image : images) {
       centers_.push_back(Inverse(model.images[image].cam_from_world).translation);
       focal_lengths_.push_back(IntrinsicsOf(model.CameraOf(model.images[image])).fx);
@@ -133,9 +128,9 @@ class PoseComparison {
   const Image& PictureOf(int i) {
     const auto [found, is_new] = pictures_.try_emplace(i);
     if (!is_new) return found->second;
-    const auto complaint = CheckImage(paths_[i], kPictureSize).complaint;
+    const auto complaint = photos_.Check(paths_[i], kPictureSize).complaint;
     if (!complaint || !complaint->is_damage) {
-      found->second = ReadImage(paths_[i], kPictureSize);
+      found->second = photos_.Read(paths_[i], kPictureSize);
     }
     return found->second;
   }
@@ -155,6 +150,7 @@ class PoseComparison {
   const SparseModel& model_;
   const std::vector<int>& images_;
   const std::vector<std::string>& paths_;
+  const PhotoStore& photos_;
   std::vector<Eigen::Vector3d> centers_;
   std::vector<double> focal_lengths_;
   double max_distance_ = 0;
@@ -169,16 +165,17 @@ class PoseComparison {
 std::vector<DuplicateImage> FindDuplicateImages(const SparseModel& model,
                                                 const std::vector<int>& images,
                                                 const std::vector<std::string>& paths,
-                                                const RunContext& context) {
+                                                const RunContext& context,
+                                                const PhotoStore& photos) {
   std::vector<int> original(images.size(), -1);
-  const std::vector<std::string> identities = IdentitiesOfEqualSizes(paths, context);
+  const std::vector<std::string> identities = IdentitiesOfEqualSizes(paths, photos, context);
   std::map<std::string, int> first_of;
   for (size_t i = 0; i < paths.size(); ++i) {
     if (identities[i].empty()) continue;
     const auto [first, is_new] = first_of.emplace(identities[i], static_cast<int>(i));
     if (!is_new) original[i] = first->second;
   }
-  PoseComparison comparison(model, images, paths);
+  PoseComparison comparison(model, images, paths, photos);
   std::vector<DuplicateImage> duplicates;
   for (int i = 0; i < static_cast<int>(original.size()); ++i) {
     if (original[i] < 0) original[i] = comparison.FirstSameView(i, original);

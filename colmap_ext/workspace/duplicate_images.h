@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "colmap_ext/model/model.h"
+#include "colmap_ext/workspace/photo_store.h"
 #include "limn/util/parallel.h"
 
 namespace limn::colmap_ext {
@@ -22,6 +23,7 @@ struct DuplicateImage {
 std::vector<DuplicateImage> FindDuplicateImages(const SparseModel& model,
                                                 const std::vector<int>& images,
                                                 const std::vector<std::string>& paths,
-                                                const RunContext& context);
+                                                const RunContext& context,
+                                                const PhotoStore& photos = {});
 
 }  // namespace limn::colmap_ext

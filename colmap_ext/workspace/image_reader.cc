@@ -6,6 +6,7 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <type_traits>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -104,11 +105,10 @@ cv::Mat Decode(const fs::path& path, ImageSize stored, int reduction, int flags)
   return image;
 }
 
-// Of values that scale to gray levels.
-double LevelScale(const fs::path& path, const cv::Mat& image) {
+// Of values that scale to gray levels; 0 for kinds of values that photographs do not have.
+double LevelScale(const cv::Mat& image) {
   if (image.depth() == CV_8U) return 1;
-  if (image.depth() == CV_16U) return 1.0 / 257;
-  throw IoError(path.string(), "only images of 8 or 16 bits per channel can be used");
+  return image.depth() == CV_16U ? 1.0 / 257 : 0;
 }
 
 // To and from OpenCV's order of colors.
@@ -143,7 +143,10 @@ Image ReadLevels(const fs::path& path, int max_image_size) {
   }
   const cv::Mat decoded = Decode(path, shrinking.stored, shrinking.reduction,
                                  cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
-  shrinking.scale = LevelScale(path, decoded);
+  shrinking.scale = LevelScale(decoded);
+  if (shrinking.scale == 0) {
+    throw IoError(path.string(), "only images of 8 or 16 bits per channel can be used");
+  }
   Image image = ShrunkImage(decoded, shrinking, max_image_size);
   if (image.channels == 3) SwapRedAndBlue(&image);
   return image;
@@ -210,6 +213,19 @@ CheckedImage CheckImage(const fs::path& path, int max_image_size) {
 
 Image ReadImage(const fs::path& path, int max_image_size) {
   return WithNamedErrors(path, [&] { return ReadLevels(path, max_image_size); });
+}
+
+Image ImageFromPixels(const PhotoPixels& pixels, int max_image_size) {
+  return std::visit(
+      [&](const auto& values) {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        const cv::Mat decoded(pixels.size.height, pixels.size.width,
+                              CV_MAKETYPE(cv::DataType<Value>::depth, pixels.channels),
+                              const_cast<Value*>(values.data()));
+        const double scale = std::is_floating_point_v<Value> ? 255 : LevelScale(decoded);
+        return ShrunkImage(decoded, {.stored = pixels.size, .scale = scale}, max_image_size);
+      },
+      pixels.values);
 }
 
 std::vector<unsigned char> ReadMask(const fs::path& path, ImageSize expected, int max_image_size) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "colmap_ext/workspace/image_size.h"
@@ -38,6 +40,17 @@ CheckedImage CheckImage(const std::filesystem::path& path, int max_image_size);
 // quarter or an eighth of their size if that is at least twice the size wanted. Throws IoError as
 // CheckDecodable does, and if the file cannot be decoded or has another bit depth.
 Image ReadImage(const std::filesystem::path& path, int max_image_size = -1);
+
+// A decoded photograph.
+struct PhotoPixels {
+  ImageSize size;
+  int channels = 1;  // gray, or 3: RGB
+  // Interleaved rows: 8 or 16 bits, or 0 to 1.
+  std::variant<std::vector<uint8_t>, std::vector<uint16_t>, std::vector<float>> values;
+};
+
+// What ReadImage makes of a file with these pixels.
+Image ImageFromPixels(const PhotoPixels& pixels, int max_image_size = -1);
 
 // Decodes a mask and shrinks it likewise: nonzero where the file is nonzero in the whole area of a
 // pixel. Throws IoError, also if the size of the mask is not `expected` (that of its photograph as

@@ -230,13 +230,15 @@ Candidate GivenModel(const LayoutOptions& options) {
                 "no folder `images` near this model; name it with --image_path");
 }
 
-std::string Describe(const WorkspaceLayout& layout, size_t num_rivals) {
-  const std::string choice =
-      num_rivals < 2 ? "" : ", most of " + std::to_string(num_rivals) + " models";
-  return "Model " + layout.model_dir.string() + " (" +
-         std::to_string(CountRegisteredImages(layout.model_dir)) + " registered images" + choice +
+std::string Describe(const WorkspaceLayout& layout, const std::string& model, uint64_t num_images,
+                     const std::string& choice) {
+  return "Model " + model + " (" + std::to_string(num_images) + " registered images" + choice +
          "), images in " + layout.image_dir.string() + ", results to " +
          layout.output.drawing_dir.string();
+}
+
+void CheckImageFolder(const fs::path& folder) {
+  if (!IsFolder(folder)) throw IoError(folder.string(), "no such folder (image_path)");
 }
 
 }  // namespace
@@ -252,9 +254,7 @@ void LayoutOptions::Check() const {
 
 WorkspaceLayout ResolveLayout(const LayoutOptions& options) {
   options.Check();
-  if (!options.image_path.empty() && !IsFolder(options.image_path)) {
-    throw IoError(options.image_path, "no such folder (image_path)");
-  }
+  if (!options.image_path.empty()) CheckImageFolder(options.image_path);
   if (!options.workspace_path.empty() && !IsFolder(options.workspace_path)) {
     throw IoError(options.workspace_path, "no such folder (workspace_path)");
   }
@@ -268,7 +268,22 @@ WorkspaceLayout ResolveLayout(const LayoutOptions& options) {
   const fs::path base =
       options.output_path.empty() ? chosen.base_dir : fs::path(options.output_path);
   layout.output = {base, base / "curves"};
-  layout.description = Describe(layout, chosen.num_rivals);
+  layout.description = Describe(
+      layout, layout.model_dir.string(), CountRegisteredImages(layout.model_dir),
+      chosen.num_rivals < 2 ? "" : ", most of " + std::to_string(chosen.num_rivals) + " models");
+  return layout;
+}
+
+WorkspaceLayout LayoutInMemory(const LayoutOptions& options, size_t num_images) {
+  for (const auto& [name, path] :
+       {std::pair("image_path", options.image_path), {"output_path", options.output_path}}) {
+    if (path.empty()) throw OptionError(std::string(name) + " is missing: the model is in memory");
+  }
+  CheckImageFolder(options.image_path);
+  WorkspaceLayout layout;
+  layout.image_dir = options.image_path;
+  layout.output = {options.output_path, fs::path(options.output_path) / "curves"};
+  layout.description = Describe(layout, "in memory", num_images, "");
   return layout;
 }
 

@@ -19,6 +19,7 @@ struct LayoutOptions {
   // registered images (the lowest number on ties).
   int model_index = -1;
 
+  bool operator==(const LayoutOptions&) const = default;
   // Throws OptionError.
   void Check() const;
 };
@@ -32,7 +33,7 @@ struct OutputLayout {
 };
 
 struct WorkspaceLayout {
-  std::filesystem::path model_dir;
+  std::filesystem::path model_dir;  // empty for a model in memory
   std::filesystem::path image_dir;
   // The dense workspace (fused.ply, stereo/); empty if the model does not belong to one.
   std::filesystem::path dense_dir;
@@ -51,5 +52,9 @@ struct WorkspaceLayout {
 //
 // Throws OptionError if too few paths are given, IoError saying what was found if nothing matches.
 WorkspaceLayout ResolveLayout(const LayoutOptions& options);
+
+// The layout for a model in memory with so many images: only image_path and output_path count.
+// Throws OptionError if one is missing, IoError if there is no such folder of images.
+WorkspaceLayout LayoutInMemory(const LayoutOptions& options, size_t num_images);
 
 }  // namespace limn::colmap_ext

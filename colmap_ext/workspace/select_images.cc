@@ -80,12 +80,13 @@ std::vector<std::string> PathsOf(const SparseModel& model, const std::vector<int
 
 // Of images that are alike, that with the most 2D points stays.
 void LeaveOutDuplicates(const SparseModel& model, const fs::path& image_dir,
-                        const RunContext& context, SelectedImages* selected) {
+                        const PhotoStore& photos, const RunContext& context,
+                        SelectedImages* selected) {
   std::vector<int> ranked = selected->images;
   std::ranges::stable_sort(ranked, std::greater{},
                            [&](int index) { return model.images[index].observations.size(); });
   const std::vector<DuplicateImage> duplicates =
-      FindDuplicateImages(model, ranked, PathsOf(model, ranked, image_dir), context);
+      FindDuplicateImages(model, ranked, PathsOf(model, ranked, image_dir), context, photos);
   if (duplicates.empty()) return;
   std::vector<std::string> names;
   std::set<int> left_out;
@@ -102,10 +103,11 @@ void LeaveOutDuplicates(const SparseModel& model, const fs::path& image_dir,
   std::erase_if(selected->images, [&](int index) { return left_out.contains(index); });
 }
 
-void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& image_dir) {
-  const auto missing = [](const std::string& path) {
+void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& image_dir,
+                      const PhotoStore& photos) {
+  const auto missing = [&](const std::string& path) {
     std::error_code ignored;
-    return !fs::is_regular_file(path, ignored);
+    return !photos.IsInMemory(path) && !fs::is_regular_file(path, ignored);
   };
   const auto first = std::find_if(paths.begin(), paths.end(), missing);
   if (first == paths.end()) return;
@@ -125,12 +127,13 @@ void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& ima
 }  // namespace
 
 SelectedImages SelectImages(const SparseModel& model, const fs::path& image_dir,
-                            const std::string& image_list_path, const RunContext& context) {
+                            const std::string& image_list_path, const PhotoStore& photos,
+                            const RunContext& context) {
   const std::vector<int> listed = ListedImages(model, image_list_path);
   SelectedImages selected = {SceneReach(model, listed), listed, {}, {}};
   LeaveOutFar(model, &selected);
-  CheckImagesExist(PathsOf(model, selected.images, image_dir), image_dir);
-  LeaveOutDuplicates(model, image_dir, context, &selected);
+  CheckImagesExist(PathsOf(model, selected.images, image_dir), image_dir, photos);
+  LeaveOutDuplicates(model, image_dir, photos, context, &selected);
   selected.paths = PathsOf(model, selected.images, image_dir);
   return selected;
 }

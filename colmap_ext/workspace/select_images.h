@@ -6,6 +6,7 @@
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/scene_reach.h"
+#include "colmap_ext/workspace/photo_store.h"
 #include "limn/util/parallel.h"
 
 namespace limn::colmap_ext {
@@ -24,6 +25,7 @@ struct SelectedImages {
 // points stays. Throws IoError if a name in the list is not registered or a file is missing,
 // InputError if no image is left.
 SelectedImages SelectImages(const SparseModel& model, const std::filesystem::path& image_dir,
-                            const std::string& image_list_path, const RunContext& context);
+                            const std::string& image_list_path, const PhotoStore& photos,
+                            const RunContext& context);
 
 }  // namespace limn::colmap_ext

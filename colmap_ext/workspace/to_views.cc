@@ -242,13 +242,14 @@ void ViewOptions::Check() const {
 }
 
 ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewOptions& options,
-                const RunContext& context) {
+                const RunContext& context, const PhotoStore& photos) {
   options.Check();
   if (std::error_code ignored;
       !options.mask_path.empty() && !fs::is_directory(options.mask_path, ignored)) {
     throw IoError(options.mask_path, "no such folder (mask_path)");
   }
-  const SelectedImages used = SelectImages(model, image_dir, options.image_list_path, context);
+  const SelectedImages used =
+      SelectImages(model, image_dir, options.image_list_path, photos, context);
   const std::vector<int>& selected = used.images;
   ViewSet set;
   set.warnings = model.warnings;
@@ -256,6 +257,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   set.left_out = used.warnings;
   set.max_image_size = options.max_image_size;
   set.image_paths = used.paths;
+  set.photos = photos;
   for (const int index : selected) {
     set.mask_paths.push_back(MaskPath(options.mask_path, model.images[index].name));
   }
@@ -263,7 +265,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   set.stored_sizes.resize(selected.size());
   std::vector<std::optional<JpegComplaint>> complaints(selected.size());
   ParallelFor(context, "image headers", selected.size(), [&](size_t i) {
-    CheckedImage checked = CheckImage(set.image_paths[i], options.max_image_size);
+    CheckedImage checked = photos.Check(set.image_paths[i], options.max_image_size);
     set.stored_sizes[i] = checked.size;
     complaints[i] = std::move(checked.complaint);
   });
@@ -326,7 +328,7 @@ Image ReadViewImage(const ViewSet& view_set, ViewId view) {
   if (view_set.is_damaged[view]) {
     image = BlackImage(camera.width, camera.height);
   } else {
-    image = ReadImage(view_set.image_paths[view], view_set.max_image_size);
+    image = view_set.photos.Read(view_set.image_paths[view], view_set.max_image_size);
   }
   if (image.width != camera.width || image.height != camera.height) {
     throw IoError(view_set.image_paths[view], "the image changed its size while Limn was running");

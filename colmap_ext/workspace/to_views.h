@@ -6,6 +6,7 @@
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/workspace/image_reader.h"
+#include "colmap_ext/workspace/photo_store.h"
 #include "limn/model/image.h"
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
@@ -30,6 +31,7 @@ struct ViewOptions {
   // images as used, are left out. 0 = keep all, and only warn.
   double max_reprojection_px = 0;
 
+  bool operator==(const ViewOptions&) const = default;
   // Throws OptionError.
   void Check() const;
 };
@@ -45,6 +47,7 @@ struct ViewSet {
   // Files whose pixels are not those of the photograph (CheckJpeg): masked entirely.
   std::vector<char> is_damaged;
   int max_image_size = -1;
+  PhotoStore photos;  // what is at image_paths
   std::vector<std::string> warnings;
   std::vector<std::string> left_out;  // those of the warnings that say which images, and why
 };
@@ -56,12 +59,13 @@ struct ViewSet {
 // are read, in parallel. Images that are damaged are views of nothing, with a warning. Left out,
 // with warnings, are duplicates (FindDuplicateImages), images and points far outside the scene of
 // the others (SceneReach) and, on request (max_reprojection_px), cameras that do not fit the
-// points.
+// points. Photographs may be in memory: those that `photos` has at <image_dir>/<image name>.
 //
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
 // the list is not registered, a mask has the wrong size. Throws InputError if no image is left.
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
-                const ViewOptions& options, const RunContext& context = {});
+                const ViewOptions& options, const RunContext& context = {},
+                const PhotoStore& photos = {});
 
 // A pixel of the image of a view, as stored, in the model's camera, COLMAP's pixels: the view may
 // be of another size.

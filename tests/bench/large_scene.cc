@@ -12,7 +12,7 @@
 #include "bench/stage_table.h"
 #include "bench/street_scene.h"
 #include "colmap_ext/options/option_parser.h"
-#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/terminal_console.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/formats/atomic_file.h"
@@ -143,7 +143,7 @@ void Run(int argc, const char* const* argv) {
   OptionParser parser("large_scene", "time and memory of the stages on a generated street");
   AddOptions(&options, &parser);
   if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return;
-  const colmap_ext::Console console(options.num_threads);
+  const colmap_ext::TerminalConsole console(options.num_threads);
   Json report = NewStageReport(options.commit, options.num_threads);
   report["sets"].push_back(MeasureStreet(options, console));
   WriteStageTable(report, std::cout);

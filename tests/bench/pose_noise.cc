@@ -8,6 +8,7 @@
 #include "bench/markdown.h"
 #include "bench/sample_study.h"
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/terminal_console.h"
 #include "limn/util/errors.h"
 #include "support/camera_errors.h"
 
@@ -57,7 +58,7 @@ void MeasureViews(const std::string& name, const SampleStudy& study, const Noise
 
 void Run(const NoiseOptions& options) {
   if (options.output_path.empty()) throw OptionError("--output_path must be given");
-  colmap_ext::Console console(-1);
+  colmap_ext::TerminalConsole console(-1);
   RunContext context = console.context();
   context.progress = {};  // nothing between the rows of the table
   const SampleStudy study = LoadSampleStudy(options.output_path, true, &console);

@@ -5,6 +5,7 @@
 
 #include "bench/sample_study.h"
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/terminal_console.h"
 #include "support/camera_errors.h"
 
 namespace limn::bench {
@@ -39,7 +40,7 @@ void PrintDrawing(const std::string& name, const SampleStudy& study, const std::
 }
 
 void Run(const StudyOptions& options) {
-  colmap_ext::Console console(-1);
+  colmap_ext::TerminalConsole console(-1);
   const RunContext& context = console.context();
   const SampleStudy study = LoadSampleStudy(options.output_path, options.use_points, &console);
   const std::vector<View>& truth = study.scene.views;

@@ -11,7 +11,7 @@
 #include "bench/measure_set.h"
 #include "bench/report_tables.h"
 #include "colmap_ext/options/option_parser.h"
-#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/terminal_console.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
@@ -52,7 +52,7 @@ void Run(int argc, const char* const* argv) {
   if (options.report.output_path.empty()) throw OptionError("--output_path must be given");
   const auto sets =
       SelectDataSets(KnownDataSets(options.data_path, options.sample_path), options.sets);
-  colmap_ext::Console console(options.num_threads);
+  colmap_ext::TerminalConsole console(options.num_threads);
   Json report = {{"sets", Json::array()}};
   for (const DataSet& set : sets) {
     report["sets"].push_back(nullptr);

@@ -14,6 +14,7 @@
 #include "bench/stage_table.h"
 #include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/run/project.h"
+#include "colmap_ext/run/terminal_console.h"
 #include "colmap_ext/temp_dir.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
@@ -111,7 +112,7 @@ void Run(int argc, const char* const* argv) {
   Check(options);
   const auto sets =
       SelectDataSets(KnownDataSets(options.data_path, options.sample_path), options.sets);
-  colmap_ext::Console console(options.num_threads);
+  colmap_ext::TerminalConsole console(options.num_threads);
   Json report = NewStageReport(options.commit, options.num_threads);
   for (const DataSet& set : sets) {
     report["sets"].push_back(MeasureStages(set, options, &console));

@@ -16,4 +16,14 @@ std::string Printable(std::string text) {
   return text;
 }
 
+std::string WithCommas(int64_t value) {
+  const std::string digits = std::to_string(value);
+  std::string text;
+  for (size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0 && digits[i - 1] != '-') text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
 }  // namespace limn

@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "colmap_ext/run/terminal_console.h"
+
 namespace limn::colmap_ext {
 
 std::string HelpOf(const Command& command, const char* flag) {
   const char* arguments[] = {command.name, flag};
   testing::internal::CaptureStdout();
-  EXPECT_EQ(command.run(2, arguments), 0) << command.name;
+  EXPECT_EQ(command.run(2, arguments, MakeTerminalConsole), 0) << command.name;
   return testing::internal::GetCapturedStdout();
 }
 

@@ -9,7 +9,7 @@ namespace limn::colmap_ext {
 
 struct Command {
   const char* name;
-  int (*run)(int argc, const char* const* argv);
+  int (*run)(int argc, const char* const* argv, const ConsoleMaker& make_console);
 };
 
 constexpr Command kCommands[] = {

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "colmap_ext/commands/all_commands.h"
+#include "colmap_ext/run/terminal_console.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -48,7 +49,7 @@ struct Option {
     arguments.push_back(flag.c_str());
     arguments.push_back(value.c_str());
     try {
-      command.run(static_cast<int>(arguments.size()), arguments.data());
+      command.run(static_cast<int>(arguments.size()), arguments.data(), MakeTerminalConsole);
     } catch (const std::exception& error) {
       return error.what();
     }

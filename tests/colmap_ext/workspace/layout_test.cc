@@ -130,6 +130,24 @@ TEST_F(Layout, SparseModelsInAColmapFolder) {
   ExpectLayout(Options(), "colmap/sparse/0", "images", ".");
 }
 
+TEST_F(Layout, ModelInMemory) {
+  AddFolder("images");
+  LayoutOptions options;
+  options.image_path = (dir_ / "images").string();
+  EXPECT_EQ(ErrorText<OptionError>([&] { LayoutInMemory(options, 5); }),
+            "output_path is missing: the model is in memory");
+  options.output_path = (dir_ / "out").string();
+  const WorkspaceLayout layout = LayoutInMemory(options, 5);
+  EXPECT_EQ(layout.model_dir, "");
+  EXPECT_EQ(layout.image_dir, dir_ / "images");
+  EXPECT_EQ(layout.output.drawing_dir, dir_ / "out");
+  EXPECT_EQ(layout.output.curves_dir, dir_ / "out/curves");
+  EXPECT_THAT(layout.description, HasSubstr("Model in memory (5 registered images), images in "));
+  options.image_path += "/none";
+  EXPECT_THAT(ErrorText<IoError>([&] { LayoutInMemory(options, 5); }),
+              HasSubstr("no such folder (image_path)"));
+}
+
 TEST_F(Layout, PmvsFolder) {
   dir_.WriteFile("pmvs/txt/00000000.txt", "CONTOUR\n1 0 0 0\n0 1 0 0\n0 0 1 0\n");
   AddFolder("pmvs/visualize");

@@ -20,5 +20,13 @@ TEST(Printable, KeepsOtherText) {
   EXPECT_EQ(Printable("cut \xC2"), "cut \xC2");
 }
 
+TEST(WithCommas, GroupsThousands) {
+  EXPECT_EQ(WithCommas(0), "0");
+  EXPECT_EQ(WithCommas(-999), "-999");
+  EXPECT_EQ(WithCommas(1000), "1,000");
+  EXPECT_EQ(WithCommas(-123456), "-123,456");
+  EXPECT_EQ(WithCommas(1234567), "1,234,567");
+}
+
 }  // namespace
 }  // namespace limn

@@ -1,4 +1,4 @@
-#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/terminal_console.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,10 +7,10 @@ namespace limn::colmap_ext {
 namespace {
 
 // Names of images get into all of these lines.
-TEST(Console, PrintsNoControlCharacters) {
+TEST(TerminalConsole, PrintsNoControlCharacters) {
   ::testing::internal::CaptureStdout();
   {
-    Console console(1);
+    TerminalConsole console(1);
     console.Say("WARNING: image \x1B]0;x\x07\x1B[2J.png");
     StageSummary summary;
     summary.stage = "stage";

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "colmap_ext/run/console.h"
+
+namespace limn::colmap_ext {
+
+// Speaks by LOG(INFO), as COLMAP does; progress at most every other second.
+class LogConsole : public Console {
+ public:
+  // `is_stopped` is asked at every report of progress whether the run is to stop, and may block.
+  LogConsole(int num_threads, std::function<bool()> is_stopped);
+
+ private:
+  void ShowLine(const std::string& line) override;
+  void ShowStage(const RunLog::Stage& stage) override;
+  void ShowProgress(const char* stage, size_t done, size_t total);
+
+  std::function<bool()> ask_;
+  std::atomic<bool> is_stopped_ = false;
+  Clock::time_point last_shown_;
+};
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,351 @@
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <variant>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "colmap_ext/python/arrays.h"
+#include "colmap_ext/python/bindings.h"
+#include "colmap_ext/run/world_shift.h"
+#include "limn/formats/tracks_writer.h"
+#include "limn/geometry/polyline.h"
+#include "limn/model/link_selection.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+
+namespace py = pybind11;
+
+namespace {
+
+using Array = py::array_t<double>;
+using Owner = std::shared_ptr<SceneDrawing>;
+
+struct Link {
+  Owner drawing;
+  size_t id = 0;
+
+  const DrawingLink& Get() const { return drawing->graph.links[id]; }
+};
+
+struct Node {
+  Owner drawing;
+  size_t id = 0;
+
+  const DrawingNode& Get() const { return drawing->graph.nodes[id]; }
+};
+
+struct Primitive {
+  Owner drawing;
+  const LinkPrimitive* primitive;
+
+  template <typename Shape>
+  const Shape* As() const {
+    return std::get_if<Shape>(&primitive->shape);
+  }
+};
+
+// Links or nodes as a sequence.
+template <typename Item>
+struct Items {
+  Owner drawing;
+};
+
+std::vector<std::string> SupportingViews(const Link& link) {
+  std::vector<std::string> names;
+  for (const ViewId view : link.Get().supporting_views) {
+    names.push_back(link.drawing->metadata.view_names[view]);
+  }
+  return names;
+}
+
+// Runs in a row, with not-a-number between them.
+Array JoinRuns(const std::vector<std::vector<Eigen::Vector2d>>& runs) {
+  std::vector<Eigen::Vector2d> rows;
+  for (const auto& run : runs) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    if (!rows.empty()) rows.emplace_back(kNaN, kNaN);
+    rows.insert(rows.end(), run.begin(), run.end());
+  }
+  Array array({rows.size(), size_t{2}});
+  auto values = array.mutable_unchecked<2>();
+  for (size_t i = 0; i < rows.size(); ++i) {
+    values(i, 0) = rows[i].x();
+    values(i, 1) = rows[i].y();
+  }
+  return array;
+}
+
+py::dict TracksOf(const Link& link) {
+  const SceneDrawing& drawing = *link.drawing;
+  if (!drawing.scene) {
+    throw InputError("tracks: the drawing was read without its cameras: read_drawing(path, scene)");
+  }
+  Polyline3d points = link.Get().points_in_world;
+  for (Eigen::Vector3d& point : points) point -= drawing.scene->scene.origin();
+  py::dict tracks;
+  for (const ViewId view : link.Get().supporting_views) {
+    const auto runs = ProjectPolyline(drawing.views[view], points);
+    if (!runs.empty()) tracks[py::str(drawing.metadata.view_names[view])] = JoinRuns(runs);
+  }
+  return tracks;
+}
+
+std::optional<Primitive> PrimitiveOf(const Link& link) {
+  const auto& primitive = link.Get().primitive;
+  if (!primitive) return std::nullopt;
+  return Primitive{link.drawing, &*primitive};
+}
+
+std::optional<std::string> DenseClassOf(const Link& link) {
+  const auto& dense = link.Get().dense;
+  if (!dense) return std::nullopt;
+  return DenseClassName(dense->dense_class);
+}
+
+// A getter of a vector of one kind of shape; nothing for the others.
+template <typename Shape>
+auto VectorOf(Eigen::Vector3d Shape::*field) {
+  return [field](const Primitive& primitive) -> std::optional<Array> {
+    const Shape* shape = primitive.As<Shape>();
+    if (!shape) return std::nullopt;
+    return CopyOf(shape->*field);
+  };
+}
+
+auto NumberOf(double CircularArc::*field) {
+  return [field](const Primitive& primitive) -> std::optional<double> {
+    const CircularArc* arc = primitive.As<CircularArc>();
+    if (!arc) return std::nullopt;
+    return arc->*field;
+  };
+}
+
+Owner SelectedLinks(const Owner& drawing, const std::string& kinds, bool tentative) {
+  LinkSelection selection;
+  selection.kinds = KindsFromNames(kinds);
+  selection.tentative = tentative;
+  auto selected = std::make_shared<SceneDrawing>(*drawing);
+  selected->graph = Selected(std::move(selected->graph), selection);
+  return selected;
+}
+
+template <typename Item>
+void BindItems(py::module_* module, const char* name, const char* text,
+               size_t (*size)(const SceneDrawing&)) {
+  py::class_<Items<Item>>(*module, name, text)
+      .def("__getitem__",
+           [size](const Items<Item>& items, py::ssize_t i) {
+             return Item{items.drawing, IndexOf(i, size(*items.drawing))};
+           })
+      .def("__len__", [size](const Items<Item>& items) { return size(*items.drawing); })
+      .def("__iter__", IterateSequence);
+}
+
+void BindPrimitive(py::module_* module) {
+  py::class_<Primitive>(*module, "Primitive",
+                        "The simplest curve that explains a link. What a kind of curve does not "
+                        "have is None. Lengths are in the model's unit.")
+      .def_property_readonly(
+          "type", [](const Primitive& p) { return std::string(ShapeName(p.primitive->shape)); },
+          "'line', 'arc', 'circle' or 'spline'.")
+      .def_property_readonly(
+          "rms_px", [](const Primitive& p) { return p.primitive->rms_px; },
+          "Distance of the link's points from the curve in the images, root mean square, px.")
+      .def_property_readonly(
+          "max_px", [](const Primitive& p) { return p.primitive->max_px; },
+          "The largest of these distances, px.")
+      .def_property_readonly("start", VectorOf(&LineSegment::start), "Line: 3 first point.")
+      .def_property_readonly("end", VectorOf(&LineSegment::end), "Line: 3 last point.")
+      .def_property_readonly("center", VectorOf(&CircularArc::center), "Arc, circle: 3 center.")
+      .def_property_readonly("x_axis", VectorOf(&CircularArc::x_axis),
+                             "Arc, circle: 3 unit vector to the first point.")
+      .def_property_readonly("y_axis", VectorOf(&CircularArc::y_axis),
+                             "Arc, circle: 3 unit vector that it turns towards.")
+      .def_property_readonly("radius", NumberOf(&CircularArc::radius), "Arc, circle: radius.")
+      .def_property_readonly("sweep", NumberOf(&CircularArc::sweep_rad),
+                             "Arc, circle: the angle it covers, rad.")
+      .def_property_readonly(
+          "knots",
+          [](const Primitive& p) -> std::optional<Array> {
+            const CubicBSpline* spline = p.As<CubicBSpline>();
+            if (!spline) return std::nullopt;
+            return NumbersOver(spline->knots, p.drawing);
+          },
+          "Spline, of degree 3: K + 4 knots.")
+      .def_property_readonly(
+          "control_points",
+          [](const Primitive& p) -> std::optional<Array> {
+            const CubicBSpline* spline = p.As<CubicBSpline>();
+            if (!spline) return std::nullopt;
+            return PointsOver(spline->control_points, p.drawing);
+          },
+          "Spline: K x 3 control points.")
+      .def("__repr__", [](const Primitive& p) {
+        return "<limn.Primitive " + std::string(ShapeName(p.primitive->shape)) + ">";
+      });
+}
+
+void BindLink(py::module_* module) {
+  py::class_<Link>(*module, "Link",
+                   "A curve of the drawing from node to node: N points. Arrays are read-only, not "
+                   "copied, and keep the drawing.")
+      .def_property_readonly(
+          "id", [](const Link& link) { return link.id; }, "Index in the drawing's links.")
+      .def_property_readonly(
+          "points",
+          [](const Link& link) { return PointsOver(link.Get().points_in_world, link.drawing); },
+          "N x 3 points in the model's coordinates; the first and the last are nodes.")
+      .def_property_readonly(
+          "sigma", [](const Link& link) { return NumbersOver(link.Get().sigma, link.drawing); },
+          "N standard deviations across the curve, in the model's unit; infinity if unknown.")
+      .def_property_readonly(
+          "length", [](const Link& link) { return Length(link.Get().points_in_world); },
+          "Length, in the model's unit.")
+      .def_property_readonly(
+          "node0", [](const Link& link) { return link.Get().node0; },
+          "Index of the node at the first point.")
+      .def_property_readonly(
+          "node1", [](const Link& link) { return link.Get().node1; },
+          "Index of the node at the last point.")
+      .def_property_readonly(
+          "closed", [](const Link& link) { return link.Get().closed; },
+          "Whether the curve returns to its first point.")
+      .def_property_readonly(
+          "kind", [](const Link& link) { return std::string(LinkKindName(link.Get().kind)); },
+          "'edge' (crease or border), 'paint', 'shadow', 'contour' (outline of a smooth body) or "
+          "'unknown'.")
+      .def_property_readonly(
+          "kind_confidence", [](const Link& link) { return link.Get().kind_confidence; }, "0 to 1.")
+      .def_property_readonly(
+          "tentative", [](const Link& link) { return link.Get().tentative; },
+          "Whether there is little evidence for it.")
+      .def_property_readonly(
+          "doubt", [](const Link& link) { return std::string(LinkDoubtName(link.Get().doubt)); },
+          "Why it is tentative; empty if unknown or not.")
+      .def_property_readonly(
+          "residual_px", [](const Link& link) { return link.Get().residual_px; },
+          "Median distance from the edges of the images, px.")
+      .def_property_readonly("primitive", PrimitiveOf, "The simplest curve that explains it.")
+      .def_property_readonly(
+          "dense_class", DenseClassOf,
+          "After limn.fuse: 'surface', 'boundary', 'free' or 'unknown'; else None.")
+      .def_property_readonly("supporting_views", SupportingViews,
+                             "Names of the images with edges along it.")
+      .def_property_readonly("tracks", TracksOf,
+                             "The link in its supporting images: name of the image to M x 2 "
+                             "polyline (x, y), px of the "
+                             "image as used; the center of the top-left pixel is (0, 0). Rows of "
+                             "not-a-number separate "
+                             "visible parts.")
+      .def("__len__", [](const Link& link) { return link.Get().points_in_world.size(); })
+      .def("__repr__", [](const Link& link) {
+        return "<limn.Link " + std::to_string(link.id) + ": " + std::to_string(link.Get().size()) +
+               " points>";
+      });
+}
+
+void BindNode(py::module_* module) {
+  py::class_<Node>(*module, "Node", "Where links end or meet.")
+      .def_property_readonly(
+          "id", [](const Node& node) { return node.id; }, "Index in the drawing's nodes.")
+      .def_property_readonly(
+          "position", [](const Node& node) { return CopyOf(node.Get().position_in_world); },
+          "3 position in the model's coordinates.")
+      .def_property_readonly(
+          "kind", [](const Node& node) { return std::string(NodeKindName(node.Get().kind)); },
+          "'end', 'junction' (3 or more links) or 'loop_anchor'.")
+      .def_property_readonly(
+          "degree", [](const Node& node) { return node.Get().Degree(); }, "Number of link ends.")
+      .def_property_readonly(
+          "link_ends",
+          [](const Node& node) {
+            std::vector<std::pair<LinkId, int>> ends;
+            for (const LinkEnd& end : node.Get().incident) ends.emplace_back(end.link, end.end);
+            return ends;
+          },
+          "Pairs of a link's index and 0 for its first or 1 for its last point.")
+      .def("__repr__", [](const Node& node) {
+        return "<limn.Node " + std::to_string(node.id) + ": " + NodeKindName(node.Get().kind) + ">";
+      });
+}
+
+// A function of limn._interop.
+py::object Interop(const char* name) { return py::module_::import("limn._interop").attr(name); }
+
+}  // namespace
+
+void BindDrawing(py::module_* module) {
+  BindPrimitive(module);
+  BindLink(module);
+  BindNode(module);
+  BindItems<Link>(module, "Links", "The links of a drawing, a sequence.",
+                  [](const SceneDrawing& drawing) { return drawing.graph.links.size(); });
+  BindItems<Node>(module, "Nodes", "The nodes of a drawing, a sequence.",
+                  [](const SceneDrawing& drawing) { return drawing.graph.nodes.size(); });
+  py::class_<SceneDrawing, Owner>(*module, "Drawing",
+                                  "A 3D drawing: curves in space (links) that meet at nodes.")
+      .def_property_readonly(
+          "links", [](Owner drawing) { return Items<Link>{std::move(drawing)}; }, "The curves.")
+      .def_property_readonly(
+          "nodes", [](Owner drawing) { return Items<Node>{std::move(drawing)}; },
+          "Where they end or meet.")
+      .def_property_readonly(
+          "views", [](const SceneDrawing& drawing) { return drawing.metadata.view_names; },
+          "Names of the images.")
+      .def_property_readonly(
+          "cameras",
+          [](const SceneDrawing& drawing) {
+            if (!drawing.scene) return std::vector<View>();
+            return Moved(drawing.views, drawing.scene->scene.origin());
+          },
+          "The cameras that it fits, per image; empty for a drawing that was read without them.")
+      .def_property_readonly(
+          "scene",
+          [](const SceneDrawing& drawing) -> std::optional<std::shared_ptr<OpenScene>> {
+            if (!drawing.scene) return std::nullopt;
+            return std::const_pointer_cast<OpenScene>(drawing.scene);
+          },
+          "What it was drawn from; None for a drawing that was read without it.")
+      .def_property_readonly(
+          "options",
+          [](const SceneDrawing& drawing) -> py::dict {
+            return py::module_::import("json").attr("loads")(drawing.metadata.options_json);
+          },
+          "The options it was made with.")
+      .def_property_readonly(
+          "warnings", [](const SceneDrawing& drawing) { return WarningsOf(drawing.made.log); },
+          "What to look at before it is trusted, as lines of text.")
+      .def_property_readonly(
+          "stages", [](const SceneDrawing& drawing) { return StagesOf(drawing.made.log); },
+          "The stages that made it: counts in, kept and dropped, and seconds.")
+      .def("selected", SelectedLinks, py::arg("kinds") = "default", py::arg("tentative") = false,
+           "The drawing with these links only; kinds as in drawing_exporter: names separated by "
+           "commas, 'all', or 'default' (all but outlines of smooth bodies).")
+      .def(
+          "save",
+          [](const SceneDrawing& drawing, const std::filesystem::path& path) {
+            SaveDrawing(drawing, path.string());
+          },
+          py::arg("path"),
+          "Writes the drawing in the format of the extension (.json, .ply, .obj, .dxf, .step, "
+          ".glb, "
+          ".graphml): as .json all of it, without loss; in other formats without tentative links "
+          "and outlines of smooth bodies. limn.export() has options.")
+      .def(
+          "to_networkx", [](const py::object& self) { return Interop("to_networkx")(self); },
+          "A networkx.MultiGraph: nodes with position and kind, edges with link, points, length, "
+          "kind and tentative. Raises ImportError without networkx.")
+      .def(
+          "to_open3d", [](const py::object& self) { return Interop("to_open3d")(self); },
+          "An open3d.geometry.LineSet with a color per link. Raises ImportError without open3d.")
+      .def("__repr__", [](const SceneDrawing& drawing) {
+        return "<limn.Drawing of " + std::to_string(drawing.graph.links.size()) + " links and " +
+               std::to_string(drawing.graph.nodes.size()) + " nodes>";
+      });
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <utility>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "colmap_ext/python/bindings.h"
+#include "colmap_ext/python/memory_model.h"
+#include "colmap_ext/python/run_free.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+
+namespace py = pybind11;
+
+namespace {
+
+// Converts, and copies if it must.
+template <typename Number>
+using Values = py::array_t<Number, py::array::c_style | py::array::forcecast>;
+
+Eigen::Vector3d ToVector(const Values<double>& array, const char* what) {
+  if (array.size() != 3) throw InputError(std::string(what) + ": must have 3 numbers");
+  return {array.data()[0], array.data()[1], array.data()[2]};
+}
+
+Eigen::Matrix3d ToMatrix(const Values<double>& array, const char* what) {
+  if (array.ndim() != 2 || array.size() != 9)
+    throw InputError(std::string(what) + ": must be 3 x 3");
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(array.data());
+}
+
+std::vector<Observation> Observations(const Values<double>& positions,
+                                      const Values<uint64_t>& point_ids) {
+  const auto count = static_cast<size_t>(point_ids.size());
+  if (static_cast<size_t>(positions.size()) != 2 * count) {
+    throw InputError("points2D: must be as many positions as ids of points");
+  }
+  std::vector<Observation> observations(count);
+  for (size_t i = 0; i < count; ++i) {
+    observations[i].position = {positions.data()[2 * i], positions.data()[2 * i + 1]};
+    observations[i].point3D_id = point_ids.data()[i];
+  }
+  return observations;
+}
+
+void AddImage(MemoryModel* model, uint32_t id, uint32_t camera_id, std::string name,
+              const Values<double>& rotation, const Values<double>& translation,
+              const Values<double>& positions, const Values<uint64_t>& point_ids) {
+  ModelImage image;
+  image.id = id;
+  image.camera_id = camera_id;
+  image.name = std::move(name);
+  image.cam_from_world.translation = ToVector(translation, "translation");
+  image.observations = Observations(positions, point_ids);
+  if (rotation.size() == 4) {
+    std::array<double, 4> quaternion;
+    std::copy_n(rotation.data(), 4, quaternion.begin());
+    model->AddImage(std::move(image), quaternion);
+  } else {
+    model->AddImage(std::move(image), ToMatrix(rotation, "rotation"));
+  }
+}
+
+void AddPoint(MemoryModel* model, uint64_t id, const Values<double>& position,
+              const std::array<uint8_t, 3>& color, double error,
+              const std::vector<std::pair<uint32_t, uint32_t>>& track) {
+  ModelPoint point;
+  point.id = id;
+  point.position = ToVector(position, "points3D");
+  point.color = color;
+  point.error = error;
+  for (const auto& [image_id, observation] : track) point.track.push_back({image_id, observation});
+  model->AddPoint(std::move(point));
+}
+
+template <typename Number>
+std::vector<Number> CopyValues(const py::array& array) {
+  const Values<Number> values(array);
+  return {values.data(), values.data() + values.size()};
+}
+
+PhotoPixels ToPixels(const std::string& name, const py::array& array) {
+  const auto fail = [&](const std::string& why) { throw InputError("image " + name + ": " + why); };
+  if (array.ndim() != 2 && !(array.ndim() == 3 && (array.shape(2) == 1 || array.shape(2) == 3))) {
+    fail("must be an array of H x W or H x W x 3");
+  }
+  if (array.size() == 0 || std::max(array.shape(0), array.shape(1)) > 1'000'000) {
+    fail("the size makes no sense");
+  }
+  PhotoPixels pixels;
+  pixels.size = {static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0))};
+  pixels.channels = array.ndim() == 3 ? static_cast<int>(array.shape(2)) : 1;
+  if (py::isinstance<py::array_t<uint8_t>>(array)) {
+    pixels.values = CopyValues<uint8_t>(array);
+  } else if (py::isinstance<py::array_t<uint16_t>>(array)) {
+    pixels.values = CopyValues<uint16_t>(array);
+  } else if (array.dtype().kind() == 'f') {
+    std::vector<float> values = CopyValues<float>(array);
+    const bool in_range = std::all_of(values.begin(), values.end(),
+                                      [](float value) { return value >= 0 && value <= 1; });
+    if (!in_range) fail("floating-point values must be 0 to 1");
+    pixels.values = std::move(values);
+  } else {
+    fail("values must be uint8, uint16 or floating-point");
+  }
+  return pixels;
+}
+
+std::shared_ptr<OpenScene> Open(MemoryModel* model, const std::filesystem::path& image_path,
+                                bool half_pixels, const OptionTexts& options,
+                                const py::object& progress) {
+  const auto centers = half_pixels ? PixelCenters::kHalf : PixelCenters::kInteger;
+  auto taken = std::make_shared<SparseModel>(model->TakeModel(centers));
+  return RunFree(progress,
+                 [taken, image_path, photos = model->TakePhotos(), options](RunMonitor* monitor) {
+                   return OpenMemory(std::move(*taken), image_path, photos, options, monitor);
+                 });
+}
+
+}  // namespace
+
+void BindMemory(py::module_* module) {
+  py::class_<MemoryModel>(*module, "MemoryModel", "Cameras and images, for a Scene.")
+      .def(py::init<>())
+      .def("add_camera", &MemoryModel::AddCamera, py::arg("id"), py::arg("model"), py::arg("width"),
+           py::arg("height"), py::arg("params"))
+      .def("add_image", AddImage, py::arg("id"), py::arg("camera_id"), py::arg("name"),
+           py::arg("rotation"), py::arg("translation"), py::arg("positions"), py::arg("point_ids"),
+           "rotation: 3 x 3, or a quaternion w, x, y, z; positions: N x 2 in COLMAP's pixels.")
+      .def("add_point", AddPoint, py::arg("id"), py::arg("position"), py::arg("color"),
+           py::arg("error"), py::arg("track"))
+      .def(
+          "add_view",
+          [](MemoryModel* model, const std::string& name, const Values<double>& K,
+             const Values<double>& R, const Values<double>& t, int width, int height) {
+            model->AddView(name, ToMatrix(K, "K"), ToMatrix(R, "R"), ToVector(t, "t"),
+                           {width, height});
+          },
+          py::arg("name"), py::arg("K"), py::arg("R"), py::arg("t"), py::arg("width"),
+          py::arg("height"))
+      .def(
+          "add_photo",
+          [](MemoryModel* model, const std::string& name, const py::array& image) {
+            model->AddPhoto(name, ToPixels(name, image));
+          },
+          py::arg("name"), py::arg("image"))
+      .def("open", Open, py::arg("image_path"), py::arg("half_pixels"), py::arg("options"),
+           py::arg("progress"));
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "colmap_ext/python/arrays.h"
+#include "colmap_ext/python/bindings.h"
+#include "colmap_ext/run/world_shift.h"
+#include "colmap_ext/workspace/to_views.h"
+
+namespace limn::colmap_ext {
+
+namespace py = pybind11;
+
+namespace {
+
+py::dict ToDict(const StageSummary::Counts& counts) {
+  py::dict dict;
+  for (const auto& [name, count] : counts) dict[py::str(name)] = count;
+  return dict;
+}
+
+std::vector<std::string> NamesOf(const OpenScene& scene) {
+  std::vector<std::string> names;
+  for (const View& view : scene.scene.views()) names.push_back(view.name);
+  return names;
+}
+
+// H x W or H x W x 3, gray levels 0 to 255.
+py::array_t<float> ImageOf(std::shared_ptr<const OpenScene> scene, const std::string& name) {
+  const ViewId view = ViewNamed(scene->scene.views(), name);
+  auto image = std::make_shared<Image>();
+  {
+    const py::gil_scoped_release free;
+    *image = ReadViewImage(scene->scene.view_set(), view);
+  }
+  const auto height = static_cast<py::ssize_t>(image->height);
+  std::vector<py::ssize_t> shape = {height, image->width};
+  if (image->channels == 3) shape.push_back(3);
+  py::array_t<float> array(shape);
+  std::copy(image->data.begin(), image->data.end(), array.mutable_data());
+  return array;
+}
+
+}  // namespace
+
+py::list WarningsOf(const RunLog& log) {
+  py::list warnings;
+  for (const std::string& warning : log.warnings) warnings.append(warning);
+  return warnings;
+}
+
+py::list StagesOf(const RunLog& log) {
+  py::list stages;
+  for (const RunLog::Stage& stage : log.stages) {
+    py::dict one;
+    one["stage"] = stage.summary.stage;
+    one["seconds"] = stage.seconds;
+    one["in"] = ToDict(stage.summary.in);
+    one["kept"] = ToDict(stage.summary.kept);
+    one["dropped"] = ToDict(stage.summary.dropped);
+    stages.append(one);
+  }
+  return stages;
+}
+
+size_t IndexOf(py::ssize_t i, size_t n) {
+  const auto size = static_cast<py::ssize_t>(n);
+  if (i < -size || i >= size) throw py::index_error("there are " + std::to_string(n));
+  return static_cast<size_t>(i < 0 ? i + size : i);
+}
+
+py::iterator IterateSequence(const py::object& sequence) {
+  return py::reinterpret_steal<py::iterator>(PySeqIter_New(sequence.ptr()));
+}
+
+ViewId ViewNamed(const std::vector<View>& views, const std::string& name) {
+  const auto found =
+      std::find_if(views.begin(), views.end(), [&](const View& view) { return view.name == name; });
+  if (found == views.end()) throw py::key_error(name);
+  return static_cast<ViewId>(found - views.begin());
+}
+
+void BindScene(py::module_* module) {
+  py::class_<View>(*module, "Camera",
+                   "A pinhole camera with a pose: x_px = K (R X + t). The center of the top-left "
+                   "pixel is (0, 0). Of a camera with a lens, the virtual pinhole camera that its "
+                   "image is mapped to.")
+      .def_property_readonly(
+          "name", [](const View& view) { return view.name; }, "Name of the image.")
+      .def_property_readonly(
+          "width", [](const View& view) { return view.camera.width; },
+          "Width of the image as used, px.")
+      .def_property_readonly(
+          "height", [](const View& view) { return view.camera.height; },
+          "Height of the image as used, px.")
+      .def_property_readonly(
+          "K", [](const View& view) { return CopyOf(view.camera.Calibration()); },
+          "3 x 3 calibration, px.")
+      .def_property_readonly(
+          "R",
+          [](const View& view) { return CopyOf(view.cam_from_world.rotation.toRotationMatrix()); },
+          "3 x 3 rotation from the model to the camera.")
+      .def_property_readonly(
+          "t", [](const View& view) { return CopyOf(view.cam_from_world.translation); },
+          "3 translation from the model to the camera, in the model's unit.")
+      .def_property_readonly(
+          "center", [](const View& view) { return CopyOf(view.CenterInWorld()); },
+          "3 position of the camera, in the model's unit.")
+      .def_property_readonly(
+          "has_lens", [](const View& view) { return view.lens != nullptr; },
+          "Whether the photograph has distortion.")
+      .def("__repr__", [](const View& view) { return "<limn.Camera of '" + view.name + "'>"; });
+
+  py::class_<OpenScene, std::shared_ptr<OpenScene>>(
+      *module, "Scene",
+      "Photographs and cameras: what a drawing is made from. From limn.open(), "
+      "Scene.from_arrays() or Scene.from_reconstruction().")
+      .def_property_readonly("names", NamesOf, "Names of the images, sorted.")
+      .def_property_readonly(
+          "cameras",
+          [](const OpenScene& scene) { return Moved(scene.scene.views(), scene.scene.origin()); },
+          "A camera per image, in the order of the names.")
+      .def_property_readonly(
+          "warnings", [](const OpenScene& scene) { return WarningsOf(scene.made.log); },
+          "What was odd when the scene was read, as lines of text.")
+      .def_property_readonly(
+          "num_points",
+          [](const OpenScene& scene) { return scene.scene.view_set().hints.points.size(); },
+          "Number of 3D points of the sparse model that images see.")
+      .def("image", ImageOf, py::arg("name"),
+           "The photograph as used (H x W or H x W x 3, RGB, float32, gray levels 0 to 255).")
+      .def("__len__", [](const OpenScene& scene) { return scene.scene.views().size(); })
+      .def("__repr__", [](const OpenScene& scene) {
+        return "<limn.Scene of " + std::to_string(scene.scene.views().size()) + " images>";
+      });
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,84 @@
+#include <functional>
+#include <utility>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "colmap_ext/python/bindings.h"
+#include "colmap_ext/python/run_free.h"
+
+namespace limn::colmap_ext {
+
+namespace py = pybind11;
+
+namespace {
+
+// Binds a stage as name(input, options, progress).
+template <typename Input, typename Output>
+void BindStage(py::module_* module, const char* name,
+               std::shared_ptr<Output> (*stage)(std::shared_ptr<const Input>, const OptionTexts&,
+                                                RunMonitor*)) {
+  module->def(
+      name,
+      [stage](const std::shared_ptr<Input>& input, const OptionTexts& options,
+              const py::object& progress) {
+        return RunFree(progress, [stage, input, options](RunMonitor* monitor) {
+          return stage(input, options, monitor);
+        });
+      },
+      py::arg("input"), py::arg("options"), py::arg("progress"));
+}
+
+}  // namespace
+
+void BindStages(py::module_* module) {
+  module->def(
+      "open",
+      [](const OptionTexts& options, const py::object& progress) {
+        return RunFree(progress,
+                       [options](RunMonitor* monitor) { return OpenWorkspace(options, monitor); });
+      },
+      py::arg("options"), py::arg("progress"));
+  BindStage(module, "extract_edges", ExtractSceneEdges);
+  BindStage(module, "link", LinkScene);
+  BindStage(module, "sketch", SketchScene);
+  BindStage(module, "draw_sketch", DrawSketch);
+  BindStage(module, "draw_scene", DrawOpenScene);
+  BindStage(module, "refine", RefineSceneDrawing);
+  BindStage(module, "fuse", FuseSceneDrawing);
+  module->def(
+      "read_drawing",
+      [](const std::string& path, const std::shared_ptr<OpenScene>& scene) {
+        return ReadSceneDrawing(path, scene);
+      },
+      py::arg("path"), py::arg("scene").none(true), py::call_guard<py::gil_scoped_release>());
+  module->def(
+      "evaluate",
+      [](const std::shared_ptr<SceneDrawing>& drawing, const OptionTexts& options,
+         const py::object& progress) {
+        return RunFree(progress, [drawing, options](RunMonitor* monitor) {
+          return EvaluateAsJson(drawing, options, monitor);
+        });
+      },
+      py::arg("drawing").none(true), py::arg("options"), py::arg("progress"));
+  module->def(
+      "export_drawing",
+      [](const std::shared_ptr<SceneDrawing>& drawing, const OptionTexts& options,
+         const py::object& progress) {
+        RunWithoutLock(progress, [drawing, options](RunMonitor* monitor) {
+          ExportDrawing(drawing, options, monitor);
+        });
+      },
+      py::arg("drawing").none(true), py::arg("options"), py::arg("progress"));
+  module->def(
+      "run",
+      [](const std::string& command, const OptionTexts& options, const py::object& progress) {
+        RunWithoutLock(progress, [command, options](RunMonitor* monitor) {
+          RunCommand(command, options, monitor);
+        });
+      },
+      py::arg("command"), py::arg("options"), py::arg("progress"));
+  module->def("options_of_scene", OptionsOfScene, py::arg("options"));
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,157 @@
+"""3D drawings from COLMAP projects: graphs of curves in space that meet at nodes.
+
+    import limn
+    drawing = limn.draw("my_project")
+    for link in drawing.links:
+        print(link.kind, link.points.shape)
+    drawing.save("house.dxf")
+
+Options are those of the commands of `limn`, with the same names, ranges and defaults: names in snake case are keyword
+arguments, options of a group a dictionary: `limn.draw("my_project", max_image_size=800, Drawing={"method": "paper"})`.
+
+Units: px are pixels of the images as used (after max_image_size), and the center of the top-left pixel is (0, 0);
+coordinates in space are the model's.
+
+Long functions take `progress`, called as progress(stage, done, total) by the calling thread, at most 20 times a
+second. They release the interpreter's lock; Ctrl-C stops them within two seconds. Errors are limn.Error; the text is
+the line that the program would print.
+"""
+
+import json
+import os
+from collections.abc import Callable
+from typing import Any, Optional, Union
+
+from limn import _limn
+from limn._limn import (Camera, Curves, Drawing, Edges, ImageCurves, ImageEdges, Link, Links, Node, Nodes, Primitive,
+                        Scene, Sketch, SketchCurve)
+from limn._memory import scene_from_arrays, scene_from_reconstruction
+from limn._options import texts_of
+from limn.errors import Error, InputError, IoError, OptionError
+
+__all__ = [
+    "Camera", "Curves", "Drawing", "Edges", "Error", "ImageCurves", "ImageEdges", "InputError", "IoError", "Link",
+    "Links", "Node", "Nodes", "OptionError", "Primitive", "Scene", "Sketch", "SketchCurve", "draw", "evaluate", "export",
+    "extract_edges", "fuse", "link", "open", "read_drawing", "refine", "run", "sketch",
+]
+
+__version__: str = _limn.__version__
+
+setattr(Scene, "from_arrays", staticmethod(scene_from_arrays))
+setattr(Scene, "from_reconstruction", staticmethod(scene_from_reconstruction))
+
+Path = Union[str, "os.PathLike[str]"]
+Progress = Optional[Callable[[str, int, int], object]]
+
+
+def open(workspace: Path, *, progress: Progress = None, **options: Any) -> Scene:
+    """Reads the cameras and checks the images of a COLMAP project.
+
+    Options are those of automatic_drawer on images (max_image_size, mask_path, model_index, ...), and any others: they
+    become the defaults of the stages. Writes nothing.
+    """
+    return _limn.open(texts_of({"workspace_path": workspace, **options}), progress)
+
+
+def _scene(source: Union[Path, Scene], progress: Progress) -> Scene:
+    return source if isinstance(source, Scene) else open(source, progress=progress)
+
+
+def extract_edges(source: Union[Path, Scene], *, progress: Progress = None, **options: Any) -> Edges:
+    """Finds the edgels of all images. Options: EdgeDetection. Writes nothing."""
+    return _limn.extract_edges(_scene(source, progress), texts_of(options), progress)
+
+
+def link(source: Union[Path, Scene], *, progress: Progress = None, **options: Any) -> Curves:
+    """Finds the curves of all images: chains of edgels. Options: EdgeDetection, Linking. Writes nothing."""
+    return _limn.link(_scene(source, progress), texts_of(options), progress)
+
+
+def sketch(source: Union[Path, Scene, Curves], *, progress: Progress = None, **options: Any) -> Sketch:
+    """Reconstructs unconnected curves in space. Options: box, mode, ViewSelection, Sketch. Writes nothing."""
+    curves = source if isinstance(source, Curves) else link(source, progress=progress)
+    return _limn.sketch(curves, texts_of(options), progress)
+
+
+def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = None, progress: Progress = None,
+         **options: Any) -> Drawing:
+    """The 3D drawing of a COLMAP project (as of automatic_drawer), of a scene, or of a sketch (as of curve_drawer).
+
+    Options are those of automatic_drawer: box, quality, max_image_size, Drawing and so on; for a scene or a sketch
+    those that come after it. Writes nothing, unless `output_path` names a folder: then a project is drawn as by the
+    command, which takes up a stopped run, and writes drawing.json, drawing.html, overlays and so on there. With
+    DrawingRefinement={"refine_poses": True} such a drawing has no cameras: they are in refined/.
+    """
+    if isinstance(source, Sketch):
+        _no_output(output_path, "a sketch")
+        return _limn.draw_sketch(source, texts_of(options), progress)
+    if isinstance(source, Scene):
+        _no_output(output_path, "a scene")
+        return _limn.draw_scene(source, texts_of(options), progress)
+    if output_path is None:
+        return _limn.draw_scene(open(source, progress=progress, **options), {}, progress)
+    texts = texts_of({"workspace_path": source, "output_path": output_path, **options})
+    _limn.run("automatic_drawer", texts, progress)
+    moved_cameras = texts.get("DrawingRefinement.refine_poses") in ("1", "true")
+    scene = None if moved_cameras else _limn.open(_limn.options_of_scene(texts), progress)
+    return read_drawing(os.path.join(output_path, "drawing.json"), scene)
+
+
+def _no_output(output_path: Optional[Path], of: str) -> None:
+    if output_path is not None:
+        raise OptionError(f"output_path = {os.fspath(output_path)}: the drawing of {of} is saved by Drawing.save()")
+
+
+def refine(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
+    """The drawing fitted to all images, judged and described by primitives, as by drawing_refiner.
+
+    The drawing needs its scene: read_drawing(path, scene). Options: DrawingRefinement, Belief, Primitives. Writes
+    nothing.
+    """
+    return _limn.refine(drawing, texts_of(options), progress)
+
+
+def fuse(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
+    """The drawing compared with dense results, as by drawing_fuser: its links have a dense_class.
+
+    The drawing needs its scene. Options: dense_type, dense_path, remove_occluded, DenseFusion. Writes nothing.
+    """
+    return _limn.fuse(drawing, texts_of(options), progress)
+
+
+def evaluate(drawing: Union[Path, Drawing], truth_path: Path, taus: Any, *, progress: Progress = None,
+             **options: Any) -> dict[str, Any]:
+    """Precision, recall and more against true curves or points, as of drawing_evaluator.
+
+    `drawing` may be any file of curves. `taus` are distances in the model's unit, or in footprints (the size of a
+    pixel there) with unit="footprint", which needs a scene or workspace_path. Returns the content of --output_json:
+    "rows" has a dictionary per tau with "precision", "recall", "f"; shares are 0 to 1, None where undefined.
+    """
+    given = {"truth_path": truth_path, "taus": taus, **options}
+    if not isinstance(drawing, Drawing):
+        given["input_path"] = drawing
+    core = drawing if isinstance(drawing, Drawing) else None
+    report: dict[str, Any] = json.loads(_limn.evaluate(core, texts_of(given), progress))
+    return report
+
+
+def export(drawing: Union[Path, Drawing], output_path: Path, *, progress: Progress = None, **options: Any) -> None:
+    """Writes a drawing for another program, as drawing_exporter does, with its options: scale, up_axis, unit, kinds..."""
+    given = {"output_path": output_path, **options}
+    if not isinstance(drawing, Drawing):
+        given["input_path"] = drawing
+    core = drawing if isinstance(drawing, Drawing) else None
+    _limn.export_drawing(core, texts_of(given), progress)
+
+
+def read_drawing(path: Path, source: Union[None, Path, Scene] = None) -> Drawing:
+    """Reads a drawing.json. With the scene or the project that it was drawn from it has cameras and tracks."""
+    return _limn.read_drawing(os.fspath(path), None if source is None else _scene(source, None))
+
+
+def run(command: str, *, progress: Progress = None, **options: Any) -> None:
+    """Runs a command of the program: run("curve_linker", workspace_path="my_project", format="cem").
+
+    It writes what it writes there, but prints nothing.
+    """
+    _limn.run(command, texts_of(options), progress)

@@ -1,0 +1,122 @@
+"""Scenes from cameras and images in memory."""
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Optional
+
+import numpy as np
+
+from limn._limn import MemoryModel, Scene
+from limn._options import texts_of
+from limn.errors import InputError, OptionError
+
+_NO_POINT = np.iinfo(np.uint64).max
+
+
+def _per_image(name: str, values: Any, shape: tuple[int, ...], count: int) -> Any:
+    """count x shape; one value is that of all images."""
+    array = np.asarray(values, dtype=float)
+    if array.shape == shape:
+        array = np.broadcast_to(array, (count, *shape))
+    if array.shape != (count, *shape):
+        raise InputError(f"{name}: must be {' x '.join(map(str, (count, *shape)))}, not "
+                         f"{' x '.join(map(str, array.shape))}")
+    return array
+
+
+def scene_from_arrays(images: Sequence[Any], K: Any, R: Any, t: Any, names: Optional[Sequence[str]] = None,
+                      pixel_centers: str = "integer", progress: Any = None, **options: Any) -> Scene:
+    """A scene of pinhole cameras x_px = K (R X + t).
+
+    images: arrays H x W or H x W x 3 (RGB) of uint8, uint16, or floating-point numbers 0 to 1; they are copied.
+    K: 3 x 3 for all or N x 3 x 3, px; R: N x 3 x 3; t: N x 3, or N x 3 x 1. With pixel_centers "integer" the center of
+    the top-left pixel is (0, 0), as in OpenCV; with "half" (0.5, 0.5), as in COLMAP.
+    names: of the images, in the order of which views are numbered; default image-0000 and so on.
+    Options as of limn.open().
+    """
+    if pixel_centers not in ("integer", "half"):
+        raise OptionError(f"pixel_centers = {pixel_centers}: must be one of {{integer, half}}")
+    count = len(images)
+    if names is None:
+        names = [f"image-{i:04d}" for i in range(count)]
+    if len(names) != count:
+        raise InputError(f"names: {len(names)} for {count} images")
+    calibrations = _per_image("K", K, (3, 3), count)
+    rotations = _per_image("R", R, (3, 3), count)
+    columns = np.asarray(t, dtype=float)
+    translations = _per_image("t", columns[..., 0] if columns.ndim == 3 else columns, (3,), count)
+    model = MemoryModel()
+    for name, image, calibration, rotation, translation in zip(names, images, calibrations, rotations, translations):
+        pixels = np.asarray(image)
+        if pixels.ndim < 2:
+            raise InputError(f"image {name}: must be an array of H x W or H x W x 3")
+        model.add_view(name, calibration, rotation, translation, pixels.shape[1], pixels.shape[0])
+        model.add_photo(name, pixels)
+    return model.open("", pixel_centers == "half", texts_of(options), progress)
+
+
+def _value(attribute: Any) -> Any:
+    """What was an attribute in earlier versions of pycolmap may be a method in later ones."""
+    return attribute() if callable(attribute) else attribute
+
+
+def _pose(image: Any) -> tuple[Any, Any]:
+    """Rotation (quaternion w, x, y, z or a matrix) and translation."""
+    if hasattr(image, "cam_from_world"):
+        pose = _value(image.cam_from_world)
+        quaternion = getattr(pose.rotation, "quat", None)
+        if quaternion is None:
+            return np.asarray(pose.rotation.matrix()), np.asarray(pose.translation)
+        x, y, z, w = np.asarray(quaternion)
+        return np.array([w, x, y, z]), np.asarray(pose.translation)
+    return np.asarray(image.qvec), np.asarray(image.tvec)
+
+
+def _model_name(camera: Any) -> str:
+    if hasattr(camera, "model_name"):
+        return str(camera.model_name)
+    return str(getattr(camera.model, "name", camera.model))
+
+
+def _point_ids(points2D: Iterable[Any]) -> Any:
+    ids = [point.point3D_id if _value(getattr(point, "has_point3D", True)) else _NO_POINT for point in points2D]
+    return np.array(ids, dtype=np.uint64)
+
+
+def _add_images(reconstruction: Any, model: MemoryModel) -> list[str]:
+    names = []
+    for image_id, image in sorted(reconstruction.images.items()):
+        if not _value(getattr(image, "has_pose", True)):
+            continue
+        points2D = list(getattr(image, "points2D", []))
+        positions = np.array([np.asarray(point.xy) for point in points2D], dtype=float).reshape(-1, 2)
+        rotation, translation = _pose(image)
+        model.add_image(image_id, image.camera_id, image.name, rotation, translation, positions, _point_ids(points2D))
+        names.append(image.name)
+    return names
+
+
+def scene_from_reconstruction(reconstruction: Any, image_path: Any = None, images: Optional[Mapping[str, Any]] = None,
+                              progress: Any = None, **options: Any) -> Scene:
+    """The scene of an object like pycolmap.Reconstruction, which is copied.
+
+    It has the dictionaries cameras (model_name or model, params, width, height), images (name, camera_id,
+    cam_from_world, points2D) and points3D (xyz, color, error, track.elements).
+    image_path: the folder of its images; or images: arrays by name, as of Scene.from_arrays(). Options as of
+    limn.open().
+    """
+    if (image_path is None) == (images is None):
+        raise OptionError("from_reconstruction: either image_path or images must be given")
+    model = MemoryModel()
+    for camera_id, camera in sorted(reconstruction.cameras.items()):
+        model.add_camera(camera_id, _model_name(camera), camera.width, camera.height, list(camera.params))
+    names = _add_images(reconstruction, model)
+    for point_id, point in sorted(getattr(reconstruction, "points3D", {}).items()):
+        track = [(element.image_id, element.point2D_idx) for element in point.track.elements]
+        color = [int(value) for value in point.color]
+        model.add_point(point_id, point.xyz, color, float(point.error), track)
+    for name in names if images is not None else []:
+        if images is None or name not in images:
+            raise InputError(f"images: there is none of the name \"{name}\"")
+        model.add_photo(name, np.asarray(images[name]))
+    return model.open("" if image_path is None else os.fspath(image_path), False, texts_of(options), progress)

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "colmap_ext/import/imported_scene.h"
+#include "colmap_ext/model/model_builder.h"
+#include "colmap_ext/python/stages.h"
+#include "colmap_ext/workspace/image_reader.h"
+
+namespace limn::colmap_ext {
+
+// Collects cameras, images and photographs that are in memory, for OpenMemory. All functions throw
+// InputError, in the words of the readers of files.
+class MemoryModel {
+ public:
+  // Records as in COLMAP's files: all cameras, then all images, then all points.
+  void AddCamera(uint32_t id, const std::string& model, uint64_t width, uint64_t height,
+                 std::vector<double> params);
+  // `rotation`: w, x, y, z.
+  void AddImage(ModelImage image, const std::array<double, 4>& rotation);
+  // `rotation`: a matrix.
+  void AddImage(ModelImage image, const Eigen::Matrix3d& rotation);
+  void AddPoint(ModelPoint point) { builder_.AddPoint(std::move(point)); }
+
+  // Instead of records: a pinhole camera x_px = K (R X + t) with its image.
+  void AddView(const std::string& name, const Eigen::Matrix3d& calibration,
+               const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, ImageSize size);
+
+  void AddPhoto(const std::string& name, PhotoPixels pixels);
+
+  // Of the views where there are some, else of the records. To be called once.
+  SparseModel TakeModel(PixelCenters pixel_centers);
+  PhotoStore TakePhotos() { return PhotoStore(std::move(photos_)); }
+
+ private:
+  ModelBuilder builder_;
+  ImportedScene views_;
+  std::map<std::string, PhotoPixels> photos_;
+};
+
+// The scene of a model; photographs that are not in memory are in the folder.
+std::shared_ptr<OpenScene> OpenMemory(SparseModel model, const std::filesystem::path& image_dir,
+                                      const PhotoStore& photos, const OptionTexts& options,
+                                      RunMonitor* monitor);
+
+}  // namespace limn::colmap_ext

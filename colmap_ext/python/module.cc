@@ -1,0 +1,61 @@
+#include <filesystem>
+#include <new>
+#include <string>
+
+#include <pybind11/pybind11.h>
+
+#include "colmap_ext/python/bindings.h"
+#include "colmap_ext/python/run_free.h"
+#include "limn/util/errors.h"
+#include "limn/util/latest_stage.h"
+
+namespace limn::colmap_ext {
+
+namespace py = pybind11;
+
+namespace {
+
+// Sets the exception of this name of limn.errors.
+void Raise(const char* name, const char* text) {
+  const py::object type = py::module_::import("limn.errors").attr(name);
+  PyErr_SetString(type.ptr(), text);
+}
+
+void Translate(std::exception_ptr error) {
+  try {
+    if (error) std::rethrow_exception(error);
+  } catch (const OptionError& known) {
+    Raise("OptionError", known.what());
+  } catch (const InputError& known) {
+    Raise("InputError", known.what());
+  } catch (const IoError& known) {
+    Raise("IoError", known.what());
+  } catch (const std::filesystem::filesystem_error& known) {
+    Raise("IoError", known.what());
+  } catch (const std::bad_alloc&) {
+    const std::string text = "out of memory in the stage \"" + LatestStage() +
+                             "\": lower max_image_size, num_threads or Tiles.max_views";
+    PyErr_SetString(PyExc_MemoryError, text.c_str());
+  }
+}
+
+}  // namespace
+
+void BindErrors(py::module_* module) {
+  py::register_exception_translator(Translate);
+  module->def("_join_left_work", JoinLeftWork);
+  py::module_::import("atexit").attr("register")(module->attr("_join_left_work"));
+}
+
+}  // namespace limn::colmap_ext
+
+PYBIND11_MODULE(_limn, module) {
+  module.doc() = "The compiled part of limn.";
+  module.attr("__version__") = LIMN_VERSION;
+  limn::colmap_ext::BindErrors(&module);
+  limn::colmap_ext::BindScene(&module);
+  limn::colmap_ext::BindImageCurves(&module);
+  limn::colmap_ext::BindDrawing(&module);
+  limn::colmap_ext::BindMemory(&module);
+  limn::colmap_ext::BindStages(&module);
+}

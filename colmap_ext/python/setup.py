@@ -1,0 +1,47 @@
+"""Builds the package with CMake: in build/wheel of the repository, or of an existing build tree of the same sources if
+the environment variable LIMN_BUILD_DIR names one."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+SOURCE = Path(__file__).resolve().parents[2]
+OWN_BUILD = SOURCE / "build/wheel"
+
+
+def version():
+    match = re.search(r"^project\(limn VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text(encoding="utf-8"), re.M)
+    if not match:
+        raise SystemExit(f"{SOURCE}/CMakeLists.txt: no version")
+    return match.group(1)
+
+
+class BuildWithCmake(build_ext):
+    def build_extension(self, ext):
+        folder = Path(os.environ.get("LIMN_BUILD_DIR", OWN_BUILD))
+        if folder == OWN_BUILD:
+            generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+            subprocess.run(["cmake", "-S", SOURCE, "-B", folder, *generator, "-DCMAKE_BUILD_TYPE=Release",
+                            "-DBUILD_SHARED_LIBS=OFF", "-DLIMN_BUILD_TESTS=OFF", "-DLIMN_WITH_PYTHON=ON",
+                            f"-DPython_EXECUTABLE={sys.executable}"], check=True)
+        subprocess.run(["cmake", "--build", folder, "--target", "limn_python", "--parallel"], check=True)
+        target = Path(self.get_ext_fullpath(ext.name)).resolve()
+        target.parent.mkdir(parents=True, exist_ok=True)
+        for built in (folder / "python/limn").glob("_limn*"):
+            shutil.copy(built, target if built.suffix == ".so" else target.parent)
+
+
+OWN_BUILD.mkdir(parents=True, exist_ok=True)
+setup(
+    version=version(),
+    ext_modules=[Extension("limn._limn", sources=[])],
+    cmdclass={"build_ext": BuildWithCmake},
+    # Nothing is left beside the sources.
+    options={"build": {"build_base": str(OWN_BUILD / "setuptools")}, "egg_info": {"egg_base": str(OWN_BUILD)}},
+)

@@ -1,0 +1,378 @@
+#include "colmap_ext/python/stages.h"
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+#include <span>
+#include <sstream>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "colmap_ext/commands/commands.h"
+#include "colmap_ext/run/drawer_options.h"
+#include "colmap_ext/run/drawing_export.h"
+#include "colmap_ext/run/evaluation_run.h"
+#include "colmap_ext/run/fusion_results.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/results.h"
+#include "colmap_ext/run/scene_run.h"
+#include "colmap_ext/run/trust.h"
+#include "colmap_ext/run/world_shift.h"
+#include "limn/evaluation/report_writers.h"
+#include "limn/formats/write_drawing.h"
+#include "limn/pipeline/sketch_views.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Of an option that the results of earlier stages depend on; empty if there is none.
+std::string ChangedOption(const RunOptions& before, const RunOptions& now,
+                          std::span<const char* const> groups) {
+  if (before.layout != now.layout) return "the paths";
+  if (before.view != now.view) return "the images and their size";
+  if (before.edges_path != now.edges_path) return "edges_path";
+  if (OptionsAsText(before.edge_maps) != OptionsAsText(now.edge_maps)) return "EdgeMaps";
+  const Json old_options = Json::parse(Provenance(before));
+  const Json new_options = Json::parse(Provenance(now));
+  for (const char* group : groups) {
+    if (old_options.at(group) != new_options.at(group)) return group;
+  }
+  return "";
+}
+
+constexpr const char* kOptionsOfCurves[] = {"EdgeDetection", "Linking"};
+constexpr const char* kOptionsOfSketch[] = {"EdgeDetection", "Linking",       "mode",
+                                            "Sketch",        "ViewSelection", "box"};
+
+// The options of a stage: those that its input was made with, and its own. `groups` are the
+// stage's, `fixed` those that its input depends on, besides the scene's. `add_more` as in
+// ParseRunOptions.
+MadeWith AddOptions(const MadeWith& made, const std::string& stage, const OptionGroups& groups,
+                    const OptionTexts& own, std::span<const char* const> fixed,
+                    const std::function<void(OptionParser*)>& add_more = {}) {
+  // Those of other stages are unknown to it.
+  ParseTexts(stage, groups, Merged({{"workspace_path", "."}}, own), add_more);
+  MadeWith added;
+  added.given = Merged(made.given, own);
+  added.options = ParseTexts(stage, OptionsOfAllStages(), added.given, add_more);
+  const std::string changed = ChangedOption(made.options, added.options, fixed);
+  if (changed.empty()) return added;
+  throw OptionError(stage + ": its input was made with another value of " + changed +
+                    ": give it to the function that made that");
+}
+
+// In place of the path of a drawing.
+constexpr const char* kDrawingInMemory = "drawing.json";
+
+StageObserver ReportTo(Console* console) {
+  return [console](const StageSummary& summary) { console->Report(summary); };
+}
+
+// With what goes with all drawings of a scene.
+std::shared_ptr<SceneDrawing> MakeDrawing(std::shared_ptr<const OpenScene> scene, MadeWith made,
+                                          const DrawingGraph& graph,
+                                          const std::optional<RefinedCameras>& cameras,
+                                          const std::string& provenance) {
+  CheckGraph(graph);
+  auto drawing = std::make_shared<SceneDrawing>();
+  drawing->graph = Moved(graph, scene->scene.origin());
+  drawing->metadata = Metadata(scene->scene, provenance);
+  drawing->made = std::move(made);
+  drawing->views = cameras ? cameras->views : scene->scene.views();
+  drawing->scene = std::move(scene);
+  return drawing;
+}
+
+// Relative to the scene's origin.
+DrawingGraph GraphInScene(const SceneDrawing& drawing) {
+  return Moved(drawing.graph, -drawing.scene->scene.origin());
+}
+
+void RequireScene(const SceneDrawing& drawing, const char* function) {
+  if (drawing.scene) return;
+  throw InputError(std::string(function) +
+                   ": the drawing was read without its workspace: read_drawing(path, scene)");
+}
+
+std::shared_ptr<const std::vector<ImageCurves>> CurvesOf(std::shared_ptr<const OpenScene> scene,
+                                                         const RunOptions& options,
+                                                         Console* console) {
+  ResultCache no_cache("");
+  const Scene& read = scene->scene;
+  CurvesResult result =
+      ExtractCurves({read.views(), read.images(), &no_cache}, options.pipeline.edges,
+                    options.pipeline.linking, console->context());
+  console->Report(result.summary);
+  return std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
+}
+
+}  // namespace
+
+OptionGroups OptionsOfAllStages() {
+  return {.linking = true,
+          .sketch = true,
+          .drawing = true,
+          .refinement = true,
+          .dense = true,
+          .tiles = true};
+}
+
+OpenScene::OpenScene(SparseModel model, const std::filesystem::path& image_dir,
+                     const PhotoStore& photos, MadeWith with, Console* console)
+    : scene(std::move(model), image_dir, photos, with.options, console), made(std::move(with)) {
+  made.log = console->log();
+}
+
+OpenScene::OpenScene(const WorkspaceLayout& layout, MadeWith with, Console* console)
+    : scene(layout, with.options, console), made(std::move(with)) {
+  made.log = console->log();
+}
+
+std::shared_ptr<OpenScene> OpenWorkspace(const OptionTexts& options, RunMonitor* monitor) {
+  const RunOptions run = ParseTexts("open", OptionsOfAllStages(), options);
+  LibraryConsole console(run.num_threads, monitor);
+  return std::make_shared<OpenScene>(ResolveLayout(run.layout), MadeWith{options, run, {}},
+                                     &console);
+}
+
+std::shared_ptr<SceneEdges> ExtractSceneEdges(std::shared_ptr<const OpenScene> scene,
+                                              const OptionTexts& options, RunMonitor* monitor) {
+  auto edges = std::make_shared<SceneEdges>();
+  edges->made = AddOptions(scene->made, "extract_edges", {}, options, {});
+  const RunOptions& run = edges->made.options;
+  LibraryConsole console(run.num_threads, monitor);
+  ResultCache no_cache("");
+  EdgeMapsResult result = ExtractEdgeMaps({scene->scene.views(), scene->scene.images(), &no_cache},
+                                          run.pipeline.edges, console.context());
+  console.Report(result.summary);
+  edges->edge_maps = std::move(result.edge_maps);
+  for (EdgeMap& map : edges->edge_maps) ApplyLens(nullptr, &map);  // they stay in stored pixels
+  edges->scene = std::move(scene);
+  edges->made.log = console.log();
+  return edges;
+}
+
+std::shared_ptr<SceneCurves> LinkScene(std::shared_ptr<const OpenScene> scene,
+                                       const OptionTexts& options, RunMonitor* monitor) {
+  auto curves = std::make_shared<SceneCurves>();
+  curves->made = AddOptions(scene->made, "link", {.linking = true}, options, {});
+  LibraryConsole console(curves->made.options.num_threads, monitor);
+  curves->curves = CurvesOf(scene, curves->made.options, &console);
+  curves->scene = std::move(scene);
+  curves->made.log = console.log();
+  return curves;
+}
+
+std::shared_ptr<SceneSketch> SketchScene(std::shared_ptr<const SceneCurves> curves,
+                                         const OptionTexts& options, RunMonitor* monitor) {
+  auto sketch = std::make_shared<SceneSketch>();
+  sketch->made = AddOptions(curves->made, "sketch", {.sketch = true}, options, kOptionsOfCurves);
+  const RunOptions& run = sketch->made.options;
+  LibraryConsole console(run.num_threads, monitor);
+  const Scene& scene = curves->scene->scene;
+  CheckSceneViews(scene);
+  ResultCache no_cache("");
+  SketchResult result =
+      SketchViews(run.pipeline.mode,
+                  {scene.views(), *curves->curves, scene.view_set().hints, SceneBox(scene, run)},
+                  run.pipeline.sketch, &no_cache, console.context());
+  console.Report(result.summary);
+  sketch->sketch = std::make_shared<const CurveSketch>(std::move(result.sketch));
+  sketch->in_model =
+      scene.origin().isZero()
+          ? sketch->sketch
+          : std::make_shared<const CurveSketch>(Moved(*sketch->sketch, scene.origin()));
+  sketch->curves = std::move(curves);
+  sketch->made.log = console.log();
+  return sketch;
+}
+
+std::shared_ptr<SceneDrawing> DrawSketch(std::shared_ptr<const SceneSketch> sketch,
+                                         const OptionTexts& options, RunMonitor* monitor) {
+  MadeWith made = AddOptions(sketch->made, "draw", {.drawing = true}, options, kOptionsOfSketch);
+  const RunOptions run = made.options;
+  LibraryConsole console(run.num_threads, monitor);
+  const SceneCurves& curves = *sketch->curves;
+  const Scene& scene = curves.scene->scene;
+  const DrawingResult result =
+      BuildDrawing({scene.views(), *curves.curves, *sketch->sketch, SceneBox(scene, run)},
+                   run.pipeline.drawing, console.context());
+  console.Report(result.summary);
+  auto drawing = MakeDrawing(curves.scene, std::move(made), result.graph, std::nullopt,
+                             DrawingProvenance(run, Provenance(sketch->made.options)));
+  drawing->curves = curves.curves;
+  drawing->made.log = console.log();
+  return drawing;
+}
+
+std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> scene,
+                                            const OptionTexts& options, RunMonitor* monitor) {
+  MadeWith made = AddOptions(
+      scene->made, "draw",
+      {.linking = true, .sketch = true, .drawing = true, .refinement = true, .tiles = true},
+      options, {});
+  DrawerOptions drawer;
+  drawer.run = made.options;
+  const RunOptions& run = drawer.run;
+  LibraryConsole console(run.num_threads, monitor);
+  const Scene& read = scene->scene;
+  CheckSceneViews(read);
+  ResultCache no_cache("");
+  const PipelineInput input{read.views(), read.view_set().hints, read.images(), SceneBox(read, run),
+                            &no_cache};
+  const std::vector<Tile> tiles = PlanSceneTiles(input, drawer, &console);
+  PipelineResult result = *DrawSceneOrTiles(input, tiles, run.pipeline, &console);
+  auto drawing = MakeDrawing(scene, std::move(made), result.graph, result.cameras, Provenance(run));
+  SayTrust(MeasureTrust(drawing->views, result.curves, result.graph), !run.box.empty(), &console);
+  if (!IsInTiles(tiles, input.views)) {
+    drawing->curves = std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
+  }
+  drawing->made.log = console.log();
+  return drawing;
+}
+
+std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
+                                                 const OptionTexts& options, RunMonitor* monitor) {
+  RequireScene(*drawing, "refine");
+  MadeWith made =
+      AddOptions(drawing->made, "refine", {.refinement = true}, options, kOptionsOfSketch);
+  const RunOptions run = made.options;
+  LibraryConsole console(run.num_threads, monitor);
+  const Scene& scene = drawing->scene->scene;
+  const auto curves = drawing->curves ? drawing->curves : CurvesOf(drawing->scene, run, &console);
+  JudgedDrawing judged = RefineAndJudge(
+      {scene.views(), *curves, GraphInScene(*drawing), &scene.view_set().hints.points},
+      run.pipeline, console.context(), ReportTo(&console));
+  const std::vector<View>& views = judged.cameras ? judged.cameras->views : scene.views();
+  const DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, scene.images().read,
+                                           run.pipeline, console.context(), ReportTo(&console));
+  const std::string provenance = RefinementProvenance(run, drawing->metadata.options_json);
+  auto refined = MakeDrawing(drawing->scene, std::move(made), graph, judged.cameras, provenance);
+  SayTrust(MeasureTrust(refined->views, *curves, graph), HasBox(provenance), &console);
+  refined->curves = curves;
+  refined->made.log = console.log();
+  return refined;
+}
+
+std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
+                                               const OptionTexts& options, RunMonitor* monitor) {
+  RequireScene(*drawing, "fuse");
+  if (drawing->scene->scene.layout().model_dir.empty()) {
+    throw InputError("fuse: dense results belong to a project, not to a scene in memory");
+  }
+  FuserOptions fuser;
+  const MadeWith added =
+      AddOptions(drawing->made, "fuse", {.dense = true}, options, kOptionsOfSketch,
+                 [&](OptionParser* more) { fuser.AddOptions(more); });
+  fuser.Check();
+  const RunOptions& run = added.options;
+  LibraryConsole console(run.num_threads, monitor);
+  const Scene& scene = drawing->scene->scene;
+  const DenseInput dense = OpenDenseInput(scene, fuser, run.layout.workspace_path, &console);
+  const FusionResult result =
+      FuseDrawing({scene.views(), GraphInScene(*drawing), dense.depths,
+                   dense.cloud ? std::optional(dense.points) : std::nullopt},
+                  run.dense, console.context());
+  console.Report(result.summary);
+  // Options of the fusion are of no use to later stages.
+  auto fused = std::make_shared<SceneDrawing>(*drawing);
+  fused->graph =
+      Moved(fuser.remove_occluded ? WithoutOccluded(result.graph) : result.graph, scene.origin());
+  fused->metadata.options_json = FusionProvenance(run, fuser, drawing->metadata.options_json);
+  fused->made.log = console.log();
+  return fused;
+}
+
+std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::string& path,
+                                               std::shared_ptr<const OpenScene> scene) {
+  auto drawing = std::make_shared<SceneDrawing>();
+  DrawingFile file = ReadDrawing(path);
+  drawing->graph = std::move(file.graph);
+  drawing->metadata = std::move(file.metadata);
+  if (!scene) return drawing;
+  CheckDrawingViews(scene->scene, path, drawing->metadata);
+  drawing->made = scene->made;
+  drawing->made.log = {};
+  drawing->views = scene->scene.views();
+  drawing->scene = std::move(scene);
+  return drawing;
+}
+
+std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const OptionTexts& options,
+                           RunMonitor* monitor) {
+  EvaluatorOptions evaluator;
+  OptionParser parser("evaluate", "");
+  evaluator.AddOptions(&parser);
+  const CommandLine line("evaluate", options);
+  parser.Parse(line.argc(), line.argv(), std::cout);
+  if (drawing) evaluator.input_path = kDrawingInMemory;
+  if (drawing && drawing->scene) {
+    evaluator.views = Moved(drawing->views, drawing->scene->scene.origin());
+  }
+  evaluator.Check();
+  const LibraryConsole console(evaluator.num_threads, monitor);
+  const EvaluationReport report =
+      drawing ? EvaluateDrawing(drawing->graph, evaluator, console.context())
+              : EvaluateFile(evaluator, console.context());
+  ThrowIfCancelled(console.context());
+  WriteReportFiles(report, evaluator);
+  std::ostringstream json;
+  WriteReportJson(report, json);
+  return json.str();
+}
+
+void ExportDrawing(std::shared_ptr<const SceneDrawing> drawing, const OptionTexts& options,
+                   RunMonitor* monitor) {
+  ExporterOptions exporter;
+  OptionParser parser("export", "");
+  exporter.AddOptions(&parser);
+  const CommandLine line("export", options);
+  parser.Parse(line.argc(), line.argv(), std::cout);
+  if (drawing) exporter.input_path = kDrawingInMemory;
+  exporter.Check();
+  LibraryConsole console(/*num_threads=*/-1, monitor);
+  if (drawing) {
+    limn::colmap_ext::ExportDrawing({drawing->graph, drawing->metadata}, exporter, &console);
+  } else {
+    limn::colmap_ext::ExportDrawing(exporter, &console);
+  }
+}
+
+void SaveDrawing(const SceneDrawing& drawing, const std::string& path) {
+  const bool is_whole = DrawingFormatOf(path, {}) == "json";
+  WriteDrawing(path, is_whole ? drawing.graph : Selected(drawing.graph, {}), drawing.metadata);
+}
+
+void RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor) {
+  const std::pair<const char*, decltype(&RunAutomaticDrawer)> commands[] = {
+      {"automatic_drawer", RunAutomaticDrawer}, {"curve_drawer", RunCurveDrawer},
+      {"curve_linker", RunCurveLinker},         {"curve_sketcher", RunCurveSketcher},
+      {"drawing_exporter", RunDrawingExporter}, {"drawing_fuser", RunDrawingFuser},
+      {"drawing_refiner", RunDrawingRefiner},   {"drawing_viewer", RunDrawingViewer},
+      {"edge_extractor", RunEdgeExtractor},     {"truth_extractor", RunTruthExtractor}};
+  const auto found = std::find_if(std::begin(commands), std::end(commands),
+                                  [&](const auto& known) { return known.first == command; });
+  if (found == std::end(commands)) throw OptionError("unknown command '" + command + "'");
+  const CommandLine line(command, options);
+  found->second(line.argc(), line.argv(), [monitor](int num_threads, bool) {
+    return std::make_unique<LibraryConsole>(num_threads, monitor);
+  });
+}
+
+OptionTexts OptionsOfScene(const OptionTexts& options) {
+  const CommandLine line("open", {{"workspace_path", "."}});
+  RunOptions ignored;
+  const auto parser =
+      ParseRunOptions("open", "", OptionsOfAllStages(), line.argc(), line.argv(), &ignored);
+  OptionTexts of_scene;
+  for (const auto& [name, text] : options) {
+    if (parser->Knows(name)) of_scene[name] = text;
+  }
+  return of_scene;
+}
+
+}  // namespace limn::colmap_ext

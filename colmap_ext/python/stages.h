@@ -1,0 +1,129 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "colmap_ext/python/option_texts.h"
+#include "colmap_ext/run/library_console.h"
+#include "colmap_ext/run/scene.h"
+#include "limn/evaluation/evaluate_curves.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/model/curve3d.h"
+#include "limn/pipeline/pipeline.h"
+
+namespace limn::colmap_ext {
+
+// The stages on a scene in memory. Nothing here writes into a workspace, but for ExportDrawing. A
+// result keeps what it was made of, with the options: those of a later stage are added to them, and
+// must not change what was made before (OptionError).
+
+// What a stage was made with.
+struct MadeWith {
+  OptionTexts given;
+  RunOptions options;  // `given`, parsed
+  RunLog log;          // of this stage
+};
+
+struct OpenScene {
+  OpenScene(const WorkspaceLayout& layout, MadeWith with, Console* console);
+  OpenScene(SparseModel model, const std::filesystem::path& image_dir, const PhotoStore& photos,
+            MadeWith with, Console* console);
+
+  Scene scene;
+  MadeWith made;
+};
+
+// Edges of the photographs.
+struct SceneEdges {
+  std::shared_ptr<const OpenScene> scene;
+  MadeWith made;
+  std::vector<EdgeMap> edge_maps;  // per view, in stored pixels
+};
+
+// Curves of the photographs.
+struct SceneCurves {
+  std::shared_ptr<const OpenScene> scene;
+  MadeWith made;
+  std::shared_ptr<const std::vector<ImageCurves>> curves;  // per view
+};
+
+// Unconnected curves in space.
+struct SceneSketch {
+  std::shared_ptr<const SceneCurves> curves;
+  MadeWith made;
+  std::shared_ptr<const CurveSketch> sketch;    // relative to the scene's origin
+  std::shared_ptr<const CurveSketch> in_model;  // in the model's coordinates
+};
+
+struct SceneDrawing {
+  DrawingGraph graph;  // in the model's coordinates
+  DrawingMetadata metadata;
+  MadeWith made;
+  // Null for a drawing that was read without its workspace.
+  std::shared_ptr<const OpenScene> scene;
+  // The views that the drawing fits, relative to the scene's origin; empty without a scene.
+  std::vector<View> views;
+  // Null if they are not in memory.
+  std::shared_ptr<const std::vector<ImageCurves>> curves;
+};
+
+// The option groups of all stages together.
+OptionGroups OptionsOfAllStages();
+
+// Throws OptionError, IoError, InputError, as all that follow; and Cancelled.
+std::shared_ptr<OpenScene> OpenWorkspace(const OptionTexts& options, RunMonitor* monitor);
+
+std::shared_ptr<SceneEdges> ExtractSceneEdges(std::shared_ptr<const OpenScene> scene,
+                                              const OptionTexts& options, RunMonitor* monitor);
+
+std::shared_ptr<SceneCurves> LinkScene(std::shared_ptr<const OpenScene> scene,
+                                       const OptionTexts& options, RunMonitor* monitor);
+
+std::shared_ptr<SceneSketch> SketchScene(std::shared_ptr<const SceneCurves> curves,
+                                         const OptionTexts& options, RunMonitor* monitor);
+
+// The drawing of a sketch before its refinement, as of curve_drawer.
+std::shared_ptr<SceneDrawing> DrawSketch(std::shared_ptr<const SceneSketch> sketch,
+                                         const OptionTexts& options, RunMonitor* monitor);
+
+// All stages, as of automatic_drawer.
+std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> scene,
+                                            const OptionTexts& options, RunMonitor* monitor);
+
+// The drawing fitted to all images, as of drawing_refiner. Needs a drawing with a scene.
+std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
+                                                 const OptionTexts& options, RunMonitor* monitor);
+
+// The drawing with the classes of its links, as of drawing_fuser. Needs a drawing with a scene.
+std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
+                                               const OptionTexts& options, RunMonitor* monitor);
+
+// A drawing.json; with its scene, if that is not null.
+std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::string& path,
+                                               std::shared_ptr<const OpenScene> scene);
+
+// The report as JSON, as of drawing_evaluator: of a drawing, or of the file that the options name
+// if it is null.
+std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const OptionTexts& options,
+                           RunMonitor* monitor);
+
+// Writes a file, as drawing_exporter does: of a drawing, or of the one that the options name if it
+// is null.
+void ExportDrawing(std::shared_ptr<const SceneDrawing> drawing, const OptionTexts& options,
+                   RunMonitor* monitor);
+
+// Writes a drawing in the format of the extension: all of it as .json, without tentative links and
+// contours in the others, as automatic_drawer does.
+void SaveDrawing(const SceneDrawing& drawing, const std::string& path);
+
+// Runs a command of the command line, which writes what it writes there, but prints nothing.
+// Throws OptionError if there is no such command.
+void RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor);
+
+// Those of the options of automatic_drawer that OpenWorkspace takes.
+OptionTexts OptionsOfScene(const OptionTexts& options);
+
+}  // namespace limn::colmap_ext

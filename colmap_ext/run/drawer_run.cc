@@ -1,0 +1,49 @@
+#include "colmap_ext/run/drawer_run.h"
+
+#include <utility>
+
+#include "colmap_ext/run/refined_cameras.h"
+#include "colmap_ext/run/results.h"
+#include "colmap_ext/run/run_report.h"
+#include "colmap_ext/run/scene_run.h"
+#include "colmap_ext/run/shard_run.h"
+#include "colmap_ext/run/trust.h"
+
+namespace limn::colmap_ext {
+
+std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOptions& options,
+                                        Console* console) {
+  const RunOptions& run = options.run;
+  CheckRefinedFolder(project, run);
+  CheckDrawingFiles(project, run);
+  CheckSketchFiles(project, run);
+  CheckReplaceable(project, run, "drawing.json", Provenance(run));
+  CheckSceneViews(project);
+  const PipelineInput input{project.views(), project.view_set().hints, project.images(),
+                            SceneBox(project, run), project.cache()};
+  const std::vector<Tile> tiles = PlanSceneTiles(input, options, console);
+  if (!run.shard.empty()) {
+    DoShard(input, tiles, run, console);
+    return std::nullopt;
+  }
+  auto result = DrawSceneOrTiles(input, tiles, run.pipeline, console);
+  if (!result) return std::nullopt;
+  CheckGraph(result->graph);
+  if (!IsInTiles(tiles, input.views)) {
+    WriteSketchResults(project, SketchFileName(run.pipeline.mode), result->curves, result->sketch,
+                       Provenance(run), console->context());
+  }
+  WriteRefinedModel(project, result->cameras, console);
+  const std::vector<View>& views = ViewsOfDrawing(project, result->cameras);
+  WriteDrawingResults(project, views, result->graph, Provenance(run), console);
+  if (options.account) WriteAccount(project, *result, console);
+  const Trust trust = MeasureTrust(views, result->curves, result->graph);
+  SayTrust(trust, !run.box.empty(), console);
+  if (options.page) {
+    WritePageWithReport(project, run, views, result->graph, trust, options.truth, console);
+  }
+  console->RepeatWarnings();
+  return std::move(result->graph);
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,97 @@
+#include "colmap_ext/run/scene.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/model/scene_origin.h"
+#include "colmap_ext/run/world_shift.h"
+#include "colmap_ext/workspace/file_identity.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "limn/sketch/view_selection.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+// To be raised whenever the same file of edges gives other edges.
+constexpr int kEdgeFilesVersion = 2;
+
+std::string ImageIdentity(const ViewSet& set, ViewId view) {
+  std::string identity = "image " + set.photos.Identity(set.image_paths[view]);
+  if (set.is_damaged[view]) identity += "\ndamaged";
+  const std::string& mask_path = set.mask_paths[view];
+  if (!mask_path.empty()) identity += "\nmask " + FileIdentity(mask_path);
+  const PinholeCamera& camera = set.views[view].camera;
+  return identity + "\nsize " + std::to_string(camera.width) + " " + std::to_string(camera.height);
+}
+
+std::string TextOf(const Eigen::Vector3d& point) {
+  char text[100];
+  std::snprintf(text, sizeof(text), "(%.10g, %.10g, %.10g)", point.x(), point.y(), point.z());
+  return text;
+}
+
+}  // namespace
+
+Scene::Scene(WorkspaceLayout layout, const RunOptions& options, Console* console)
+    : layout_(std::move(layout)) {
+  SparseModel model = ReadModel(layout_.model_dir);
+  if (options.pipeline.refinement.refine_poses) CheckTextNames(model);
+  SetModel(std::move(model), {}, options, console);
+}
+
+Scene::Scene(SparseModel model, const fs::path& image_dir, const PhotoStore& photos,
+             const RunOptions& options, Console* console) {
+  layout_.image_dir = image_dir;
+  SetModel(std::move(model), photos, options, console);
+}
+
+void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptions& options,
+                     Console* console) {
+  origin_ = SceneOrigin(model);
+  MoveModel(-origin_, &model);
+  view_set_ = ToViews(model, layout_.image_dir, options.view, console->context(), photos);
+  for (const std::string& warning : view_set_.warnings) console->Say("WARNING: " + warning);
+  console->Say(std::to_string(views().size()) + " images, " +
+               std::to_string(view_set_.hints.points.size()) + " 3D points");
+  if (!origin_.isZero()) {
+    console->Say("Coordinates are large: working around " + TextOf(origin_) +
+                 ", all files keep the model's coordinates");
+  }
+  images_.read = [this](ViewId view) { return ReadViewImage(view_set_, view); };
+  images_.identity = [this](ViewId view) { return ImageIdentity(view_set_, view); };
+  if (!options.edges_path.empty()) UseEdges(options, console);
+}
+
+void Scene::UseEdges(const RunOptions& options, Console* console) {
+  edge_files_ = FindEdgeFiles(options.edges_path, view_set_);
+  console->Say("Edges of all images from " + options.edges_path);
+  images_.given_edges = [this, maps = options.edge_maps](ViewId view) {
+    return ReadEdgeFile(edge_files_[view], view_set_, view, maps);
+  };
+  const std::string key = "\nedges, version " + std::to_string(kEdgeFilesVersion) + "\n" +
+                          OptionsAsText(options.edge_maps);
+  images_.identity = [this, key](ViewId view) {
+    return ImageIdentity(view_set_, view) + key + FileIdentity(edge_files_[view]);
+  };
+}
+
+std::optional<Eigen::AlignedBox3d> SceneBox(const Scene& scene, const RunOptions& options) {
+  return Moved(BoxFromNumbers(options.box), -scene.origin());
+}
+
+void CheckSceneViews(const Scene& scene) {
+  try {
+    CheckViews(scene.views());
+  } catch (const InputError& error) {
+    std::string reason = error.what();
+    for (const std::string& why : scene.view_set().left_out) reason += "; " + why;
+    throw InputError(reason);
+  }
+}
+
+}  // namespace limn::colmap_ext

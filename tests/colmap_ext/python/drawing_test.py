@@ -1,0 +1,267 @@
+#!/usr/bin/env python3
+"""The Python package draws what the program draws; arrays, errors, options. Argument: the program limn."""
+
+import gc
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import limn
+import scenes
+
+PROGRAM = sys.argv.pop(1)
+
+
+class Drawings(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.before = scenes.files_below(scenes.DAY)
+        cls.progress = []
+        cls.drawing = limn.draw(scenes.DAY, progress=lambda *state: cls.progress.append(state),
+                                **scenes.small_options())
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.output = Path(cls.folder.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_is_that_of_the_program_to_the_byte(self):
+        given = [f"--{name}={value}" for name, value in scenes.small_options().items()]
+        subprocess.run([PROGRAM, "automatic_drawer", f"--workspace_path={scenes.DAY}", f"--output_path={self.output}/run",
+                        *given], check=True, capture_output=True)
+        for name in ("drawing.json", "drawing.ply", "drawing.obj"):
+            self.drawing.save(self.output / name)
+            self.assertEqual((self.output / name).read_bytes(), (self.output / "run" / name).read_bytes(), name)
+
+    def test_writes_nothing_unless_told(self):
+        self.assertEqual(scenes.files_below(scenes.DAY), self.before)
+
+    def test_writes_like_the_command_with_an_output_path(self):
+        folder = self.output / "written"
+        drawing = limn.draw(scenes.DAY, output_path=folder, page=False, **scenes.small_options())
+        for name in ("drawing.json", "curves/tracks.txt", "curves/project.ini", "curves/overlays/view_00.jpg.png"):
+            self.assertTrue((folder / name).exists(), name)
+        self.assertEqual(len(drawing.links), len(self.drawing.links))
+        self.assertEqual(len(drawing.links[0].tracks), len(self.drawing.links[0].tracks))
+        self.assertEqual(scenes.files_below(scenes.DAY), self.before)
+
+    def test_tells_progress(self):
+        stages = {stage for stage, _, _ in self.progress}
+        self.assertGreater(len(stages), 3)
+        for stage, done, total in self.progress:
+            self.assertIsInstance(stage, str)
+            self.assertLessEqual(done, total)
+
+    def test_points_are_read_only_views_that_keep_the_drawing(self):
+        drawing = self.drawing.selected("all", tentative=True)
+        link = max(drawing.links, key=len)
+        points, sigma = link.points, link.sigma
+        self.assertEqual((points.dtype, points.shape), (np.float64, (len(link), 3)))
+        self.assertEqual(sigma.shape, (len(link),))
+        self.assertEqual(points.__array_interface__["data"], link.points.__array_interface__["data"])
+        self.assertFalse(points.flags.writeable)
+        with self.assertRaises(ValueError):
+            points[0, 0] = 1
+        copy = points.copy()
+        del drawing, link
+        gc.collect()
+        self.assertTrue(np.array_equal(points, copy))
+        length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+        self.assertGreater(length, 0)
+
+    def test_links_and_nodes_agree(self):
+        drawing = self.drawing
+        for link in drawing.links:
+            self.assertTrue(np.array_equal(link.points[0], drawing.nodes[link.node0].position))
+            self.assertTrue(np.array_equal(link.points[-1], drawing.nodes[link.node1].position))
+            self.assertIn((link.id, 0), drawing.nodes[link.node0].link_ends)
+            self.assertIn(link.kind, ("edge", "paint", "shadow", "contour", "unknown"))
+            self.assertAlmostEqual(link.length, np.linalg.norm(np.diff(link.points, axis=0), axis=1).sum(), places=9)
+        self.assertEqual(sum(node.degree for node in drawing.nodes), 2 * len(drawing.links))
+        self.assertEqual(drawing.links[-1].id, len(drawing.links) - 1)
+        with self.assertRaises(IndexError):
+            drawing.links[len(drawing.links)]
+        self.assertIn(f"{len(drawing.links)} links", repr(drawing))
+
+    def test_primitives(self):
+        lines = [link for link in self.drawing.links if link.primitive and link.primitive.type == "line"]
+        self.assertTrue(lines)
+        for link in lines:
+            self.assertIsNone(link.primitive.radius)
+            to_start = np.linalg.norm(link.primitive.start - link.points[0])
+            self.assertLess(to_start, 0.1 * link.length)
+        for link in self.drawing.links:
+            if link.primitive and link.primitive.type == "spline":
+                self.assertEqual(len(link.primitive.knots), len(link.primitive.control_points) + 4)
+
+    def test_tracks_are_the_points_in_the_images(self):
+        cameras = {camera.name: camera for camera in self.drawing.cameras}
+        link = max(self.drawing.links, key=lambda one: len(one.supporting_views))
+        self.assertLessEqual(set(link.tracks), set(link.supporting_views))
+        for name, track in link.tracks.items():
+            camera = cameras[name]
+            in_camera = link.points @ camera.R.T + camera.t
+            projected = in_camera @ camera.K.T
+            projected = projected[:, :2] / projected[:, 2:]
+            self.assertEqual(track.shape[1], 2)
+            if not np.isnan(track).any() and len(track) == len(projected):
+                self.assertLess(np.abs(track - projected).max(), 1e-6)
+        self.assertEqual(self.drawing.scene.image(name).shape[:2], (camera.height, camera.width))
+
+    def test_read_drawing(self):
+        path = self.output / "read.json"
+        self.drawing.save(path)
+        read = limn.read_drawing(path)
+        self.assertEqual(len(read.links), len(self.drawing.links))
+        self.assertTrue(np.array_equal(read.links[0].points, self.drawing.links[0].points))
+        self.assertEqual(read.options["max_image_size"], 320)
+        self.assertEqual(read.cameras, [])
+        with self.assertRaisesRegex(limn.InputError, "without its cameras"):
+            read.links[0].tracks
+        with_scene = limn.read_drawing(path, self.drawing.scene)
+        name, track = next(iter(self.drawing.links[0].tracks.items()))
+        self.assertTrue(np.allclose(with_scene.links[0].tracks[name], track, equal_nan=True))
+
+    def test_export_has_the_options_of_the_command(self):
+        path = self.output / "scaled.json"
+        limn.export(self.drawing, path, scale=2, kinds="all", tentative=True)
+        twice = limn.read_drawing(path)
+        self.assertTrue(np.array_equal(twice.links[0].points, 2 * self.drawing.links[0].points))
+        limn.export(path, self.output / "of-a-file.dxf", unit="m")
+        self.assertTrue((self.output / "of-a-file.dxf").read_text().startswith("0\n") or
+                        (self.output / "of-a-file.dxf").stat().st_size > 1000)
+        with self.assertRaisesRegex(limn.OptionError, "^scale = 0: must be >= 1e-12 and <= 1e12$"):
+            limn.export(self.drawing, path, scale=0)
+
+    def test_evaluate(self):
+        truth = scenes.SAMPLE / "truth/curves-visible.ply"
+        report = limn.evaluate(self.drawing, truth, taus=[2, 4], unit="footprint")
+        self.assertEqual([row["tau"] for row in report["rows"]], [2, 4])
+        self.assertGreater(report["rows"][1]["precision"], 0.5)
+        path = self.output / "evaluated.json"
+        self.drawing.save(path)
+        table = self.output / "table.json"
+        subprocess.run([PROGRAM, "drawing_evaluator", f"--input_path={path}", f"--truth_path={truth}", "--taus=0.02",
+                        f"--output_json={table}"], check=True, capture_output=True)
+        of_file = limn.evaluate(path, truth, taus=0.02)
+        self.assertEqual(of_file, json.loads(table.read_text()))
+
+    def test_networkx(self):
+        try:
+            import networkx
+        except ImportError:
+            with self.assertRaisesRegex(ImportError, "networkx"):
+                self.drawing.to_networkx()
+            self.skipTest("networkx is not installed")
+        graph = self.drawing.to_networkx()
+        self.assertEqual(graph.number_of_edges(), len(self.drawing.links))
+        self.assertEqual(graph.number_of_nodes(), len(self.drawing.nodes))
+        self.assertEqual(dict(graph.degree()), {node.id: node.degree for node in self.drawing.nodes})
+        self.assertIsInstance(graph, networkx.MultiGraph)
+
+    def test_open3d(self):
+        try:
+            import open3d
+        except ImportError:
+            with self.assertRaisesRegex(ImportError, "open3d"):
+                self.drawing.to_open3d()
+            self.skipTest("open3d is not installed")
+        lines = self.drawing.to_open3d()
+        self.assertIsInstance(lines, open3d.geometry.LineSet)
+        self.assertEqual(len(lines.points), sum(len(link) for link in self.drawing.links))
+
+
+class Stages(unittest.TestCase):
+    def test_step_by_step_gives_the_drawing_of_one_go(self):
+        scene = limn.open(scenes.DAY, **scenes.small_options())
+        self.assertEqual((len(scene), scene.names[0]), (scenes.NUM_IMAGES, "view_00.jpg"))
+        edges = limn.extract_edges(scene)
+        self.assertEqual(list(edges), scene.names)
+        of_image = edges["view_03.jpg"]
+        self.assertEqual(of_image.positions.shape, (len(of_image), 2))
+        self.assertLess(of_image.positions[:, 0].max(), of_image.width)
+        self.assertEqual(of_image.directions.shape, (len(of_image),))
+        curves = limn.link(scene)
+        fragments = curves["view_03.jpg"].fragments
+        self.assertGreater(len(fragments), 10)
+        self.assertLess(max(ids.max() for ids in fragments), len(curves["view_03.jpg"].edges))
+        sketch = limn.sketch(curves)
+        self.assertEqual(sketch[0].points.shape, sketch[0].tangents.shape)
+        self.assertIn(sketch[0].view, scene.names)
+        rough = limn.draw(sketch)
+        self.assertGreater(len(rough.links), 10)
+        drawing = limn.refine(rough)
+        whole = limn.draw(scene)
+        with tempfile.TemporaryDirectory() as folder:
+            for one, name in ((drawing, "steps.obj"), (whole, "whole.obj")):
+                one.save(os.path.join(folder, name))
+            self.assertEqual(Path(folder, "steps.obj").read_bytes(), Path(folder, "whole.obj").read_bytes())
+
+    def test_options_of_earlier_stages_cannot_change(self):
+        scene = limn.open(scenes.DAY, **scenes.small_options())
+        with self.assertRaisesRegex(limn.OptionError, "the images and their size"):
+            limn.link(scene, max_image_size=200)
+        curves = limn.link(scene)
+        with self.assertRaisesRegex(limn.OptionError, "another value of EdgeDetection"):
+            limn.sketch(curves, EdgeDetection={"sigma_px": 2})
+        with self.assertRaisesRegex(limn.OptionError, "Drawing.method"):
+            limn.sketch(curves, Drawing={"method": "paper"})
+
+    def test_fuse(self):
+        drawing = limn.draw(scenes.DAY, **scenes.small_options())
+        self.assertIsNone(drawing.links[0].dense_class)
+        fused = limn.fuse(drawing, dense_path=scenes.SAMPLE / "truth/mesh.ply", dense_type="mesh")
+        self.assertIn("surface", {link.dense_class for link in fused.links})
+
+
+class Errors(unittest.TestCase):
+    def test_options(self):
+        for options, text in (
+                ({"max_image_size": 1}, r"^max_image_size = 1: must be -1 or >= 16 and <= 1e5$"),
+                ({"nonsense": 1}, r"unrecognised option '--nonsense=1'"),
+                ({"Drawing": {"nonsense": 1}}, r"unrecognised option '--Drawing.nonsense=1'"),
+                ({"Drawing.method": "none"}, r"^Drawing.method: none: traced, merged or paper expected$"),
+                ({"a=b": 1}, r"^unknown option 'a=b'$"),
+                ({"Drawing": {"method": "paper"}, "Drawing.method": "ours"}, "^option 'Drawing.method' is given twice$"),
+                ({"box": [0, 1]}, r"^box = 2 numbers: must be six"),
+                ({"quality": object()}, r"^quality = <object.*: must be a number, a text or a path$")):
+            with self.subTest(options=options), self.assertRaisesRegex(limn.OptionError, text) as raised:
+                limn.draw(scenes.DAY, **options)
+            self.assertIsInstance(raised.exception, ValueError)
+            self.assertNotIn("\n", str(raised.exception))
+
+    def test_negative_and_empty_values_are_values(self):
+        scene = limn.open(scenes.DAY, box=(-1.5, 1.5, -2, 2, -0.5, 3), mask_path="", max_image_size=None, model_index=-1)
+        self.assertEqual(len(scene), 24)
+
+    def test_files(self):
+        with self.assertRaisesRegex(limn.IoError, "^/nowhere: no such folder") as raised:
+            limn.draw("/nowhere")
+        self.assertIsInstance(raised.exception, OSError)
+        self.assertIsInstance(raised.exception, limn.Error)
+        with self.assertRaises(limn.IoError):
+            limn.read_drawing("/nowhere.json")
+
+    def test_commands(self):
+        with tempfile.TemporaryDirectory() as folder:
+            limn.run("curve_linker", workspace_path=scenes.DAY, output_path=folder, format="cem", **scenes.small_options())
+            self.assertTrue(os.path.exists(os.path.join(folder, "curves/fragments/view_00.jpg.cem")))
+        with self.assertRaisesRegex(limn.OptionError, "^unknown command 'nonsense'$"):
+            limn.run("nonsense")
+
+    def test_errors_of_progress_end_the_run(self):
+        def fail(stage, done, total):
+            raise ZeroDivisionError(stage)
+        with self.assertRaises(ZeroDivisionError):
+            limn.draw(scenes.DAY, progress=fail, **scenes.small_options())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Cameras and images from memory give the drawing of the files, to the byte."""
+
+import struct
+import tempfile
+import types
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import limn
+import scenes
+
+NO_POINT = 2**64 - 1
+# Of COLMAP's cameras.bin.
+MODELS = {0: ("SIMPLE_PINHOLE", 3), 1: ("PINHOLE", 4), 2: ("SIMPLE_RADIAL", 4), 3: ("RADIAL", 5), 4: ("OPENCV", 8)}
+
+
+class Rotation:
+    def __init__(self, wxyz, has_quat):
+        self._wxyz = np.array(wxyz)
+        if has_quat:
+            self.quat = self._wxyz[[1, 2, 3, 0]]
+
+    def matrix(self):
+        w, x, y, z = self._wxyz / np.linalg.norm(self._wxyz)
+        return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                         [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                         [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+
+
+class Reconstruction:
+    """A stand-in for pycolmap.Reconstruction: reads the binary files of a model. In the form of pycolmap before 3.12
+    poses are attributes, later methods."""
+
+    def __init__(self, folder, poses_are_methods=False, has_quat=True):
+        self.cameras, self.images, self.points3D = {}, {}, {}
+        with open(folder / "cameras.bin", "rb") as file:
+            for _ in range(self._read(file, "<Q")[0]):
+                camera_id, model, width, height = self._read(file, "<iiQQ")
+                name, count = MODELS[model]
+                self.cameras[camera_id] = types.SimpleNamespace(
+                    model=types.SimpleNamespace(name=name), width=width, height=height,
+                    params=np.array(self._read(file, f"<{count}d")))
+        with open(folder / "images.bin", "rb") as file:
+            for _ in range(self._read(file, "<Q")[0]):
+                image_id, *pose, camera_id = self._read(file, "<I7dI")
+                name = b""
+                while (byte := file.read(1)) != b"\0":
+                    name += byte
+                transform = types.SimpleNamespace(rotation=Rotation(pose[:4], has_quat), translation=np.array(pose[4:]))
+                points2D = []
+                for _ in range(self._read(file, "<Q")[0]):
+                    x, y, point_id = self._read(file, "<2dQ")
+                    points2D.append(types.SimpleNamespace(xy=np.array([x, y]), point3D_id=point_id,
+                                                          has_point3D=lambda value=point_id: value != NO_POINT))
+                image = types.SimpleNamespace(name=name.decode(), camera_id=camera_id, points2D=points2D)
+                image.cam_from_world = (lambda value=transform: value) if poses_are_methods else transform
+                self.images[image_id] = image
+        with open(folder / "points3D.bin", "rb") as file:
+            for _ in range(self._read(file, "<Q")[0]):
+                point_id, *xyz = self._read(file, "<Q3d")
+                color, (error,) = self._read(file, "<3B"), self._read(file, "<d")
+                track = [self._read(file, "<II") for _ in range(self._read(file, "<Q")[0])]
+                elements = [types.SimpleNamespace(image_id=a, point2D_idx=b) for a, b in track]
+                self.points3D[point_id] = types.SimpleNamespace(
+                    xyz=np.array(xyz), color=np.array(color, dtype=np.uint8), error=error,
+                    track=types.SimpleNamespace(elements=elements))
+
+    @staticmethod
+    def _read(file, form):
+        return struct.unpack(form, file.read(struct.calcsize(form)))
+
+
+def links_of(drawing):
+    with tempfile.TemporaryDirectory() as folder:
+        drawing.save(Path(folder, "drawing.obj"))
+        return Path(folder, "drawing.obj").read_bytes()
+
+
+class Memory(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.options = scenes.small_options()
+        cls.scene = limn.open(scenes.DAY, **cls.options)
+        cls.of_files = links_of(limn.draw(cls.scene))
+        whole = limn.open(scenes.DAY)  # images as stored
+        cls.images = {name: np.rint(whole.image(name)).astype(np.uint8) for name in whole.names}
+
+    def test_reconstruction_with_files(self):
+        for methods in (False, True):
+            reconstruction = Reconstruction(scenes.DAY / "sparse", poses_are_methods=methods)
+            scene = limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images", **self.options)
+            self.assertEqual(scene.num_points, self.scene.num_points)
+            self.assertEqual(links_of(limn.draw(scene)), self.of_files)
+
+    def test_reconstruction_with_images_in_memory(self):
+        reconstruction = Reconstruction(scenes.DAY / "sparse")
+        scene = limn.Scene.from_reconstruction(reconstruction, images=self.images, **self.options)
+        self.assertTrue(np.array_equal(scene.image("view_02.jpg"), self.scene.image("view_02.jpg")))
+        self.images["view_02.jpg"][:] = 0  # it has copies
+        self.assertTrue(np.array_equal(scene.image("view_02.jpg"), self.scene.image("view_02.jpg")))
+        self.images["view_02.jpg"] = np.rint(limn.open(scenes.DAY).image("view_02.jpg")).astype(np.uint8)
+        self.assertEqual(links_of(limn.draw(scene)), self.of_files)
+
+    def test_arrays(self):
+        names = self.scene.names
+        cameras = limn.open(scenes.DAY, image_list_path=self.options["image_list_path"]).cameras
+        K, R, t = ([getattr(camera, one) for camera in cameras] for one in "KRt")
+        options = {**self.options, "image_list_path": None}
+        images = [self.images[name] for name in names]
+        scene = limn.Scene.from_arrays(images, K, R, t, names=names, **options)
+        for one, other in zip(scene.cameras, self.scene.cameras):
+            self.assertTrue(np.allclose(one.K, other.K, atol=1e-9))
+            self.assertTrue(np.allclose(one.R, other.R, atol=1e-12))
+        drawing = limn.draw(scene, box=(-1.25, 1.25, -0.95, 0.95, 0.04, 1.05))
+        self.assertGreater(len(drawing.links), 10)
+        self.assertIn(names[0], {name for link in drawing.links for name in link.tracks})
+        # As floating-point numbers and as 16 bits, in COLMAP's pixels: the same.
+        half = np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])
+        again = limn.Scene.from_arrays([image.astype(np.uint16) * 257 for image in images], [k + half for k in K], R,
+                                       np.array(t)[:, :, None], names=names, pixel_centers="half", **options)
+        self.assertTrue(np.array_equal(again.image(names[0]), scene.image(names[0])))
+        self.assertTrue(np.allclose(again.cameras[0].K, scene.cameras[0].K))
+        floats = limn.Scene.from_arrays([image / 255.0 for image in images], K, R, t, names=names, **options)
+        self.assertTrue(np.allclose(floats.image(names[0]), scene.image(names[0]), atol=1e-3))
+
+    def test_bad_input(self):
+        image, K, R, t = np.zeros((40, 60), np.uint8), np.diag([50, 50, 1]), np.eye(3), np.zeros(3)
+        for arrays, text in ((([image], K, 2 * R, [t]), "arrays: image 0: "),
+                             (([image], K, R, np.zeros((2, 3))), "^t: must be 1 x 3, not 2 x 3$"),
+                             (([image.astype(int)], K, R, [t]), "^image image-0000: values must be uint8, uint16 or"),
+                             (([image + 2.0], K, R, [t]), "^image image-0000: floating-point values must be 0 to 1$"),
+                             (([np.zeros((4, 5, 2), np.uint8)], K, R, [t]), "must be an array of H x W or H x W x 3$")):
+            with self.subTest(text=text), self.assertRaisesRegex(limn.InputError, text):
+                limn.Scene.from_arrays(*arrays)
+        reconstruction = Reconstruction(scenes.DAY / "sparse")
+        with self.assertRaisesRegex(limn.InputError, '^images: there is none of the name "view_'):
+            limn.Scene.from_reconstruction(reconstruction, images={})
+        with self.assertRaisesRegex(limn.OptionError, "either image_path or images must be given"):
+            limn.Scene.from_reconstruction(reconstruction)
+        next(iter(reconstruction.cameras.values())).model.name = "MAGIC"
+        with self.assertRaisesRegex(limn.InputError, "unknown camera model 'MAGIC'"):
+            limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images")
+
+
+if __name__ == "__main__":
+    unittest.main()
