@@ -1,4 +1,6 @@
 #include <functional>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include <pybind11/pybind11.h>
@@ -12,6 +14,8 @@ namespace limn::colmap_ext {
 namespace py = pybind11;
 
 namespace {
+
+using OptionalDrawing = std::optional<std::shared_ptr<SceneDrawing>>;
 
 // Binds a stage as name(input, options, progress).
 template <typename Input, typename Output>
@@ -48,28 +52,28 @@ void BindStages(py::module_* module) {
   BindStage(module, "fuse", FuseSceneDrawing);
   module->def(
       "read_drawing",
-      [](const std::string& path, const std::shared_ptr<OpenScene>& scene) {
-        return ReadSceneDrawing(path, scene);
+      [](const std::string& path, const std::optional<std::shared_ptr<OpenScene>>& scene) {
+        return ReadSceneDrawing(path, scene.value_or(nullptr));
       },
-      py::arg("path"), py::arg("scene").none(true), py::call_guard<py::gil_scoped_release>());
+      py::arg("path"), py::arg("scene"), py::call_guard<py::gil_scoped_release>());
   module->def(
       "evaluate",
-      [](const std::shared_ptr<SceneDrawing>& drawing, const OptionTexts& options,
-         const py::object& progress) {
-        return RunFree(progress, [drawing, options](RunMonitor* monitor) {
-          return EvaluateAsJson(drawing, options, monitor);
-        });
+      [](const OptionalDrawing& drawing, const OptionTexts& options, const py::object& progress) {
+        return RunFree(progress,
+                       [drawing = drawing.value_or(nullptr), options](RunMonitor* monitor) {
+                         return EvaluateAsJson(drawing, options, monitor);
+                       });
       },
-      py::arg("drawing").none(true), py::arg("options"), py::arg("progress"));
+      py::arg("drawing"), py::arg("options"), py::arg("progress"));
   module->def(
       "export_drawing",
-      [](const std::shared_ptr<SceneDrawing>& drawing, const OptionTexts& options,
-         const py::object& progress) {
-        RunWithoutLock(progress, [drawing, options](RunMonitor* monitor) {
-          ExportDrawing(drawing, options, monitor);
-        });
+      [](const OptionalDrawing& drawing, const OptionTexts& options, const py::object& progress) {
+        RunWithoutLock(progress,
+                       [drawing = drawing.value_or(nullptr), options](RunMonitor* monitor) {
+                         ExportDrawing(drawing, options, monitor);
+                       });
       },
-      py::arg("drawing").none(true), py::arg("options"), py::arg("progress"));
+      py::arg("drawing"), py::arg("options"), py::arg("progress"));
   module->def(
       "run",
       [](const std::string& command, const OptionTexts& options, const py::object& progress) {

@@ -25,7 +25,8 @@ __version__: str
 
 def python_types(signature):
     """The types of a signature by pybind11 as those of a stub."""
-    for pattern, replacement in [(r"numpy\.ndarray\[([\w.]+)\]", r"numpy.typing.NDArray[\1]"), (r"\b(limn\.)?_limn\.", ""),
+    for pattern, replacement in [(r"numpy\.ndarray\[([\w.]+)\]", r"numpy.typing.NDArray[\1]"), (r"numpy\.ndarray(?!\[)", "numpy.typing.NDArray[Any]"),
+                                 (r"\b(\w+)\[\d+\]", r"\1"), (r"\b(limn\.)?_limn\.", ""),
                                  (r"\bos\.PathLike\b", "os.PathLike[str] | str"), (r"\bobject\b", "Any"),
                                  (r"\bdict\b", "Dict[str, Any]"), (r"\blist\b", "List[Any]"), (r"\barg0\b", "key")]:
         signature = re.sub(pattern, replacement, signature)

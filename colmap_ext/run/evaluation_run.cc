@@ -117,6 +117,7 @@ void EvaluatorOptions::Check() const {
   require(truth.truth_path, "truth_path");
   truth.Check();
   selection.Selection();  // throws
+  BoxFromNumbers(box);    // throws
   if (!true_kinds_path.empty() && !IsDrawing(*this)) {
     throw OptionError("true_kinds_path: only links of a drawing.json have kinds");
   }

@@ -53,24 +53,29 @@ def open(workspace: Path, *, progress: Progress = None, **options: Any) -> Scene
     return _limn.open(texts_of({"workspace_path": workspace, **options}), progress)
 
 
-def _scene(source: Union[Path, Scene], progress: Progress) -> Scene:
-    return source if isinstance(source, Scene) else open(source, progress=progress)
+def _scene(source: Union[Path, Scene], options: dict[str, Any], progress: Progress) -> tuple[Scene, dict[str, str]]:
+    """The scene, and the options that are left for its stage: a project is opened with all of them."""
+    if isinstance(source, Scene):
+        return source, texts_of(options)
+    return open(source, progress=progress, **options), {}
 
 
 def extract_edges(source: Union[Path, Scene], *, progress: Progress = None, **options: Any) -> Edges:
     """Finds the edgels of all images. Options: EdgeDetection. Writes nothing."""
-    return _limn.extract_edges(_scene(source, progress), texts_of(options), progress)
+    return _limn.extract_edges(*_scene(source, options, progress), progress)
 
 
 def link(source: Union[Path, Scene], *, progress: Progress = None, **options: Any) -> Curves:
     """Finds the curves of all images: chains of edgels. Options: EdgeDetection, Linking. Writes nothing."""
-    return _limn.link(_scene(source, progress), texts_of(options), progress)
+    return _limn.link(*_scene(source, options, progress), progress)
 
 
 def sketch(source: Union[Path, Scene, Curves], *, progress: Progress = None, **options: Any) -> Sketch:
     """Reconstructs unconnected curves in space. Options: box, mode, ViewSelection, Sketch. Writes nothing."""
-    curves = source if isinstance(source, Curves) else link(source, progress=progress)
-    return _limn.sketch(curves, texts_of(options), progress)
+    if isinstance(source, Curves):
+        return _limn.sketch(source, texts_of(options), progress)
+    scene, left = _scene(source, options, progress)
+    return _limn.sketch(_limn.link(scene, {}, progress), left, progress)
 
 
 def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = None, progress: Progress = None,
@@ -87,9 +92,8 @@ def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = No
         return _limn.draw_sketch(source, texts_of(options), progress)
     if isinstance(source, Scene):
         _no_output(output_path, "a scene")
-        return _limn.draw_scene(source, texts_of(options), progress)
-    if output_path is None:
-        return _limn.draw_scene(open(source, progress=progress, **options), {}, progress)
+    if isinstance(source, Scene) or output_path is None:
+        return _limn.draw_scene(*_scene(source, options, progress), progress)
     texts = texts_of({"workspace_path": source, "output_path": output_path, **options})
     _limn.run("automatic_drawer", texts, progress)
     moved_cameras = texts.get("DrawingRefinement.refine_poses") in ("1", "true")
@@ -146,7 +150,7 @@ def export(drawing: Union[Path, Drawing], output_path: Path, *, progress: Progre
 
 def read_drawing(path: Path, source: Union[None, Path, Scene] = None) -> Drawing:
     """Reads a drawing.json. With the scene or the project that it was drawn from it has cameras and tracks."""
-    return _limn.read_drawing(os.fspath(path), None if source is None else _scene(source, None))
+    return _limn.read_drawing(os.fspath(path), None if source is None else _scene(source, {}, None)[0])
 
 
 def run(command: str, *, progress: Progress = None, **options: Any) -> None:

@@ -12,7 +12,7 @@ def _text_of(name: str, value: Any) -> str:
     if isinstance(value, str):
         return value
     if isinstance(value, os.PathLike):
-        return os.fspath(value)
+        return str(os.fspath(value))
     if isinstance(value, bool) or type(value).__name__ == "bool_":  # numpy's
         return "1" if value else "0"
     if isinstance(value, Iterable):
