@@ -1,4 +1,5 @@
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/run/alignment_run.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/ranks.h"
 #include "colmap_ext/run/refined_cameras.h"
@@ -24,11 +25,9 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   run.is_led = !leads;
   Console console(run.num_threads, leads);
   const Project project(run, &console);
-  CheckRefinedFolder(project, run);
-  CheckDrawingFiles(project, run);
-  CheckSketchFiles(project, run);
-  CheckReplaceable(project, run, "drawing.json", Provenance(run));
+  CheckRunOutputs(project, run);
   CheckProjectViews(project);
+  const ProjectAligner aligner(project, run.layout, options.align, &console);
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
                             ProjectBox(project, run), project.cache()};
   const std::vector<Tile> tiles = PlanSceneTiles(input, options, &console);
@@ -45,7 +44,8 @@ int RunAutomaticDrawer(int argc, const char* const* argv) {
   }
   WriteRefinedModel(project, result->cameras, &console);
   const std::vector<View>& views = ViewsOfDrawing(project, result->cameras);
-  WriteDrawingResults(project, views, result->graph, Provenance(run), &console);
+  WriteDrawingResults(project, views, result->graph, Provenance(run),
+                      aligner.Align(views, result->graph, &console), &console);
   if (options.account) WriteAccount(project, *result, &console);
   parser->WriteIni(project.CurvesPath("project.ini"));
   const Trust trust = MeasureTrust(views, result->curves, result->graph);

@@ -9,6 +9,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv);
 int RunCurveDrawer(int argc, const char* const* argv);
 int RunCurveLinker(int argc, const char* const* argv);
 int RunCurveSketcher(int argc, const char* const* argv);
+int RunDrawingAligner(int argc, const char* const* argv);
 int RunDrawingEvaluator(int argc, const char* const* argv);
 int RunDrawingExporter(int argc, const char* const* argv);
 int RunDrawingRefiner(int argc, const char* const* argv);

@@ -1,4 +1,5 @@
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/run/alignment_run.h"
 #include "colmap_ext/run/console.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/refined_cameras.h"
@@ -11,13 +12,17 @@ namespace limn::colmap_ext {
 
 int RunCurveDrawer(int argc, const char* const* argv) {
   RunOptions options;
+  AlignOptions align;
   const auto parser = ParseRunOptions(
       "curve_drawer", "make the 3D drawing from the sketch that curve_sketcher has stored",
-      {.linking = true, .drawing = true, .overwrites = true}, argc, argv, &options);
+      {.linking = true, .drawing = true, .overwrites = true}, argc, argv, &options,
+      [&](OptionParser* more) { align.AddOptions(/*of_drawing=*/false, more); });
   if (!parser) return 0;
+  align.Check();
   Console console(options.num_threads);
   const Project project(options, &console);
   CheckDrawingFiles(project, options);
+  const ProjectAligner aligner(project, options.layout, align, &console);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
   const StoredCurveSketch stored = ReadSketchResult(project, SketchFileName(options.pipeline.mode),
                                                     image_curves.curves, console.context());
@@ -29,7 +34,8 @@ int RunCurveDrawer(int argc, const char* const* argv) {
   console.Report(result.summary);
   CheckGraph(result.graph);
   WriteRefinedModel(project, std::nullopt, &console);
-  WriteDrawingResults(project, project.views(), result.graph, provenance, &console);
+  WriteDrawingResults(project, project.views(), result.graph, provenance,
+                      aligner.Align(project.views(), result.graph, &console), &console);
   SayTrust(MeasureTrust(project.views(), image_curves.curves, result.graph), HasBox(provenance),
            &console);
   console.RepeatWarnings();

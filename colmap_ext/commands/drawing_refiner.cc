@@ -30,12 +30,12 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   CheckDrawingFiles(project, options);
   const bool in_place = drawing_path.empty();
   if (in_place) drawing_path = project.DrawingPath("drawing.json");
-  const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
-  const std::string provenance = RefinementProvenance(options, drawing.metadata.options_json);
+  const DrawingFile given = ReadDrawingResult(project, drawing_path);
+  const std::string provenance = RefinementProvenance(options, given.metadata.options_json);
   if (!in_place) CheckReplaceable(project, options, "drawing.json", provenance);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, &console);
   const RefinementResult result = RefineDrawing(
-      {project.views(), image_curves.curves, drawing.graph, &project.view_set().hints.points},
+      {project.views(), image_curves.curves, given.graph, &project.view_set().hints.points},
       options.pipeline.refinement, options.pipeline.drawing.topology, console.context());
   console.Report(result.summary);
   const std::vector<View>& views = ViewsOfDrawing(project, result.cameras);
@@ -51,7 +51,7 @@ int RunDrawingRefiner(int argc, const char* const* argv) {
   console.Report(kinds.summary);
   CheckGraph(kinds.graph);
   WriteRefinedModel(project, result.cameras, &console);
-  WriteDrawingResults(project, views, kinds.graph, provenance, &console);
+  WriteDrawingResults(project, views, kinds.graph, provenance, given.metadata.alignment, &console);
   SayTrust(MeasureTrust(views, image_curves.curves, kinds.graph), HasBox(provenance), &console);
   console.RepeatWarnings();
   return 0;

@@ -23,6 +23,8 @@ struct ExporterOptions {
   DrawingFormatOptions format;
   double scale = 1;
   SignedAxis up_axis = SignedAxis::kZ;
+  // In the world, by the alignment of the drawing, and not in the coordinates of its model.
+  bool aligned = false;
   SvgSource svg;
 
   void AddOptions(OptionParser* parser);
@@ -36,8 +38,9 @@ struct ExportedDrawing {
   DrawingFormatOptions format;
 };
 
-// Reads the drawing and what is exported with it, scaled and rotated. Throws IoError, also if the
-// output must not be replaced, and OptionError for a view that does not exist.
+// Reads the drawing and what is exported with it, aligned, rotated and scaled. Throws IoError, also
+// if the output must not be replaced or the drawing has no alignment that is asked for, and
+// OptionError for a view that does not exist.
 ExportedDrawing PrepareExport(const ExporterOptions& options, Console* console);
 
 }  // namespace limn::colmap_ext

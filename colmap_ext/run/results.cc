@@ -121,6 +121,13 @@ void CheckSketchFiles(const Project& project, const RunOptions& options) {
   }
 }
 
+void CheckRunOutputs(const Project& project, const RunOptions& options) {
+  CheckRefinedFolder(project, options);
+  CheckDrawingFiles(project, options);
+  CheckSketchFiles(project, options);
+  CheckReplaceable(project, options, "drawing.json", Provenance(options));
+}
+
 std::string SketchFileName(SketchMode mode) {
   switch (mode) {
     case SketchMode::kOriginal:
@@ -202,8 +209,9 @@ DrawingFile ReadDrawingResult(const Project& project, const std::string& path) {
 
 void WriteDrawingResults(const Project& project, const std::vector<View>& views,
                          const DrawingGraph& graph, const std::string& provenance,
-                         Console* console) {
-  const DrawingMetadata metadata = Metadata(project, provenance);
+                         const std::optional<Alignment>& alignment, Console* console) {
+  DrawingMetadata metadata = Metadata(project, provenance);
+  metadata.alignment = alignment;
   const DrawingGraph in_model = Moved(graph, project.origin());
   WriteDrawing(project.DrawingPath("drawing.json"), in_model, metadata);
   const DrawingGraph selected = Selected(in_model, {});
