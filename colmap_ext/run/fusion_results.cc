@@ -157,6 +157,10 @@ void CheckFusionFiles(const Project& project, const RunOptions& options) {
 
 DenseInput OpenDenseInput(const Project& project, const FuserOptions& options,
                           const std::string& workspace_path, Console* console) {
+  if (project.view_set().HasPanoramas()) {
+    throw InputError(project.layout().model_dir.string() +
+                     " has EQUIRECTANGULAR images, of which there are no dense results");
+  }
   DenseInput dense;
   dense.products = FindDenseProducts(options.paths, workspace_path, project.layout().dense_dir);
   console->Say(dense.products.description);

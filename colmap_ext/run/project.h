@@ -47,6 +47,8 @@ class Project {
   std::string CurvesPath(const std::string& name) const;
 
  private:
+  // Throws OptionError for what cannot be done with them.
+  void CheckPanoramas(const RunOptions& options) const;
   void UseEdges(const RunOptions& options, Console* console);
 
   WorkspaceLayout layout_;

@@ -218,7 +218,8 @@ void WriteDrawingResults(const Project& project, const std::vector<View>& views,
   for (const char* name : {"drawing.ply", "drawing.obj"}) {
     WriteDrawing(project.DrawingPath(name), selected, metadata);
   }
-  WriteTracks(project.CurvesPath("tracks.txt"), graph, {}, views);
+  WriteTracks(project.CurvesPath("tracks.txt"), graph, {},
+              InWholeImages(project.view_set(), views));
   WritePictures(project, "overlays", console->context(), [&](ViewId v) {
     return DrawOverlay(project.images().read(v), views[v], v, graph);
   });

@@ -148,6 +148,9 @@ SvgScene SceneInImage(const SvgSource& source, const DrawingGraph& graph,
   SvgScene scene = {{}, Moved(graph, -project.origin())};
   scene.picture.view = project.views()[view];
   scene.picture.style = source.style;
+  if (source.photo && project.view_set().Window(view)) {
+    throw OptionError("photo = 1: the view is a part of a panorama");
+  }
   if (source.photo) {
     scene.picture.style.photo = RelativeTo(output_path, project.view_set().image_paths[view]);
   }
