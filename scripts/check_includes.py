@@ -18,7 +18,8 @@ LIMN_LAYERS = [
     ["model"],
     ["support", "visibility"],
     ["topology"],
-    ["edges", "linking", "sketch", "drawing", "refinement", "belief", "primitives", "kinds", "dense", "tiles"],
+    ["edges", "linking", "sketch", "drawing", "refinement", "belief", "primitives", "kinds", "dense", "tiles",
+     "alignment"],
     ["formats"],
     ["pictures", "evaluation", "viewer"],
     ["pipeline"],
@@ -38,6 +39,7 @@ LAYERS = {"src/limn": LIMN_LAYERS, "colmap_ext": COLMAP_EXT_LAYERS}
 THIRD_PARTY = {
     "opencv2/": ["src/limn/pictures/", "colmap_ext/workspace/"],
     "jpeglib.h": ["colmap_ext/workspace/jpeg_check.cc"],
+    "sqlite3.h": ["colmap_ext/workspace/pose_priors.cc"],
     "jerror.h": ["colmap_ext/workspace/jpeg_check.cc"],
     "ceres/": ["src/limn/refinement/", "src/limn/primitives/"],
     "flann/": ["src/limn/geometry/spatial_index.cc"],

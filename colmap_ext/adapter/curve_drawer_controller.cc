@@ -69,6 +69,10 @@ void CurveDrawerController::Draw() {
   options.run.view.border_margin_px = options.run.pipeline.edges.margin_px;
   LogConsole console(options.run.num_threads, [this] { return IsColmapStopped(this); });
   const Project project(ToSparseModel(*reconstruction_), options.run, &console);
+  if (options_.point_spacing_px > 0 && project.view_set().HasPanoramas()) {
+    throw OptionError(
+        "point_spacing_px: the model has EQUIRECTANGULAR images, which take no points of curves");
+  }
   std::optional<DrawingGraph> graph = DrawProject(project, options, &console);
   if (!graph) return;  // a shard
   if (options_.point_spacing_px > 0) AddPoints(project, *graph, console);

@@ -11,6 +11,7 @@ int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& ma
 int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunCurveLinker(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunCurveSketcher(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunDrawingAligner(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingEvaluator(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingExporter(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& make_console);

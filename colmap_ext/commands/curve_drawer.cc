@@ -1,4 +1,5 @@
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/run/alignment_run.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/results.h"
@@ -10,13 +11,17 @@ namespace limn::colmap_ext {
 
 int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
+  AlignOptions align;
   const auto parser = ParseRunOptions(
       "curve_drawer", "make the 3D drawing from the sketch that curve_sketcher has stored",
-      {.linking = true, .drawing = true, .overwrites = true}, argc, argv, &options);
+      {.linking = true, .drawing = true, .overwrites = true}, argc, argv, &options,
+      [&](OptionParser* more) { align.AddOptions(/*of_drawing=*/false, more); });
   if (!parser) return 0;
+  align.Check();
   const auto console = make_console(options.num_threads, /*speaks=*/true);
   const Project project(options, console.get());
   CheckDrawingFiles(project, options);
+  const ProjectAligner aligner(project, options.layout, align, console.get());
   const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
   const StoredCurveSketch stored = ReadSketchResult(project, SketchFileName(options.pipeline.mode),
                                                     image_curves.curves, console->context());
@@ -28,7 +33,8 @@ int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_c
   console->Report(result.summary);
   CheckGraph(result.graph);
   WriteRefinedModel(project, std::nullopt, console.get());
-  WriteDrawingResults(project, project.views(), result.graph, provenance, console.get());
+  WriteDrawingResults(project, project.views(), result.graph, provenance,
+                      aligner.Align(project.views(), result.graph, console.get()), console.get());
   SayTrust(MeasureTrust(project.views(), image_curves.curves, result.graph), HasBox(provenance),
            console.get());
   console->RepeatWarnings();

@@ -33,12 +33,12 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
     drawing_path =
         FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kUnfused, "drawing_path");
   }
-  const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
-  const std::string provenance = RefinementProvenance(options, drawing.metadata.options_json);
+  const DrawingFile given = ReadDrawingResult(project, drawing_path);
+  const std::string provenance = RefinementProvenance(options, given.metadata.options_json);
   if (!in_place) CheckReplaceable(project, options, "drawing.json", provenance);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
   const RefinementResult result = RefineDrawing(
-      {project.views(), image_curves.curves, drawing.graph, &project.view_set().hints.points},
+      {project.views(), image_curves.curves, given.graph, &project.view_set().hints.points},
       options.pipeline.refinement, options.pipeline.drawing.topology, console->context());
   console->Report(result.summary);
   const std::vector<View>& views = ViewsOfDrawing(project, result.cameras);
@@ -54,7 +54,8 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
   console->Report(kinds.summary);
   CheckGraph(kinds.graph);
   WriteRefinedModel(project, result.cameras, console.get());
-  WriteDrawingResults(project, views, kinds.graph, provenance, console.get());
+  WriteDrawingResults(project, views, kinds.graph, provenance, given.metadata.alignment,
+                      console.get());
   SayTrust(MeasureTrust(views, image_curves.curves, kinds.graph), HasBox(provenance),
            console.get());
   console->RepeatWarnings();

@@ -1,4 +1,5 @@
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/run/alignment_run.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
@@ -28,8 +29,10 @@ int RunDrawingViewer(int argc, const char* const* argv, const ConsoleMaker& make
   const std::string drawing_path = DrawingToView(project, viewer);
   const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
   console->Say("drawing: " + drawing_path);
+  std::optional<Alignment> shown;
+  if (viewer.aligned) shown = RequireAlignment(drawing_path, drawing.metadata);
   WriteViewerResult(project, options.layout.workspace_path, project.views(), drawing.graph, viewer,
-                    report, console.get());
+                    report, shown, console.get());
   return 0;
 }
 

@@ -54,7 +54,6 @@ const CameraModel* FindCameraModel(std::string_view name) {
 std::string SupportedCameraModels() {
   std::string names;
   for (const CameraModel& model : kModels) {
-    if (model.num_focals == 0) continue;
     if (!names.empty()) names += ", ";
     names += model.name;
   }

@@ -42,7 +42,7 @@ struct CameraModel {
 const CameraModel* FindCameraModel(int32_t id);
 const CameraModel* FindCameraModel(std::string_view name);
 
-// All supported models (all but EQUIRECTANGULAR), comma-separated, for messages.
+// All models, comma-separated, for messages.
 std::string SupportedCameraModels();
 
 // A camera as stored in cameras.bin or cameras.txt. Lengths in pixels; COLMAP's convention: the
@@ -53,9 +53,13 @@ struct Camera {
   uint64_t width = 0;
   uint64_t height = 0;
   std::vector<double> params;
+
+  // Images of all directions, which have no intrinsics (model/panorama.h).
+  bool IsPanorama() const { return model == CameraModelId::kEquirectangular; }
 };
 
-// Parameters of any supported model in a common form; a single focal length is stored twice.
+// Parameters of any model but EQUIRECTANGULAR in a common form; a single focal length is stored
+// twice.
 struct Intrinsics {
   CameraModelId model = CameraModelId::kPinhole;
   double fx = 1;

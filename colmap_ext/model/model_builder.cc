@@ -25,6 +25,19 @@ bool PrincipalPointIsOdd(const Intrinsics& camera, uint64_t width, uint64_t heig
            camera.cy <= static_cast<double>(height));
 }
 
+// COLMAP projects by the parameters, Limn by the size.
+void CheckPanorama(const Camera& camera, const std::string& what, const FilePlace& place) {
+  const auto width = static_cast<double>(camera.width);
+  const auto height = static_cast<double>(camera.height);
+  if (camera.params[0] != width || camera.params[1] != height) {
+    place.Fail(what + ": the parameters of an EQUIRECTANGULAR camera must be its width and height");
+  }
+  if (std::abs(width - 2 * height) > 2) {
+    place.Fail(what + ": an EQUIRECTANGULAR image of " + std::to_string(camera.width) + " x " +
+               std::to_string(camera.height) + " pixels is not twice as wide as high");
+  }
+}
+
 void CheckFocal(double focal, const Camera& camera, const std::string& what,
                 const FilePlace& place) {
   if (!(focal > 0)) place.Fail(what + ": the focal length is not positive");
@@ -61,7 +74,9 @@ void ModelBuilder::AddCamera(Camera camera, const FilePlace& place) {
   if (!std::all_of(camera.params.begin(), camera.params.end(), finite)) {
     place.Fail(what + ": a parameter is not finite");
   }
-  if (camera.model != CameraModelId::kEquirectangular) {
+  if (camera.IsPanorama()) {
+    CheckPanorama(camera, what, place);
+  } else {
     const Intrinsics intrinsics = IntrinsicsOf(camera);
     CheckFocal(intrinsics.fx, camera, what, place);
     CheckFocal(intrinsics.fy, camera, what, place);
@@ -88,11 +103,6 @@ void ModelBuilder::AddImage(ModelImage image, const std::array<double, 4>& quate
   if (camera == camera_index_.end()) {
     place.Fail(what + " (" + image.name + ") refers to camera " + std::to_string(image.camera_id) +
                ", which is not among the cameras");
-  }
-  if (model_.cameras[camera->second].model == CameraModelId::kEquirectangular) {
-    place.Fail(what + " (" + image.name +
-               ") was taken by an EQUIRECTANGULAR camera, which has no pinhole form; supported: " +
-               SupportedCameraModels());
   }
   model_.images.push_back(std::move(image));
 }

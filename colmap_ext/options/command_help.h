@@ -11,7 +11,8 @@ namespace limn {
 struct OptionDescription {
   std::string name;
   std::string text;  // of the help
-  // What it takes: "number", "integer", "numbers", "path", "text", "word" or "switch".
+  // What it takes: "number", "integer", "numbers", "path", "text", "texts", "word" or
+  // "switch".
   std::string value;
   std::string default_value;       // empty = none
   std::vector<std::string> words;  // of a word or switch, all that may be given; else empty

@@ -80,6 +80,37 @@ bool IsPathOption(const std::string& name) {
   return name.ends_with("_path") || name == "output_csv" || name == "output_json";
 }
 
+// The parts between semicolons, without white space at their ends and without empty ones.
+std::vector<std::string> SplitTexts(std::string_view text) {
+  constexpr std::string_view kSpace = " \t";
+  std::vector<std::string> parts;
+  while (!text.empty()) {
+    const size_t end = std::min(text.find(';'), text.size());
+    const std::string_view part = text.substr(0, end);
+    const size_t first = part.find_first_not_of(kSpace);
+    if (first != std::string_view::npos) {
+      parts.emplace_back(part.substr(first, part.find_last_not_of(kSpace) - first + 1));
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return parts;
+}
+
+std::string JoinTexts(const std::vector<std::string>& texts) {
+  std::string joined;
+  for (const std::string& text : texts) joined += (joined.empty() ? "" : "; ") + text;
+  return joined;
+}
+
+// What is given for an option, each time.
+std::string AllValues(const std::vector<po::option>& given, const std::string& name) {
+  std::vector<std::string> values;
+  for (const po::option& option : given) {
+    if (option.string_key == name) values.push_back(option.value.front());
+  }
+  return JoinTexts(values);
+}
+
 std::string GroupOf(const std::string& name) {
   const size_t dot = name.find('.');
   return dot == std::string::npos ? "" : name.substr(0, dot);
@@ -165,6 +196,16 @@ void OptionParser::AddOption(const std::string& name, std::vector<double>* value
     return "";
   };
   Add({name, help, "numbers", {}, set, [value] { return FormatDoubles(*value); }});
+}
+
+void OptionParser::AddOption(const std::string& name, std::vector<std::string>* value,
+                             const OptionHelp& help) {
+  const auto set = [value](const std::string& text) -> std::string {
+    if (text.find_first_of("\r\n") != std::string::npos) return "without line ends";
+    *value = SplitTexts(text);
+    return "";
+  };
+  Add({name, help, "texts", {}, set, [value] { return JoinTexts(*value); }, /*repeats=*/true});
 }
 
 void OptionParser::AddOption(const std::string& name, std::string* value,
@@ -255,14 +296,18 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
     if (option.position_key >= 0 || option.string_key.empty()) {
       throw OptionError("unexpected argument '" + option.value.front() + "'");
     }
-    if (!seen.insert(option.string_key).second) {
+    const Option* declared = Find(option.string_key);
+    const bool repeats = declared && declared->repeats;
+    if (!seen.insert(option.string_key).second && !repeats) {
       throw OptionError("option '--" + option.string_key + "' is given twice");
     }
     if (option.string_key == kProjectPath) project_path = option.value.front();
   }
   if (!project_path.empty()) ReadIni(project_path);
   for (const po::option& option : given) {
-    if (option.string_key != kProjectPath) Set(option.string_key, option.value.front(), "");
+    if (option.string_key != kProjectPath) {
+      Set(option.string_key, AllValues(given, option.string_key), "");
+    }
   }
   return Outcome::kRun;
 }

@@ -20,7 +20,8 @@ namespace limn {
 //   --help_format man|words     the same for programs: a man page, or the words of completion
 //
 // Each option is bound to a variable, whose value at the time of AddOption is the default. Names
-// cannot be abbreviated; an option may be given once. Bools are 0, 1, true or false.
+// cannot be abbreviated; an option may be given once, except lists of texts. Bools are 0, 1, true
+// or false.
 class OptionParser {
  public:
   enum class Outcome { kRun, kHelp };
@@ -36,6 +37,8 @@ class OptionParser {
   void AddOption(const std::string& name, std::string* value, const OptionHelp& help);
   // Numbers separated by commas.
   void AddOption(const std::string& name, std::vector<double>* value, const OptionHelp& help);
+  // Texts separated by semicolons; the option may also be given several times.
+  void AddOption(const std::string& name, std::vector<std::string>* value, const OptionHelp& help);
   // One of a list of words, which the help text lists.
   void AddOption(const std::string& name, std::string* value, std::vector<std::string> allowed,
                  const OptionHelp& help);
@@ -72,6 +75,7 @@ class OptionParser {
     // Returns what the value must be, or an empty string on success.
     std::function<std::string(const std::string& text)> set;
     std::function<std::string()> get;
+    bool repeats = false;
     bool given = false;
   };
 

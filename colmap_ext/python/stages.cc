@@ -253,6 +253,7 @@ std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDraw
   const std::string provenance = RefinementProvenance(run, drawing->metadata.options_json);
   auto refined = MakeDrawing(drawing->scene, std::move(made), graph, judged.cameras, provenance);
   SayTrust(MeasureTrust(refined->views, *curves, graph), HasBox(provenance), &console);
+  refined->metadata.alignment = drawing->metadata.alignment;
   refined->curves = curves;
   refined->made.log = console.log();
   return refined;
@@ -351,9 +352,10 @@ void RunCommand(const std::string& command, const OptionTexts& options, RunMonit
   const std::pair<const char*, decltype(&RunAutomaticDrawer)> commands[] = {
       {"automatic_drawer", RunAutomaticDrawer}, {"curve_drawer", RunCurveDrawer},
       {"curve_linker", RunCurveLinker},         {"curve_sketcher", RunCurveSketcher},
-      {"drawing_exporter", RunDrawingExporter}, {"drawing_fuser", RunDrawingFuser},
-      {"drawing_refiner", RunDrawingRefiner},   {"drawing_viewer", RunDrawingViewer},
-      {"edge_extractor", RunEdgeExtractor},     {"truth_extractor", RunTruthExtractor}};
+      {"drawing_aligner", RunDrawingAligner},   {"drawing_exporter", RunDrawingExporter},
+      {"drawing_fuser", RunDrawingFuser},       {"drawing_refiner", RunDrawingRefiner},
+      {"drawing_viewer", RunDrawingViewer},     {"edge_extractor", RunEdgeExtractor},
+      {"truth_extractor", RunTruthExtractor}};
   const auto found = std::find_if(std::begin(commands), std::end(commands),
                                   [&](const auto& known) { return known.first == command; });
   if (found == std::end(commands)) throw OptionError("unknown command '" + command + "'");

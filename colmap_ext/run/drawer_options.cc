@@ -13,6 +13,7 @@ void DrawerOptions::Check() const {
     throw OptionError("account = 1: the original sketch judges whole curves, not edgels");
   }
   if (truth.IsGiven()) truth.Check();
+  align.Check();
 }
 
 std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv,
@@ -31,6 +32,7 @@ std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv
                                   more->AddOption("page", &options->page,
                                                   BasicOption("write drawing.html, with a report"));
                                   options->truth.AddOptions(/*are_basic=*/false, more);
+                                  options->align.AddOptions(/*of_drawing=*/false, more);
                                 });
   if (!parser) return std::nullopt;
   options->Check();

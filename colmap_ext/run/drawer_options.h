@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "colmap_ext/run/alignment_run.h"
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/run/truth_input.h"
 
@@ -15,6 +16,7 @@ struct DrawerOptions {
   // Write drawing.html with a report, judged by this truth if there is one.
   bool page = true;
   TruthInput truth;
+  AlignOptions align;
 
   // Throws OptionError.
   void Check() const;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "colmap_ext/run/alignment_run.h"
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_report.h"
@@ -14,11 +15,9 @@ namespace limn::colmap_ext {
 std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOptions& options,
                                         Console* console) {
   const RunOptions& run = options.run;
-  CheckRefinedFolder(project, run);
-  CheckDrawingFiles(project, run);
-  CheckSketchFiles(project, run);
-  CheckReplaceable(project, run, "drawing.json", Provenance(run));
+  CheckRunOutputs(project, run);
   CheckSceneViews(project);
+  const ProjectAligner aligner(project, run.layout, options.align, console);
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
                             SceneBox(project, run), project.cache()};
   const std::vector<Tile> tiles = PlanSceneTiles(input, options, console);
@@ -35,7 +34,8 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   }
   WriteRefinedModel(project, result->cameras, console);
   const std::vector<View>& views = ViewsOfDrawing(project, result->cameras);
-  WriteDrawingResults(project, views, result->graph, Provenance(run), console);
+  WriteDrawingResults(project, views, result->graph, Provenance(run),
+                      aligner.Align(views, result->graph, console), console);
   if (options.account) WriteAccount(project, *result, console);
   const Trust trust = MeasureTrust(views, result->curves, result->graph);
   SayTrust(trust, !run.box.empty(), console);

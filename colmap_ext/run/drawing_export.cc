@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "colmap_ext/import/new_model_folder.h"
+#include "colmap_ext/run/alignment_run.h"
 #include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/limap_model.h"
 #include "colmap_ext/workspace/model_folder.h"
@@ -23,23 +24,37 @@ std::string FormatName(const ExporterOptions& options) {
   return DrawingFormatOf(options.output_path, options.format);
 }
 
-// Scaled and turned as the drawing is.
-std::vector<GlbPoint> ReadCloud(const ExporterOptions& options) {
+// From the coordinates of the model.
+Similarity3d FileFromModel(const ExporterOptions& options, const DrawingMetadata& metadata) {
+  const Similarity3d by_options = {options.scale, ZUpFrom(options.up_axis),
+                                   Eigen::Vector3d::Zero()};
+  if (!options.aligned) return by_options;
+  return by_options * RequireAlignment(options.input_path, metadata).world_from_model;
+}
+
+// An aligned drawing is in meters, unless it is scaled further or the options say otherwise.
+LengthUnit UnitOf(const ExporterOptions& options, const DrawingMetadata& metadata) {
+  const bool in_meters = options.aligned && metadata.alignment->IsMetric() && options.scale == 1;
+  const bool is_open = options.format.unit == LengthUnit::kNone;
+  return in_meters && is_open ? LengthUnit::kMeter : options.format.unit;
+}
+
+std::vector<GlbPoint> ReadCloud(const std::string& path, const Similarity3d& file_from_model) {
   std::vector<GlbPoint> cloud;
-  const Eigen::Matrix3d z_up = ZUpFrom(options.up_axis);
-  ReadPlyPoints(options.cloud_path, [&](const PlyPoint& point) {
+  ReadPlyPoints(path, [&](const PlyPoint& point) {
     const auto& [red, green, blue] = point.color;
-    cloud.push_back({options.scale * (z_up * point.position), {red, green, blue}});
+    cloud.push_back({file_from_model * point.position, {red, green, blue}});
   });
   return cloud;
 }
 
 // What an SVG picture shows of the graph.
-SvgScene SceneOf(const ExporterOptions& options, const DrawingGraph& graph, Console* console) {
+SvgScene SceneOf(const ExporterOptions& options, const DrawingGraph& graph,
+                 const Similarity3d& file_from_model, Console* console) {
   SvgSource source = options.svg;
   source.style.junctions = options.junctions;
   return source.IsSheet()
-             ? SceneOnSheet(source, graph, ZUpFrom(options.up_axis), options.scale)
+             ? SceneOnSheet(source, graph, file_from_model)
              : SceneInImage(source, options.workspace, graph, options.output_path, console);
 }
 
@@ -69,19 +84,26 @@ size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console*
 
 size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* console) {
   if (FormatName(options) == kLimapFormat) return ExportLimap(std::move(drawing), options, console);
+  DrawingMetadata& metadata = drawing.metadata;
+  const Similarity3d file_from_model = FileFromModel(options, metadata);
+  const auto& [scale, rotation, translation] = file_from_model;
   DrawingGraph graph =
-      Transformed(Selected(std::move(drawing.graph), options.selection.Selection()), options.scale,
-                  ZUpFrom(options.up_axis), Eigen::Vector3d::Zero());
+      Transformed(Selected(std::move(drawing.graph), options.selection.Selection()), scale,
+                  rotation, translation);
   DrawingFormatOptions format = options.format;
+  format.unit = UnitOf(options, metadata);
+  if (metadata.alignment) metadata.alignment = After(file_from_model, *metadata.alignment);
   format.dxf.junctions = format.glb.junctions = options.junctions;
-  if (!options.cloud_path.empty()) format.glb.cloud = ReadCloud(options);
+  if (!options.cloud_path.empty()) {
+    format.glb.cloud = ReadCloud(options.cloud_path, file_from_model);
+  }
   if (FormatName(options) == "svg") {
-    SvgScene scene = SceneOf(options, graph, console);
+    SvgScene scene = SceneOf(options, graph, file_from_model, console);
     format.svg = std::move(scene.picture);
     graph = std::move(scene.graph);
   }
   ThrowIfCancelled(console->context());
-  WriteDrawing(options.output_path, graph, drawing.metadata, format);
+  WriteDrawing(options.output_path, graph, metadata, format);
   return graph.links.size();
 }
 
@@ -144,8 +166,11 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
                      {"-y", SignedAxis::kMinusY},
                      {"-z", SignedAxis::kMinusZ}},
                     BasicOption("the axis of the model that points up, often -y; it becomes z"));
+  parser->AddOption("aligned", &aligned,
+                    BasicOption("in the world, as drawing_aligner or --align auto found it: z up, "
+                                "in meters if the scale is known"));
   parser->AddOption("junctions", &junctions,
-                    BasicOption("DXF, GLB and SVG: junctions as points on their own layer"));
+                    "DXF, GLB and SVG: junctions as points on their own layer");
   selection.AddOptions(parser);
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, BasicOption("GLB: a cloud to go with it, .ply"));
@@ -161,6 +186,9 @@ void ExporterOptions::Check() const {
   if (!workspace.workspace_path.empty()) workspace.Check();
   selection.Selection();  // throws
   LIMN_CHECK_RANGE(scale, >= 1e-12, <= 1e12);
+  if (aligned && up_axis != SignedAxis::kZ) {
+    throw OptionError("up_axis: z is up in an aligned drawing");
+  }
   const std::string name = FormatName(*this);
   if (!cloud_path.empty() && name != "glb") {
     throw OptionError("cloud_path: only .glb files hold a cloud");
@@ -170,8 +198,8 @@ void ExporterOptions::Check() const {
     throw OptionError("output_type = limap: the cameras of --workspace_path go with it");
   }
   const bool is_in_model = name == kLimapFormat || (name == "svg" && !svg.IsSheet());
-  if (is_in_model && (scale != 1 || up_axis != SignedAxis::kZ)) {
-    throw OptionError("scale and up_axis: " +
+  if (is_in_model && (scale != 1 || up_axis != SignedAxis::kZ || aligned)) {
+    throw OptionError("scale, up_axis and aligned: " +
                       std::string(name == "svg" ? "the picture of an image is in its pixels"
                                                 : "a model of LIMAP keeps its coordinates"));
   }

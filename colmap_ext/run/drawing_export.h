@@ -27,6 +27,8 @@ struct ExporterOptions {
   DrawingFormatOptions format;
   double scale = 1;
   SignedAxis up_axis = SignedAxis::kZ;
+  // In the world, by the alignment of the drawing, and not in the coordinates of its model.
+  bool aligned = false;
   SvgSource svg;
   // LIMAP: links that are no lines, too.
   bool chains = false;
@@ -36,9 +38,10 @@ struct ExporterOptions {
   void Check() const;
 };
 
-// Reads the drawing and what is exported with it, scaled and rotated, and writes it. Returns the
-// number of links. Throws IoError, also if the output must not be replaced, InputError, and
-// OptionError for a view that does not exist.
+// Reads the drawing and what is exported with it, aligned, rotated and scaled, and writes it.
+// Returns the number of links. Throws IoError, also if the output must not be replaced or the
+// drawing has no alignment that is asked for, InputError, and OptionError for a view that does not
+// exist.
 size_t ExportDrawing(const ExporterOptions& options, Console* console);
 // The same for a drawing that was read.
 size_t ExportDrawing(DrawingFile drawing, const ExporterOptions& options, Console* console);

@@ -115,6 +115,13 @@ void CheckSketchFiles(const Project& project, const RunOptions& options) {
   }
 }
 
+void CheckRunOutputs(const Project& project, const RunOptions& options) {
+  CheckRefinedFolder(project, options);
+  CheckDrawingFiles(project, options);
+  CheckSketchFiles(project, options);
+  CheckReplaceable(project, options, "drawing.json", Provenance(options));
+}
+
 std::string SketchFileName(SketchMode mode) {
   switch (mode) {
     case SketchMode::kOriginal:
@@ -207,15 +214,17 @@ DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path) {
 
 void WriteDrawingResults(const Project& project, const std::vector<View>& views,
                          const DrawingGraph& graph, const std::string& provenance,
-                         Console* console) {
-  const DrawingMetadata metadata = Metadata(project, provenance);
+                         const std::optional<Alignment>& alignment, Console* console) {
+  DrawingMetadata metadata = Metadata(project, provenance);
+  metadata.alignment = alignment;
   const DrawingGraph in_model = Moved(graph, project.origin());
   WriteDrawing(project.DrawingPath("drawing.json"), in_model, metadata);
   const DrawingGraph selected = Selected(in_model, {});
   for (const char* name : {"drawing.ply", "drawing.obj"}) {
     WriteDrawing(project.DrawingPath(name), selected, metadata);
   }
-  WriteTracks(project.CurvesPath("tracks.txt"), graph, {}, views);
+  WriteTracks(project.CurvesPath("tracks.txt"), graph, {},
+              InWholeImages(project.view_set(), views));
   WritePictures(project, "overlays", console->context(), [&](ViewId v) {
     return DrawOverlay(project.images().read(v), views[v], v, graph);
   });

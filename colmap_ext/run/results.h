@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "colmap_ext/run/project.h"
 #include "limn/formats/curve_sketch_file.h"
+#include "limn/model/alignment.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
@@ -38,6 +40,9 @@ void CheckDrawingFiles(const Project& project, const RunOptions& options);
 // The same for the files of the sketch.
 void CheckSketchFiles(const Project& project, const RunOptions& options);
 
+// All of these checks, for a run that writes sketch, drawing and refined cameras.
+void CheckRunOutputs(const Project& project, const RunOptions& options);
+
 // Name of a sketch's files in the folder of curves, without extension.
 std::string SketchFileName(SketchMode mode);
 
@@ -68,10 +73,11 @@ void CheckDrawingViews(const Scene& scene, const std::string& path,
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);
 
 // Writes drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.
-// `views` are the project's views with the cameras that the drawing fits.
+// `views` are the project's views with the cameras that the drawing fits. An alignment is stored in
+// drawing.json; all positions are the model's.
 void WriteDrawingResults(const Project& project, const std::vector<View>& views,
                          const DrawingGraph& graph, const std::string& provenance,
-                         Console* console);
+                         const std::optional<Alignment>& alignment, Console* console);
 
 // Writes <curves>/account.csv and <curves>/account/<image name>.png: what became of every edgel
 // (see edgel_account.h and DrawAccount).

@@ -141,7 +141,8 @@ void WritePageWithReport(const Project& project, const RunOptions& options,
   // Truth files are in the model's coordinates.
   const std::string report = RunReportJson(project, options, Moved(graph, project.origin()),
                                            Moved(views, project.origin()), trust, truth, *console);
-  WriteViewerResult(project, options.layout.workspace_path, views, graph, {}, report, console);
+  WriteViewerResult(project, options.layout.workspace_path, views, graph, {}, report, std::nullopt,
+                    console);
 }
 
 }  // namespace limn::colmap_ext

@@ -22,6 +22,9 @@ constexpr int kEdgeFilesVersion = 2;
 
 std::string ImageIdentity(const ViewSet& set, ViewId view) {
   std::string identity = "image " + set.photos.Identity(set.image_paths[view]);
+  if (const ImageWindow* window = set.Window(view)) {
+    identity += "\npart " + std::to_string(window->x) + " " + std::to_string(window->y);
+  }
   if (set.is_damaged[view]) identity += "\ndamaged";
   const std::string& mask_path = set.mask_paths[view];
   if (!mask_path.empty()) identity += "\nmask " + FileIdentity(mask_path);
@@ -62,9 +65,23 @@ void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptio
     console->Say("Coordinates are large: working around " + TextOf(origin_) +
                  ", all files keep the model's coordinates");
   }
+  CheckPanoramas(options);
   images_.read = [this](ViewId view) { return ReadViewImage(view_set_, view); };
   images_.identity = [this](ViewId view) { return ImageIdentity(view_set_, view); };
   if (!options.edges_path.empty()) UseEdges(options, console);
+}
+
+void Scene::CheckPanoramas(const RunOptions& options) const {
+  if (!view_set_.HasPanoramas()) return;
+  if (options.pipeline.refinement.refine_poses) {
+    throw OptionError(
+        "DrawingRefinement.refine_poses = 1: the model has EQUIRECTANGULAR images, whose parts "
+        "would move apart");
+  }
+  if (!options.edges_path.empty()) {
+    throw OptionError("edges_path = " + options.edges_path +
+                      ": the model has EQUIRECTANGULAR images, whose edges are found in parts");
+  }
 }
 
 void Scene::UseEdges(const RunOptions& options, Console* console) {

@@ -43,6 +43,8 @@ class Scene {
  private:
   void SetModel(SparseModel model, const PhotoStore& photos, const RunOptions& options,
                 Console* console);
+  // Throws OptionError for what cannot be done with them.
+  void CheckPanoramas(const RunOptions& options) const;
   void UseEdges(const RunOptions& options, Console* console);
 
   WorkspaceLayout layout_;

@@ -43,10 +43,10 @@ std::vector<Eigen::Vector3d> ReadCloud(const std::string& path) {
 }
 
 // What a mesh or cloud hides on a sheet.
-IsHidden HiddenBy(const std::string& path, const Eigen::Matrix3d& z_up_from_model, double scale,
+IsHidden HiddenBy(const std::string& path, const Similarity3d& sheet_from_model,
                   const OrthographicFrame& frame) {
   const auto turn = [&](std::vector<Eigen::Vector3d>* points) {
-    for (Eigen::Vector3d& point : *points) point = scale * (z_up_from_model * point);
+    for (Eigen::Vector3d& point : *points) point = sheet_from_model * point;
   };
   if (IsMeshFile(path)) {
     TriangleMesh mesh = ReadMesh(path);
@@ -120,14 +120,14 @@ void SvgSource::Check(const LayoutOptions& workspace) const {
 }
 
 SvgScene SceneOnSheet(const SvgSource& source, const DrawingGraph& graph,
-                      const Eigen::Matrix3d& z_up_from_model, double scale) {
+                      const Similarity3d& graph_from_model) {
   SvgScene scene = {{}, graph};
   scene.picture.sheet = source.sheet;
   scene.picture.sheet.projection = ProjectionOf(source.view)->projection;
   scene.picture.style = source.style;
   if (!source.show_hidden && !source.dense.dense_path.empty()) {
     const OrthographicFrame frame = DepthFrame(MakeSheet(graph, scene.picture.sheet));
-    scene.picture.is_hidden = HiddenBy(source.dense.dense_path, z_up_from_model, scale, frame);
+    scene.picture.is_hidden = HiddenBy(source.dense.dense_path, graph_from_model, frame);
   }
   return scene;
 }
@@ -141,6 +141,9 @@ SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
   SvgScene scene = {{}, Moved(graph, -project.origin())};
   scene.picture.view = project.views()[view];
   scene.picture.style = source.style;
+  if (source.photo && project.view_set().Window(view)) {
+    throw OptionError("photo = 1: the view is a part of a panorama");
+  }
   if (source.photo) {
     scene.picture.style.photo = RelativeTo(output_path, project.view_set().image_paths[view]);
   }

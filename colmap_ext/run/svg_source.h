@@ -7,6 +7,7 @@
 #include "colmap_ext/run/console.h"
 #include "colmap_ext/workspace/layout.h"
 #include "limn/formats/write_drawing.h"
+#include "limn/geometry/similarity3.h"
 
 namespace limn::colmap_ext {
 
@@ -29,15 +30,15 @@ struct SvgSource {
 };
 
 // A picture of `graph`, and the graph in its coordinates: on sheets the given graph (z up; what
-// hides it is transformed by `z_up_from_model` and `scale`, as the graph was), in images the graph
-// in the model's coordinates, as the workspace has it with its dense results. Throws IoError, and
-// OptionError for an image that the model does not have.
+// hides it is in the coordinates of the model), in images the graph in the model's coordinates, as
+// the workspace has it with its dense results. Throws IoError, and OptionError for an image that
+// the model does not have.
 struct SvgScene {
   SvgPicture picture;
   DrawingGraph graph;
 };
 SvgScene SceneOnSheet(const SvgSource& source, const DrawingGraph& graph,
-                      const Eigen::Matrix3d& z_up_from_model, double scale);
+                      const Similarity3d& graph_from_model);
 SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
                       const DrawingGraph& graph, const std::string& output_path, Console* console);
 

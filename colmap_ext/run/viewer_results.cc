@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/json_text.h"
 #include "limn/formats/whole_file.h"
+#include "limn/model/drawing_transform.h"
 #include "limn/pictures/thumbnail.h"
 #include "limn/util/errors.h"
 #include "limn/viewer/viewer_page.h"
@@ -90,6 +92,15 @@ std::vector<ViewerThumbnail> Thumbnails(const Project& project, int size, Consol
   return thumbnails;
 }
 
+void MoveToWorld(const Similarity3d& world_from_model, ViewerScene* scene) {
+  const auto& [scale, rotation, translation] = world_from_model;
+  scene->graph = Transformed(std::move(scene->graph), scale, rotation, translation);
+  for (View& view : scene->views) {
+    view.cam_from_world = CamFromB(view.cam_from_world, world_from_model);
+  }
+  for (ViewerPoint& point : scene->cloud) point.position = world_from_model * point.position;
+}
+
 }  // namespace
 
 void ViewerOptions::AddOptions(OptionParser* parser) {
@@ -103,6 +114,8 @@ void ViewerOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("max_points", &max_points, BasicOption("thin the points to so many"));
   parser->AddOption("thumbnail_size", &thumbnail_size,
                     BasicOption("longer side of the photographs in the page, px"));
+  parser->AddOption("aligned", &aligned,
+                    BasicOption("show the world, as drawing_aligner or --align auto found it"));
 }
 
 void ViewerOptions::Check() const {
@@ -127,13 +140,14 @@ std::string ReadReport(const ViewerOptions& options) {
 void WriteViewerResult(const Project& project, const std::string& workspace_path,
                        const std::vector<View>& views, const DrawingGraph& graph,
                        const ViewerOptions& options, const std::string& report_json,
-                       Console* console) {
+                       const std::optional<Alignment>& shown, Console* console) {
   ViewerScene scene;
   const fs::path folder = fs::absolute(project.DrawingPath("")).lexically_normal();
   scene.title = folder.parent_path().filename().string();
   scene.graph = Moved(graph, project.origin());
   scene.views = Moved(views, project.origin());
   scene.cloud = CloudOf(project, workspace_path, options, console);
+  if (shown) MoveToWorld(shown->world_from_model, &scene);
   scene.thumbnails = Thumbnails(project, options.thumbnail_size, console);
   scene.report_json = report_json;
   const std::string path = project.DrawingPath(kViewerPage);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/run/console.h"
 #include "colmap_ext/run/project.h"
+#include "limn/model/alignment.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn::colmap_ext {
@@ -19,6 +21,8 @@ struct ViewerOptions {
   std::string cloud = "auto";
   int max_points = 200000;
   int thumbnail_size = 320;
+  // Show the world, by the alignment of the drawing, and not the coordinates of its model.
+  bool aligned = false;
 
   void AddOptions(OptionParser* parser);
   // Throws OptionError.
@@ -34,11 +38,12 @@ std::string DrawingToView(const Project& project, const ViewerOptions& options);
 std::string ReadReport(const ViewerOptions& options);
 
 // Writes drawing.html beside the drawing. The graph and `views`, the cameras that it fits, are
-// relative to the project's origin. `report_json`: see ViewerScene. Throws IoError, also if the
+// relative to the project's origin; the page is in the coordinates of the model, or in the world if
+// there is an alignment to show. `report_json`: see ViewerScene. Throws IoError, also if the
 // requested cloud does not exist, and InputError.
 void WriteViewerResult(const Project& project, const std::string& workspace_path,
                        const std::vector<View>& views, const DrawingGraph& graph,
                        const ViewerOptions& options, const std::string& report_json,
-                       Console* console);
+                       const std::optional<Alignment>& shown, Console* console);
 
 }  // namespace limn::colmap_ext

@@ -53,7 +53,9 @@ class PoseComparison {
       : model_(model), images_(images), paths_(paths), photos_(photos) {
     for (const int image : images) {
       centers_.push_back(Inverse(model.images[image].cam_from_world).translation);
-      focal_lengths_.push_back(IntrinsicsOf(model.CameraOf(model.images[image])).fx);
+      const Camera& camera = model.CameraOf(model.images[image]);
+      const double panorama_focal = static_cast<double>(camera.width) / (2 * M_PI);
+      focal_lengths_.push_back(camera.IsPanorama() ? panorama_focal : IntrinsicsOf(camera).fx);
     }
     max_distance_ = kMaxRelativeDistance * SpreadOfCenters();
     SortAlongLongestAxis();

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <system_error>
 #include <tuple>
 #include <unordered_map>
@@ -47,10 +49,21 @@ struct Optics {
   PinholeCamera camera;
   std::shared_ptr<const LensMap> lens;
   ImageRegion region;  // without mask
+  std::optional<ImageWindow> window;
+  Eigen::Quaterniond part_from_image = Eigen::Quaterniond::Identity();
 };
 
-Optics MakeOptics(const Camera& stored, ImageSize file, const ViewOptions& options) {
+Optics MakePartOptics(ImageSize size, int part, double margin_px) {
+  const int margin = static_cast<int>(std::ceil(margin_px));
+  const PanoramaPart made = PanoramaParts(size.width, size.height, margin)[part];
+  return {made.camera, made.lens, MakeImageRegion(made.camera, made.lens.get(), {}, margin_px),
+          made.window, made.part_from_image};
+}
+
+// `part` is that of a panorama.
+Optics MakeOptics(const Camera& stored, ImageSize file, int part, const ViewOptions& options) {
   const ImageSize size = ShrunkSize(file, options.max_image_size);
+  if (stored.IsPanorama()) return MakePartOptics(size, part, options.border_margin_px);
   const Intrinsics intrinsics =
       Rescaled(IntrinsicsOf(stored), size.width / static_cast<double>(stored.width),
                size.height / static_cast<double>(stored.height));
@@ -61,18 +74,19 @@ Optics MakeOptics(const Camera& stored, ImageSize file, const ViewOptions& optio
   return optics;
 }
 
-using OpticsKey = std::tuple<uint32_t, int, int>;
+// Camera, file size and part.
+using OpticsKey = std::tuple<uint32_t, int, int, int>;
 
-// One Optics per camera and file size, made in parallel.
-std::map<OpticsKey, Optics> MakeAllOptics(
-    const std::map<OpticsKey, std::pair<const Camera*, ImageSize>>& inputs,
-    const ViewOptions& options, const RunContext& context) {
+// One Optics per key, made in parallel.
+std::map<OpticsKey, Optics> MakeAllOptics(const std::map<OpticsKey, const Camera*>& inputs,
+                                          const ViewOptions& options, const RunContext& context) {
   std::map<OpticsKey, Optics> result;
-  std::vector<std::pair<Optics*, const std::pair<const Camera*, ImageSize>*>> jobs;
-  for (const auto& [key, input] : inputs) jobs.emplace_back(&result[key], &input);
+  std::vector<std::pair<Optics*, const std::pair<const OpticsKey, const Camera*>*>> jobs;
+  for (const auto& input : inputs) jobs.emplace_back(&result[input.first], &input);
   ParallelFor(context, "cameras", jobs.size(), [&](size_t i) {
-    const auto& [camera, size] = *jobs[i].second;
-    *jobs[i].first = MakeOptics(*camera, size, options);
+    const auto& [key, camera] = *jobs[i].second;
+    const ImageSize size{std::get<1>(key), std::get<2>(key)};
+    *jobs[i].first = MakeOptics(*camera, size, std::get<3>(key), options);
   });
   return result;
 }
@@ -84,22 +98,28 @@ std::string MaskPath(const std::string& mask_dir, const std::string& image_name)
   return fs::is_regular_file(path, ignored) ? path.string() : "";
 }
 
-// Nothing if the observation is missing, of another point, no number, or beyond what the lens maps.
-std::optional<PointPixel> PixelOf(const SparseModel& model, const std::vector<View>& views,
-                                  ViewId id, uint64_t point_id, uint32_t observation) {
-  const View& view = views[id];
+// Nothing if the observation is missing, of another point, no number, beyond what the lens maps, or
+// not in the part that the view is.
+std::optional<PointPixel> PixelOf(const SparseModel& model, const ViewSet& set, ViewId id,
+                                  uint64_t point_id, uint32_t observation) {
+  const View& view = set.views[id];
+  const ImageWindow* window = set.Window(id);
   const ModelImage& image = model.images[view.model_index];
   if (!image.Shows(point_id, observation)) return std::nullopt;
   const Camera& camera = model.cameras[view.camera_index];
-  const Eigen::Vector2d scale(view.camera.width / static_cast<double>(camera.width),
-                              view.camera.height / static_cast<double>(camera.height));
-  const Eigen::Vector2d stored_px =
+  const Eigen::Vector2d size(window ? window->image_width : view.camera.width,
+                             window ? window->image_height : view.camera.height);
+  const Eigen::Vector2d scale(size.x() / static_cast<double>(camera.width),
+                              size.y() / static_cast<double>(camera.height));
+  Eigen::Vector2d stored_px =
       scale.cwiseProduct(image.observations[observation].position) - Eigen::Vector2d(0.5, 0.5);
   if (!stored_px.allFinite()) return std::nullopt;
+  if (window) stored_px = window->WindowFromImage(stored_px);
   if (!view.lens) return PointPixel{id, stored_px};
   const auto virtual_px = view.lens->VirtualFromStored(stored_px);
   const auto jacobian = VirtualFromStoredJacobian(*view.lens, stored_px);
   if (!virtual_px || !jacobian) return std::nullopt;
+  if (window && !view.region.Contains(*virtual_px)) return std::nullopt;
   return PointPixel{id, *virtual_px, jacobian->inverse()};
 }
 
@@ -114,21 +134,23 @@ std::vector<int> PointsById(const SparseModel& model) {
 
 // The views that see a point and its observations there, ascending; a view may see it twice.
 std::vector<std::pair<ViewId, uint32_t>> Sights(
-    const ModelPoint& point, const std::unordered_map<uint32_t, ViewId>& view_of_image) {
+    const ModelPoint& point,
+    const std::unordered_map<uint32_t, std::vector<ViewId>>& views_of_image) {
   std::vector<std::pair<ViewId, uint32_t>> sights;
   for (const TrackElement& element : point.track) {
-    const auto view = view_of_image.find(element.image_id);
-    if (view != view_of_image.end()) sights.emplace_back(view->second, element.observation);
+    const auto views = views_of_image.find(element.image_id);
+    if (views == views_of_image.end()) continue;
+    for (const ViewId view : views->second) sights.emplace_back(view, element.observation);
   }
   std::sort(sights.begin(), sights.end());
   return sights;
 }
 
-SceneHints MakeHints(const SparseModel& model, const SceneReach& reach,
-                     const std::vector<View>& views) {
-  std::unordered_map<uint32_t, ViewId> view_of_image;
-  for (size_t view = 0; view < views.size(); ++view) {
-    view_of_image[model.images[views[view].model_index].id] = static_cast<ViewId>(view);
+SceneHints MakeHints(const SparseModel& model, const SceneReach& reach, const ViewSet& set) {
+  std::unordered_map<uint32_t, std::vector<ViewId>> views_of_image;
+  for (size_t view = 0; view < set.views.size(); ++view) {
+    const ModelImage& image = model.images[set.views[view].model_index];
+    views_of_image[image.id].push_back(static_cast<ViewId>(view));
   }
   SceneHints hints;
   for (const int p : PointsById(model)) {
@@ -136,10 +158,11 @@ SceneHints MakeHints(const SparseModel& model, const SceneReach& reach,
     ScenePoint hint;
     hint.position_in_world = model.points[p].position;
     hint.model_index = p;
-    for (const auto& [view, observation] : Sights(model.points[p], view_of_image)) {
+    for (const auto& [view, observation] : Sights(model.points[p], views_of_image)) {
+      const auto pixel = PixelOf(model, set, view, model.points[p].id, observation);
+      if (set.Window(view) && !pixel) continue;  // in another part
       if (hint.views.empty() || hint.views.back() != view) hint.views.push_back(view);
       if (!hint.pixels.empty() && hint.pixels.back().view == view) continue;
-      const auto pixel = PixelOf(model, views, view, model.points[p].id, observation);
       if (pixel) hint.pixels.push_back(*pixel);
     }
     if (!hint.views.empty()) hints.points.push_back(std::move(hint));
@@ -174,12 +197,13 @@ void AddMaskWarning(const std::string& mask_dir, ViewSet* set) {
                           " images have no mask there (<image name>.png) and are used entirely");
 }
 
-void AddWarnings(const SparseModel& model, const std::vector<int>& selected, ViewSet* set) {
+void AddWarnings(const SparseModel& model, const std::vector<int>& selected,
+                 const std::vector<ImageSize>& sizes, ViewSet* set) {
   int num_resized = 0;
   for (size_t i = 0; i < selected.size(); ++i) {
     const Camera& camera = model.CameraOf(model.images[selected[i]]);
-    num_resized += static_cast<uint64_t>(set->stored_sizes[i].width) != camera.width ||
-                   static_cast<uint64_t>(set->stored_sizes[i].height) != camera.height;
+    num_resized += static_cast<uint64_t>(sizes[i].width) != camera.width ||
+                   static_cast<uint64_t>(sizes[i].height) != camera.height;
   }
   if (num_resized > 0) {
     set->warnings.push_back(std::to_string(num_resized) +
@@ -220,7 +244,11 @@ void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double m
   Keep(keep, &set->mask_paths);
   Keep(keep, &set->stored_sizes);
   Keep(keep, &set->is_damaged);
-  set->hints = MakeHints(model, reach, set->views);
+  if (set->HasPanoramas()) {
+    Keep(keep, &set->windows);
+    Keep(keep, &set->image_names);
+  }
+  set->hints = MakeHints(model, reach, *set);
 }
 
 void WarnOfMisfits(ViewSet* set) {
@@ -233,7 +261,101 @@ void WarnOfMisfits(ViewSet* set) {
                           (some_fit ? "; --max_reprojection_px leaves such images out" : ""));
 }
 
+// Of a selected image (its place in the list) the whole, or a part of a panorama.
+struct ViewSource {
+  size_t image = 0;
+  int part = 0;
+};
+
+std::vector<ViewSource> SourcesOf(const SparseModel& model, const std::vector<int>& selected) {
+  std::vector<ViewSource> sources;
+  for (size_t i = 0; i < selected.size(); ++i) {
+    const bool is_panorama = model.CameraOf(model.images[selected[i]]).IsPanorama();
+    for (int part = 0; part < (is_panorama ? kNumPanoramaParts : 1); ++part) {
+      sources.push_back({i, part});
+    }
+  }
+  return sources;
+}
+
+// From one item per image to one per view.
+template <typename T>
+void Spread(const std::vector<ViewSource>& sources, std::vector<T>* items) {
+  std::vector<T> spread;
+  for (const ViewSource& source : sources) spread.push_back((*items)[source.image]);
+  *items = std::move(spread);
+}
+
+View MakeView(const SparseModel& model, int model_index, int part, const Optics& optics) {
+  const ModelImage& image = model.images[model_index];
+  View view;
+  view.model_index = model_index;
+  view.name = image.name;
+  view.camera_index = static_cast<int>(&model.CameraOf(image) - model.cameras.data());
+  view.camera = optics.camera;
+  view.cam_from_world = image.cam_from_world;
+  view.lens = optics.lens;
+  view.region = optics.region;
+  if (!optics.window) return view;
+  char suffix[20];
+  std::snprintf(suffix, sizeof(suffix), ".part%02d", part);
+  view.name += suffix;
+  view.cam_from_world =
+      Rigid3d{optics.part_from_image, Eigen::Vector3d::Zero()} * image.cam_from_world;
+  return view;
+}
+
+void CheckDistinctNames(const std::vector<View>& views) {
+  std::set<std::string> names;
+  for (const View& view : views) {
+    if (names.insert(view.name).second) continue;
+    throw InputError("image \"" + view.name +
+                     "\" has the name of a part of a panorama: rename one of them");
+  }
+}
+
+// From the pixels of a part to those of the image.
+class WholeImageLens : public LensMap {
+ public:
+  WholeImageLens(std::shared_ptr<const LensMap> part, const ImageWindow& window)
+      : part_(std::move(part)), origin_px_(window.x, window.y) {}
+
+  std::optional<Eigen::Vector2d> VirtualFromStored(
+      const Eigen::Vector2d& stored_px) const override {
+    return part_->VirtualFromStored(stored_px - origin_px_);
+  }
+  std::optional<Eigen::Vector2d> StoredFromVirtual(
+      const Eigen::Vector2d& virtual_px) const override {
+    const auto stored_px = part_->StoredFromVirtual(virtual_px);
+    if (!stored_px) return std::nullopt;
+    return *stored_px + origin_px_;
+  }
+
+ private:
+  std::shared_ptr<const LensMap> part_;
+  Eigen::Vector2d origin_px_;
+};
+
+Image Cut(const Image& image, const ImageWindow& window) {
+  Image part;
+  part.width = window.width;
+  part.height = window.height;
+  part.channels = image.channels;
+  part.data = CutPixels(image.data, window, image.channels);
+  return part;
+}
+
 }  // namespace
+
+std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views) {
+  for (size_t v = 0; v < views.size(); ++v) {
+    const ImageWindow* window = view_set.Window(static_cast<ViewId>(v));
+    if (!window) continue;
+    views[v].name = view_set.image_names[v];
+    views[v].lens = std::make_shared<WholeImageLens>(views[v].lens, *window);
+  }
+  return views;
+}
 
 void ViewOptions::Check() const {
   LIMN_CHECK_RANGE_OR(max_image_size, -1, >= 16, <= 1e5);
@@ -271,35 +393,40 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   });
   AddComplaints(complaints, &set);
 
-  std::map<OpticsKey, std::pair<const Camera*, ImageSize>> inputs;
+  const std::vector<ViewSource> sources = SourcesOf(model, selected);
+  std::map<OpticsKey, const Camera*> inputs;
   std::vector<OpticsKey> keys;
-  for (size_t i = 0; i < selected.size(); ++i) {
+  for (const auto& [i, part] : sources) {
     const Camera& camera = model.CameraOf(model.images[selected[i]]);
     const ImageSize size = set.stored_sizes[i];
     CheckSizeFitsCamera(set.image_paths[i], size, camera);
-    keys.emplace_back(camera.id, size.width, size.height);
-    inputs[keys.back()] = {&camera, size};
+    keys.emplace_back(camera.id, size.width, size.height, part);
+    inputs[keys.back()] = &camera;
   }
   const std::map<OpticsKey, Optics> optics = MakeAllOptics(inputs, options, context);
 
-  set.views.resize(selected.size());
-  ParallelFor(context, "views", selected.size(), [&](size_t i) {
-    const ModelImage& image = model.images[selected[i]];
-    const Optics& of_view = optics.at(keys[i]);
+  const std::vector<ImageSize> sizes_of_images = set.stored_sizes;
+  Spread(sources, &set.image_paths);
+  Spread(sources, &set.mask_paths);
+  Spread(sources, &set.stored_sizes);
+  Spread(sources, &set.is_damaged);
+  for (size_t v = 0; v < sources.size(); ++v) {
+    const int image = selected[sources[v].image];
+    const Optics& of_view = optics.at(keys[v]);
+    set.views.push_back(MakeView(model, image, sources[v].part, of_view));
+    if (sources.size() == selected.size()) continue;
+    set.windows.push_back(of_view.window);
+    set.image_names.push_back(model.images[image].name);
+  }
+  CheckDistinctNames(set.views);
+  ParallelFor(context, "views", set.views.size(), [&](size_t i) {
     View& view = set.views[i];
-    view.model_index = selected[i];
-    view.name = image.name;
-    view.camera_index = static_cast<int>(&model.CameraOf(image) - model.cameras.data());
-    view.camera = of_view.camera;
-    view.cam_from_world = image.cam_from_world;
-    view.lens = of_view.lens;
-    view.region = of_view.region;
     const auto mask = ReadViewMask(set, static_cast<ViewId>(i));
     if (mask.empty()) return;
     view.region = MakeImageRegion(view.camera, view.lens.get(), mask, options.border_margin_px);
   });
-  set.hints = MakeHints(model, used.reach, set.views);
-  AddWarnings(model, selected, &set);
+  set.hints = MakeHints(model, used.reach, set);
+  AddWarnings(model, selected, sizes_of_images, &set);
   if (options.max_reprojection_px > 0) {
     LeaveOutMisfits(model, used.reach, options.max_reprojection_px, &set);
   }
@@ -319,7 +446,10 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
     return std::vector<unsigned char>(static_cast<size_t>(camera.width) * camera.height, 0);
   }
   if (view_set.mask_paths[view].empty()) return {};
-  return ReadMask(view_set.mask_paths[view], view_set.stored_sizes[view], view_set.max_image_size);
+  std::vector<unsigned char> mask =
+      ReadMask(view_set.mask_paths[view], view_set.stored_sizes[view], view_set.max_image_size);
+  const ImageWindow* window = view_set.Window(view);
+  return window ? CutPixels(mask, *window, 1) : mask;
 }
 
 Image ReadViewImage(const ViewSet& view_set, ViewId view) {
@@ -329,6 +459,8 @@ Image ReadViewImage(const ViewSet& view_set, ViewId view) {
     image = BlackImage(camera.width, camera.height);
   } else {
     image = view_set.photos.Read(view_set.image_paths[view], view_set.max_image_size);
+    const ImageWindow* window = view_set.Window(view);
+    if (window && window->IsOf(image.width, image.height)) image = Cut(image, *window);
   }
   if (image.width != camera.width || image.height != camera.height) {
     throw IoError(view_set.image_paths[view], "the image changed its size while Limn was running");

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "colmap_ext/model/model.h"
+#include "colmap_ext/model/panorama.h"
 #include "colmap_ext/workspace/image_reader.h"
 #include "colmap_ext/workspace/photo_store.h"
 #include "limn/model/image.h"
@@ -36,30 +38,41 @@ struct ViewOptions {
   void Check() const;
 };
 
-// Views and their files, by view. Nothing but model indices depends on the order or ids of the
-// model's images and cameras.
+// Views and their files, by view; a panorama has a view per part, each with its file. Nothing but
+// model indices depends on the order or ids of the model's images and cameras.
 struct ViewSet {
-  std::vector<View> views;  // sorted by name; View::id is the index
+  std::vector<View> views;  // sorted by name of the image and part; View::id is the index
   SceneHints hints;         // points sorted by id
   std::vector<std::string> image_paths;
   std::vector<std::string> mask_paths;  // empty string = no mask
   std::vector<ImageSize> stored_sizes;  // of the files, before max_image_size
   // Files whose pixels are not those of the photograph (CheckJpeg): masked entirely.
   std::vector<char> is_damaged;
+  // The part of the image, after max_image_size, that a view of a panorama is, and the name of that
+  // image. Empty if there are no panoramas.
+  std::vector<std::optional<ImageWindow>> windows;
+  std::vector<std::string> image_names;
   int max_image_size = -1;
   PhotoStore photos;  // what is at image_paths
   std::vector<std::string> warnings;
   std::vector<std::string> left_out;  // those of the warnings that say which images, and why
+
+  bool HasPanoramas() const { return !windows.empty(); }
+  // Null if the view is no part of a panorama.
+  const ImageWindow* Window(ViewId view) const {
+    return HasPanoramas() && windows[view] ? &*windows[view] : nullptr;
+  }
 };
 
 // The only place where COLMAP's conventions become Limn's. Principal points move by -0.5 pixel;
 // cameras with distortion get a LensMap onto a virtual pinhole of the same focal length and
-// principal point. Intrinsics are rescaled to the size of the file, if its aspect is the camera's
-// within one pixel, and to max_image_size. Headers of all images, the codes of JPEG files and masks
-// are read, in parallel. Images that are damaged are views of nothing, with a warning. Left out,
-// with warnings, are duplicates (FindDuplicateImages), images and points far outside the scene of
-// the others (SceneReach) and, on request (max_reprojection_px), cameras that do not fit the
-// points. Photographs may be in memory: those that `photos` has at <image_dir>/<image name>.
+// principal point. An EQUIRECTANGULAR image gives a view per part (model/panorama.h), named <image
+// name>.part00 and so on. Intrinsics are rescaled to the size of the file, if its aspect is the
+// camera's within one pixel, and to max_image_size. Headers of all images, the codes of JPEG files
+// and masks are read, in parallel. Images that are damaged are views of nothing, with a warning.
+// Left out, with warnings, are duplicates (FindDuplicateImages), images and points far outside the
+// scene of the others (SceneReach) and, on request (max_reprojection_px), cameras that do not fit
+// the points. Photographs may be in memory: those that `photos` has at <image_dir>/<image name>.
 //
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
 // the list is not registered, a mask has the wrong size. Throws InputError if no image is left.
@@ -71,6 +84,11 @@ ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir
 // be of another size.
 Eigen::Vector2d ModelPixel(const View& view, const Camera& camera,
                            const Eigen::Vector2d& stored_px);
+
+// These views of the set (with refined cameras, maybe), with the names of their images, and stored
+// pixels of the whole images, which go on over the right border of a panorama. For tracks: the
+// sizes of parts stay.
+std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views);
 
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
 // pixels may be used. Throws IoError.

@@ -66,7 +66,8 @@ const CorpusCase kCases[] = {
      .outcome = Outcome::kAccepted,
      .said = {"6 images, 60 3D points"}},
     {.name = "Case16_Spherical",
-     .said = {"images.txt: line 2: image 1 (view_00.jpg) was taken by an EQUIRECTANGULAR camera"}},
+     .said = {"cameras.txt: line 1: camera 1: an EQUIRECTANGULAR image of 640 x 480 pixels is not "
+              "twice as wide as high"}},
     {.name = "Case17_DuplicateCamera", .said = {"cameras.txt: line 2: camera 1 is defined twice"}},
 };
 

@@ -15,14 +15,14 @@ void AddCamera(uint32_t id, CameraModelId model, std::vector<double> params,
   camera.id = id;
   camera.model = model;
   camera.width = 640;
-  camera.height = 480;
+  camera.height = model == CameraModelId::kEquirectangular ? 320 : 480;
   camera.params = std::move(params);
   builder->AddCamera(std::move(camera), {kPath, "line", 1});
 }
 
 void AddCameras(ModelBuilder* builder) {
   AddCamera(1, CameraModelId::kPinhole, {500, 500, 320, 240}, builder);
-  AddCamera(2, CameraModelId::kEquirectangular, {640, 480}, builder);
+  AddCamera(2, CameraModelId::kEquirectangular, {640, 320}, builder);
 }
 
 void AddImages(ModelBuilder* builder) {
@@ -38,7 +38,7 @@ void AddImages(ModelBuilder* builder) {
 
 // There and back through the lens.
 void UseCamera(const Camera& camera) {
-  if (camera.model == CameraModelId::kEquirectangular) return;
+  if (camera.IsPanorama()) return;
   const CameraLensMap lens(IntrinsicsOf(camera));
   const Eigen::Vector2d size(static_cast<double>(camera.width), static_cast<double>(camera.height));
   for (const Eigen::Vector2d& at :

@@ -1,5 +1,6 @@
 #include "limn/formats/json_drawing_reader.h"
 
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
@@ -18,6 +19,39 @@ using Json = nlohmann::ordered_json;
 
 Eigen::Vector3d ToPoint(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+// The one of the values whose name (by SourceName) the file has.
+template <typename Source>
+Source ToSource(const std::string& name, std::initializer_list<Source> values) {
+  for (const Source value : values) {
+    if (name == SourceName(value)) return value;
+  }
+  throw InputError("\"world_from_model\": unknown source \"" + name.substr(0, 40) + "\"");
+}
+
+Alignment ToAlignment(const Json& json) {
+  Alignment alignment;
+  Similarity3d& similarity = alignment.world_from_model;
+  similarity.scale = json.at("scale").get<double>();
+  for (int row = 0; row < 3; ++row) {
+    similarity.rotation.row(row) = ToPoint(json.at("rotation").at(row)).transpose();
+  }
+  similarity.translation = ToPoint(json.at("translation"));
+  alignment.up =
+      ToSource(json.at("up_from").get<std::string>(),
+               {UpSource::kGravity, UpSource::kPositions, UpSource::kLines, UpSource::kCameras});
+  alignment.axes = ToSource(json.at("axes_from").get<std::string>(),
+                            {AxesSource::kLines, AxesSource::kPositions, AxesSource::kModel});
+  alignment.scale = ToSource(json.at("scale_from").get<std::string>(),
+                             {ScaleSource::kNone, ScaleSource::kLengths, ScaleSource::kPositions});
+  const std::string broken = Validate(alignment);
+  if (!broken.empty()) throw InputError("\"world_from_model\": " + broken);
+  if (json.at("unit").get<std::string>() != alignment.Unit()) {
+    throw InputError("\"world_from_model\": the unit is not \"" + std::string(alignment.Unit()) +
+                     "\"");
+  }
+  return alignment;
 }
 
 LinkEnd ToLinkEnd(const Json& json) { return {IntFromJson(json.at(0)), IntFromJson(json.at(1))}; }
@@ -156,6 +190,9 @@ DrawingFile ToDrawingFile(const Json& json) {
   }
   if (!json.at("options").is_object()) throw InputError("\"options\" is not an object");
   file.metadata.options_json = json.at("options").dump();
+  if (json.contains("world_from_model")) {
+    file.metadata.alignment = ToAlignment(json.at("world_from_model"));
+  }
   for (const Json& node : json.at("nodes")) file.graph.nodes.push_back(ToNode(node));
   for (const Json& link : json.at("links")) file.graph.links.push_back(ToLink(link, view_ids));
   const std::vector<std::string> violations = Validate(file.graph);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "limn/model/alignment.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn {
@@ -13,6 +15,8 @@ struct DrawingMetadata {
   std::vector<std::string> view_names;
   // The options of the run, as the text of a JSON object.
   std::string options_json = "{}";
+  // Where the drawing is in the world, if somebody asked. The graph is in the model's coordinates.
+  std::optional<Alignment> alignment = std::nullopt;
 };
 
 struct DrawingFile {
@@ -24,7 +28,7 @@ constexpr const char* kDrawingJsonFormat = "limn-drawing";
 constexpr int kDrawingJsonVersion = 1;
 
 // Reads a drawing.json as written by json_drawing_writer.h. Throws IoError, also if the graph
-// violates an invariant of Validate.
+// or the alignment violates an invariant of Validate.
 DrawingFile ReadDrawingJson(const std::string& path);
 
 // The same from the text of a file, called `name` in messages.

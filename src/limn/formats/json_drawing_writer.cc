@@ -17,6 +17,19 @@ using Json = nlohmann::ordered_json;
 
 Json ToJson(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
+Json ToJson(const Alignment& alignment) {
+  const auto& [scale, rotation, translation] = alignment.world_from_model;
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row) rows.push_back(ToJson(rotation.row(row).transpose().eval()));
+  return {{"scale", scale},
+          {"rotation", rows},
+          {"translation", ToJson(translation)},
+          {"unit", alignment.Unit()},
+          {"up_from", SourceName(alignment.up)},
+          {"axes_from", SourceName(alignment.axes)},
+          {"scale_from", SourceName(alignment.scale)}};
+}
+
 Json ToJson(const LinkEnd& end) { return {end.link, end.end}; }
 
 Json ToJson(const DrawingNode& node, size_t id) {
@@ -123,6 +136,9 @@ void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata
       << ",\n\"limn_version\": \"" LIMN_VERSION "\",\n\"views\": "
       << Json(metadata.view_names).dump()
       << ",\n\"options\": " << ParseOptions(metadata.options_json).dump() << ",\n";
+  if (metadata.alignment) {
+    out << "\"world_from_model\": " << ToJson(*metadata.alignment).dump() << ",\n";
+  }
   PutList(
       "nodes", graph.nodes, [](const DrawingNode& node, size_t id) { return ToJson(node, id); },
       out);

@@ -10,6 +10,11 @@ namespace limn {
 // Writes a drawing as JSON, which ReadDrawingJson reads back without loss:
 //   {"format": "limn-drawing", "format_version": 1, "limn_version": "...",
 //    "views": [name, ...], "options": {...},
+//    in an aligned drawing "world_from_model": {"scale", "rotation": [3 rows], "translation",
+//               "unit": "m"|"none", "up_from": "gravity"|"positions"|"lines"|"cameras",
+//               "axes_from": "lines"|"positions"|"model",
+//               "scale_from": "lengths"|"positions"|"none"}: world = scale * rotation * position +
+//               translation, z up; all positions below are the model's,
 //    "nodes": [{"id", "position": [x, y, z], "kind": "end"|"junction"|"loop_anchor", "degree",
 //               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],
 //               ...]}],

@@ -2,8 +2,8 @@
 
 #include <iosfwd>
 
-#include "limn/formats/length_unit.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/util/length_unit.h"
 
 namespace limn {
 

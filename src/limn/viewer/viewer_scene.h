@@ -27,7 +27,8 @@ struct ViewerPoint {
   std::array<uint8_t, 3> color = {};
 };
 
-// Everything that a page shows. Positions are in the model's coordinates, which the page displays.
+// Everything that a page shows. Positions are in the coordinates that the page displays, the
+// model's or the world's.
 struct ViewerScene {
   std::string title;
   DrawingGraph graph;

@@ -13,12 +13,13 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"automatic_drawer", RunAutomaticDrawer},   {"curve_drawer", RunCurveDrawer},
-    {"curve_linker", RunCurveLinker},           {"curve_sketcher", RunCurveSketcher},
-    {"drawing_evaluator", RunDrawingEvaluator}, {"drawing_exporter", RunDrawingExporter},
-    {"drawing_fuser", RunDrawingFuser},         {"drawing_refiner", RunDrawingRefiner},
-    {"drawing_viewer", RunDrawingViewer},       {"edge_extractor", RunEdgeExtractor},
-    {"model_importer", RunModelImporter},       {"truth_extractor", RunTruthExtractor},
+    {"automatic_drawer", RunAutomaticDrawer}, {"curve_drawer", RunCurveDrawer},
+    {"curve_linker", RunCurveLinker},         {"curve_sketcher", RunCurveSketcher},
+    {"drawing_aligner", RunDrawingAligner},   {"drawing_evaluator", RunDrawingEvaluator},
+    {"drawing_exporter", RunDrawingExporter}, {"drawing_fuser", RunDrawingFuser},
+    {"drawing_refiner", RunDrawingRefiner},   {"drawing_viewer", RunDrawingViewer},
+    {"edge_extractor", RunEdgeExtractor},     {"model_importer", RunModelImporter},
+    {"truth_extractor", RunTruthExtractor},
 };
 
 // What the command prints with -h or --help_all.

@@ -114,12 +114,15 @@ TEST(BinaryModel, UnknownCameraModelIsNamed) {
                                     HasSubstr("unknown camera model id 99"), HasSubstr("PINHOLE")));
 }
 
-TEST(BinaryModel, EquirectangularIsRefusedByNameWhenAnImageUsesIt) {
+TEST(BinaryModel, EquirectangularImagesAreTwiceAsWideAsHigh) {
   SparseModel model = MakeModel();
-  model.cameras[0] = {7, CameraModelId::kEquirectangular, 800, 600, {800, 600}};
-  EXPECT_THAT(ErrorOf(model), AllOf(HasSubstr("sub/a b.png"), HasSubstr("EQUIRECTANGULAR")));
-  model.images.erase(model.images.begin() + 1);
+  model.cameras[0] = {7, CameraModelId::kEquirectangular, 800, 400, {800, 400}};
   EXPECT_EQ(ErrorOf(model), "");
+  model.cameras[0] = {7, CameraModelId::kEquirectangular, 800, 600, {800, 600}};
+  EXPECT_THAT(ErrorOf(model), HasSubstr("camera 7: an EQUIRECTANGULAR image of 800 x 600 pixels is "
+                                        "not twice as wide as high"));
+  model.cameras[0] = {7, CameraModelId::kEquirectangular, 800, 400, {400, 200}};
+  EXPECT_THAT(ErrorOf(model), HasSubstr("must be its width and height"));
 }
 
 TEST(BinaryModel, SenselessCamerasAreRefused) {

@@ -19,9 +19,10 @@ TEST(CameraModel, IsFoundByIdAndByName) {
   EXPECT_EQ(FindCameraModel("PINHOLES"), nullptr);
 }
 
-TEST(CameraModel, SupportedModelsLeaveOutEquirectangular) {
-  EXPECT_NE(SupportedCameraModels().find("RAD_TAN_THIN_PRISM_FISHEYE"), std::string::npos);
-  EXPECT_EQ(SupportedCameraModels().find("EQUIRECTANGULAR"), std::string::npos);
+TEST(CameraModel, AllModelsAreSupported) {
+  for (int32_t id = 0; id <= 17; ++id) {
+    EXPECT_NE(SupportedCameraModels().find(FindCameraModel(id)->name), std::string::npos) << id;
+  }
 }
 
 TEST(CameraModel, SingleFocalLengthIsDoubled) {

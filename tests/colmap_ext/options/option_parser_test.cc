@@ -27,6 +27,7 @@ struct Values {
   int count = -1;
   bool refine = true;
   std::vector<double> taus = {0.01, 2};
+  std::vector<std::string> notes;
 };
 
 class OptionParserTest : public testing::Test {
@@ -41,6 +42,7 @@ class OptionParserTest : public testing::Test {
     parser_.AddOption("Linking.count", &values_.count, "A count.");
     parser_.AddOption("Sketch.refine", &values_.refine, "Whether.");
     parser_.AddOption("taus", &values_.taus, "Several.");
+    parser_.AddOption("notes", &values_.notes, "Texts.");
   }
 
   OptionParser::Outcome Parse(std::vector<const char*> arguments) {
@@ -134,7 +136,7 @@ TEST_F(OptionParserTest, HelpShowsTheBasicOptionsWithTheirDefaults) {
     for (const char* other : {"--Linking", "--Sketch.refine", "--taus", "--quality"}) {
       EXPECT_THAT(help_.str(), Not(HasSubstr(other)));
     }
-    EXPECT_THAT(help_.str(), HasSubstr("5 more options: limn curve_drawer --help_all"));
+    EXPECT_THAT(help_.str(), HasSubstr("6 more options: limn curve_drawer --help_all"));
   }
   EXPECT_EQ(values_.count, -1);
 }
@@ -207,7 +209,7 @@ TEST_F(OptionParserTest, IniFileHasUngroupedKeysFirstThenSections) {
   std::ostringstream out;
   parser_.WriteIni(out);
   EXPECT_EQ(out.str(),
-            "path=\nquality=medium\ntaus=0.01,2\n"
+            "path=\nquality=medium\ntaus=0.01,2\nnotes=\n"
             "[Sketch]\nmode=enhanced\nrefine=1\n"
             "[Linking]\nlength_px=5.5\ncount=-1\n");
 }
@@ -232,6 +234,17 @@ TEST_F(OptionParserTest, TextHasNoWhiteSpaceAtItsEnds) {
   }
   Parse({"--path", "a b/"});
   EXPECT_EQ(values_.path, "a b/");
+}
+
+TEST_F(OptionParserTest, ListsOfTextsMayBeGivenSeveralTimes) {
+  Parse({"--notes", "a = 1; b", "--notes= c d ;; "});
+  EXPECT_THAT(values_.notes, ElementsAre("a = 1", "b", "c d"));
+  std::ostringstream ini;
+  parser_.WriteIni(ini);
+  EXPECT_THAT(ini.str(), HasSubstr("notes=a = 1; b; c d\n"));
+  values_.notes.clear();
+  Parse({"--project_path", dir_.WriteFile("notes.ini", ini.str()).c_str()});
+  EXPECT_THAT(values_.notes, ElementsAre("a = 1", "b", "c d"));
 }
 
 }  // namespace

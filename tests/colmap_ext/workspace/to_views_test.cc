@@ -443,5 +443,114 @@ TEST_F(ToViewsTest, ThreadsDoNotMatter) {
   }
 }
 
+// A panorama whose columns and rows tell their places, as "b.png".
+class PanoramaViewsTest : public ToViewsTest {
+ protected:
+  PanoramaViewsTest() {
+    cv::Mat image(kHeight, kWidth, CV_8UC3);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        // OpenCV's order is blue, green, red.
+        image.at<cv::Vec3b>(y, x) = cv::Vec3b(y, x / 256, x % 256);
+      }
+    }
+    Write("b.png", image);
+    SetPanorama();
+  }
+
+  void SetPanorama() {
+    model_.cameras.push_back(
+        {9, CameraModelId::kEquirectangular, kWidth, kHeight, {1.0 * kWidth, 1.0 * kHeight}});
+    model_.images[2].camera_id = 9;
+    ASSERT_EQ(model_.images[2].name, "b.png");
+  }
+
+  static constexpr int kWidth = 480, kHeight = 240;
+};
+
+TEST_F(PanoramaViewsTest, EveryPartIsAViewOfItsPixels) {
+  const ViewSet set = Views();
+  ASSERT_EQ(set.views.size(), 14u);
+  EXPECT_TRUE(set.HasPanoramas());
+  for (ViewId v = 0; v < kNumPanoramaParts; ++v) {
+    const View& view = set.views[v];
+    EXPECT_EQ(view.name, "b.png.part" + std::string(v < 10 ? "0" : "") + std::to_string(v));
+    ASSERT_TRUE(set.windows[v]);
+    EXPECT_EQ(set.image_names[v], "b.png");
+    EXPECT_EQ(view.model_index, 2);
+    EXPECT_LT((view.CenterInWorld() - Inverse(model_.images[2].cam_from_world).translation).norm(),
+              1e-12);
+    const Image image = ReadViewImage(set, v);
+    ASSERT_EQ(image.width, view.camera.width);
+    for (const auto& [x, y] : {std::pair(0, 0), std::pair(image.width - 1, image.height - 1)}) {
+      const float* pixel = &image.data[3 * (static_cast<size_t>(y) * image.width + x)];
+      const int column = static_cast<int>(pixel[0] + 256 * pixel[1]);
+      EXPECT_EQ(column, (x + set.windows[v]->x + kWidth) % kWidth);
+      EXPECT_EQ(pixel[2], y + set.windows[v]->y);
+    }
+  }
+  EXPECT_EQ(set.views[12].name, "c.png");
+  EXPECT_FALSE(set.windows[12]);
+}
+
+TEST_F(PanoramaViewsTest, TracksAreInPixelsOfTheImage) {
+  const ViewSet set = Views();
+  const std::vector<View> whole = InWholeImages(set, set.views);
+  ASSERT_EQ(whole.size(), set.views.size());
+  for (ViewId v = 0; v < kNumPanoramaParts; ++v) {
+    EXPECT_EQ(whole[v].name, "b.png");
+    const Eigen::Vector2d center(whole[v].camera.cx, whole[v].camera.cy);
+    const Eigen::Vector2d part_px = *set.views[v].StoredFromVirtual(center);
+    const Eigen::Vector2d image_px = *whole[v].StoredFromVirtual(center);
+    EXPECT_LT((image_px - part_px - Eigen::Vector2d(set.windows[v]->x, set.windows[v]->y)).norm(),
+              1e-9);
+    EXPECT_LT((*whole[v].lens->VirtualFromStored(image_px) - center).norm(), 1e-7);
+  }
+  EXPECT_EQ(whole[12].lens, set.views[12].lens);
+}
+
+TEST_F(PanoramaViewsTest, PointsBelongToThePartsThatShowThem) {
+  model_.images[2].observations.clear();
+  model_.points.clear();
+  for (uint32_t i = 0; i < 40; ++i) {
+    ModelPoint point;
+    point.id = 1 + i;
+    // All around, up to 60 degrees above and below.
+    const Eigen::Vector3d ray(std::sin(i), 0.9 * std::sin(3.0 * i), std::cos(i));
+    point.position = Inverse(model_.images[2].cam_from_world) * (5 * ray);
+    const double azimuth = std::atan2(ray.x(), ray.z());
+    const double elevation = std::atan2(-ray.y(), std::hypot(ray.x(), ray.z()));
+    model_.images[2].observations.push_back(
+        {{(azimuth / (2 * M_PI) + 0.5) * kWidth, (0.5 - elevation / M_PI) * kHeight}, point.id});
+    point.track.push_back({model_.images[2].id, i});
+    model_.points.push_back(point);
+  }
+  options_.border_margin_px = 2;
+  const ViewSet set = Views();
+  // A few are in the pixel between parts.
+  EXPECT_GT(set.hints.points.size(), 34u);
+  for (const ScenePoint& hint : set.hints.points) {
+    ASSERT_EQ(hint.views.size(), 1u);
+    ASSERT_EQ(hint.pixels.size(), 1u);
+    const auto pixel = set.views[hint.views[0]].Project(hint.position_in_world);
+    ASSERT_TRUE(pixel);
+    EXPECT_LT((*pixel - hint.pixels[0].position_px).norm(), 1e-6);
+  }
+}
+
+TEST_F(PanoramaViewsTest, MasksAreCutAlike) {
+  cv::Mat mask(kHeight, kWidth, CV_8UC1, cv::Scalar(255));
+  mask(cv::Rect(0, 0, kWidth, kHeight / 2)).setTo(0);
+  Write("masks/b.png.png", mask);
+  options_.mask_path = (dir_ / "masks").string();
+  const ViewSet set = Views();
+  const auto upper = ReadViewMask(set, 0), lower = ReadViewMask(set, 11);
+  EXPECT_TRUE(std::all_of(upper.begin(), upper.end(), [](unsigned char m) { return m == 0; }));
+  EXPECT_TRUE(std::all_of(lower.begin(), lower.end(), [](unsigned char m) { return m != 0; }));
+  EXPECT_FALSE(set.views[0].Project(set.views[0].CenterInWorld() +
+                                    set.views[0].cam_from_world.rotation.conjugate() *
+                                        Eigen::Vector3d::UnitZ()));
+}
+
 }  // namespace
 }  // namespace limn::colmap_ext

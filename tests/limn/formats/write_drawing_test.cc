@@ -254,6 +254,49 @@ TEST(WriteDrawing, BrokenJsonIsRefused) {
               ThrowsMessage<IoError>(HasSubstr("\"options\" is not an object")));
 }
 
+TEST(WriteDrawing, JsonKeepsTheAlignment) {
+  const TemporaryFolder folder;
+  DrawingMetadata metadata = SmallMetadata();
+  WriteDrawing(folder.Path("d.json"), SmallDrawing(), metadata);
+  EXPECT_FALSE(ReadDrawingJson(folder.Path("d.json")).metadata.alignment);
+  EXPECT_THAT(TemporaryFolder::Read(folder.Path("d.json")),
+              ::testing::Not(HasSubstr("world_from_model")));
+
+  Alignment& alignment = metadata.alignment.emplace();
+  alignment.world_from_model.scale = 1.0 / 3;
+  alignment.world_from_model.rotation << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  alignment.world_from_model.translation = {0.1, 1e-17, -4e6};
+  alignment.up = UpSource::kPositions;
+  alignment.axes = AxesSource::kLines;
+  alignment.scale = ScaleSource::kLengths;
+  WriteDrawing(folder.Path("a.json"), SmallDrawing(), metadata);
+  const DrawingFile file = ReadDrawingJson(folder.Path("a.json"));
+  ASSERT_TRUE(file.metadata.alignment);
+  EXPECT_EQ(file.metadata.alignment->world_from_model.rotation,
+            alignment.world_from_model.rotation);
+  EXPECT_EQ(file.metadata.alignment->up, UpSource::kPositions);
+  EXPECT_EQ(file.metadata.alignment->axes, AxesSource::kLines);
+  EXPECT_EQ(file.metadata.alignment->scale, ScaleSource::kLengths);
+  WriteDrawing(folder.Path("again.json"), file.graph, file.metadata);
+  const std::string text = TemporaryFolder::Read(folder.Path("a.json"));
+  EXPECT_EQ(TemporaryFolder::Read(folder.Path("again.json")), text);
+
+  const auto fails = [&](const std::string& from, const std::string& to,
+                         const std::string& reason) {
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    const std::string bad =
+        folder.Write("bad.json", std::string(text).replace(at, from.size(), to));
+    EXPECT_THAT([&] { ReadDrawingJson(bad); }, ThrowsMessage<IoError>(HasSubstr(reason))) << from;
+  };
+  fails("\"scale\":0.3", "\"scale\":-0.3", "\"world_from_model\": the scale is not positive");
+  fails("[1.0,0.0,0.0]", "[1.0,0.1,0.0]", "\"world_from_model\": the matrix is no rotation");
+  fails("\"unit\":\"m\"", "\"unit\":\"none\"", "\"world_from_model\": the unit is not \"m\"");
+  fails("\"up_from\":\"positions\"", "\"up_from\":\"stars\"", "unknown source \"stars\"");
+  fails("\"axes_from\"", "\"axes\"", "axes_from");
+  fails("[1.0,0.0,0.0]", "[1.0,0.0]", "bad.json");
+}
+
 // COLMAP's ReadPly takes vertex properties of type float, double and uchar only.
 TEST(WriteDrawing, PlyHeaderIsWhatColmapReads) {
   const TemporaryFolder folder;

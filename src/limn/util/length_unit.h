@@ -2,7 +2,7 @@
 
 namespace limn {
 
-// The unit of a file's coordinates. Models themselves have no unit.
+// A unit of lengths. Models themselves have none.
 enum class LengthUnit { kNone, kMillimeter, kCentimeter, kMeter, kInch, kFoot };
 
 // 1 for kNone.

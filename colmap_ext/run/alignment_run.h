@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/run/console.h"
+#include "colmap_ext/run/project.h"
+#include "limn/alignment/align_drawing.h"
+#include "limn/formats/json_drawing_reader.h"
+
+namespace limn::colmap_ext {
+
+// The options of commands that align a drawing.
+struct AlignOptions {
+  enum class Mode { kNone, kAuto };
+  Mode mode = Mode::kNone;
+  // Empty: the one found near the model.
+  std::string database_path;
+  // See ParseKnownLengths.
+  std::vector<std::string> known_lengths;
+
+  // Known lengths name links, so only commands that start from a drawing have them; these commands
+  // align in any case.
+  void AddOptions(bool of_drawing, OptionParser* parser);
+  // Throws OptionError.
+  void Check() const;
+};
+
+// Up, axes and scale of the drawings of a project.
+class ProjectAligner {
+ public:
+  // Before work starts: reads the priors of the views if there is to be an alignment, and says
+  // which. Throws IoError for a database that cannot be read, and OptionError.
+  ProjectAligner(const Project& project, const LayoutOptions& layout, const AlignOptions& options,
+                 Console* console);
+
+  // Says how it was found. `views`, which the drawing fits, and the graph are relative to the
+  // project's origin; the alignment is of the model's coordinates. Nothing if none is asked for.
+  // Throws OptionError for a known length that the graph does not have.
+  std::optional<Alignment> Align(const std::vector<View>& views, const DrawingGraph& graph,
+                                 Console* console) const;
+
+ private:
+  Eigen::Vector3d origin_;
+  bool is_asked_ = false;
+  std::vector<KnownLength> lengths_;
+  std::vector<ViewPrior> priors_;
+};
+
+// Stores the alignment in drawings, whose graphs stay as they are. All are read before the first is
+// written. Throws IoError.
+void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment);
+
+// The alignment of a drawing that shall be shown or exported with it. Throws IoError naming the
+// file if it has none.
+const Alignment& RequireAlignment(const std::string& path, const DrawingMetadata& metadata);
+
+}  // namespace limn::colmap_ext

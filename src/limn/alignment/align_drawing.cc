@@ -1,0 +1,164 @@
+#include "limn/alignment/align_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limn/alignment/straight_lines.h"
+#include "limn/model/link_selection.h"
+#include "limn/util/angles.h"
+
+namespace limn {
+namespace {
+
+// Cameras that measure gravity agree better.
+constexpr double kMaxGravityDeviationRad = 10 * kDeg;
+// Standard errors of up from positions: with more, lines are better; with more, cameras are.
+constexpr double kGoodUpErrorRad = 2 * kDeg, kMaxUpErrorRad = 10 * kDeg;
+constexpr double kMaxHeadingErrorRad = 10 * kDeg;
+// With more, relative, lengths would be no meters.
+constexpr double kMaxScaleError = 0.2;
+// Of the points on either side, which may be wrong, when the drawing is centered.
+constexpr double kOutsideShare = 0.02;
+
+std::vector<ViewId> PositionedViews(const std::vector<ViewPrior>& priors) {
+  std::vector<ViewId> views;
+  for (size_t v = 0; v < priors.size(); ++v) {
+    if (priors[v].position) views.push_back(static_cast<ViewId>(v));
+  }
+  return views;
+}
+
+// Weights are by the given accuracy if it is given for all.
+std::vector<PointPair> CenterPairs(const AlignmentInput& input, const std::vector<ViewId>& views) {
+  const bool is_weighted = std::all_of(
+      views.begin(), views.end(), [&](ViewId v) { return input.priors[v].position_sigma > 0; });
+  std::vector<PointPair> pairs;
+  for (const ViewId v : views) {
+    const ViewPrior& prior = input.priors[v];
+    const double weight = is_weighted ? 1 / (prior.position_sigma * prior.position_sigma) : 1;
+    pairs.push_back({input.views[v].CenterInWorld(), *prior.position, weight});
+  }
+  return pairs;
+}
+
+Eigen::Vector3d AxisInModel(const PositionFit& fit, int axis) {
+  return fit.target_from_source.rotation.row(axis).transpose();
+}
+
+struct Up {
+  Eigen::Vector3d direction;
+  UpSource source;
+};
+
+// What is known of it without the drawing: to tell up from down, and from other main directions.
+Up UpHint(const AlignmentInput& input, const AlignmentResult& found) {
+  if (found.gravity && found.gravity->deviation_rad < kMaxGravityDeviationRad) {
+    return {found.gravity->direction, UpSource::kGravity};
+  }
+  if (found.positions && found.positions->up_error_rad < kMaxUpErrorRad) {
+    return {AxisInModel(*found.positions, 2), UpSource::kPositions};
+  }
+  return {UpOfCameras(input.views, input.priors), UpSource::kCameras};
+}
+
+Up ChooseUp(const Up& hint, const AlignmentResult& found) {
+  const bool is_good =
+      hint.source == UpSource::kGravity ||
+      (hint.source == UpSource::kPositions && found.positions->up_error_rad < kGoodUpErrorRad);
+  if (is_good || !found.vertical) return hint;
+  return {found.vertical->direction, UpSource::kLines};
+}
+
+// The horizontal direction that x shall be near.
+struct Heading {
+  Eigen::Vector3d direction;
+  AxesSource source;
+};
+
+Heading HeadingHint(const Eigen::Vector3d& up, const AlignmentResult& found) {
+  if (found.positions && found.positions->heading_error_rad < kMaxHeadingErrorRad) {
+    const Eigen::Vector3d east = AxisInModel(*found.positions, 0);
+    if (std::abs(east.dot(up)) < 0.5) return {east, AxesSource::kPositions};
+  }
+  const bool x_is_vertical = std::abs(up.x()) > 0.9;
+  return {x_is_vertical ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX(), AxesSource::kModel};
+}
+
+// Rows: the axes of the world.
+Eigen::Matrix3d RotationOf(const Eigen::Vector3d& up, const Eigen::Vector3d& heading) {
+  const Eigen::Vector3d x = (heading - up * up.dot(heading)).normalized();
+  Eigen::Matrix3d rotation;
+  rotation << x.transpose(), up.cross(x).transpose(), up.transpose();
+  return rotation;
+}
+
+void SetScale(const AlignmentInput& input, AlignmentResult* result) {
+  Alignment& alignment = result->alignment;
+  if (!input.lengths.empty()) {
+    result->lengths = FitLengths(input.graph, input.lengths);
+    alignment.world_from_model.scale = result->lengths->scale;
+    alignment.scale = ScaleSource::kLengths;
+  } else if (result->positions && result->positions->scale_error < kMaxScaleError) {
+    alignment.world_from_model.scale = result->positions->target_from_source.scale;
+    alignment.scale = ScaleSource::kPositions;
+  }
+}
+
+double QuantileOf(std::vector<double>* values, double share) {
+  const auto place = values->begin() +
+                     static_cast<std::ptrdiff_t>(share * static_cast<double>(values->size() - 1));
+  std::nth_element(values->begin(), place, values->end());
+  return *place;
+}
+
+// The model's point at the world's origin: in the middle of the drawing, on its floor.
+Eigen::Vector3d OriginInModel(const DrawingGraph& graph, const std::vector<StraightLine>& lines,
+                              const Eigen::Matrix3d& rotation) {
+  const LinkSelection selection;
+  std::vector<double> values[3];
+  for (const DrawingLink& link : graph.links) {
+    if (!selection.Has(link)) continue;
+    for (const Eigen::Vector3d& point : link.points_in_world) {
+      const Eigen::Vector3d turned = rotation * point;
+      for (int axis = 0; axis < 3; ++axis) values[axis].push_back(turned[axis]);
+    }
+  }
+  if (values[0].empty()) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = QuantileOf(&values[axis], kOutsideShare);
+    const double high = QuantileOf(&values[axis], 1 - kOutsideShare);
+    origin[axis] = axis < 2 ? (low + high) / 2 : low;
+  }
+  const Eigen::Vector3d up = rotation.row(2).transpose();
+  origin.z() = FloorHeight(lines, up).value_or(origin.z());
+  return rotation.transpose() * origin;
+}
+
+}  // namespace
+
+AlignmentResult AlignDrawing(const AlignmentInput& input) {
+  AlignmentResult result;
+  const std::vector<StraightLine> lines = StraightLines(input.graph);
+  result.gravity = MeasuredUp(input.views, input.priors);
+  result.positioned = PositionedViews(input.priors);
+  result.positions = FitPositions(CenterPairs(input, result.positioned));
+  const Up hint = UpHint(input, result);
+  result.vertical = FindVertical(lines, hint.direction);
+  const Up up = ChooseUp(hint, result);
+  const Heading heading = HeadingHint(up.direction, result);
+  result.horizontal = FindHorizontal(lines, up.direction, heading.direction);
+
+  Alignment& alignment = result.alignment;
+  alignment.up = up.source;
+  alignment.axes = result.horizontal ? AxesSource::kLines : heading.source;
+  SetScale(input, &result);
+  Similarity3d& world_from_model = alignment.world_from_model;
+  world_from_model.rotation = RotationOf(
+      up.direction, result.horizontal ? result.horizontal->direction : heading.direction);
+  const Eigen::Vector3d origin = OriginInModel(input.graph, lines, world_from_model.rotation);
+  world_from_model.translation = -world_from_model.scale * (world_from_model.rotation * origin);
+  return result;
+}
+
+}  // namespace limn

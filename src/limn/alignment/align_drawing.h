@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limn/alignment/camera_hints.h"
+#include "limn/alignment/dominant_directions.h"
+#include "limn/alignment/known_lengths.h"
+#include "limn/alignment/position_fit.h"
+#include "limn/model/alignment.h"
+
+namespace limn {
+
+struct AlignmentInput {
+  const std::vector<View>& views;  // that the drawing fits
+  const DrawingGraph& graph;
+  const std::vector<ViewPrior>& priors;  // one per view, or none
+  const std::vector<KnownLength>& lengths;
+};
+
+struct AlignmentResult {
+  Alignment alignment;
+  // What was found on the way, also where something better was used.
+  std::optional<GravityUp> gravity;
+  std::optional<PositionFit> positions;
+  std::vector<ViewId> positioned;  // the views of its residuals
+  std::optional<DominantDirection> vertical, horizontal;
+  std::optional<LengthFit> lengths;
+};
+
+// Up, horizontal axes, scale, floor and middle of a drawing (ALGORITHM.md, section 25). Throws
+// OptionError for lengths that the drawing does not have. The same input gives the same result.
+AlignmentResult AlignDrawing(const AlignmentInput& input);
+
+}  // namespace limn

@@ -1,0 +1,84 @@
+#include "limn/alignment/camera_hints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "limn/util/median.h"
+
+namespace limn {
+namespace {
+
+// How much the y axes count beside the x axes: they are tilted when cameras look up or down.
+constexpr double kWeightOfDown = 0.1;
+
+bool IsAlongAxis(const Eigen::Vector3d& gravity) {
+  return gravity.cwiseAbs().maxCoeff() > (1 - 1e-9) * gravity.norm();
+}
+
+Eigen::Vector3d DownInCam(const std::vector<ViewPrior>& priors, size_t view) {
+  const bool is_known = view < priors.size() && priors[view].gravity_in_cam;
+  return is_known ? priors[view].gravity_in_cam->normalized() : Eigen::Vector3d::UnitY();
+}
+
+double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// Of unit vectors: the direction with the least sum of angles to them (Weiszfeld's iteration).
+Eigen::Vector3d MedianDirection(const std::vector<Eigen::Vector3d>& directions) {
+  Eigen::Vector3d median = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& direction : directions) median += direction;
+  for (int k = 0; k < 50; ++k) {
+    median.normalize();
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& direction : directions) {
+      sum += direction / std::max(AngleBetween(direction, median), 1e-6);
+    }
+    median = sum;
+  }
+  return median.normalized();
+}
+
+}  // namespace
+
+std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
+                                    const std::vector<ViewPrior>& priors) {
+  std::vector<Eigen::Vector3d> directions;
+  for (size_t v = 0; v < priors.size(); ++v) {
+    const auto& gravity = priors[v].gravity_in_cam;
+    if (!gravity || IsAlongAxis(*gravity)) continue;
+    directions.push_back(-(views[v].cam_from_world.rotation.conjugate() * gravity->normalized()));
+  }
+  if (directions.empty()) return std::nullopt;
+  GravityUp up;
+  up.direction = MedianDirection(directions);
+  std::vector<double> angles;
+  for (const Eigen::Vector3d& direction : directions) {
+    angles.push_back(AngleBetween(direction, up.direction));
+  }
+  up.deviation_rad = Median(angles);
+  up.num_views = directions.size();
+  return up;
+}
+
+Eigen::Vector3d UpOfCameras(const std::vector<View>& views, const std::vector<ViewPrior>& priors) {
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d horizontal = Eigen::Matrix3d::Zero();
+  for (size_t v = 0; v < views.size(); ++v) {
+    const Eigen::Quaterniond world_from_cam = views[v].cam_from_world.rotation.conjugate();
+    const Eigen::Vector3d down = DownInCam(priors, v);
+    const Eigen::Vector3d right = world_from_cam * down.cross(Eigen::Vector3d::UnitZ());
+    up -= world_from_cam * down;
+    horizontal += right * right.transpose() / static_cast<double>(views.size());
+  }
+  if (!(up.norm() > 1e-9)) up = -Eigen::Vector3d::UnitY();
+  up.normalize();
+  horizontal += kWeightOfDown * (Eigen::Matrix3d::Identity() - up * up.transpose());
+  const Eigen::Vector3d least =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(horizontal).eigenvectors().col(0);
+  return least.dot(up) < 0 ? -least : least;
+}
+
+}  // namespace limn

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/model/view.h"
+
+namespace limn {
+
+// What a camera knew of itself when it took a photograph.
+struct ViewPrior {
+  // In meters, z up: its center, and the standard deviation of that along each axis; 0 = unknown.
+  std::optional<Eigen::Vector3d> position;
+  double position_sigma = 0;
+  // Which way things fall, in the camera's coordinates (x right, y down, z forward).
+  std::optional<Eigen::Vector3d> gravity_in_cam;
+};
+
+struct GravityUp {
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+  // Of the cameras' measurements from it, median.
+  double deviation_rad = 0;
+  size_t num_views = 0;
+};
+
+// The median of what gravity tells in all cameras that measured it; nothing if none did. Gravity
+// exactly along an axis of the camera is not measured: COLMAP makes it from the orientation flag of
+// a photograph. `priors` has one per view, or is empty.
+std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
+                                    const std::vector<ViewPrior>& priors);
+
+// Roughly up, as cameras are held: their x axes are mostly horizontal (the axis that gravity tells
+// to be, if it is known at least to a quarter turn), and their y axes mostly point down.
+Eigen::Vector3d UpOfCameras(const std::vector<View>& views, const std::vector<ViewPrior>& priors);
+
+}  // namespace limn

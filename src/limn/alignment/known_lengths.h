@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// A length of the drawing that was measured in the world: of a link, or between two nodes.
+struct KnownLength {
+  LinkId link = -1;  // -1: between the nodes
+  NodeId node0 = -1;
+  NodeId node1 = -1;
+  double meters = 0;
+  std::string text;  // as it was given
+};
+
+// Of texts such as "link 12 = 2.40 m" and "from 3 to 7 = 8 ft"; the units are mm, cm, m, in and ft.
+// Throws OptionError for the option `known_length`.
+std::vector<KnownLength> ParseKnownLengths(const std::vector<std::string>& texts);
+
+struct LengthFit {
+  double scale = 1;             // meters per unit of the drawing
+  std::vector<double> lengths;  // in the drawing, in meters by this scale
+};
+
+// The scale of least squares. The length of a link is that of its primitive, which does not follow
+// the noise of its points; of a spline and of a link without primitive that of its points. Throws
+// OptionError if the drawing has no such link or node, or two nodes are at one place. Precondition:
+// there are lengths.
+LengthFit FitLengths(const DrawingGraph& graph, const std::vector<KnownLength>& lengths);
+
+}  // namespace limn

@@ -1,0 +1,163 @@
+#include "limn/alignment/position_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include "limn/util/median.h"
+
+namespace limn {
+namespace {
+
+constexpr int kNumSamples = 300;
+constexpr int kNumIterations = 30;
+// Of the distance of points with a standard deviation of 1 along each axis.
+constexpr double kMedianDistance = 1.5382;
+// Residuals of more standard deviations are wrong rather than noise. Weights that fall gradually
+// would shrink the scale where the noise is not small beside the extent.
+constexpr double kOutlierSigmas = 4;
+
+// Least squares with these weights (Umeyama 1991); nothing if the sources are at one place.
+std::optional<Similarity3d> FitWeighted(const std::vector<PointPair>& pairs,
+                                        const std::vector<double>& weights) {
+  double sum = 0;
+  Eigen::Vector3d source_mean = Eigen::Vector3d::Zero(), target_mean = Eigen::Vector3d::Zero();
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    sum += weights[i];
+    source_mean += weights[i] * pairs[i].source;
+    target_mean += weights[i] * pairs[i].target;
+  }
+  source_mean /= sum;
+  target_mean /= sum;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double variance = 0;
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    const Eigen::Vector3d source = pairs[i].source - source_mean;
+    covariance += weights[i] * (pairs[i].target - target_mean) * source.transpose();
+    variance += weights[i] * source.squaredNorm();
+  }
+  if (!(variance > 0)) return std::nullopt;
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d sign(1, 1, 1);
+  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) sign.z() = -1;
+  Similarity3d fit;
+  fit.rotation = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
+  fit.scale = svd.singularValues().dot(sign) / variance;
+  if (!(fit.scale > 0)) return std::nullopt;
+  fit.translation = target_mean - fit.scale * (fit.rotation * source_mean);
+  return fit;
+}
+
+std::vector<double> Residuals(const std::vector<PointPair>& pairs, const Similarity3d& fit) {
+  std::vector<double> residuals;
+  for (const PointPair& pair : pairs) residuals.push_back((fit * pair.source - pair.target).norm());
+  return residuals;
+}
+
+std::vector<double> GivenWeights(const std::vector<PointPair>& pairs) {
+  std::vector<double> weights;
+  for (const PointPair& pair : pairs) weights.push_back(pair.weight);
+  return weights;
+}
+
+// The best of those of three pairs each and of the one of all pairs.
+std::optional<Similarity3d> BestStart(const std::vector<PointPair>& pairs) {
+  std::optional<Similarity3d> best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](const std::optional<Similarity3d>& fit) {
+    if (!fit) return;
+    const double median = Median(Residuals(pairs, *fit));
+    if (!(median < least)) return;
+    least = median;
+    best = fit;
+  };
+  consider(FitWeighted(pairs, GivenWeights(pairs)));
+  std::mt19937 random(1);
+  for (int k = 0; k < kNumSamples; ++k) {
+    std::vector<PointPair> sample;
+    for (int i = 0; i < 3; ++i) sample.push_back(pairs[random() % pairs.size()]);
+    consider(FitWeighted(sample, GivenWeights(sample)));
+  }
+  return best;
+}
+
+// Of an error along each axis of the target.
+double StandardDeviation(const std::vector<double>& residuals) {
+  return Median(residuals) / kMedianDistance;
+}
+
+std::vector<double> RobustWeights(const std::vector<PointPair>& pairs,
+                                  const std::vector<double>& residuals) {
+  const double limit = kOutlierSigmas * StandardDeviation(residuals);
+  std::vector<double> weights;
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    weights.push_back(residuals[i] <= limit ? pairs[i].weight : 0);
+  }
+  return weights;
+}
+
+// From the spread of the targets around their middle, and what the fit leaves.
+void SetErrors(const std::vector<PointPair>& pairs, const std::vector<double>& weights,
+               PositionFit* fit) {
+  double sum = 0, squares = 0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    sum += weights[i];
+    squares += weights[i] * fit->residuals[i] * fit->residuals[i];
+    mean += weights[i] * (fit->target_from_source * pairs[i].source);
+  }
+  mean /= sum;
+  const auto count = static_cast<double>(pairs.size());
+  // Seven numbers were fitted.
+  const double variance = squares / sum * count / std::max(3 * count - 7, 1.0);
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  double spread = 0;
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    const Eigen::Vector3d at = fit->target_from_source * pairs[i].source - mean;
+    const double weight = weights[i] / sum * count;
+    information += weight * (at.squaredNorm() * Eigen::Matrix3d::Identity() - at * at.transpose());
+    spread += weight * at.squaredNorm();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(information);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double value = eigen.eigenvalues()[k];
+    const bool is_open = !(value > 1e-9 * eigen.eigenvalues()[2]);
+    const double angle2 = is_open ? M_PI * M_PI : std::min(variance / value, M_PI * M_PI);
+    covariance += angle2 * eigen.eigenvectors().col(k) * eigen.eigenvectors().col(k).transpose();
+  }
+  fit->up_error_rad = std::sqrt(covariance(0, 0) + covariance(1, 1));
+  fit->heading_error_rad = std::sqrt(covariance(2, 2));
+  fit->scale_error = std::sqrt(variance / spread);
+}
+
+}  // namespace
+
+std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs) {
+  if (pairs.size() < kMinPositions) return std::nullopt;
+  std::optional<Similarity3d> best = BestStart(pairs);
+  if (!best) return std::nullopt;
+  PositionFit fit;
+  fit.target_from_source = *best;
+  fit.residuals = Residuals(pairs, *best);
+  std::vector<double> weights;
+  for (int k = 0; k < kNumIterations; ++k) {
+    weights = RobustWeights(pairs, fit.residuals);
+    const std::optional<Similarity3d> next = FitWeighted(pairs, weights);
+    if (!next) break;
+    fit.target_from_source = *next;
+    fit.residuals = Residuals(pairs, *next);
+  }
+  fit.median_residual = Median(fit.residuals);
+  SetErrors(pairs, weights, &fit);
+  return fit;
+}
+
+}  // namespace limn

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limn/geometry/similarity3.h"
+
+namespace limn {
+
+// A point in two frames.
+struct PointPair {
+  Eigen::Vector3d source = Eigen::Vector3d::Zero();
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();
+  // Inverse variance of the target, in any unit that is the same for all.
+  double weight = 1;
+};
+
+struct PositionFit {
+  Similarity3d target_from_source;
+  // Distances that the fit leaves, in the unit of the target: per pair, and their median.
+  std::vector<double> residuals;
+  double median_residual = 0;
+  // Standard errors: of the direction of the target's z axis, of the direction of its x axis around
+  // z (pi where pairs on a line leave it open), and of the scale, relative.
+  double up_error_rad = 0;
+  double heading_error_rad = 0;
+  double scale_error = 0;
+};
+
+constexpr size_t kMinPositions = 3;
+
+// The similarity that brings most sources to their targets: the best by its median residual of some
+// that three pairs each give and of the one of least squares, then that of least squares of the
+// pairs within four standard deviations of it, iterated, so that almost half of the pairs may be
+// wrong. Nothing for fewer than kMinPositions pairs, or sources all at one place. The same pairs
+// give the same result. Linear time.
+std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs);
+
+}  // namespace limn

@@ -1,0 +1,125 @@
+#include "colmap_ext/workspace/pose_priors.h"
+
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/test_database.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using limn::testing::DatabaseVersion;
+using limn::testing::RunSql;
+using limn::testing::StoredPrior;
+using limn::testing::WriteDatabase;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class PosePriorsTest : public ::testing::Test {
+ protected:
+  std::string ErrorOf(const std::string& path) {
+    return ErrorText<IoError>([&] { ReadPosePriors(path); });
+  }
+
+  TempDir dir_;
+  const std::string path_ = (dir_ / "database.db").string();
+};
+
+TEST_F(PosePriorsTest, OfAllVersionsAreRead) {
+  StoredPrior first{"sub/a b.jpg", {47.25, 8.5, 410.5}};
+  first.covariance = Eigen::Vector3d(1, 4, 7).asDiagonal();
+  first.gravity = {0.1, 9, -1};
+  for (const auto version : {DatabaseVersion::k3_8, DatabaseVersion::k3_10, DatabaseVersion::k3_12,
+                             DatabaseVersion::k4_1}) {
+    SCOPED_TRACE(static_cast<int>(version));
+    const TempDir dir;
+    WriteDatabase(dir / "d.db", version, {first, {"none.jpg"}, {"zero.jpg", {0, 0, 0}}});
+    const PosePriors priors = ReadPosePriors(dir / "d.db");
+    ASSERT_EQ(priors.size(), 1u);
+    const PosePrior& prior = priors.at("sub/a b.jpg");
+    EXPECT_EQ(prior.position, first.position);
+    EXPECT_TRUE(prior.is_geographic);
+    EXPECT_EQ(prior.position_sigma, version >= DatabaseVersion::k3_12 ? 2 : 0);
+    EXPECT_EQ(prior.gravity.has_value(), version == DatabaseVersion::k4_1);
+    if (prior.gravity) {
+      EXPECT_EQ(*prior.gravity, first.gravity);
+    }
+  }
+}
+
+TEST_F(PosePriorsTest, CartesianPositionsAndUndefinedOnes) {
+  WriteDatabase(path_, DatabaseVersion::k3_12, {{"a", {500000, 5e6, 3}, 1}, {"b", {1, 2, 3}, -1}});
+  const PosePriors priors = ReadPosePriors(path_);
+  EXPECT_EQ(priors.at("a").position, Eigen::Vector3d(500000, 5e6, 3));
+  EXPECT_FALSE(priors.at("a").is_geographic);
+  EXPECT_FALSE(priors.at("b").is_geographic);
+}
+
+TEST_F(PosePriorsTest, OldPosesAreCentersOfCameras) {
+  WriteDatabase(path_, DatabaseVersion::k3_8, {{"a", {1, 2, 3}}, {"b", {500, 2, 3}}});
+  // Half a turn about x.
+  RunSql(path_, "UPDATE images SET prior_qw=0, prior_qx=2, prior_qy=0, prior_qz=0 WHERE name='a'");
+  const PosePriors priors = ReadPosePriors(path_);
+  EXPECT_LT((*priors.at("a").position - Eigen::Vector3d(-1, 2, 3)).norm(), 1e-12);
+  // No latitude.
+  EXPECT_FALSE(priors.at("b").is_geographic);
+}
+
+TEST_F(PosePriorsTest, NothingIsChanged) {
+  WriteDatabase(path_, DatabaseVersion::k4_1, {{"a", {1, 2, 3}}});
+  RunSql(path_, "PRAGMA journal_mode=WAL");
+  const auto bytes = [&] {
+    std::ifstream file(path_, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string before = bytes();
+  std::filesystem::permissions(path_, std::filesystem::perms::owner_read);
+  EXPECT_EQ(ReadPosePriors(path_).size(), 1u);
+  EXPECT_EQ(bytes(), before);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(dir_.path()), {}), 1);
+}
+
+TEST_F(PosePriorsTest, NamesWithSpecialCharactersAreFiles) {
+  const std::string path = (dir_ / "a?b=%41#c d.db").string();
+  WriteDatabase(path, DatabaseVersion::k4_1, {{"a", {1, 2, 3}}});
+  EXPECT_EQ(ReadPosePriors(path).size(), 1u);
+}
+
+TEST_F(PosePriorsTest, BadDatabasesAreNamed) {
+  EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": is no file"));
+  EXPECT_THAT(ErrorOf(dir_.path().string()), HasSubstr("is no file"));
+  EXPECT_THAT(ErrorOf(dir_.WriteFile("x.db", std::string(5000, 'x'))),
+              HasSubstr("x.db: file is not a database"));
+  EXPECT_THAT(ErrorOf(dir_.WriteFile("empty.db", "")),
+              HasSubstr("empty.db: is no database of COLMAP: it has no table pose_priors"));
+  RunSql(path_, "CREATE TABLE pose_priors (position BLOB);");
+  EXPECT_THAT(ErrorOf(path_), AllOf(StartsWith(path_), HasSubstr("no such table: images")));
+}
+
+TEST_F(PosePriorsTest, BadValuesAreNamed) {
+  WriteDatabase(path_, DatabaseVersion::k4_1, {{"a\n.jpg", {1, 2, 3}}, {"b", {91, 2, 3}}});
+  EXPECT_THAT(ErrorOf(path_), HasSubstr("prior of image \"b\": is no latitude, longitude"));
+  RunSql(path_, "UPDATE pose_priors SET coordinate_system = 1 WHERE corr_data_id = 98");
+  EXPECT_THAT(ErrorOf(path_), HasSubstr("prior of image \"b\": is in another coordinate system"));
+  RunSql(path_, "UPDATE pose_priors SET gravity = x'00'");
+  EXPECT_THAT(ErrorOf(path_), HasSubstr("\": gravity has 1 bytes, not 24"));
+  RunSql(path_, "UPDATE pose_priors SET gravity = NULL, position = 'twenty-four characters..'");
+  EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": prior of image \""));
+}
+
+TEST_F(PosePriorsTest, CutDatabasesAreNamed) {
+  std::vector<StoredPrior> many;
+  for (int i = 0; i < 300; ++i) many.push_back({std::to_string(i), {1, 2, 3}});
+  WriteDatabase(path_, DatabaseVersion::k4_1, many);
+  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) / 2);
+  EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": "));
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext

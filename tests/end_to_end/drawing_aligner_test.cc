@@ -1,0 +1,199 @@
+// Up, axes and scale of drawings, stored and applied on request.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/test_database.h"
+#include "end_to_end/run_limn.h"
+#include "end_to_end/small_scene.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/read_curves.h"
+#include "limn/geometry/polyline.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// The sample is in meters and z is up in it: databases tell another world.
+const Similarity3d& WorldFromSample() {
+  static const Similarity3d world = {
+      2, Eigen::AngleAxisd(0.9, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix(), {5, 6, 7}};
+  return world;
+}
+
+class DrawingAligner : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scene_ = new SmallScene;
+    const LimnRun run = RunLimn(scene_->Arguments({"--align", "auto", "--page", "0"}));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    said_ = run.out;
+    before_ = ReadTree(scene_->output());
+  }
+  static void TearDownTestSuite() { delete scene_; }
+  // Every test starts with the drawing as automatic_drawer has made it.
+  void TearDown() override {
+    fs::copy_file(Kept(), Drawing(), fs::copy_options::overwrite_existing);
+  }
+  void SetUp() override { fs::copy_file(Drawing(), Kept()); }
+
+  std::string Drawing() const { return (*scene_ / "drawing.json").string(); }
+  std::string Kept() const { return (dir_ / "kept.json").string(); }
+  DrawingFile Read() const { return ReadDrawingJson(Drawing()); }
+
+  LimnRun Align(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = scene_->Arguments(more);
+    arguments[0] = "drawing_aligner";
+    return RunLimn(arguments);
+  }
+
+  static SmallScene* scene_;
+  static std::string said_;
+  static std::map<std::string, std::string> before_;
+  TempDir dir_;
+};
+SmallScene* DrawingAligner::scene_ = nullptr;
+std::string DrawingAligner::said_;
+std::map<std::string, std::string> DrawingAligner::before_;
+
+double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / M_PI;
+}
+
+TEST_F(DrawingAligner, AutomaticDrawerFindsUpByTheLines) {
+  const DrawingFile drawing = Read();
+  ASSERT_TRUE(drawing.metadata.alignment);
+  const Alignment& alignment = *drawing.metadata.alignment;
+  EXPECT_EQ(alignment.up, UpSource::kLines);
+  EXPECT_EQ(alignment.scale, ScaleSource::kNone);
+  const Eigen::Vector3d up = alignment.world_from_model.rotation.row(2);
+  EXPECT_LT(AngleDeg(up, Eigen::Vector3d::UnitZ()), 1);
+  EXPECT_THAT(said_, AllOf(HasSubstr("alignment: no database.db near the model\n"),
+                           HasSubstr("alignment: up from the lines"),
+                           HasSubstr("alignment: scale unknown")));
+}
+
+TEST_F(DrawingAligner, NothingElseChangesWithoutARequest) {
+  const SmallScene plain;
+  const LimnRun run = RunLimn(plain.Arguments({"--page", "0"}));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, Not(HasSubstr("alignment")));
+  auto without = ReadTree(plain.output());
+  auto with = before_;
+  for (auto* files : {&without, &with}) files->erase("curves/project.ini");
+  std::string& drawing = with["drawing.json"];
+  const size_t begin = drawing.find("\"world_from_model\"");
+  ASSERT_NE(begin, std::string::npos);
+  drawing.erase(begin, drawing.find('\n', begin) + 1 - begin);
+  EXPECT_EQ(without, with);
+}
+
+TEST_F(DrawingAligner, CamerasOfADatabaseTellAll) {
+  std::vector<StoredPrior> priors;
+  for (const auto& image : colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse").images) {
+    const Eigen::Vector3d center = Inverse(image.cam_from_world).translation;
+    priors.push_back({image.name, WorldFromSample() * center, 1});
+  }
+  const fs::path database = dir_ / "priors.db";
+  WriteDatabase(database, DatabaseVersion::k4_1, priors);
+  const LimnRun run = Align({"--database_path", database.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("positions of 6 and gravity of 0 of 6 images"),
+                             HasSubstr("alignment: up from positions of cameras")));
+  const DrawingFile drawing = Read();
+  ASSERT_TRUE(drawing.metadata.alignment);
+  const Alignment& alignment = *drawing.metadata.alignment;
+  EXPECT_EQ(alignment.scale, ScaleSource::kPositions);
+  EXPECT_NEAR(alignment.world_from_model.scale, 2, 1e-4);
+  const Eigen::Vector3d up = alignment.world_from_model.rotation.row(2);
+  EXPECT_LT(AngleDeg(up, WorldFromSample().rotation.row(2)), 0.01);
+  // Only that line of drawing.json is another.
+  auto after = ReadTree(scene_->output());
+  const auto before = before_;
+  for (const auto& [name, bytes] : before) {
+    if (name != "drawing.json") {
+      EXPECT_EQ(after[name], bytes) << name;
+    }
+  }
+}
+
+TEST_F(DrawingAligner, KnownLengthsMakeExportsMetric) {
+  const DrawingGraph graph = Read().graph;
+  const auto distance = [&](NodeId a, NodeId b) {
+    return (graph.nodes[a].position_in_world - graph.nodes[b].position_in_world).norm();
+  };
+  char first[80], second[80];
+  std::snprintf(first, sizeof(first), "from 0 to 3 = %.6f m", 3 * distance(0, 3));
+  std::snprintf(second, sizeof(second), "from 1 to 4 = %.6f cm", 303 * distance(1, 4));
+  const LimnRun run = Align({"--known_length", first, "--known_length", second});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr(std::string("alignment: ") + first + ": "),
+                             HasSubstr(std::string("alignment: ") + second + ": "),
+                             HasSubstr("m per unit of the model, from known lengths")));
+  const Alignment alignment = *Read().metadata.alignment;
+  EXPECT_NEAR(alignment.world_from_model.scale, 3.015, 0.016);
+
+  const std::string exported = (dir_ / "aligned.json").string();
+  const LimnRun export_run =
+      RunLimn({"drawing_exporter", "--input_path", Drawing(), "--output_path", exported,
+               "--aligned", "1", "--kinds", "all", "--tentative", "1"});
+  ASSERT_EQ(export_run.exit_code, 0) << export_run.err;
+  const DrawingFile aligned = ReadDrawingJson(exported);
+  ASSERT_EQ(aligned.graph.links.size(), graph.links.size());
+  EXPECT_LT((aligned.graph.links[0].points_in_world[0] -
+             alignment.world_from_model * graph.links[0].points_in_world[0])
+                .norm(),
+            1e-12);
+  // It says of itself that it is aligned.
+  ASSERT_TRUE(aligned.metadata.alignment);
+  EXPECT_NEAR(aligned.metadata.alignment->world_from_model.scale, 1, 1e-12);
+  EXPECT_EQ(aligned.metadata.alignment->scale, ScaleSource::kLengths);
+
+  const std::string dxf = (dir_ / "aligned.dxf").string();
+  ASSERT_EQ(RunLimn({"drawing_exporter", "--input_path", Drawing(), "--output_path", dxf,
+                     "--aligned", "1"})
+                .exit_code,
+            0);
+  // $INSUNITS of meters.
+  EXPECT_NE(ReadTree(dir_.path())["aligned.dxf"].find("$INSUNITS\n70\n6\n"), std::string::npos);
+}
+
+TEST_F(DrawingAligner, ErrorsNameTheOptionAndChangeNothing) {
+  const auto fails = [&](const std::vector<std::string>& more, const std::string& error) {
+    const LimnRun run = Align(more);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, AllOf(::testing::StartsWith("ERROR: "), HasSubstr(error)));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+    EXPECT_EQ(ReadTree(scene_->output())["drawing.json"], before_["drawing.json"]);
+  };
+  fails({"--known_length", "link 12 = 2.40"}, "known_length = link 12 = 2.40: must be like");
+  fails({"--known_length", "link 99999 = 2.40 m"}, "the drawing has no link 99999");
+  fails({"--database_path", "/nowhere/database.db"}, "/nowhere/database.db: is no file");
+  fails({"--drawing_path", "/nowhere/drawing.json"}, "/nowhere/drawing.json");
+}
+
+TEST_F(DrawingAligner, OnlyAlignedDrawingsAreShownAligned) {
+  DrawingFile drawing = Read();
+  std::string text = before_["drawing.json"];
+  const size_t begin = text.find("\"world_from_model\"");
+  text.erase(begin, text.find('\n', begin) + 1 - begin);
+  const std::string plain = dir_.WriteFile("plain.json", text);
+  const LimnRun run = RunLimn({"drawing_exporter", "--input_path", plain, "--output_path",
+                               (dir_ / "x.ply").string(), "--aligned", "1"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err, "ERROR: " + plain +
+                         ": has no alignment: run drawing_aligner, or draw with --align auto\n");
+  EXPECT_FALSE(fs::exists(dir_ / "x.ply"));
+}
+
+}  // namespace
+}  // namespace limn::testing

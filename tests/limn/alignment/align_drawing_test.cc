@@ -1,0 +1,140 @@
+#include "limn/alignment/align_drawing.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "limn/alignment/wire_room.h"
+#include "support/synthetic_scene.h"
+
+namespace limn {
+namespace {
+
+using testing::AngleDeg;
+
+// A room as COLMAP might have it, and the truth.
+class AlignDrawingTest : public ::testing::Test {
+ protected:
+  AlignDrawingTest() : graph_(testing::Moved(testing::WireRoom(), model_from_world_)) {
+    for (View view : testing::DomeViews(20, 3)) {
+      centers_.push_back(view.CenterInWorld());
+      view.cam_from_world = CamFromB(view.cam_from_world, model_from_world_);
+      views_.push_back(view);
+    }
+    priors_.resize(views_.size());
+  }
+
+  void SetPositions(double noise) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal(0, noise);
+    for (size_t v = 0; v < views_.size(); ++v) {
+      priors_[v].position =
+          centers_[v] + Eigen::Vector3d(normal(random), normal(random), normal(random));
+    }
+  }
+
+  AlignmentResult Align() const { return AlignDrawing({views_, graph_, priors_, lengths_}); }
+
+  double UpErrorDeg(const AlignmentResult& result) const {
+    return AngleDeg(Error(result).col(2), Eigen::Vector3d::UnitZ());
+  }
+  // To the nearest quarter turn.
+  double AxesErrorDeg(const AlignmentResult& result) const {
+    const Eigen::Matrix3d error = Error(result);
+    return std::abs(std::remainder(std::atan2(error(1, 0), error(0, 0)), M_PI / 2)) / kDeg;
+  }
+  double ScaleError(const AlignmentResult& result) const {
+    return std::abs(result.alignment.world_from_model.scale * model_from_world_.scale - 1);
+  }
+
+  Similarity3d model_from_world_ = testing::RandomSimilarity(2.5, 5);
+  DrawingGraph graph_;
+  std::vector<View> views_;
+  std::vector<Eigen::Vector3d> centers_;
+  std::vector<ViewPrior> priors_;
+  std::vector<KnownLength> lengths_;
+
+ private:
+  Eigen::Matrix3d Error(const AlignmentResult& result) const {
+    return result.alignment.world_from_model.rotation * model_from_world_.rotation;
+  }
+};
+
+TEST_F(AlignDrawingTest, ByLinesAlone) {
+  priors_.clear();
+  const AlignmentResult result = Align();
+  EXPECT_EQ(result.alignment.up, UpSource::kLines);
+  EXPECT_EQ(result.alignment.axes, AxesSource::kLines);
+  EXPECT_EQ(result.alignment.scale, ScaleSource::kNone);
+  EXPECT_EQ(result.alignment.world_from_model.scale, 1);
+  EXPECT_EQ(Validate(result.alignment), "");
+  EXPECT_LT(UpErrorDeg(result), 1e-3);
+  EXPECT_LT(AxesErrorDeg(result), 1e-3);
+}
+
+TEST_F(AlignDrawingTest, PutsTheOriginInTheMiddleOfTheFloor) {
+  const AlignmentResult result = Align();
+  const Eigen::Vector3d origin =
+      result.alignment.world_from_model * (model_from_world_ * Eigen::Vector3d::Zero());
+  EXPECT_LT(origin.norm(), 1e-3 * model_from_world_.scale);
+}
+
+TEST_F(AlignDrawingTest, ByPositions) {
+  SetPositions(0.02);
+  const AlignmentResult result = Align();
+  EXPECT_EQ(result.alignment.up, UpSource::kPositions);
+  EXPECT_EQ(result.alignment.scale, ScaleSource::kPositions);
+  EXPECT_LT(UpErrorDeg(result), 0.5);
+  EXPECT_LT(AxesErrorDeg(result), 0.5);
+  EXPECT_LT(ScaleError(result), 0.01);
+  // x is the one near east.
+  const Eigen::Vector3d x = result.alignment.world_from_model.rotation.row(0);
+  EXPECT_LT(AngleDeg(x, model_from_world_.rotation.col(0)), 1);
+}
+
+TEST_F(AlignDrawingTest, RoughPositionsTellOnlyTheScale) {
+  SetPositions(0.5);
+  const AlignmentResult result = Align();
+  EXPECT_EQ(result.alignment.up, UpSource::kLines);
+  EXPECT_EQ(result.alignment.scale, ScaleSource::kPositions);
+  EXPECT_LT(UpErrorDeg(result), 1e-3);
+  EXPECT_LT(ScaleError(result), 3 * result.positions->scale_error);
+}
+
+TEST_F(AlignDrawingTest, PositionsThatTellNothingAreNotUsed) {
+  SetPositions(20);
+  const AlignmentResult result = Align();
+  EXPECT_EQ(result.alignment.up, UpSource::kLines);
+  EXPECT_EQ(result.alignment.scale, ScaleSource::kNone);
+}
+
+TEST_F(AlignDrawingTest, ByMeasuredGravity) {
+  for (size_t v = 0; v < views_.size(); ++v) {
+    const Eigen::Vector3d down = -model_from_world_.rotation.col(2);
+    priors_[v].gravity_in_cam = views_[v].cam_from_world.rotation * down;
+  }
+  graph_ = {};
+  const AlignmentResult result = Align();
+  EXPECT_EQ(result.alignment.up, UpSource::kGravity);
+  EXPECT_EQ(result.alignment.axes, AxesSource::kModel);
+  EXPECT_LT(UpErrorDeg(result), 1e-6);
+}
+
+TEST_F(AlignDrawingTest, WithoutLinesCamerasTellUpRoughly) {
+  graph_ = {};
+  const AlignmentResult result = Align();
+  EXPECT_EQ(result.alignment.up, UpSource::kCameras);
+  EXPECT_LT(UpErrorDeg(result), 2);
+  EXPECT_EQ(Validate(result.alignment), "");
+}
+
+TEST_F(AlignDrawingTest, KnownLengthsTellTheScaleBetterThanPositions) {
+  SetPositions(0.5);
+  lengths_ = ParseKnownLengths({"link 0 = 5 m"});
+  const AlignmentResult result = Align();
+  EXPECT_EQ(result.alignment.scale, ScaleSource::kLengths);
+  EXPECT_LT(ScaleError(result), 1e-9);
+}
+
+}  // namespace
+}  // namespace limn

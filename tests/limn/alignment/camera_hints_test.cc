@@ -1,0 +1,64 @@
+#include "limn/alignment/camera_hints.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "limn/alignment/wire_room.h"
+#include "support/synthetic_scene.h"
+
+namespace limn {
+namespace {
+
+using testing::AngleDeg;
+
+const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
+
+Eigen::Vector3d GravityIn(const View& view) { return -(view.cam_from_world.rotation * kUp); }
+
+// The photograph lies on its side.
+void TurnByQuarter(View* view) {
+  const Rigid3d quarter = {
+      Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ())),
+      Eigen::Vector3d::Zero()};
+  view->cam_from_world = quarter * view->cam_from_world;
+}
+
+TEST(CameraHints, CamerasAreHeldUpright) {
+  EXPECT_LT(AngleDeg(UpOfCameras(testing::DomeViews(12, 5), {}), kUp), 1);
+  // All on one side, looking down by 45 degrees.
+  std::vector<View> views;
+  for (int i = 0; i < 5; ++i) views.push_back(testing::LookAt({3, i - 2.0, 3}, {0, 0, 0}));
+  EXPECT_LT(AngleDeg(UpOfCameras(views, {}), kUp), 30);
+  EXPECT_LT(AngleDeg(UpOfCameras({}, {}), -Eigen::Vector3d::UnitY()), 1e-6);
+}
+
+TEST(CameraHints, QuarterTurnsOfPhotographsAreKnown) {
+  std::vector<View> views = testing::DomeViews(12, 5);
+  std::vector<ViewPrior> priors(views.size());
+  for (size_t v = 0; v < views.size(); ++v) {
+    TurnByQuarter(&views[v]);
+    priors[v].gravity_in_cam = -Eigen::Vector3d::UnitX();
+  }
+  EXPECT_LT(AngleDeg(UpOfCameras(views, priors), kUp), 1);
+  EXPECT_FALSE(MeasuredUp(views, priors));
+}
+
+TEST(CameraHints, MeasuredGravityIsRobust) {
+  std::mt19937 random(1);
+  const std::vector<View> views = testing::DomeViews(40, 5);
+  std::vector<ViewPrior> priors(views.size());
+  for (size_t v = 0; v < 30; ++v) {
+    priors[v].gravity_in_cam = 9.81 * GravityIn(views[v]) + 0.1 * testing::RandomDirection(&random);
+  }
+  for (size_t v = 0; v < 5; ++v) priors[v].gravity_in_cam = testing::RandomDirection(&random);
+  const auto up = MeasuredUp(views, priors);
+  ASSERT_TRUE(up);
+  EXPECT_EQ(up->num_views, 30u);
+  EXPECT_LT(AngleDeg(up->direction, kUp), 0.5);
+  EXPECT_NEAR(up->deviation_rad / kDeg, 0.5, 0.3);
+  EXPECT_FALSE(MeasuredUp(views, {}));
+}
+
+}  // namespace
+}  // namespace limn

@@ -1,0 +1,96 @@
+#include "limn/alignment/position_fit.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "limn/alignment/wire_room.h"
+
+namespace limn {
+namespace {
+
+using testing::AngleDeg;
+using testing::RandomSimilarity;
+
+// Sources in a ball of this radius, targets with noise.
+std::vector<PointPair> Pairs(const Similarity3d& target_from_source, int count, double radius,
+                             double noise, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0, radius);
+  std::vector<PointPair> pairs;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d source = uniform(random) * testing::RandomDirection(&random);
+    const Eigen::Vector3d error(normal(random), normal(random), normal(random));
+    pairs.push_back({source, target_from_source * source + noise * error});
+  }
+  return pairs;
+}
+
+TEST(PositionFit, FindsASimilarityAmongWrongPairs) {
+  const Similarity3d truth = RandomSimilarity(2, 3);
+  std::vector<PointPair> pairs = Pairs(truth, 20, 3, 0, 1);
+  for (int i = 0; i < 9; ++i) pairs[2 * i].target += Eigen::Vector3d(30 + i, -20, 5 * i);
+  const auto fit = FitPositions(pairs);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->target_from_source.scale, truth.scale, 1e-9);
+  EXPECT_LT((fit->target_from_source.rotation - truth.rotation).norm(), 1e-9);
+  EXPECT_LT((fit->target_from_source.translation - truth.translation).norm(), 1e-9);
+  EXPECT_LT(fit->median_residual, 1e-9);
+  EXPECT_GT(fit->residuals[0], 30);
+}
+
+TEST(PositionFit, TellsItsErrors) {
+  double up2 = 0, told_up2 = 0, scale2 = 0, told_scale2 = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    const Similarity3d truth = RandomSimilarity(2, seed);
+    const auto fit = FitPositions(Pairs(truth, 25, 8, 1, seed));
+    ASSERT_TRUE(fit);
+    const Eigen::Matrix3d error = fit->target_from_source.rotation * truth.rotation.transpose();
+    up2 += std::pow(AngleDeg(error.col(2), Eigen::Vector3d::UnitZ()) * kDeg, 2);
+    told_up2 += std::pow(fit->up_error_rad, 2);
+    scale2 += std::pow(fit->target_from_source.scale / truth.scale - 1, 2);
+    told_scale2 += std::pow(fit->scale_error, 2);
+  }
+  EXPECT_NEAR(std::sqrt(told_up2 / up2), 1, 0.25);
+  EXPECT_NEAR(std::sqrt(told_scale2 / scale2), 1, 0.25);
+}
+
+TEST(PositionFit, PairsOnAHorizontalLineLeaveUpOpen) {
+  std::vector<PointPair> pairs;
+  for (int i = 0; i < 10; ++i) pairs.push_back({{1.0 * i, 0, 0}, {2.0 * i, 0, 0}});
+  const auto fit = FitPositions(pairs);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->target_from_source.scale, 2, 1e-9);
+  EXPECT_GT(fit->up_error_rad, 1);
+  EXPECT_LT(fit->scale_error, 1e-6);
+}
+
+TEST(PositionFit, PairsOnAVerticalLineLeaveOnlyTheHeadingOpen) {
+  std::vector<PointPair> pairs;
+  for (int i = 0; i < 10; ++i) pairs.push_back({{1.0 * i, 0, 0}, {0, 0, 2.0 * i}});
+  const auto fit = FitPositions(pairs);
+  ASSERT_TRUE(fit);
+  EXPECT_LT(fit->up_error_rad, 1e-6);
+  EXPECT_GT(fit->heading_error_rad, 1);
+}
+
+TEST(PositionFit, AccuratePairsCountMore) {
+  std::vector<PointPair> pairs = Pairs({}, 20, 3, 0, 1);
+  for (int i = 0; i < 10; ++i) {
+    pairs[i].target += Eigen::Vector3d(0.1, 0, 0);
+    pairs[i].weight = 1e-6;
+  }
+  const auto fit = FitPositions(pairs);
+  ASSERT_TRUE(fit);
+  EXPECT_LT(fit->target_from_source.translation.norm(), 1e-4);
+}
+
+TEST(PositionFit, NeedsThreePlaces) {
+  EXPECT_FALSE(FitPositions({}));
+  EXPECT_FALSE(FitPositions(Pairs({}, 2, 3, 0, 1)));
+  EXPECT_FALSE(FitPositions(std::vector<PointPair>(5)));
+}
+
+}  // namespace
+}  // namespace limn
