@@ -46,5 +46,7 @@ cmp <(grep -v '^"options"' "$work/drawing.json") <(grep -v '^"options"' "$work/p
   fail "the program draws something else"
 
 if [[ $kind == shared ]]; then
-  ldd "$work/build/consumer" | grep -q 'liblimn\.so\.0\.2 => '"$prefix" || fail "it does not use the shared library"
+  # Not through a pipe, which grep closes before ldd has ended.
+  ldd "$work/build/consumer" >"$work/libraries"
+  grep -q 'liblimn\.so\.0\.2 => '"$prefix" "$work/libraries" || fail "it does not use the shared library"
 fi
