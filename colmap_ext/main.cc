@@ -1,9 +1,7 @@
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <iterator>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -28,45 +26,22 @@ namespace {
 
 using namespace limn::colmap_ext;
 
-struct Command {
-  std::string_view name;
-  int (*run)(int argc, const char* const* argv, const ConsoleMaker& make_console);
-  const char* summary;
-};
-
-constexpr Command kCommands[] = {
-    {"automatic_drawer", RunAutomaticDrawer, "the main job: the 3D drawing of a COLMAP project"},
-    {"edge_extractor", RunEdgeExtractor, "find the edgels of all images"},
-    {"curve_linker", RunCurveLinker, "link them to curve fragments"},
-    {"curve_sketcher", RunCurveSketcher, "reconstruct a sketch: unconnected 3D curves"},
-    {"curve_drawer", RunCurveDrawer, "make the drawing from a stored sketch"},
-    {"drawing_refiner", RunDrawingRefiner, "fit a stored drawing to all images"},
-    {"drawing_aligner", RunDrawingAligner, "find up, axes and scale of a stored drawing"},
-    {"drawing_fuser", RunDrawingFuser, "compare a drawing with dense results and combine the two"},
-    {"drawing_exporter", RunDrawingExporter, "write a drawing for CAD, Blender or as a graph"},
-    {"drawing_viewer", RunDrawingViewer, "make a page that shows a drawing in a browser"},
-    {"model_importer", RunModelImporter, "make a COLMAP model from cameras in another format"},
-    {"drawing_evaluator", RunDrawingEvaluator, "compare curves with ground truth"},
-    {"truth_extractor", RunTruthExtractor, "ground truth from a surface or a dense cloud"},
-};
-
 void PrintUsage() {
   std::printf(
       "limn: 3D drawings from COLMAP projects\n\n"
       "  limn automatic_drawer --workspace_path my_project\n"
       "  limn <command> -h          the basic options of a command\n"
       "  limn <command> --help_all  all of its options\n\nCommands:\n");
-  for (const Command& command : kCommands) {
-    std::printf("  %-20.*s %s\n", static_cast<int>(command.name.size()), command.name.data(),
-                command.summary);
+  for (const Command& command : Commands()) {
+    std::printf("  %-20s %s\n", command.name, command.summary);
   }
 }
 
 // "help --help_format man" and the like: as OptionParser's, of the program.
 void PrintUsageFor(std::string_view format) {
   std::vector<limn::CommandDescription> commands;
-  for (const Command& command : kCommands) {
-    commands.push_back({std::string(command.name), command.summary, {}});
+  for (const Command& command : Commands()) {
+    commands.push_back({command.name, command.summary, {}});
   }
   if (format == "man") {
     WriteManPage(commands, std::cout);
@@ -117,15 +92,13 @@ std::runtime_error OutOfMemoryError() {
 // Throws what the command throws.
 int Run(int argc, const char* const* argv) {
   const std::string_view name = argv[1];
-  const auto command = std::find_if(std::begin(kCommands), std::end(kCommands),
-                                    [&](const Command& c) { return c.name == name; });
-  const bool is_known = command != std::end(kCommands);
-  if (NumRanks() > 1 && !(is_known && command->run == RunAutomaticDrawer)) {
+  const Command* command = FindCommand(name);
+  if (NumRanks() > 1 && !(command && command->run == RunAutomaticDrawer)) {
     if (Rank() != 0) return 0;  // rank 0 says it
     throw limn::OptionError(std::string(name) +
                             ": only automatic_drawer runs in several MPI processes");
   }
-  if (is_known) return command->run(argc - 1, argv + 1, MakeTerminalConsole);
+  if (command) return command->run(argc - 1, argv + 1, MakeTerminalConsole);
   throw limn::OptionError("unknown command '" + std::string(name) +
                           "'; 'limn help' lists the commands");
 }

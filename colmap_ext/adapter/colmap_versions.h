@@ -15,6 +15,7 @@
 #define LIMN_COLMAP_HAS_BASE_CONTROLLER
 #endif
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -92,20 +93,24 @@ void SetColmapError(double error, Point3D* point) {
   }
 }
 
-// The pose as COLMAP has it: 3.8 has vectors, 4.0 functions instead of fields, and 3.12 composes it
-// from rig and frame.
+// 4.0 has functions instead of fields.
+template <class Pose>
+Rigid3d ToRigid(const Pose& pose) {
+  if constexpr (requires { pose.rotation(); }) {
+    return {Eigen::Quaterniond(pose.rotation()), Eigen::Vector3d(pose.translation())};
+  } else {
+    return {pose.rotation, pose.translation};
+  }
+}
+
+// The pose as COLMAP has it: 3.8 has vectors, and 3.12 composes it from rig and frame.
 template <class Image>
 Rigid3d ColmapPose(const Image& image) {
   if constexpr (requires { image.Qvec(); }) {
     const Eigen::Vector4d& q = image.Qvec();
     return {Eigen::Quaterniond(q[0], q[1], q[2], q[3]), image.Tvec()};
   } else {
-    const auto& pose = image.CamFromWorld();
-    if constexpr (requires { pose.rotation(); }) {
-      return {Eigen::Quaterniond(pose.rotation()), Eigen::Vector3d(pose.translation())};
-    } else {
-      return {pose.rotation, pose.translation};
-    }
+    return ToRigid(image.CamFromWorld());
   }
 }
 
@@ -115,15 +120,45 @@ constexpr bool ReadsUnitRotations(const Image& image) {
   return !requires { image.HasPose(); };
 }
 
-// Several cameras of one rig: from 3.12 on.
-template <class Reconstruction>
-bool HasColmapRigs(const Reconstruction& reconstruction) {
-  if constexpr (requires { reconstruction.Rigs(); }) {
-    for (const auto& rig : reconstruction.Rigs()) {
-      if (rig.second.NumSensors() > 1) return true;
-    }
+template <class Sensor>
+SensorId ToSensorId(const Sensor& sensor) {
+  return {static_cast<int32_t>(sensor.type), sensor.id};
+}
+
+template <class ColmapRig>
+Rig ToRig(const ColmapRig& from) {
+  Rig rig;
+  rig.id = from.RigId();
+  if (from.NumSensors() == 0) return rig;
+  rig.sensors.push_back({ToSensorId(from.RefSensorId()), true, {}});
+  for (const auto& [sensor, pose] : from.NonRefSensors()) {
+    rig.sensors.push_back(
+        {ToSensorId(sensor), pose.has_value(), pose ? ToRigid(*pose) : Rigid3d{}});
   }
-  return false;
+  return rig;
+}
+
+template <class ColmapFrame>
+Frame ToFrame(const ColmapFrame& from) {
+  Frame frame = {from.FrameId(), from.RigId(), ToRigid(from.RigFromWorld()), {}};
+  for (const auto& data : from.DataIds()) {
+    frame.data.push_back({ToSensorId(data.sensor_id), data.id});
+  }
+  return frame;
+}
+
+// Rigs, and frames with a pose, by their ids: from 3.12 on.
+template <class Reconstruction>
+void AddColmapRigs(const Reconstruction& reconstruction, SparseModel* model) {
+  if constexpr (requires { reconstruction.Rigs(); }) {
+    for (const auto& [id, rig] : reconstruction.Rigs()) model->rigs.push_back(ToRig(rig));
+    for (const auto& [id, frame] : reconstruction.Frames()) {
+      if (frame.HasPose()) model->frames.push_back(ToFrame(frame));
+    }
+    const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+    std::sort(model->rigs.begin(), model->rigs.end(), by_id);
+    std::sort(model->frames.begin(), model->frames.end(), by_id);
+  }
 }
 
 // Appends 2D points without 3D points. 3.8 takes them only for an image without any.

@@ -15,6 +15,8 @@ class LogConsole : public Console {
   // `is_stopped` is asked at every report of progress whether the run is to stop, and may block.
   LogConsole(int num_threads, std::function<bool()> is_stopped);
 
+  void ShowTable(const std::string& lines) override { ShowLine(lines); }
+
  private:
   void ShowLine(const std::string& line) override;
   void ShowStage(const RunLog::Stage& stage) override;

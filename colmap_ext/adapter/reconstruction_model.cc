@@ -93,7 +93,7 @@ SparseModel ToSparseModel(const colmap::Reconstruction& reconstruction) {
   }
   SparseModel model = builder.Finish();
   model.folder = kName;
-  model.has_rigs = HasColmapRigs(reconstruction);
+  AddColmapRigs(reconstruction, &model);
   for (ModelImage& image : model.images) {
     const auto unit = unit_rotations.find(image.id);
     if (unit != unit_rotations.end()) image.cam_from_world.rotation = unit->second;

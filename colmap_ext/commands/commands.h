@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "colmap_ext/run/console.h"
 
 namespace limn::colmap_ext {
@@ -20,5 +23,17 @@ int RunDrawingViewer(int argc, const char* const* argv, const ConsoleMaker& make
 int RunEdgeExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunModelImporter(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunTruthExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console);
+
+struct Command {
+  const char* name;
+  int (*run)(int argc, const char* const* argv, const ConsoleMaker& make_console);
+  const char* summary;
+};
+
+// In the order in which a project needs them; the main job is first.
+std::span<const Command> Commands();
+
+// Null if there is no command of this name.
+const Command* FindCommand(std::string_view name);
 
 }  // namespace limn::colmap_ext

@@ -21,7 +21,7 @@ int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_c
   const auto console = make_console(options.num_threads, /*speaks=*/true);
   const Project project(options, console.get());
   CheckDrawingFiles(project, options);
-  const ProjectAligner aligner(project, options.layout, align, console.get());
+  const SceneAligner aligner(project, options.layout, align, console.get());
   const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
   const StoredCurveSketch stored = ReadSketchResult(project, SketchFileName(options.pipeline.mode),
                                                     image_curves.curves, console->context());

@@ -32,7 +32,7 @@ int RunDrawingAligner(int argc, const char* const* argv, const ConsoleMaker& mak
         FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kUnfused, "drawing_path");
   }
   const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
-  const ProjectAligner aligner(project, options.layout, align, console.get());
+  const SceneAligner aligner(project, options.layout, align, console.get());
   const auto alignment = aligner.Align(project.views(), drawing.graph, console.get());
   std::vector<std::string> paths = {drawing_path};
   // Last, so that it stays the newer one, which drawing_viewer shows.

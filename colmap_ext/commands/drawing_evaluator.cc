@@ -1,8 +1,10 @@
 #include <iostream>
+#include <sstream>
 
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/evaluation_run.h"
+#include "limn/evaluation/report_writers.h"
 
 namespace limn::colmap_ext {
 
@@ -17,7 +19,11 @@ int RunDrawingEvaluator(int argc, const char* const* argv, const ConsoleMaker& m
     options.input_path = FindDrawing(options.layout, DrawingChoice::kNewest, "input_path");
     console->Say("drawing: " + options.input_path);
   }
-  WriteReport(EvaluateFile(options, console->context()), options);
+  const EvaluationReport report = EvaluateFile(options, console->context());
+  WriteReportFiles(report, options);
+  std::ostringstream table;
+  PrintReport(report, table);
+  console->ShowTable(table.str());
   return 0;
 }
 

@@ -14,7 +14,9 @@ int RunModelImporter(int argc, const char* const* argv, const ConsoleMaker& make
   options.Check();
   const auto console = make_console(/*num_threads=*/-1, /*speaks=*/true);
   CheckNewModelFolder(options.output_path);
-  const SparseModel model = ImportModel(options, std::cout);
+  std::vector<std::string> notes;
+  const SparseModel model = ImportModel(options, &notes);
+  for (const std::string& note : notes) console->Say(note);
   for (const std::string& warning : model.warnings) console->Say("WARNING: " + warning);
   WriteNewModel(model, options.output_path, options.output_type);
   console->Say("Written: " + options.output_path + " with " + std::to_string(model.cameras.size()) +

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <ostream>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "colmap_ext/import/formats.h"
 #include "limn/util/errors.h"
-#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -29,14 +27,14 @@ PixelCenters PixelCentersOf(const ImportFormat& format, PixelCentersOption optio
 
 // How many they are and the first of them.
 void NoteLeftOut(const std::vector<std::string>& names, const std::string& what,
-                 std::ostream& notes) {
+                 std::vector<std::string>* notes) {
   constexpr size_t kMaxNames = 8;
   if (names.empty()) return;
-  notes << names.size() << " images " << what << " and are left out: ";
+  std::string note = std::to_string(names.size()) + " images " + what + " and are left out: ";
   for (size_t i = 0; i < std::min(names.size(), kMaxNames); ++i) {
-    notes << (i > 0 ? ", " : "") << Printable(names[i]);
+    note += (i > 0 ? ", " : "") + names[i];
   }
-  notes << (names.size() > kMaxNames ? ", ...\n" : "\n");
+  notes->push_back(note + (names.size() > kMaxNames ? ", ..." : ""));
 }
 
 // Of the images directly in the folder.
@@ -89,7 +87,7 @@ void ImporterOptions::Check() const {
   LIMN_CHECK_RANGE(model_index, >= -1, <= 1e6);
 }
 
-SparseModel ImportModel(const ImporterOptions& options, std::ostream& notes) {
+SparseModel ImportModel(const ImporterOptions& options, std::vector<std::string>* notes) {
   const ImportFormat& format = options.input_type == "auto" ? RecognizeFormat(options.input_path)
                                                             : *FindImportFormat(options.input_type);
   ImageFolder images(ImagePath(options), options.skip_missing_images);
@@ -97,9 +95,9 @@ SparseModel ImportModel(const ImporterOptions& options, std::ostream& notes) {
       format.read({options.input_path, &images, options.list_path, options.model_index});
   if (scene.images.empty()) throw IoError(options.input_path, "no image with a camera");
   const PixelCenters pixel_centers = PixelCentersOf(format, options.pixel_centers);
-  notes << "Format " << format.name << ", center of the top-left pixel at "
-        << (pixel_centers == PixelCenters::kInteger ? "(0, 0)" : "(0.5, 0.5)") << "\n";
-  for (const std::string& note : scene.notes) notes << Printable(note) << "\n";
+  notes->push_back(std::string("Format ") + format.name + ", center of the top-left pixel at " +
+                   (pixel_centers == PixelCenters::kInteger ? "(0, 0)" : "(0.5, 0.5)"));
+  notes->insert(notes->end(), scene.notes.begin(), scene.notes.end());
   NoteLeftOut(images.missing(), "are missing", notes);
   NoteLeftOut(WithoutCamera(images, scene), "have no camera", notes);
   return ToSparseModel(std::move(scene), {pixel_centers, options.share_cameras_px});

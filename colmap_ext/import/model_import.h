@@ -26,8 +26,8 @@ struct ImporterOptions {
   void Check() const;
 };
 
-// Reads cameras in the given format, or in the one recognized from the path. Writes what the user
+// Reads cameras in the given format, or in the one recognized from the path. Adds what the user
 // should know to `notes`, one line each. Throws IoError.
-SparseModel ImportModel(const ImporterOptions& options, std::ostream& notes);
+SparseModel ImportModel(const ImporterOptions& options, std::vector<std::string>* notes);
 
 }  // namespace limn::colmap_ext

@@ -248,6 +248,35 @@ void BindLink(py::module_* module) {
       });
 }
 
+void BindAlignment(py::module_* module) {
+  py::class_<Alignment>(*module, "Alignment",
+                        "The similarity from the model to a world with z up: X_world = scale "
+                        "rotation X_model + translation.")
+      .def_property_readonly(
+          "scale", [](const Alignment& a) { return a.world_from_model.scale; },
+          "Units of the world per unit of the model.")
+      .def_property_readonly(
+          "rotation", [](const Alignment& a) { return CopyOf(a.world_from_model.rotation); },
+          "3 x 3 rotation.")
+      .def_property_readonly(
+          "translation", [](const Alignment& a) { return CopyOf(a.world_from_model.translation); },
+          "3 translation, in the unit of the world.")
+      .def_property_readonly("unit", &Alignment::Unit, "'m', or 'none' if nothing told the scale.")
+      .def_property_readonly(
+          "up_from", [](const Alignment& a) { return SourceName(a.up); },
+          "What told z: 'gravity', 'positions', 'lines' or 'cameras'.")
+      .def_property_readonly(
+          "axes_from", [](const Alignment& a) { return SourceName(a.axes); },
+          "What told x and y: 'lines', 'positions' or 'model'.")
+      .def_property_readonly(
+          "scale_from", [](const Alignment& a) { return SourceName(a.scale); },
+          "What told the scale: 'none', 'lengths' or 'positions'.")
+      .def("__repr__", [](const Alignment& a) {
+        return std::string("<limn.Alignment, up from ") + SourceName(a.up) + ", scale from " +
+               SourceName(a.scale) + ">";
+      });
+}
+
 void BindNode(py::module_* module) {
   py::class_<Node>(*module, "Node", "Where links end or meet.")
       .def_property_readonly(
@@ -282,6 +311,7 @@ void BindDrawing(py::module_* module) {
   BindPrimitive(module);
   BindLink(module);
   BindNode(module);
+  BindAlignment(module);
   BindItems<Link>(module, "Links", "The links of a drawing, a sequence.",
                   [](const SceneDrawing& drawing) { return drawing.graph.links.size(); });
   BindItems<Node>(module, "Nodes", "The nodes of a drawing, a sequence.",
@@ -310,6 +340,9 @@ void BindDrawing(py::module_* module) {
             return std::const_pointer_cast<OpenScene>(drawing.scene);
           },
           "What it was drawn from; None for a drawing that was read without it.")
+      .def_property_readonly(
+          "alignment", [](const SceneDrawing& drawing) { return drawing.metadata.alignment; },
+          "How it lies in the world, from limn.align() or drawing_aligner; None if unknown.")
       .def_property_readonly(
           "options",
           [](const SceneDrawing& drawing) -> py::dict {

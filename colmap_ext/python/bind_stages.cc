@@ -50,6 +50,7 @@ void BindStages(py::module_* module) {
   BindStage(module, "draw_scene", DrawOpenScene);
   BindStage(module, "refine", RefineSceneDrawing);
   BindStage(module, "fuse", FuseSceneDrawing);
+  BindStage(module, "align", AlignSceneDrawing);
   module->def(
       "read_drawing",
       [](const std::string& path, const std::optional<std::shared_ptr<OpenScene>>& scene) {

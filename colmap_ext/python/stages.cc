@@ -1,8 +1,6 @@
 #include "colmap_ext/python/stages.h"
 
-#include <algorithm>
 #include <iostream>
-#include <iterator>
 #include <span>
 #include <sstream>
 #include <utility>
@@ -10,8 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/run/alignment_run.h"
 #include "colmap_ext/run/drawer_options.h"
 #include "colmap_ext/run/drawing_export.h"
+#include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/evaluation_run.h"
 #include "colmap_ext/run/fusion_results.h"
 #include "colmap_ext/run/project.h"
@@ -288,6 +288,23 @@ std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawin
   return fused;
 }
 
+std::shared_ptr<SceneDrawing> AlignSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
+                                                const OptionTexts& options, RunMonitor* monitor) {
+  RequireScene(*drawing, "align");
+  AlignOptions align;
+  OptionParser parser("align", "");
+  align.AddOptions(/*of_drawing=*/true, &parser);
+  const CommandLine line("align", options);
+  parser.Parse(line.argc(), line.argv(), std::cout);
+  align.Check();
+  LibraryConsole console(drawing->made.options.num_threads, monitor);
+  const SceneAligner aligner(drawing->scene->scene, drawing->made.options.layout, align, &console);
+  auto aligned = std::make_shared<SceneDrawing>(*drawing);
+  aligned->metadata.alignment = aligner.Align(drawing->views, GraphInScene(*drawing), &console);
+  aligned->made.log = console.log();
+  return aligned;
+}
+
 std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::string& path,
                                                std::shared_ptr<const OpenScene> scene) {
   auto drawing = std::make_shared<SceneDrawing>();
@@ -349,18 +366,10 @@ void SaveDrawing(const SceneDrawing& drawing, const std::string& path) {
 }
 
 void RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor) {
-  const std::pair<const char*, decltype(&RunAutomaticDrawer)> commands[] = {
-      {"automatic_drawer", RunAutomaticDrawer}, {"curve_drawer", RunCurveDrawer},
-      {"curve_linker", RunCurveLinker},         {"curve_sketcher", RunCurveSketcher},
-      {"drawing_aligner", RunDrawingAligner},   {"drawing_exporter", RunDrawingExporter},
-      {"drawing_fuser", RunDrawingFuser},       {"drawing_refiner", RunDrawingRefiner},
-      {"drawing_viewer", RunDrawingViewer},     {"edge_extractor", RunEdgeExtractor},
-      {"truth_extractor", RunTruthExtractor}};
-  const auto found = std::find_if(std::begin(commands), std::end(commands),
-                                  [&](const auto& known) { return known.first == command; });
-  if (found == std::end(commands)) throw OptionError("unknown command '" + command + "'");
+  const Command* found = FindCommand(command);
+  if (!found) throw OptionError("unknown command '" + command + "'");
   const CommandLine line(command, options);
-  found->second(line.argc(), line.argv(), [monitor](int num_threads, bool) {
+  found->run(line.argc(), line.argv(), [monitor](int num_threads, bool) {
     return std::make_unique<LibraryConsole>(num_threads, monitor);
   });
 }

@@ -101,6 +101,10 @@ std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDraw
 std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
                                                const OptionTexts& options, RunMonitor* monitor);
 
+// The drawing with its alignment, as of drawing_aligner. Needs a drawing with a scene.
+std::shared_ptr<SceneDrawing> AlignSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
+                                                const OptionTexts& options, RunMonitor* monitor);
+
 // A drawing.json; with its scene, if that is not null.
 std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::string& path,
                                                std::shared_ptr<const OpenScene> scene);

@@ -21,13 +21,13 @@ constexpr int kMaxFoldersUp = 3;
 constexpr double kFarTimesMedian = 5;
 
 // Empty if there is none.
-fs::path FindDatabase(const Project& project, const LayoutOptions& layout) {
+fs::path FindDatabase(const Scene& scene, const LayoutOptions& layout) {
   std::vector<fs::path> folders;
   if (!layout.workspace_path.empty()) folders.push_back(layout.workspace_path);
-  const fs::path& model = project.layout().model_dir;
+  const fs::path& model = scene.layout().model_dir;
   // A model in memory has no folder: its database may be near the images.
   fs::path folder =
-      fs::absolute(model.empty() ? project.layout().image_dir : model).lexically_normal();
+      fs::absolute(model.empty() ? scene.layout().image_dir : model).lexically_normal();
   for (int up = 0; up <= kMaxFoldersUp; ++up) {
     folders.push_back(folder);
     folder = folder.parent_path();
@@ -189,24 +189,24 @@ void AlignOptions::Check() const {
   }
 }
 
-ProjectAligner::ProjectAligner(const Project& project, const LayoutOptions& layout,
-                               const AlignOptions& options, Console* console)
-    : origin_(project.origin()), is_asked_(options.mode == AlignOptions::Mode::kAuto) {
+SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
+                           const AlignOptions& options, Console* console)
+    : origin_(scene.origin()), is_asked_(options.mode == AlignOptions::Mode::kAuto) {
   if (!is_asked_) return;
   lengths_ = ParseKnownLengths(options.known_lengths);
-  const fs::path database = options.database_path.empty() ? FindDatabase(project, layout)
-                                                          : fs::path(options.database_path);
+  const fs::path database =
+      options.database_path.empty() ? FindDatabase(scene, layout) : fs::path(options.database_path);
   if (database.empty()) {
     console->Say("alignment: no database.db near the model");
     return;
   }
   WarnOfLog(database, console);
-  priors_ = PriorsOfViews(ReadPosePriors(database), project.views());
+  priors_ = PriorsOfViews(ReadPosePriors(database), scene.views());
   console->Say("alignment: " + database.string() + " has " + CountsOf(priors_));
 }
 
-std::optional<Alignment> ProjectAligner::Align(const std::vector<View>& views,
-                                               const DrawingGraph& graph, Console* console) const {
+std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
+                                             const DrawingGraph& graph, Console* console) const {
   if (!is_asked_) return std::nullopt;
   AlignmentResult result = AlignDrawing({views, graph, priors_, lengths_});
   SayPositions(result, views, console);

@@ -6,7 +6,7 @@
 
 #include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/run/console.h"
-#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/scene.h"
 #include "limn/alignment/align_drawing.h"
 #include "limn/formats/json_drawing_reader.h"
 
@@ -28,16 +28,16 @@ struct AlignOptions {
   void Check() const;
 };
 
-// Up, axes and scale of the drawings of a project.
-class ProjectAligner {
+// Up, axes and scale of the drawings of a scene.
+class SceneAligner {
  public:
   // Before work starts: reads the priors of the views if there is to be an alignment, and says
   // which. Throws IoError for a database that cannot be read, and OptionError.
-  ProjectAligner(const Project& project, const LayoutOptions& layout, const AlignOptions& options,
-                 Console* console);
+  SceneAligner(const Scene& scene, const LayoutOptions& layout, const AlignOptions& options,
+               Console* console);
 
   // Says how it was found. `views`, which the drawing fits, and the graph are relative to the
-  // project's origin; the alignment is of the model's coordinates. Nothing if none is asked for.
+  // scene's origin; the alignment is of the model's coordinates. Nothing if none is asked for.
   // Throws OptionError for a known length that the graph does not have.
   std::optional<Alignment> Align(const std::vector<View>& views, const DrawingGraph& graph,
                                  Console* console) const;

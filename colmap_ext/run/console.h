@@ -41,6 +41,8 @@ class Console {
 
   // Shows a line. Lines that begin with "WARNING: " are added to the log.
   void Say(const std::string& line);
+  // Shows lines that are the result of a run. Throws IoError if that is not possible.
+  virtual void ShowTable(const std::string& lines) = 0;
   // Shows what the stage reused from the cache, recomputed and could not store, one line each;
   // then the counts in, kept and dropped, the seconds since the last summary and the peak memory of
   // the program.

@@ -17,7 +17,7 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   const RunOptions& run = options.run;
   CheckRunOutputs(project, run);
   CheckSceneViews(project);
-  const ProjectAligner aligner(project, run.layout, options.align, console);
+  const SceneAligner aligner(project, run.layout, options.align, console);
   const PipelineInput input{project.views(), project.view_set().hints, project.images(),
                             SceneBox(project, run), project.cache()};
   const std::vector<Tile> tiles = PlanSceneTiles(input, options, console);

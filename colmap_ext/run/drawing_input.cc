@@ -43,7 +43,7 @@ std::string FirstDrawing(const std::vector<fs::path>& folders, DrawingChoice cho
 }
 
 // Where the commands put their results for this workspace; empty if it has no model with images.
-fs::path OutputFolder(const LayoutOptions& workspace) {
+fs::path FolderOfResults(const LayoutOptions& workspace) {
   try {
     return ResolveLayout(workspace).output.drawing_dir;
   } catch (const IoError&) {
@@ -65,7 +65,7 @@ std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
     throw IoError(folder.string(), "no such folder (workspace_path)");
   }
   std::vector<fs::path> folders = {folder};
-  const fs::path output = OutputFolder(workspace);
+  const fs::path output = FolderOfResults(workspace);
   if (!output.empty() && output != folder) folders.insert(folders.begin(), output);
   return FirstDrawing(folders, choice, path_option);
 }

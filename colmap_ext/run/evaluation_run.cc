@@ -1,7 +1,5 @@
 #include "colmap_ext/run/evaluation_run.h"
 
-#include <iostream>
-
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
@@ -154,12 +152,6 @@ void WriteReportFiles(const EvaluationReport& report, const EvaluatorOptions& op
     WriteFileAtomically(options.output_json,
                         [&](std::ostream& out) { WriteReportJson(report, out); });
   }
-}
-
-void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options) {
-  WriteReportFiles(report, options);
-  PrintReport(report, std::cout);
-  if (!std::cout.flush()) throw IoError("standard output", "the table could not be written");
 }
 
 }  // namespace limn::colmap_ext

@@ -47,7 +47,4 @@ EvaluationReport EvaluateDrawing(const DrawingGraph& graph, const EvaluatorOptio
 // Writes the report to the requested files. Throws IoError.
 void WriteReportFiles(const EvaluationReport& report, const EvaluatorOptions& options);
 
-// The same, and to standard output.
-void WriteReport(const EvaluationReport& report, const EvaluatorOptions& options);
-
 }  // namespace limn::colmap_ext

@@ -42,6 +42,8 @@ class LibraryConsole : public Console {
   // The monitor must outlive the console.
   LibraryConsole(int num_threads, RunMonitor* monitor);
 
+  void ShowTable(const std::string&) override {}
+
  private:
   void ShowLine(const std::string&) override {}
   void ShowStage(const RunLog::Stage&) override {}

@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include "limn/util/errors.h"
 #include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
@@ -99,6 +100,13 @@ void TerminalConsole::ShowLine(const std::string& line) {
   ClearProgressLine();
   if (speaks_) std::printf("%s\n", Printable(line).c_str());
   std::fflush(stdout);
+}
+
+void TerminalConsole::ShowTable(const std::string& lines) {
+  ClearProgressLine();
+  if (speaks_ && (std::fputs(lines.c_str(), stdout) < 0 || std::fflush(stdout) != 0)) {
+    throw IoError("standard output", "the table could not be written");
+  }
 }
 
 void TerminalConsole::ShowStage(const RunLog::Stage& stage) {

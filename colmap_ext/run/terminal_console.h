@@ -18,6 +18,8 @@ class TerminalConsole : public Console {
   explicit TerminalConsole(int num_threads, bool speaks = true);
   ~TerminalConsole() override;
 
+  void ShowTable(const std::string& lines) override;
+
  private:
   // Without the control characters in it.
   void ShowLine(const std::string& line) override;

@@ -19,20 +19,21 @@ the line that the program would print.
 
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Optional, Union
 
 from limn import _limn
-from limn._limn import (Camera, Curves, Drawing, Edges, ImageCurves, ImageEdges, Link, Links, Node, Nodes, Primitive,
-                        Scene, Sketch, SketchCurve)
+from limn._limn import (Alignment, Camera, Curves, Drawing, Edges, ImageCurves, ImageEdges, Link, Links, Node, Nodes,
+                        Primitive, Scene, Sketch, SketchCurve)
 from limn._memory import scene_from_arrays, scene_from_reconstruction
 from limn._options import texts_of
 from limn.errors import Error, InputError, IoError, OptionError
 
 __all__ = [
-    "Camera", "Curves", "Drawing", "Edges", "Error", "ImageCurves", "ImageEdges", "InputError", "IoError", "Link",
-    "Links", "Node", "Nodes", "OptionError", "Primitive", "Scene", "Sketch", "SketchCurve", "draw", "evaluate", "export",
-    "extract_edges", "fuse", "link", "open", "read_drawing", "refine", "run", "sketch",
+    "Alignment", "Camera", "Curves", "Drawing", "Edges", "Error", "ImageCurves", "ImageEdges", "InputError",
+    "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "Scene", "Sketch", "SketchCurve",
+    "align", "draw", "evaluate", "export", "extract_edges", "fuse", "link", "open", "read_drawing", "refine", "run",
+    "sketch",
 ]
 
 __version__: str = _limn.__version__
@@ -121,6 +122,18 @@ def fuse(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Draw
     The drawing needs its scene. Options: dense_type, dense_path, remove_occluded, DenseFusion. Writes nothing.
     """
     return _limn.fuse(drawing, texts_of(options), progress)
+
+
+def align(drawing: Drawing, known_length: Union[str, Iterable[str]] = (), *, progress: Progress = None,
+          **options: Any) -> Drawing:
+    """The drawing with its alignment (up, horizontal axes, scale), as by drawing_aligner.
+
+    `known_length` has measured lengths: "link 12 = 2.40 m", "from 3 to 7 = 31 in" (nodes). The drawing needs its scene.
+    Positions stay the model's; save() stores the alignment, and export(..., aligned=True) applies it. Options:
+    database_path. Writes nothing.
+    """
+    lengths = known_length if isinstance(known_length, str) else ";".join(known_length)
+    return _limn.align(drawing, texts_of({"known_length": lengths or None, **options}), progress)
 
 
 def evaluate(drawing: Union[Path, Drawing], truth_path: Path, taus: Any, *, progress: Progress = None,

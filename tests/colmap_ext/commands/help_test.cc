@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "colmap_ext/commands/all_commands.h"
+#include "colmap_ext/commands/help_text.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -21,7 +21,7 @@ using testing::Not;
 constexpr size_t kMaxBasicOptions = 20;
 
 TEST(Help, OfEveryCommandShowsNoMoreThanAUserUnderstands) {
-  for (const Command& command : kCommands) {
+  for (const Command& command : Commands()) {
     const std::string help = HelpOf(command, "-h");
     const std::set<std::string> basic = OptionsIn(help);
     const std::set<std::string> all = OptionsIn(HelpOf(command, "--help_all"));
@@ -34,7 +34,7 @@ TEST(Help, OfEveryCommandShowsNoMoreThanAUserUnderstands) {
 }
 
 TEST(Help, OfTheMainJobNamesWhatUsersSet) {
-  const Command& drawer = kCommands[0];
+  const Command& drawer = Commands().front();
   const std::set<std::string> basic = OptionsIn(HelpOf(drawer, "-h"));
   EXPECT_THAT(basic,
               IsSupersetOf({"help", "help_all", "project_path", "workspace_path", "output_path",
@@ -48,9 +48,9 @@ TEST(Help, OfTheMainJobNamesWhatUsersSet) {
 }
 
 TEST(Help, OfACommandWithoutPhotographsNamesItsFiles) {
-  EXPECT_THAT(OptionsIn(HelpOf({"drawing_evaluator", RunDrawingEvaluator}, "-h")),
+  EXPECT_THAT(OptionsIn(HelpOf(*FindCommand("drawing_evaluator"), "-h")),
               IsSupersetOf({"input_path", "truth_path", "taus", "box", "output_csv"}));
-  EXPECT_THAT(OptionsIn(HelpOf({"drawing_exporter", RunDrawingExporter}, "-h")),
+  EXPECT_THAT(OptionsIn(HelpOf(*FindCommand("drawing_exporter"), "-h")),
               IsSupersetOf({"input_path", "output_path", "output_type", "scale", "up_axis"}));
 }
 

@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "colmap_ext/commands/all_commands.h"
+#include "colmap_ext/commands/help_text.h"
 #include "colmap_ext/run/terminal_console.h"
 #include "limn/util/errors.h"
 
@@ -124,7 +124,7 @@ void ExpectRange(const Option& option, Kind kind) {
 
 TEST(OptionRanges, OfEveryNumberHaveTwoEnds) {
   int num_numbers = 0;
-  for (const Command& command : kCommands) {
+  for (const Command& command : Commands()) {
     const std::set<std::string> all = OptionsIn(HelpOf(command, "--help_all"));
     for (const std::string& name : all) {
       if (name == "help" || name == "help_all" || name == "project_path") continue;

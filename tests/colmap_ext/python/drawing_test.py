@@ -249,10 +249,35 @@ class Errors(unittest.TestCase):
         with self.assertRaises(limn.IoError):
             limn.read_drawing("/nowhere.json")
 
+    def test_align(self):
+        length = self.drawing.links[0].length
+        self.assertIsNone(self.drawing.alignment)
+        aligned = limn.align(self.drawing, [f"link 0 = {10 * length} m"])
+        self.assertEqual((aligned.alignment.unit, aligned.alignment.scale_from), ("m", "lengths"))
+        self.assertAlmostEqual(aligned.alignment.scale, 10, delta=0.2)  # by the length of its primitive
+        rotation = aligned.alignment.rotation
+        np.testing.assert_allclose(rotation @ rotation.T, np.eye(3), atol=1e-9)
+        np.testing.assert_array_equal(aligned.links[0].points, self.drawing.links[0].points)
+        path = self.output / "aligned.json"
+        aligned.save(path)
+        np.testing.assert_array_equal(limn.read_drawing(path).alignment.translation, aligned.alignment.translation)
+        limn.export(aligned, self.output / "aligned.obj", aligned=True)
+        with self.assertRaisesRegex(limn.InputError, "align: the drawing was read without its workspace"):
+            limn.align(limn.read_drawing(path))
+        with self.assertRaisesRegex(limn.OptionError, "known_length"):
+            limn.align(self.drawing, "link one is long")
+
     def test_commands(self):
         with tempfile.TemporaryDirectory() as folder:
             limn.run("curve_linker", workspace_path=scenes.DAY, output_path=folder, format="cem", **scenes.small_options())
             self.assertTrue(os.path.exists(os.path.join(folder, "curves/fragments/view_00.jpg.cem")))
+            path, table = (os.path.join(folder, name) for name in ("drawing.json", "table.csv"))
+            self.drawing.save(path)
+            limn.run("drawing_evaluator", input_path=path, truth_path=scenes.SAMPLE / "truth/curves-visible.ply",
+                     taus=0.02, output_csv=table)
+            self.assertTrue(os.path.exists(table))
+            with self.assertRaisesRegex(limn.OptionError, "output_path must be given"):
+                limn.run("model_importer", input_path=folder)
         with self.assertRaisesRegex(limn.OptionError, "^unknown command 'nonsense'$"):
             limn.run("nonsense")
 

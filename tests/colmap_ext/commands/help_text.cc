@@ -1,4 +1,4 @@
-#include "colmap_ext/commands/all_commands.h"
+#include "colmap_ext/commands/help_text.h"
 
 #include <regex>
 
