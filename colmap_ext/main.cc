@@ -19,6 +19,7 @@
 #include "colmap_ext/run/terminal_console.h"
 #include "colmap_ext/run/version_line.h"
 #include "colmap_ext/workspace/error_line.h"
+#include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"
 #include "limn/util/latest_stage.h"
 
@@ -81,14 +82,6 @@ void PrintError(const std::exception& error) {
   PrintErrorLine(std::string("ERROR: ") + error.what());
 }
 
-// In which stage, and what to lower.
-std::runtime_error OutOfMemoryError() {
-  const std::string stage = limn::LatestStage();
-  if (stage.empty()) return std::runtime_error("out of memory");
-  return std::runtime_error("out of memory in the stage \"" + stage +
-                            "\": lower --max_image_size, --num_threads or --Tiles.max_views");
-}
-
 // Throws what the command throws.
 int Run(int argc, const char* const* argv) {
   const std::string_view name = argv[1];
@@ -110,12 +103,12 @@ int RunAndReport(int argc, const char* const* argv) {
   } catch (const limn::Cancelled&) {
     return kInterruptedExitCode;  // what is kept has been said
   } catch (const std::bad_alloc&) {
-    PrintError(OutOfMemoryError());
+    PrintErrorLine("ERROR: " + limn::OutOfMemoryText("--"));
     return 1;
   } catch (const std::system_error& error) {
     // No memory for another thread.
     const bool is_short = error.code() == std::errc::resource_unavailable_try_again;
-    PrintError(is_short ? OutOfMemoryError() : std::runtime_error(error.what()));
+    PrintErrorLine("ERROR: " + (is_short ? limn::OutOfMemoryText("--") : error.what()));
     return 1;
   } catch (const std::exception& error) {
     PrintError(error);
@@ -129,6 +122,7 @@ int main(int argc, char** argv) {
   OpenStandardStreams();
   // A file beyond the limit on sizes is then a failed write, with a line that names it.
   std::signal(SIGXFSZ, SIG_IGN);
+  HideLinesOfDecoders();
   try {
     if (PrintHelp(argc, argv)) return 0;
     const MpiSession mpi;

@@ -5,10 +5,7 @@
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/run/trust.h"
-#include "limn/belief/link_judge.h"
-#include "limn/kinds/classify_kinds.h"
-#include "limn/primitives/fit_primitives.h"
-#include "limn/refinement/refinement.h"
+#include "limn/pipeline/pipeline.h"
 
 namespace limn::colmap_ext {
 
@@ -37,27 +34,17 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
   const std::string provenance = RefinementProvenance(options, given.metadata.options_json);
   if (!in_place) CheckReplaceable(project, options, "drawing.json", provenance);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
-  const RefinementResult result = RefineDrawing(
+  const StageObserver report = [&](const StageSummary& summary) { console->Report(summary); };
+  const JudgedDrawing judged = RefineAndJudge(
       {project.views(), image_curves.curves, given.graph, &project.view_set().hints.points},
-      options.pipeline.refinement, options.pipeline.drawing.topology, console->context());
-  console->Report(result.summary);
-  const std::vector<View>& views = ViewsOfDrawing(project, result.cameras);
-  const BeliefResult judged =
-      JudgeLinks({views, image_curves.curves, result.graph, result.fitted}, options.pipeline.belief,
-                 options.pipeline.drawing.topology, console->context());
-  console->Report(judged.summary);
-  const PrimitiveResult primitives =
-      FitPrimitives(judged.graph, views, options.pipeline.primitives, console->context());
-  console->Report(primitives.summary);
-  const KindsResult kinds =
-      ClassifyKinds({views, project.images().read, primitives.graph}, console->context());
-  console->Report(kinds.summary);
-  CheckGraph(kinds.graph);
-  WriteRefinedModel(project, result.cameras, console.get());
-  WriteDrawingResults(project, views, kinds.graph, provenance, given.metadata.alignment,
-                      console.get());
-  SayTrust(MeasureTrust(views, image_curves.curves, kinds.graph), HasBox(provenance),
-           console.get());
+      options.pipeline, console->context(), report);
+  const std::vector<View>& views = ViewsOfDrawing(project, judged.cameras);
+  const DrawingGraph graph = DescribeLinks(judged.graph, views, project.images().read,
+                                           options.pipeline, console->context(), report);
+  CheckGraph(graph);
+  WriteRefinedModel(project, judged.cameras, console.get());
+  WriteDrawingResults(project, views, graph, provenance, given.metadata.alignment, console.get());
+  SayTrust(MeasureTrust(views, image_curves.curves, graph), HasBox(provenance), console.get());
   console->RepeatWarnings();
   return 0;
 }

@@ -9,6 +9,7 @@
 
 #include "colmap_ext/python/arrays.h"
 #include "colmap_ext/python/bindings.h"
+#include "colmap_ext/python/run_free.h"
 #include "colmap_ext/run/world_shift.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/geometry/polyline.h"
@@ -360,8 +361,9 @@ void BindDrawing(py::module_* module) {
            "commas, 'all', or 'default' (all but outlines of smooth bodies).")
       .def(
           "save",
-          [](const SceneDrawing& drawing, const std::filesystem::path& path) {
-            SaveDrawing(drawing, path.string());
+          [](const Owner& drawing, const std::filesystem::path& path) {
+            RunWithoutLock(py::none(),
+                           [drawing, path](RunMonitor*) { SaveDrawing(*drawing, path.string()); });
           },
           py::arg("path"),
           "Writes the drawing in the format of the extension (.json, .ply, .obj, .dxf, .step, "

@@ -30,7 +30,7 @@ void BindStage(py::module_* module, const char* name,
           return stage(input, options, monitor);
         });
       },
-      py::arg("input"), py::arg("options"), py::arg("progress"));
+      py::arg("input").none(false), py::arg("options"), py::arg("progress"));
 }
 
 }  // namespace
@@ -41,6 +41,13 @@ void BindStages(py::module_* module) {
       [](const OptionTexts& options, const py::object& progress) {
         return RunFree(progress,
                        [options](RunMonitor* monitor) { return OpenWorkspace(options, monitor); });
+      },
+      py::arg("options"), py::arg("progress"));
+  module->def(
+      "draw_in_folder",
+      [](const OptionTexts& options, const py::object& progress) {
+        return RunFree(progress,
+                       [options](RunMonitor* monitor) { return DrawInFolder(options, monitor); });
       },
       py::arg("options"), py::arg("progress"));
   BindStage(module, "extract_edges", ExtractSceneEdges);
@@ -54,9 +61,11 @@ void BindStages(py::module_* module) {
   module->def(
       "read_drawing",
       [](const std::string& path, const std::optional<std::shared_ptr<OpenScene>>& scene) {
-        return ReadSceneDrawing(path, scene.value_or(nullptr));
+        return RunFree(py::none(), [path, scene = scene.value_or(nullptr)](RunMonitor*) {
+          return ReadSceneDrawing(path, scene);
+        });
       },
-      py::arg("path"), py::arg("scene"), py::call_guard<py::gil_scoped_release>());
+      py::arg("path"), py::arg("scene"));
   module->def(
       "evaluate",
       [](const OptionalDrawing& drawing, const OptionTexts& options, const py::object& progress) {
@@ -83,7 +92,6 @@ void BindStages(py::module_* module) {
         });
       },
       py::arg("command"), py::arg("options"), py::arg("progress"));
-  module->def("options_of_scene", OptionsOfScene, py::arg("options"));
 }
 
 }  // namespace limn::colmap_ext

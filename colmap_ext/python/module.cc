@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include <pybind11/pybind11.h>
 
@@ -8,6 +9,7 @@
 #include "colmap_ext/python/run_free.h"
 #include "limn/util/errors.h"
 #include "limn/util/latest_stage.h"
+#include "limn/version.h"
 
 namespace limn::colmap_ext {
 
@@ -33,9 +35,12 @@ void Translate(std::exception_ptr error) {
   } catch (const std::filesystem::filesystem_error& known) {
     Raise("IoError", known.what());
   } catch (const std::bad_alloc&) {
-    const std::string text = "out of memory in the stage \"" + LatestStage() +
-                             "\": lower max_image_size, num_threads or Tiles.max_views";
-    PyErr_SetString(PyExc_MemoryError, text.c_str());
+    PyErr_SetString(PyExc_MemoryError, OutOfMemoryText("").c_str());
+  } catch (const std::system_error& known) {
+    // No memory for another thread.
+    const bool is_short = known.code() == std::errc::resource_unavailable_try_again;
+    const std::string text = is_short ? OutOfMemoryText("") : known.what();
+    PyErr_SetString(is_short ? PyExc_MemoryError : PyExc_RuntimeError, text.c_str());
   }
 }
 

@@ -2,10 +2,13 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "colmap_ext/run/interrupt.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -36,6 +39,11 @@ struct FreeRun {
     ended.notify_all();
   }
 
+  bool IsOver() {
+    const std::lock_guard lock(mutex);
+    return is_over;
+  }
+
   // Whether the work is over. Releases Python's lock.
   bool WaitABit() {
     const py::gil_scoped_release free;
@@ -53,15 +61,30 @@ void SpeakToPython(const py::object& progress, RunMonitor* monitor) {
   }
 }
 
+// Work that goes on to its next check after it was cancelled.
+struct LeftRun {
+  std::shared_ptr<FreeRun> run;
+  std::thread thread;
+};
+
 // Under Python's lock.
-std::vector<std::thread>& LeftThreads() {
-  static std::vector<std::thread> threads;
-  return threads;
+std::vector<LeftRun>& LeftRuns() {
+  static std::vector<LeftRun> runs;
+  return runs;
+}
+
+void JoinEnded() {
+  std::erase_if(LeftRuns(), [](LeftRun& left) {
+    if (!left.run->IsOver()) return false;
+    left.thread.join();
+    return true;
+  });
 }
 
 }  // namespace
 
 void RunWithoutLock(const py::object& progress, std::function<void(RunMonitor*)> work) {
+  JoinEnded();
   const auto run = std::make_shared<FreeRun>();
   std::thread thread([run, work = std::move(work)]() mutable { run->Do(std::move(work)); });
   std::exception_ptr raised;
@@ -81,17 +104,21 @@ void RunWithoutLock(const py::object& progress, std::function<void(RunMonitor*)>
   if (is_over) {
     thread.join();
   } else {
-    LeftThreads().push_back(std::move(thread));
+    LeftRuns().push_back({run, std::move(thread)});
   }
   if (raised) std::rethrow_exception(raised);
   if (run->error) std::rethrow_exception(run->error);
 }
 
 void JoinLeftWork() {
-  std::vector<std::thread> threads = std::move(LeftThreads());
-  LeftThreads().clear();
-  const py::gil_scoped_release free;
-  for (std::thread& thread : threads) thread.join();
+  for (LeftRun& left : LeftRuns()) {
+    while (!left.run->WaitABit()) {
+      // Asked once more: without what is freed at the end of a program, which the work uses.
+      if (PyErr_CheckSignals() != 0) std::_Exit(kInterruptedExitCode);
+    }
+    left.thread.join();
+  }
+  LeftRuns().clear();
 }
 
 }  // namespace limn::colmap_ext

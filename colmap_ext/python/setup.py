@@ -1,8 +1,9 @@
 """Builds the package with CMake: in build/wheel of the repository, or of an existing build tree of the same sources if
-the environment variable LIMN_BUILD_DIR names one."""
+the environment variable LIMN_BUILD_DIR names one. LIMN_CMAKE_ARGS has more arguments for CMake."""
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -29,12 +30,14 @@ class BuildWithCmake(build_ext):
             generator = ["-G", "Ninja"] if shutil.which("ninja") else []
             subprocess.run(["cmake", "-S", SOURCE, "-B", folder, *generator, "-DCMAKE_BUILD_TYPE=Release",
                             "-DBUILD_SHARED_LIBS=OFF", "-DLIMN_BUILD_TESTS=OFF", "-DLIMN_WITH_PYTHON=ON",
-                            f"-DPython_EXECUTABLE={sys.executable}"], check=True)
-        subprocess.run(["cmake", "--build", folder, "--target", "limn_python", "--parallel"], check=True)
+                            f"-DPython_EXECUTABLE={sys.executable}",
+                            *shlex.split(os.environ.get("LIMN_CMAKE_ARGS", ""))], check=True)
+        subprocess.run(["cmake", "--build", folder, "--target", "limn_python_package", "--parallel",
+                        str(os.cpu_count())], check=True)
         target = Path(self.get_ext_fullpath(ext.name)).resolve()
         target.parent.mkdir(parents=True, exist_ok=True)
-        for built in (folder / "python/limn").glob("_limn*"):
-            shutil.copy(built, target if built.suffix == ".so" else target.parent)
+        for name in (target.name, "_limn.pyi"):
+            shutil.copy(folder / "python/limn" / name, target.parent)
 
 
 OWN_BUILD.mkdir(parents=True, exist_ok=True)

@@ -27,6 +27,7 @@
 namespace limn::colmap_ext {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 // Of an option that the results of earlier stages depend on; empty if there is none.
@@ -108,6 +109,30 @@ std::shared_ptr<const std::vector<ImageCurves>> CurvesOf(std::shared_ptr<const O
                     options.pipeline.linking, console->context());
   console->Report(result.summary);
   return std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
+}
+
+// Keeps the log of a command.
+class CommandConsole : public LibraryConsole {
+ public:
+  CommandConsole(int num_threads, RunMonitor* monitor, RunLog* kept)
+      : LibraryConsole(num_threads, monitor), kept_(kept) {}
+  ~CommandConsole() override { *kept_ = log(); }
+
+ private:
+  RunLog* kept_;
+};
+
+// Those of the options of automatic_drawer that OpenWorkspace takes.
+OptionTexts OptionsOfScene(const OptionTexts& options) {
+  const CommandLine line("open", {{"workspace_path", "."}});
+  RunOptions ignored;
+  const auto parser =
+      ParseRunOptions("open", "", OptionsOfAllStages(), line.argc(), line.argv(), &ignored);
+  OptionTexts of_scene;
+  for (const auto& [name, text] : options) {
+    if (parser->Knows(name)) of_scene[name] = text;
+  }
+  return of_scene;
 }
 
 }  // namespace
@@ -245,9 +270,9 @@ std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDraw
   const Scene& scene = drawing->scene->scene;
   const auto curves = drawing->curves ? drawing->curves : CurvesOf(drawing->scene, run, &console);
   JudgedDrawing judged = RefineAndJudge(
-      {scene.views(), *curves, GraphInScene(*drawing), &scene.view_set().hints.points},
+      {drawing->views, *curves, GraphInScene(*drawing), &scene.view_set().hints.points},
       run.pipeline, console.context(), ReportTo(&console));
-  const std::vector<View>& views = judged.cameras ? judged.cameras->views : scene.views();
+  const std::vector<View>& views = judged.cameras ? judged.cameras->views : drawing->views;
   const DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, scene.images().read,
                                            run.pipeline, console.context(), ReportTo(&console));
   const std::string provenance = RefinementProvenance(run, drawing->metadata.options_json);
@@ -298,7 +323,11 @@ std::shared_ptr<SceneDrawing> AlignSceneDrawing(std::shared_ptr<const SceneDrawi
   parser.Parse(line.argc(), line.argv(), std::cout);
   align.Check();
   LibraryConsole console(drawing->made.options.num_threads, monitor);
-  const SceneAligner aligner(drawing->scene->scene, drawing->made.options.layout, align, &console);
+  const Scene& scene = drawing->scene->scene;
+  // What the options of a scene in memory name is no project.
+  const bool is_project = !scene.layout().model_dir.empty();
+  const SceneAligner aligner(scene, is_project ? drawing->made.options.layout : LayoutOptions(),
+                             align, &console);
   auto aligned = std::make_shared<SceneDrawing>(*drawing);
   aligned->metadata.alignment = aligner.Align(drawing->views, GraphInScene(*drawing), &console);
   aligned->made.log = console.log();
@@ -354,6 +383,9 @@ void ExportDrawing(std::shared_ptr<const SceneDrawing> drawing, const OptionText
   exporter.Check();
   LibraryConsole console(/*num_threads=*/-1, monitor);
   if (drawing) {
+    if (exporter.aligned && !drawing->metadata.alignment) {
+      throw InputError("export: aligned: the drawing has no alignment: limn.align(drawing)");
+    }
     limn::colmap_ext::ExportDrawing({drawing->graph, drawing->metadata}, exporter, &console);
   } else {
     limn::colmap_ext::ExportDrawing(exporter, &console);
@@ -365,25 +397,32 @@ void SaveDrawing(const SceneDrawing& drawing, const std::string& path) {
   WriteDrawing(path, is_whole ? drawing.graph : Selected(drawing.graph, {}), drawing.metadata);
 }
 
-void RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor) {
+RunLog RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor) {
   const Command* found = FindCommand(command);
   if (!found) throw OptionError("unknown command '" + command + "'");
   const CommandLine line(command, options);
-  found->run(line.argc(), line.argv(), [monitor](int num_threads, bool) {
-    return std::make_unique<LibraryConsole>(num_threads, monitor);
+  RunLog log;
+  found->run(line.argc(), line.argv(), [monitor, &log](int num_threads, bool) {
+    return std::make_unique<CommandConsole>(num_threads, monitor, &log);
   });
+  return log;
 }
 
-OptionTexts OptionsOfScene(const OptionTexts& options) {
-  const CommandLine line("open", {{"workspace_path", "."}});
-  RunOptions ignored;
-  const auto parser =
-      ParseRunOptions("open", "", OptionsOfAllStages(), line.argc(), line.argv(), &ignored);
-  OptionTexts of_scene;
-  for (const auto& [name, text] : options) {
-    if (parser->Knows(name)) of_scene[name] = text;
+std::shared_ptr<SceneDrawing> DrawInFolder(const OptionTexts& options, RunMonitor* monitor) {
+  for (const char* name : {"project_path", "shard"}) {
+    if (options.contains(name)) {
+      throw OptionError(std::string(name) + ": not with output_path, but with run()");
+    }
   }
-  return of_scene;
+  const OptionTexts of_scene = OptionsOfScene(options);
+  const bool moves_cameras =
+      ParseTexts("draw", OptionsOfAllStages(), of_scene).pipeline.refinement.refine_poses;
+  RunLog log = RunCommand("automatic_drawer", options, monitor);
+  const fs::path folder = options.at("output_path");
+  auto drawing = ReadSceneDrawing((folder / "drawing.json").string(),
+                                  moves_cameras ? nullptr : OpenWorkspace(of_scene, monitor));
+  drawing->made.log = std::move(log);
+  return drawing;
 }
 
 }  // namespace limn::colmap_ext

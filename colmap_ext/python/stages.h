@@ -125,9 +125,10 @@ void SaveDrawing(const SceneDrawing& drawing, const std::string& path);
 
 // Runs a command of the command line, which writes what it writes there, but prints nothing.
 // Throws OptionError if there is no such command.
-void RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor);
+RunLog RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor);
 
-// Those of the options of automatic_drawer that OpenWorkspace takes.
-OptionTexts OptionsOfScene(const OptionTexts& options);
+// automatic_drawer, and its drawing read again. The drawing has its scene unless cameras were
+// refined.
+std::shared_ptr<SceneDrawing> DrawInFolder(const OptionTexts& options, RunMonitor* monitor);
 
 }  // namespace limn::colmap_ext

@@ -26,9 +26,9 @@ fs::path FindDatabase(const Scene& scene, const LayoutOptions& layout) {
   if (!layout.workspace_path.empty()) folders.push_back(layout.workspace_path);
   const fs::path& model = scene.layout().model_dir;
   // A model in memory has no folder: its database may be near the images.
-  fs::path folder =
-      fs::absolute(model.empty() ? scene.layout().image_dir : model).lexically_normal();
-  for (int up = 0; up <= kMaxFoldersUp; ++up) {
+  const fs::path& near = model.empty() ? scene.layout().image_dir : model;
+  fs::path folder = near.empty() ? fs::path() : fs::absolute(near).lexically_normal();
+  for (int up = 0; up <= kMaxFoldersUp && !folder.empty(); ++up) {
     folders.push_back(folder);
     folder = folder.parent_path();
   }

@@ -1,5 +1,6 @@
 #include "colmap_ext/workspace/quiet_decoders.h"
 
+#include <atomic>
 #include <mutex>
 
 #include <fcntl.h>
@@ -9,6 +10,8 @@
 
 namespace limn::colmap_ext {
 namespace {
+
+std::atomic<bool> lines_are_hidden = false;
 
 struct StandardError {
   std::mutex mutex;
@@ -23,7 +26,10 @@ StandardError& State() {
 
 }  // namespace
 
-QuietDecoders::QuietDecoders() {
+void HideLinesOfDecoders() { lines_are_hidden = true; }
+
+QuietDecoders::QuietDecoders() : is_quiet_(lines_are_hidden) {
+  if (!is_quiet_) return;
   StandardError& state = State();
   const std::lock_guard lock(state.mutex);
   if (state.num_quiet++ > 0) return;
@@ -38,6 +44,7 @@ QuietDecoders::QuietDecoders() {
 }
 
 QuietDecoders::~QuietDecoders() {
+  if (!is_quiet_) return;
   StandardError& state = State();
   const std::lock_guard lock(state.mutex);
   if (--state.num_quiet > 0 || state.kept < 0) return;

@@ -50,6 +50,7 @@ function(limn_installed_library name)
     add_library(${library} ${type})
     set_target_properties(${library} PROPERTIES
       OUTPUT_NAME ${name} EXPORT_NAME ${ARG_EXPORT_NAME} LINKER_LANGUAGE CXX
+      INSTALL_RPATH "$ORIGIN"  # of the other one
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     target_compile_features(${library} PUBLIC cxx_std_20)
     add_dependencies(${library} limn_commit)  # a header

@@ -48,8 +48,9 @@ if(LIMN_WITH_PYTHON)
  The package limn for Debian's Python."
     DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
   # Where only Debian's Python looks; others install the wheel.
+  install(TARGETS limn_python DESTINATION lib/python3/dist-packages/limn COMPONENT python EXCLUDE_FROM_ALL)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/python/limn DESTINATION lib/python3/dist-packages
-    COMPONENT python EXCLUDE_FROM_ALL PATTERN __pycache__ EXCLUDE)
+    COMPONENT python EXCLUDE_FROM_ALL FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed)
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-limn COMPONENT python EXCLUDE_FROM_ALL)
 endif()

@@ -96,10 +96,7 @@ def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = No
     if isinstance(source, Scene) or output_path is None:
         return _limn.draw_scene(*_scene(source, options, progress), progress)
     texts = texts_of({"workspace_path": source, "output_path": output_path, **options})
-    _limn.run("automatic_drawer", texts, progress)
-    moved_cameras = texts.get("DrawingRefinement.refine_poses") in ("1", "true")
-    scene = None if moved_cameras else _limn.open(_limn.options_of_scene(texts), progress)
-    return read_drawing(os.path.join(output_path, "drawing.json"), scene)
+    return _limn.draw_in_folder(texts, progress)
 
 
 def _no_output(output_path: Optional[Path], of: str) -> None:
@@ -119,7 +116,8 @@ def refine(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Dr
 def fuse(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
     """The drawing compared with dense results, as by drawing_fuser: its links have a dense_class.
 
-    The drawing needs its scene. Options: dense_type, dense_path, remove_occluded, DenseFusion. Writes nothing.
+    The drawing needs its scene, which is a project. Options: dense_type, dense_path, remove_occluded, DenseFusion.
+    Writes nothing.
     """
     return _limn.fuse(drawing, texts_of(options), progress)
 
@@ -132,8 +130,7 @@ def align(drawing: Drawing, known_length: Union[str, Iterable[str]] = (), *, pro
     Positions stay the model's; save() stores the alignment, and export(..., aligned=True) applies it. Options:
     database_path. Writes nothing.
     """
-    lengths = known_length if isinstance(known_length, str) else ";".join(known_length)
-    return _limn.align(drawing, texts_of({"known_length": lengths or None, **options}), progress)
+    return _limn.align(drawing, texts_of({"known_length": known_length or None, **options}), progress)
 
 
 def evaluate(drawing: Union[Path, Drawing], truth_path: Path, taus: Any, *, progress: Progress = None,

@@ -38,7 +38,8 @@ def scene_from_arrays(images: Sequence[Any], K: Any, R: Any, t: Any, names: Opti
         raise OptionError(f"pixel_centers = {pixel_centers}: must be one of {{integer, half}}")
     count = len(images)
     if names is None:
-        names = [f"image-{i:04d}" for i in range(count)]
+        digits = max(4, len(str(count)))
+        names = [f"image-{i:0{digits}d}" for i in range(count)]
     if len(names) != count:
         raise InputError(f"names: {len(names)} for {count} images")
     calibrations = _per_image("K", K, (3, 3), count)
@@ -86,7 +87,7 @@ def _point_ids(points2D: Iterable[Any]) -> Any:
 def _add_images(reconstruction: Any, model: MemoryModel) -> list[str]:
     names = []
     for image_id, image in sorted(reconstruction.images.items()):
-        if not _value(getattr(image, "has_pose", True)):
+        if not _value(getattr(image, "has_pose", getattr(image, "registered", True))):
             continue
         points2D = list(getattr(image, "points2D", []))
         positions = np.array([np.asarray(point.xy) for point in points2D], dtype=float).reshape(-1, 2)

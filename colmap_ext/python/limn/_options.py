@@ -5,18 +5,24 @@ from collections.abc import Iterable, Mapping
 from numbers import Integral
 from typing import Any
 
+import numpy as np
+
 from limn.errors import OptionError
 
 
+# Options that hold several texts.
+_TEXT_LISTS = ("known_length",)
+
+
 def _text_of(name: str, value: Any) -> str:
-    if isinstance(value, str):
-        return value
-    if isinstance(value, os.PathLike):
-        return str(os.fspath(value))
-    if isinstance(value, bool) or type(value).__name__ == "bool_":  # numpy's
+    if isinstance(value, (str, bytes, os.PathLike)):
+        return os.fsdecode(value)
+    if isinstance(value, (bool, np.bool_)):
         return "1" if value else "0"
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        return _text_of(name, value.item())
     if isinstance(value, Iterable):
-        return ",".join(_text_of(name, one) for one in value)
+        return (";" if name in _TEXT_LISTS else ",").join(_text_of(name, one) for one in value)
     try:
         return repr(int(value)) if isinstance(value, Integral) else repr(float(value))
     except (TypeError, ValueError):

@@ -20,4 +20,12 @@ void SetLatestStage(const char* stage) {
   latest_stage = stage;
 }
 
+std::string OutOfMemoryText(const std::string& before_options) {
+  const std::string stage = LatestStage();
+  if (stage.empty()) return "out of memory";
+  return "out of memory in the stage \"" + stage + "\": lower " + before_options +
+         "max_image_size, " + before_options + "num_threads or " + before_options +
+         "Tiles.max_views";
+}
+
 }  // namespace limn

@@ -9,4 +9,8 @@ namespace limn {
 std::string LatestStage();
 void SetLatestStage(const char* stage);
 
+// That memory was short, in which stage, and which options to lower; `before_options` is "--" on a
+// command line.
+std::string OutOfMemoryText(const std::string& before_options);
+
 }  // namespace limn

@@ -158,7 +158,7 @@ TEST_F(OptionParserTest, HelpFormatTellsProgramsEveryOption) {
   EXPECT_EQ(help_.str(),
             "-h\n--help_all\n--project_path <path>\n--path <text>\n--quality low medium high\n"
             "--Sketch.mode original enhanced\n--Linking.length_px <number>\n"
-            "--Linking.count <integer>\n--Sketch.refine 0 1\n--taus <numbers>\n");
+            "--Linking.count <integer>\n--Sketch.refine 0 1\n--taus <numbers>\n--notes <texts>\n");
   EXPECT_EQ(Parse({"--help_format", "man"}), OptionParser::Outcome::kHelp);
   EXPECT_THAT(help_.str(), HasSubstr("limn\\-curve_drawer \\- Draws curves."));
   EXPECT_EQ(ErrorOf({"--help_format", "html"}), "help_format = html: must be man or words");

@@ -91,6 +91,7 @@ class Memory(unittest.TestCase):
     def test_reconstruction_with_files(self):
         for methods in (False, True):
             reconstruction = Reconstruction(scenes.DAY / "sparse", poses_are_methods=methods)
+            reconstruction.images[1000] = types.SimpleNamespace(name="lost.jpg", registered=False)
             scene = limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images", **self.options)
             self.assertEqual(scene.num_points, self.scene.num_points)
             self.assertEqual(links_of(limn.draw(scene)), self.of_files)
@@ -117,6 +118,7 @@ class Memory(unittest.TestCase):
         drawing = limn.draw(scene, box=(-1.25, 1.25, -0.95, 0.95, 0.04, 1.05))
         self.assertGreater(len(drawing.links), 10)
         self.assertIn(names[0], {name for link in drawing.links for name in link.tracks})
+        self.assertEqual(limn.align(drawing).alignment.unit, "none")
         # As floating-point numbers and as 16 bits, in COLMAP's pixels: the same.
         half = np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])
         again = limn.Scene.from_arrays([image.astype(np.uint16) * 257 for image in images], [k + half for k in K], R,
