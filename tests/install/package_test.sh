@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# package_test.sh <build folder>: make the packages, install that of the program, and of the Python module if there is
-# one, with apt into a Debian root that has nothing else, and draw some images of the sample scene there. Needs root,
-# mmdebstrap and the mirror of the machine's apt.
+# package_test.sh <build folder> <1 or 0: with Python>: make the packages and install them with apt into a Debian
+# root that has nothing else; there, draw some images of the sample scene by the program and from Python, and build a
+# program with the library. Needs root, mmdebstrap and the mirror of the machine's apt.
 set -euo pipefail
-build=$1
+build=$1 with_python=$2
 here=$(cd "$(dirname "$0")" && pwd)
 sample=$(cd "$here/../../datasets/sample/day" && pwd)
 
@@ -63,7 +63,23 @@ for file in drawing.json drawing.ply drawing.obj; do
 done
 in_root limn drawing_exporter --input_path /root/drawn/drawing.json --output_path /root/drawn/drawing.glb
 
-python_package=python3-limn_${version}_amd64.deb
-[[ -f $work/packages/$python_package ]] || exit 0
-install_package "$python_package"
-in_root python3 -c 'import limn; print(len(limn.read_drawing("/root/drawn/drawing.json").links), "links")'
+if [[ $with_python == 1 ]]; then
+  install_package "python3-limn_${version}_amd64.deb"
+  in_root python3 -c '
+import limn
+stored = limn.read_drawing("/root/drawn/drawing.json")
+drawing = limn.draw("/root/project", image_list_path="/root/images.txt", quality="low", max_image_size=320)
+assert len(drawing.links) == len(stored.links) > 10, drawing
+'
+fi
+
+# What the package of the library does not bring is missing here.
+in_root apt-get install -y -q --no-install-recommends cmake g++ make >"$work/apt.log" 2>&1 ||
+  { cat "$work/apt.log"; fail "apt does not install a compiler"; }
+install_package "liblimn-dev_${version}_amd64.deb"
+cp -r "$here/consumer" "$root/root/"
+in_root cmake -S /root/consumer -B /root/build >"$work/configure.log" ||
+  { cat "$work/configure.log"; fail "the project is not configured"; }
+in_root cmake --build /root/build || fail "the project is not built"
+in_root /root/build/consumer /root/project /root/images.txt /root/drawing.json
+[[ -s $root/root/drawing.json ]] || fail "the project draws nothing"
