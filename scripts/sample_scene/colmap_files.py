@@ -4,7 +4,7 @@ import struct
 
 import numpy as np
 
-MODEL_IDS = {"PINHOLE": 1, "OPENCV": 4}
+MODEL_IDS = {"PINHOLE": 1, "OPENCV": 4, "EQUIRECTANGULAR": 17}
 
 
 def quaternion(rotation):

@@ -1,7 +1,7 @@
 """Builds the sample scene in Blender and renders it with Cycles. Blender 3.4 (Debian 12).
 
   blender --background --python render.py -- --light day --output /tmp/frames/day [--views 0,6] [--samples 64]
-          [--distorted] [--scale 1.0] [--long]
+          [--distorted | --panorama 1884] [--scale 1.0] [--long]
 
 Writes one lossless PNG per view. Existing frames are kept, so that an interrupted run can be resumed.
 """
@@ -194,11 +194,14 @@ def build_sky(light):
     nodes.connect(background.outputs[0], output.inputs["Surface"])
 
 
-def build_camera(distorted):
+def build_camera(distorted, panorama):
     data = bpy.data.cameras.new("camera")
     data.sensor_fit, data.sensor_width = "HORIZONTAL", SENSOR_MM
     data.clip_start, data.clip_end = 0.05, 500.0
-    if distorted:
+    if panorama:
+        data.type = "PANO"
+        data.cycles.panorama_type = "EQUIRECTANGULAR"
+    elif distorted:
         data.type = "PANO"
         data.cycles.panorama_type = "FISHEYE_LENS_POLYNOMIAL"
         data.cycles.fisheye_fov = math.pi
@@ -226,11 +229,11 @@ def place_camera(item, rotation, center):
     item.matrix_world = matrix
 
 
-def set_up_render(samples, scale):
+def set_up_render(samples, size):
     scene = bpy.context.scene
     render = scene.render
     render.engine = "CYCLES"
-    render.resolution_x, render.resolution_y = int(sample.WIDTH * scale), int(sample.HEIGHT * scale)
+    render.resolution_x, render.resolution_y = size
     render.resolution_percentage = 100
     render.image_settings.file_format = "PNG"
     render.image_settings.color_mode = "RGB"
@@ -253,6 +256,7 @@ def parse_arguments():
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--scale", type=float, default=1.0)
     parser.add_argument("--distorted", action="store_true")
+    parser.add_argument("--panorama", type=int, help="width of an image of all directions, instead of photographs")
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
 
 
@@ -271,8 +275,12 @@ def main():
     build_solids()
     build_light(arguments.light)
     build_sky(arguments.light)
-    camera = build_camera(arguments.distorted)
-    set_up_render(arguments.samples, arguments.scale)
+    camera = build_camera(arguments.distorted, arguments.panorama)
+    if arguments.panorama:
+        size = arguments.panorama, arguments.panorama // 2
+    else:
+        size = int(sample.WIDTH * arguments.scale), int(sample.HEIGHT * arguments.scale)
+    set_up_render(arguments.samples, size)
     os.makedirs(arguments.output, exist_ok=True)
     center_of = sample.long_camera_center if arguments.long else sample.camera_center
     pose_of = sample.long_camera_pose if arguments.long else sample.camera_pose
