@@ -12,8 +12,9 @@ enum class ModelFlavor { kBinary, kText };
 // Throws IoError if the folder exists and is not empty.
 void CheckNewModelFolder(const std::filesystem::path& folder);
 
-// Writes cameras, images and points3D into a folder that must be new or empty (checked). The three
-// files appear together or not at all: they are written to "<folder>.tmp", which is then renamed.
+// Writes the files of a model (WriteModelBinary, WriteModelText) into a folder that must be new or
+// empty (checked). They appear together or not at all: they are written to "<folder>.tmp", which is
+// then renamed.
 // Missing parent folders are created. `write_more` may write further files into the folder.
 // Throws IoError; then, and after AbandonWrites, only parent
 // folders are left behind.

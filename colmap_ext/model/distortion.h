@@ -148,7 +148,7 @@ Point<T> Distort(const Intrinsics& intrinsics, const Point<T>& p) {
       return Eucm(p, e[0], e[1]);
     case CameraModelId::kSimplePinhole:
     case CameraModelId::kPinhole:
-    case CameraModelId::kEquirectangular:  // rejected earlier
+    case CameraModelId::kEquirectangular:  // has no such coordinates: see PanoramaParts
       break;
   }
   return p;

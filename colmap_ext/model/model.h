@@ -93,7 +93,7 @@ uint64_t CountColmapImages(const std::filesystem::path& folder);
 // Throws IoError naming file, byte or line, and reason: missing, truncated or trailing data, counts
 // too large for the file, unknown camera model, wrong number of parameters, focal length or size
 // that is not positive or makes no sense, an EQUIRECTANGULAR camera whose parameters are not its
-// size or whose height is not half its width, duplicate ids or names, unknown
+// size, within half a pixel, or whose height is not half its width, duplicate ids or names, unknown
 // camera_id, zero or non-finite poses, image names that are empty or lead out of the image folder.
 SparseModel ReadColmapModel(const std::filesystem::path& folder);
 

@@ -25,11 +25,12 @@ bool PrincipalPointIsOdd(const Intrinsics& camera, uint64_t width, uint64_t heig
            camera.cy <= static_cast<double>(height));
 }
 
-// COLMAP projects by the parameters, Limn by the size.
+// COLMAP projects by the parameters, Limn by the size. Of images that COLMAP has shrunk the
+// parameters are a product, which may be beside the number that it stands for.
 void CheckPanorama(const Camera& camera, const std::string& what, const FilePlace& place) {
   const auto width = static_cast<double>(camera.width);
   const auto height = static_cast<double>(camera.height);
-  if (camera.params[0] != width || camera.params[1] != height) {
+  if (std::abs(camera.params[0] - width) > 0.5 || std::abs(camera.params[1] - height) > 0.5) {
     place.Fail(what + ": the parameters of an EQUIRECTANGULAR camera must be its width and height");
   }
   if (std::abs(width - 2 * height) > 2) {

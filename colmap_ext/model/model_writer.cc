@@ -1,9 +1,11 @@
 #include "colmap_ext/model/model_writer.h"
 
 #include <charconv>
-#include <fstream>
+#include <span>
+#include <system_error>
 
 #include "colmap_ext/model/image_name.h"
+#include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -37,13 +39,18 @@ std::ostream& operator<<(std::ostream& out, const Eigen::Quaterniond& q) {
   return out << Spaced{q.w()} << Spaced{q.x()} << Spaced{q.y()} << Spaced{q.z()};
 }
 
-using Write = void (*)(const SparseModel&, std::ostream&);
-
-void WriteFile(Write write, const SparseModel& model, const std::filesystem::path& path) {
-  std::ofstream out(path, std::ios::binary);
-  write(model, out);
-  out.close();
-  if (!out) throw IoError(path.string(), "cannot be written");
+void WriteFiles(std::span<const ModelFile> files, const SparseModel& model,
+                const std::filesystem::path& folder) {
+  for (const ModelFile& file : files) {
+    std::error_code error;
+    if (file.is_of_rigs) std::filesystem::remove(folder / file.name, error);
+    if (error) throw IoError((folder / file.name).string(), "cannot remove: " + error.message());
+  }
+  for (const ModelFile& file : files) {
+    if (file.is_of_rigs && model.rigs.empty()) continue;
+    WriteFileAtomically((folder / file.name).string(),
+                        [&](std::ostream& out) { file.write(model, out); });
+  }
 }
 
 }  // namespace
@@ -138,22 +145,12 @@ void WritePointsText(const SparseModel& model, std::ostream& out) {
 }
 
 void WriteModelBinary(const SparseModel& model, const std::filesystem::path& folder) {
-  WriteFile(WriteCamerasBinary, model, folder / "cameras.bin");
-  WriteFile(WriteImagesBinary, model, folder / "images.bin");
-  WriteFile(WritePointsBinary, model, folder / "points3D.bin");
-  if (model.rigs.empty()) return;
-  WriteFile(WriteRigsBinary, model, folder / "rigs.bin");
-  WriteFile(WriteFramesBinary, model, folder / "frames.bin");
+  WriteFiles(kBinaryModelFiles, model, folder);
 }
 
 void WriteModelText(const SparseModel& model, const std::filesystem::path& folder) {
   CheckTextNames(model);
-  WriteFile(WriteCamerasText, model, folder / "cameras.txt");
-  WriteFile(WriteImagesText, model, folder / "images.txt");
-  WriteFile(WritePointsText, model, folder / "points3D.txt");
-  if (model.rigs.empty()) return;
-  WriteFile(WriteRigsText, model, folder / "rigs.txt");
-  WriteFile(WriteFramesText, model, folder / "frames.txt");
+  WriteFiles(kTextModelFiles, model, folder);
 }
 
 }  // namespace limn::colmap_ext

@@ -4,12 +4,13 @@
 #include <ostream>
 
 #include "colmap_ext/model/model.h"
+#include "colmap_ext/model/rig.h"
 
 namespace limn::colmap_ext {
 
-// The files of a model as COLMAP 3.8 writes them, in the order of the model's vectors. Numbers in
-// text are the shortest that read back the same. Preconditions: the invariants of a model that was
-// read.
+// Cameras, images and points as COLMAP 3.8 writes them, in the order of the model's vectors.
+// Numbers in text are the shortest that read back the same. Preconditions: the invariants of a
+// model that was read.
 void WriteCamerasBinary(const SparseModel& model, std::ostream& out);
 void WriteImagesBinary(const SparseModel& model, std::ostream& out);
 void WritePointsBinary(const SparseModel& model, std::ostream& out);
@@ -17,12 +18,29 @@ void WriteCamerasText(const SparseModel& model, std::ostream& out);
 void WriteImagesText(const SparseModel& model, std::ostream& out);
 void WritePointsText(const SparseModel& model, std::ostream& out);
 
+// A file of a model, in the order in which they are written.
+struct ModelFile {
+  const char* name;
+  void (*write)(const SparseModel& model, std::ostream& out);
+  bool is_of_rigs = false;  // only there if the model has rigs
+};
+constexpr ModelFile kBinaryModelFiles[] = {{"cameras.bin", WriteCamerasBinary},
+                                           {"images.bin", WriteImagesBinary},
+                                           {"points3D.bin", WritePointsBinary},
+                                           {"rigs.bin", WriteRigsBinary, true},
+                                           {"frames.bin", WriteFramesBinary, true}};
+constexpr ModelFile kTextModelFiles[] = {{"cameras.txt", WriteCamerasText},
+                                         {"images.txt", WriteImagesText},
+                                         {"points3D.txt", WritePointsText},
+                                         {"rigs.txt", WriteRigsText, true},
+                                         {"frames.txt", WriteFramesText, true}};
+
 // Throws InputError if images.txt could not be read back because of the name of an image.
 void CheckTextNames(const SparseModel& model);
 
-// Write cameras, images, points3D and, where the model has some, rigs and frames into an existing
-// folder. Throw IoError, as text also what
-// CheckTextNames throws.
+// Write these files, each of them atomically, into a folder, which is made if it is missing. Rigs
+// and frames that are there are removed first: they would replace the new poses. Throw IoError, as
+// text also what CheckTextNames throws, which is before anything is changed.
 void WriteModelBinary(const SparseModel& model, const std::filesystem::path& folder);
 void WriteModelText(const SparseModel& model, const std::filesystem::path& folder);
 

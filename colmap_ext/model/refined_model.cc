@@ -57,11 +57,12 @@ void ApplyRefinement(const RefinedScene& refined, SparseModel* model) {
   }
 }
 
-std::vector<double> PoseShiftsPx(const SparseModel& from, const SparseModel& to) {
+std::vector<double> PoseShiftsPx(const std::set<size_t>& images, const SparseModel& from,
+                                 const SparseModel& to) {
   std::unordered_map<uint64_t, const ModelPoint*> point_of_id;
   for (const ModelPoint& point : from.points) point_of_id.emplace(point.id, &point);
   std::vector<double> shifts;
-  for (size_t i = 0; i < from.images.size(); ++i) {
+  for (const size_t i : images) {
     const ModelImage& image = from.images[i];
     const double focal = from.CameraOf(image).params.front();
     std::vector<double> of_points;

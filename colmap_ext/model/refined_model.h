@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "colmap_ext/model/model.h"
@@ -22,9 +23,10 @@ struct RefinedScene {
 // IoError, and changes nothing, if this is another model. Rigs and frames are left as they are.
 void ApplyRefinement(const RefinedScene& refined, SparseModel* model);
 
-// How far the points of each image, in the median, move when its pose in `from` becomes that in
-// `to`, px: for images that see points, in their order. Precondition: the models differ in poses
-// only.
-std::vector<double> PoseShiftsPx(const SparseModel& from, const SparseModel& to);
+// How far the points of each of these images (indices), in the median, move when its pose in `from`
+// becomes that in `to`, px: for images that see points, in their order. Precondition: the models
+// differ in poses only.
+std::vector<double> PoseShiftsPx(const std::set<size_t>& images, const SparseModel& from,
+                                 const SparseModel& to);
 
 }  // namespace limn::colmap_ext

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <istream>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -80,9 +81,10 @@ Rigid3d ComposedPose(const SparseModel& model, const MountedImage& mounted);
 // counted in a warning, as are images in two frames.
 void ApplyRigs(SparseModel* model);
 
-// The opposite, for poses of images that were changed one by one: poses of frames, and of the
-// sensors in their rigs, in the least-squares sense, rotations before translations. Then poses of
-// images are the composed ones. Reference sensors, and what no image tells, stay.
-void FitRigs(SparseModel* model);
+// The opposite, for images (indices) whose poses were changed one by one: poses of frames, and of
+// the sensors in their rigs, in the least-squares sense, rotations before the centers of cameras.
+// Then poses of all mounted images are the composed ones. Reference sensors, and what none of these
+// images tells, stay.
+void FitRigs(const std::set<size_t>& images, SparseModel* model);
 
 }  // namespace limn::colmap_ext

@@ -62,12 +62,7 @@ void WriteSparseWithCurves(const Project& project, int every, const InModel& cur
   SparseModel model = project.ReadModel();
   const size_t before = model.points.size();
   model = AddCurvePoints(std::move(model), curves.points, curves.views, every);
-  const auto write = [&](const char* name, void (*writer)(const SparseModel&, std::ostream&)) {
-    WriteFileAtomically((folder / name).string(), [&](std::ostream& out) { writer(model, out); });
-  };
-  write("cameras.bin", WriteCamerasBinary);
-  write("images.bin", WriteImagesBinary);
-  write("points3D.bin", WritePointsBinary);
+  WriteModelBinary(model, folder);
   console->Say("wrote " + folder.string() + ": " + std::to_string(model.points.size() - before) +
                " points of curves beside " + std::to_string(before) + " of the model");
 }
@@ -138,11 +133,16 @@ void CheckFusionFiles(const Project& project, const RunOptions& options) {
     CheckResultFile(project.DrawingPath(name), options.overwrite);
   }
   const bool may_replace = options.overwrite || fs::exists(project.DrawingPath(kFusedDrawing));
-  for (const char* name :
-       {"sparse-with-curves/cameras.bin", "sparse-with-curves/images.bin",
-        "sparse-with-curves/points3D.bin", "pmvs-with-curves.patch", "pmvs-with-curves.ply",
-        "with-curves/fused.ply", "with-curves/fused.ply.vis", "with-curves/fused-with-curves.ply",
-        "with-curves/fused-with-curves.ply.vis"}) {
+  std::vector<std::string> names = {"pmvs-with-curves.patch",
+                                    "pmvs-with-curves.ply",
+                                    "with-curves/fused.ply",
+                                    "with-curves/fused.ply.vis",
+                                    "with-curves/fused-with-curves.ply",
+                                    "with-curves/fused-with-curves.ply.vis"};
+  for (const ModelFile& file : kBinaryModelFiles) {
+    names.push_back(std::string("sparse-with-curves/") + file.name);
+  }
+  for (const std::string& name : names) {
     const std::string path = project.DrawingPath(name);
     CheckTakesFile(path);
     if (may_replace || !fs::exists(path)) continue;

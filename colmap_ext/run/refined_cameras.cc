@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/refined_model.h"
 #include "colmap_ext/run/world_shift.h"
 #include "colmap_ext/workspace/output_check.h"
-#include "limn/formats/atomic_file.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"
 
@@ -28,16 +28,18 @@ bool ReadsRefinedFolder(const Project& project) {
                                      ignored);
 }
 
-// Poses of images were refined each for itself: those of frames and sensors follow them, and give
+// Poses of views were refined each for itself: those of frames and sensors follow them, and give
 // new ones to the images. Says how much is lost by that.
-void FitRefinedRigs(SparseModel* model, Console* console) {
+void FitRefinedRigs(const std::vector<View>& views, SparseModel* model, Console* console) {
   const SparseModel refined = *model;
-  FitRigs(model);
+  std::set<size_t> images;
+  for (const View& view : views) images.insert(view.model_index);
+  FitRigs(images, model);
   if (std::none_of(model->rigs.begin(), model->rigs.end(),
                    [](const Rig& rig) { return rig.NumCameras() > 1; })) {
     return;
   }
-  const std::vector<double> shifts = PoseShiftsPx(refined, *model);
+  const std::vector<double> shifts = PoseShiftsPx(images, refined, *model);
   if (shifts.empty()) return console->Say("Rigs are kept: images follow their frames");
   const double median = Median(shifts);
   char text[200];
@@ -47,14 +49,6 @@ void FitRefinedRigs(SparseModel* model, Console* console) {
   console->Say(std::string(median > kMaxRigShiftPx ? "WARNING: rigs are kept but fit badly: "
                                                    : "Rigs are kept: ") +
                text);
-}
-
-// Those of an earlier run with rigs, which would be read with the new model.
-void RemoveRigs(const Project& project) {
-  std::error_code ignored;
-  for (const char* name : {"rigs.txt", "frames.txt"}) {
-    std::filesystem::remove(RefinedPath(project, name), ignored);
-  }
 }
 
 }  // namespace
@@ -67,15 +61,15 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options) {
                       " would be overwritten, but is the model that is read: choose another "
                       "output_path");
   }
-  for (const char* name : {"cameras.bin", "images.bin", "points3D.bin", "rigs.bin", "frames.bin"}) {
-    const std::string path = RefinedPath(project, name);
+  for (const ModelFile& file : kBinaryModelFiles) {
+    const std::string path = RefinedPath(project, file.name);
     if (std::error_code ignored; !std::filesystem::exists(path, ignored)) continue;
     throw OptionError("DrawingRefinement.refine_poses = 1: " + path +
                       " would be read instead of what is refined, or change it: remove it or "
                       "choose another output_path");
   }
-  for (const char* name : {"cameras.txt", "images.txt", "points3D.txt", "rigs.txt", "frames.txt"}) {
-    CheckResultFile(RefinedPath(project, name), options.overwrite);
+  for (const ModelFile& file : kTextModelFiles) {
+    CheckResultFile(RefinedPath(project, file.name), options.overwrite);
   }
 }
 
@@ -100,19 +94,8 @@ void WriteRefinedModel(const Project& project, const std::optional<RefinedCamera
   std::vector<Eigen::Vector3d> points = cameras->points;
   for (Eigen::Vector3d& point : points) point += project.origin();
   ApplyRefinement({views, project.views(), project.view_set().hints, points}, &model);
-  FitRefinedRigs(&model, console);
-  const auto write = [&](const char* name, void (*writer)(const SparseModel&, std::ostream&)) {
-    WriteFileAtomically(RefinedPath(project, name), [&](std::ostream& out) { writer(model, out); });
-  };
-  write("cameras.txt", WriteCamerasText);
-  write("images.txt", WriteImagesText);
-  write("points3D.txt", WritePointsText);
-  if (model.rigs.empty()) {
-    RemoveRigs(project);
-  } else {
-    write("rigs.txt", WriteRigsText);
-    write("frames.txt", WriteFramesText);
-  }
+  FitRefinedRigs(views, &model, console);
+  WriteModelText(model, project.DrawingPath("refined"));
   console->Say("Written: " +
                RefinedPath(project, model.rigs.empty()
                                         ? "{cameras,images,points3D}.txt"

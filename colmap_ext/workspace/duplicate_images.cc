@@ -6,10 +6,12 @@
 #include <map>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "colmap_ext/model/camera_projection.h"
+#include "limn/util/median.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -23,10 +25,7 @@ constexpr double kMaxRelativeDistance = 1e-3;
 // Of the numbers among them; 0 if there are none.
 double MedianOf(std::vector<double> values) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return Median(std::move(values));
 }
 
 // Of each file that has the size of another one; empty for others.
@@ -110,18 +109,19 @@ class PoseComparison {
     return distance * focal_lengths_[a] <= kSamePosePx * depth;
   }
 
-  // Median of the points that the image sees; 0 if there are none.
+  // Median of the points that the image sees, of a panorama all around; 0 if there are none.
   double DepthOf(int i) {
     if (positions_.empty()) {
       for (const ModelPoint& point : model_.points) positions_[point.id] = point.position;
     }
     const ModelImage& image = model_.images[images_[i]];
+    const bool is_panorama = model_.CameraOf(image).IsPanorama();
     std::vector<double> depths;
     for (const Observation& observation : image.observations) {
       const auto found = positions_.find(observation.point3D_id);
-      if (found != positions_.end()) {
-        depths.push_back((image.cam_from_world * found->second).z());
-      }
+      if (found == positions_.end()) continue;
+      const Eigen::Vector3d point = image.cam_from_world * found->second;
+      depths.push_back(is_panorama ? point.norm() : point.z());
     }
     return MedianOf(depths);
   }

@@ -336,6 +336,11 @@ class WholeImageLens : public LensMap {
   Eigen::Vector2d origin_px_;
 };
 
+bool IsLastPart(const ViewSet& set, ViewId view) {
+  const size_t next = static_cast<size_t>(view) + 1;
+  return next == set.views.size() || set.image_paths[next] != set.image_paths[view];
+}
+
 Image Cut(const Image& image, const ImageWindow& window) {
   Image part;
   part.width = window.width;
@@ -343,6 +348,15 @@ Image Cut(const Image& image, const ImageWindow& window) {
   part.channels = image.channels;
   part.data = CutPixels(image.data, window, image.channels);
   return part;
+}
+
+Image ReadPixels(const ViewSet& set, ViewId view) {
+  const std::string& path = set.image_paths[view];
+  const auto decode = [&] { return set.photos.Read(path, set.max_image_size); };
+  const ImageWindow* window = set.Window(view);
+  if (!window) return decode();
+  const auto whole = set.decoded->images.Get(path, IsLastPart(set, view), decode);
+  return window->IsOf(whole->width, whole->height) ? Cut(*whole, *window) : *whole;
 }
 
 }  // namespace
@@ -410,11 +424,12 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   Spread(sources, &set.mask_paths);
   Spread(sources, &set.stored_sizes);
   Spread(sources, &set.is_damaged);
+  if (sources.size() > selected.size()) set.decoded = std::make_shared<DecodedPanoramas>();
   for (size_t v = 0; v < sources.size(); ++v) {
     const int image = selected[sources[v].image];
     const Optics& of_view = optics.at(keys[v]);
     set.views.push_back(MakeView(model, image, sources[v].part, of_view));
-    if (sources.size() == selected.size()) continue;
+    if (!set.decoded) continue;
     set.windows.push_back(of_view.window);
     set.image_names.push_back(model.images[image].name);
   }
@@ -445,11 +460,15 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
   if (view_set.is_damaged[view]) {
     return std::vector<unsigned char>(static_cast<size_t>(camera.width) * camera.height, 0);
   }
-  if (view_set.mask_paths[view].empty()) return {};
-  std::vector<unsigned char> mask =
-      ReadMask(view_set.mask_paths[view], view_set.stored_sizes[view], view_set.max_image_size);
+  const std::string& path = view_set.mask_paths[view];
+  if (path.empty()) return {};
+  const auto decode = [&] {
+    return ReadMask(path, view_set.stored_sizes[view], view_set.max_image_size);
+  };
   const ImageWindow* window = view_set.Window(view);
-  return window ? CutPixels(mask, *window, 1) : mask;
+  if (!window) return decode();
+  return CutPixels(*view_set.decoded->masks.Get(path, IsLastPart(view_set, view), decode), *window,
+                   1);
 }
 
 Image ReadViewImage(const ViewSet& view_set, ViewId view) {
@@ -458,9 +477,7 @@ Image ReadViewImage(const ViewSet& view_set, ViewId view) {
   if (view_set.is_damaged[view]) {
     image = BlackImage(camera.width, camera.height);
   } else {
-    image = view_set.photos.Read(view_set.image_paths[view], view_set.max_image_size);
-    const ImageWindow* window = view_set.Window(view);
-    if (window && window->IsOf(image.width, image.height)) image = Cut(image, *window);
+    image = ReadPixels(view_set, view);
   }
   if (image.width != camera.width || image.height != camera.height) {
     throw IoError(view_set.image_paths[view], "the image changed its size while Limn was running");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/panorama.h"
 #include "colmap_ext/workspace/image_reader.h"
+#include "colmap_ext/workspace/last_decoded.h"
 #include "colmap_ext/workspace/photo_store.h"
 #include "limn/model/image.h"
 #include "limn/model/scene_hints.h"
@@ -38,6 +40,12 @@ struct ViewOptions {
   void Check() const;
 };
 
+// Whole images of which parts are read, after max_image_size.
+struct DecodedPanoramas {
+  LastDecoded<Image> images;
+  LastDecoded<std::vector<unsigned char>> masks;
+};
+
 // Views and their files, by view; a panorama has a view per part, each with its file. Nothing but
 // model indices depends on the order or ids of the model's images and cameras.
 struct ViewSet {
@@ -52,6 +60,7 @@ struct ViewSet {
   // image. Empty if there are no panoramas.
   std::vector<std::optional<ImageWindow>> windows;
   std::vector<std::string> image_names;
+  std::shared_ptr<DecodedPanoramas> decoded;  // what ReadViewImage and ReadViewMask keep of them
   int max_image_size = -1;
   PhotoStore photos;  // what is at image_paths
   std::vector<std::string> warnings;

@@ -25,11 +25,28 @@ class GeoFusion : public ::testing::Test {
  protected:
   GeoFusion() {
     colmap_ext::SparseModel model = colmap_ext::ReadModel(LIMN_CORPUS_DIR "/base/sparse");
+    AddRig(&model);
     // The poses far away have lost digits; the near ones are made from them.
-    colmap_ext::MoveModel(shift_, &model);
+    Move(shift_, &model);
     Write("far", model, shift_);
-    colmap_ext::MoveModel(-shift_, &model);
+    Move(-shift_, &model);
     Write("near", model, Eigen::Vector3d::Zero());
+  }
+
+  // Of its only camera.
+  static void AddRig(colmap_ext::SparseModel* model) {
+    const colmap_ext::SensorId camera = {colmap_ext::kCameraSensor, model->cameras.front().id};
+    model->rigs = {{1, {{camera, true, {}}}}};
+    for (const colmap_ext::ModelImage& image : model->images) {
+      model->frames.push_back({image.id, 1, image.cam_from_world, {{camera, image.id}}});
+    }
+  }
+
+  static void Move(const Eigen::Vector3d& shift, colmap_ext::SparseModel* model) {
+    colmap_ext::MoveModel(shift, model);
+    for (size_t i = 0; i < model->frames.size(); ++i) {
+      model->frames[i].rig_from_world = model->images[i].cam_from_world;
+    }
   }
 
   void Write(const std::string& folder, const colmap_ext::SparseModel& model,
@@ -89,6 +106,9 @@ class GeoFusion : public ::testing::Test {
   void ExpectSparseModelMoved() const {
     const auto near = colmap_ext::ReadModel(Output("near", "sparse-with-curves"));
     const auto far = colmap_ext::ReadModel(Output("far", "sparse-with-curves"));
+    EXPECT_EQ(far.rigs.size(), 1u);
+    EXPECT_EQ(far.frames.size(), far.images.size());
+    EXPECT_TRUE(far.warnings.empty());
     ASSERT_GT(near.points.size(), 60u + 10);  // the model has 60
     ASSERT_EQ(far.points.size(), near.points.size());
     for (size_t i = 0; i < far.points.size(); ++i) {

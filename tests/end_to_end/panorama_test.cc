@@ -170,5 +170,33 @@ TEST(Panoramas, AreDrawnAsWellAsPhotographs) {
   EXPECT_THAT(given.err, HasSubstr("ERROR: edges_path"));
 }
 
+TEST(Panoramas, ThatColmapShrankAreFoundInDense) {
+  constexpr int kWidth = 500;
+  const PanoramaWorkspace workspace;
+  const fs::path dense = workspace.dir() / "dense/0";
+  fs::create_directories(dense);
+  fs::rename(workspace.dir() / "images", dense / "images");
+  SparseModel model = colmap_ext::ReadModel(workspace.dir() / "sparse");
+  // Of a product, the parameters are beside the size.
+  const double width = std::nextafter(kWidth, 2.0 * kWidth);
+  model.cameras.front().width = kWidth;
+  model.cameras.front().height = kWidth / 2;
+  model.cameras.front().params = {width, width / 2};
+  colmap_ext::WriteModelBinary(model, dense / "sparse");
+  for (const auto& image : model.images) {
+    const std::string path = (dense / "images" / image.name).string();
+    cv::Mat shrunk;
+    cv::resize(cv::imread(path), shrunk, {kWidth, kWidth / 2}, 0, 0, cv::INTER_AREA);
+    cv::imwrite(path, shrunk);
+  }
+  const LimnRun run =
+      RunLimn({"edge_extractor", "--workspace_path", workspace.dir().path().string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const char* part : {"00", "11"}) {
+    EXPECT_TRUE(fs::exists(dense / "curves/cache/edges" /
+                           (model.images.front().name + ".part" + part + ".bin")));
+  }
+}
+
 }  // namespace
 }  // namespace limn::testing

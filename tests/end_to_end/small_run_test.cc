@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/temp_dir.h"
@@ -196,6 +198,78 @@ TEST_F(SmallRun, RefinedCamerasKeepTheirRig) {
   run("plain");
   EXPECT_FALSE(fs::exists(Output("out", "refined/rigs.txt")));
   EXPECT_FALSE(fs::exists(Output("out", "refined/frames.txt")));
+}
+
+// Frames of two cameras with the same center, the right one upside down: view_00.jpg and
+// turned_00.png, and so on. The right photographs are moved by `shift_px` to the right in even
+// frames, and to the left in odd ones, which no rig explains.
+void WriteTurnedRig(int num_frames, int shift_px, const fs::path& folder) {
+  using namespace colmap_ext;
+  SparseModel model = ReadModel(LIMN_SAMPLE_DIR "/day/sparse");
+  std::sort(model.images.begin(), model.images.end(),
+            [](const ModelImage& a, const ModelImage& b) { return a.name < b.name; });
+  model.images.resize(num_frames);
+  const auto width = static_cast<double>(model.cameras[0].width);
+  const auto height = static_cast<double>(model.cameras[0].height);
+  Camera turned = model.cameras[0];
+  turned.id = 2;
+  turned.params[2] = width - turned.params[2];
+  turned.params[3] = height - turned.params[3];
+  model.cameras.push_back(turned);
+  const Rigid3d half_turn = {Eigen::Quaterniond(0, 0, 0, 1), Eigen::Vector3d::Zero()};
+  const SensorId left = {kCameraSensor, 1}, right = {kCameraSensor, 2};
+  model.rigs = {{1, {{left, true, {}}, {right, true, half_turn}}}};
+  fs::create_directories(folder / "images");
+  for (int f = 0; f < num_frames; ++f) {
+    const double shift = f % 2 == 0 ? shift_px : -shift_px;
+    ModelImage image = model.images[f];
+    const cv::Mat photo = cv::imread(LIMN_SAMPLE_DIR "/day/images/" + image.name);
+    cv::imwrite((folder / "images" / image.name).string(), photo);
+    model.frames.push_back(
+        {image.id, 1, image.cam_from_world, {{left, image.id}, {right, 100 + image.id}}});
+    image.id += 100;
+    image.camera_id = 2;
+    image.name = "turned_" + image.name.substr(5, 2) + ".png";
+    image.cam_from_world = half_turn * image.cam_from_world;
+    for (Observation& observation : image.observations) {
+      observation.position = Eigen::Vector2d(width + shift, height) - observation.position;
+    }
+    cv::Mat turned_photo;
+    const cv::Matx23d map(-1, 0, width - 1 + shift, 0, -1, height - 1);
+    cv::warpAffine(photo, turned_photo, map, photo.size(), cv::INTER_NEAREST, cv::BORDER_REPLICATE);
+    cv::imwrite((folder / "images" / image.name).string(), turned_photo);
+    model.images.push_back(image);
+  }
+  for (ModelPoint& point : model.points) {
+    std::erase_if(point.track, [&](const TrackElement& element) {
+      return std::none_of(model.frames.begin(), model.frames.end(),
+                          [&](const Frame& frame) { return frame.id == element.image_id; });
+    });
+    const std::vector<TrackElement> of_left = point.track;
+    for (const TrackElement& element : of_left) {
+      point.track.push_back({element.image_id + 100, element.observation});
+    }
+  }
+  fs::create_directories(folder / "sparse");
+  WriteModelBinary(model, folder / "sparse");
+}
+
+TEST_F(SmallRun, RigsThatFitBadlyAreWarnedOf) {
+  constexpr int kNumFrames = 6;
+  const auto draw = [&](int shift_px) {
+    const std::string name = "shift" + std::to_string(shift_px);
+    WriteTurnedRig(kNumFrames, shift_px, dir_ / name);
+    const LimnRun run = RunLimn({"automatic_drawer", "--workspace_path", (dir_ / name).string(),
+                                 "--quality", "low", "--max_image_size", "320", "--page", "0",
+                                 "--DrawingRefinement.refine_poses", "1"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const colmap_ext::SparseModel refined = colmap_ext::ReadModel(dir_ / name / "refined");
+    EXPECT_TRUE(refined.warnings.empty());
+    EXPECT_EQ(refined.frames.size(), size_t{kNumFrames});
+    return run.out;
+  };
+  EXPECT_THAT(draw(0), HasSubstr("Rigs are kept: their images are 0.0"));
+  EXPECT_THAT(draw(4), HasSubstr("WARNING: rigs are kept but fit badly: their images are 2."));
 }
 
 // Cameras that are a pixel off. The drawing fits the refined model that was written, and not the

@@ -32,7 +32,8 @@ class TemporaryPath {
 // rename or leave one: to be called right before the process exits without waiting for them.
 void AbandonWrites();
 
-// How many temporary paths have been renamed. Also after AbandonWrites.
+// How many temporary paths have been renamed, to what is in no temporary folder. Also after
+// AbandonWrites.
 size_t NumRenamed();
 
 }  // namespace limn

@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <set>
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
 #include "limn/util/errors.h"
@@ -194,6 +197,40 @@ TEST(Rig, IsAppliedWhenAModelIsRead) {
   ExpectFrames(model.frames);
 }
 
+TEST(Rig, IsWrittenWithTheModelAndGoesWithIt) {
+  SparseModel model = ModelWithRigs();
+  ApplyRigs(&model);
+  const TempDir dir;
+  for (const auto write : {WriteModelBinary, WriteModelText}) {
+    write(model, dir.path());
+    const SparseModel read = ReadColmapModel(dir.path());
+    ExpectRigs(read.rigs);
+    ExpectFrames(read.frames);
+    EXPECT_THAT(read.warnings, IsEmpty());
+    // Those of another model would replace its poses.
+    write(MakeModel(), dir.path());
+    EXPECT_THAT(ReadColmapModel(dir.path()).rigs, IsEmpty());
+    EXPECT_THAT(ReadColmapModel(dir.path()).warnings, IsEmpty());
+    std::filesystem::remove(dir / "cameras.bin");
+  }
+}
+
+TEST(Rig, OfAnEarlierModelIsRemovedBeforeAnythingIsWritten) {
+  const TempDir dir;
+  dir.WriteFile("frames.txt", kFramesText);
+  dir.WriteFile("cameras.txt/in the way", "");
+  EXPECT_THROW(WriteModelText(MakeModel(), dir.path()), IoError);
+  EXPECT_FALSE(std::filesystem::exists(dir / "frames.txt"));
+}
+
+TEST(Rig, OfAnEarlierModelThatStaysIsAnError) {
+  const TempDir dir;
+  dir.WriteFile("rigs.txt/in the way", "");
+  EXPECT_THAT(ErrorText<IoError>([&] { WriteModelText(MakeModel(), dir.path()); }),
+              HasSubstr("rigs.txt: cannot remove: "));
+  EXPECT_FALSE(std::filesystem::exists(dir / "images.txt"));
+}
+
 TEST(Rig, OfSingleCamerasIsNone) {
   const TempDir dir;
   WriteModelText(MakeModel(), dir.path());
@@ -247,6 +284,12 @@ double LargestDifference(const SparseModel& a, const SparseModel& b) {
   return largest;
 }
 
+std::set<size_t> AllImages(const SparseModel& model) {
+  std::set<size_t> images;
+  for (size_t i = 0; i < model.images.size(); ++i) images.insert(i);
+  return images;
+}
+
 TEST(RigFit, FramesAndSensorsFollowPosesOfARigidRig) {
   SparseModel moved = ModelOfRig();
   // Another rig, in other places.
@@ -259,7 +302,7 @@ TEST(RigFit, FramesAndSensorsFollowPosesOfARigidRig) {
   for (size_t i = 0; i < model.images.size(); ++i) {
     model.images[i].cam_from_world = moved.images[i].cam_from_world;
   }
-  FitRigs(&model);
+  FitRigs(AllImages(model), &model);
   EXPECT_LT(LargestDifference(model, moved), 1e-9);
   EXPECT_LT((model.rigs[0].sensors[1].sensor_from_rig.translation -
              moved.rigs[0].sensors[1].sensor_from_rig.translation)
@@ -271,17 +314,23 @@ TEST(RigFit, FramesAndSensorsFollowPosesOfARigidRig) {
   EXPECT_THAT(model.warnings, IsEmpty());
 }
 
-TEST(RigFit, OfPosesThatNoRigHasIsNear) {
-  SparseModel given = ModelOfRig();
-  for (size_t i = 0; i < given.images.size(); ++i) {
+// Each image is moved and turned in another way.
+SparseModel ModelOfBentRig() {
+  SparseModel model = ModelOfRig();
+  for (size_t i = 0; i < model.images.size(); ++i) {
     Rigid3d turn;
     turn.rotation = Eigen::AngleAxisd(0.01 * std::sin(5.0 * i),
                                       Eigen::Vector3d(std::cos(i), std::sin(i), 0.5).normalized());
     turn.translation = 0.01 * Eigen::Vector3d(std::sin(i), std::cos(3.0 * i), 0);
-    given.images[i].cam_from_world = turn * given.images[i].cam_from_world;
+    model.images[i].cam_from_world = turn * model.images[i].cam_from_world;
   }
+  return model;
+}
+
+TEST(RigFit, OfPosesThatNoRigHasIsNear) {
+  const SparseModel given = ModelOfBentRig();
   SparseModel model = given;
-  FitRigs(&model);
+  FitRigs(AllImages(model), &model);
   EXPECT_GT(LargestDifference(model, given), 1e-4);
   EXPECT_LT(LargestDifference(model, given), 0.06);
   // The last frame has one image, which nothing contradicts.
@@ -291,8 +340,56 @@ TEST(RigFit, OfPosesThatNoRigHasIsNear) {
             1e-9);
   // Nothing is left to improve.
   SparseModel again = model;
-  FitRigs(&again);
+  FitRigs(AllImages(again), &again);
   EXPECT_LT(LargestDifference(again, model), 1e-9);
+}
+
+TEST(RigFit, DoesNotDependOnWhereTheOriginIs) {
+  SparseModel near = ModelOfBentRig();
+  SparseModel far = near;
+  const Eigen::Vector3d shift(5e5, 4e6, 100);
+  const auto move = [](const Eigen::Vector3d& by, SparseModel* model) {
+    MoveModel(by, model);
+    for (Frame& frame : model->frames) frame.rig_from_world = Moved(frame.rig_from_world, by);
+  };
+  move(shift, &far);
+  FitRigs(AllImages(near), &near);
+  FitRigs(AllImages(far), &far);
+  EXPECT_LT((near.rigs[0].sensors[1].sensor_from_rig.translation -
+             far.rigs[0].sensors[1].sensor_from_rig.translation)
+                .norm(),
+            1e-7);
+  move(-shift, &far);
+  EXPECT_LT(LargestDifference(near, far), 1e-7);
+}
+
+TEST(RigFit, ImagesThatWereNotRefinedFollowTheOthers) {
+  const SparseModel given = ModelOfRig();
+  SparseModel model = given;
+  // Frame 0 was refined, and of frame 1 the left image; frames 2 and 3 were not.
+  const Rigid3d change = {Eigen::Quaterniond::Identity(), {0.25, 0.5, -0.125}};
+  for (const size_t i : {0, 1, 2}) {
+    model.images[i].cam_from_world = change * given.images[i].cam_from_world;
+  }
+  model.images[1].cam_from_world = change * model.images[1].cam_from_world;
+  const SparseModel refined = model;
+  FitRigs({0, 1, 2}, &model);
+  const auto distance = [](const Rigid3d& a, const Rigid3d& b) {
+    return (a * Inverse(b)).translation.norm();
+  };
+  for (const size_t i : {0, 1, 2}) {
+    EXPECT_LT(distance(model.images[i].cam_from_world, refined.images[i].cam_from_world), 1e-9);
+  }
+  for (const size_t f : {2, 3}) {
+    EXPECT_EQ(model.frames[f].rig_from_world.translation,
+              given.frames[f].rig_from_world.translation);
+  }
+  EXPECT_EQ(model.images[4].cam_from_world.translation, given.images[4].cam_from_world.translation);
+  for (const size_t i : {3, 5, 6}) {  // of the right camera
+    EXPECT_GT(distance(model.images[i].cam_from_world, given.images[i].cam_from_world), 0.1);
+  }
+  ApplyRigs(&model);
+  EXPECT_THAT(model.warnings, IsEmpty());
 }
 
 }  // namespace

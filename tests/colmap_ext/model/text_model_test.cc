@@ -63,6 +63,19 @@ TEST(LineReader, FilesWithoutLinesAreRefused) {
               testing::HasSubstr("a.txt: line 2: is longer than 256 MB"));
 }
 
+TEST(TextModel, PanoramasThatColmapShrankAreRead) {
+  const double scale = 2000 / 7680.0;
+  std::ostringstream line;
+  line.precision(17);
+  line << "1 EQUIRECTANGULAR 2000 1000 " << 7680 * scale << ' ' << 3840 * scale << '\n';
+  EXPECT_THAT(line.str(), HasSubstr("2000.00000000000"));  // not 2000
+  EXPECT_EQ(Read(line.str(), kImage, "").images.size(), 1u);
+  EXPECT_THAT(ErrorOf("1 EQUIRECTANGULAR 2000 1000 2001 1000\n"),
+              HasSubstr("must be its width and height"));
+  EXPECT_THAT(ErrorOf("1 EQUIRECTANGULAR 2000 1000 2000 1001\n"),
+              HasSubstr("must be its width and height"));
+}
+
 TEST(TextModel, RoundTripsExactly) {
   SparseModel model = MakeModel();
   for (int id = 0; id < 17; ++id) {

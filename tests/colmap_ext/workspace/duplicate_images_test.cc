@@ -79,6 +79,15 @@ TEST_F(DuplicateImages, NearlySamePictureFromNearlySamePoseIs) {
   EXPECT_THAT(Found(), ElementsAre(Pair(3, 1)));
 }
 
+TEST_F(DuplicateImages, PanoramasSeePointsAllAround) {
+  // 640 px all around are 100 px per radian; the point is behind the cameras.
+  model_.cameras[0] = {0, CameraModelId::kEquirectangular, 640, 320, {640, 320}};
+  model_.points[0].position.z() = -10;
+  Write(3, pictures_[1], ".jpg");
+  model_.images[3].cam_from_world.translation.x() = 1.0005;
+  EXPECT_THAT(Found(), ElementsAre(Pair(3, 1)));
+}
+
 TEST_F(DuplicateImages, AnotherPictureFromTheSamePoseIsNone) {
   model_.images[3].cam_from_world = model_.images[1].cam_from_world;
   EXPECT_THAT(Found(), IsEmpty());

@@ -538,6 +538,20 @@ TEST_F(PanoramaViewsTest, PointsBelongToThePartsThatShowThem) {
   }
 }
 
+TEST_F(PanoramaViewsTest, FilesAreDecodedOnceForAllParts) {
+  Write("masks/b.png.png", cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(255)));
+  options_.mask_path = (dir_ / "masks").string();
+  const ViewSet set = Views();
+  ReadViewImage(set, 0);
+  for (const std::string& path : {set.image_paths[0], set.mask_paths[0]}) fs::remove(path);
+  for (ViewId v = 1; v < kNumPanoramaParts; ++v) {
+    const Image part = ReadViewImage(set, v);
+    EXPECT_EQ(part.mask.size(), static_cast<size_t>(part.width) * part.height);
+  }
+  // Nothing is kept after the last part.
+  EXPECT_THROW(ReadViewImage(set, 0), IoError);
+}
+
 TEST_F(PanoramaViewsTest, MasksAreCutAlike) {
   cv::Mat mask(kHeight, kWidth, CV_8UC1, cv::Scalar(255));
   mask(cv::Rect(0, 0, kWidth, kHeight / 2)).setTo(0);

@@ -183,6 +183,8 @@ TEST(TemporaryPath, GoesAwayUnlessItIsRenamed) {
   const size_t num_before = NumRenamed();
   for (const bool renames : {false, true}) {
     TemporaryPath temporary(path + ".tmp", &MakeFolder);
+    WriteFileAtomically(path + ".tmp/inside", "no result yet");
+    EXPECT_EQ(NumRenamed(), num_before);
     if (!renames) continue;
     EXPECT_FALSE(temporary.RenameTo(path));
   }
