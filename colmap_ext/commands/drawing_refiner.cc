@@ -44,7 +44,7 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
   CheckGraph(graph);
   WriteRefinedModel(project, judged.cameras, console.get());
   WriteDrawingResults(project, views, graph, provenance, given.metadata.alignment, console.get());
-  SayTrust(MeasureTrust(views, image_curves.curves, graph), HasBox(provenance), console.get());
+  SayTrust(MeasureTrust(views, project.view_set().image_names, image_curves.curves, graph), HasBox(provenance), console.get());
   console->RepeatWarnings();
   return 0;
 }

@@ -104,7 +104,7 @@ Json ToJson(const Trust& trust) {
   for (const NamedNumber& image : trust.agree_less) {
     less.push_back({{"name", image.name}, {"share", image.number / 100}});
   }
-  return {{"images", trust.num_views},
+  return {{"images", trust.num_images},
           {"explained", OrNull(trust.explained)},
           {"agree_less", less},
           {"many_views", kManyViews},

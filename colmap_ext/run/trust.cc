@@ -18,39 +18,58 @@ constexpr int64_t kMinEdgelsOfImage = 100;
 // Chance alone explains less than 1 % of the edges. A box leaves most of an image out.
 constexpr double kNextToNothing = 0.02;
 constexpr double kNextToNothingInBox = 0.0005;
-// A view that agrees less than this much of the median is named.
+// An image that agrees less than this much of the median is named.
 constexpr double kMuchLess = 1.0 / 3;
 
 std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
 
-// Names of the views for which `select`, those that agree least first.
+struct ImageAgreement {
+  std::string name;
+  ViewAgreement agreement;
+};
+
+// Parts of a panorama together. They are neighbors.
+std::vector<ImageAgreement> OfImages(const std::vector<std::string>& names,
+                                     const std::vector<ViewAgreement>& of_views) {
+  std::vector<ImageAgreement> images;
+  for (size_t v = 0; v < of_views.size(); ++v) {
+    if (images.empty() || images.back().name != names[v]) images.push_back({names[v], {}});
+    ViewAgreement& sum = images.back().agreement;
+    const int64_t count = sum.num_edgels + of_views[v].num_edgels;
+    if (count == 0) continue;
+    const auto drawn = [](const ViewAgreement& a) {
+      return a.share * static_cast<double>(a.num_edgels);
+    };
+    sum = {count, (drawn(sum) + drawn(of_views[v])) / static_cast<double>(count)};
+  }
+  return images;
+}
+
+// Names of the images for which `select`, those that agree least first.
 template <typename Select>
-std::vector<NamedNumber> NamesOf(const std::vector<View>& views,
-                                 const std::vector<ViewAgreement>& agreements,
-                                 const Select& select) {
+std::vector<NamedNumber> NamesOf(const std::vector<ImageAgreement>& images, const Select& select) {
   std::vector<NamedNumber> names;
-  for (size_t v = 0; v < views.size(); ++v) {
-    if (select(agreements[v])) names.push_back({views[v].name, 100 * agreements[v].share});
+  for (const auto& [name, agreement] : images) {
+    if (select(agreement)) names.push_back({name, 100 * agreement.share});
   }
   std::ranges::stable_sort(names, {}, &NamedNumber::number);
   return names;
 }
 
-void AddAgreement(const std::vector<View>& views, const std::vector<ViewAgreement>& agreements,
-                  Trust* trust) {
-  const auto has_edges = [](const ViewAgreement& view) {
-    return view.num_edgels >= kMinEdgelsOfImage;
+void AddAgreement(const std::vector<ImageAgreement>& images, Trust* trust) {
+  const auto has_edges = [](const ViewAgreement& image) {
+    return image.num_edgels >= kMinEdgelsOfImage;
   };
   std::vector<double> shares;
-  for (const ViewAgreement& view : agreements) {
-    if (has_edges(view)) shares.push_back(view.share);
+  for (const ImageAgreement& image : images) {
+    if (has_edges(image.agreement)) shares.push_back(image.agreement.share);
   }
   const double median = Median(shares);
+  trust->num_images = images.size();
   trust->explained = median;
-  trust->without_edges =
-      NamesOf(views, agreements, [&](const auto& view) { return !has_edges(view); });
-  trust->agree_less = NamesOf(views, agreements, [&](const auto& view) {
-    return has_edges(view) && view.share < kMuchLess * median;
+  trust->without_edges = NamesOf(images, [&](const auto& image) { return !has_edges(image); });
+  trust->agree_less = NamesOf(images, [&](const auto& image) {
+    return has_edges(image) && image.share < kMuchLess * median;
   });
 }
 
@@ -79,7 +98,7 @@ void AddCertainty(const std::vector<View>& views, const DrawingGraph& graph, Tru
 
 void SayAgreement(const Trust& trust, bool has_box, Console* console) {
   const auto count_of = [&](const std::vector<NamedNumber>& names) {
-    return "WARNING: " + std::to_string(names.size()) + " of " + std::to_string(trust.num_views) +
+    return "WARNING: " + std::to_string(names.size()) + " of " + std::to_string(trust.num_images) +
            " images";
   };
   console->Say("The drawing explains " + Percent(*trust.explained) +
@@ -105,11 +124,12 @@ void SayAgreement(const Trust& trust, bool has_box, Console* console) {
 
 }  // namespace
 
-Trust MeasureTrust(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                   const DrawingGraph& graph) {
+Trust MeasureTrust(const std::vector<View>& views, const std::vector<std::string>& image_names,
+                   const std::vector<ImageCurves>& curves, const DrawingGraph& graph) {
   Trust trust;
-  trust.num_views = views.size();
-  if (!curves.empty()) AddAgreement(views, MeasureAgreement(views, curves, graph), &trust);
+  if (!curves.empty()) {
+    AddAgreement(OfImages(image_names, MeasureAgreement(views, curves, graph)), &trust);
+  }
   AddCertainty(views, graph, &trust);
   return trust;
 }

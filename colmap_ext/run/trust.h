@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "colmap_ext/run/console.h"
@@ -17,7 +18,7 @@ constexpr size_t kManyViews = 5;
 // How far a drawing can be believed. Links that are tentative or contours count only in
 // `tentative`.
 struct Trust {
-  size_t num_views = 0;
+  size_t num_images = 0;
   // Share of the edges of an image that the drawing explains, median over images. Nothing if the
   // edges are not known (a scene in tiles).
   std::optional<double> explained;
@@ -33,10 +34,10 @@ struct Trust {
   std::optional<double> tentative;
 };
 
-// `views` are those that the drawing fits; `curves` belong to them, or are empty for a scene in
-// tiles.
-Trust MeasureTrust(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                   const DrawingGraph& graph);
+// `views` are those that the drawing fits, `image_names` those of their images, which parts of a
+// panorama share; `curves` belong to the views, or are empty for a scene in tiles.
+Trust MeasureTrust(const std::vector<View>& views, const std::vector<std::string>& image_names,
+                   const std::vector<ImageCurves>& curves, const DrawingGraph& graph);
 
 // Prints it. Warns of a drawing that explains next to nothing, of images that agree with it much
 // less than the others, and of those without edges. With a box, drawings may explain little.
