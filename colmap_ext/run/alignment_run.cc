@@ -8,6 +8,7 @@
 #include "limn/formats/write_drawing.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
+#include "limn/util/median.h"
 #include "limn/util/name_list.h"
 
 namespace limn::colmap_ext {
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 // The database of a model may be so many folders above it: W/dense/0/sparse.
 constexpr int kMaxFoldersUp = 3;
-// Positions are told by name if they are off by so many times the median.
+// Positions are told by name if they are off, by their accuracies, by so many times the median.
 constexpr double kFarTimesMedian = 5;
 
 // Empty if there is none.
@@ -141,8 +142,9 @@ void SayPositions(const AlignmentResult& result, const std::vector<View>& views,
   }
   const PositionFit& fit = *result.positions;
   std::vector<NamedNumber> far;
+  const double limit = kFarTimesMedian * Median(fit.scaled_residuals);
   for (size_t i = 0; i < fit.residuals.size(); ++i) {
-    if (fit.residuals[i] > kFarTimesMedian * fit.median_residual) {
+    if (fit.scaled_residuals[i] > limit) {
       far.push_back({views[result.positioned[i]].name, fit.residuals[i]});
     }
   }
