@@ -12,6 +12,7 @@
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/model/footprint.h"
+#include "limn/model/straight_link.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -30,11 +31,6 @@ struct Piece {
   std::array<int, 2> joints = {};
   std::map<size_t, uint32_t> segment_of_image;  // by the image's place in the model
 };
-
-bool IsStraight(const DrawingLink& link) {
-  return link.primitive ? std::holds_alternative<LineSegment>(link.primitive->shape)
-                        : link.size() == 2;
-}
 
 // The corners of lines that stand for a link that is not straight.
 Polyline3d ChainOf(const DrawingLink& link, const std::vector<View>& views) {
@@ -127,7 +123,7 @@ class LimapMaker {
 
   void AddPieces(LinkId id, bool chains) {
     const DrawingLink& link = graph_.links[id];
-    if (IsStraight(link)) {
+    if (LineOf(link)) {
       Piece piece = {id,
                      link.points_in_world.front(),
                      link.points_in_world.back(),
@@ -176,11 +172,12 @@ class LimapMaker {
     }
     uint64_t next_id = NextPointId(made_.model);
     for (int joint = 0; joint < num_joints_; ++joint) {
-      if (pieces_at[joint].size() > 1) AddJoint(joint, pieces_at[joint], next_id++);
+      if (pieces_at[joint].size() > 1 && AddJoint(joint, pieces_at[joint], next_id)) ++next_id;
     }
   }
 
-  void AddJoint(int joint, const std::vector<size_t>& pieces, uint64_t id) {
+  // Whether two images show it.
+  bool AddJoint(int joint, const std::vector<size_t>& pieces, uint64_t id) {
     ModelPoint point;
     point.id = id;
     const Piece& first = pieces_[pieces.front()];
@@ -192,10 +189,14 @@ class LimapMaker {
         pieces_in_image[place].push_back(piece);
       }
     }
+    std::erase_if(pieces_in_image, [&](const auto& item) {
+      return !view_of_image_[item.first]->Project(point.position);
+    });
+    if (pieces_in_image.size() < 2) return false;
     std::map<size_t, double> num_images;  // of each piece, that show it at this point
     for (const size_t piece : pieces) num_images[piece] = 0;
     for (const auto& [place, seen] : pieces_in_image) {
-      if (!AddObservation(place, &point)) continue;
+      AddObservation(place, &point);
       for (const size_t piece : seen) {
         made_.structures.images[place].wireframe.push_back(
             {point.track.back().observation, pieces_[piece].segment_of_image.at(place), 1});
@@ -206,18 +207,17 @@ class LimapMaker {
       made_.structures.wireframe.push_back({id, piece, count});
     }
     made_.model.points.push_back(std::move(point));
+    return true;
   }
 
-  // Whether the image shows the point.
-  bool AddObservation(size_t place, ModelPoint* point) {
+  // Precondition: the image shows the point.
+  void AddObservation(size_t place, ModelPoint* point) {
     const View& view = *view_of_image_[place];
-    const auto pixel = view.Project(point->position);
-    if (!pixel) return false;
+    const Eigen::Vector2d pixel = view.Project(point->position).value();
     ModelImage& image = made_.model.images[place];
     point->track.push_back({image.id, static_cast<uint32_t>(image.observations.size())});
     image.observations.push_back(
-        {ModelPixel(view, made_.model.cameras[view.camera_index], *pixel), point->id});
-    return true;
+        {ModelPixel(view, made_.model.cameras[view.camera_index], pixel), point->id});
   }
 
   const DrawingGraph& graph_;

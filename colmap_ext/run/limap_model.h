@@ -17,11 +17,11 @@ struct LimapModel {
 };
 
 // A drawing as LIMAP's structures, beside the model that `views` were made from:
-// - a straight link (a line, or two points) is a line, with a segment in each view that supports it
+// - a straight link (LineOf) is a line, with a segment in each view that supports it
 //   and has it in its region, and the mean of its sigmas as uncertainty;
 // - with `chains` any other link is a chain of lines within half a pixel of it, else left out;
 // - where lines meet is a new 3D point of the model, with an observation in all images of these
-//   lines; the wireframes say which lines go through it.
+//   lines, if there are two; the wireframes say which lines go through it.
 // Groups are not made. Throws InputError for images with lens distortion, whose lines are not
 // straight, and IoError if the drawing has images that the model has not.
 LimapModel ToLimap(const DrawingFile& drawing, SparseModel model, const std::vector<View>& views,
