@@ -276,12 +276,26 @@ class LineEnds {
 
 class DrawingMaker {
  public:
-  explicit DrawingMaker(const LimapModel& limap) : limap_(limap), ends_(limap) {
+  static constexpr ViewId kNoView = -1;
+
+  DrawingMaker(const LimapModel& limap, const std::vector<std::string>& view_names)
+      : limap_(limap), ends_(limap) {
     std::map<std::string, uint32_t> id_of_name;
-    for (const ModelImage& image : limap.model.images) id_of_name.emplace(image.name, image.id);
-    for (const auto& [name, id] : id_of_name) {
-      view_of_image_.emplace(id, static_cast<ViewId>(made_.metadata.view_names.size()));
-      made_.metadata.view_names.push_back(name);
+    for (const ModelImage& image : limap.model.images) {
+      id_of_name.emplace(image.name, image.id);
+      view_of_image_.emplace(image.id, kNoView);
+    }
+    std::vector<std::string>& names = made_.metadata.view_names;
+    names = view_names;
+    if (names.empty()) {
+      for (const auto& [name, id] : id_of_name) names.push_back(name);
+    }
+    for (size_t v = 0; v < names.size(); ++v) {
+      const auto found = id_of_name.find(names[v]);
+      if (found == id_of_name.end()) {
+        throw IoError(limap.model.folder.string(), "the model has no image " + names[v]);
+      }
+      view_of_image_[found->second] = static_cast<ViewId>(v);
     }
   }
 
@@ -331,7 +345,7 @@ class DrawingMaker {
                       "line " + std::to_string(line.id) + " has a track in an image " +
                           std::to_string(element.image_id) + ", which the model has not");
       }
-      views.push_back(view->second);
+      if (view->second != kNoView) views.push_back(view->second);
     }
     std::sort(views.begin(), views.end());
     views.erase(std::unique(views.begin(), views.end()), views.end());
@@ -353,16 +367,19 @@ LimapModel ToLimap(const DrawingFile& drawing, SparseModel model, const std::vec
   return LimapMaker(drawing, std::move(model), views).Make(chains);
 }
 
-DrawingFile FromLimap(const LimapModel& limap) { return DrawingMaker(limap).Make(); }
+DrawingFile FromLimap(const LimapModel& limap, const std::vector<std::string>& view_names) {
+  return DrawingMaker(limap, view_names).Make();
+}
 
-DrawingFile ReadLimapDrawing(const fs::path& folder) {
+DrawingFile ReadLimapDrawing(const fs::path& folder, const std::vector<std::string>& view_names) {
   const fs::path lines = FindLimapLines(folder);
   if (lines.empty()) {
     throw IoError(folder.string(),
                   "is no drawing: a folder without structures of LIMAP (lines3D.bin or .txt)");
   }
   const fs::path structures = fs::weakly_canonical(lines.parent_path());
-  return FromLimap({ReadColmapModel(structures.parent_path()), ReadLimapStructures(structures)});
+  return FromLimap({ReadColmapModel(structures.parent_path()), ReadLimapStructures(structures)},
+                   view_names);
 }
 
 }  // namespace limn::colmap_ext

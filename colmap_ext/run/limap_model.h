@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "colmap_ext/model/model.h"
@@ -27,14 +28,16 @@ struct LimapModel {
 LimapModel ToLimap(const DrawingFile& drawing, SparseModel model, const std::vector<View>& views,
                    bool chains);
 
-// A drawing whose links are LIMAP's lines, supported by the images of their tracks. Lines meet
+// A drawing whose links are LIMAP's lines, supported by the images of their tracks: the named
+// views, all images of the model if none are named. Others support nothing. Lines meet
 // where they end within their uncertainty of the same point of the wireframe, and are moved there.
 // Lines of no length and groups are left out. Throws IoError for images or points that the model
 // does not have.
-DrawingFile FromLimap(const LimapModel& limap);
+DrawingFile FromLimap(const LimapModel& limap, const std::vector<std::string>& view_names = {});
 
 // FromLimap of a folder with structures/, or of structures/ itself, whose model is the folder
 // above. Throws IoError.
-DrawingFile ReadLimapDrawing(const std::filesystem::path& folder);
+DrawingFile ReadLimapDrawing(const std::filesystem::path& folder,
+                             const std::vector<std::string>& view_names = {});
 
 }  // namespace limn::colmap_ext

@@ -48,16 +48,20 @@ struct ViewSet {
   std::vector<ImageSize> stored_sizes;  // of the files, before max_image_size
   // Files whose pixels are not those of the photograph (CheckJpeg): masked entirely.
   std::vector<char> is_damaged;
-  // The part of the image, after max_image_size, that a view of a panorama is, and the name of that
-  // image. Empty if there are no panoramas.
+  // The part of the image, after max_image_size, that a view of a panorama is, the name of that
+  // image, and how the view is turned in it. Empty if there are no panoramas.
   std::vector<std::optional<ImageWindow>> windows;
   std::vector<std::string> image_names;
+  std::vector<Eigen::Quaterniond> view_from_image;
   int max_image_size = -1;
   PhotoStore photos;  // what is at image_paths
   std::vector<std::string> warnings;
   std::vector<std::string> left_out;  // those of the warnings that say which images, and why
 
   bool HasPanoramas() const { return !windows.empty(); }
+  const std::string& ImageName(ViewId view) const {
+    return HasPanoramas() ? image_names[view] : views[view].name;
+  }
   // Null if the view is no part of a panorama.
   const ImageWindow* Window(ViewId view) const {
     return HasPanoramas() && windows[view] ? &*windows[view] : nullptr;

@@ -16,10 +16,6 @@ constexpr double kWeightOfDown = 0.1;
 // those of drones do, in any heading.
 constexpr double kMinMeanDown = 0.3;
 
-bool IsAlongAxis(const Eigen::Vector3d& gravity) {
-  return gravity.cwiseAbs().maxCoeff() > (1 - 1e-9) * gravity.norm();
-}
-
 Eigen::Vector3d DownInCam(const std::vector<ViewPrior>& priors, size_t view) {
   const bool is_known = view < priors.size() && priors[view].gravity_in_cam;
   return is_known ? priors[view].gravity_in_cam->normalized() : Eigen::Vector3d::UnitY();
@@ -48,12 +44,16 @@ std::optional<Eigen::Vector3d> MedianDirection(const std::vector<Eigen::Vector3d
 
 }  // namespace
 
+bool IsOrientationFlag(const Eigen::Vector3d& gravity_in_cam) {
+  return gravity_in_cam.cwiseAbs().maxCoeff() > (1 - 1e-9) * gravity_in_cam.norm();
+}
+
 std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
                                     const std::vector<ViewPrior>& priors) {
   std::vector<Eigen::Vector3d> directions;
   for (size_t v = 0; v < priors.size(); ++v) {
     const auto& gravity = priors[v].gravity_in_cam;
-    if (!gravity || IsAlongAxis(*gravity)) continue;
+    if (!gravity || IsOrientationFlag(*gravity)) continue;
     directions.push_back(-(views[v].cam_from_world.rotation.conjugate() * gravity->normalized()));
   }
   const std::optional<Eigen::Vector3d> median = MedianDirection(directions);

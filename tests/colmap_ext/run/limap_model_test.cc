@@ -202,6 +202,15 @@ TEST(LimapModel, EndsWithinTheirUncertaintyOfAPointMeetThere) {
   EXPECT_EQ(graph.nodes.size(), 5u);
 }
 
+TEST(LimapModel, ImagesThatAreLeftOutSupportNothing) {
+  const DrawingFile drawing = FromLimap(Made(true), {"c.png", "d.png"});
+  EXPECT_THAT(drawing.metadata.view_names, ElementsAre("c.png", "d.png"));
+  ASSERT_EQ(drawing.graph.links.size(), 4u);
+  EXPECT_THAT(drawing.graph.links[0].supporting_views, ElementsAre(1));
+  EXPECT_THAT([] { FromLimap(Made(true), {"e.png"}); },
+              ThrowsMessage<IoError>(HasSubstr("the model has no image e.png")));
+}
+
 TEST(LimapModel, WhatTheModelHasNotIsRefused) {
   LimapModel limap = {MakeScene(), {}};
   limap.structures.lines = {{0, {0, 0, 0}, {1, 0, 0}, {{11, 0}}, -1}};
