@@ -156,6 +156,22 @@ TEST_F(AlignmentRun, ChangesThatAreOnlyInTheLogAreTold) {
               ElementsAre(HasSubstr("database.db-wal: its changes are not read")));
 }
 
+TEST_F(AlignmentRun, PositionsAreFarByTheirAccuracy) {
+  WritePhotographs();
+  std::vector<StoredPrior> priors = Priors();
+  for (StoredPrior& prior : priors) prior.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+  priors[2].covariance = 25 * Eigen::Matrix3d::Identity();
+  priors[2].position.z() += 5;
+  WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
+  ExpectTruth(Align());
+  EXPECT_THAT(console_.log().warnings, IsEmpty());
+  priors[5].position.z() += 0.05;
+  fs::remove(Database());
+  WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
+  ExpectTruth(Align());
+  EXPECT_THAT(console_.log().warnings, ElementsAre(HasSubstr("far from their cameras: 5.png (")));
+}
+
 TEST_F(AlignmentRun, PanoramasCountOnceEach) {
   // Held in any way.
   for (int i = 0; i < kNumImages; ++i) {
