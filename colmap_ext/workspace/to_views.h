@@ -48,11 +48,11 @@ struct ViewSet {
   std::vector<ImageSize> stored_sizes;  // of the files, before max_image_size
   // Files whose pixels are not those of the photograph (CheckJpeg): masked entirely.
   std::vector<char> is_damaged;
-  // The part of the image, after max_image_size, that a view of a panorama is, the name of that
-  // image, and how the view is turned in it. Empty if there are no panoramas.
+  // The part of the image, after max_image_size, that a view of a panorama is, how it is turned in
+  // it, and the name of that image. Empty if there are no panoramas.
   std::vector<std::optional<ImageWindow>> windows;
-  std::vector<std::string> image_names;
   std::vector<Eigen::Quaterniond> view_from_image;
+  std::vector<std::string> image_names;
   int max_image_size = -1;
   PhotoStore photos;  // what is at image_paths
   std::vector<std::string> warnings;
