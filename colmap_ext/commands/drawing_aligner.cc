@@ -7,8 +7,38 @@
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
+#include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
+namespace {
+
+void CheckStoresAlignment(const std::string& drawing_path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(drawing_path, ignored)) return;
+  throw OptionError("drawing_path = " + drawing_path +
+                    ": is a folder, where no alignment can be stored; export it to a .json file "
+                    "first (drawing_exporter)");
+}
+
+// Of the output folder: drawing.json and, unless it is older, drawing-fused.json. The last one is
+// that which other commands show.
+std::vector<std::string> DrawingsToAlign(const Project& project, Console* console) {
+  const auto find = [&](DrawingChoice choice) {
+    return FindDrawing(project.layout().output.drawing_dir, choice, "drawing_path");
+  };
+  std::vector<std::string> paths = {find(DrawingChoice::kUnfused)};
+  const std::string newest = find(DrawingChoice::kNewest);
+  const std::string fused = project.DrawingPath(kFusedDrawing);
+  if (newest != paths.front()) {
+    paths.push_back(newest);
+  } else if (std::filesystem::exists(fused)) {
+    console->Say("WARNING: " + fused + " is older than " + newest +
+                 " and is not aligned: run drawing_fuser again");
+  }
+  return paths;
+}
+
+}  // namespace
 
 int RunDrawingAligner(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   RunOptions options;
@@ -24,20 +54,17 @@ int RunDrawingAligner(int argc, const char* const* argv, const ConsoleMaker& mak
       });
   if (!parser) return 0;
   align.Check();
+  CheckStoresAlignment(drawing_path);
   const auto console = make_console(options.num_threads, /*speaks=*/true);
   const Project project(options, console.get());
-  const bool is_named = !drawing_path.empty();
-  if (!is_named) {
-    drawing_path =
-        FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kUnfused, "drawing_path");
-  }
-  const DrawingFile drawing = ReadDrawingResult(project, drawing_path);
+  const std::vector<std::string> paths = drawing_path.empty()
+                                             ? DrawingsToAlign(project, console.get())
+                                             : std::vector<std::string>{drawing_path};
+  // Known lengths name the links that drawing_viewer shows.
+  const DrawingFile drawing = ReadDrawingResult(project, paths.back());
+  console->Say("drawing: " + paths.back());
   const SceneAligner aligner(project, options.layout, align, console.get());
   const auto alignment = aligner.Align(project.views(), drawing.graph, console.get());
-  std::vector<std::string> paths = {drawing_path};
-  // Last, so that it stays the newer one, which drawing_viewer shows.
-  const std::string fused = project.DrawingPath(kFusedDrawing);
-  if (!is_named && std::filesystem::exists(fused)) paths.push_back(fused);
   StoreAlignment(paths, *alignment);
   for (const std::string& path : paths) console->Say("Written: alignment in " + path);
   console->RepeatWarnings();

@@ -337,11 +337,10 @@ std::shared_ptr<SceneDrawing> AlignSceneDrawing(std::shared_ptr<const SceneDrawi
 std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::string& path,
                                                std::shared_ptr<const OpenScene> scene) {
   auto drawing = std::make_shared<SceneDrawing>();
-  DrawingFile file = ReadDrawing(path);
+  DrawingFile file = scene ? ReadDrawingOf(scene->scene, path) : ReadDrawing(path);
   drawing->graph = std::move(file.graph);
   drawing->metadata = std::move(file.metadata);
   if (!scene) return drawing;
-  CheckDrawingViews(scene->scene, path, drawing->metadata);
   drawing->made = scene->made;
   drawing->made.log = {};
   drawing->views = scene->scene.views();

@@ -2,12 +2,14 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "colmap_ext/workspace/pose_priors.h"
 #include "limn/alignment/geodetic.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
+#include "limn/util/median.h"
 #include "limn/util/name_list.h"
 
 namespace limn::colmap_ext {
@@ -17,7 +19,7 @@ namespace fs = std::filesystem;
 
 // The database of a model may be so many folders above it: W/dense/0/sparse.
 constexpr int kMaxFoldersUp = 3;
-// Positions are told by name if they are off by so many times the median.
+// Positions are told by name if they are off, by their accuracies, by so many times the median.
 constexpr double kFarTimesMedian = 5;
 
 // Empty if there is none.
@@ -56,30 +58,51 @@ void SetPositions(const std::vector<std::pair<ViewId, Eigen::Vector3d>>& geograp
   for (size_t i = 0; i < local.size(); ++i) (*priors)[geographic[i].first].position = local[i];
 }
 
-std::vector<ViewPrior> PriorsOfViews(const PosePriors& stored, const std::vector<View>& views) {
-  std::vector<ViewPrior> priors(views.size());
+// The views that stand for images: of the parts of a panorama, which were taken at once, the first.
+std::vector<ViewId> ViewsOfImages(const ViewSet& set) {
+  std::vector<ViewId> views;
+  for (ViewId v = 0; v < static_cast<ViewId>(set.views.size()); ++v) {
+    if (v == 0 || set.ImageName(v) != set.ImageName(v - 1)) views.push_back(v);
+  }
+  return views;
+}
+
+PosePriors ReadPriorsOf(const std::vector<ViewId>& of_images, const ViewSet& set,
+                        const fs::path& database) {
+  std::set<std::string> names;
+  for (const ViewId v : of_images) names.insert(set.ImageName(v));
+  return ReadPosePriors(database, names);
+}
+
+std::optional<Eigen::Vector3d> GravityIn(const ViewSet& set, ViewId view, const PosePrior& prior) {
+  if (!prior.gravity || !set.Window(view)) return prior.gravity;
+  if (IsOrientationFlag(*prior.gravity)) return std::nullopt;  // in a part it would look measured
+  return set.view_from_image[view] * *prior.gravity;
+}
+
+std::vector<ViewPrior> PriorsOfViews(const PosePriors& stored, const std::vector<ViewId>& of_images,
+                                     const ViewSet& set) {
+  std::vector<ViewPrior> priors(set.views.size());
   std::vector<std::pair<ViewId, Eigen::Vector3d>> geographic;
-  for (size_t v = 0; v < views.size(); ++v) {
-    const auto found = stored.find(views[v].name);
+  for (const ViewId v : of_images) {
+    const auto found = stored.find(set.ImageName(v));
     if (found == stored.end()) continue;
     const PosePrior& prior = found->second;
-    priors[v] = {prior.position, prior.position_sigma, prior.gravity};
-    if (prior.is_geographic && prior.position) {
-      geographic.emplace_back(static_cast<ViewId>(v), *prior.position);
-    }
+    priors[v] = {prior.position, prior.position_sigma, GravityIn(set, v, prior)};
+    if (prior.is_geographic && prior.position) geographic.emplace_back(v, *prior.position);
   }
   SetPositions(geographic, &priors);
   return priors;
 }
 
-std::string CountsOf(const std::vector<ViewPrior>& priors) {
+std::string CountsOf(const std::vector<ViewPrior>& priors, size_t num_images) {
   size_t num_positions = 0, num_gravities = 0;
   for (const ViewPrior& prior : priors) {
     num_positions += prior.position ? 1 : 0;
     num_gravities += prior.gravity_in_cam ? 1 : 0;
   }
   return "positions of " + std::to_string(num_positions) + " and gravity of " +
-         std::to_string(num_gravities) + " of " + std::to_string(priors.size()) + " images";
+         std::to_string(num_gravities) + " of " + std::to_string(num_images) + " images";
 }
 
 std::string Degrees(double angle_rad) { return ShortNumber(angle_rad / kDeg) + " degrees"; }
@@ -131,7 +154,7 @@ std::string ScaleText(const AlignmentResult& result) {
 }
 
 // How well positions fit, or why they were not used.
-void SayPositions(const AlignmentResult& result, const std::vector<View>& views, Console* console) {
+void SayPositions(const AlignmentResult& result, const ViewSet& set, Console* console) {
   if (result.positioned.empty()) return;
   if (!result.positions) {
     console->Say("alignment: positions of " + std::to_string(result.positioned.size()) +
@@ -141,9 +164,10 @@ void SayPositions(const AlignmentResult& result, const std::vector<View>& views,
   }
   const PositionFit& fit = *result.positions;
   std::vector<NamedNumber> far;
+  const double limit = kFarTimesMedian * Median(fit.scaled_residuals);
   for (size_t i = 0; i < fit.residuals.size(); ++i) {
-    if (fit.residuals[i] > kFarTimesMedian * fit.median_residual) {
-      far.push_back({views[result.positioned[i]].name, fit.residuals[i]});
+    if (fit.scaled_residuals[i] > limit) {
+      far.push_back({set.ImageName(result.positioned[i]), fit.residuals[i]});
     }
   }
   console->Say("alignment: positions fit the cameras within " + ShortNumber(fit.median_residual) +
@@ -191,30 +215,39 @@ void AlignOptions::Check() const {
 
 SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
                            const AlignOptions& options, Console* console)
-    : origin_(scene.origin()), is_asked_(options.mode == AlignOptions::Mode::kAuto) {
+    : scene_(scene), is_asked_(options.mode == AlignOptions::Mode::kAuto) {
   if (!is_asked_) return;
   lengths_ = ParseKnownLengths(options.known_lengths);
+  const bool is_found = options.database_path.empty();
   const fs::path database =
-      options.database_path.empty() ? FindDatabase(scene, layout) : fs::path(options.database_path);
+      is_found ? FindDatabase(scene, layout) : fs::path(options.database_path);
   if (database.empty()) {
     console->Say("alignment: no database.db near the model");
     return;
   }
   WarnOfLog(database, console);
-  priors_ = PriorsOfViews(ReadPosePriors(database), scene.views());
-  console->Say("alignment: " + database.string() + " has " + CountsOf(priors_));
+  const std::vector<ViewId> of_images = ViewsOfImages(scene.view_set());
+  try {
+    const PosePriors stored = ReadPriorsOf(of_images, scene.view_set(), database);
+    priors_ = PriorsOfViews(stored, of_images, scene.view_set());
+  } catch (const IoError& error) {
+    if (!is_found) throw;
+    console->Say(std::string("WARNING: alignment without a database: ") + error.what());
+    return;
+  }
+  console->Say("alignment: " + database.string() + " has " + CountsOf(priors_, of_images.size()));
 }
 
 std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
                                              const DrawingGraph& graph, Console* console) const {
   if (!is_asked_) return std::nullopt;
   AlignmentResult result = AlignDrawing({views, graph, priors_, lengths_});
-  SayPositions(result, views, console);
+  SayPositions(result, scene_.view_set(), console);
   SayLengths(lengths_, result, console);
   console->Say("alignment: up from " + UpText(result));
   console->Say("alignment: x and y from " + AxesText(result));
   console->Say("alignment: scale " + ScaleText(result));
-  return After({1, Eigen::Matrix3d::Identity(), origin_}, result.alignment);
+  return After({1, Eigen::Matrix3d::Identity(), scene_.origin()}, result.alignment);
 }
 
 void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment) {

@@ -32,7 +32,8 @@ struct AlignOptions {
 class SceneAligner {
  public:
   // Before work starts: reads the priors of the views if there is to be an alignment, and says
-  // which. Throws IoError for a database that cannot be read, and OptionError.
+  // which. Throws IoError for a given database that cannot be read, and OptionError; of a database
+  // that was found it only warns. The scene must outlive the aligner.
   SceneAligner(const Scene& scene, const LayoutOptions& layout, const AlignOptions& options,
                Console* console);
 
@@ -43,14 +44,14 @@ class SceneAligner {
                                  Console* console) const;
 
  private:
-  Eigen::Vector3d origin_;
+  const Scene& scene_;
   bool is_asked_ = false;
   std::vector<KnownLength> lengths_;
   std::vector<ViewPrior> priors_;
 };
 
 // Stores the alignment in drawings, whose graphs stay as they are. All are read before the first is
-// written. Throws IoError.
+// written, and the last stays the newest. Throws IoError.
 void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment);
 
 // The alignment of a drawing that shall be shown or exported with it. Throws IoError naming the

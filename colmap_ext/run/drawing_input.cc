@@ -70,9 +70,10 @@ std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
   return FirstDrawing(folders, choice, path_option);
 }
 
-DrawingFile ReadDrawing(const std::string& path) {
+DrawingFile ReadDrawing(const std::string& path, const std::vector<std::string>& view_names) {
   std::error_code ignored;
-  return fs::is_directory(path, ignored) ? ReadLimapDrawing(path) : ReadDrawingJson(path);
+  return fs::is_directory(path, ignored) ? ReadLimapDrawing(path, view_names)
+                                         : ReadDrawingJson(path);
 }
 
 }  // namespace limn::colmap_ext

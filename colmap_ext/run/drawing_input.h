@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "colmap_ext/workspace/layout.h"
 #include "limn/formats/json_drawing_reader.h"
@@ -24,8 +25,8 @@ std::string FindDrawing(const std::filesystem::path& folder, DrawingChoice choic
 std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
                         const std::string& path_option);
 
-// Reads a drawing.json, or a drawing from the folder of a model of LIMAP (see ReadLimapDrawing).
-// Throws IoError.
-DrawingFile ReadDrawing(const std::string& path);
+// Reads a drawing.json, or a drawing from the folder of a model of LIMAP, for these views (see
+// ReadLimapDrawing). Throws IoError.
+DrawingFile ReadDrawing(const std::string& path, const std::vector<std::string>& view_names = {});
 
 }  // namespace limn::colmap_ext

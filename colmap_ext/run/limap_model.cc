@@ -12,6 +12,7 @@
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/model/footprint.h"
+#include "limn/model/straight_link.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -30,11 +31,6 @@ struct Piece {
   std::array<int, 2> joints = {};
   std::map<size_t, uint32_t> segment_of_image;  // by the image's place in the model
 };
-
-bool IsStraight(const DrawingLink& link) {
-  return link.primitive ? std::holds_alternative<LineSegment>(link.primitive->shape)
-                        : link.size() == 2;
-}
 
 // The corners of lines that stand for a link that is not straight.
 Polyline3d ChainOf(const DrawingLink& link, const std::vector<View>& views) {
@@ -127,7 +123,7 @@ class LimapMaker {
 
   void AddPieces(LinkId id, bool chains) {
     const DrawingLink& link = graph_.links[id];
-    if (IsStraight(link)) {
+    if (LineOf(link)) {
       Piece piece = {id,
                      link.points_in_world.front(),
                      link.points_in_world.back(),
@@ -176,11 +172,12 @@ class LimapMaker {
     }
     uint64_t next_id = NextPointId(made_.model);
     for (int joint = 0; joint < num_joints_; ++joint) {
-      if (pieces_at[joint].size() > 1) AddJoint(joint, pieces_at[joint], next_id++);
+      if (pieces_at[joint].size() > 1 && AddJoint(joint, pieces_at[joint], next_id)) ++next_id;
     }
   }
 
-  void AddJoint(int joint, const std::vector<size_t>& pieces, uint64_t id) {
+  // Whether two images show it.
+  bool AddJoint(int joint, const std::vector<size_t>& pieces, uint64_t id) {
     ModelPoint point;
     point.id = id;
     const Piece& first = pieces_[pieces.front()];
@@ -192,10 +189,14 @@ class LimapMaker {
         pieces_in_image[place].push_back(piece);
       }
     }
+    std::erase_if(pieces_in_image, [&](const auto& item) {
+      return !view_of_image_[item.first]->Project(point.position);
+    });
+    if (pieces_in_image.size() < 2) return false;
     std::map<size_t, double> num_images;  // of each piece, that show it at this point
     for (const size_t piece : pieces) num_images[piece] = 0;
     for (const auto& [place, seen] : pieces_in_image) {
-      if (!AddObservation(place, &point)) continue;
+      AddObservation(place, &point);
       for (const size_t piece : seen) {
         made_.structures.images[place].wireframe.push_back(
             {point.track.back().observation, pieces_[piece].segment_of_image.at(place), 1});
@@ -206,18 +207,17 @@ class LimapMaker {
       made_.structures.wireframe.push_back({id, piece, count});
     }
     made_.model.points.push_back(std::move(point));
+    return true;
   }
 
-  // Whether the image shows the point.
-  bool AddObservation(size_t place, ModelPoint* point) {
+  // Precondition: the image shows the point.
+  void AddObservation(size_t place, ModelPoint* point) {
     const View& view = *view_of_image_[place];
-    const auto pixel = view.Project(point->position);
-    if (!pixel) return false;
+    const Eigen::Vector2d pixel = view.Project(point->position).value();
     ModelImage& image = made_.model.images[place];
     point->track.push_back({image.id, static_cast<uint32_t>(image.observations.size())});
     image.observations.push_back(
-        {ModelPixel(view, made_.model.cameras[view.camera_index], *pixel), point->id});
-    return true;
+        {ModelPixel(view, made_.model.cameras[view.camera_index], pixel), point->id});
   }
 
   const DrawingGraph& graph_;
@@ -276,12 +276,26 @@ class LineEnds {
 
 class DrawingMaker {
  public:
-  explicit DrawingMaker(const LimapModel& limap) : limap_(limap), ends_(limap) {
+  static constexpr ViewId kNoView = -1;
+
+  DrawingMaker(const LimapModel& limap, const std::vector<std::string>& view_names)
+      : limap_(limap), ends_(limap) {
     std::map<std::string, uint32_t> id_of_name;
-    for (const ModelImage& image : limap.model.images) id_of_name.emplace(image.name, image.id);
-    for (const auto& [name, id] : id_of_name) {
-      view_of_image_.emplace(id, static_cast<ViewId>(made_.metadata.view_names.size()));
-      made_.metadata.view_names.push_back(name);
+    for (const ModelImage& image : limap.model.images) {
+      id_of_name.emplace(image.name, image.id);
+      view_of_image_.emplace(image.id, kNoView);
+    }
+    std::vector<std::string>& names = made_.metadata.view_names;
+    names = view_names;
+    if (names.empty()) {
+      for (const auto& [name, id] : id_of_name) names.push_back(name);
+    }
+    for (size_t v = 0; v < names.size(); ++v) {
+      const auto found = id_of_name.find(names[v]);
+      if (found == id_of_name.end()) {
+        throw IoError(limap.model.folder.string(), "the model has no image " + names[v]);
+      }
+      view_of_image_[found->second] = static_cast<ViewId>(v);
     }
   }
 
@@ -331,7 +345,7 @@ class DrawingMaker {
                       "line " + std::to_string(line.id) + " has a track in an image " +
                           std::to_string(element.image_id) + ", which the model has not");
       }
-      views.push_back(view->second);
+      if (view->second != kNoView) views.push_back(view->second);
     }
     std::sort(views.begin(), views.end());
     views.erase(std::unique(views.begin(), views.end()), views.end());
@@ -353,16 +367,19 @@ LimapModel ToLimap(const DrawingFile& drawing, SparseModel model, const std::vec
   return LimapMaker(drawing, std::move(model), views).Make(chains);
 }
 
-DrawingFile FromLimap(const LimapModel& limap) { return DrawingMaker(limap).Make(); }
+DrawingFile FromLimap(const LimapModel& limap, const std::vector<std::string>& view_names) {
+  return DrawingMaker(limap, view_names).Make();
+}
 
-DrawingFile ReadLimapDrawing(const fs::path& folder) {
+DrawingFile ReadLimapDrawing(const fs::path& folder, const std::vector<std::string>& view_names) {
   const fs::path lines = FindLimapLines(folder);
   if (lines.empty()) {
     throw IoError(folder.string(),
                   "is no drawing: a folder without structures of LIMAP (lines3D.bin or .txt)");
   }
   const fs::path structures = fs::weakly_canonical(lines.parent_path());
-  return FromLimap({ReadColmapModel(structures.parent_path()), ReadLimapStructures(structures)});
+  return FromLimap({ReadColmapModel(structures.parent_path()), ReadLimapStructures(structures)},
+                   view_names);
 }
 
 }  // namespace limn::colmap_ext

@@ -199,15 +199,15 @@ DrawingMetadata Metadata(const Scene& scene, const std::string& provenance) {
   return metadata;
 }
 
-void CheckDrawingViews(const Scene& scene, const std::string& path,
-                       const DrawingMetadata& metadata) {
-  if (metadata.view_names == Metadata(scene, "{}").view_names) return;
+DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path) {
+  const std::vector<std::string> view_names = Metadata(scene, "{}").view_names;
+  DrawingFile drawing = ReadDrawing(path, view_names);
+  if (drawing.metadata.view_names == view_names) return drawing;
   throw IoError(path, "is a drawing of other images than those of the model");
 }
 
 DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path) {
-  DrawingFile drawing = ReadDrawing(path);
-  CheckDrawingViews(scene, path, drawing.metadata);
+  DrawingFile drawing = ReadDrawingOf(scene, path);
   drawing.graph = Moved(std::move(drawing.graph), -scene.origin());
   return drawing;
 }

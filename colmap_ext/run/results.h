@@ -61,13 +61,12 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
                                    const std::vector<ImageCurves>& curves,
                                    const RunContext& context);
 
-// ReadDrawing; the returned graph is relative to the scene's origin. Throws IoError if the file is
-// missing, damaged or of other views.
-DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path);
+// ReadDrawing for the scene's views. Throws IoError if the file is missing, damaged or of other
+// views.
+DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path);
 
-// Throws IoError unless the drawing in this file is of the scene's views.
-void CheckDrawingViews(const Scene& scene, const std::string& path,
-                       const DrawingMetadata& metadata);
+// The same; the returned graph is relative to the scene's origin.
+DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path);
 
 // The names of the scene's views, and the provenance of what was made of them.
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);

@@ -142,7 +142,7 @@ void Check(const Database& database, const PosePriors& priors) {
 }
 
 // Of COLMAP 3.10 and later.
-PosePriors ReadPriorTable(const Database& database) {
+PosePriors ReadPriorTable(const Database& database, const std::set<std::string>& images) {
   const auto or_null = [&](const char* column) {
     return HasColumn(database, "pose_priors", column) ? std::string(column)
                                                       : "NULL AS " + std::string(column);
@@ -156,6 +156,7 @@ PosePriors ReadPriorTable(const Database& database) {
   PosePriors priors;
   while (rows.Next()) {
     const std::string image = rows.Text(0);
+    if (!images.contains(image)) continue;
     PosePrior prior;
     prior.position = rows.Numbers<Eigen::Vector3d>(1, image);
     prior.is_geographic = rows.Int(2) == kSystemWgs84;
@@ -172,13 +173,14 @@ PosePriors ReadPriorTable(const Database& database) {
 }
 
 // Of COLMAP before: positions of the photographs' EXIF data, or poses that somebody has stored.
-PosePriors ReadImageColumns(const Database& database) {
+PosePriors ReadImageColumns(const Database& database, const std::set<std::string>& images) {
   Rows rows(database,
             "SELECT name, prior_qw, prior_qx, prior_qy, prior_qz, prior_tx, prior_ty, prior_tz "
             "FROM images");
   PosePriors priors;
   while (rows.Next()) {
     const std::string image = rows.Text(0);
+    if (!images.contains(image)) continue;
     const auto x = rows.Number(5), y = rows.Number(6), z = rows.Number(7);
     if (!x || !y || !z) continue;
     const Eigen::Vector3d translation(*x, *y, *z);
@@ -201,7 +203,7 @@ PosePriors ReadImageColumns(const Database& database) {
 
 }  // namespace
 
-PosePriors ReadPosePriors(const std::filesystem::path& path) {
+PosePriors ReadPosePriors(const std::filesystem::path& path, const std::set<std::string>& images) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) throw IoError(path.string(), "is no file");
   const Database database(path);
@@ -209,7 +211,8 @@ PosePriors ReadPosePriors(const std::filesystem::path& path) {
   if (!has_table && !HasColumn(database, "images", "prior_tx")) {
     throw IoError(path.string(), "is no database of COLMAP: it has no table pose_priors");
   }
-  PosePriors priors = has_table ? ReadPriorTable(database) : ReadImageColumns(database);
+  PosePriors priors =
+      has_table ? ReadPriorTable(database, images) : ReadImageColumns(database, images);
   Check(database, priors);
   return priors;
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <Eigen/Core>
@@ -24,15 +25,16 @@ struct PosePrior {
 // By the name of the image.
 using PosePriors = std::map<std::string, PosePrior>;
 
-// Reads the priors of a database of COLMAP 3.4 to 4.1: table pose_priors, or, in databases without
-// one, the columns prior_* of images, where COLMAP stores geographic positions (unless some are not
-// on earth); with a rotation they are the pose of the camera in a frame with z up. Images without
-// priors are left out, and so are the priors of other sensors than cameras. Positions without
-// coordinate system are Cartesian, as to COLMAP. The file is opened read-only and as immutable:
-// neither it nor its folder is changed, and what is only in its write-ahead log is not read.
+// Reads the priors of these images of a database of COLMAP 3.4 to 4.1: table pose_priors, or, in
+// databases without one, the columns prior_* of images, where COLMAP stores geographic positions
+// (unless some are not on earth); with a rotation they are the pose of the camera in a frame with z
+// up. Images without priors are left out, and so are the priors of other sensors than cameras.
+// Positions without coordinate system are Cartesian, as to COLMAP. The file is opened read-only and
+// as immutable: neither it nor its folder is changed, and what is only in its write-ahead log is
+// not read.
 //
 // Throws IoError: no database, tables or columns missing, values of wrong size or impossible,
 // positions of both kinds.
-PosePriors ReadPosePriors(const std::filesystem::path& path);
+PosePriors ReadPosePriors(const std::filesystem::path& path, const std::set<std::string>& images);
 
 }  // namespace limn::colmap_ext

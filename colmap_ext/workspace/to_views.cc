@@ -247,6 +247,7 @@ void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double m
   if (set->HasPanoramas()) {
     Keep(keep, &set->windows);
     Keep(keep, &set->image_names);
+    Keep(keep, &set->view_from_image);
   }
   set->hints = MakeHints(model, reach, *set);
 }
@@ -432,6 +433,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
     if (!set.decoded) continue;
     set.windows.push_back(of_view.window);
     set.image_names.push_back(model.images[image].name);
+    set.view_from_image.push_back(of_view.part_from_image);
   }
   CheckDistinctNames(set.views);
   ParallelFor(context, "views", set.views.size(), [&](size_t i) {

@@ -56,9 +56,10 @@ struct ViewSet {
   std::vector<ImageSize> stored_sizes;  // of the files, before max_image_size
   // Files whose pixels are not those of the photograph (CheckJpeg): masked entirely.
   std::vector<char> is_damaged;
-  // The part of the image, after max_image_size, that a view of a panorama is, and the name of that
-  // image. Empty if there are no panoramas.
+  // The part of the image, after max_image_size, that a view of a panorama is, how it is turned in
+  // it, and the name of that image. Empty if there are no panoramas.
   std::vector<std::optional<ImageWindow>> windows;
+  std::vector<Eigen::Quaterniond> view_from_image;
   std::vector<std::string> image_names;
   std::shared_ptr<DecodedPanoramas> decoded;  // what ReadViewImage and ReadViewMask keep of them
   int max_image_size = -1;
@@ -67,6 +68,9 @@ struct ViewSet {
   std::vector<std::string> left_out;  // those of the warnings that say which images, and why
 
   bool HasPanoramas() const { return !windows.empty(); }
+  const std::string& ImageName(ViewId view) const {
+    return HasPanoramas() ? image_names[view] : views[view].name;
+  }
   // Null if the view is no part of a panorama.
   const ImageWindow* Window(ViewId view) const {
     return HasPanoramas() && windows[view] ? &*windows[view] : nullptr;

@@ -5,15 +5,17 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/test_database.h"
 #include "end_to_end/run_limn.h"
 #include "end_to_end/small_scene.h"
+#include "limn/alignment/known_lengths.h"
 #include "limn/formats/json_drawing_reader.h"
-#include "limn/formats/read_curves.h"
-#include "limn/geometry/polyline.h"
+#include "limn/formats/write_drawing.h"
+#include "limn/viewer/viewer_page.h"
 
 namespace limn::testing {
 namespace {
@@ -167,6 +169,84 @@ TEST_F(DrawingAligner, KnownLengthsMakeExportsMetric) {
   EXPECT_NE(ReadTree(dir_.path())["aligned.dxf"].find("$INSUNITS\n70\n6\n"), std::string::npos);
 }
 
+// If this link is a meter long.
+double ScaleByLink(const DrawingGraph& graph, LinkId id) {
+  return FitLengths(graph, {{id, -1, -1, 1, ""}}).scale;
+}
+
+TEST_F(DrawingAligner, KnownLengthsAreOfTheDrawingThatIsShown) {
+  // As drawing_fuser may leave it: with other ids.
+  DrawingFile fused = Read();
+  std::vector<uint8_t> keep(fused.graph.links.size(), 1);
+  keep[0] = 0;
+  RemoveLinks(keep, &fused.graph);
+  fused.metadata.alignment.reset();
+  const std::string path = (*scene_ / "drawing-fused.json").string();
+  WriteDrawing(path, fused.graph, fused.metadata);
+  const LimnRun run = Align({"--known_length", "link 0 = 2 m"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("drawing: " + path + "\n"));
+  const auto aligned = ReadDrawingJson(path).metadata.alignment;
+  ASSERT_TRUE(aligned);
+  EXPECT_NEAR(aligned->world_from_model.scale, 2 * ScaleByLink(fused.graph, 0), 1e-9);
+  EXPECT_EQ(Read().metadata.alignment->world_from_model.scale, aligned->world_from_model.scale);
+
+  // An older one stays as it is, and older.
+  const auto bytes = ReadTree(scene_->output())["drawing-fused.json"];
+  fs::last_write_time(path, fs::last_write_time(Drawing()) - std::chrono::seconds(5));
+  const LimnRun again = Align({"--known_length", "link 0 = 2 m"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.out + again.err,
+              AllOf(HasSubstr("drawing: " + Drawing() + "\n"),
+                    HasSubstr("WARNING: " + path + " is older than " + Drawing())));
+  EXPECT_NEAR(Read().metadata.alignment->world_from_model.scale, 2 * ScaleByLink(Read().graph, 0),
+              1e-9);
+  EXPECT_EQ(ReadTree(scene_->output())["drawing-fused.json"], bytes);
+  EXPECT_LT(fs::last_write_time(path), fs::last_write_time(Drawing()));
+  fs::remove(path);
+}
+
+TEST_F(DrawingAligner, ThePageShowsTheWorld) {
+  if (!HasViewerPage()) GTEST_SKIP() << "built without the viewer";
+  ASSERT_EQ(Align({"--known_length", "link 0 = 2 m"}).exit_code, 0);
+  std::vector<std::string> arguments = scene_->Arguments({"--aligned", "1"});
+  arguments[0] = "drawing_viewer";
+  const LimnRun run = RunLimn(arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string path = (*scene_ / "drawing.html").string();
+  const LimnRun read =
+      RunProgram("/usr/bin/python3", {LIMN_SOURCE_DIR "/tests/scripts/readers/read_page.py", path});
+  ASSERT_EQ(read.exit_code, 0) << read.err;
+  const auto page = nlohmann::json::parse(read.out);
+  const auto position = [&](const nlohmann::json& at) {
+    Eigen::Vector3d sum;
+    for (int axis = 0; axis < 3; ++axis) {
+      sum[axis] = page.at("center")[axis].get<double>() + at[axis].get<double>();
+    }
+    return sum;
+  };
+  const DrawingFile drawing = Read();
+  const Similarity3d& world_from_model = drawing.metadata.alignment->world_from_model;
+  EXPECT_GT(std::abs(world_from_model.scale - 1), 0.1);
+  for (const size_t n : {size_t{0}, drawing.graph.nodes.size() - 1}) {
+    const Eigen::Vector3d expected = world_from_model * drawing.graph.nodes[n].position_in_world;
+    EXPECT_LT((position(page.at("nodes")[n]) - expected).norm(), 1e-5);
+  }
+  for (const auto& image : colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse").images) {
+    if (image.name != "view_03.jpg") continue;
+    const auto& view = page.at("views")[3];
+    EXPECT_EQ(view.at("name"), image.name);
+    const Eigen::Vector3d center = Inverse(image.cam_from_world).translation;
+    EXPECT_LT((position(view.at("position")) - world_from_model * center).norm(), 1e-5);
+    const Eigen::Matrix3d rotation =
+        image.cam_from_world.rotation * world_from_model.rotation.transpose();
+    for (int i = 0; i < 9; ++i) {
+      EXPECT_NEAR(view.at("camFromWorld")[i].get<double>(), rotation(i / 3, i % 3), 1e-9);
+    }
+  }
+  fs::remove(path);
+}
+
 TEST_F(DrawingAligner, ErrorsNameTheOptionAndChangeNothing) {
   const auto fails = [&](const std::vector<std::string>& more, const std::string& error) {
     const LimnRun run = Align(more);
@@ -179,10 +259,11 @@ TEST_F(DrawingAligner, ErrorsNameTheOptionAndChangeNothing) {
   fails({"--known_length", "link 99999 = 2.40 m"}, "the drawing has no link 99999");
   fails({"--database_path", "/nowhere/database.db"}, "/nowhere/database.db: is no file");
   fails({"--drawing_path", "/nowhere/drawing.json"}, "/nowhere/drawing.json");
+  fails({"--drawing_path", dir_.path().string()},
+        ": is a folder, where no alignment can be stored");
 }
 
 TEST_F(DrawingAligner, OnlyAlignedDrawingsAreShownAligned) {
-  DrawingFile drawing = Read();
   std::string text = before_["drawing.json"];
   const size_t begin = text.find("\"world_from_model\"");
   text.erase(begin, text.find('\n', begin) + 1 - begin);

@@ -11,6 +11,7 @@
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/limap_structures.h"
 #include "limn/formats/write_drawing.h"
+#include "limn/viewer/viewer_page.h"
 
 namespace limn::testing {
 namespace {
@@ -157,6 +158,15 @@ TEST_F(WorkspaceDrawing, GoesToLimapAndBack) {
   EXPECT_EQ(back.graph.nodes.size(), 4u);
   EXPECT_EQ(back.graph.links[0].points_in_world, drawing_.graph.links[0].points_in_world);
   EXPECT_EQ(back.graph.links[0].node1, back.graph.links[1].node0);
+  // Also where the project leaves images out.
+  const std::string list = dir_.WriteFile("list.txt", "view_01.jpg\nview_02.jpg\nview_07.jpg\n");
+  if (HasViewerPage()) {
+    const LimnRun seen =
+        Run("drawing_viewer", {"--drawing_path", Path("limap"), "--image_list_path", list,
+                               "--output_path", Path("page")});
+    EXPECT_EQ(seen.exit_code, 0) << seen.err;
+    EXPECT_THAT(seen.out, HasSubstr("3 links, 3 photographs"));
+  }
   // Without chains the bent link stays behind.
   EXPECT_THAT(
       Run("drawing_exporter", {"--output_path", Path("lines"), "--output_type", "limap"}).out,

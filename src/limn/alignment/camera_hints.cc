@@ -12,10 +12,9 @@ namespace {
 
 // How much the y axes count beside the x axes: they are tilted when cameras look up or down.
 constexpr double kWeightOfDown = 0.1;
-
-bool IsAlongAxis(const Eigen::Vector3d& gravity) {
-  return gravity.cwiseAbs().maxCoeff() > (1 - 1e-9) * gravity.norm();
-}
+// Mean of the y axes, as unit vectors, below which they cancel: the cameras look straight down, as
+// those of drones do, in any heading.
+constexpr double kMinMeanDown = 0.3;
 
 Eigen::Vector3d DownInCam(const std::vector<ViewPrior>& priors, size_t view) {
   const bool is_known = view < priors.size() && priors[view].gravity_in_cam;
@@ -26,10 +25,12 @@ double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// Of unit vectors: the direction with the least sum of angles to them (Weiszfeld's iteration).
-Eigen::Vector3d MedianDirection(const std::vector<Eigen::Vector3d>& directions) {
+// Of unit vectors: the direction with the least sum of angles to them (Weiszfeld's iteration);
+// nothing if they cancel.
+std::optional<Eigen::Vector3d> MedianDirection(const std::vector<Eigen::Vector3d>& directions) {
   Eigen::Vector3d median = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& direction : directions) median += direction;
+  if (!(median.norm() > 1e-9 * static_cast<double>(directions.size()))) return std::nullopt;
   for (int k = 0; k < 50; ++k) {
     median.normalize();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -43,17 +44,22 @@ Eigen::Vector3d MedianDirection(const std::vector<Eigen::Vector3d>& directions) 
 
 }  // namespace
 
+bool IsOrientationFlag(const Eigen::Vector3d& gravity_in_cam) {
+  return gravity_in_cam.cwiseAbs().maxCoeff() > (1 - 1e-9) * gravity_in_cam.norm();
+}
+
 std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
                                     const std::vector<ViewPrior>& priors) {
   std::vector<Eigen::Vector3d> directions;
   for (size_t v = 0; v < priors.size(); ++v) {
     const auto& gravity = priors[v].gravity_in_cam;
-    if (!gravity || IsAlongAxis(*gravity)) continue;
+    if (!gravity || IsOrientationFlag(*gravity)) continue;
     directions.push_back(-(views[v].cam_from_world.rotation.conjugate() * gravity->normalized()));
   }
-  if (directions.empty()) return std::nullopt;
+  const std::optional<Eigen::Vector3d> median = MedianDirection(directions);
+  if (!median) return std::nullopt;
   GravityUp up;
-  up.direction = MedianDirection(directions);
+  up.direction = *median;
   std::vector<double> angles;
   for (const Eigen::Vector3d& direction : directions) {
     angles.push_back(AngleBetween(direction, up.direction));
@@ -64,15 +70,17 @@ std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
 }
 
 Eigen::Vector3d UpOfCameras(const std::vector<View>& views, const std::vector<ViewPrior>& priors) {
-  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  Eigen::Vector3d up = Eigen::Vector3d::Zero(), backward = Eigen::Vector3d::Zero();
   Eigen::Matrix3d horizontal = Eigen::Matrix3d::Zero();
   for (size_t v = 0; v < views.size(); ++v) {
     const Eigen::Quaterniond world_from_cam = views[v].cam_from_world.rotation.conjugate();
     const Eigen::Vector3d down = DownInCam(priors, v);
     const Eigen::Vector3d right = world_from_cam * down.cross(Eigen::Vector3d::UnitZ());
     up -= world_from_cam * down;
+    backward -= world_from_cam * Eigen::Vector3d::UnitZ();
     horizontal += right * right.transpose() / static_cast<double>(views.size());
   }
+  if (up.norm() < kMinMeanDown * static_cast<double>(views.size())) up = backward;
   if (!(up.norm() > 1e-9)) up = -Eigen::Vector3d::UnitY();
   up.normalize();
   horizontal += kWeightOfDown * (Eigen::Matrix3d::Identity() - up * up.transpose());

@@ -18,6 +18,10 @@ struct ViewPrior {
   std::optional<Eigen::Vector3d> gravity_in_cam;
 };
 
+// Gravity exactly along an axis of the camera, which is not measured: COLMAP makes it from the
+// orientation flag of a photograph.
+bool IsOrientationFlag(const Eigen::Vector3d& gravity_in_cam);
+
 struct GravityUp {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   // Of the cameras' measurements from it, median.
@@ -25,14 +29,14 @@ struct GravityUp {
   size_t num_views = 0;
 };
 
-// The median of what gravity tells in all cameras that measured it; nothing if none did. Gravity
-// exactly along an axis of the camera is not measured: COLMAP makes it from the orientation flag of
-// a photograph. `priors` has one per view, or is empty.
+// The median of what gravity tells in all cameras that measured it (orientation flags do not);
+// nothing if none did, or if they cancel. `priors` has one per view, or is empty.
 std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
                                     const std::vector<ViewPrior>& priors);
 
 // Roughly up, as cameras are held: their x axes are mostly horizontal (the axis that gravity tells
-// to be, if it is known at least to a quarter turn), and their y axes mostly point down.
+// to be, if it is known at least to a quarter turn), and their y axes mostly point down;
+// where these cancel, the cameras look down.
 Eigen::Vector3d UpOfCameras(const std::vector<View>& views, const std::vector<ViewPrior>& priors);
 
 }  // namespace limn

@@ -61,6 +61,13 @@ std::vector<double> Residuals(const std::vector<PointPair>& pairs, const Similar
   return residuals;
 }
 
+// By the accuracy of each pair, up to one factor.
+std::vector<double> ScaledResiduals(const std::vector<PointPair>& pairs, const Similarity3d& fit) {
+  std::vector<double> scaled = Residuals(pairs, fit);
+  for (size_t i = 0; i < pairs.size(); ++i) scaled[i] *= std::sqrt(pairs[i].weight);
+  return scaled;
+}
+
 std::vector<double> GivenWeights(const std::vector<PointPair>& pairs) {
   std::vector<double> weights;
   for (const PointPair& pair : pairs) weights.push_back(pair.weight);
@@ -73,7 +80,7 @@ std::optional<Similarity3d> BestStart(const std::vector<PointPair>& pairs) {
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](const std::optional<Similarity3d>& fit) {
     if (!fit) return;
-    const double median = Median(Residuals(pairs, *fit));
+    const double median = Median(ScaledResiduals(pairs, *fit));
     if (!(median < least)) return;
     least = median;
     best = fit;
@@ -94,16 +101,17 @@ double StandardDeviation(const std::vector<double>& residuals) {
 }
 
 std::vector<double> RobustWeights(const std::vector<PointPair>& pairs,
-                                  const std::vector<double>& residuals) {
-  const double limit = kOutlierSigmas * StandardDeviation(residuals);
+                                  const std::vector<double>& scaled_residuals) {
+  const double limit = kOutlierSigmas * StandardDeviation(scaled_residuals);
   std::vector<double> weights;
   for (size_t i = 0; i < pairs.size(); ++i) {
-    weights.push_back(residuals[i] <= limit ? pairs[i].weight : 0);
+    weights.push_back(scaled_residuals[i] <= limit ? pairs[i].weight : 0);
   }
   return weights;
 }
 
-// From the spread of the targets around their middle, and what the fit leaves.
+// From the spread of the targets around their middle, and what the fit leaves, of the pairs that
+// were not rejected.
 void SetErrors(const std::vector<PointPair>& pairs, const std::vector<double>& weights,
                PositionFit* fit) {
   double sum = 0, squares = 0;
@@ -114,7 +122,8 @@ void SetErrors(const std::vector<PointPair>& pairs, const std::vector<double>& w
     mean += weights[i] * (fit->target_from_source * pairs[i].source);
   }
   mean /= sum;
-  const auto count = static_cast<double>(pairs.size());
+  const auto num_rejected = std::count(weights.begin(), weights.end(), 0.0);
+  const auto count = static_cast<double>(weights.size()) - static_cast<double>(num_rejected);
   // Seven numbers were fitted.
   const double variance = squares / sum * count / std::max(3 * count - 7, 1.0);
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -146,15 +155,15 @@ std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs) {
   if (!best) return std::nullopt;
   PositionFit fit;
   fit.target_from_source = *best;
-  fit.residuals = Residuals(pairs, *best);
   std::vector<double> weights;
   for (int k = 0; k < kNumIterations; ++k) {
-    weights = RobustWeights(pairs, fit.residuals);
+    weights = RobustWeights(pairs, ScaledResiduals(pairs, fit.target_from_source));
     const std::optional<Similarity3d> next = FitWeighted(pairs, weights);
     if (!next) break;
     fit.target_from_source = *next;
-    fit.residuals = Residuals(pairs, *next);
   }
+  fit.residuals = Residuals(pairs, fit.target_from_source);
+  fit.scaled_residuals = ScaledResiduals(pairs, fit.target_from_source);
   fit.median_residual = Median(fit.residuals);
   SetErrors(pairs, weights, &fit);
   return fit;

@@ -20,6 +20,8 @@ struct PositionFit {
   // Distances that the fit leaves, in the unit of the target: per pair, and their median.
   std::vector<double> residuals;
   double median_residual = 0;
+  // Times the square root of the pair's weight: comparable where pairs differ in accuracy.
+  std::vector<double> scaled_residuals;
   // Standard errors: of the direction of the target's z axis, of the direction of its x axis around
   // z (pi where pairs on a line leave it open), and of the scale, relative.
   double up_error_rad = 0;
@@ -32,8 +34,9 @@ constexpr size_t kMinPositions = 3;
 // The similarity that brings most sources to their targets: the best by its median residual of some
 // that three pairs each give and of the one of least squares, then that of least squares of the
 // pairs within four standard deviations of it, iterated, so that almost half of the pairs may be
-// wrong. Nothing for fewer than kMinPositions pairs, or sources all at one place. The same pairs
-// give the same result. Linear time.
+// wrong; residuals are compared by the accuracies of their pairs. Nothing for fewer than
+// kMinPositions pairs, or sources all at one place. The same pairs give the same result. Linear
+// time.
 std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs);
 
 }  // namespace limn

@@ -13,9 +13,8 @@ struct StraightLine {
   double weight = 0;
 };
 
-// The straight links of the drawing that are curves of things (LinkSelection's default): those
-// whose primitive is a line, or, before primitives are fitted, whose points are near their chord.
-// The heaviest kMaxStraightLines, in order. Time n log n.
+// The straight links of the drawing that are curves of things (LinkSelection's default), see
+// LineOf. The heaviest kMaxStraightLines, in order. Time n log n.
 std::vector<StraightLine> StraightLines(const DrawingGraph& graph);
 constexpr size_t kMaxStraightLines = 2000;
 

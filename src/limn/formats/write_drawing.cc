@@ -126,6 +126,8 @@ void WriteDrawing(const std::string& path, const DrawingGraph& graph,
                   const DrawingMetadata& metadata, const DrawingFormatOptions& options) {
   const std::vector<std::string> violations = Validate(graph);
   if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
+  const std::string wrong = metadata.alignment ? Validate(*metadata.alignment) : "";
+  if (!wrong.empty()) throw InputError("no valid alignment: " + wrong);
   const Format& format = FormatOf(path, options);
   WriteFileAtomically(path, [&](std::ostream& out) {
     format.write({graph, metadata, options}, out);

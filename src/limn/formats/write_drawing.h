@@ -46,7 +46,8 @@ std::vector<std::string> DrawingFormats();
 std::string DrawingFormatOf(const std::string& path, const DrawingFormatOptions& options);
 
 // Writes a drawing atomically. The same graph gives the same bytes. Throws IoError, also for an
-// unknown extension or format, or InputError if the graph violates an invariant of Validate.
+// unknown extension or format, or InputError if Validate finds something wrong with the graph or
+// its alignment.
 void WriteDrawing(const std::string& path, const DrawingGraph& graph,
                   const DrawingMetadata& metadata, const DrawingFormatOptions& options = {});
 

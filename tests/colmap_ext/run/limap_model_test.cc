@@ -134,6 +134,34 @@ TEST(LimapModel, ChainsMeetInPointsOfTheModel) {
   EXPECT_EQ(made.structures.images[0].wireframe[1].line, 1u);
 }
 
+TEST(LimapModel, LinksThatHardlyBendAreLines) {
+  const SparseModel model = MakeScene();
+  DrawingFile drawing = MakeDrawing();
+  DrawingLink& link = drawing.graph.links[0];
+  const Eigen::Vector3d middle = (link.points_in_world[0] + link.points_in_world[1]) / 2;
+  link.points_in_world.insert(link.points_in_world.begin() + 1,
+                              middle + Eigen::Vector3d(0, 0.01, 0));
+  link.sigma.push_back(0.25);
+  EXPECT_EQ(ToLimap(drawing, model, ViewsOf(model), false).structures.lines.size(), 1u);
+  link.points_in_world[1].y() += 0.02;
+  EXPECT_EQ(ToLimap(drawing, model, ViewsOf(model), false).structures.lines.size(), 0u);
+}
+
+TEST(LimapModel, JointsThatOneImageShowsAreNoPoints) {
+  const SparseModel model = MakeScene();
+  std::vector<View> views = ViewsOf(model);
+  // d.png ends before all places where lines meet.
+  views[2].region.max_px.x() = 45;
+  const LimapModel made = ToLimap(MakeDrawing(), model, views, true);
+  EXPECT_EQ(made.structures.lines.size(), 4u);
+  size_t num_observations = 0;
+  for (const ModelImage& image : model.images) num_observations += image.observations.size();
+  for (const ModelImage& image : made.model.images) num_observations -= image.observations.size();
+  EXPECT_EQ(num_observations, 0u);
+  EXPECT_EQ(made.model.points.size(), 1u);
+  EXPECT_THAT(made.structures.wireframe, IsEmpty());
+}
+
 TEST(LimapModel, RoundTripThroughAFolder) {
   const TempDir dir;
   const LimapModel made = Made(true);
@@ -172,6 +200,15 @@ TEST(LimapModel, EndsWithinTheirUncertaintyOfAPointMeetThere) {
   EXPECT_EQ(graph.links[2].node0, graph.links[0].node0);
   EXPECT_EQ(graph.links[2].points_in_world[1], Eigen::Vector3d(0, 0, -0.1));
   EXPECT_EQ(graph.nodes.size(), 5u);
+}
+
+TEST(LimapModel, ImagesThatAreLeftOutSupportNothing) {
+  const DrawingFile drawing = FromLimap(Made(true), {"c.png", "d.png"});
+  EXPECT_THAT(drawing.metadata.view_names, ElementsAre("c.png", "d.png"));
+  ASSERT_EQ(drawing.graph.links.size(), 4u);
+  EXPECT_THAT(drawing.graph.links[0].supporting_views, ElementsAre(1));
+  EXPECT_THAT([] { FromLimap(Made(true), {"e.png"}); },
+              ThrowsMessage<IoError>(HasSubstr("the model has no image e.png")));
 }
 
 TEST(LimapModel, WhatTheModelHasNotIsRefused) {

@@ -21,10 +21,15 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
+// Of the images of all tests.
+PosePriors Read(const std::filesystem::path& path) {
+  return ReadPosePriors(path, {"sub/a b.jpg", "zero.jpg", "a", "b", "a\n.jpg"});
+}
+
 class PosePriorsTest : public ::testing::Test {
  protected:
   std::string ErrorOf(const std::string& path) {
-    return ErrorText<IoError>([&] { ReadPosePriors(path); });
+    return ErrorText<IoError>([&] { Read(path); });
   }
 
   TempDir dir_;
@@ -40,7 +45,7 @@ TEST_F(PosePriorsTest, OfAllVersionsAreRead) {
     SCOPED_TRACE(static_cast<int>(version));
     const TempDir dir;
     WriteDatabase(dir / "d.db", version, {first, {"none.jpg"}, {"zero.jpg", {0, 0, 0}}});
-    const PosePriors priors = ReadPosePriors(dir / "d.db");
+    const PosePriors priors = Read(dir / "d.db");
     ASSERT_EQ(priors.size(), 1u);
     const PosePrior& prior = priors.at("sub/a b.jpg");
     EXPECT_EQ(prior.position, first.position);
@@ -55,7 +60,7 @@ TEST_F(PosePriorsTest, OfAllVersionsAreRead) {
 
 TEST_F(PosePriorsTest, CartesianPositionsAndUndefinedOnes) {
   WriteDatabase(path_, DatabaseVersion::k3_12, {{"a", {500000, 5e6, 3}, 1}, {"b", {1, 2, 3}, -1}});
-  const PosePriors priors = ReadPosePriors(path_);
+  const PosePriors priors = Read(path_);
   EXPECT_EQ(priors.at("a").position, Eigen::Vector3d(500000, 5e6, 3));
   EXPECT_FALSE(priors.at("a").is_geographic);
   EXPECT_FALSE(priors.at("b").is_geographic);
@@ -65,7 +70,7 @@ TEST_F(PosePriorsTest, OldPosesAreCentersOfCameras) {
   WriteDatabase(path_, DatabaseVersion::k3_8, {{"a", {1, 2, 3}}, {"b", {500, 2, 3}}});
   // Half a turn about x.
   RunSql(path_, "UPDATE images SET prior_qw=0, prior_qx=2, prior_qy=0, prior_qz=0 WHERE name='a'");
-  const PosePriors priors = ReadPosePriors(path_);
+  const PosePriors priors = Read(path_);
   EXPECT_LT((*priors.at("a").position - Eigen::Vector3d(-1, 2, 3)).norm(), 1e-12);
   // No latitude.
   EXPECT_FALSE(priors.at("b").is_geographic);
@@ -80,7 +85,7 @@ TEST_F(PosePriorsTest, NothingIsChanged) {
   };
   const std::string before = bytes();
   std::filesystem::permissions(path_, std::filesystem::perms::owner_read);
-  EXPECT_EQ(ReadPosePriors(path_).size(), 1u);
+  EXPECT_EQ(Read(path_).size(), 1u);
   EXPECT_EQ(bytes(), before);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(dir_.path()), {}), 1);
 }
@@ -88,7 +93,7 @@ TEST_F(PosePriorsTest, NothingIsChanged) {
 TEST_F(PosePriorsTest, NamesWithSpecialCharactersAreFiles) {
   const std::string path = (dir_ / "a?b=%41#c d.db").string();
   WriteDatabase(path, DatabaseVersion::k4_1, {{"a", {1, 2, 3}}});
-  EXPECT_EQ(ReadPosePriors(path).size(), 1u);
+  EXPECT_EQ(Read(path).size(), 1u);
 }
 
 TEST_F(PosePriorsTest, BadDatabasesAreNamed) {
@@ -111,6 +116,16 @@ TEST_F(PosePriorsTest, BadValuesAreNamed) {
   EXPECT_THAT(ErrorOf(path_), HasSubstr("\": gravity has 1 bytes, not 24"));
   RunSql(path_, "UPDATE pose_priors SET gravity = NULL, position = 'twenty-four characters..'");
   EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": prior of image \""));
+}
+
+TEST_F(PosePriorsTest, OnlyThoseOfTheImagesAreReadAndChecked) {
+  WriteDatabase(path_, DatabaseVersion::k4_1,
+                {{"a", {1, 2, 3}}, {"c", {1, 2, 3}, 1}, {"d", {95, 2, 3}}});
+  EXPECT_EQ(Read(path_).size(), 1u);
+  const std::string old = (dir_ / "old.db").string();
+  WriteDatabase(old, DatabaseVersion::k3_8, {{"a", {1, 2, 3}}, {"d", {500, 2, 3}}});
+  EXPECT_TRUE(Read(old).at("a").is_geographic);
+  EXPECT_EQ(Read(old).size(), 1u);
 }
 
 TEST_F(PosePriorsTest, CutDatabasesAreNamed) {

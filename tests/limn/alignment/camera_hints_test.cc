@@ -33,6 +33,27 @@ TEST(CameraHints, CamerasAreHeldUpright) {
   EXPECT_LT(AngleDeg(UpOfCameras({}, {}), -Eigen::Vector3d::UnitY()), 1e-6);
 }
 
+TEST(CameraHints, CamerasThatLookStraightDownTellUp) {
+  // As a drone flies: forth and back, or in four headings; not quite straight down.
+  for (const double tilt : {0.0, -0.01, 0.01}) {
+    const int num_headings = tilt == 0 ? 4 : 2;
+    std::vector<View> views;
+    for (int i = 0; i < 16; ++i) {
+      const double heading = 2 * M_PI * i / num_headings;
+      View view;
+      view.cam_from_world.rotation = Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitX()) *
+                                     Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()) *
+                                     Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ());
+      views.push_back(view);
+    }
+    EXPECT_LT(AngleDeg(UpOfCameras(views, {}), kUp), 1);
+    for (View& view : views) {
+      view.cam_from_world.rotation = view.cam_from_world.rotation * Eigen::Quaterniond(0, 1, 0, 0);
+    }
+    EXPECT_LT(AngleDeg(UpOfCameras(views, {}), -kUp), 1);
+  }
+}
+
 TEST(CameraHints, QuarterTurnsOfPhotographsAreKnown) {
   std::vector<View> views = testing::DomeViews(12, 5);
   std::vector<ViewPrior> priors(views.size());
@@ -58,6 +79,13 @@ TEST(CameraHints, MeasuredGravityIsRobust) {
   EXPECT_LT(AngleDeg(up->direction, kUp), 0.5);
   EXPECT_NEAR(up->deviation_rad / kDeg, 0.5, 0.3);
   EXPECT_FALSE(MeasuredUp(views, {}));
+}
+
+TEST(CameraHints, GravityThatCancelsTellsNothing) {
+  std::vector<ViewPrior> priors(2);
+  priors[0].gravity_in_cam = Eigen::Vector3d(1, 2, 2);
+  priors[1].gravity_in_cam = Eigen::Vector3d(-1, -2, -2);
+  EXPECT_FALSE(MeasuredUp(std::vector<View>(2), priors));
 }
 
 }  // namespace

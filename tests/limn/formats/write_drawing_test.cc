@@ -233,6 +233,16 @@ TEST(WriteDrawing, JsonWithoutKindsIsOfUnknownKind) {
   }
 }
 
+TEST(WriteDrawing, BrokenAlignmentsAreNotWritten) {
+  const TemporaryFolder folder;
+  DrawingMetadata metadata;
+  metadata.alignment.emplace();
+  metadata.alignment->world_from_model.rotation.setZero();
+  const std::string path = folder.Path("a.json");
+  EXPECT_THROW(WriteDrawing(path, SmallDrawing(), metadata), InputError);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST(WriteDrawing, BrokenJsonIsRefused) {
   const TemporaryFolder folder;
   WriteDrawing(folder.Path("d.json"), SmallDrawing(), SmallMetadata());
