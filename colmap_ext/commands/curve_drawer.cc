@@ -35,8 +35,8 @@ int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_c
   WriteRefinedModel(project, std::nullopt, console.get());
   WriteDrawingResults(project, project.views(), result.graph, provenance,
                       aligner.Align(project.views(), result.graph, console.get()), console.get());
-  SayTrust(MeasureTrust(project.views(), project.view_set().image_names, image_curves.curves, result.graph), HasBox(provenance),
-           console.get());
+  SayTrust(MeasureTrust(project.view_set(), project.views(), image_curves.curves, result.graph),
+           HasBox(provenance), console.get());
   console->RepeatWarnings();
   return 0;
 }

@@ -44,7 +44,8 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
   CheckGraph(graph);
   WriteRefinedModel(project, judged.cameras, console.get());
   WriteDrawingResults(project, views, graph, provenance, given.metadata.alignment, console.get());
-  SayTrust(MeasureTrust(views, project.view_set().image_names, image_curves.curves, graph), HasBox(provenance), console.get());
+  SayTrust(MeasureTrust(project.view_set(), views, image_curves.curves, graph), HasBox(provenance),
+           console.get());
   console->RepeatWarnings();
   return 0;
 }

@@ -252,7 +252,8 @@ std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> sce
   const std::vector<Tile> tiles = PlanSceneTiles(input, drawer, &console);
   PipelineResult result = *DrawSceneOrTiles(input, tiles, run.pipeline, &console);
   auto drawing = MakeDrawing(scene, std::move(made), result.graph, result.cameras, Provenance(run));
-  SayTrust(MeasureTrust(drawing->views, read.view_set().image_names, result.curves, result.graph), !run.box.empty(), &console);
+  SayTrust(MeasureTrust(read.view_set(), drawing->views, result.curves, result.graph),
+           !run.box.empty(), &console);
   if (!IsInTiles(tiles, input.views)) {
     drawing->curves = std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
   }
@@ -277,7 +278,8 @@ std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDraw
                                            run.pipeline, console.context(), ReportTo(&console));
   const std::string provenance = RefinementProvenance(run, drawing->metadata.options_json);
   auto refined = MakeDrawing(drawing->scene, std::move(made), graph, judged.cameras, provenance);
-  SayTrust(MeasureTrust(refined->views, scene.view_set().image_names, *curves, graph), HasBox(provenance), &console);
+  SayTrust(MeasureTrust(scene.view_set(), refined->views, *curves, graph), HasBox(provenance),
+           &console);
   refined->metadata.alignment = drawing->metadata.alignment;
   refined->curves = curves;
   refined->made.log = console.log();

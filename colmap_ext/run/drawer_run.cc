@@ -37,7 +37,7 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   WriteDrawingResults(project, views, result->graph, Provenance(run),
                       aligner.Align(views, result->graph, console), console);
   if (options.account) WriteAccount(project, *result, console);
-  const Trust trust = MeasureTrust(views, project.view_set().image_names, result->curves, result->graph);
+  const Trust trust = MeasureTrust(project.view_set(), views, result->curves, result->graph);
   SayTrust(trust, !run.box.empty(), console);
   if (options.page) {
     WritePageWithReport(project, run, views, result->graph, trust, options.truth, console);

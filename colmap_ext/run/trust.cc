@@ -29,11 +29,12 @@ struct ImageAgreement {
 };
 
 // Parts of a panorama together. They are neighbors.
-std::vector<ImageAgreement> OfImages(const std::vector<std::string>& names,
+std::vector<ImageAgreement> OfImages(const ViewSet& set,
                                      const std::vector<ViewAgreement>& of_views) {
   std::vector<ImageAgreement> images;
   for (size_t v = 0; v < of_views.size(); ++v) {
-    if (images.empty() || images.back().name != names[v]) images.push_back({names[v], {}});
+    const std::string& name = set.ImageName(static_cast<ViewId>(v));
+    if (images.empty() || images.back().name != name) images.push_back({name, {}});
     ViewAgreement& sum = images.back().agreement;
     const int64_t count = sum.num_edgels + of_views[v].num_edgels;
     if (count == 0) continue;
@@ -124,11 +125,11 @@ void SayAgreement(const Trust& trust, bool has_box, Console* console) {
 
 }  // namespace
 
-Trust MeasureTrust(const std::vector<View>& views, const std::vector<std::string>& image_names,
+Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
                    const std::vector<ImageCurves>& curves, const DrawingGraph& graph) {
   Trust trust;
   if (!curves.empty()) {
-    AddAgreement(OfImages(image_names, MeasureAgreement(views, curves, graph)), &trust);
+    AddAgreement(OfImages(set, MeasureAgreement(views, curves, graph)), &trust);
   }
   AddCertainty(views, graph, &trust);
   return trust;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "colmap_ext/run/console.h"
+#include "colmap_ext/workspace/to_views.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
@@ -34,9 +34,9 @@ struct Trust {
   std::optional<double> tentative;
 };
 
-// `views` are those that the drawing fits, `image_names` those of their images, which parts of a
-// panorama share; `curves` belong to the views, or are empty for a scene in tiles.
-Trust MeasureTrust(const std::vector<View>& views, const std::vector<std::string>& image_names,
+// `views` are those of the set with the cameras that the drawing fits; `curves` belong to them, or
+// are empty for a scene in tiles.
+Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
                    const std::vector<ImageCurves>& curves, const DrawingGraph& graph);
 
 // Prints it. Warns of a drawing that explains next to nothing, of images that agree with it much
