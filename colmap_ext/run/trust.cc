@@ -1,6 +1,7 @@
 #include "colmap_ext/run/trust.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "limn/evaluation/quantiles.h"
@@ -66,7 +67,6 @@ void AddAgreement(const std::vector<ImageAgreement>& images, Trust* trust) {
     if (has_edges(image.agreement)) shares.push_back(image.agreement.share);
   }
   const double median = Median(shares);
-  trust->num_images = images.size();
   trust->explained = median;
   trust->without_edges = NamesOf(images, [&](const auto& image) { return !has_edges(image); });
   trust->agree_less = NamesOf(images, [&](const auto& image) {
@@ -128,6 +128,9 @@ void SayAgreement(const Trust& trust, bool has_box, Console* console) {
 Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
                    const std::vector<ImageCurves>& curves, const DrawingGraph& graph) {
   Trust trust;
+  std::set<std::string> images;
+  for (size_t v = 0; v < views.size(); ++v) images.insert(set.ImageName(static_cast<ViewId>(v)));
+  trust.num_images = images.size();
   if (!curves.empty()) {
     AddAgreement(OfImages(set, MeasureAgreement(views, curves, graph)), &trust);
   }
