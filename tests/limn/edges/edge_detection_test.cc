@@ -287,16 +287,18 @@ TEST(DetectEdges, FineScaleSeparatesNeighbors) {
 }
 
 TEST(DetectEdges, MainScaleAddsNothingToStrongEdges) {
-  // It rounds the corners: edgels there would run across them.
-  Image image = ConstantImage(96, 96, {100});
-  Paint(Polygon({{24.3, 30.2}, {66.1, 22.4}, {72.8, 63.5}, {30.6, 71.7}}), {180}, &image);
-  AddNoise(1, 2, &image);
-  Quantize(&image);
+  // It rounds the corners, most of all those of wedges: edgels there would run across them.
   EdgeDetectionOptions fine_only;
   fine_only.noise_factor = 100;
-  const size_t num_fine = DetectEdges(image, fine_only).edgels.size();
-  EXPECT_GT(num_fine, 150u);
-  EXPECT_EQ(DetectEdges(image, {}).edgels.size(), num_fine);
+  for (const double half : {4., 5., 6., 7., 8., 12., 30.}) {
+    Image image = ConstantImage(128, 96, {100});
+    Paint(Polygon({{20.3, 48.2 - half}, {110.1, 48.6}, {20.8, 48.2 + half}}), {180}, &image);
+    AddNoise(1, 2, &image);
+    Quantize(&image);
+    const size_t num_fine = DetectEdges(image, fine_only).edgels.size();
+    EXPECT_GT(num_fine, 150u) << half;
+    EXPECT_EQ(DetectEdges(image, {}).edgels.size(), num_fine) << half;
+  }
 }
 
 TEST(DetectEdges, OneStrandWhereTheScaleChanges) {
