@@ -12,7 +12,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr char kFormat[] = "bundler";
+constexpr char kBundlerFormat[] = "bundler";
 
 // The model as a Bundler file: origin at the image center, y up, camera along -z.
 std::string Cameras(const SparseModel& model) {
@@ -52,14 +52,14 @@ class Bundler : public ImportTest {
     return dir_.WriteFile("bundle/bundle.out", "# Bundle file v0.3\n" + counts + "\n" + rest);
   }
   std::string ErrorWith(const std::string& counts, const std::string& rest) {
-    return Error(kFormat, Write(counts, rest));
+    return Error(kBundlerFormat, Write(counts, rest));
   }
 };
 
 TEST_F(Bundler, GivesTheSameProjectionsAndPoints) {
   const SparseModel known = CenteredModel();
   Write("3 3", Cameras(known) + Points(known));
-  const SparseModel model = Import(kFormat, dir_ / "bundle");
+  const SparseModel model = Import(kBundlerFormat, dir_ / "bundle");
   ExpectSameProjections(model, known);
   EXPECT_THAT(warnings_, IsEmpty());
   ExpectSamePoints(model, known);
@@ -70,7 +70,7 @@ TEST_F(Bundler, GivesTheSameProjectionsAndPoints) {
 TEST_F(Bundler, KeepsItsDistortion) {
   const SparseModel known = CenteredModel(-0.11, 0.02);
   const std::string path = Write("3 3", Cameras(known) + Points(known));
-  const SparseModel model = Import(kFormat, path);
+  const SparseModel model = Import(kBundlerFormat, path);
   ExpectSameProjections(model, known);
   ExpectSamePoints(model, known);
   EXPECT_EQ(model.cameras[0].model, CameraModelId::kRadial);
@@ -82,7 +82,7 @@ TEST_F(Bundler, LeavesOutImagesThatWereNotReconstructed) {
   dir_.WriteFile("list.txt", "img_1.png\nimg_2.png\nimg_10.png\nnever_found.png\n");
   const std::string path =
       Write("4 3", cameras + "0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n" + Points(known));
-  const SparseModel model = Import(kFormat, path);
+  const SparseModel model = Import(kBundlerFormat, path);
   ExpectSameProjections(model, known);
   EXPECT_THAT(notes_, Contains("1 of 4 images were not reconstructed and are left out"));
 }
@@ -91,11 +91,11 @@ TEST_F(Bundler, LeavesOutMissingImagesIfAsked) {
   const SparseModel known = CenteredModel();
   const std::string path = Write("3 3", Cameras(known) + Points(known));
   fs::remove(images_ / "img_1.png");
-  EXPECT_THAT(Error(kFormat, path),
+  EXPECT_THAT(Error(kBundlerFormat, path),
               HasSubstr("bundle.out: line 3: image \"./img_1.png\" is not in the image folder"));
   Arguments arguments;
   arguments.skip_missing = true;
-  const SparseModel model = Import(kFormat, path, arguments);
+  const SparseModel model = Import(kBundlerFormat, path, arguments);
   ASSERT_EQ(model.images.size(), 2u);
   EXPECT_EQ(model.images[0].name, "img_2.png");
   ASSERT_EQ(model.points.size(), 3u);
@@ -106,8 +106,9 @@ TEST_F(Bundler, LeavesOutMissingImagesIfAsked) {
 TEST_F(Bundler, BadFilesAreRefused) {
   const SparseModel known = CenteredModel();
   const std::string cameras = Cameras(known);
-  EXPECT_THAT(Error(kFormat, dir_.WriteFile("bundle/bundle.out", "# Bundle file v0.4\n3 0\n")),
-              HasSubstr("bundle.out: line 1: \"# Bundle file v0.3\" expected"));
+  EXPECT_THAT(
+      Error(kBundlerFormat, dir_.WriteFile("bundle/bundle.out", "# Bundle file v0.4\n3 0\n")),
+      HasSubstr("bundle.out: line 1: \"# Bundle file v0.3\" expected"));
   EXPECT_THAT(ErrorWith("2 0", cameras), HasSubstr("line 2: 2 cameras, but "));
   EXPECT_THAT(ErrorWith("3 4", cameras + Points(known)), HasSubstr("the file ends before"));
   EXPECT_THAT(ErrorWith("3 2", cameras + Points(known)),
@@ -137,7 +138,7 @@ TEST_F(Bundler, ReadsWhatColmapWrites) {
                             (dir_ / "day").string() + "'",
                         dir_ / "log"));
   images_ = day / "images";
-  const SparseModel model = Import(kFormat, dir_ / "day.bundle.out");
+  const SparseModel model = Import(kBundlerFormat, dir_ / "day.bundle.out");
   // It is (316, 244), the center (320, 240).
   ExpectSameAfterExport(model, ReadModel(day / "sparse"), {4, -4}, Repeats::kAll);
 }

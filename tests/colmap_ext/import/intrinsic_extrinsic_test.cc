@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-constexpr char kFormat[] = "intrinsic_extrinsic";
+constexpr char kIntrinsicExtrinsicFormat[] = "intrinsic_extrinsic";
 
 std::string Calibration(double focal_y = 611.5) {
   return "600.25 0 316.25\n0 " + Text(focal_y) + " 250.625\n0 0 1\n";
@@ -35,7 +35,7 @@ class IntrinsicExtrinsic : public ImportTest {
 };
 
 TEST_F(IntrinsicExtrinsic, GiveTheSameProjections) {
-  const SparseModel model = Import(kFormat, cameras_);
+  const SparseModel model = Import(kIntrinsicExtrinsicFormat, cameras_);
   ExpectSameProjections(model, known_);
   EXPECT_EQ(model.cameras.size(), 1u);
 }
@@ -47,7 +47,7 @@ TEST_F(IntrinsicExtrinsic, AFrameMayHaveItsOwnCalibration) {
   expected.cameras[1].id = 2;
   expected.cameras[1].params[1] = 650;
   expected.images[1].camera_id = 2;
-  const SparseModel model = Import(kFormat, cameras_);
+  const SparseModel model = Import(kIntrinsicExtrinsicFormat, cameras_);
   ExpectSameProjections(model, expected);
   EXPECT_EQ(model.cameras.size(), 2u);
 }
@@ -55,7 +55,7 @@ TEST_F(IntrinsicExtrinsic, AFrameMayHaveItsOwnCalibration) {
 TEST_F(IntrinsicExtrinsic, BadOnesAreRefused) {
   const auto error_with = [&](const std::string& name, const std::string& text) {
     const std::string path = dir_.WriteFile("cameras/" + name, text);
-    const std::string error = Error(kFormat, cameras_);
+    const std::string error = Error(kIntrinsicExtrinsicFormat, cameras_);
     EXPECT_THAT(error, HasSubstr(path));
     return error;
   };
@@ -82,7 +82,7 @@ TEST_F(IntrinsicExtrinsic, BadOnesAreRefused) {
 
 TEST_F(IntrinsicExtrinsic, NeedACalibration) {
   fs::remove(cameras_ / "calib.intrinsic");
-  EXPECT_THAT(Error(kFormat, cameras_), HasSubstr("calib.intrinsic"));
+  EXPECT_THAT(Error(kIntrinsicExtrinsicFormat, cameras_), HasSubstr("calib.intrinsic"));
 }
 
 // A published set with exact projections: data that may be missing. It has no photographs.
@@ -95,7 +95,7 @@ TEST_F(IntrinsicExtrinsic, ProjectThePublishedCurvesExactly) {
     cv::imwrite((images_ / (file.stem().string() + ".png")).string(),
                 cv::Mat(400, 500, CV_8UC1, cv::Scalar(0)));
   }
-  const SparseModel model = Import(kFormat, folder);
+  const SparseModel model = Import(kIntrinsicExtrinsicFormat, folder);
   ASSERT_EQ(model.images.size(), 20u);
   for (const ModelImage& image : model.images) {
     std::ifstream points(folder / "crv-3D-pts.txt");

@@ -8,7 +8,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-constexpr char kFormat[] = "middlebury";
+constexpr char kMiddleburyFormat[] = "middlebury";
 constexpr char kCalibration[] = " 600.25 0 316.25 0 611.5 250.625 0 0 1 ";
 
 class Middlebury : public ImportTest {
@@ -22,7 +22,7 @@ class Middlebury : public ImportTest {
     return text;
   }
   std::string ErrorWith(const std::string& text) {
-    return Error(kFormat, dir_.WriteFile("known_par.txt", text));
+    return Error(kMiddleburyFormat, dir_.WriteFile("known_par.txt", text));
   }
 
   const SparseModel known_ = KnownModel();
@@ -30,7 +30,7 @@ class Middlebury : public ImportTest {
 
 TEST_F(Middlebury, GivesTheSameProjections) {
   dir_.WriteFile("known_par.txt", "3\n" + Lines());
-  const SparseModel model = Import(kFormat, dir_.path());
+  const SparseModel model = Import(kMiddleburyFormat, dir_.path());
   ExpectSameProjections(model, known_);
   EXPECT_EQ(model.cameras.size(), 1u);
 }
@@ -58,7 +58,7 @@ TEST_F(Middlebury, BadFilesAreRefused) {
 TEST_F(Middlebury, AnImageThatCannotBeReadIsRefused) {
   const std::string path = dir_.WriteFile("known_par.txt", "3\n" + Lines());
   dir_.WriteFile("images/img_2.png", "no picture");
-  EXPECT_THAT(Error(kFormat, path), HasSubstr("img_2.png"));
+  EXPECT_THAT(Error(kMiddleburyFormat, path), HasSubstr("img_2.png"));
 }
 
 }  // namespace

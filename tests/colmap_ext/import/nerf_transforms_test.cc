@@ -16,7 +16,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-constexpr char kFormat[] = "nerf_transforms";
+constexpr char kNerfTransformsFormat[] = "nerf_transforms";
 
 // world_from_cam with y up and z backwards.
 Json Transform(const Rigid3d& cam_from_world) {
@@ -51,14 +51,14 @@ Json File(const SparseModel& model) {
 class NerfTransforms : public ImportTest {
  protected:
   std::string Write(const Json& json) { return dir_.WriteFile("transforms.json", json.dump()); }
-  std::string ErrorWith(const Json& json) { return Error(kFormat, Write(json)); }
+  std::string ErrorWith(const Json& json) { return Error(kNerfTransformsFormat, Write(json)); }
 
   const SparseModel known_ = KnownModel();
 };
 
 TEST_F(NerfTransforms, GiveTheSameProjections) {
   Write(File(known_));
-  const SparseModel model = Import(kFormat, dir_.path());
+  const SparseModel model = Import(kNerfTransformsFormat, dir_.path());
   ExpectSameProjections(model, known_);
   EXPECT_EQ(model.cameras.size(), 1u);
   EXPECT_EQ(model.cameras[0].model, CameraModelId::kPinhole);
@@ -67,11 +67,11 @@ TEST_F(NerfTransforms, GiveTheSameProjections) {
 TEST_F(NerfTransforms, CameraAnglesAreForTheWholeImage) {
   Json file = {{"frames", Frames(known_)}};
   file["camera_angle_x"] = 2 * std::atan(320 / 600.25);
-  ExpectSameProjections(Import(kFormat, Write(file)), CenteredModel());
+  ExpectSameProjections(Import(kNerfTransformsFormat, Write(file)), CenteredModel());
   SparseModel expected = KnownModel();
   expected.cameras[0].params = {600.25, 611.5, 320, 240};
   file["camera_angle_y"] = 2 * std::atan(240 / 611.5);
-  ExpectSameProjections(Import(kFormat, Write(file)), expected);
+  ExpectSameProjections(Import(kNerfTransformsFormat, Write(file)), expected);
 }
 
 TEST_F(NerfTransforms, FramesMayHaveIntrinsicsOfTheirOwn) {
@@ -84,7 +84,7 @@ TEST_F(NerfTransforms, FramesMayHaveIntrinsicsOfTheirOwn) {
   expected.cameras[1].model = CameraModelId::kOpencv;
   expected.cameras[1].params = {555.5, 611.5, 316.75, 251.125, -0.05, 0, 0, 0};
   expected.images[2].camera_id = 2;
-  const SparseModel model = Import(kFormat, Write(file));
+  const SparseModel model = Import(kNerfTransformsFormat, Write(file));
   ExpectSameProjections(model, expected);
   EXPECT_EQ(model.cameras.size(), 2u);
 }
@@ -96,7 +96,7 @@ TEST_F(NerfTransforms, LensesBecomeColmaps) {
     expected.cameras[0].model = id;
     expected.cameras[0].params.insert(expected.cameras[0].params.end(), extra.begin(), extra.end());
     lens.update(File(known_));
-    const SparseModel model = Import(kFormat, Write(lens));
+    const SparseModel model = Import(kNerfTransformsFormat, Write(lens));
     EXPECT_EQ(model.cameras[0].model, id);
     ExpectSameProjections(model, expected);
   };
@@ -115,14 +115,14 @@ TEST_F(NerfTransforms, LensesBecomeColmaps) {
 TEST_F(NerfTransforms, ThatPointsAreNotReadIsSaid) {
   Json file = File(known_);
   file["ply_file_path"] = "points.ply";
-  EXPECT_TRUE(Import(kFormat, Write(file)).points.empty());
+  EXPECT_TRUE(Import(kNerfTransformsFormat, Write(file)).points.empty());
   EXPECT_THAT(notes_, Contains("The points of its .ply are not read"));
 }
 
 TEST_F(NerfTransforms, NamesWithoutExtensionArePng) {
   Json file = File(known_);
   file["frames"][0]["file_path"] = "images/img_1";
-  ExpectSameProjections(Import(kFormat, Write(file)), known_);
+  ExpectSameProjections(Import(kNerfTransformsFormat, Write(file)), known_);
 }
 
 TEST_F(NerfTransforms, BadFilesAreRefused) {
@@ -164,9 +164,10 @@ TEST_F(NerfTransforms, BadFilesAreRefused) {
   EXPECT_THAT(ErrorWith(file), HasSubstr("\"frames\" is no list"));
   EXPECT_THAT(ErrorWith(Json::object()), HasSubstr("frames"));
   const std::string text = File(known_).dump();
-  EXPECT_THAT(Error(kFormat, dir_.WriteFile("transforms.json", text.substr(0, text.size() / 2))),
+  EXPECT_THAT(Error(kNerfTransformsFormat,
+                    dir_.WriteFile("transforms.json", text.substr(0, text.size() / 2))),
               HasSubstr("parse error"));
-  EXPECT_THAT(Error(kFormat, dir_.WriteFile("transforms.json", "{\"fl_x\": nan}")),
+  EXPECT_THAT(Error(kNerfTransformsFormat, dir_.WriteFile("transforms.json", "{\"fl_x\": nan}")),
               HasSubstr("parse error"));
 }
 

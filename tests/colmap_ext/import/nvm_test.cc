@@ -12,7 +12,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr char kFormat[] = "nvm";
+constexpr char kNvmFormat[] = "nvm";
 
 std::string CameraLine(const SparseModel& model, const ModelImage& image,
                        const std::string& distortion) {
@@ -47,13 +47,13 @@ class Nvm : public ImportTest {
   std::string Write(const std::string& models) {
     return dir_.WriteFile("scene.nvm", "NVM_V3 \n\n" + models);
   }
-  std::string ErrorWith(const std::string& models) { return Error(kFormat, Write(models)); }
+  std::string ErrorWith(const std::string& models) { return Error(kNvmFormat, Write(models)); }
 };
 
 TEST_F(Nvm, GivesTheSameProjectionsAndPoints) {
   const SparseModel known = CenteredModel();
   Write(ModelText(known) + "\n0\n#the last part of the file\n0\n");
-  const SparseModel model = Import(kFormat, dir_.path());
+  const SparseModel model = Import(kNvmFormat, dir_.path());
   ExpectSameProjections(model, known);
   EXPECT_THAT(warnings_, IsEmpty());
   ExpectSamePoints(model, known);
@@ -63,7 +63,7 @@ TEST_F(Nvm, GivesTheSameProjectionsAndPoints) {
 
 TEST_F(Nvm, MeasurementsMayBeFromTheCorner) {
   const SparseModel known = CenteredModel();
-  const SparseModel model = Import(kFormat, Write(ModelText(known, "0", {0, 0})));
+  const SparseModel model = Import(kNvmFormat, Write(ModelText(known, "0", {0, 0})));
   ExpectSamePoints(model, known);
   EXPECT_THAT(notes_, Contains(HasSubstr("from the corner of the image")));
 }
@@ -72,7 +72,7 @@ TEST_F(Nvm, MeasurementsMayBeFromTheCorner) {
 TEST_F(Nvm, DistortionIsTurnedRound) {
   const SparseModel known = CenteredModel();
   for (const double r : {0.15, 0.02, -0.08}) {
-    const SparseModel model = Import(kFormat, Write(ModelText(known, Text(r))));
+    const SparseModel model = Import(kNvmFormat, Write(ModelText(known, Text(r))));
     double max_error = 0;
     for (size_t i = 0; i < known.images.size(); ++i) {
       for (const Eigen::Vector3d& point : CubePoints()) {
@@ -102,13 +102,13 @@ TEST_F(Nvm, TheLargestModelWithPointsIsRead) {
   unregistered.points.clear();
   const std::string path =
       Write(ModelText(small) + ModelText(known) + ModelText(unregistered) + "0\n");
-  ExpectSamePoints(Import(kFormat, path), known);
+  ExpectSamePoints(Import(kNvmFormat, path), known);
   EXPECT_THAT(notes_, Contains(HasSubstr("model 1 of 3")));
   Arguments arguments;
   arguments.model_index = 0;
-  EXPECT_EQ(Import(kFormat, path, arguments).images.size(), 1u);
+  EXPECT_EQ(Import(kNvmFormat, path, arguments).images.size(), 1u);
   arguments.model_index = 3;
-  EXPECT_THAT(Error(kFormat, path, arguments), HasSubstr("there are only 3 models"));
+  EXPECT_THAT(Error(kNvmFormat, path, arguments), HasSubstr("there are only 3 models"));
 }
 
 TEST_F(Nvm, NamesMayHoldBlanks) {
@@ -116,7 +116,7 @@ TEST_F(Nvm, NamesMayHoldBlanks) {
   fs::rename(images_ / "img_2.png", images_ / "img 2 b.png");
   for (const char* name : {"img 2 b.png", "img\"2\"b.png"}) {
     known.images[1].name = name;
-    EXPECT_EQ(Import(kFormat, Write(ModelText(known))).images[1].name, "img 2 b.png");
+    EXPECT_EQ(Import(kNvmFormat, Write(ModelText(known))).images[1].name, "img 2 b.png");
   }
 }
 
@@ -124,7 +124,7 @@ TEST_F(Nvm, FoldersOfOtherComputersAreLeftOff) {
   SparseModel known = CenteredModel();
   known.images[1].name = "C:\\my project\\img_2.png";
   known.images[2].name = "/home/nobody/img_10.png";
-  const SparseModel model = Import(kFormat, Write(ModelText(known)));
+  const SparseModel model = Import(kNvmFormat, Write(ModelText(known)));
   EXPECT_EQ(model.images[1].name, "img_2.png");
   EXPECT_EQ(model.images[2].name, "img_10.png");
 }
@@ -132,9 +132,9 @@ TEST_F(Nvm, FoldersOfOtherComputersAreLeftOff) {
 TEST_F(Nvm, BadFilesAreRefused) {
   const SparseModel known = CenteredModel();
   const std::string text = ModelText(known);
-  EXPECT_THAT(Error(kFormat, dir_.WriteFile("a.nvm", "NVM_V2\n" + text)),
+  EXPECT_THAT(Error(kNvmFormat, dir_.WriteFile("a.nvm", "NVM_V2\n" + text)),
               HasSubstr("a.nvm: line 1: \"NVM_V3\" expected"));
-  EXPECT_THAT(Error(kFormat, dir_.WriteFile("a.nvm", "NVM_V3 FixedK 600 320 600 240\n" + text)),
+  EXPECT_THAT(Error(kNvmFormat, dir_.WriteFile("a.nvm", "NVM_V3 FixedK 600 320 600 240\n" + text)),
               HasSubstr("line 1: \"NVM_V3 FixedK 600 320 600 240\": a fixed calibration"));
   EXPECT_THAT(ErrorWith(""), HasSubstr("the file holds no model"));
   EXPECT_THAT(ErrorWith("2\nimg_1.png 600 1 0 0 0 0 0 -6 0 0\n"),
@@ -165,7 +165,7 @@ TEST_F(Nvm, ReadsWhatColmapWrites) {
                             (dir_ / "day.nvm").string() + "'",
                         dir_ / "log"));
   images_ = day / "images";
-  const SparseModel model = Import(kFormat, dir_ / "day.nvm");
+  const SparseModel model = Import(kNvmFormat, dir_ / "day.nvm");
   ExpectSameAfterExport(model, ReadModel(day / "sparse"), {0, 0}, Repeats::kFirst);
 }
 

@@ -11,7 +11,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr char kFormat[] = "projection_matrices";
+constexpr char kProjectionMatricesFormat[] = "projection_matrices";
 
 // In the pixels of the format: the principal point moves by `shift`.
 Eigen::Matrix<double, 3, 4> ProjectionOf(const SparseModel& model, const ModelImage& image,
@@ -41,7 +41,7 @@ class ProjectionMatrices : public ImportTest {
 
 TEST_F(ProjectionMatrices, GiveTheSameProjections) {
   WriteMatrices(".projmatrix");
-  const SparseModel model = Import(kFormat, cameras_);
+  const SparseModel model = Import(kProjectionMatricesFormat, cameras_);
   ExpectSameProjections(model, known_);
   EXPECT_EQ(model.cameras.size(), 1u);  // shared
   EXPECT_TRUE(model.points.empty());
@@ -52,19 +52,19 @@ TEST_F(ProjectionMatrices, MayHaveTheirPixelCentersAtHalf) {
   WriteMatrices(".projmatrix", "", 1, 0);
   Arguments arguments;
   arguments.pixel_centers = PixelCenters::kHalf;
-  ExpectSameProjections(Import(kFormat, cameras_, arguments), known_);
+  ExpectSameProjections(Import(kProjectionMatricesFormat, cameras_, arguments), known_);
 }
 
 TEST_F(ProjectionMatrices, OfAnyScaleAreTheSameCamera) {
   for (const double scale : {-1.0, 1e-4, -3e5}) {
     WriteMatrices(".projmatrix", "", scale);
-    ExpectSameProjections(Import(kFormat, cameras_), known_);
+    ExpectSameProjections(Import(kProjectionMatricesFormat, cameras_), known_);
   }
 }
 
 TEST_F(ProjectionMatrices, MayHaveTheHeaderOfPmvs) {
   WriteMatrices(".txt", "CONTOUR\n");
-  ExpectSameProjections(Import(kFormat, cameras_), known_);
+  ExpectSameProjections(Import(kProjectionMatricesFormat, cameras_), known_);
   EXPECT_TRUE(HoldsProjectionMatrices(cameras_));
 }
 
@@ -73,7 +73,7 @@ TEST_F(ProjectionMatrices, AreMatchedByTheLastNumber) {
     const std::string number = fs::path(image.name).stem().string().substr(4);
     dir_.WriteFile("cameras/00" + number + ".projmatrix", Text(ProjectionOf(known_, image, -0.5)));
   }
-  ExpectSameProjections(Import(kFormat, cameras_), known_);
+  ExpectSameProjections(Import(kProjectionMatricesFormat, cameras_), known_);
   EXPECT_THAT(notes_, ElementsAre("3 of 3 camera files matched to images by number"));
 }
 
@@ -84,7 +84,7 @@ TEST_F(ProjectionMatrices, AreMatchedByOrder) {
     dir_.WriteFile("cameras/" + std::string(names[i]) + ".projmatrix",
                    Text(ProjectionOf(known_, known_.images[i], -0.5)));
   }
-  ExpectSameProjections(Import(kFormat, cameras_), known_);
+  ExpectSameProjections(Import(kProjectionMatricesFormat, cameras_), known_);
   EXPECT_THAT(notes_, ElementsAre("3 camera files matched to images by order: a.projmatrix is of "
                                   "img_1.png, c.projmatrix is of img_10.png"));
 }
@@ -100,29 +100,30 @@ TEST_F(ProjectionMatrices, AreMatchedByAList) {
   Arguments arguments;
   arguments.pixel_centers = PixelCenters::kInteger;
   arguments.list_path = dir_.WriteFile("list.txt", list);
-  ExpectSameProjections(Import(kFormat, cameras_, arguments), known_);
+  ExpectSameProjections(Import(kProjectionMatricesFormat, cameras_, arguments), known_);
 
   arguments.list_path = dir_.WriteFile("short.txt", "img_1.png\n");
-  EXPECT_THAT(Error(kFormat, cameras_, arguments),
+  EXPECT_THAT(Error(kProjectionMatricesFormat, cameras_, arguments),
               HasSubstr("short.txt: 1 images listed, but there are 3 camera files"));
 }
 
 TEST_F(ProjectionMatrices, NeedTheirImages) {
   WriteMatrices(".projmatrix");
   fs::remove(images_ / "img_2.png");
-  EXPECT_THAT(Error(kFormat, cameras_),
+  EXPECT_THAT(Error(kProjectionMatricesFormat, cameras_),
               AllOf(HasSubstr("img_2.projmatrix"), HasSubstr("no image in")));
   Arguments arguments;
   arguments.pixel_centers = PixelCenters::kInteger;
   arguments.skip_missing = true;
   SparseModel expected = known_;
   expected.images.erase(expected.images.begin() + 1);
-  ExpectSameProjections(Import(kFormat, cameras_, arguments), expected);
+  ExpectSameProjections(Import(kProjectionMatricesFormat, cameras_, arguments), expected);
 }
 
 TEST_F(ProjectionMatrices, ThatFitNoImageAreRefused) {
   dir_.WriteFile("cameras/x.projmatrix", Text(ProjectionOf(known_, known_.images[0], 0)));
-  EXPECT_THAT(Error(kFormat, cameras_), HasSubstr("there are 3 images but 1 camera files"));
+  EXPECT_THAT(Error(kProjectionMatricesFormat, cameras_),
+              HasSubstr("there are 3 images but 1 camera files"));
 }
 
 TEST_F(ProjectionMatrices, ImagesThatCannotBeToldApartAreRefused) {
@@ -130,7 +131,7 @@ TEST_F(ProjectionMatrices, ImagesThatCannotBeToldApartAreRefused) {
   for (const char* name : {"img_1.png", "img_2.png", "img_10.png"}) {
     fs::copy(images_ / name, images_ / ("other_" + std::string(name)));
   }
-  EXPECT_THAT(Error(kFormat, cameras_),
+  EXPECT_THAT(Error(kProjectionMatricesFormat, cameras_),
               HasSubstr("img_1_P.txt: two images fit by number: img_1.png and other_img_1.png"));
 }
 
@@ -138,7 +139,7 @@ TEST_F(ProjectionMatrices, BadOnesAreRefused) {
   WriteMatrices(".projmatrix");
   const auto error_with = [&](const std::string& text) {
     dir_.WriteFile("cameras/img_2.projmatrix", text);
-    return Error(kFormat, cameras_);
+    return Error(kProjectionMatricesFormat, cameras_);
   };
   EXPECT_THAT(error_with("1 2 3\n4 5 6\n7 8"),
               HasSubstr("img_2.projmatrix: line 3: the file ends before element of a 3x4 matrix"));
@@ -160,7 +161,7 @@ TEST_F(ProjectionMatrices, OfColmapsUndistorterGiveItsModel) {
   images_ = vase / "images";
   Arguments arguments;
   arguments.list_path = (vase / "pmvs" / "bundle.rd.out.list.txt").string();
-  const SparseModel model = Import(kFormat, vase / "pmvs" / "txt", arguments);
+  const SparseModel model = Import(kProjectionMatricesFormat, vase / "pmvs" / "txt", arguments);
   const SparseModel expected = ReadModel(vase / "sparse" / "0");
   ASSERT_EQ(model.images.size(), expected.images.size());
   // The matrices have six digits: elements up to 3000 are right to 0.005.

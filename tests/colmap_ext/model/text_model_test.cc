@@ -20,7 +20,8 @@ using testing::HasSubstr;
 constexpr char kCamera[] = "1 PINHOLE 640 480 500 500 320 240\n";
 constexpr char kImage[] = "1 1 0 0 0 0 0 1 1 a.png\n\n";
 
-SparseModel Read(const std::string& cameras, const std::string& images, const std::string& points) {
+SparseModel ReadText(const std::string& cameras, const std::string& images,
+                     const std::string& points) {
   ModelBuilder builder;
   std::istringstream cameras_in(cameras), images_in(images), points_in(points);
   ReadCamerasText(cameras_in, "cameras.txt", &builder);
@@ -29,9 +30,9 @@ SparseModel Read(const std::string& cameras, const std::string& images, const st
   return builder.Finish();
 }
 
-std::string ErrorOf(const std::string& cameras, const std::string& images = "",
-                    const std::string& points = "") {
-  return ErrorText<IoError>([&] { Read(cameras, images, points); });
+std::string ErrorOfText(const std::string& cameras, const std::string& images = "",
+                        const std::string& points = "") {
+  return ErrorText<IoError>([&] { ReadText(cameras, images, points); });
 }
 
 TEST(LineReader, LinesMayBeLong) {
@@ -69,10 +70,10 @@ TEST(TextModel, PanoramasThatColmapShrankAreRead) {
   line.precision(17);
   line << "1 EQUIRECTANGULAR 2000 1000 " << 7680 * scale << ' ' << 3840 * scale << '\n';
   EXPECT_THAT(line.str(), HasSubstr("2000.00000000000"));  // not 2000
-  EXPECT_EQ(Read(line.str(), kImage, "").images.size(), 1u);
-  EXPECT_THAT(ErrorOf("1 EQUIRECTANGULAR 2000 1000 2001 1000\n"),
+  EXPECT_EQ(ReadText(line.str(), kImage, "").images.size(), 1u);
+  EXPECT_THAT(ErrorOfText("1 EQUIRECTANGULAR 2000 1000 2001 1000\n"),
               HasSubstr("must be its width and height"));
-  EXPECT_THAT(ErrorOf("1 EQUIRECTANGULAR 2000 1000 2000 1001\n"),
+  EXPECT_THAT(ErrorOfText("1 EQUIRECTANGULAR 2000 1000 2000 1001\n"),
               HasSubstr("must be its width and height"));
 }
 
@@ -85,19 +86,19 @@ TEST(TextModel, RoundTripsExactly) {
   WriteCamerasText(model, cameras);
   WriteImagesText(model, images);
   WritePointsText(model, points);
-  ExpectSameModel(Read(cameras.str(), images.str(), points.str()), model);
+  ExpectSameModel(ReadText(cameras.str(), images.str(), points.str()), model);
 }
 
 TEST(TextModel, RestOfTheLineIsTheName) {
-  const SparseModel model = Read(kCamera, "1 1 0 0 0 0 0 1 1   sub dir/im  01.png  \n\n", "");
+  const SparseModel model = ReadText(kCamera, "1 1 0 0 0 0 0 1 1   sub dir/im  01.png  \n\n", "");
   EXPECT_EQ(model.images.at(0).name, "sub dir/im  01.png");
 }
 
 TEST(TextModel, WindowsLineEndsAndTabsAreRead) {
-  const SparseModel model =
-      Read("# c\r\n1\tPINHOLE 640  480 500 500 320 240\r\n",
-           "# a\r\n\r\n1 1 0 0 0 0 0 1 1 a.png\r\n1.5 2.5 -1\r\n2 1 0 0 0 0 0 2 1 b.png\r\n\r\n",
-           "3 1 2 3 4 5 6 0.5 1 0\r\n");
+  const SparseModel model = ReadText(
+      "# c\r\n1\tPINHOLE 640  480 500 500 320 240\r\n",
+      "# a\r\n\r\n1 1 0 0 0 0 0 1 1 a.png\r\n1.5 2.5 -1\r\n2 1 0 0 0 0 0 2 1 b.png\r\n\r\n",
+      "3 1 2 3 4 5 6 0.5 1 0\r\n");
   ASSERT_EQ(model.images.size(), 2u);
   EXPECT_EQ(model.images[0].name, "a.png");
   ASSERT_EQ(model.images[0].observations.size(), 1u);
@@ -107,42 +108,44 @@ TEST(TextModel, WindowsLineEndsAndTabsAreRead) {
 }
 
 TEST(TextModel, EmptyLineOfPointsBelongsToItsImage) {
-  const SparseModel model = Read(kCamera, "1 1 0 0 0 0 0 1 1 a.png\n\n2 1 0 0 0 0 0 2 1 b.png", "");
+  const SparseModel model =
+      ReadText(kCamera, "1 1 0 0 0 0 0 1 1 a.png\n\n2 1 0 0 0 0 0 2 1 b.png", "");
   ASSERT_EQ(model.images.size(), 2u);
   EXPECT_EQ(model.images[1].name, "b.png");
 }
 
 TEST(TextModel, RemovedLineOfPointsIsNoticed) {
-  EXPECT_THAT(ErrorOf(kCamera, "1 1 0 0 0 0 0 1 1 a.png\n2 1 0 0 0 0 0 2 1 b.png\n"),
+  EXPECT_THAT(ErrorOfText(kCamera, "1 1 0 0 0 0 0 1 1 a.png\n2 1 0 0 0 0 0 2 1 b.png\n"),
               HasSubstr("images.txt: line 2: \"b.png\" is not a number"));
 }
 
 TEST(TextModel, DecimalCommaIsNoNumber) {
-  EXPECT_THAT(ErrorOf("1 PINHOLE 640 480 520,22 500 320 240\n"),
+  EXPECT_THAT(ErrorOfText("1 PINHOLE 640 480 520,22 500 320 240\n"),
               HasSubstr("cameras.txt: line 1: \"520,22\" is not a number"));
 }
 
 TEST(TextModel, NanIsNoPose) {
-  EXPECT_THAT(ErrorOf(kCamera, "1 nan 0 0 0 0 0 1 1 a.png\n\n"), HasSubstr("not finite"));
-  EXPECT_THAT(ErrorOf(kCamera, "1 0 0 0 0 0 0 1 1 a.png\n\n"), HasSubstr("zero quaternion"));
+  EXPECT_THAT(ErrorOfText(kCamera, "1 nan 0 0 0 0 0 1 1 a.png\n\n"), HasSubstr("not finite"));
+  EXPECT_THAT(ErrorOfText(kCamera, "1 0 0 0 0 0 0 1 1 a.png\n\n"), HasSubstr("zero quaternion"));
 }
 
 TEST(TextModel, UnknownModelAndWrongParameterCountAreNamed) {
-  EXPECT_THAT(ErrorOf("\n1 PINHOL 640 480 500 500 320 240\n"),
+  EXPECT_THAT(ErrorOfText("\n1 PINHOL 640 480 500 500 320 240\n"),
               HasSubstr("cameras.txt: line 2: camera 1 has the unknown camera model \"PINHOL\""));
-  EXPECT_THAT(ErrorOf("1 PINHOLE 640 480 500 500 320\n"),
+  EXPECT_THAT(ErrorOfText("1 PINHOLE 640 480 500 500 320\n"),
               HasSubstr("camera 1: PINHOLE has 4 parameters, found 3"));
 }
 
 TEST(TextModel, ShortLinesAreNamed) {
-  EXPECT_THAT(ErrorOf("1 PINHOLE 640\n"), HasSubstr("line 1: the line ends before HEIGHT"));
-  EXPECT_THAT(ErrorOf(kCamera, "1 1 0 0 0 0 0 1\n"), HasSubstr("ends before CAMERA_ID"));
-  EXPECT_THAT(ErrorOf(kCamera, "1 1 0 0 0 0 0 1 1\n\n"), HasSubstr("the image has no name"));
-  EXPECT_THAT(ErrorOf(kCamera, "1 1 0 0 0 0 0 1 1 a.png\n5 6\n"),
+  EXPECT_THAT(ErrorOfText("1 PINHOLE 640\n"), HasSubstr("line 1: the line ends before HEIGHT"));
+  EXPECT_THAT(ErrorOfText(kCamera, "1 1 0 0 0 0 0 1\n"), HasSubstr("ends before CAMERA_ID"));
+  EXPECT_THAT(ErrorOfText(kCamera, "1 1 0 0 0 0 0 1 1\n\n"), HasSubstr("the image has no name"));
+  EXPECT_THAT(ErrorOfText(kCamera, "1 1 0 0 0 0 0 1 1 a.png\n5 6\n"),
               HasSubstr("line 2: the line ends"));
-  EXPECT_THAT(ErrorOf(kCamera, kImage, "1 0 0 0 1 2 3 0.5 1\n"), HasSubstr("points3D.txt: line 1"));
-  EXPECT_THAT(ErrorOf(kCamera, kImage, "1 0 0 0 1 2 300 0.5\n"), HasSubstr("\"300\""));
-  EXPECT_EQ(ErrorOf(kCamera, kImage, "1 0 0 0 1 2 3 0.5 1 0\n"), "");
+  EXPECT_THAT(ErrorOfText(kCamera, kImage, "1 0 0 0 1 2 3 0.5 1\n"),
+              HasSubstr("points3D.txt: line 1"));
+  EXPECT_THAT(ErrorOfText(kCamera, kImage, "1 0 0 0 1 2 300 0.5\n"), HasSubstr("\"300\""));
+  EXPECT_EQ(ErrorOfText(kCamera, kImage, "1 0 0 0 1 2 3 0.5 1 0\n"), "");
 }
 
 }  // namespace

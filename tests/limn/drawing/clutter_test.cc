@@ -13,11 +13,11 @@
 namespace limn {
 namespace {
 
-constexpr double kHalfSide = 0.8;
+constexpr double kHalfSideOfClutter = 0.8;
 constexpr double kDistance = 5;
 constexpr double kNoisePx = 0.2;
 
-const std::vector<View>& Views() {
+const std::vector<View>& ViewsOfClutter() {
   static const std::vector<View> views = testing::DomeViews(16, kDistance);
   return views;
 }
@@ -85,12 +85,13 @@ double LengthPx(const ImageCurves& curves) {
 // A wire cube, and in every image as much clutter as there is of the cube.
 std::vector<ImageCurves> CubeInClutter() {
   std::vector<ImageCurves> curves;
-  for (size_t v = 0; v < Views().size(); ++v) {
+  for (size_t v = 0; v < ViewsOfClutter().size(); ++v) {
     const auto seed = static_cast<unsigned>(100 + v);
-    auto shown = testing::CubeEdges(kHalfSide);
-    const double cube_px = LengthPx(testing::ProjectCurves(Views()[v], shown));
-    for (auto& curve : Clutter(Views()[v], seed).Make(cube_px)) shown.push_back(std::move(curve));
-    curves.push_back(testing::ProjectCurves(Views()[v], shown, kNoisePx, seed));
+    auto shown = testing::CubeEdges(kHalfSideOfClutter);
+    const double cube_px = LengthPx(testing::ProjectCurves(ViewsOfClutter()[v], shown));
+    for (auto& curve : Clutter(ViewsOfClutter()[v], seed).Make(cube_px))
+      shown.push_back(std::move(curve));
+    curves.push_back(testing::ProjectCurves(ViewsOfClutter()[v], shown, kNoisePx, seed));
     EXPECT_GE(LengthPx(curves.back()), 2 * cube_px);
   }
   return curves;
@@ -99,11 +100,11 @@ std::vector<ImageCurves> CubeInClutter() {
 void ExpectCubeAndLittleElse(const DrawingGraph& graph, const std::string& name) {
   EXPECT_TRUE(Validate(graph).empty());
   CurveSet truth;
-  truth.polylines = testing::Polylines(testing::CubeEdges(kHalfSide));
+  truth.polylines = testing::Polylines(testing::CubeEdges(kHalfSideOfClutter));
   EvaluationOptions options;
   options.taus = {2};
   const TauResult row =
-      EvaluateCurvesInFootprints(ToCurveSet(graph), truth, Views(), options).rows.at(0);
+      EvaluateCurvesInFootprints(ToCurveSet(graph), truth, ViewsOfClutter(), options).rows.at(0);
   ::testing::Test::RecordProperty(name + "_precision", std::to_string(row.precision.value()));
   ::testing::Test::RecordProperty(name + "_recall", std::to_string(row.recall.value()));
   EXPECT_GE(row.precision.value(), 0.95) << name;
@@ -114,10 +115,13 @@ TEST(ClutterTest, CubeIsFoundAndLittleElse) {
   const std::vector<ImageCurves> curves = CubeInClutter();
   const SceneHints no_hints;
   const CurveSketch sketch =
-      BuildSweptSketch({Views(), curves, no_hints, std::nullopt}, SketchOptions(), {}).sketch;
-  const DrawingGraph drawn = BuildDrawing({Views(), curves, sketch}, DrawingOptions(), {}).graph;
+      BuildSweptSketch({ViewsOfClutter(), curves, no_hints, std::nullopt}, SketchOptions(), {})
+          .sketch;
+  const DrawingGraph drawn =
+      BuildDrawing({ViewsOfClutter(), curves, sketch}, DrawingOptions(), {}).graph;
   ExpectCubeAndLittleElse(drawn, "drawn");
-  ExpectCubeAndLittleElse(RefineDrawing({Views(), curves, drawn}, {}, {}, {}).graph, "refined");
+  ExpectCubeAndLittleElse(RefineDrawing({ViewsOfClutter(), curves, drawn}, {}, {}, {}).graph,
+                          "refined");
 }
 
 }  // namespace

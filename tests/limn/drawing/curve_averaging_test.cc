@@ -18,10 +18,10 @@ using Eigen::Vector3d;
 
 // Rows of samples along x at these offsets, a pixel apart, without overlaps. Footprint 1: a unit is
 // a pixel.
-struct Scene {
+struct AveragingScene {
   static constexpr int kSize = 30;
 
-  explicit Scene(const std::vector<Vector3d>& offsets) {
+  explicit AveragingScene(const std::vector<Vector3d>& offsets) {
     std::vector<std::vector<Vector3d>> rows;
     for (const Vector3d& offset : offsets) rows.push_back(testing::Row(offset, {1, 0, 0}, kSize));
     samples = testing::MakeSamples(rows);
@@ -61,15 +61,15 @@ struct Scene {
 
 // All samples of a row are at this offset, and have not moved along it. Its ends are not asked: at
 // them, the feet on the other rows are just at an end.
-void ExpectRow(const Scene& scene, int curve, const Vector3d& offset, double tolerance) {
-  for (int k = 1; k + 1 < Scene::kSize; ++k) {
+void ExpectRow(const AveragingScene& scene, int curve, const Vector3d& offset, double tolerance) {
+  for (int k = 1; k + 1 < AveragingScene::kSize; ++k) {
     EXPECT_LT((scene.At(curve, k) - offset - Vector3d(k, 0, 0)).norm(), tolerance)
         << "curve " << curve << " sample " << k << " at " << scene.At(curve, k).transpose();
   }
 }
 
 TEST(CurveAveragingTest, EqualCurvesMeetInTheMiddle) {
-  Scene scene({{0, 0, 0}, {0, 0.3, -0.4}});
+  AveragingScene scene({{0, 0, 0}, {0, 0.3, -0.4}});
   scene.OverlapBoth(0, 1);
   const SampleSet before = scene.samples;
   EXPECT_EQ(scene.Average().rounds, 2);  // the second moves nothing
@@ -82,7 +82,7 @@ TEST(CurveAveragingTest, EqualCurvesMeetInTheMiddle) {
 
 // Sigmas of 1 and 0.5 px; the least sigma that is believed, 0.1 px, hardly counts beside them.
 TEST(CurveAveragingTest, CurvesMeetAtTheWeightedMean) {
-  Scene scene({{0, 0, 0}, {0, 0.4, 0}});
+  AveragingScene scene({{0, 0, 0}, {0, 0.4, 0}});
   scene.SetInformation(0, Vector3d(0, 1, 1).asDiagonal());
   scene.SetInformation(1, Vector3d(0, 4, 4).asDiagonal());
   scene.OverlapBoth(0, 1);
@@ -93,7 +93,7 @@ TEST(CurveAveragingTest, CurvesMeetAtTheWeightedMean) {
 }
 
 TEST(CurveAveragingTest, NoEstimateRulesAlone) {
-  Scene scene({{0, 0, 0}, {0, 0.4, 0}});
+  AveragingScene scene({{0, 0, 0}, {0, 0.4, 0}});
   scene.SetInformation(0, Vector3d(0, 1e4, 1e4).asDiagonal());
   scene.SetInformation(1, Vector3d(0, 1e9, 1e9).asDiagonal());
   scene.OverlapBoth(0, 1);
@@ -104,7 +104,7 @@ TEST(CurveAveragingTest, NoEstimateRulesAlone) {
 // One curve knows its depth badly, the other well; sideways both know the same. The whole is turned
 // so that no axis is special.
 TEST(CurveAveragingTest, DepthComesFromTheCurveThatKnowsIt) {
-  Scene scene({{0, 0, 0}, {0, 0.4, 0.3}});
+  AveragingScene scene({{0, 0, 0}, {0, 0.4, 0.3}});
   scene.SetInformation(0, Vector3d(0, 100, 0.1).asDiagonal());
   scene.SetInformation(1, Vector3d(0, 100, 100).asDiagonal());
   scene.OverlapBoth(0, 1);
@@ -128,7 +128,7 @@ TEST(CurveAveragingTest, DepthComesFromTheCurveThatKnowsIt) {
 
 // Rows this far apart sideways, all else by default: whether they attract each other.
 bool Attract(double distance_px, double merge_distance_px, double footprint = 1) {
-  Scene scene({{0, 0, 0}, {0, distance_px * footprint, 0}});
+  AveragingScene scene({{0, 0, 0}, {0, distance_px * footprint, 0}});
   scene.samples.footprint.assign(scene.samples.footprint.size(), footprint);
   for (Matrix3d& information : scene.samples.information) information /= footprint * footprint;
   scene.options.merge_distance_px = merge_distance_px;
@@ -159,7 +159,7 @@ TEST(CurveAveragingTest, MergeDistanceIsInFootprints) {
 // from anywhere.
 TEST(CurveAveragingTest, ErrorsOfDepthDoNotExclude) {
   for (const double depth : {1.5, 4.0}) {
-    Scene scene({{0, 0, 0}, {0, 0.2, depth}});
+    AveragingScene scene({{0, 0, 0}, {0, 0.2, depth}});
     for (int c = 0; c < 2; ++c) scene.SetInformation(c, Vector3d(0, 100, 0).asDiagonal());
     scene.OverlapBoth(0, 1);
     const SampleSet before = scene.samples;
@@ -173,15 +173,15 @@ TEST(CurveAveragingTest, ErrorsOfDepthDoNotExclude) {
 }
 
 TEST(CurveAveragingTest, NoSampleMovesAlongItsCurve) {
-  Scene scene({{0, 0, 0}, {0, 0.3, 0}});
+  AveragingScene scene({{0, 0, 0}, {0, 0.3, 0}});
   scene.Overlap(0, 1);
   // The other row runs askew.
-  for (int k = 0; k < Scene::kSize; ++k) {
-    scene.samples.position[Scene::kSize + k] = Vector3d(k, 0.4 - 0.02 * k, 0.1);
+  for (int k = 0; k < AveragingScene::kSize; ++k) {
+    scene.samples.position[AveragingScene::kSize + k] = Vector3d(k, 0.4 - 0.02 * k, 0.1);
   }
   scene.options.max_averaging_rounds = 1;
   scene.Average();
-  for (int k = 1; k + 1 < Scene::kSize; ++k) {
+  for (int k = 1; k + 1 < AveragingScene::kSize; ++k) {
     EXPECT_NEAR(scene.At(0, k).x(), k, 1e-9);
     EXPECT_NEAR(scene.At(0, k).y(), 0.5 * (0.4 - 0.02 * k), 0.001);
   }
@@ -189,7 +189,7 @@ TEST(CurveAveragingTest, NoSampleMovesAlongItsCurve) {
 
 TEST(CurveAveragingTest, ClosestPointIsSoughtBesideThePartner) {
   for (const int shift : {-4, 4}) {
-    Scene scene({{0, 0, 0}, {0, 0.4, 0}});
+    AveragingScene scene({{0, 0, 0}, {0, 0.4, 0}});
     scene.Overlap(0, 1, shift);
     scene.options.max_averaging_rounds = 1;
     scene.Average();
@@ -198,31 +198,32 @@ TEST(CurveAveragingTest, ClosestPointIsSoughtBesideThePartner) {
 }
 
 TEST(CurveAveragingTest, SamplesWithoutPartnersStay) {
-  Scene scene({{0, 0, 0}, {0, 0.4, 0}, {0, -0.2, 0}});
+  AveragingScene scene({{0, 0, 0}, {0, 0.4, 0}, {0, -0.2, 0}});
   scene.OverlapBoth(0, 1);
   std::vector<int>& partner = scene.network.overlaps[0][0].partner;
   std::fill(partner.begin(), partner.begin() + 10, -1);
   const SampleSet before = scene.samples;
   scene.options.max_averaging_rounds = 1;
   scene.Average();
-  for (int k = 1; k + 1 < Scene::kSize; ++k) {
+  for (int k = 1; k + 1 < AveragingScene::kSize; ++k) {
     EXPECT_NEAR(scene.At(0, k).y(), k < 10 ? 0 : 0.2, 1e-6);
     EXPECT_NEAR(scene.At(1, k).y(), 0.2, 1e-6);
-    EXPECT_EQ(scene.At(2, k), before.position[2 * Scene::kSize + k]);  // no overlaps at all
+    EXPECT_EQ(scene.At(2, k),
+              before.position[2 * AveragingScene::kSize + k]);  // no overlaps at all
   }
 }
 
 // The other curve runs from sample 10 to sample 19 of the first; samples beyond have its ends as
 // partners, near enough to pull.
 TEST(CurveAveragingTest, FeetBeyondTheEndDoNotPull) {
-  Scene scene({{0, 0, 0}});
-  scene.samples = testing::MakeSamples({testing::Row({0, 0, 0}, {1, 0, 0}, Scene::kSize),
+  AveragingScene scene({{0, 0, 0}});
+  scene.samples = testing::MakeSamples({testing::Row({0, 0, 0}, {1, 0, 0}, AveragingScene::kSize),
                                         testing::Row({10, 0.4, 0}, {1, 0, 0}, 10)});
   scene.network.overlaps.resize(2);
   scene.Overlap(0, 1, -10);
   scene.options.max_averaging_rounds = 1;
   scene.Average();
-  for (int k = 0; k < Scene::kSize; ++k) {
+  for (int k = 0; k < AveragingScene::kSize; ++k) {
     if (k == 10 || k == 19) continue;  // just at the end
     EXPECT_NEAR(scene.At(0, k).y(), k < 10 || k > 19 ? 0 : 0.2, 1e-9) << k;
   }
@@ -239,7 +240,7 @@ double PullAtTheSeam(bool closed, int partner) {
     circle.push_back(radius * Vector3d(std::cos(angle), std::sin(angle), 0));
   }
   const std::vector<Vector3d> outside = testing::Row({radius + 0.5, -1, 0}, {0, 1, 0}, 3);
-  Scene scene({{0, 0, 0}});
+  AveragingScene scene({{0, 0, 0}});
   scene.samples = testing::MakeSamples({circle, outside});
   scene.samples.origins[0].closed = closed;
   scene.network.overlaps = {{}, {{0, {-1, partner, -1}}}};
@@ -257,7 +258,7 @@ TEST(CurveAveragingTest, ClosedCurvesHaveNoEndToBeBeyond) {
 
 // The paper's average: all curves count the same, however far, and whatever their information.
 TEST(CurveAveragingTest, ThePaperTakesThePlainMean) {
-  Scene scene({{0, 0, 0}, {0, 3, 0}, {0, 0, 6}});
+  AveragingScene scene({{0, 0, 0}, {0, 3, 0}, {0, 0, 6}});
   scene.options.method = "paper";
   scene.SetInformation(1, Vector3d(0, 4, 400).asDiagonal());
   for (const int other : {1, 2}) scene.Overlap(0, other);
@@ -269,7 +270,7 @@ TEST(CurveAveragingTest, ThePaperTakesThePlainMean) {
 
 // The partner is 20 samples off.
 TEST(CurveAveragingTest, ThePaperSeeksTheClosestPointsAnew) {
-  Scene scene({{0, 0, 0}, {0, 1, 0}});
+  AveragingScene scene({{0, 0, 0}, {0, 1, 0}});
   scene.options.method = "paper";
   scene.Overlap(0, 1, 20);
   scene.options.max_averaging_rounds = 200;
@@ -280,7 +281,7 @@ TEST(CurveAveragingTest, ThePaperSeeksTheClosestPointsAnew) {
 
 // A sample that has moved by no more than the tolerance rests, even if it is pulled later.
 TEST(CurveAveragingTest, InThePaperWhatRestsStays) {
-  Scene scene({{0, 0, 0}, {0, 1, 0}, {0, 1.02, 0}});
+  AveragingScene scene({{0, 0, 0}, {0, 1, 0}, {0, 1.02, 0}});
   scene.options.method = "paper";
   scene.OverlapBoth(0, 1);
   scene.OverlapBoth(1, 2);
@@ -291,8 +292,8 @@ TEST(CurveAveragingTest, InThePaperWhatRestsStays) {
 }
 
 // Five copies of a line with noise of 0.15 px, each overlapping all others.
-Scene NoisyCopies() {
-  Scene scene(std::vector<Vector3d>(5, Vector3d::Zero()));
+AveragingScene NoisyCopies() {
+  AveragingScene scene(std::vector<Vector3d>(5, Vector3d::Zero()));
   std::mt19937 random(11);
   std::normal_distribution<double> gauss(0, 0.15);
   for (Vector3d& position : scene.samples.position) {
@@ -310,7 +311,7 @@ Scene NoisyCopies() {
 TEST(CurveAveragingTest, AfterwardsNoSampleMovesByMoreThanTheTolerance) {
   int last_rounds = 0;
   for (const double tolerance_px : {1.0, 0.05, 0.0005}) {
-    Scene scene = NoisyCopies();
+    AveragingScene scene = NoisyCopies();
     scene.options.averaging_tolerance_px = tolerance_px;
     scene.options.max_averaging_rounds = 50;
     const AveragingResult result = scene.Average();
@@ -331,7 +332,7 @@ TEST(CurveAveragingTest, AfterwardsNoSampleMovesByMoreThanTheTolerance) {
 }
 
 TEST(CurveAveragingTest, NoiseIsAveraged) {
-  Scene scene = NoisyCopies();
+  AveragingScene scene = NoisyCopies();
   scene.Average();
   double sum = 0;
   for (const Vector3d& position : scene.samples.position) sum += position.tail<2>().squaredNorm();
@@ -342,7 +343,7 @@ TEST(CurveAveragingTest, NoiseIsAveraged) {
 // The tolerance is in footprints, too.
 TEST(CurveAveragingTest, ToleranceIsInFootprints) {
   for (const double footprint : {0.01, 100.0}) {
-    Scene scene({{0, 0, 0}, {0, 0.4 * footprint, 0}});
+    AveragingScene scene({{0, 0, 0}, {0, 0.4 * footprint, 0}});
     scene.samples.footprint.assign(scene.samples.footprint.size(), footprint);
     for (Matrix3d& information : scene.samples.information) information /= footprint * footprint;
     scene.OverlapBoth(0, 1);
@@ -353,7 +354,8 @@ TEST(CurveAveragingTest, ToleranceIsInFootprints) {
 // The last movement, too, is in footprints.
 TEST(CurveAveragingTest, LastMovementIsThatOfTheSampleThatMovedFarthest) {
   const double footprint = 5;
-  Scene scene({{0, 0, 0}, {0, 0.4 * footprint, 0}, {0, 40, 0}, {0, 40 + 0.2 * footprint, 0}});
+  AveragingScene scene(
+      {{0, 0, 0}, {0, 0.4 * footprint, 0}, {0, 40, 0}, {0, 40 + 0.2 * footprint, 0}});
   scene.samples.footprint.assign(scene.samples.footprint.size(), footprint);
   for (Matrix3d& information : scene.samples.information) information /= footprint * footprint;
   scene.OverlapBoth(0, 1);
@@ -367,7 +369,7 @@ TEST(CurveAveragingTest, LastMovementIsThatOfTheSampleThatMovedFarthest) {
 // Three rows, the middle one overlaps both: in every round, the outer ones come half as near.
 TEST(CurveAveragingTest, RoundsAreCountedAndLimited) {
   for (const int rounds : {0, 1, 2, 5}) {
-    Scene scene({{0, -0.3, 0}, {0, 0, 0}, {0, 0.3, 0}});
+    AveragingScene scene({{0, -0.3, 0}, {0, 0, 0}, {0, 0.3, 0}});
     scene.OverlapBoth(0, 1);
     scene.OverlapBoth(1, 2);
     scene.options.averaging_tolerance_px = 1e-9;
@@ -385,7 +387,7 @@ TEST(CurveAveragingTest, RoundsAreCountedAndLimited) {
 }
 
 TEST(CurveAveragingTest, NothingTakesNoRound) {
-  Scene none({});
+  AveragingScene none({});
   const AveragingResult result = none.Average();
   EXPECT_EQ(result.rounds, 0);
   EXPECT_TRUE(result.converged);
@@ -398,7 +400,7 @@ TEST(CurveAveragingTest, OneOfAFewPartnersCountsAsMuchAsTheOthers) {
     offsets.emplace_back(0, 0.01 * i * i, 0);
     sum += offsets.back().y();
   }
-  Scene scene(offsets);
+  AveragingScene scene(offsets);
   for (int i = 1; i <= 8; ++i) scene.Overlap(0, i);
   scene.options.max_averaging_rounds = 1;
   scene.Average();
@@ -412,12 +414,12 @@ TEST(CurveAveragingTest, ManyPartnersGiveTheirMean) {
     for (int i = 0; i < num_partners; ++i) {
       offsets.emplace_back(0, -0.4 + 0.8 * i / (num_partners - 1), 0);
     }
-    Scene scene(offsets);
+    AveragingScene scene(offsets);
     for (int i = 1; i <= num_partners; ++i) scene.Overlap(0, i);
     scene.options.max_averaging_rounds = 1;
     scene.Average();
     // Its own place counts for one in eight at most; a part of them has nearly the mean of all.
-    for (int k = 1; k + 1 < Scene::kSize; ++k) {
+    for (int k = 1; k + 1 < AveragingScene::kSize; ++k) {
       EXPECT_NEAR(scene.At(0, k).y(), 0, 0.2 / 8 + 0.04);
     }
   }

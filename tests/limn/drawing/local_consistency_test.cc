@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kNumViews = 8;
+constexpr int kNumSceneViews = 8;
 constexpr int kRowLength = 40;
 
 struct Sample {
@@ -34,7 +34,7 @@ class Scene {
       }
     }
     const View view = testing::LookAt({5, 0, 0}, Vector3d::Zero());
-    for (int v = 0; v < kNumViews; ++v) {
+    for (int v = 0; v < kNumSceneViews; ++v) {
       curves.emplace_back();
       curves.back().edge_map = testing::MakeEdgeMap(view, edgels);
     }

@@ -13,9 +13,9 @@
 namespace limn {
 namespace {
 
-constexpr double kHalfSide = 0.2;  // edges of about 48 px
+constexpr double kHalfSideOfCube = 0.2;  // edges of about 48 px
 
-const std::vector<View>& Views() {
+const std::vector<View>& ViewsOfLostEdges() {
   static const std::vector<View> views = testing::DomeViews(16, 5);
   return views;
 }
@@ -28,12 +28,13 @@ Eigen::Vector3d Middle(const testing::SceneCurve& curve) {
 CurveSketch SketchWithoutFirstEdge(const std::vector<ImageCurves>& curves) {
   const SceneHints no_hints;
   CurveSketch sketch =
-      BuildEnhancedSketch({Views(), curves, no_hints, std::nullopt}, SketchOptions(), {}).sketch;
-  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSide).front());
+      BuildEnhancedSketch({ViewsOfLostEdges(), curves, no_hints, std::nullopt}, SketchOptions(), {})
+          .sketch;
+  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSideOfCube).front());
   std::erase_if(sketch.curves, [&](const Curve3D& curve) {
     const Eigen::Vector3d middle =
         0.5 * (curve.points_in_world.front() + curve.points_in_world.back());
-    return (middle - missing).norm() < 0.3 * kHalfSide;
+    return (middle - missing).norm() < 0.3 * kHalfSideOfCube;
   });
   return sketch;
 }
@@ -60,15 +61,16 @@ int64_t NumSamplesAccountedFor(const StageSummary& summary) {
 }
 
 TEST(LostEdgesTest, EdgeThatTheSketchLostGrowsFromItsCorner) {
-  const auto curves = testing::ProjectCurves(Views(), testing::CubeEdges(kHalfSide), 0.2);
-  const DrawingResult result =
-      BuildDrawing({Views(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {});
+  const auto curves =
+      testing::ProjectCurves(ViewsOfLostEdges(), testing::CubeEdges(kHalfSideOfCube), 0.2);
+  const DrawingResult result = BuildDrawing(
+      {ViewsOfLostEdges(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {});
   const DrawingGraph& graph = result.graph;
   EXPECT_TRUE(Validate(graph).empty());
   EXPECT_EQ(NumSamplesAccountedFor(result.summary), CountOf(result.summary.in, "samples"));
   EXPECT_EQ(graph.links.size(), 12u);
   EXPECT_EQ(NumNodesOfDegree(graph, 3), 8);
-  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSide).front());
+  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSideOfCube).front());
   const double footprint = 5.0 / 600;
   const bool found =
       std::any_of(graph.links.begin(), graph.links.end(), [&](const DrawingLink& link) {
@@ -80,29 +82,32 @@ TEST(LostEdgesTest, EdgeThatTheSketchLostGrowsFromItsCorner) {
 }
 
 TEST(LostEdgesTest, NothingGrowsOutOfTheBox) {
-  const auto curves = testing::ProjectCurves(Views(), testing::CubeEdges(kHalfSide), 0.2);
+  const auto curves =
+      testing::ProjectCurves(ViewsOfLostEdges(), testing::CubeEdges(kHalfSideOfCube), 0.2);
   const CurveSketch sketch = SketchWithoutFirstEdge(curves);
   // All corners but those of the missing edge are inside, which it leaves at once.
   Eigen::AlignedBox3d box;
-  for (const testing::SceneCurve& edge : testing::CubeEdges(0.9 * kHalfSide)) {
+  for (const testing::SceneCurve& edge : testing::CubeEdges(0.9 * kHalfSideOfCube)) {
     box.extend(edge.points.front());
   }
   const DrawingGraph graph =
-      BuildDrawing({Views(), curves, sketch, box}, DrawingOptions(), {}).graph;
+      BuildDrawing({ViewsOfLostEdges(), curves, sketch, box}, DrawingOptions(), {}).graph;
   EXPECT_TRUE(Validate(graph).empty());
-  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSide).front());
+  const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSideOfCube).front());
   EXPECT_TRUE(std::none_of(graph.links.begin(), graph.links.end(), [&](const DrawingLink& link) {
     return std::sqrt(ClosestPoint(link.points_in_world, missing).squared_distance) <
-           0.1 * kHalfSide;
+           0.1 * kHalfSideOfCube;
   }));
 }
 
 TEST(LostEdgesTest, NothingGrowsWhereImagesShowNothing) {
-  auto edges = testing::CubeEdges(kHalfSide);
+  auto edges = testing::CubeEdges(kHalfSideOfCube);
   edges.erase(edges.begin());
-  const auto curves = testing::ProjectCurves(Views(), edges, 0.2);
+  const auto curves = testing::ProjectCurves(ViewsOfLostEdges(), edges, 0.2);
   const DrawingGraph graph =
-      BuildDrawing({Views(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {}).graph;
+      BuildDrawing({ViewsOfLostEdges(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(),
+                   {})
+          .graph;
   EXPECT_TRUE(Validate(graph).empty());
   EXPECT_EQ(graph.links.size(), 11u);
   EXPECT_EQ(NumNodesOfDegree(graph, 3), 6);

@@ -19,9 +19,9 @@ using Eigen::Vector3d;
 // Most tests look at a wire on the y axis from cameras on an arc around that axis. It is then at
 // the same depth over its whole length and seen without foreshortening, so that a pixel is a pixel
 // along it in every view.
-constexpr double kDistance = 5;
+constexpr double kCameraDistance = 5;
 constexpr double kFocal = 600;
-constexpr double kPixel = kDistance / kFocal;
+constexpr double kPixel = kCameraDistance / kFocal;
 
 std::vector<View> ArcViews(const std::vector<double>& distances) {
   std::vector<View> views;
@@ -34,7 +34,7 @@ std::vector<View> ArcViews(const std::vector<double>& distances) {
 }
 
 std::vector<View> ArcViews(int count) {
-  return ArcViews(std::vector<double>(static_cast<size_t>(count), kDistance));
+  return ArcViews(std::vector<double>(static_cast<size_t>(count), kCameraDistance));
 }
 
 // Unit normal of the plane through a camera and the wire.
@@ -53,7 +53,7 @@ std::vector<Vector3d> WirePoints(double from_px, double to_px, double step_px) {
   return points;
 }
 
-struct Scene {
+struct OneCurveScene {
   std::vector<View> views;
   std::vector<ImageCurves> curves;
 
@@ -61,8 +61,8 @@ struct Scene {
 };
 
 // Every view sees all of the wire over +-40 px.
-Scene FullScene(int num_views, double noise_px = 0) {
-  Scene scene;
+OneCurveScene FullScene(int num_views, double noise_px = 0) {
+  OneCurveScene scene;
   scene.views = ArcViews(num_views);
   scene.curves = testing::ProjectCurves(scene.views, {Wire(-40, 40)}, noise_px);
   return scene;
@@ -70,8 +70,8 @@ Scene FullScene(int num_views, double noise_px = 0) {
 
 // The first two views see all of the wire, the others these stretches of it: where there is none,
 // two views support a sample.
-Scene PartlySeen(const std::vector<testing::SceneCurve>& stretches) {
-  Scene scene = FullScene(2);
+OneCurveScene PartlySeen(const std::vector<testing::SceneCurve>& stretches) {
+  OneCurveScene scene = FullScene(2);
   scene.views = ArcViews(7);
   for (size_t v = 2; v < scene.views.size(); ++v) {
     scene.curves.push_back(testing::ProjectCurves(scene.views[v], stretches));
@@ -99,7 +99,8 @@ constexpr ViewId kAnchor = 0;
 
 // A curve of the sketch through these points, whose own edgels are those of the anchor's first
 // fragment.
-Curve3D SketchCurve(const Scene& scene, const std::vector<Vector3d>& points, bool closed = false) {
+Curve3D SketchCurve(const OneCurveScene& scene, const std::vector<Vector3d>& points,
+                    bool closed = false) {
   Curve3D curve;
   curve.closed = closed;
   curve.anchor = {kAnchor, 0, 0};
@@ -159,7 +160,7 @@ void ExpectWellFormed(const SampleSet& samples) {
   }
 }
 
-Outcome Retriangulated(const Scene& scene, const std::vector<Curve3D>& sketch,
+Outcome Retriangulated(const OneCurveScene& scene, const std::vector<Curve3D>& sketch,
                        const DrawingOptions& options = {}) {
   Outcome outcome;
   const auto support = BuildViewEdgels(scene.curves, {});
@@ -206,8 +207,8 @@ std::vector<std::pair<int, int>> Pieces(const SampleSet& samples) {
 using PieceList = std::vector<std::pair<int, int>>;
 
 TEST(RetriangulationTest, SamplesReturnToTheWireAcrossIt) {
-  Scene scene;
-  scene.views = testing::DomeViews(12, kDistance);
+  OneCurveScene scene;
+  scene.views = testing::DomeViews(12, kCameraDistance);
   const Vector3d from(-0.35, 0.1, 0.05), to(0.3, -0.15, 0.2);
   scene.curves = testing::ProjectCurves(scene.views, {testing::Segment(from, to)});
   const Vector3d direction = (to - from).normalized();
@@ -231,7 +232,7 @@ TEST(RetriangulationTest, SamplesReturnToTheWireAcrossIt) {
 // Unsmoothed, the error is that of least squares on edgels with this noise; smoothed, less.
 TEST(RetriangulationTest, ErrorIsThatOfTheEdgels) {
   const double noise_px = 0.2;
-  const Scene scene = FullScene(8, noise_px);
+  const OneCurveScene scene = FullScene(8, noise_px);
   Curve3D curve = SketchCurve(scene, WirePoints(-40, 40, 1));
   Deepen(scene.views[kAnchor], 2, &curve);
   const Matrix3d known = ExpectedInformation(scene.views, noise_px * noise_px);
@@ -250,7 +251,7 @@ TEST(RetriangulationTest, ErrorIsThatOfTheEdgels) {
 TEST(RetriangulationTest, InformationIsThatOfTheEdgelsAndZeroAlongTheCurve) {
   for (const int num_views : {5, 10}) {
     for (const float sigma_px : {0.1f, 0.4f}) {
-      Scene scene = FullScene(num_views);
+      OneCurveScene scene = FullScene(num_views);
       for (ImageCurves& of_view : scene.curves) {
         for (Edgel& edgel : of_view.edge_map.edgels) edgel.position_sigma_px = sigma_px;
       }
@@ -268,8 +269,8 @@ TEST(RetriangulationTest, InformationIsThatOfTheEdgelsAndZeroAlongTheCurve) {
 }
 
 TEST(RetriangulationTest, FootprintIsTheMedianOfTheSupportingViews) {
-  Scene scene;
-  scene.views = ArcViews({4, 7, kDistance, 6, 4.5, 20, 20, 20, 20});
+  OneCurveScene scene;
+  scene.views = ArcViews({4, 7, kCameraDistance, 6, 4.5, 20, 20, 20, 20});
   for (size_t v = 0; v < scene.views.size(); ++v) {
     const bool sees = v < 5;
     scene.curves.push_back(testing::ProjectCurves(
@@ -283,7 +284,7 @@ TEST(RetriangulationTest, FootprintIsTheMedianOfTheSupportingViews) {
 }
 
 TEST(RetriangulationTest, TangentsFollowTheSamples) {
-  const Scene scene = FullScene(6);
+  const OneCurveScene scene = FullScene(6);
   Curve3D curve = SketchCurve(scene, WirePoints(-40, 40, 1));
   for (Vector3d& tangent : curve.tangents_in_world) {
     tangent = Vector3d(0.05, 1, 0.05).normalized();  // 4 degrees off
@@ -296,7 +297,7 @@ TEST(RetriangulationTest, TangentsFollowTheSamples) {
 }
 
 TEST(RetriangulationTest, SupportIsSoughtInAllViewsThatSupportAnyOfTheCurve) {
-  const Scene scene = FullScene(7);
+  const OneCurveScene scene = FullScene(7);
   Curve3D curve = SketchCurve(scene, WirePoints(-40, 40, 1));
   // Even samples know of views 1 and 2, odd ones of 3 and 5, none of 4 and 6.
   SupportLists some;
@@ -326,7 +327,7 @@ TEST(RetriangulationTest, SupportIsSoughtInAllViewsThatSupportAnyOfTheCurve) {
 
 TEST(RetriangulationTest, CurveIsCutWhereTooFewViewsSupportIt) {
   // Samples 10 and 11, at 0 and 4 px, are in a gap.
-  const Scene scene = PartlySeen({Wire(-40, -3), Wire(7, 40)});
+  const OneCurveScene scene = PartlySeen({Wire(-40, -3), Wire(7, 40)});
   Curve3D curve = SketchCurve(scene, WirePoints(-40, 40, 4));
   const Outcome outcome = Retriangulated(scene, {curve});
   EXPECT_EQ(Pieces(outcome.samples), (PieceList{{0, 10}, {12, 9}}));
@@ -340,7 +341,7 @@ TEST(RetriangulationTest, CurveIsCutWhereTooFewViewsSupportIt) {
 
 TEST(RetriangulationTest, SingleUnsupportedSampleDoesNotCut) {
   // Sample 10 is in a gap.
-  const Scene scene = PartlySeen({Wire(-40, -3), Wire(3, 40)});
+  const OneCurveScene scene = PartlySeen({Wire(-40, -3), Wire(3, 40)});
   const Outcome outcome = Retriangulated(scene, {SketchCurve(scene, WirePoints(-40, 40, 4))});
   EXPECT_EQ(Pieces(outcome.samples), (PieceList{{0, 21}}));
   EXPECT_EQ(outcome.samples.support.Of(10).size(), 2u);
@@ -349,7 +350,7 @@ TEST(RetriangulationTest, SingleUnsupportedSampleDoesNotCut) {
 
 TEST(RetriangulationTest, UnsupportedEndsAreCutOff) {
   // The first and the last sample are beyond what most views see.
-  const Scene scene = PartlySeen({Wire(-37, 37)});
+  const OneCurveScene scene = PartlySeen({Wire(-37, 37)});
   const Outcome outcome = Retriangulated(scene, {SketchCurve(scene, WirePoints(-40, 40, 4))});
   EXPECT_EQ(Pieces(outcome.samples), (PieceList{{1, 19}}));
   EXPECT_EQ(outcome.stats.too_few_views, 2);
@@ -357,7 +358,7 @@ TEST(RetriangulationTest, UnsupportedEndsAreCutOff) {
 
 TEST(RetriangulationTest, ShortPiecesAreDroppedAndCounted) {
   // Samples 3 and 4, at -28 and -24 px, are in a gap: the first piece is 8 px long.
-  const Scene scene = PartlySeen({Wire(-40, -31), Wire(-21, 40)});
+  const OneCurveScene scene = PartlySeen({Wire(-40, -31), Wire(-21, 40)});
   const Curve3D curve = SketchCurve(scene, WirePoints(-40, 40, 4));
   DrawingOptions options;
   options.min_linked_length_px = 7.5;
@@ -372,7 +373,7 @@ TEST(RetriangulationTest, ShortPiecesAreDroppedAndCounted) {
 }
 
 TEST(RetriangulationTest, NoPieceIsEmptyHoweverShortPiecesMayBe) {
-  const Scene scene = PartlySeen({Wire(-40, -3), Wire(11, 37)});
+  const OneCurveScene scene = PartlySeen({Wire(-40, -3), Wire(11, 37)});
   DrawingOptions options;
   options.min_linked_length_px = 0;
   const Outcome outcome =
@@ -401,7 +402,7 @@ class RequiredViewsTest : public ::testing::Test {
     return outcome.samples.NumSamples() > 0;
   }
 
-  Scene scene_;
+  OneCurveScene scene_;
 };
 
 TEST_F(RequiredViewsTest, ShareOfTheViewsThatContainIt) {
@@ -442,12 +443,12 @@ TEST_F(RequiredViewsTest, AtMostMax) {
 TEST(RetriangulationTest, SupportGateIsRead) {
   DrawingOptions options;
   options.min_supporting_views = options.max_supporting_views = 6;
-  const auto num_kept = [&](const Scene& scene) {
+  const auto num_kept = [&](const OneCurveScene& scene) {
     return Retriangulated(scene, {SketchCurve(scene, WirePoints(-40, 40, 4))}, options)
         .samples.NumSamples();
   };
 
-  Scene shifted = FullScene(6);
+  OneCurveScene shifted = FullScene(6);
   for (Edgel& edgel : shifted.curves[3].edge_map.edgels) edgel.position_px.y() += 0.8;
   options.max_support_distance_px = 1;
   EXPECT_EQ(num_kept(shifted), 21);
@@ -455,7 +456,7 @@ TEST(RetriangulationTest, SupportGateIsRead) {
   EXPECT_EQ(num_kept(shifted), 0);
 
   options.max_support_distance_px = 1;
-  Scene turned = FullScene(6);
+  OneCurveScene turned = FullScene(6);
   for (Edgel& edgel : turned.curves[3].edge_map.edgels) edgel.tangent_rad += 10 * M_PI / 180;
   options.max_support_angle_deg = 11;
   EXPECT_EQ(num_kept(turned), 21);
@@ -468,7 +469,7 @@ TEST(RetriangulationTest, SupportGateIsRead) {
 TEST(RetriangulationTest, OutlierPullsNoMoreThanTheRobustNormAllows) {
   const double off_px = 2;
   const ViewId outlier = 3;
-  Scene scene = FullScene(8);
+  OneCurveScene scene = FullScene(8);
   std::vector<View> others = scene.views;
   others.erase(others.begin() + outlier);
   for (Edgel& edgel : scene.curves[outlier].edge_map.edgels) edgel.position_px.y() += off_px;
@@ -500,7 +501,7 @@ TEST(RetriangulationTest, OutlierPullsNoMoreThanTheRobustNormAllows) {
 }
 
 TEST(RetriangulationTest, OwnEdgelStaysWhereAnotherOfItsViewIsNearer) {
-  Scene scene = FullScene(8);
+  OneCurveScene scene = FullScene(8);
   // The anchor's edge, half a pixel off, and an exact one beside it.
   testing::SceneCurve off = Wire(-40, 40);
   const Vector3d shift = 0.5 * kPixel * PlaneNormal(scene.views[kAnchor]);
@@ -516,7 +517,7 @@ TEST(RetriangulationTest, OwnEdgelStaysWhereAnotherOfItsViewIsNearer) {
 }
 
 TEST(RetriangulationTest, OwnEdgelIsLostWhereItsViewDoesNotAgree) {
-  Scene scene = FullScene(8);
+  OneCurveScene scene = FullScene(8);
   for (Edgel& edgel : scene.curves[kAnchor].edge_map.edgels) edgel.position_px.y() += 2.5;
   const SampleSet samples =
       Retriangulated(scene, {SketchCurve(scene, WirePoints(-40, 40, 1))}).samples;
@@ -529,7 +530,7 @@ TEST(RetriangulationTest, OwnEdgelIsLostWhereItsViewDoesNotAgree) {
 
 constexpr double kRadius = 0.5;
 
-std::vector<Vector3d> CirclePoints(int count) {
+std::vector<Vector3d> PointsOfCircle(int count) {
   std::vector<Vector3d> points;
   for (int k = 0; k < count; ++k) {
     const double angle = 2 * M_PI * k / count;
@@ -539,11 +540,11 @@ std::vector<Vector3d> CirclePoints(int count) {
 }
 
 TEST(RetriangulationTest, ClosedCurveStaysClosedAndRoundAtItsSeam) {
-  Scene scene;
-  scene.views = testing::DomeViews(12, kDistance);
+  OneCurveScene scene;
+  scene.views = testing::DomeViews(12, kCameraDistance);
   scene.curves = testing::ProjectCurves(scene.views, {testing::Circle({0, 0, 0}, kRadius)});
   const int count = 180;  // 2 px
-  Curve3D curve = SketchCurve(scene, CirclePoints(count), true);
+  Curve3D curve = SketchCurve(scene, PointsOfCircle(count), true);
   Deepen(scene.views[kAnchor], 2, &curve);
   const SampleSet samples = Retriangulated(scene, {curve}).samples;
   ASSERT_EQ(Pieces(samples), (PieceList{{0, count}}));
@@ -560,8 +561,8 @@ TEST(RetriangulationTest, ClosedCurveStaysClosedAndRoundAtItsSeam) {
 
 TEST(RetriangulationTest, ClosedCurveThatIsCutIsOpen) {
   // Half of the circle in all views but two.
-  Scene scene;
-  scene.views = testing::DomeViews(8, kDistance);
+  OneCurveScene scene;
+  scene.views = testing::DomeViews(8, kCameraDistance);
   const testing::SceneCurve circle = testing::Circle({0, 0, 0}, kRadius);
   testing::SceneCurve half = circle;
   half.closed = false;
@@ -570,14 +571,14 @@ TEST(RetriangulationTest, ClosedCurveThatIsCutIsOpen) {
     scene.curves.push_back(testing::ProjectCurves(scene.views[v], {v < 2 ? circle : half}));
   }
   const int count = 360;
-  const Outcome outcome = Retriangulated(scene, {SketchCurve(scene, CirclePoints(count), true)});
+  const Outcome outcome = Retriangulated(scene, {SketchCurve(scene, PointsOfCircle(count), true)});
   ASSERT_EQ(outcome.samples.NumCurves(), 1);
   EXPECT_FALSE(outcome.samples.origins[0].closed);
   EXPECT_NEAR(outcome.samples.NumSamples(), count / 2, 4);  // the gate is 1 px long at either end
 }
 
 TEST(RetriangulationTest, CurvesKeepTheirOrderAndTheirOrigins) {
-  Scene scene = PartlySeen({Wire(-20, 40)});
+  OneCurveScene scene = PartlySeen({Wire(-20, 40)});
   const Curve3D unseen = SketchCurve(scene, WirePoints(-40, -24, 4));
   Curve3D first = SketchCurve(scene, WirePoints(-8, 8, 4));
   Curve3D second = SketchCurve(scene, WirePoints(12, 32, 4));

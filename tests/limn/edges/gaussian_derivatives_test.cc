@@ -8,11 +8,11 @@
 namespace limn {
 namespace {
 
-constexpr double kSigma = 1.5;
+constexpr double kDerivativeSigma = 1.5;
 
 // A cubic polynomial and its derivatives after Gaussian smoothing, which adds sigma^2 / 2 times the
 // Laplacian (exactly, for a cubic).
-double Cubic(double x, double y) {
+double CubicImage(double x, double y) {
   return 0.02 * x * x * x - 0.03 * x * x * y + 0.01 * x * y * y + 0.04 * y * y * y + 0.3 * x * y;
 }
 
@@ -20,20 +20,20 @@ PaddedPlane CubicPlane(int size, double center) {
   std::vector<float> values;
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
-      values.push_back(static_cast<float>(Cubic(x - center, y - center)));
+      values.push_back(static_cast<float>(CubicImage(x - center, y - center)));
     }
   }
-  return MakePaddedPlane(values, size, size, GaussianPadding(kSigma));
+  return MakePaddedPlane(values, size, size, GaussianPadding(kDerivativeSigma));
 }
 
 TEST(SubpixelDerivatives, CubicAtSubpixelPositions) {
   const double center = 16;
   const PaddedPlane plane = CubicPlane(33, center);
-  const SubpixelDerivatives derivatives(plane, kSigma);
+  const SubpixelDerivatives derivatives(plane, kDerivativeSigma);
   for (const double x : {-0.5, -0.1875, 0.0, 0.375}) {
     for (const double y : {-0.46875, 0.0, 0.25}) {
       const Jet jet = derivatives.At(center + x, center + y);
-      const double s2 = kSigma * kSigma;
+      const double s2 = kDerivativeSigma * kDerivativeSigma;
       EXPECT_NEAR(jet.x,
                   0.06 * x * x - 0.06 * x * y + 0.01 * y * y + 0.3 * y + 0.5 * s2 * (0.12 + 0.02),
                   0.01);
@@ -53,8 +53,8 @@ TEST(SubpixelDerivatives, CubicAtSubpixelPositions) {
 
 TEST(SubpixelDerivatives, BrightConstantHasNoDerivatives) {
   const PaddedPlane plane =
-      MakePaddedPlane(std::vector<float>(400, 255.f), 20, 20, GaussianPadding(kSigma));
-  const Jet jet = SubpixelDerivatives(plane, kSigma).At(10.375, 9.6875);
+      MakePaddedPlane(std::vector<float>(400, 255.f), 20, 20, GaussianPadding(kDerivativeSigma));
+  const Jet jet = SubpixelDerivatives(plane, kDerivativeSigma).At(10.375, 9.6875);
   EXPECT_EQ(jet.value, 255);
   EXPECT_EQ(jet.x, 0);
   EXPECT_EQ(jet.yy, 0);
@@ -72,8 +72,8 @@ TEST(SubpixelDerivatives, NearestNode) {
 
 TEST(SmoothedGradient, AgreesWithSubpixelDerivatives) {
   const PaddedPlane plane = CubicPlane(33, 16);
-  const GradientField field = SmoothedGradient(plane, kSigma);
-  const SubpixelDerivatives derivatives(plane, kSigma);
+  const GradientField field = SmoothedGradient(plane, kDerivativeSigma);
+  const SubpixelDerivatives derivatives(plane, kDerivativeSigma);
   for (int y = 0; y < 33; ++y) {
     for (int x = 0; x < 33; ++x) {
       const Jet jet = derivatives.At(x, y);

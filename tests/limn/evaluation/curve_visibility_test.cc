@@ -16,11 +16,12 @@ using testing::ProjectCurves;
 using testing::SceneCurve;
 using testing::Segment;
 
-constexpr double kDistance = 4;
+constexpr double kCameraDistance = 4;
 
 View ViewAtAzimuth(double degrees) {
   const double angle = degrees * M_PI / 180;
-  return LookAt({kDistance * std::cos(angle), kDistance * std::sin(angle), 1}, {0, 0, 0});
+  return LookAt({kCameraDistance * std::cos(angle), kCameraDistance * std::sin(angle), 1},
+                {0, 0, 0});
 }
 
 // One upright segment, asked for in a view at azimuth 0.

@@ -27,7 +27,7 @@ void AddLine(const Eigen::Vector3d& from, const Eigen::Vector3d& to, LinkKind ki
   EXPECT_TRUE(Validate(*graph).empty());
 }
 
-double At(const KindConfusion& confusion, LinkKind true_kind, LinkKind kind) {
+double PointAtX(const KindConfusion& confusion, LinkKind true_kind, LinkKind kind) {
   return confusion.length[static_cast<int>(true_kind)][static_cast<int>(kind)];
 }
 
@@ -39,9 +39,9 @@ CurvesByKind TruthWith(const std::vector<std::pair<LinkKind, Polyline3d>>& curve
   return truth;
 }
 
-constexpr double kTau = 0.1;
+constexpr double kNearby = 0.1;
 // Cells are at most tau / 4 long.
-constexpr double kCell = kTau / 4;
+constexpr double kCell = kNearby / 4;
 
 TEST(KindConfusionTest, LengthIsThatOfTheKindNearby) {
   // A link of 2 along a true edge of 1.2, which then has nothing beside it.
@@ -50,12 +50,12 @@ TEST(KindConfusionTest, LengthIsThatOfTheKindNearby) {
   AddLine({0, 5, 0}, {1, 5, 0}, LinkKind::kPaint, &drawing);
   const CurvesByKind truth = TruthWith({{LinkKind::kEdge, {{0, 0.05, 0}, {1.2, 0.05, 0}}},
                                         {LinkKind::kPaint, {{0, 5, 0}, {1, 5, 0}}}});
-  const KindConfusion confusion = CompareKinds(drawing, truth, {}, {kTau, {}});
+  const KindConfusion confusion = CompareKinds(drawing, truth, {}, {kNearby, {}});
   // The edge reaches sqrt(tau^2 - 0.05^2) beyond its end.
-  EXPECT_NEAR(At(confusion, LinkKind::kEdge, LinkKind::kShadow), 1.2 + 0.0866, 2 * kCell);
-  EXPECT_NEAR(At(confusion, LinkKind::kUnknown, LinkKind::kShadow), 0.8 - 0.0866, 2 * kCell);
-  EXPECT_NEAR(At(confusion, LinkKind::kPaint, LinkKind::kPaint), 1, 1e-9);
-  EXPECT_EQ(At(confusion, LinkKind::kPaint, LinkKind::kShadow), 0);
+  EXPECT_NEAR(PointAtX(confusion, LinkKind::kEdge, LinkKind::kShadow), 1.2 + 0.0866, 2 * kCell);
+  EXPECT_NEAR(PointAtX(confusion, LinkKind::kUnknown, LinkKind::kShadow), 0.8 - 0.0866, 2 * kCell);
+  EXPECT_NEAR(PointAtX(confusion, LinkKind::kPaint, LinkKind::kPaint), 1, 1e-9);
+  EXPECT_EQ(PointAtX(confusion, LinkKind::kPaint, LinkKind::kShadow), 0);
 }
 
 TEST(KindConfusionTest, TrueCurvesComeBeforeShadowsThatAreNearer) {
@@ -63,8 +63,9 @@ TEST(KindConfusionTest, TrueCurvesComeBeforeShadowsThatAreNearer) {
   AddLine({0, 0, 0}, {1, 0, 0}, LinkKind::kEdge, &drawing);
   const CurvesByKind truth = TruthWith({{LinkKind::kShadow, {{-1, 0.01, 0}, {2, 0.01, 0}}},
                                         {LinkKind::kEdge, {{-1, 0.08, 0}, {2, 0.08, 0}}}});
-  EXPECT_NEAR(At(CompareKinds(drawing, truth, {}, {kTau, {}}), LinkKind::kEdge, LinkKind::kEdge), 1,
-              1e-9);
+  EXPECT_NEAR(
+      PointAtX(CompareKinds(drawing, truth, {}, {kNearby, {}}), LinkKind::kEdge, LinkKind::kEdge),
+      1, 1e-9);
 }
 
 TEST(KindConfusionTest, TauIsInFootprintsOfTheViewsAndTheRegionLimits) {
@@ -76,15 +77,16 @@ TEST(KindConfusionTest, TauIsInFootprintsOfTheViewsAndTheRegionLimits) {
       {{LinkKind::kShadow, {testing::FrontalPoint(-60, 1.5), testing::FrontalPoint(60, 1.5)}}});
   const double whole = 100 * testing::kFrontalPx;
   EXPECT_NEAR(
-      At(CompareKinds(drawing, truth, views, {2, {}}), LinkKind::kShadow, LinkKind::kShadow), whole,
-      1e-9);
+      PointAtX(CompareKinds(drawing, truth, views, {2, {}}), LinkKind::kShadow, LinkKind::kShadow),
+      whole, 1e-9);
   EXPECT_NEAR(
-      At(CompareKinds(drawing, truth, views, {1, {}}), LinkKind::kUnknown, LinkKind::kShadow),
+      PointAtX(CompareKinds(drawing, truth, views, {1, {}}), LinkKind::kUnknown, LinkKind::kShadow),
       whole, 1e-9);
   KindConfusionOptions half = {
       2, Eigen::AlignedBox3d(Eigen::Vector3d(0, -1, -1), Eigen::Vector3d(9, 9, 9))};
-  EXPECT_NEAR(At(CompareKinds(drawing, truth, views, half), LinkKind::kShadow, LinkKind::kShadow),
-              whole / 2, testing::kFrontalPx);
+  EXPECT_NEAR(
+      PointAtX(CompareKinds(drawing, truth, views, half), LinkKind::kShadow, LinkKind::kShadow),
+      whole / 2, testing::kFrontalPx);
   EXPECT_THROW(CompareKinds(drawing, truth, views, {0, {}}), OptionError);
 }
 

@@ -9,7 +9,7 @@
 namespace limn {
 namespace {
 
-constexpr double kFootprint = 0.01;  // depth 10, focal length 1000
+constexpr double kToothFootprint = 0.01;  // depth 10, focal length 1000
 
 std::vector<View> OneView() {
   View view;
@@ -24,7 +24,7 @@ Polyline3d Teeth(double length, double step, double height) {
   Polyline3d curve;
   const int count = static_cast<int>(std::lround(length / step));
   for (int i = 0; i <= count; ++i) {
-    curve.push_back({i * step * kFootprint, (i % 2 ? height : -height) * kFootprint, 0});
+    curve.push_back({i * step * kToothFootprint, (i % 2 ? height : -height) * kToothFootprint, 0});
   }
   return curve;
 }
@@ -46,7 +46,8 @@ TEST(SawTeeth, CircleShrinksByTheWindow) {
   Polyline3d circle;
   for (int i = 0; i <= 3600; ++i) {
     const double angle = 2 * M_PI * i / 3600;
-    circle.push_back(kRadiusPx * kFootprint * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
+    circle.push_back(kRadiusPx * kToothFootprint *
+                     Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
   }
   const double half_angle = 7.5 / kRadiusPx;
   // A closed curve is cut: the window at the cut is smaller.

@@ -15,13 +15,13 @@ using testing::Polylines;
 using testing::ProjectCurves;
 using testing::SceneCurve;
 
-constexpr double kDistance = 4;
-constexpr double kFootprint = kDistance / 600;
+constexpr double kTruthDistance = 4;
+constexpr double kTruthFootprint = kTruthDistance / 600;
 
 // The images show the first half of the truth only.
 class ShownTruthTest : public ::testing::Test {
  protected:
-  ShownTruthTest() : views_(DomeViews(12, kDistance)) {
+  ShownTruthTest() : views_(DomeViews(12, kTruthDistance)) {
     const std::vector<SceneCurve> edges = CubeEdges(0.5);
     truth_.polylines = Polylines(edges);
     curves_ = ProjectCurves(views_, {edges.begin(), edges.begin() + edges.size() / 2});
@@ -29,7 +29,7 @@ class ShownTruthTest : public ::testing::Test {
 
   double Ceiling(const CurveSet& truth) const {
     EvaluationOptions options;
-    options.taus = {2 * kFootprint};
+    options.taus = {2 * kTruthFootprint};
     const CurveSet shown = ShownTruth(truth, views_, curves_, {}, {});
     return EvaluateCurves(shown, truth, options).rows[0].recall.value();
   }
@@ -44,7 +44,7 @@ TEST_F(ShownTruthTest, CeilingIsTheShareThatImagesShow) { EXPECT_NEAR(Ceiling(tr
 TEST_F(ShownTruthTest, PointsNeedNoDirection) {
   CurveSet points;
   for (const Polyline3d& edge : truth_.polylines) {
-    for (const Eigen::Vector3d& point : ResampleUniform(edge, kFootprint)) {
+    for (const Eigen::Vector3d& point : ResampleUniform(edge, kTruthFootprint)) {
       points.points.push_back(point);
     }
   }

@@ -18,7 +18,7 @@ using testing::Curves;
 using testing::Line;
 
 // Nodes match within 0.02, chains count from 0.1, links cover from 0.025, arms are 0.04 long.
-constexpr double kTau = 0.01;
+constexpr double kStructureTau = 0.01;
 
 Eigen::Vector3d At(double angle_deg, double radius = 1) {
   return {radius * std::cos(angle_deg * kDeg), radius * std::sin(angle_deg * kDeg), 0};
@@ -45,7 +45,7 @@ Polyline3d Circle(double radius) {
 
 StructureScores Score(const CurveSet& reconstruction, const CurveSet& truth,
                       EvaluationOptions options = {}, const CurveSet& dont_care = {}) {
-  options.taus = {kTau};
+  options.taus = {kStructureTau};
   return EvaluateCurves(reconstruction, truth, options, dont_care).rows.at(0).structure;
 }
 
@@ -86,14 +86,16 @@ TEST(LinksPerChain, CrossingAndDistantLinksAreNotOnTheChain) {
   // At 30 degrees: 0.04 of it is within tau of the chain.
   const Polyline3d across = {{0.5 - std::cos(30 * kDeg), -0.5, 0},
                              {0.5 + std::cos(30 * kDeg), 0.5, 0}};
-  EXPECT_EQ(Score(Curves({Line(0, 1), across, Line(0, 1, 1.1 * kTau)}), truth).links_per_chain,
-            1.0);
-  EXPECT_EQ(Score(Curves({Line(0, 1), Line(0, 1, 0.9 * kTau)}), truth).links_per_chain, 2.0);
+  EXPECT_EQ(
+      Score(Curves({Line(0, 1), across, Line(0, 1, 1.1 * kStructureTau)}), truth).links_per_chain,
+      1.0);
+  EXPECT_EQ(Score(Curves({Line(0, 1), Line(0, 1, 0.9 * kStructureTau)}), truth).links_per_chain,
+            2.0);
 }
 
 TEST(LinksPerChain, LinksAreOnTheNearestChainOnly) {
-  const CurveSet truth = Curves({Line(0, 1), Line(0, 1, 0.8 * kTau)});
-  const StructureScores scores = Score(Curves({Line(0, 1, 0.1 * kTau)}), truth);
+  const CurveSet truth = Curves({Line(0, 1), Line(0, 1, 0.8 * kStructureTau)});
+  const StructureScores scores = Score(Curves({Line(0, 1, 0.1 * kStructureTau)}), truth);
   EXPECT_EQ(scores.num_drawn_chains, 1);
   EXPECT_EQ(scores.links_per_chain, 1.0);
 }
@@ -174,7 +176,7 @@ TEST(FalseJunctions, AreFarFromTrueOnes) {
 
 TEST(FalseJunctions, AreCountedWhereTheTruthHasNone) {
   EvaluationOptions options;
-  options.taus = {kTau};
+  options.taus = {kStructureTau};
   const TauResult row =
       EvaluateCurves(Star({0, 90, 180}), Curves({Line(-1, 1)}), options).rows.at(0);
   EXPECT_EQ(row.num_junctions, 1);
@@ -284,7 +286,7 @@ TEST(Connectivity, NodesOutsideTheRegionDoNotCount) {
 }
 
 TEST(StructureScores, AreTheSameInFootprintsOfTheSameSize) {
-  // At depth 1 a pixel is 0.01 = kTau wide.
+  // At depth 1 a pixel is 0.01 = kStructureTau wide.
   View view;
   view.camera = {100, 100, 50, 50, 101, 101};
   view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
@@ -341,7 +343,7 @@ TEST(StructureScores, AgainstTruePointsOnlyCountEnds) {
 
 TEST(Intervals, BelongToTheSharesOfCurves) {
   EvaluationOptions options;
-  options.taus = {kTau};
+  options.taus = {kStructureTau};
   const CurveSet truth = Curves({Line(0, 1), Line(0, 1, 1), Line(0, 1, 2)});
   const TauResult row =
       EvaluateCurves(Curves({Line(0, 1), Line(0, 1, 5)}), truth, options).rows.at(0);

@@ -41,7 +41,7 @@ void ExpectLengths(const TrueChains& chains, const std::vector<double>& expected
   for (size_t i = 0; i < lengths.size(); ++i) EXPECT_NEAR(lengths[i], expected[i], 1e-9);
 }
 
-Polyline3d Circle(int num_segments) {
+Polyline3d ClosedCircle(int num_segments) {
   Polyline3d circle;
   for (int i = 0; i < num_segments; ++i) {
     const double angle = 2 * M_PI * i / num_segments;
@@ -95,7 +95,7 @@ TEST(TrueChains, FoldsEndThem) {
 }
 
 TEST(TrueChains, ClosedCurves) {
-  const TrueChains circle = Chains(Curves({Circle(24)}));
+  const TrueChains circle = Chains(Curves({ClosedCircle(24)}));
   ExpectLengths(circle, {48 * std::sin(M_PI / 24)});
   EXPECT_TRUE(circle.nodes.empty());
   // A square that begins in the middle of a side.

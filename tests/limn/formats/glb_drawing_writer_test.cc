@@ -47,7 +47,7 @@ Glb Parse(const std::string& bytes) {
   return glb;
 }
 
-Glb Written(const DrawingGraph& graph, const GlbOptions& options = {}) {
+Glb WrittenGlb(const DrawingGraph& graph, const GlbOptions& options = {}) {
   std::ostringstream out;
   WriteDrawingGlb(graph, options, out);
   return Parse(out.str());
@@ -94,7 +94,7 @@ std::vector<Eigen::Vector3d> PointsOf(const Glb& glb, const std::string& name) {
 
 TEST(WriteDrawingGlb, EveryLinkIsAStripOfItsOwn) {
   const DrawingGraph graph = SmallDrawing();
-  const Glb glb = Written(graph);
+  const Glb glb = WrittenGlb(graph);
   EXPECT_EQ(glb.json["asset"]["version"], "2.0");
   EXPECT_EQ(glb.json["nodes"][0]["children"].size(), graph.links.size() + 1);
   for (size_t id = 0; id < graph.links.size(); ++id) {
@@ -114,7 +114,7 @@ TEST(WriteDrawingGlb, EveryLinkIsAStripOfItsOwn) {
 }
 
 TEST(WriteDrawingGlb, AClosedLinkReturnsToItsFirstVertex) {
-  const Glb glb = Written(SmallDrawing());
+  const Glb glb = WrittenGlb(SmallDrawing());
   EXPECT_FALSE(PrimitiveOf(glb, "link_0").contains("indices"));
   const Json& accessor = glb.json["accessors"][PrimitiveOf(glb, "link_3")["indices"].get<int>()];
   EXPECT_EQ(accessor["componentType"], 5125);
@@ -128,7 +128,7 @@ TEST(WriteDrawingGlb, AClosedLinkReturnsToItsFirstVertex) {
 TEST(WriteDrawingGlb, JunctionsAndCloudArePoints) {
   GlbOptions options;
   options.cloud = {{{1, 2, 3}, {255, 0, 188}}, {{4, 5, 6}, {0, 0, 0}}};
-  const Glb glb = Written(SmallDrawing(), options);
+  const Glb glb = WrittenGlb(SmallDrawing(), options);
   EXPECT_EQ(PrimitiveOf(glb, "junctions")["mode"], 0);
   EXPECT_EQ(NodeNamed(glb, "junctions")["extras"]["nodes"], Json({0}));
   EXPECT_THAT(PointsOf(glb, "junctions"), ::testing::SizeIs(1));
@@ -148,7 +148,7 @@ TEST(WriteDrawingGlb, JunctionsAndCloudArePoints) {
 
   options = {};
   options.junctions = false;
-  EXPECT_THROW(NodeNamed(Written(SmallDrawing(), options), "junctions"), std::runtime_error);
+  EXPECT_THROW(NodeNamed(WrittenGlb(SmallDrawing(), options), "junctions"), std::runtime_error);
 }
 
 TEST(WriteDrawingGlb, FarFromTheOriginPlacesKeepTheirDigits) {
@@ -158,7 +158,7 @@ TEST(WriteDrawingGlb, FarFromTheOriginPlacesKeepTheirDigits) {
   for (DrawingLink& link : graph.links) {
     for (Eigen::Vector3d& point : link.points_in_world) point += shift;
   }
-  const std::vector<Eigen::Vector3d> points = PointsOf(Written(graph), "link_1");
+  const std::vector<Eigen::Vector3d> points = PointsOf(WrittenGlb(graph), "link_1");
   ASSERT_EQ(points.size(), graph.links[1].points_in_world.size());
   for (size_t i = 0; i < points.size(); ++i) {
     EXPECT_LT((points[i] - graph.links[1].points_in_world[i]).norm(), 1e-6);
@@ -169,7 +169,7 @@ TEST(WriteDrawingGlb, TellsPrimitiveAndClass) {
   DrawingGraph graph = SmallDrawing();
   graph.links[0].primitive = LinkPrimitive{LineSegment{{0, 0, 0}, {1, 0, 0}}, 0.25, 0.5};
   graph.links[0].dense = LinkDense{.dense_class = DenseClass::kBoundary};
-  const Glb glb = Written(graph);
+  const Glb glb = WrittenGlb(graph);
   EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["primitive"], "line");
   EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["class"], "boundary");
   EXPECT_FALSE(NodeNamed(glb, "link_1")["extras"].contains("primitive"));
@@ -180,7 +180,7 @@ TEST(WriteDrawingGlb, TellsTheKindOfEdge) {
   graph.links[0].kind = LinkKind::kContour;
   graph.links[0].kind_confidence = 0.75;
   graph.links[1].tentative = true;
-  const Glb glb = Written(graph);
+  const Glb glb = WrittenGlb(graph);
   EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["kind"], "contour");
   EXPECT_EQ(NodeNamed(glb, "link_0")["extras"]["kind_confidence"], 0.75);
   EXPECT_FALSE(NodeNamed(glb, "link_0")["extras"].contains("tentative"));
@@ -196,7 +196,7 @@ TEST(WriteDrawingGlb, RefusesCoordinatesBeyondFloat) {
 }
 
 TEST(WriteDrawingGlb, AnEmptyDrawingIsAFileToo) {
-  const Glb glb = Written({});
+  const Glb glb = WrittenGlb({});
   EXPECT_EQ(glb.json["nodes"].size(), 1u);
   EXPECT_FALSE(glb.json.contains("buffers"));
 }

@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-ImageCurves SmallImageCurves() {
+ImageCurves TwoFragments() {
   ImageCurves curves;
   curves.edge_map.width = 64;
   curves.edge_map.height = 48;
@@ -39,7 +39,7 @@ void ExpectSameEdgels(const EdgeMap& read, const EdgeMap& written) {
 }
 
 template <typename Value, typename Write>
-std::string WriteTo(const std::string& path, const Value& value, const Write& write) {
+std::string WriteTextTo(const std::string& path, const Value& value, const Write& write) {
   std::ofstream out(path);
   write(value, out);
   return path;
@@ -47,15 +47,15 @@ std::string WriteTo(const std::string& path, const Value& value, const Write& wr
 
 TEST(EdgFile, RoundTrip) {
   const TemporaryFolder folder;
-  const EdgeMap written = SmallImageCurves().edge_map;
-  const EdgeMap read = ReadEdg(WriteTo(folder.Path("a.edg"), written, WriteEdg));
+  const EdgeMap written = TwoFragments().edge_map;
+  const EdgeMap read = ReadEdg(WriteTextTo(folder.Path("a.edg"), written, WriteEdg));
   ExpectSameEdgels(read, written);
   EXPECT_EQ(read.edgels[2].stored_px, read.edgels[2].position_px.cast<float>());
 }
 
 TEST(EdgFile, NineLinesOfHeaderComeBeforeTheEdgels) {
   const TemporaryFolder folder;
-  std::ifstream file(WriteTo(folder.Path("a.edg"), SmallImageCurves().edge_map, WriteEdg));
+  std::ifstream file(WriteTextTo(folder.Path("a.edg"), TwoFragments().edge_map, WriteEdg));
   std::string line;
   for (int i = 0; i < 10; ++i) std::getline(file, line);
   EXPECT_EQ(line.substr(0, 6), "[0, 0]");
@@ -115,8 +115,8 @@ TEST(EdgFile, ImpossibleEdgelsAreRefusedByLine) {
 
 TEST(CemFile, RoundTrip) {
   const TemporaryFolder folder;
-  const ImageCurves written = SmallImageCurves();
-  const ImageCurves read = ReadCem(WriteTo(folder.Path("a.cem"), written, WriteCem));
+  const ImageCurves written = TwoFragments();
+  const ImageCurves read = ReadCem(WriteTextTo(folder.Path("a.cem"), written, WriteCem));
   ExpectSameEdgels(read.edge_map, written.edge_map);
   ASSERT_EQ(read.fragments.size(), 2u);
   for (size_t i = 0; i < 2; ++i) {
@@ -156,7 +156,7 @@ TEST(CemFile, LengthIsBounded) {
 TEST(CemFile, DamagedFilesAreRefused) {
   const TemporaryFolder folder;
   const std::string good =
-      TemporaryFolder::Read(WriteTo(folder.Path("a.cem"), SmallImageCurves(), WriteCem));
+      TemporaryFolder::Read(WriteTextTo(folder.Path("a.cem"), TwoFragments(), WriteCem));
   const size_t end_of_contours = good.find("[Contour Properties]");
   for (size_t length = 0; length + 6 < end_of_contours; length += 3) {
     EXPECT_THROW(ReadCem(folder.Write("cut.cem", good.substr(0, length))), IoError) << length;

@@ -15,7 +15,7 @@ const char kVertices[] =
 const char kFaces[] = "element face 2\nproperty uchar flags\nproperty list uchar int ";
 const char kPositions[] = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
-void ExpectIoError(const std::string& path, const std::string& part) {
+void ExpectMeshError(const std::string& path, const std::string& part) {
   try {
     ReadMesh(path);
     FAIL() << path << " was accepted";
@@ -66,30 +66,30 @@ TEST(ReadMesh, ObjWithEveryFormOfCorner) {
 TEST(ReadMesh, BadFilesAreRefusedWithPlaceAndReason) {
   const TemporaryFolder folder;
   const std::string head = std::string(kVertices) + kFaces + "vertex_indices\nend_header\n";
-  ExpectIoError(folder.Write("1.ply", std::string(kVertices) + "end_header\n" + kPositions),
-                "no faces");
-  ExpectIoError(folder.Write("2.ply", head + "0 0 0\n1 nan 0\n1 1 0\n0 1 0\n"), "not finite");
-  ExpectIoError(folder.Write("3.ply", head + kPositions + "0 3 0 1 4\n0 3 0 1 2\n"),
-                "line 15: face to vertex 4.000000 of 4");
-  ExpectIoError(folder.Write("4.ply", head + kPositions + "0 3 0 1 -1\n0 3 0 1 2\n"), "face to");
-  ExpectIoError(folder.Write("5.ply", head + kPositions + "0 2 0 1\n0 3 0 1 2\n"),
-                "face of 2 corners");
-  ExpectIoError(folder.Write("6.ply", head + kPositions + "0 3 0 1 1\n0 3 0 0 2\n"),
-                "no face has an area");
-  ExpectIoError(
+  ExpectMeshError(folder.Write("1.ply", std::string(kVertices) + "end_header\n" + kPositions),
+                  "no faces");
+  ExpectMeshError(folder.Write("2.ply", head + "0 0 0\n1 nan 0\n1 1 0\n0 1 0\n"), "not finite");
+  ExpectMeshError(folder.Write("3.ply", head + kPositions + "0 3 0 1 4\n0 3 0 1 2\n"),
+                  "line 15: face to vertex 4.000000 of 4");
+  ExpectMeshError(folder.Write("4.ply", head + kPositions + "0 3 0 1 -1\n0 3 0 1 2\n"), "face to");
+  ExpectMeshError(folder.Write("5.ply", head + kPositions + "0 2 0 1\n0 3 0 1 2\n"),
+                  "face of 2 corners");
+  ExpectMeshError(folder.Write("6.ply", head + kPositions + "0 3 0 1 1\n0 3 0 0 2\n"),
+                  "no face has an area");
+  ExpectMeshError(
       folder.Write("7.ply", std::string(kVertices) + kFaces + "corners\nend_header\n" + kPositions),
       "no list vertex_indices");
-  ExpectIoError(folder.Write("8.ply", std::string(kVertices) +
-                                          "element tristrips 1\nproperty list int int "
-                                          "vertex_indices\nend_header\n" +
-                                          kPositions + "3 0 1 2\n"),
-                "strips");
-  ExpectIoError(folder.Write("9.obj", "v 0 0 0\nl 1 1\n"), "no faces");
-  ExpectIoError(folder.Write("10.obj", "v 0 0 0\nv 1 0 inf\nf 1 2 1\n"), "line 2");
-  ExpectIoError(folder.Write("11.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n"), "line 4");
-  ExpectIoError(folder.Write("12.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n"), "face of 2 corners");
-  ExpectIoError(folder.Write("13.stl", "solid"), "unknown extension");
-  ExpectIoError(folder.Path("absent.obj"), "No such file");
+  ExpectMeshError(folder.Write("8.ply", std::string(kVertices) +
+                                            "element tristrips 1\nproperty list int int "
+                                            "vertex_indices\nend_header\n" +
+                                            kPositions + "3 0 1 2\n"),
+                  "strips");
+  ExpectMeshError(folder.Write("9.obj", "v 0 0 0\nl 1 1\n"), "no faces");
+  ExpectMeshError(folder.Write("10.obj", "v 0 0 0\nv 1 0 inf\nf 1 2 1\n"), "line 2");
+  ExpectMeshError(folder.Write("11.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n"), "line 4");
+  ExpectMeshError(folder.Write("12.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n"), "face of 2 corners");
+  ExpectMeshError(folder.Write("13.stl", "solid"), "unknown extension");
+  ExpectMeshError(folder.Path("absent.obj"), "No such file");
 }
 
 }  // namespace

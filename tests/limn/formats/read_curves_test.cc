@@ -15,7 +15,7 @@ namespace limn {
 namespace {
 
 template <typename T>
-void Put(std::string* bytes, T value, bool big_endian) {
+void PutBytes(std::string* bytes, T value, bool big_endian) {
   char raw[sizeof(T)];
   std::memcpy(raw, &value, sizeof(T));
   if (big_endian) std::reverse(raw, raw + sizeof(T));
@@ -31,16 +31,16 @@ std::string BinaryPly(bool big_endian) {
                       "element face 1\nproperty list uchar int vertex_indices\n"
                       "element edge 2\nproperty ushort vertex2\nproperty int vertex1\nend_header\n";
   for (int i = 0; i < 3; ++i) {
-    Put<uint8_t>(&bytes, 200, big_endian);
-    Put<double>(&bytes, 0.25, big_endian);
-    Put<float>(&bytes, static_cast<float>(i), big_endian);
-    Put<double>(&bytes, -1.5, big_endian);
+    PutBytes<uint8_t>(&bytes, 200, big_endian);
+    PutBytes<double>(&bytes, 0.25, big_endian);
+    PutBytes<float>(&bytes, static_cast<float>(i), big_endian);
+    PutBytes<double>(&bytes, -1.5, big_endian);
   }
-  Put<uint8_t>(&bytes, 3, big_endian);
-  for (int i = 0; i < 3; ++i) Put<int32_t>(&bytes, i, big_endian);
+  PutBytes<uint8_t>(&bytes, 3, big_endian);
+  for (int i = 0; i < 3; ++i) PutBytes<int32_t>(&bytes, i, big_endian);
   for (int i = 0; i < 2; ++i) {
-    Put<uint16_t>(&bytes, static_cast<uint16_t>(i + 1), big_endian);
-    Put<int32_t>(&bytes, i, big_endian);
+    PutBytes<uint16_t>(&bytes, static_cast<uint16_t>(i + 1), big_endian);
+    PutBytes<int32_t>(&bytes, i, big_endian);
   }
   return bytes;
 }

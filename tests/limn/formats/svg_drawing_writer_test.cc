@@ -21,8 +21,8 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 template <typename Where>
-std::string Written(const DrawingGraph& graph, const Where& where, const IsHidden& is_hidden,
-                    const SvgOptions& options, SvgSummary* summary = nullptr) {
+std::string WrittenSvg(const DrawingGraph& graph, const Where& where, const IsHidden& is_hidden,
+                       const SvgOptions& options, SvgSummary* summary = nullptr) {
   std::ostringstream out;
   const SvgSummary counts = WriteDrawingSvg(graph, where, is_hidden, options, out);
   if (summary) *summary = counts;
@@ -52,7 +52,7 @@ TEST(PictureScene, IsValid) { EXPECT_THAT(Validate(PictureScene()), ::testing::I
 TEST(WriteDrawingSvg, EveryLinkAndJunctionHasItsElement) {
   const DrawingGraph graph = PictureScene();
   SvgSummary summary;
-  const std::string view = Written(graph, SceneView(), {}, {}, &summary);
+  const std::string view = WrittenSvg(graph, SceneView(), {}, {}, &summary);
   EXPECT_EQ(Count(view, "<path id=\"link_[0-9]+\""), 9);
   EXPECT_EQ(summary.num_drawn, 9);
   EXPECT_EQ(Count(view, "<circle id=\"node_"), 1);
@@ -61,11 +61,12 @@ TEST(WriteDrawingSvg, EveryLinkAndJunctionHasItsElement) {
     EXPECT_THAT(view, HasSubstr(std::string("class=\"") + type + "\"")) << type;
   }
   EXPECT_THAT(view, Not(HasSubstr("<image")));
-  EXPECT_EQ(view, Written(graph, SceneView(), {}, {}));
+  EXPECT_EQ(view, WrittenSvg(graph, SceneView(), {}, {}));
 }
 
 TEST(WriteDrawingSvg, ParallelProjectionKeepsShapes) {
-  const std::string svg = Written(PictureScene(), SceneSheet(SvgProjection::kAxonometric), {}, {});
+  const std::string svg =
+      WrittenSvg(PictureScene(), SceneSheet(SvgProjection::kAxonometric), {}, {});
   EXPECT_EQ(Count(PathOf(svg, 0), "l"), 1);
   EXPECT_EQ(Count(PathOf(svg, 0), "[ca]"), 0);
   EXPECT_EQ(Count(PathOf(svg, 3), "[lc]"), 0);  // arcs only
@@ -77,7 +78,7 @@ TEST(WriteDrawingSvg, ParallelProjectionKeepsShapes) {
   SvgOptions options;
   options.use_primitives = false;
   const std::string points =
-      Written(PictureScene(), SceneSheet(SvgProjection::kAxonometric), {}, options);
+      WrittenSvg(PictureScene(), SceneSheet(SvgProjection::kAxonometric), {}, options);
   EXPECT_EQ(Count(PathOf(points, 3), "a"), 0);
 }
 
@@ -88,7 +89,7 @@ TEST(WriteDrawingSvg, ACircleSeenFromItsSideIsALine) {
   RebuildIncidence(&graph);
   SheetOptions options;
   options.projection = SvgProjection::kFront;
-  const std::string svg = Written(graph, MakeSheet(graph, options), {}, {});
+  const std::string svg = WrittenSvg(graph, MakeSheet(graph, options), {}, {});
   EXPECT_EQ(Count(PathOf(svg, 0), "[ac]"), 0);
   EXPECT_GE(Count(PathOf(svg, 0), "l"), 1);
 }
@@ -97,7 +98,7 @@ TEST(WriteDrawingSvg, SheetsAreToScale) {
   const DrawingGraph graph = PictureScene();
   for (const SvgProjection projection :
        {SvgProjection::kTop, SvgProjection::kFront, SvgProjection::kSide}) {
-    const std::string svg = Written(graph, SceneSheet(projection), {}, {});
+    const std::string svg = WrittenSvg(graph, SceneSheet(projection), {}, {});
     std::smatch match;
     ASSERT_TRUE(std::regex_search(
         svg, match,
@@ -166,7 +167,7 @@ TEST(MakeSheet, FarFromTheOriginNumbersStayShort) {
   const SvgSheet sheet = MakeSheet(graph, {});
   EXPECT_LT(sheet.paper_max.norm(), 10);
   EXPECT_EQ(sheet.origin, Eigen::Vector2d(sheet.origin.array().round()));
-  const std::string svg = Written(graph, sheet, {}, {});
+  const std::string svg = WrittenSvg(graph, sheet, {}, {});
   EXPECT_THAT(
       svg, HasSubstr(ShortNumber(sheet.origin.x(), 0) + ", " + ShortNumber(sheet.origin.y(), 0)));
   EXPECT_EQ(Count(svg, "id=\"link_"), 9);
@@ -176,13 +177,13 @@ TEST(WriteDrawingSvg, HiddenPartsAreRemovedOrDashed) {
   const DrawingGraph graph = PictureScene();
   const View view = SceneView();
   const IsHidden hidden = HiddenInView(view, RenderDepth(SceneWall(), view, 1));
-  const std::string removed = Written(graph, view, hidden, {});
+  const std::string removed = WrittenSvg(graph, view, hidden, {});
   EXPECT_EQ(Count(PathOf(removed, 8), "m"), 2);  // a gap in the middle
   EXPECT_EQ(Count(PathOf(removed, 0), "m"), 1);
   EXPECT_EQ(Count(removed, "class=\"hidden\""), 0);
   SvgOptions options;
   options.hidden_parts = SvgHiddenParts::kDashed;
-  const std::string dashed = Written(graph, view, hidden, options);
+  const std::string dashed = WrittenSvg(graph, view, hidden, options);
   EXPECT_EQ(Count(dashed, "<g id=\"link_8\""), 1);
   EXPECT_EQ(Count(dashed, "class=\"hidden\""), 1);
   EXPECT_EQ(Count(dashed, "id=\"link_"), 9);
@@ -201,7 +202,7 @@ TEST(WriteDrawingSvg, CountsWhatIsHiddenOrOutside) {
   const TriangleMesh wall = MakeTriangleMesh({{-9, -9, 3}, {9, -9, 3}, {0, 9, 3}}, {{0, 1, 2}});
   SvgSummary summary;
   const std::string svg =
-      Written(graph, view, HiddenInView(view, RenderDepth(wall, view, 1)), {}, &summary);
+      WrittenSvg(graph, view, HiddenInView(view, RenderDepth(wall, view, 1)), {}, &summary);
   EXPECT_EQ(summary.num_drawn, 1);
   EXPECT_EQ(summary.num_hidden, 1);
   EXPECT_EQ(summary.num_outside, 2);
@@ -212,7 +213,7 @@ TEST(WriteDrawingSvg, PhotographAndTitleAreEscaped) {
   SvgOptions options;
   options.title = "a < b & \"c\"";
   options.photo = "sub dir/50%&#1.jpg";
-  const std::string svg = Written(PictureScene(), SceneView(), {}, options);
+  const std::string svg = WrittenSvg(PictureScene(), SceneView(), {}, options);
   EXPECT_THAT(svg, HasSubstr("<title>a &lt; b &amp; &quot;c&quot;</title>"));
   EXPECT_THAT(svg, HasSubstr("href=\"sub%20dir/50%25&amp;%231.jpg\""));
 }
@@ -222,15 +223,15 @@ TEST(WriteDrawingSvg, ColorsAndClasses) {
   graph.links[3].dense = LinkDense{.dense_class = DenseClass::kBoundary};
   SvgOptions options;
   options.colors = SvgColors::kLink;
-  EXPECT_EQ(Count(Written(graph, SceneView(), {}, options), " stroke=\"#[0-9a-f]{6}\""), 9);
+  EXPECT_EQ(Count(WrittenSvg(graph, SceneView(), {}, options), " stroke=\"#[0-9a-f]{6}\""), 9);
   options.colors = SvgColors::kClass;
-  const std::string svg = Written(graph, SceneView(), {}, options);
+  const std::string svg = WrittenSvg(graph, SceneView(), {}, options);
   EXPECT_THAT(svg, HasSubstr("class=\"circle boundary\""));
   EXPECT_THAT(svg, HasSubstr(".boundary{stroke:"));
   graph.links[3].kind = LinkKind::kShadow;
   graph.links[3].tentative = true;
   options.colors = SvgColors::kKind;
-  const std::string kinds = Written(graph, SceneView(), {}, options);
+  const std::string kinds = WrittenSvg(graph, SceneView(), {}, options);
   EXPECT_THAT(kinds, HasSubstr("class=\"circle boundary kind-shadow tentative\""));
   EXPECT_THAT(kinds, HasSubstr(".kind-shadow{stroke:"));
 }
@@ -238,10 +239,10 @@ TEST(WriteDrawingSvg, ColorsAndClasses) {
 TEST(WriteDrawingSvg, RefusesOptionsOutOfRange) {
   SvgOptions options;
   options.line_width_px = 0;
-  EXPECT_THROW(Written(PictureScene(), SceneView(), {}, options), OptionError);
+  EXPECT_THROW(WrittenSvg(PictureScene(), SceneView(), {}, options), OptionError);
   options = {};
   options.tolerance_px = std::nan("");
-  EXPECT_THROW(Written(PictureScene(), SceneView(), {}, options), OptionError);
+  EXPECT_THROW(WrittenSvg(PictureScene(), SceneView(), {}, options), OptionError);
   SheetOptions sheet;
   sheet.elevation_deg = 91;
   EXPECT_THROW(MakeSheet(PictureScene(), sheet), OptionError);

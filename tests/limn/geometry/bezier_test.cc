@@ -15,7 +15,7 @@ Point At(const std::array<Point, 4>& c, double t) {
   return s * s * s * c[0] + 3 * s * s * t * c[1] + 3 * s * t * t * c[2] + t * t * t * c[3];
 }
 
-CubicBSpline SomeSpline() {
+CubicBSpline BentSpline() {
   CubicBSpline spline;
   spline.knots = {2, 2, 2, 2, 3, 3, 4.5, 7, 7, 7, 7};
   for (int i = 0; i < 7; ++i) spline.control_points.emplace_back(i, i * i % 5, std::sin(i));
@@ -23,7 +23,7 @@ CubicBSpline SomeSpline() {
 }
 
 TEST(BezierPieces, AreTheSplineExactly) {
-  const CubicBSpline spline = SomeSpline();
+  const CubicBSpline spline = BentSpline();
   ASSERT_EQ(ValidateShape(spline), "");
   const std::vector<CubicBezier3d> pieces = BezierPieces(spline);
   const double knots[] = {2, 3, 4.5, 7};
@@ -37,7 +37,7 @@ TEST(BezierPieces, AreTheSplineExactly) {
 }
 
 TEST(BezierPieces, OfAPart) {
-  const CubicBSpline spline = SomeSpline();
+  const CubicBSpline spline = BentSpline();
   const std::vector<CubicBezier3d> pieces = BezierPieces(spline, 0.1, 0.4);
   ASSERT_EQ(pieces.size(), 2u);  // cut by the knot at 3, t = 0.2
   EXPECT_LT((At(pieces[0], 0.5) - PointAt(spline, 0.15)).norm(), 1e-12);

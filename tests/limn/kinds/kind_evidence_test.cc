@@ -8,13 +8,13 @@ namespace limn {
 namespace {
 
 // sRGB value, gray levels, of a linear intensity from 0 to 1.
-float Encoded(double linear) {
+float EncodedGray(double linear) {
   return static_cast<float>(
       255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055));
 }
 
 SideColor ColorOf(double red, double green, double blue) {
-  return {Encoded(red), Encoded(green), Encoded(blue)};
+  return {EncodedGray(red), EncodedGray(green), EncodedGray(blue)};
 }
 
 LinkProfile ProfileOf(LinkId link, float width_px, const SideColor& left, const SideColor& right,

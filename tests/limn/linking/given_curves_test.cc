@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-ImageCurves Row(const std::vector<double>& tangents, std::vector<CurveFragment> fragments) {
+ImageCurves RowOfPoints(const std::vector<double>& tangents, std::vector<CurveFragment> fragments) {
   ImageCurves curves;
   for (size_t i = 0; i < tangents.size(); ++i) {
     Edgel edgel;
@@ -48,7 +48,7 @@ TEST(CurvesOfPolylines, EqualEndsCloseACurve) {
 }
 
 TEST(MakeConsistent, GoodFragmentsStay) {
-  ImageCurves curves = Row({0.1, -0.2, 0, 0}, {{{0, 1, 2, 3}, false}});
+  ImageCurves curves = RowOfPoints({0.1, -0.2, 0, 0}, {{{0, 1, 2, 3}, false}});
   MakeConsistent(&curves);
   ASSERT_EQ(curves.fragments.size(), 1u);
   EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(0, 1, 2, 3));
@@ -57,14 +57,15 @@ TEST(MakeConsistent, GoodFragmentsStay) {
 }
 
 TEST(MakeConsistent, FragmentsRunAlongMostTangents) {
-  ImageCurves curves = Row({0, 0, M_PI - 0.1, 0}, {{{3, 2, 1, 0}, false}});
+  ImageCurves curves = RowOfPoints({0, 0, M_PI - 0.1, 0}, {{{3, 2, 1, 0}, false}});
   MakeConsistent(&curves);
   EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(0, 1, 2, 3));
   EXPECT_NEAR(curves.edge_map.edgels[2].tangent_rad, -0.1, 1e-12);
 }
 
 TEST(MakeConsistent, SharedEdgelsAreCopied) {
-  ImageCurves curves = Row({0, 0, 0, 0}, {{{0, 1, 1, 2}, false}, {{2, 3}, false}, {{3}, false}});
+  ImageCurves curves =
+      RowOfPoints({0, 0, 0, 0}, {{{0, 1, 1, 2}, false}, {{2, 3}, false}, {{3}, false}});
   MakeConsistent(&curves);
   ASSERT_EQ(curves.fragments.size(), 2u);
   EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(0, 1, 2));
@@ -73,7 +74,7 @@ TEST(MakeConsistent, SharedEdgelsAreCopied) {
 }
 
 TEST(MakeConsistent, GapsCutFragments) {
-  ImageCurves curves = Row(std::vector<double>(30, 0), {{{0, 1, 2, 20, 9, 10}, false}});
+  ImageCurves curves = RowOfPoints(std::vector<double>(30, 0), {{{0, 1, 2, 20, 9, 10}, false}});
   MakeConsistent(&curves);
   ASSERT_EQ(curves.fragments.size(), 2u);
   EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(0, 1, 2));
@@ -82,7 +83,7 @@ TEST(MakeConsistent, GapsCutFragments) {
 
 TEST(MakeConsistent, GapsOpenClosedFragments) {
   ImageCurves curves =
-      Row(std::vector<double>(30, 0), {{{1, 2, 20, 21, 10, 0}, true}, {{3, 8, 14}, true}});
+      RowOfPoints(std::vector<double>(30, 0), {{{1, 2, 20, 21, 10, 0}, true}, {{3, 8, 14}, true}});
   MakeConsistent(&curves);
   ASSERT_EQ(curves.fragments.size(), 3u);
   EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(20, 21));
@@ -92,8 +93,8 @@ TEST(MakeConsistent, GapsOpenClosedFragments) {
 }
 
 TEST(MakeConsistent, TwoEdgelsOrOnePlaceAreNotClosed) {
-  ImageCurves curves =
-      Row(std::vector<double>(12, 0), {{{0, 1}, true}, {{2, 10, 3, 4, 11}, true}, {{5, 9}, false}});
+  ImageCurves curves = RowOfPoints(std::vector<double>(12, 0),
+                                   {{{0, 1}, true}, {{2, 10, 3, 4, 11}, true}, {{5, 9}, false}});
   std::vector<Edgel>& edgels = curves.edge_map.edgels;
   edgels[10].position_px = edgels[11].position_px = edgels[2].position_px;
   edgels[9].position_px = edgels[5].position_px;
@@ -105,7 +106,7 @@ TEST(MakeConsistent, TwoEdgelsOrOnePlaceAreNotClosed) {
 }
 
 TEST(TurnAround, TurnsOrderAndTangents) {
-  ImageCurves curves = Row({0, 0.1}, {{{0, 1}, false}});
+  ImageCurves curves = RowOfPoints({0, 0.1}, {{{0, 1}, false}});
   TurnAround(&curves.fragments[0], &curves.edge_map.edgels);
   EXPECT_THAT(curves.fragments[0].edgel_ids, ElementsAre(1, 0));
   EXPECT_NEAR(curves.edge_map.edgels[1].tangent_rad, 0.1 - M_PI, 1e-12);

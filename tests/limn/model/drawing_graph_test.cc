@@ -47,7 +47,7 @@ TEST(DrawingGraph, RebuildIncidenceFindsKindsAndDegrees) {
   EXPECT_EQ(graph.nodes[4].kind, NodeKind::kLoopAnchor);
   EXPECT_EQ(graph.nodes[4].Degree(), 2);
   EXPECT_THAT(Validate(graph), IsEmpty());
-  EXPECT_THAT(Validate({}), IsEmpty());
+  EXPECT_THAT(Validate(DrawingGraph()), IsEmpty());
 }
 
 struct Breakage {

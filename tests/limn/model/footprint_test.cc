@@ -13,7 +13,7 @@ View ViewAt(double z, double focal) {
   return view;
 }
 
-DrawingLink LinkThrough(const Polyline3d& points, const std::vector<ViewId>& views) {
+DrawingLink LinkOfPoints(const Polyline3d& points, const std::vector<ViewId>& views) {
   DrawingLink link;
   link.points_in_world = points;
   link.supporting_views = views;
@@ -53,15 +53,15 @@ TEST(LinkFootprint, AsksSupportingViewsFirst) {
   const std::vector<View> views = {ViewAt(0, 100), ViewAt(-10, 100), ViewAt(-30, 100),
                                    ViewAt(20, 100)};
   const Eigen::Vector3d point(0, 0, 10);
-  EXPECT_DOUBLE_EQ(LinkFootprint(LinkThrough({}, {0}), point, views), 0.1);
-  EXPECT_DOUBLE_EQ(LinkFootprint(LinkThrough({}, {3}), point, views), 0.2);
-  EXPECT_DOUBLE_EQ(LinkFootprint(LinkThrough({}, {}), point, views), 0.2);
-  EXPECT_EQ(LinkFootprint(LinkThrough({}, {0}), {0, 0, -40}, views), 0);
+  EXPECT_DOUBLE_EQ(LinkFootprint(LinkOfPoints({}, {0}), point, views), 0.1);
+  EXPECT_DOUBLE_EQ(LinkFootprint(LinkOfPoints({}, {3}), point, views), 0.2);
+  EXPECT_DOUBLE_EQ(LinkFootprint(LinkOfPoints({}, {}), point, views), 0.2);
+  EXPECT_EQ(LinkFootprint(LinkOfPoints({}, {0}), {0, 0, -40}, views), 0);
 }
 
 TEST(LinkFootprint, OfAWholeLinkIsThatOfItsMiddlePoint) {
   const std::vector<View> views = {ViewAt(0, 100)};
-  EXPECT_DOUBLE_EQ(LinkFootprint(LinkThrough({{0, 0, 1}, {0, 0, 4}, {0, 0, 90}}, {0}), views),
+  EXPECT_DOUBLE_EQ(LinkFootprint(LinkOfPoints({{0, 0, 1}, {0, 0, 4}, {0, 0, 90}}, {0}), views),
                    0.04);
 }
 

@@ -11,12 +11,12 @@
 namespace limn {
 namespace {
 
-constexpr int kNumViews = 8;
+constexpr int kNumMatchViews = 8;
 // About the width of a pixel at the origin.
-constexpr double kPx = 5.0 / 600;
+constexpr double kOnePx = 5.0 / 600;
 
 // From both sides of the x axis at several elevations: all see it at full length.
-const std::vector<View>& Views() {
+const std::vector<View>& ViewsAround() {
   static const std::vector<View> views = [] {
     std::vector<View> all;
     for (const double side : {-5.0, 5.0}) {
@@ -32,14 +32,14 @@ const std::vector<View>& Views() {
 }
 
 // Along x, longer than the links that are matched with it.
-const testing::SceneCurve& Edge() {
+const testing::SceneCurve& EdgelAt() {
   static const auto edge = testing::Segment({-0.4, 0, 0}, {0.4, 0, 0});
   return edge;
 }
 
 class EdgelMatchesTest : public ::testing::Test {
  protected:
-  EdgelMatchesTest() : curves_(testing::ProjectCurves(Views(), {Edge()})) {}
+  EdgelMatchesTest() : curves_(testing::ProjectCurves(ViewsAround(), {EdgelAt()})) {}
 
   // A link parallel to the edge, of which all views are asked.
   void AddLink(const Eigen::Vector3d& offset) {
@@ -49,19 +49,19 @@ class EdgelMatchesTest : public ::testing::Test {
       graph_.nodes.emplace_back();
       graph_.nodes.back().position_in_world = link.points_in_world.back();
     }
-    link.sigma.assign(2, kPx);
+    link.sigma.assign(2, kOnePx);
     link.node0 = static_cast<NodeId>(graph_.nodes.size()) - 2;
     link.node1 = link.node0 + 1;
-    for (int v = 0; v < kNumViews; ++v) link.supporting_views.push_back(v);
+    for (int v = 0; v < kNumMatchViews; ++v) link.supporting_views.push_back(v);
     graph_.links.push_back(link);
     RebuildIncidence(&graph_);
   }
 
   void Match() {
     const auto edgels = BuildViewEdgels(curves_, {});
-    control_ = MakeControlGraph(graph_, Views(), options_.control_spacing_px);
+    control_ = MakeControlGraph(graph_, ViewsAround(), options_.control_spacing_px);
     const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
-    MatchEdgels({Views(), curves_, edgels, gate}, options_, {}, &control_);
+    MatchEdgels({ViewsAround(), curves_, edgels, gate}, options_, {}, &control_);
   }
 
   const std::vector<LinkSample>& MatchFirst() {
@@ -87,7 +87,7 @@ class EdgelMatchesTest : public ::testing::Test {
 
   // What one view shows instead.
   void Show(ViewId view, const testing::SceneCurve& curve) {
-    curves_[view] = testing::ProjectCurves(Views()[view], {curve});
+    curves_[view] = testing::ProjectCurves(ViewsAround()[view], {curve});
   }
   // In one view the other side of the edge is the brighter one.
   void SwapSides(ViewId view) {
@@ -107,8 +107,8 @@ TEST_F(EdgelMatchesTest, EveryViewThatShowsTheLinkPullsOnce) {
   const std::vector<LinkSample> matches = MatchFirst();
   EXPECT_GT(matches.size(), 30u);
   for (const LinkSample& sample : matches) {
-    ASSERT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
-    for (int v = 0; v < kNumViews; ++v) {
+    ASSERT_EQ(sample.pulls.size(), static_cast<size_t>(kNumMatchViews));
+    for (int v = 0; v < kNumMatchViews; ++v) {
       EXPECT_EQ(sample.pulls[v].ref.view, v);
       EXPECT_NEAR(sample.pulls[v].residual_px, 0, 1e-5);
     }
@@ -126,9 +126,9 @@ TEST_F(EdgelMatchesTest, TooFewViewsPullNot) {
 TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
   AddLink({0, 0, 0});
   // 2 px of the 12 around it, and one more at either side within the gate.
-  Show(0, testing::Segment({-kPx, 0, 0}, {kPx, 0, 0}));
+  Show(0, testing::Segment({-kOnePx, 0, 0}, {kOnePx, 0, 0}));
   // A stretch of 24 px shows the link in its middle.
-  Show(1, testing::Segment({-12 * kPx, 0, 0}, {12 * kPx, 0, 0}));
+  Show(1, testing::Segment({-12 * kOnePx, 0, 0}, {12 * kOnePx, 0, 0}));
   const std::vector<LinkSample> matches = MatchFirst();
   EXPECT_FALSE(PullsAnywhere(0, matches));
   EXPECT_TRUE(Pulls(1, matches[matches.size() / 2]));
@@ -140,33 +140,33 @@ TEST_F(EdgelMatchesTest, TheOtherSideOfABarIsAnotherEdge) {
   SwapSides(0);
   const std::vector<LinkSample> matches = MatchFirst();
   for (const LinkSample& sample : matches) {
-    EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews) - 1);
+    EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumMatchViews) - 1);
     EXPECT_FALSE(Pulls(0, sample));
   }
 }
 
 TEST_F(EdgelMatchesTest, WhereViewsDoNotAgreeOnTheSideAllAreHeard) {
   AddLink({0, 0, 0});
-  for (int v = 0; v < kNumViews / 2; ++v) SwapSides(v);
+  for (int v = 0; v < kNumMatchViews / 2; ++v) SwapSides(v);
   for (const LinkSample& sample : MatchFirst()) {
-    EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
+    EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumMatchViews));
   }
 }
 
 TEST_F(EdgelMatchesTest, ViewsInWhichAnotherLinkRunsBesideAreNotHeard) {
   AddLink({0, 0, 0});
   // Behind the first one as view 0 sees it.
-  const Eigen::Vector3d ray = -Views()[0].CenterInWorld().normalized();
-  const Eigen::Vector3d behind = 12 * kPx * ray;
+  const Eigen::Vector3d ray = -ViewsAround()[0].CenterInWorld().normalized();
+  const Eigen::Vector3d behind = 12 * kOnePx * ray;
   AddLink(behind);
   const std::vector<LinkSample> matches = MatchFirst();
   const LinkSample& sample = matches[matches.size() / 2];
   const Eigen::Vector3d position = PositionOf(sample);
   int num_apart = 0;
-  for (int v = 0; v < kNumViews; ++v) {
-    const Eigen::Vector2d here = *Views()[v].Project(position);
-    const Eigen::Vector2d ahead = *Views()[v].Project(position + Eigen::Vector3d(0.01, 0, 0));
-    const Eigen::Vector2d other = *Views()[v].Project(position + behind);
+  for (int v = 0; v < kNumMatchViews; ++v) {
+    const Eigen::Vector2d here = *ViewsAround()[v].Project(position);
+    const Eigen::Vector2d ahead = *ViewsAround()[v].Project(position + Eigen::Vector3d(0.01, 0, 0));
+    const Eigen::Vector2d other = *ViewsAround()[v].Project(position + behind);
     const Eigen::Vector2d along = (ahead - here).normalized();
     const Eigen::Vector2d offset = other - here;
     const double apart_px = std::abs(along.x() * offset.y() - along.y() * offset.x());
@@ -180,10 +180,10 @@ TEST_F(EdgelMatchesTest, ViewsInWhichAnotherLinkRunsBesideAreNotHeard) {
 
 TEST_F(EdgelMatchesTest, AnEdgelBelongsToTheLinkThatFitsItBetter) {
   AddLink({0, 0, 0});
-  AddLink({0, 0.6 * kPx, 0});
+  AddLink({0, 0.6 * kOnePx, 0});
   Match();
   for (const LinkSample& sample : control_.links[0].samples) {
-    EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumViews));
+    EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumMatchViews));
   }
   for (const LinkSample& sample : control_.links[1].samples) {
     // Alike to a tenth of a pixel is the same.
@@ -196,7 +196,7 @@ TEST_F(EdgelMatchesTest, WeightIsTheStepOverTheLengthOfAnErrorAndTheVariance) {
   const std::vector<LinkSample> matches = MatchFirst();
   for (size_t k = 0; k + 1 < matches.size(); ++k) {
     for (const EdgelPull& pull : matches[k].pulls) {
-      const View& view = Views()[pull.ref.view];
+      const View& view = ViewsAround()[pull.ref.view];
       const Eigen::Vector2d step =
           *view.Project(PositionOf(matches[k + 1])) - *view.Project(PositionOf(matches[k]));
       const Edgel& edgel = curves_[pull.ref.view].edge_map.edgels[pull.ref.edgel];

@@ -11,7 +11,7 @@
 namespace limn {
 namespace {
 
-const std::vector<View>& Views() {
+const std::vector<View>& PoseViews() {
   static const std::vector<View> views = testing::DomeViews(4, 5);
   return views;
 }
@@ -29,13 +29,13 @@ ScenePoint PointSeenAt(const Eigen::Vector3d& place, const Eigen::Vector3d& seen
   point.position_in_world = place;
   for (int v = 0; v < 4; ++v) {
     point.views.push_back(v);
-    point.pixels.push_back({v, PixelOf(Views()[v], seen)});
+    point.pixels.push_back({v, PixelOf(PoseViews()[v], seen)});
   }
   return point;
 }
 
 struct Fit {
-  CameraCorrections corrections = CameraCorrections(Views());
+  CameraCorrections corrections = CameraCorrections(PoseViews());
   std::vector<Eigen::Vector3d> positions;
   bool found = false;
 };
@@ -44,7 +44,8 @@ Fit FitPoints(const std::vector<ScenePoint>& points, const RunContext& context =
   Fit fit;
   for (const ScenePoint& point : points) fit.positions.push_back(point.position_in_world);
   ControlGraph control;
-  fit.found = FitPoses(Views(), points, {}, context, &fit.corrections, &control, &fit.positions);
+  fit.found =
+      FitPoses(PoseViews(), points, {}, context, &fit.corrections, &control, &fit.positions);
   return fit;
 }
 
@@ -59,28 +60,28 @@ TEST(PoseFit, PointsWithoutParallaxSayNothing) {
   ScenePoint point = PointSeenAt(far, {0.1, 0, 0});
   const Fit fit = FitPoints({point});
   EXPECT_EQ(fit.positions[0], far);
-  EXPECT_EQ(fit.corrections.motion, CameraCorrections(Views()).motion);
+  EXPECT_EQ(fit.corrections.motion, CameraCorrections(PoseViews()).motion);
 }
 
 TEST(PoseFit, ViewsThatHaveAPointBehindSayNothing) {
   const Eigen::Vector3d behind_first =
-      Views()[0].CenterInWorld() +
-      Inverse(Views()[0].cam_from_world).rotation * Eigen::Vector3d(0, 0, -0.1);
+      PoseViews()[0].CenterInWorld() +
+      Inverse(PoseViews()[0].cam_from_world).rotation * Eigen::Vector3d(0, 0, -0.1);
   ScenePoint point = PointSeenAt(behind_first, {0.1, 0, 0});
   point.pixels.resize(1);
   const Fit fit = FitPoints({point});
   EXPECT_EQ(fit.positions[0], behind_first);
-  EXPECT_EQ(fit.corrections.motion, CameraCorrections(Views()).motion);
+  EXPECT_EQ(fit.corrections.motion, CameraCorrections(PoseViews()).motion);
 }
 
 // All other views say that it is behind the first.
 TEST(PoseFit, PointsStayInFront) {
-  const Rigid3d world_from_cam = Inverse(Views()[0].cam_from_world);
+  const Rigid3d world_from_cam = Inverse(PoseViews()[0].cam_from_world);
   const Eigen::Vector3d start = world_from_cam * Eigen::Vector3d(0, 0, 0.05);
   ScenePoint point = PointSeenAt(start, world_from_cam * Eigen::Vector3d(0, 0, -0.05));
   point.pixels[0].position_px.x() += 1000;
   const Fit fit = FitPoints({point});
-  const View first = Corrected(Views(), fit.corrections)[0];
+  const View first = Corrected(PoseViews(), fit.corrections)[0];
   EXPECT_GT((first.cam_from_world * fit.positions[0]).z(), 0);
 }
 

@@ -12,12 +12,12 @@ namespace limn {
 namespace {
 
 constexpr double kHalfSide = 0.8;
-constexpr int kNumViews = 16;
+constexpr int kNumPoseViews = 16;
 constexpr double kNoisePx = 0.2;
 constexpr double kErrorPx = 1;
 
 const std::vector<View>& TrueViews() {
-  static const std::vector<View> views = testing::DomeViews(kNumViews, 5);
+  static const std::vector<View> views = testing::DomeViews(kNumPoseViews, 5);
   return views;
 }
 
@@ -56,7 +56,7 @@ DrawingGraph CubeGraph() {
       link.sigma.assign(link.points_in_world.size(), 1);
       link.node0 = i;
       link.node1 = i | bit;
-      for (int v = 0; v < kNumViews; ++v) link.supporting_views.push_back(v);
+      for (int v = 0; v < kNumPoseViews; ++v) link.supporting_views.push_back(v);
       graph.links.push_back(std::move(link));
     }
   }
@@ -85,7 +85,7 @@ std::vector<ScenePoint> WrongPoints() {
     truth[i % 3] = -1;
     ScenePoint point;
     point.position_in_world = truth + 0.05 * Eigen::Vector3d(1, -1, 1);
-    for (int v = 0; v < kNumViews; ++v) {
+    for (int v = 0; v < kNumPoseViews; ++v) {
       const auto pixel = TrueViews()[v].Project(truth);
       if (!pixel) continue;
       point.views.push_back(v);
@@ -118,7 +118,7 @@ TEST(PoseRefinement, DrawingFitsTheNewCameras) {
       RefineDrawing({WrongViews(), Curves(), CubeGraph()}, without, {}, {}).graph;
   ASSERT_EQ(graph.links.size(), 12u);
   for (const DrawingLink& link : graph.links) {
-    EXPECT_EQ(link.supporting_views.size(), static_cast<size_t>(kNumViews));
+    EXPECT_EQ(link.supporting_views.size(), static_cast<size_t>(kNumPoseViews));
     // Median of the size of normal noise: 0.67 sigma.
     EXPECT_LT(link.residual_px, kNoisePx);
   }
@@ -137,12 +137,12 @@ TEST(PoseRefinement, FocalLengthComesBackFromCurves) {
 
 TEST(PoseRefinement, OnlyViewsOfOneCameraShareItsFocalLength) {
   std::vector<View> views = TrueViews();
-  for (int v = 0; v < kNumViews; ++v) {
+  for (int v = 0; v < kNumPoseViews; ++v) {
     views[v].camera_index = v % 2 == 0 ? 7 : 3;
     if (v % 2 == 0) views[v].camera.fx = views[v].camera.fy = 604;
   }
   const std::vector<View> refined = Refine(views, nullptr).cameras->views;
-  for (int v = 2; v < kNumViews; ++v) {
+  for (int v = 2; v < kNumPoseViews; ++v) {
     EXPECT_EQ(refined[v].camera.fx, refined[v - 2].camera.fx);
   }
   EXPECT_NEAR(refined[0].camera.fx, refined[1].camera.fx, 1.5);
@@ -204,7 +204,7 @@ TEST(PoseRefinement, RightCamerasStay) {
 TEST(PoseRefinement, ResultDoesNotDependOnThreads) {
   const RefinementResult one = Refine(WrongViews(), nullptr, 1);
   const RefinementResult two = Refine(WrongViews(), nullptr, 2);
-  for (int v = 0; v < kNumViews; ++v) {
+  for (int v = 0; v < kNumPoseViews; ++v) {
     EXPECT_EQ(one.cameras->views[v].cam_from_world.translation,
               two.cameras->views[v].cam_from_world.translation);
   }

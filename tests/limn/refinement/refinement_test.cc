@@ -15,27 +15,28 @@
 namespace limn {
 namespace {
 
-constexpr double kHalfSide = 0.8;
-constexpr int kNumViews = 16;
-constexpr double kNoisePx = 0.2;
+constexpr double kHalfSideOfCube = 0.8;
+constexpr int kNumCubeViews = 16;
+constexpr double kEdgelNoisePx = 0.2;
 
-const std::vector<View>& Views() {
-  static const std::vector<View> views = testing::DomeViews(kNumViews, 5);
+const std::vector<View>& ViewsOfCube() {
+  static const std::vector<View> views = testing::DomeViews(kNumCubeViews, 5);
   return views;
 }
 
-double FootprintAt(const Eigen::Vector3d& point) { return *FootprintIn(Views()[0], point); }
+double FootprintAt(const Eigen::Vector3d& point) { return *FootprintIn(ViewsOfCube()[0], point); }
 
-const std::vector<ImageCurves>& Curves(double noise_px) {
-  static const auto exact = testing::ProjectCurves(Views(), testing::CubeEdges(kHalfSide));
+const std::vector<ImageCurves>& CurvesOfCube(double noise_px) {
+  static const auto exact =
+      testing::ProjectCurves(ViewsOfCube(), testing::CubeEdges(kHalfSideOfCube));
   static const auto noisy =
-      testing::ProjectCurves(Views(), testing::CubeEdges(kHalfSide), kNoisePx);
+      testing::ProjectCurves(ViewsOfCube(), testing::CubeEdges(kHalfSideOfCube), kEdgelNoisePx);
   return noise_px > 0 ? noisy : exact;
 }
 
 std::vector<ViewId> AllViews() {
   std::vector<ViewId> all;
-  for (int v = 0; v < kNumViews; ++v) all.push_back(v);
+  for (int v = 0; v < kNumCubeViews; ++v) all.push_back(v);
   return all;
 }
 
@@ -51,8 +52,8 @@ DrawingLink MakeLink(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Nod
 }
 
 // The edges of the cube, meeting at its corners.
-DrawingGraph CubeGraph() {
-  const std::vector<Eigen::Vector3d> corners = testing::CubeCorners(kHalfSide);
+DrawingGraph DrawnCube() {
+  const std::vector<Eigen::Vector3d> corners = testing::CubeCorners(kHalfSideOfCube);
   DrawingGraph graph;
   for (const Eigen::Vector3d& corner : corners) {
     graph.nodes.emplace_back();
@@ -92,14 +93,14 @@ DrawingGraph Perturbed(DrawingGraph graph, double size_px) {
   return graph;
 }
 
-RefinementResult Refine(const DrawingGraph& graph, double noise_px, int num_threads = 2) {
+RefinementResult RefineCube(const DrawingGraph& graph, double noise_px, int num_threads = 2) {
   RunContext context;
   context.num_threads = num_threads;
-  return RefineDrawing({Views(), Curves(noise_px), graph}, {}, {}, context);
+  return RefineDrawing({ViewsOfCube(), CurvesOfCube(noise_px), graph}, {}, {}, context);
 }
 
 const DrawingGraph& NoisyResult() {
-  static const DrawingGraph graph = Refine(Perturbed(CubeGraph(), 0.6), kNoisePx).graph;
+  static const DrawingGraph graph = RefineCube(Perturbed(DrawnCube(), 0.6), kEdgelNoisePx).graph;
   return graph;
 }
 
@@ -108,7 +109,7 @@ double RmsErrorPx(const DrawingGraph& graph) {
   double sum = 0;
   int count = 0;
   for (size_t l = 0; l < graph.links.size(); ++l) {
-    const Polyline3d truth = testing::CubeEdges(kHalfSide)[l].points;
+    const Polyline3d truth = testing::CubeEdges(kHalfSideOfCube)[l].points;
     for (const Eigen::Vector3d& point : graph.links[l].points_in_world) {
       sum += ClosestPoint(truth, point).squared_distance / std::pow(FootprintAt(point), 2);
       ++count;
@@ -127,8 +128,8 @@ void ExpectSame(const DrawingGraph& a, const DrawingGraph& b) {
 }
 
 TEST(Refinement, PerturbedCubeComesBack) {
-  const DrawingGraph perturbed = Perturbed(CubeGraph(), 0.6);
-  const DrawingGraph graph = Refine(perturbed, 0).graph;
+  const DrawingGraph perturbed = Perturbed(DrawnCube(), 0.6);
+  const DrawingGraph graph = RefineCube(perturbed, 0).graph;
   EXPECT_TRUE(Validate(graph).empty());
   EXPECT_GT(RmsErrorPx(perturbed), 0.3);
   EXPECT_LT(RmsErrorPx(graph), 0.05);
@@ -140,7 +141,7 @@ TEST(Refinement, NoisyCubeComesBackToATenthOfAPixel) {
 }
 
 TEST(Refinement, CornersAreFoundAndShared) {
-  const std::vector<Eigen::Vector3d> corners = testing::CubeCorners(kHalfSide);
+  const std::vector<Eigen::Vector3d> corners = testing::CubeCorners(kHalfSideOfCube);
   ASSERT_EQ(NoisyResult().nodes.size(), corners.size());
   for (size_t n = 0; n < corners.size(); ++n) {
     const DrawingNode& node = NoisyResult().nodes[n];
@@ -157,7 +158,7 @@ double MeanNormalizedSquare(const DrawingGraph& graph) {
   double sum = 0;
   int count = 0;
   for (size_t l = 0; l < graph.links.size(); ++l) {
-    const Polyline3d truth = testing::CubeEdges(kHalfSide)[l].points;
+    const Polyline3d truth = testing::CubeEdges(kHalfSideOfCube)[l].points;
     const DrawingLink& link = graph.links[l];
     for (size_t k = 0; k < link.points_in_world.size(); ++k) {
       const double squared = ClosestPoint(truth, link.points_in_world[k]).squared_distance;
@@ -183,7 +184,7 @@ TEST(Refinement, NormalizedErrorsHaveUnitVariance) {
 std::vector<ImageCurves> CurvesWithOffsets(double offset_px) {
   std::mt19937 random(5);
   std::normal_distribution<double> gauss(0, offset_px);
-  std::vector<ImageCurves> curves = Curves(kNoisePx);
+  std::vector<ImageCurves> curves = CurvesOfCube(kEdgelNoisePx);
   for (ImageCurves& of_view : curves) {
     for (const CurveFragment& fragment : of_view.fragments) {
       const double offset = gauss(random);
@@ -199,7 +200,7 @@ std::vector<ImageCurves> CurvesWithOffsets(double offset_px) {
 
 TEST(Refinement, SigmasKnowThatViewsErrAsAWhole) {
   const std::vector<ImageCurves> curves = CurvesWithOffsets(0.5);
-  const DrawingGraph graph = RefineDrawing({Views(), curves, CubeGraph()}, {}, {}, {}).graph;
+  const DrawingGraph graph = RefineDrawing({ViewsOfCube(), curves, DrawnCube()}, {}, {}, {}).graph;
   const double mean = MeanNormalizedSquare(graph);
   RecordProperty("variance", std::to_string(mean));
   EXPECT_LT(mean, 1.5);
@@ -207,7 +208,7 @@ TEST(Refinement, SigmasKnowThatViewsErrAsAWhole) {
 }
 
 TEST(Refinement, ResultDoesNotDependOnThreads) {
-  ExpectSame(Refine(Perturbed(CubeGraph(), 0.6), kNoisePx, 1).graph, NoisyResult());
+  ExpectSame(RefineCube(Perturbed(DrawnCube(), 0.6), kEdgelNoisePx, 1).graph, NoisyResult());
 }
 
 // Powers of two: only tolerances could differ.
@@ -219,16 +220,17 @@ TEST_P(RefinementOfScaled, GivesTheScaledDrawing) {
     for (Eigen::Vector3d& point : link.points_in_world) point *= GetParam();
     for (double& sigma : link.sigma) sigma *= GetParam();
   }
-  const std::vector<View> views = testing::Scaled(Views(), GetParam());
-  const DrawingGraph scaled = Scaled(Perturbed(CubeGraph(), 0.6), GetParam());
-  ExpectSame(RefineDrawing({views, Curves(kNoisePx), scaled}, {}, {}, {}).graph, expected);
+  const std::vector<View> views = testing::Scaled(ViewsOfCube(), GetParam());
+  const DrawingGraph scaled = Scaled(Perturbed(DrawnCube(), 0.6), GetParam());
+  ExpectSame(RefineDrawing({views, CurvesOfCube(kEdgelNoisePx), scaled}, {}, {}, {}).graph,
+             expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scales, RefinementOfScaled,
                          ::testing::Values(std::exp2(-50), std::exp2(10), std::exp2(50)));
 
 TEST(Refinement, EmptyGraphStaysEmpty) {
-  const RefinementResult result = Refine(DrawingGraph(), 0);
+  const RefinementResult result = RefineCube(DrawingGraph(), 0);
   EXPECT_TRUE(result.graph.links.empty());
   EXPECT_TRUE(result.graph.nodes.empty());
 }
@@ -241,14 +243,14 @@ TEST(Refinement, LinkThatNoViewShowsStaysWhereItWas) {
   graph.links.push_back(
       MakeLink(graph.nodes[0].position_in_world, graph.nodes[1].position_in_world, 0, 1));
   RebuildIncidence(&graph);
-  const DrawingGraph result = Refine(graph, 0).graph;
+  const DrawingGraph result = RefineCube(graph, 0).graph;
   EXPECT_TRUE(Validate(result).empty());
   EXPECT_EQ(result.links[0].points_in_world, graph.links[0].points_in_world);
   EXPECT_EQ(result.links[0].sigma, graph.links[0].sigma);
 }
 
 TEST(Refinement, OutlinesOfSmoothBodiesStayAsTheyWere) {
-  DrawingGraph graph = Perturbed(CubeGraph(), 0.6);
+  DrawingGraph graph = Perturbed(DrawnCube(), 0.6);
   // Beside an edge, which would attract it.
   DrawingLink outline = MakeLink(graph.nodes[0].position_in_world, {0.3, 0.1, 0.2}, 8, 9);
   outline.kind = LinkKind::kContour;
@@ -262,7 +264,7 @@ TEST(Refinement, OutlinesOfSmoothBodiesStayAsTheyWere) {
   graph.links.insert(graph.links.begin() + 3, outline);
   RebuildIncidence(&graph);
   ASSERT_TRUE(Validate(graph).empty());
-  const DrawingGraph result = Refine(graph, 0).graph;
+  const DrawingGraph result = RefineCube(graph, 0).graph;
   EXPECT_TRUE(Validate(result).empty());
   ASSERT_EQ(result.links.size(), 13u);
   EXPECT_EQ(result.links.back().kind, LinkKind::kContour);
@@ -271,9 +273,9 @@ TEST(Refinement, OutlinesOfSmoothBodiesStayAsTheyWere) {
 }
 
 TEST(Refinement, TwoViewsAreTooFew) {
-  DrawingGraph graph = Perturbed(CubeGraph(), 0.6);
+  DrawingGraph graph = Perturbed(DrawnCube(), 0.6);
   for (DrawingLink& link : graph.links) link.supporting_views = {0, 5};
-  const DrawingGraph result = Refine(graph, 0).graph;
+  const DrawingGraph result = RefineCube(graph, 0).graph;
   for (size_t l = 0; l < graph.links.size(); ++l) {
     EXPECT_EQ(result.links[l].points_in_world, graph.links[l].points_in_world) << "link " << l;
   }
@@ -282,8 +284,8 @@ TEST(Refinement, TwoViewsAreTooFew) {
 TEST(Refinement, NoRoundsChangeNothing) {
   RefinementOptions options;
   options.num_rounds = 0;
-  const DrawingGraph graph = Perturbed(CubeGraph(), 0.6);
-  ExpectSame(RefineDrawing({Views(), Curves(0), graph}, options, {}, {}).graph, graph);
+  const DrawingGraph graph = Perturbed(DrawnCube(), 0.6);
+  ExpectSame(RefineDrawing({ViewsOfCube(), CurvesOfCube(0), graph}, options, {}, {}).graph, graph);
 }
 
 }  // namespace

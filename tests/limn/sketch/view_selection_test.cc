@@ -34,7 +34,7 @@ std::vector<View> Turntable(int count) {
   return views;
 }
 
-void ExpectSound(const std::vector<ViewPlan>& plans, const ViewSelectionOptions& options) {
+void ExpectSoundSelection(const std::vector<ViewPlan>& plans, const ViewSelectionOptions& options) {
   for (size_t v = 0; v < plans.size(); ++v) {
     for (const auto* chosen : {&plans[v].second_views, &plans[v].confirmation_views}) {
       const std::set<ViewId> unique(chosen->begin(), chosen->end());
@@ -56,7 +56,7 @@ TEST(ViewSelectionTest, TurntableMatchesNeighborsAndCoversTheScene) {
   const ViewSelectionOptions options;
   const std::vector<ViewPlan> plans = SelectViews(views, kNoHints, options, {});
   ASSERT_EQ(plans.size(), views.size());
-  ExpectSound(plans, options);
+  ExpectSoundSelection(plans, options);
   const double distance = views[0].CenterInWorld().norm();
   for (size_t v = 0; v < views.size(); ++v) {
     EXPECT_LT(plans[v].min_depth, distance - 1) << "view " << v;
@@ -123,7 +123,7 @@ TEST(ViewSelectionTest, OptionsBoundTheSelections) {
   options.max_second_views = 3;
   options.max_confirmation_views = 5;
   const std::vector<ViewPlan> plans = SelectViews(testing::DomeViews(30, 5), kNoHints, options, {});
-  ExpectSound(plans, options);
+  ExpectSoundSelection(plans, options);
   for (const ViewPlan& plan : plans) {
     EXPECT_EQ(plan.second_views.size(), 3u);
     EXPECT_EQ(plan.confirmation_views.size(), 5u);
@@ -139,7 +139,7 @@ TEST(ViewSelectionTest, VideoPicksSpreadViews) {
   }
   const ViewSelectionOptions options;
   const std::vector<ViewPlan> plans = SelectViews(views, kNoHints, options, {});
-  ExpectSound(plans, options);
+  ExpectSoundSelection(plans, options);
   for (const size_t v : {size_t{0}, size_t{60}, size_t{120}, size_t{239}}) {
     ASSERT_GE(plans[v].second_views.size(), 3u) << "view " << v;
     double smallest = 180, low = 360, high = -360;
@@ -211,7 +211,7 @@ SceneHints FacadePoints(const std::vector<View>& views, double step, double dist
 void ExpectFacadePlans(const std::vector<View>& views, const std::vector<ViewPlan>& plans,
                        double distance, double reach, int min_usable) {
   const ViewSelectionOptions options;
-  ExpectSound(plans, options);
+  ExpectSoundSelection(plans, options);
   const double end = views.back().CenterInWorld().x();
   for (size_t v = 0; v < plans.size(); ++v) {
     const ViewPlan& plan = plans[v];
@@ -272,7 +272,7 @@ TEST(ViewSelectionTest, DenseVideoFindsTheFarPartners) {
   }
   for (const SceneHints& with : {kNoHints, hints}) {
     const auto plans = SelectViews(views, with, ViewSelectionOptions(), {});
-    ExpectSound(plans, ViewSelectionOptions());
+    ExpectSoundSelection(plans, ViewSelectionOptions());
     for (const size_t v : {size_t{0}, size_t{177}, size_t{399}}) {
       ASSERT_GE(plans[v].second_views.size(), 4u) << "view " << v;
       EXPECT_GE(plans[v].confirmation_views.size(), 8u) << "view " << v;

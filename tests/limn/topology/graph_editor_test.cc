@@ -28,7 +28,7 @@ using testing::Reversed;
 using testing::Row;
 using testing::Samples;
 using testing::Square;
-using Pairs = std::set<std::pair<LinkEnd, LinkEnd>>;
+using PairsOfEnds = std::set<std::pair<LinkEnd, LinkEnd>>;
 
 TEST(GraphEditorTest, AddMakesTheNodesThatAreNotGiven) {
   DrawingGraph graph = GraphWithVertices({Row(0, 3)});
@@ -152,8 +152,8 @@ TEST(SplitTest, ContinuationsFollowTheSecondPart) {
   graph.nodes[NodeAtPlace(graph, {0, 0, 0})].continuations = {{{2, 1}, {0, 0}}};
   GraphEditor(&graph).Split(0, 3);
   ExpectSound(graph, "split");
-  EXPECT_EQ(ContinuationsAt(graph, {5, 0, 0}), (Pairs{{{1, 0}, {3, 1}}}));
-  EXPECT_EQ(ContinuationsAt(graph, {0, 0, 0}), (Pairs{{{0, 0}, {2, 1}}}));
+  EXPECT_EQ(ContinuationsAt(graph, {5, 0, 0}), (PairsOfEnds{{{1, 0}, {3, 1}}}));
+  EXPECT_EQ(ContinuationsAt(graph, {0, 0, 0}), (PairsOfEnds{{{0, 0}, {2, 1}}}));
 }
 
 TEST(SplitTest, LinkThatReturnsToAJunctionKeepsItsContinuationThere) {
@@ -162,7 +162,7 @@ TEST(SplitTest, LinkThatReturnsToAJunctionKeepsItsContinuationThere) {
   graph.nodes[NodeAtPlace(graph, {0, 0, 0})].continuations = {{{1, 0}, {1, 1}}};
   GraphEditor(&graph).Split(1, 2);
   ExpectSound(graph, "split");
-  EXPECT_EQ(ContinuationsAt(graph, {0, 0, 0}), (Pairs{{{1, 0}, {2, 1}}}));
+  EXPECT_EQ(ContinuationsAt(graph, {0, 0, 0}), (PairsOfEnds{{{1, 0}, {2, 1}}}));
 }
 
 TEST(SplitTest, ClosedLinkBeginsAndEndsAtThePoint) {
@@ -471,9 +471,10 @@ TEST_P(JoinTest, FarNodesAndContinuationsStay) {
   EXPECT_EQ(DegreeAt(graph_, {0, 0, 0}), 2);
   const LinkEnd next{1, 0};    // link 2, before link 1 went
   const LinkEnd before{3, 1};  // link 4
-  EXPECT_EQ(ContinuationsAt(graph_, {8, 0, 0}), (Pairs{std::minmax(LinkEnd{0, end_a()}, next)}));
+  EXPECT_EQ(ContinuationsAt(graph_, {8, 0, 0}),
+            (PairsOfEnds{std::minmax(LinkEnd{0, end_a()}, next)}));
   EXPECT_EQ(ContinuationsAt(graph_, {0, 0, 0}),
-            (Pairs{std::minmax(LinkEnd{0, 1 - end_a()}, before)}));
+            (PairsOfEnds{std::minmax(LinkEnd{0, 1 - end_a()}, before)}));
 }
 
 TEST_P(JoinTest, WhatIsKnownOfBothIsKept) {
@@ -514,7 +515,7 @@ TEST(JoinOfOneLinkTest, LoopCloses) {
     editor.Compact();
     ASSERT_EQ(graph.nodes.size(), 1u);
     EXPECT_EQ(graph.nodes[0].kind, NodeKind::kLoopAnchor);
-    EXPECT_EQ(Continuations(graph.nodes[0]), (Pairs{{{0, 0}, {0, 1}}}));
+    EXPECT_EQ(Continuations(graph.nodes[0]), (PairsOfEnds{{{0, 0}, {0, 1}}}));
     EXPECT_TRUE(graph.links[0].closed);
     EXPECT_EQ(graph.links[0].points_in_world, Square());
     EXPECT_EQ(graph.links[0].sigma, (std::vector<double>{1, 2, 3, 4, 1}));

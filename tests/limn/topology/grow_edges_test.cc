@@ -11,7 +11,7 @@ namespace {
 
 // One end of what grows is where its joint is; the other is right to what a step of growth and the
 // gate along edgels leave open.
-constexpr double kEndPx = 2.5;
+constexpr double kGrownEndPx = 2.5;
 
 using testing::FrontalPoint;
 using testing::FrontalScene;
@@ -22,7 +22,7 @@ double LengthPx(const Polyline3d& line) { return Length(line) / kFrontalPx; }
 
 // Whether it is one straight line from the origin to (x, y).
 void ExpectGrownTo(const std::vector<Polyline3d>& grown, double x_px, double y_px,
-                   double max_px = kEndPx) {
+                   double max_px = kGrownEndPx) {
   ASSERT_EQ(grown.size(), 1u);
   EXPECT_LT(grown[0].front().norm(), 1e-9);
   EXPECT_LT((grown[0].back() - FrontalPoint(x_px, y_px)).norm() / kFrontalPx, max_px)
@@ -64,7 +64,7 @@ TEST(GrowEdgesTest, EdgeInDepthGrowsToo) {
   ASSERT_EQ(grown.size(), 1u);
   // Across the line of sight the end is as certain as on the plane, along it less: at this base a
   // pixel sideways is three in depth.
-  EXPECT_LT((grown[0].back() - end).norm() / kFrontalPx, 3 * kEndPx);
+  EXPECT_LT((grown[0].back() - end).norm() / kFrontalPx, 3 * kGrownEndPx);
 }
 
 TEST(GrowEdgesTest, NothingGrowsWhereNothingIsMissing) {

@@ -28,20 +28,20 @@ const Eigen::Vector3d& Origin() {
 }
 
 // A link from the origin along the x axis, and an edge to an offset, px, in the views given.
-FrontalScene Corner(const Eigen::Vector3d& edge_px, const std::vector<ViewId>& in_views) {
+FrontalScene CornerJoint(const Eigen::Vector3d& edge_px, const std::vector<ViewId>& in_views) {
   FrontalScene scene;
   scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
   scene.ShowInSpace({Origin(), kFrontalPx * edge_px}, in_views);
   return scene;
 }
-FrontalScene Corner(const Eigen::Vector3d& edge_px) {
-  return Corner(edge_px, FrontalScene().AllViews());
+FrontalScene CornerJoint(const Eigen::Vector3d& edge_px) {
+  return CornerJoint(edge_px, FrontalScene().AllViews());
 }
 
 TEST(FindJointDirectionTest, DirectionOfAnEdgeIsFound) {
   for (const Eigen::Vector3d& edge : std::vector<Eigen::Vector3d>{
            {0, 30, 0}, {0, -30, 0}, {-30, 0, 0}, {20, 25, 0}, {0, 20, 20}, {-20, 10, -20}}) {
-    FrontalScene scene = Corner(edge);
+    FrontalScene scene = CornerJoint(edge);
     const auto found = scene.DirectionAt(Origin(), 4);
     ASSERT_TRUE(found) << edge.transpose();
     EXPECT_NEAR(found->unit.norm(), 1, 1e-9);
@@ -51,14 +51,14 @@ TEST(FindJointDirectionTest, DirectionOfAnEdgeIsFound) {
 
 TEST(FindJointDirectionTest, ViewsWhoseRaysAgreeAreTold) {
   const std::vector<ViewId> some = {0, 3, 6, 9, 10, 12, 15};
-  FrontalScene scene = Corner({0, 30, 0}, some);
+  FrontalScene scene = CornerJoint({0, 30, 0}, some);
   const auto found = scene.DirectionAt(Origin(), 4);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->views, some);
 }
 
 TEST(FindJointDirectionTest, EnoughViewsMustAgree) {
-  FrontalScene scene = Corner({0, 30, 0}, {0, 2, 5, 7, 9});
+  FrontalScene scene = CornerJoint({0, 30, 0}, {0, 2, 5, 7, 9});
   EXPECT_TRUE(scene.DirectionAt(Origin(), 5));
   EXPECT_FALSE(scene.DirectionAt(Origin(), 6));
 }
@@ -75,7 +75,7 @@ TEST(FindJointDirectionTest, ViewsThatDoNotSeeTheCornerAreNotAsked) {
 TEST(FindJointDirectionTest, WhatALinkExplainsIsNoNewDirection) {
   const auto found = [](double angle_deg) {
     const double angle = angle_deg * kDeg;
-    FrontalScene scene = Corner({30 * std::cos(angle), 30 * std::sin(angle), 0});
+    FrontalScene scene = CornerJoint({30 * std::cos(angle), 30 * std::sin(angle), 0});
     return scene.DirectionAt(Origin(), 4).has_value();
   };
   EXPECT_FALSE(found(0));
@@ -98,7 +98,7 @@ TEST(FindJointDirectionTest, TwoViewsGiveTheDirectionAndItsSign) {
 TEST(FindJointDirectionTest, MoreViewsWin) {
   // Whether they come first or last.
   const auto found = [](const std::vector<ViewId>& few, ViewId begin, ViewId end) {
-    FrontalScene scene = Corner({0, 30, 0}, few);
+    FrontalScene scene = CornerJoint({0, 30, 0}, few);
     scene.ShowInSpace({Origin(), FrontalPoint(-20, -20)}, scene.Views(begin, end));
     return scene.DirectionAt(Origin(), 4);
   };
@@ -128,10 +128,10 @@ TEST(FindJointDirectionTest, EdgesThatDoNotMeetInSpaceAreNoDirection) {
 }
 
 TEST(FindJointDirectionTest, ShortEdgesAreRaysToo) {
-  FrontalScene scene = Corner({0, 6, 0});
+  FrontalScene scene = CornerJoint({0, 6, 0});
   EXPECT_TRUE(scene.DirectionAt(Origin(), 4));
   // What ends where edges are rounded says nothing.
-  FrontalScene tiny = Corner({0, 3, 0});
+  FrontalScene tiny = CornerJoint({0, 3, 0});
   EXPECT_FALSE(tiny.DirectionAt(Origin(), 4));
 }
 

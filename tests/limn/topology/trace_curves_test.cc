@@ -19,13 +19,13 @@ using testing::PxCurve;
 using testing::SampleMaker;
 using testing::SampleNoise;
 
-constexpr int kNumViews = 4;
+constexpr int kNumTracedViews = 4;
 constexpr double kNoise = 0.15;
 // Five standard deviations of the mean of the ten samples that are near the end of a line.
 const double kLargestError = 5 * kNoise / std::sqrt(10);
 // Curves begin and end within a step of their samples, which begin and end within a px of their
 // lines.
-constexpr double kEndPx = 2;
+constexpr double kTracedEndPx = 2;
 
 struct Traced {
   DrawingGraph graph;
@@ -66,7 +66,7 @@ int NumLinksAlong(const DrawingGraph& graph, const PxCurve& curve, double within
     return std::ranges::all_of(
                link.points_in_world,
                [&](const Vector3d& point) { return distance(point) < within_px; }) &&
-           std::abs(LengthPx(link) - curve.length_px) < 2 * kEndPx;
+           std::abs(LengthPx(link) - curve.length_px) < 2 * kTracedEndPx;
   }));
 }
 
@@ -80,7 +80,7 @@ TEST(TraceCurvesTest, NothingGivesNothing) {
 TEST(TraceCurvesTest, LineIsOneLink) {
   SampleMaker maker;
   const PxCurve line = LineBetween({0, 0, 0}, {60, 30, 60});
-  maker.AddInViews(line, 0, kNumViews, SampleNoise::Even(kNoise));
+  maker.AddInViews(line, 0, kNumTracedViews, SampleNoise::Even(kNoise));
   const Traced traced = Trace(maker);
   ASSERT_EQ(traced.graph.links.size(), 1u);
   EXPECT_EQ(NumLinksAlong(traced.graph, line, 1), 1);
@@ -96,11 +96,11 @@ TEST(TraceCurvesTest, LineIsOneLink) {
 
 TEST(TraceCurvesTest, VerticesKnowTheViewsThatAgree) {
   SampleMaker maker;
-  maker.AddInViews(LineBetween({0, 0, 0}, {60, 0, 0}), 0, kNumViews);
+  maker.AddInViews(LineBetween({0, 0, 0}, {60, 0, 0}), 0, kNumTracedViews);
   const Traced traced = Trace(maker);
   ASSERT_EQ(traced.graph.links.size(), 1u);
   for (const LinkVertex& vertex : traced.graph.links[0].vertices) {
-    EXPECT_EQ(vertex.agreeing_views, kNumViews);
+    EXPECT_EQ(vertex.agreeing_views, kNumTracedViews);
     EXPECT_EQ(vertex.footprint, 1);
   }
 }
@@ -109,7 +109,7 @@ TEST(TraceCurvesTest, CircleIsOneClosedLink) {
   for (const double radius : {6.0, 20.0}) {
     SampleMaker maker;
     const PxCurve circle = CircleAround({0, 0, 0}, radius);
-    maker.AddInViews(circle, 0, kNumViews, SampleNoise::Even(kNoise));
+    maker.AddInViews(circle, 0, kNumTracedViews, SampleNoise::Even(kNoise));
     const Traced traced = Trace(maker);
     ASSERT_EQ(traced.graph.links.size(), 1u);
     EXPECT_TRUE(traced.graph.links[0].closed);
@@ -117,14 +117,14 @@ TEST(TraceCurvesTest, CircleIsOneClosedLink) {
     EXPECT_EQ(traced.counts.closed, 1);
     EXPECT_EQ(traced.counts.meetings, 0);
     // Those between the last vertex and the first.
-    EXPECT_LE(traced.counts.unclaimed, kNumViews);
+    EXPECT_LE(traced.counts.unclaimed, kNumTracedViews);
   }
 }
 
 TEST(TraceCurvesTest, OpenArcStaysOpen) {
   SampleMaker maker;
   const PxCurve arc = testing::ArcAround({0, 0, 0}, 20, 0, 1.8 * M_PI);
-  maker.AddInViews(arc, 0, kNumViews, SampleNoise::Even(kNoise));
+  maker.AddInViews(arc, 0, kNumTracedViews, SampleNoise::Even(kNoise));
   const Traced traced = Trace(maker);
   ASSERT_EQ(traced.graph.links.size(), 1u);
   EXPECT_FALSE(traced.graph.links[0].closed);
@@ -135,8 +135,8 @@ TEST(TraceCurvesTest, CrossingLinesStayTwo) {
   SampleMaker maker;
   const PxCurve first = LineBetween({-30, 0, 0}, {30, 0, 0});
   const PxCurve second = LineBetween({-15, -26, 0}, {15, 26, 0});
-  maker.AddInViews(first, 0, kNumViews, SampleNoise::Even(kNoise));
-  maker.AddInViews(second, 0, kNumViews, SampleNoise::Even(kNoise));
+  maker.AddInViews(first, 0, kNumTracedViews, SampleNoise::Even(kNoise));
+  maker.AddInViews(second, 0, kNumTracedViews, SampleNoise::Even(kNoise));
   const Traced traced = Trace(maker);
   EXPECT_EQ(traced.graph.links.size(), 2u);
   EXPECT_EQ(traced.counts.meetings, 0);
@@ -148,8 +148,8 @@ TEST(TraceCurvesTest, LinesTwoAndAHalfPxApartStayTwo) {
   SampleMaker maker;
   const PxCurve first = LineBetween({0, 0, 0}, {60, 0, 0});
   const PxCurve second = LineBetween({0, 2.5, 0}, {60, 2.5, 0});
-  maker.AddInViews(first, 0, kNumViews, SampleNoise::Even(kNoise));
-  maker.AddInViews(second, 0, kNumViews, SampleNoise::Even(kNoise));
+  maker.AddInViews(first, 0, kNumTracedViews, SampleNoise::Even(kNoise));
+  maker.AddInViews(second, 0, kNumTracedViews, SampleNoise::Even(kNoise));
   const Traced traced = Trace(maker);
   EXPECT_EQ(traced.graph.links.size(), 2u);
   EXPECT_EQ(traced.counts.meetings, 0);
@@ -173,8 +173,9 @@ TEST(TraceCurvesTest, StrandsOfOneEdgeAreOneLink) {
 TEST(TraceCurvesTest, CurveThatRunsIntoALineEndsOnIt) {
   // An arc that ends along the line, at the origin.
   SampleMaker maker;
-  maker.AddInViews(LineBetween({-50, 0, 0}, {50, 0, 0}), 0, kNumViews, SampleNoise::Even(kNoise));
-  maker.AddInViews(testing::ArcAround({0, 30, 0}, 30, -M_PI / 2, -M_PI / 2), 0, kNumViews,
+  maker.AddInViews(LineBetween({-50, 0, 0}, {50, 0, 0}), 0, kNumTracedViews,
+                   SampleNoise::Even(kNoise));
+  maker.AddInViews(testing::ArcAround({0, 30, 0}, 30, -M_PI / 2, -M_PI / 2), 0, kNumTracedViews,
                    SampleNoise::Even(kNoise));
   const Traced traced = Trace(maker);
   EXPECT_EQ(traced.graph.links.size(), 3u);
@@ -192,9 +193,10 @@ TEST(TraceCurvesTest, CurveThatRunsIntoALineEndsOnIt) {
 TEST(TraceCurvesTest, CurvesThatPartAreBothTraced) {
   // As above, but traced from where they are one.
   SampleMaker maker;
-  maker.AddInViews(testing::ArcAround({0, 30, 0}, 30, -M_PI / 2, -M_PI / 2), 0, kNumViews,
+  maker.AddInViews(testing::ArcAround({0, 30, 0}, 30, -M_PI / 2, -M_PI / 2), 0, kNumTracedViews,
                    SampleNoise::Even(kNoise));
-  maker.AddInViews(LineBetween({-50, 0, 0}, {50, 0, 0}), 0, kNumViews, SampleNoise::Even(kNoise));
+  maker.AddInViews(LineBetween({-50, 0, 0}, {50, 0, 0}), 0, kNumTracedViews,
+                   SampleNoise::Even(kNoise));
   const Traced traced = Trace(maker);
   EXPECT_EQ(traced.graph.links.size(), 3u);
   EXPECT_EQ(traced.counts.curves, 2);
@@ -216,7 +218,7 @@ TEST(TraceCurvesTest, CurveMayEndOnItself) {
   const PxCurve ring = testing::ArcAround({0, 25, 0}, 25, -M_PI / 2, 2 * M_PI);
   const PxCurve six = {[&](double arc) { return arc < 40 ? stem.at(arc) : ring.at(arc - 40); },
                        40 + ring.length_px};
-  maker.AddInViews(six, 0, kNumViews, SampleNoise::Even(kNoise));
+  maker.AddInViews(six, 0, kNumTracedViews, SampleNoise::Even(kNoise));
   const Traced traced = Trace(maker);
   EXPECT_EQ(traced.counts.curves, 1);
   EXPECT_EQ(traced.counts.closed, 0);
@@ -228,8 +230,8 @@ TEST(TraceCurvesTest, CurveMayEndOnItself) {
 TEST(TraceCurvesTest, GapsAreBridgedUpToTheLimit) {
   const auto num_links = [](double gap_px, double max_gap_px) {
     SampleMaker maker;
-    maker.AddInViews(LineBetween({0, 0, 0}, {30, 0, 0}), 0, kNumViews);
-    maker.AddInViews(LineBetween({30 + gap_px, 0, 0}, {60, 0, 0}), 0, kNumViews);
+    maker.AddInViews(LineBetween({0, 0, 0}, {30, 0, 0}), 0, kNumTracedViews);
+    maker.AddInViews(LineBetween({30 + gap_px, 0, 0}, {60, 0, 0}), 0, kNumTracedViews);
     TopologyOptions options;
     options.max_tracing_gap_px = max_gap_px;
     const Traced traced = Trace(maker, options);
@@ -266,14 +268,14 @@ TEST(TraceCurvesTest, CurvesStartWhereManyViewsAgreeAndGoOnWhereFewerDo) {
   options.min_traced_views = 1;
   const DrawingGraph all = Trace(maker, options).graph;
   ASSERT_EQ(all.links.size(), 2u);
-  EXPECT_NEAR(LengthPx(all.links[0]), 120, 2 * kEndPx);
+  EXPECT_NEAR(LengthPx(all.links[0]), 120, 2 * kTracedEndPx);
 }
 
 TEST(TraceCurvesTest, ShortCurvesAreDroppedAndCounted) {
   SampleMaker maker;
-  maker.AddInViews(LineBetween({0, 0, 0}, {3, 0, 0}), 0, kNumViews);
+  maker.AddInViews(LineBetween({0, 0, 0}, {3, 0, 0}), 0, kNumTracedViews);
   const int num_short = maker.samples().NumSamples();
-  maker.AddInViews(LineBetween({0, 30, 0}, {12, 30, 0}), 0, kNumViews);
+  maker.AddInViews(LineBetween({0, 30, 0}, {12, 30, 0}), 0, kNumTracedViews);
   const int num_traced = maker.samples().NumSamples() - num_short;
   maker.Add(LineBetween({0, 60, 0}, {30, 60, 0}), 0);  // of one view
   const Traced traced = Trace(maker);
@@ -287,8 +289,9 @@ TEST(TraceCurvesTest, ScaledSamplesGiveTheScaledDrawing) {
   const auto trace = [](double footprint) {
     // Spacings of a px would put samples just on the limits of steps.
     SampleMaker maker(footprint, 0.9713);
-    maker.AddInViews(LineBetween({0, 0, 0}, {60, 0, 0}), 0, kNumViews, SampleNoise::Even(kNoise));
-    maker.AddInViews(CircleAround({0, 30, 0}, 15), 0, kNumViews, SampleNoise::Even(kNoise));
+    maker.AddInViews(LineBetween({0, 0, 0}, {60, 0, 0}), 0, kNumTracedViews,
+                     SampleNoise::Even(kNoise));
+    maker.AddInViews(CircleAround({0, 30, 0}, 15), 0, kNumTracedViews, SampleNoise::Even(kNoise));
     return Trace(maker).graph;
   };
   const DrawingGraph graph = trace(1);
