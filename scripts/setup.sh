@@ -38,7 +38,7 @@ apt_get() {
   while true; do
     status=0
     "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
-      apt-get -q -o DPkg::Lock::Timeout=600 "$@" 2>&1 | tee "$log" || status=$?
+      apt-get -q -o DPkg::Lock::Timeout=600 -o Acquire::http::Timeout=30 -o Acquire::Retries=3 "$@" 2>&1 | tee "$log" || status=$?
     ((status != 0 && SECONDS < deadline)) || break
     grep -q -E 'Could not get lock|Unable to (acquire|lock)' "$log" || break
     echo "Waiting for another program that holds the lock of apt"

@@ -1,14 +1,18 @@
 #!/usr/bin/env bash
-# Install, build with warnings as errors, run all tests. `scripts/test.sh --sanitizers` then builds again and
-# runs the quick ones under the address and undefined-behavior sanitizers.
+# Install, build with warnings as errors, run all tests: scripts/test.sh [--sanitizers] [options of ctest ...]
+# With --sanitizers builds again then and runs the quick tests under the address and undefined-behavior sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/setup.sh python3-numpy python3-opencv python3-ezdxf python3-matplotlib librsvg2-bin chromium \
+sanitizers=false
+if [[ ${1:-} == --sanitizers ]]; then
+  sanitizers=true
+  shift
+fi
+scripts/setup.sh python3-opencv python3-ezdxf python3-matplotlib librsvg2-bin chromium \
   dpkg-dev man-db mandoc mmdebstrap
 cmake --preset release  # the same as in run_sample.sh: nothing is compiled twice
 cmake --build --preset release
-ctest --preset release --parallel 2
+ctest --preset release --parallel 2 "$@"
 
-[[ ${1:-} == --sanitizers ]] || exit 0
-scripts/test_sanitizers.sh
+! $sanitizers || scripts/test_sanitizers.sh

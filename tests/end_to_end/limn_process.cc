@@ -4,8 +4,10 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -42,6 +44,23 @@ LimnProcess::~LimnProcess() {
 }
 
 void LimnProcess::Signal(int signal) const { kill(pid_, signal); }
+
+void LimnProcess::WaitUntil(const std::function<bool()>& condition) const {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!condition()) {
+    siginfo_t ended = {};
+    waitid(P_PID, pid_, &ended, WEXITED | WNOHANG | WNOWAIT);
+    if (ended.si_pid != 0) {
+      ADD_FAILURE() << "the process has ended: " << ReadFile(dir_ / "err");
+      return;
+    }
+    if (std::chrono::steady_clock::now() > deadline) {
+      ADD_FAILURE() << "still waiting after a minute";
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
 
 LimnProcess::End LimnProcess::Wait() {
   const auto start = std::chrono::steady_clock::now();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ class LimnProcess {
 
   pid_t pid() const { return pid_; }
   void Signal(int signal) const;
+  // Waits until a condition holds. Fails the test if the process ends before, or after a minute.
+  void WaitUntil(const std::function<bool()>& condition) const;
 
   struct End {
     int exit_code = -1;  // 128 + signal if one ended it

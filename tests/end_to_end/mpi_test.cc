@@ -42,7 +42,7 @@ LimnRun RunRanks(const std::vector<std::string>& arguments, const OfRank& first 
   std::vector<std::string> of_mpirun = {
       "--allow-run-as-root", "--oversubscribe", "-n", "4", "sh", "-c", script, "sh", LIMN_PROGRAM};
   of_mpirun.insert(of_mpirun.end(), arguments.begin(), arguments.end());
-  return RunProgram("mpirun", of_mpirun);
+  return RunProgram("mpirun", of_mpirun, {.max_seconds = 300});
 }
 
 const std::map<std::string, std::string>& Whole() {
@@ -65,8 +65,8 @@ class MpiRun : public ::testing::Test {
   OfRank SignalTo(int rank, const char* signal, const char* folder, int num_files) const {
     const std::string files = "ls " + (scene_ / "curves/cache" / folder).string() + "/*.bin";
     return {rank, "(until [ $(" + files + " 2> /dev/null | wc -l) -ge " +
-                      std::to_string(num_files) + " ]; do sleep 0.01; done; kill -" + signal +
-                      " $$) &"};
+                      std::to_string(num_files) +
+                      " ]; do kill -0 $$ || exit; sleep 0.01; done; kill -" + signal + " $$) &"};
   }
 
   // What is there is right, and the next run goes on with it to the bytes of an undisturbed one.

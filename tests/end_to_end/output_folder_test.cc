@@ -4,7 +4,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -186,7 +185,7 @@ TEST(OutputFolder, ASecondRunIsRefusedUntilTheFirstHasEnded) {
   const SmallScene scene;
   LimnProcess first(scene.Arguments());
   const fs::path lock = scene / "curves/.lock";
-  while (Read(lock).empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  first.WaitUntil([&] { return !Read(lock).empty(); });
   // It must not end before the others have been refused.
   first.Signal(SIGSTOP);
   for (const char* command : {"automatic_drawer", "curve_linker", "drawing_viewer"}) {

@@ -63,7 +63,7 @@ LimnRun RunProgram(const std::string& program, const std::vector<std::string>& a
   const TempDir dir;
   std::string command = Prefix(conditions) + Quoted(program);
   for (const std::string& argument : arguments) command += " " + Quoted(argument);
-  command += " > " + Quoted(dir / "out") + " 2> " + Quoted(dir / "err");
+  command += " < /dev/null > " + Quoted(dir / "out") + " 2> " + Quoted(dir / "err");
   const int status = std::system(command.c_str());
   if (status == -1 || !WIFEXITED(status)) throw std::runtime_error("did not exit: " + command);
   return {WEXITSTATUS(status), ReadFile(dir / "out"), ReadFile(dir / "err")};

@@ -23,7 +23,7 @@ struct RunConditions {
   bool as_nobody = false;
 };
 
-// Run a program and wait for it.
+// Run a program and wait for it. Its standard input is empty.
 LimnRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                    const RunConditions& conditions = {});
 

@@ -49,7 +49,7 @@ LimnProcess::End StopAfter(double seconds, int signal, const std::vector<std::st
   const fs::path lock = output / "curves/.lock";
   fs::remove(lock);
   LimnProcess run(arguments);
-  while (!fs::exists(lock)) Sleep(0.001);
+  run.WaitUntil([&] { return fs::exists(lock); });
   Sleep(seconds);
   run.Signal(signal);
   const LimnProcess::End end = run.Wait();

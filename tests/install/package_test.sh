@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # package_test.sh <build folder> <1 or 0: with Python>: make the packages and install them with apt into a Debian
-# root that has nothing else; there, draw some images of the sample scene by the program and from Python, and build a
-# program with the library. Needs root, mmdebstrap and the mirror of the machine's apt.
+# root that has nothing else; there, draw some images of the sample scene by the program and from Python. With
+# LIMN_BUILD_IN_ROOT=1 also install a compiler and the library there (370 MB) and build a program with it; without, only
+# see that its packages can be had. Needs root, mmdebstrap and the mirror of the machine's apt.
 set -euo pipefail
 build=$1 with_python=$2
 here=$(cd "$(dirname "$0")" && pwd)
@@ -33,11 +34,16 @@ sources=()
 for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
   [[ ! -s $file ]] || sources+=("$file")
 done
-mmdebstrap --quiet --variant=apt bookworm "$root" "${sources[@]}" 2>"$work/mmdebstrap.log" ||
+timeout 300 mmdebstrap --quiet --variant=apt --aptopt='Acquire::Retries "2"' --aptopt='Acquire::http::Timeout "30"' \
+  --aptopt='APT::Keep-Downloaded-Packages "false"' bookworm "$root" "${sources[@]}" 2>"$work/mmdebstrap.log" ||
   { cat "$work/mmdebstrap.log"; skip "no Debian root can be made here"; }
 
+proxies=()
+for name in http_proxy https_proxy no_proxy; do
+  [[ -z ${!name:-} ]] || proxies+=("$name=${!name}")
+done
 in_root() {
-  chroot "$root" env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"
+  timeout 600 chroot "$root" env -i "${proxies[@]}" PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"
 }
 install_package() {
   cp "$work/packages/$1" "$root/root/"
@@ -72,6 +78,11 @@ drawing = limn.draw("/root/project", image_list_path="/root/images.txt", quality
 assert len(drawing.links) == len(stored.links) > 10, drawing
 '
 fi
+
+cp "$work/packages/liblimn-dev_${version}_amd64.deb" "$root/root/"
+in_root apt-get install -s -q --no-install-recommends "/root/liblimn-dev_${version}_amd64.deb" >"$work/apt.log" 2>&1 ||
+  { cat "$work/apt.log"; fail "apt would not install the library"; }
+[[ ${LIMN_BUILD_IN_ROOT:-0} == 1 ]] || exit 0
 
 # What the package of the library does not bring is missing here.
 in_root apt-get install -y -q --no-install-recommends cmake g++ make >"$work/apt.log" 2>&1 ||
