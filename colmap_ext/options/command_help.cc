@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-constexpr char kCommandsEnd[] =
+constexpr char kExitStatus[] =
     ".SH EXIT STATUS\n"
     "0, 1 after a line ERROR: ... on standard error, or 130 after an interruption.\n";
 
@@ -99,7 +99,7 @@ void WriteManPage(const CommandDescription& command, std::ostream& out) {
     if (option.is_basic) WriteOption(option, out);
   }
   WriteMoreOptions(command.options, out);
-  out << kCommandsEnd << ".SH SEE ALSO\n"
+  out << kExitStatus << ".SH SEE ALSO\n"
       << ".BR limn (1)\n";
 }
 
@@ -116,7 +116,7 @@ void WriteManPage(std::span<const CommandDescription> commands, std::ostream& ou
   for (const CommandDescription& command : commands) {
     out << ".TP\n" << Bold(command.name) << "\n" << ManText(command.summary) << "\n";
   }
-  out << kCommandsEnd << ".SH SEE ALSO\n";
+  out << kExitStatus << ".SH SEE ALSO\n";
   for (size_t i = 0; i < commands.size(); ++i) {
     out << ".BR " << ManText(ManPageName(commands[i].name)) << " (1)"
         << (i + 1 < commands.size() ? "," : "") << "\n";

@@ -34,8 +34,8 @@ _limn() {
       _limn_complete_value "$word" "${@:3}"
       return
     fi
-    # An option may be given once.
-    [[ " ${COMP_WORDS[*]:2:COMP_CWORD-2} " == *" $2 "* ]] || options+=("$2")
+    # Only options of several texts may be given again.
+    [[ ${3:-} != '<texts>' && " ${COMP_WORDS[*]:2:COMP_CWORD-2} " == *" $2 "* ]] || options+=("$2")
   done < <("$1" "${COMP_WORDS[1]}" --help_format words 2>/dev/null)
   mapfile -t COMPREPLY < <(compgen -W "${options[*]}" -- "$word")
 }

@@ -26,7 +26,7 @@ expect() {
   fi
 }
 
-complete -p limn >/dev/null
+complete -p limn >/dev/null || failed=1
 expect 'automatic_drawer' limn au
 expect '*edge_extractor|*|truth_extractor' limn ''
 expect '--workspace_path' limn automatic_drawer --work
@@ -41,5 +41,6 @@ expect "$work/my*|$work/my*" limn automatic_drawer --workspace_path "$work/m"
 expect "$work/my project" limn automatic_drawer --workspace_path "$work/my p"
 expect '*--page*' limn automatic_drawer --quality low --pag
 expect '' limn automatic_drawer --quality low --qual
+expect '--known_length' limn drawing_aligner --known_length 'link 1 = 2 m' --known
 expect '' limn no_such_command --
 exit $failed
