@@ -1,6 +1,5 @@
 """Small scenes for the tests of the Python package: eight small images of the sample scene."""
 
-import os
 import tempfile
 from pathlib import Path
 
@@ -9,19 +8,15 @@ DAY = SAMPLE / "day"
 NUM_IMAGES = 8
 
 
-def small_options():
-    """Options for limn.open and the like; the file of the list lives as long as the process."""
-    names = "".join(f"view_{i:02d}.jpg\n" for i in range(NUM_IMAGES))
-    return {"image_list_path": _list_file(names), "quality": "low", "max_image_size": 320, "num_threads": 2}
-
-
+# Written once, as several threads may read it; it lives as long as the process.
 _folder = tempfile.TemporaryDirectory()
+_image_list = Path(_folder.name) / "list.txt"
+_image_list.write_text("".join(f"view_{i:02d}.jpg\n" for i in range(NUM_IMAGES)), encoding="utf-8")
 
 
-def _list_file(names):
-    path = os.path.join(_folder.name, "list.txt")
-    Path(path).write_text(names, encoding="utf-8")
-    return path
+def small_options():
+    """Options for limn.open and the like."""
+    return {"image_list_path": _image_list, "quality": "low", "max_image_size": 320, "num_threads": 2}
 
 
 def files_below(folder):
