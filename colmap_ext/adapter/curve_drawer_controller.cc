@@ -66,7 +66,7 @@ void CurveDrawerController::Draw() {
   DrawerOptions options = options_.drawer;
   options.run.layout.image_path = options_.image_path;
   options.run.layout.output_path = options_.output_path;
-  options.run.view.border_margin_px = options.run.pipeline.edges.margin_px;
+  options.SetDerived();
   LogConsole console(options.run.num_threads, [this] { return IsColmapStopped(this); });
   const Project project(ToSparseModel(*reconstruction_), options.run, &console);
   if (options_.point_spacing_px > 0 && project.view_set().HasPanoramas()) {

@@ -47,7 +47,7 @@ class CurveDrawerController : public ColmapController {
   // The drawing in the coordinates of the reconstruction. Nothing before the end of the run, and if
   // it failed or was stopped.
   const std::optional<DrawingGraph>& Drawing() const { return drawing_; }
-  // Why there is no drawing; empty if it was stopped.
+  // Why there is no drawing; empty if it was stopped, or only made a shard.
   const std::string& Error() const { return error_; }
 
  private:

@@ -4,35 +4,54 @@
 //
 // COLMAP reads the model, the controller draws it, and COLMAP writes it again, with points on the
 // curves, to <output folder>/sparse-with-curves.
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include <glog/logging.h>
 
 #include "colmap_ext/adapter/curve_drawer_controller.h"
 
+namespace {
+
+bool Draw(const std::string& model, const std::string& images, const std::string& output) {
+  // COLMAP ends the process where a file is missing or damaged; a program checks what it can.
+  if (!std::filesystem::is_directory(model)) {
+    LOG(ERROR) << model << ": no such folder";
+    return false;
+  }
+  const auto reconstruction = std::make_shared<colmap::Reconstruction>();
+  reconstruction->Read(model);
+
+  limn::colmap_ext::CurveDrawerOptions options;
+  options.image_path = images;
+  options.output_path = output;
+  options.point_spacing_px = 4;
+  if (!options.Check()) return false;
+  limn::colmap_ext::CurveDrawerController controller(options, reconstruction);
+  controller.Run();
+  if (!controller.Drawing()) return false;
+
+  const std::filesystem::path folder = std::filesystem::path(output) / "sparse-with-curves";
+  std::filesystem::create_directories(folder);
+  reconstruction->Write(folder.string());
+  return true;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using limn::colmap_ext::CurveDrawerController;
   google::InitGoogleLogging(argv[0]);
   FLAGS_logtostderr = true;
   if (argc != 4) {
     LOG(ERROR) << "usage: draw_reconstruction <model> <images> <output>";
     return 1;
   }
-  const auto reconstruction = std::make_shared<colmap::Reconstruction>();
-  reconstruction->Read(argv[1]);
-
-  limn::colmap_ext::CurveDrawerOptions options;
-  options.image_path = argv[2];
-  options.output_path = argv[3];
-  options.point_spacing_px = 4;
-  if (!options.Check()) return 1;
-  CurveDrawerController controller(options, reconstruction);
-  controller.Run();
-  if (!controller.Drawing()) return 1;
-
-  const std::filesystem::path folder = std::filesystem::path(argv[3]) / "sparse-with-curves";
-  std::filesystem::create_directories(folder);
-  reconstruction->Write(folder.string());
-  return 0;
+  try {
+    return Draw(argv[1], argv[2], argv[3]) ? 0 : 1;
+  } catch (const std::exception& error) {
+    LOG(ERROR) << error.what();
+    return 1;
+  }
 }

@@ -16,6 +16,11 @@ void DrawerOptions::Check() const {
   align.Check();
 }
 
+void DrawerOptions::SetDerived() {
+  run.SetDerived();
+  truth.evaluation.region = BoxFromNumbers(run.box);
+}
+
 std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv,
                                                DrawerOptions* options) {
   const OptionGroups groups = {.linking = true,
@@ -36,7 +41,7 @@ std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv
                                 });
   if (!parser) return std::nullopt;
   options->Check();
-  options->truth.evaluation.region = BoxFromNumbers(options->run.box);
+  options->SetDerived();
   return parser;
 }
 

@@ -20,6 +20,8 @@ struct DrawerOptions {
 
   // Throws OptionError.
   void Check() const;
+  // Sets what follows from other options.
+  void SetDerived();
 };
 
 // Like ParseRunOptions.

@@ -121,6 +121,8 @@ void RunOptions::CheckValues() const {
   if (!shard.empty()) ParseShard(shard);
 }
 
+void RunOptions::SetDerived() { view.border_margin_px = pipeline.edges.margin_px; }
+
 RunOptions DefaultRunOptions(Quality quality) {
   const QualityPreset preset = PresetOf(quality);
   RunOptions options;
@@ -143,7 +145,7 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
     if (add_more) add_more(&parser);
     if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return std::nullopt;
     if (final_pass) {
-      options->view.border_margin_px = options->pipeline.edges.margin_px;
+      options->SetDerived();
       options->Check();
       return parser;
     }

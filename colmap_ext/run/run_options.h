@@ -43,6 +43,8 @@ struct RunOptions {
   void Check() const;
   // The same without the paths, for a model in memory.
   void CheckValues() const;
+  // Sets what follows from other options.
+  void SetDerived();
 };
 
 // The options of a command at a level of quality, if no others are given.

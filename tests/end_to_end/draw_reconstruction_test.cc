@@ -66,6 +66,11 @@ TEST(DrawReconstruction, DrawsWhatAutomaticDrawerDraws) {
 
 TEST(DrawReconstruction, SaysWhatIsWrong) {
   const TempDir dir;
+  const std::string none = (dir / "none").string();
+  const LimnRun no_model =
+      RunProgram(DRAW_RECONSTRUCTION_PROGRAM, {none, kImages, dir.path().string()});
+  EXPECT_EQ(no_model.exit_code, 1);
+  EXPECT_THAT(no_model.err, HasSubstr(none + ": no such folder"));
   const LimnRun run = RunProgram(DRAW_RECONSTRUCTION_PROGRAM,
                                  {kModel, (dir / "none").string(), dir.path().string()});
   EXPECT_EQ(run.exit_code, 1);

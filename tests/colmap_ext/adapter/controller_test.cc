@@ -47,6 +47,27 @@ TEST(CurveDrawerController, Stops) {
   EXPECT_FALSE(std::filesystem::exists(dir / "output/drawing.json"));
 }
 
+TEST(CurveDrawerController, WaitsWhilePaused) {
+  using Clock = std::chrono::steady_clock;
+  const TempDir dir;
+  const Controller controller = MakeController(dir);
+  const auto thread = ThreadOf(controller);
+  thread->Start();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  thread->Pause();
+  const auto deadline = Clock::now() + std::chrono::seconds(10);
+  while (!thread->IsPaused() && Clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_TRUE(thread->IsPaused());
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_TRUE(thread->IsPaused());
+  EXPECT_FALSE(thread->IsFinished());
+  thread->Stop();
+  thread->Wait();
+  EXPECT_FALSE(controller->Drawing());
+}
+
 TEST(CurveDrawerController, TellsWhatIsWrong) {
   const TempDir dir;
   CurveDrawerOptions options;

@@ -1,3 +1,4 @@
+#include "colmap_ext/run/drawer_options.h"
 #include "colmap_ext/run/run_options.h"
 
 #include <gtest/gtest.h>
@@ -77,6 +78,16 @@ TEST(RunOptions, MarginOfViewsIsThatOfEdges) {
   RunOptions options;
   ASSERT_TRUE(Parse({"--workspace_path", "w", "--EdgeDetection.margin_px", "3"}, &options));
   EXPECT_EQ(options.view.border_margin_px, 3);
+}
+
+TEST(DrawerOptions, TheTruthCountsInTheBox) {
+  DrawerOptions options;
+  options.run.box = {0, 1, -2, 2, 3, 4};
+  options.run.pipeline.edges.margin_px = 3;
+  options.SetDerived();
+  ASSERT_TRUE(options.truth.evaluation.region);
+  EXPECT_EQ(options.truth.evaluation.region->min(), Eigen::Vector3d(0, -2, 3));
+  EXPECT_EQ(options.run.view.border_margin_px, 3);
 }
 
 TEST(RunOptions, CommandsHaveOnlyTheirGroups) {
