@@ -1,8 +1,8 @@
-#include "colmap_ext/run/drawer_options.h"
 #include "colmap_ext/run/run_options.h"
 
 #include <gtest/gtest.h>
 
+#include "colmap_ext/run/drawer_options.h"
 #include "colmap_ext/temp_dir.h"
 #include "limn/util/errors.h"
 
