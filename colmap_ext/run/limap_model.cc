@@ -73,6 +73,10 @@ void CheckPinholes(const SparseModel& model) {
     if (camera.model == CameraModelId::kSimplePinhole || camera.model == CameraModelId::kPinhole) {
       continue;
     }
+    if (camera.IsPanorama()) {
+      throw InputError("camera " + std::to_string(camera.id) +
+                       " is EQUIRECTANGULAR: LIMAP's lines are those of pinhole cameras");
+    }
     throw InputError("camera " + std::to_string(camera.id) + " has a lens (" +
                      FindCameraModel(static_cast<int32_t>(camera.model))->name +
                      "): LIMAP's lines are those of pinhole cameras; give the workspace that "
