@@ -48,14 +48,19 @@ bool IsOrientationFlag(const Eigen::Vector3d& gravity_in_cam) {
   return gravity_in_cam.cwiseAbs().maxCoeff() > (1 - 1e-9) * gravity_in_cam.norm();
 }
 
+bool MeasuredGravity(const ViewPrior& prior) {
+  return prior.gravity_in_cam && !IsOrientationFlag(*prior.gravity_in_cam);
+}
+
 std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
                                     const std::vector<ViewPrior>& priors) {
   std::vector<Eigen::Vector3d> directions;
   for (size_t v = 0; v < priors.size(); ++v) {
-    const auto& gravity = priors[v].gravity_in_cam;
-    if (!gravity || IsOrientationFlag(*gravity)) continue;
-    directions.push_back(-(views[v].cam_from_world.rotation.conjugate() * gravity->normalized()));
+    if (!MeasuredGravity(priors[v])) continue;
+    const Eigen::Vector3d down = priors[v].gravity_in_cam->normalized();
+    directions.push_back(-(views[v].cam_from_world.rotation.conjugate() * down));
   }
+  if (directions.size() < kMinGravities) return std::nullopt;
   const std::optional<Eigen::Vector3d> median = MedianDirection(directions);
   if (!median) return std::nullopt;
   GravityUp up;

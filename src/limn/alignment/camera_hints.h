@@ -22,6 +22,9 @@ struct ViewPrior {
 // orientation flag of a photograph.
 bool IsOrientationFlag(const Eigen::Vector3d& gravity_in_cam);
 
+// Whether the camera measured gravity; orientation flags do not count.
+bool MeasuredGravity(const ViewPrior& prior);
+
 struct GravityUp {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   // Of the cameras' measurements from it, median.
@@ -29,8 +32,11 @@ struct GravityUp {
   size_t num_views = 0;
 };
 
-// The median of what gravity tells in all cameras that measured it (orientation flags do not);
-// nothing if none did, or if they cancel. `priors` has one per view, or is empty.
+// One or two measurements cannot be seen to be wrong.
+constexpr size_t kMinGravities = 3;
+
+// The median of what gravity tells in all cameras that measured it; nothing if fewer than
+// kMinGravities did, or if they cancel. `priors` has one per view, or is empty.
 std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
                                     const std::vector<ViewPrior>& priors);
 

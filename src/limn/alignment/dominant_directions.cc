@@ -232,21 +232,21 @@ std::optional<double> FloorHeight(const std::vector<StraightLine>& lines,
   for (const StraightLine& line : HorizontalLines(lines, up)) {
     levels.push_back({line.middle.dot(up), line.weight});
   }
-  const double window = kLevelHeight * (Quantile(heights, 0.99) - Quantile(heights, 0.01));
+  const double height = kLevelHeight * (Quantile(heights, 0.99) - Quantile(heights, 0.01));
   std::sort(levels.begin(), levels.end(),
             [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
   double all = 0;
   for (const Weighted& level : levels) all += level.weight;
-  double inside = 0, moment = 0;
-  for (size_t end = 0, begin = 0; end < levels.size(); ++end) {
-    inside += levels[end].weight;
-    moment += levels[end].weight * levels[end].value;
-    while (levels[end].value - levels[begin].value > window) {
-      inside -= levels[begin].weight;
-      moment -= levels[begin].weight * levels[begin].value;
-      ++begin;
-    }
-    if (inside > kLevelShare * all) return moment / inside;
+  double inside = 0;
+  for (auto end = levels.begin(), begin = end; end != levels.end(); ++end) {
+    inside += end->weight;
+    for (; end->value - begin->value > height; ++begin) inside -= begin->weight;
+    if (inside <= kLevelShare * all) continue;
+    // The lowest lines alone, which crossed the limit, are below the middle of their level.
+    const auto top = std::find_if(end, levels.end(), [&](const Weighted& line) {
+      return line.value - begin->value > height;
+    });
+    return Quantile({begin, top}, 0.5);
   }
   return std::nullopt;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <random>
 
@@ -22,6 +22,9 @@ constexpr double kMedianDistance = 1.5382;
 // Residuals of more standard deviations are wrong rather than noise. Weights that fall gradually
 // would shrink the scale where the noise is not small beside the extent.
 constexpr double kOutlierSigmas = 4;
+// So many residuals below the typical one, if there are as many. Any fit has 7 degrees of freedom:
+// to a pair or two more it can be exact by chance, which would make all others look wrong.
+constexpr size_t kMinBelowTypical = 6;
 
 // Least squares with these weights (Umeyama 1991); nothing if the sources are at one place.
 std::optional<Similarity3d> FitWeighted(const std::vector<PointPair>& pairs,
@@ -74,35 +77,40 @@ std::vector<double> GivenWeights(const std::vector<PointPair>& pairs) {
   return weights;
 }
 
+// The median, or a greater one of few: the residual that tells noise from wrong pairs.
+double TypicalResidual(std::vector<double> residuals) {
+  const size_t last = residuals.size() - 1;
+  const size_t place = std::max(residuals.size() / 2, std::min(last, kMinBelowTypical));
+  const auto typical = residuals.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(residuals.begin(), typical, residuals.end());
+  return *typical;
+}
+
 // The best of those of three pairs each and of the one of all pairs.
 std::optional<Similarity3d> BestStart(const std::vector<PointPair>& pairs) {
   std::optional<Similarity3d> best;
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](const std::optional<Similarity3d>& fit) {
     if (!fit) return;
-    const double median = Median(ScaledResiduals(pairs, *fit));
-    if (!(median < least)) return;
-    least = median;
+    const double typical = TypicalResidual(ScaledResiduals(pairs, *fit));
+    if (!(typical < least)) return;
+    least = typical;
     best = fit;
   };
   consider(FitWeighted(pairs, GivenWeights(pairs)));
   std::mt19937 random(1);
   for (int k = 0; k < kNumSamples; ++k) {
     std::vector<PointPair> sample;
-    for (int i = 0; i < 3; ++i) sample.push_back(pairs[random() % pairs.size()]);
+    std::sample(pairs.begin(), pairs.end(), std::back_inserter(sample), 3, random);
     consider(FitWeighted(sample, GivenWeights(sample)));
   }
   return best;
 }
 
-// Of an error along each axis of the target.
-double StandardDeviation(const std::vector<double>& residuals) {
-  return Median(residuals) / kMedianDistance;
-}
-
 std::vector<double> RobustWeights(const std::vector<PointPair>& pairs,
                                   const std::vector<double>& scaled_residuals) {
-  const double limit = kOutlierSigmas * StandardDeviation(scaled_residuals);
+  const double sigma = TypicalResidual(scaled_residuals) / kMedianDistance;  // along each axis
+  const double limit = kOutlierSigmas * sigma;
   std::vector<double> weights;
   for (size_t i = 0; i < pairs.size(); ++i) {
     weights.push_back(scaled_residuals[i] <= limit ? pairs[i].weight : 0);
@@ -165,6 +173,7 @@ std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs) {
   fit.residuals = Residuals(pairs, fit.target_from_source);
   fit.scaled_residuals = ScaledResiduals(pairs, fit.target_from_source);
   fit.median_residual = Median(fit.residuals);
+  fit.typical_scaled_residual = TypicalResidual(fit.scaled_residuals);
   SetErrors(pairs, weights, &fit);
   return fit;
 }

@@ -1,8 +1,10 @@
 #include "limn/geometry/polyline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace limn {
 
@@ -71,6 +73,37 @@ Polyline3d CutPolyline(std::span<const Eigen::Vector3d> points, double from, dou
   }
   part.push_back(point_at(to));
   return part;
+}
+
+Polyline3d Simplified(std::span<const Eigen::Vector3d> points, double max_distance) {
+  std::vector<uint8_t> stays(points.size(), 0);
+  std::vector<std::pair<size_t, size_t>> parts;
+  if (!points.empty()) {
+    stays.front() = stays.back() = 1;
+    parts.emplace_back(0, points.size() - 1);
+  }
+  while (!parts.empty()) {
+    const auto [begin, end] = parts.back();
+    parts.pop_back();
+    const std::array<Eigen::Vector3d, 2> chord = {points[begin], points[end]};
+    size_t farthest = begin;
+    double most = max_distance * max_distance;
+    for (size_t i = begin + 1; i < end; ++i) {
+      const double squared_distance = ClosestPoint(chord, points[i]).squared_distance;
+      if (!(squared_distance > most)) continue;
+      most = squared_distance;
+      farthest = i;
+    }
+    if (farthest == begin) continue;
+    stays[farthest] = 1;
+    parts.emplace_back(begin, farthest);
+    parts.emplace_back(farthest, end);
+  }
+  Polyline3d simplified;
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (stays[i]) simplified.push_back(points[i]);
+  }
+  return simplified;
 }
 
 }  // namespace limn

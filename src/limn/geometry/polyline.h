@@ -34,4 +34,8 @@ Polyline3d ResampleUniform(std::span<const Eigen::Vector3d> points, double max_s
 // Linear time. Precondition: at least two vertices.
 Polyline3d CutPolyline(std::span<const Eigen::Vector3d> points, double from, double to);
 
+// The vertices, with the first and last, through which a polyline is within `max_distance` of all
+// others (Douglas & Peucker 1973). Time n log n, quadratic at worst.
+Polyline3d Simplified(std::span<const Eigen::Vector3d> points, double max_distance);
+
 }  // namespace limn

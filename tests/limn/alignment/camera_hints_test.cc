@@ -82,10 +82,25 @@ TEST(CameraHints, MeasuredGravityIsRobust) {
 }
 
 TEST(CameraHints, GravityThatCancelsTellsNothing) {
-  std::vector<ViewPrior> priors(2);
-  priors[0].gravity_in_cam = Eigen::Vector3d(1, 2, 2);
-  priors[1].gravity_in_cam = Eigen::Vector3d(-1, -2, -2);
-  EXPECT_FALSE(MeasuredUp(std::vector<View>(2), priors));
+  std::vector<ViewPrior> priors(4);
+  for (const int v : {0, 2}) {
+    priors[v].gravity_in_cam = Eigen::Vector3d(1, 2, 2);
+    priors[v + 1].gravity_in_cam = Eigen::Vector3d(-1, -2, -2);
+  }
+  EXPECT_FALSE(MeasuredUp(std::vector<View>(4), priors));
+}
+
+TEST(CameraHints, FewMeasurementsOfGravityTellNothing) {
+  const std::vector<View> views = testing::DomeViews(30, 5);
+  std::vector<ViewPrior> priors(views.size());
+  for (const size_t v : {0, 1}) {
+    priors[v].gravity_in_cam = GravityIn(views[v]);
+    EXPECT_FALSE(MeasuredUp(views, priors));
+  }
+  priors[2].gravity_in_cam = -Eigen::Vector3d::UnitX();  // the orientation of a photograph
+  EXPECT_FALSE(MeasuredUp(views, priors));
+  priors[2].gravity_in_cam = GravityIn(views[2]);
+  EXPECT_TRUE(MeasuredUp(views, priors));
 }
 
 }  // namespace

@@ -96,5 +96,25 @@ TEST(DominantDirections, TheFloorIsTheLowestLevelThatHoldsLines) {
   EXPECT_FALSE(FloorHeight({}, Eigen::Vector3d::UnitZ()));
 }
 
+TEST(DominantDirections, TheFloorIsInTheMiddleOfItsLines) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 0.01);
+  double sum = 0;
+  constexpr int kNumRooms = 100;
+  for (int room = 0; room < kNumRooms; ++room) {
+    std::vector<StraightLine> lines;
+    for (int i = 0; i < 12; ++i) {
+      for (const double height : {0.0, 2.6}) {
+        lines.push_back({Eigen::Vector3d::UnitX(), {0, 0, height + noise(random)}, 1});
+      }
+    }
+    const auto floor = FloorHeight(lines, Eigen::Vector3d::UnitZ());
+    ASSERT_TRUE(floor);
+    EXPECT_NEAR(*floor, 0, 0.015);
+    sum += *floor;
+  }
+  EXPECT_NEAR(sum / kNumRooms, 0, 0.0015);
+}
+
 }  // namespace
 }  // namespace limn

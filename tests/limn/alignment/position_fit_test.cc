@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "limn/alignment/wire_room.h"
-#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -41,12 +40,13 @@ TEST(PositionFit, FindsASimilarityAmongWrongPairs) {
   EXPECT_GT(fit->residuals[0], 30);
 }
 
-// The errors that are told beside those that are made, when so many of 40 pairs are wrong.
-void ExpectErrorsAreTold(int num_wrong) {
+// The errors that are told are those that are made, up to this share, when so many of the pairs are
+// wrong.
+void ExpectErrorsAreTold(int count, int num_wrong, double noise, double tolerance) {
   double up2 = 0, told_up2 = 0, scale2 = 0, told_scale2 = 0;
   for (unsigned seed = 1; seed <= 400; ++seed) {
     const Similarity3d truth = RandomSimilarity(2, seed);
-    std::vector<PointPair> pairs = Pairs(truth, 40, 8, 1, seed);
+    std::vector<PointPair> pairs = Pairs(truth, count, 8, noise, seed);
     for (int i = 0; i < num_wrong; ++i) pairs[2 * i].target += Eigen::Vector3d(500 + i, -20, 5 * i);
     const auto fit = FitPositions(pairs);
     ASSERT_TRUE(fit);
@@ -56,13 +56,47 @@ void ExpectErrorsAreTold(int num_wrong) {
     scale2 += std::pow(fit->target_from_source.scale / truth.scale - 1, 2);
     told_scale2 += std::pow(fit->scale_error, 2);
   }
-  EXPECT_NEAR(std::sqrt(told_up2 / up2), 1, 0.15);
-  EXPECT_NEAR(std::sqrt(told_scale2 / scale2), 1, 0.15);
+  EXPECT_NEAR(std::sqrt(told_up2 / up2), 1, tolerance) << count;
+  EXPECT_NEAR(std::sqrt(told_scale2 / scale2), 1, tolerance) << count;
 }
 
-TEST(PositionFit, TellsItsErrors) { ExpectErrorsAreTold(0); }
+TEST(PositionFit, TellsItsErrors) { ExpectErrorsAreTold(40, 0, 1, 0.15); }
 
-TEST(PositionFit, WrongPairsTellNothing) { ExpectErrorsAreTold(18); }
+TEST(PositionFit, WrongPairsTellNothing) { ExpectErrorsAreTold(40, 18, 1, 0.15); }
+
+TEST(PositionFit, TellsTheErrorsOfFewPairs) {
+  for (const int count : {4, 5, 6, 8}) ExpectErrorsAreTold(count, 0, 0.1, 0.25);
+  ExpectErrorsAreTold(8, 1, 0.1, 0.25);
+  ExpectErrorsAreTold(10, 3, 0.1, 0.25);
+}
+
+TEST(PositionFit, FewPairsDoNotTellUpWithFalseConfidence) {
+  for (const int count : {4, 5, 6, 7}) {
+    int num_told = 0, num_false = 0;
+    for (unsigned seed = 1; seed <= 400; ++seed) {
+      const Similarity3d truth = RandomSimilarity(2, seed);
+      const auto fit = FitPositions(Pairs(truth, count, 8, 0.3, seed));
+      ASSERT_TRUE(fit);
+      if (fit->up_error_rad > 2 * kDeg) continue;
+      ++num_told;
+      const Eigen::Matrix3d error = fit->target_from_source.rotation * truth.rotation.transpose();
+      num_false += AngleDeg(error.col(2), Eigen::Vector3d::UnitZ()) > 6;
+    }
+    EXPECT_GT(num_told, 40) << count;
+    EXPECT_LE(num_false, 2) << count;
+  }
+}
+
+TEST(PositionFit, AWrongOneOfFewPairsShowsInTheErrors) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::vector<PointPair> pairs = Pairs({}, 6, 8, 0.1, seed);
+    pairs[seed % 6].target += 30 * Eigen::Vector3d::UnitX();
+    const auto fit = FitPositions(pairs);
+    ASSERT_TRUE(fit);
+    EXPECT_GT(fit->up_error_rad, 10 * kDeg);
+    EXPECT_GT(fit->scale_error, 0.2);
+  }
+}
 
 TEST(PositionFit, PairsOnAHorizontalLineLeaveUpOpen) {
   std::vector<PointPair> pairs;
@@ -105,7 +139,7 @@ TEST(PositionFit, PairsAreWrongByTheirAccuracy) {
   pairs[1].target.x() += 0.2;  // the other way round
   const auto fit = FitPositions(pairs);
   ASSERT_TRUE(fit);
-  const double limit = 5 * Median(fit->scaled_residuals);
+  const double limit = 5 * fit->typical_scaled_residual;
   EXPECT_GT(fit->scaled_residuals[1], limit);
   for (int i = 0; i < 16; i += 2) {
     EXPECT_GT(fit->residuals[i], fit->residuals[1]);
@@ -114,9 +148,9 @@ TEST(PositionFit, PairsAreWrongByTheirAccuracy) {
   EXPECT_LT(fit->target_from_source.translation.norm(), 0.01);
 }
 
-TEST(PositionFit, NeedsThreePlaces) {
+TEST(PositionFit, NeedsFourPairsAndTwoPlaces) {
   EXPECT_FALSE(FitPositions({}));
-  EXPECT_FALSE(FitPositions(Pairs({}, 2, 3, 0, 1)));
+  EXPECT_FALSE(FitPositions(Pairs({}, 3, 3, 0, 1)));
   EXPECT_FALSE(FitPositions(std::vector<PointPair>(5)));
 }
 

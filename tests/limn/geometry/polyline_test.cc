@@ -79,6 +79,34 @@ TEST(Polyline, ResampleUniformKeepsEndsAndStep) {
   EXPECT_LT((samples[3] - Eigen::Vector3d(3, 1.2, 0)).norm(), 1e-12);
 }
 
+TEST(Polyline, SimplifiedIsWithinADistanceOfTheVertices) {
+  Polyline3d helix;
+  for (int i = 0; i <= 400; ++i) {
+    const double turn = 0.01 * M_PI * i;
+    helix.emplace_back(std::cos(turn), std::sin(turn), 0.1 * turn);
+  }
+  const Polyline3d simplified = Simplified(helix, 0.02);
+  EXPECT_EQ(simplified.front(), helix.front());
+  EXPECT_EQ(simplified.back(), helix.back());
+  EXPECT_LT(simplified.size(), 64u);
+  double most = 0;
+  for (const Eigen::Vector3d& point : helix) {
+    most = std::max(most, ClosestPoint(simplified, point).squared_distance);
+  }
+  EXPECT_LE(most, 0.02 * 0.02);
+  EXPECT_GT(most, 0.005 * 0.005);
+  EXPECT_EQ(Simplified(helix, 1e-6), helix);
+}
+
+TEST(Polyline, SimplifiedKeepsWhatALoopIsMadeOf) {
+  const Polyline3d square = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 0}};
+  EXPECT_EQ(Simplified(square, 0.1),
+            (Polyline3d{square[0], square[2], square[3], square[4], square[5]}));
+  EXPECT_TRUE(Simplified({}, 1).empty());
+  EXPECT_EQ(Simplified(Polyline3d{{1, 2, 3}}, 1).size(), 1u);
+  EXPECT_EQ(Simplified(Polyline3d{{0, 0, 0}, {0, 0, 0}}, 1).size(), 2u);
+}
+
 TEST(Polyline, ResampleUniformOfDegeneratePolylines) {
   EXPECT_TRUE(ResampleUniform({}, 1).empty());
   EXPECT_EQ(ResampleUniform(Polyline3d{{1, 2, 3}, {1, 2, 3}}, 1).size(), 1u);
