@@ -1,6 +1,7 @@
 #include "colmap_ext/model/rig.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <unordered_map>
 
@@ -75,6 +76,18 @@ std::vector<MountedImage> MountedImages(const SparseModel& model) {
     if (sensor) mounted.push_back({i, frame->second, rig->second, *sensor});
   }
   return mounted;
+}
+
+std::set<size_t> ImagesOfSharedRigs(const std::set<size_t>& images, const SparseModel& model) {
+  std::vector<MountedImage> mounted = MountedImages(model);
+  std::erase_if(mounted, [&](const MountedImage& at) { return !images.contains(at.image); });
+  std::map<size_t, std::set<size_t>> sensors_of_rig;
+  for (const MountedImage& at : mounted) sensors_of_rig[at.rig].insert(at.sensor);
+  std::set<size_t> shared;
+  for (const MountedImage& at : mounted) {
+    if (sensors_of_rig[at.rig].size() > 1) shared.insert(at.image);
+  }
+  return shared;
 }
 
 Rigid3d ComposedPose(const SparseModel& model, const MountedImage& mounted) {

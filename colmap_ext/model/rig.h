@@ -72,6 +72,10 @@ struct MountedImage {
 // frame of an image counts.
 std::vector<MountedImage> MountedImages(const SparseModel& model);
 
+// Those of these images (indices) that are mounted in a rig on which these images show several
+// cameras, so that their poses depend on each other.
+std::set<size_t> ImagesOfSharedRigs(const std::set<size_t>& images, const SparseModel& model);
+
 // The pose that rigs and frames give to an image.
 Rigid3d ComposedPose(const SparseModel& model, const MountedImage& mounted);
 
@@ -82,9 +86,9 @@ Rigid3d ComposedPose(const SparseModel& model, const MountedImage& mounted);
 void ApplyRigs(SparseModel* model);
 
 // The opposite, for images (indices) whose poses were changed one by one: poses of frames, and of
-// the sensors in their rigs, in the least-squares sense, rotations before the centers of cameras.
+// the sensors in their rigs, in the least-squares sense: of angles, then of the centers of cameras.
 // Then poses of all mounted images are the composed ones. Reference sensors, and what none of these
-// images tells, stay.
+// images tells, stay. Time: sparse linear least squares, a few times.
 void FitRigs(const std::set<size_t>& images, SparseModel* model);
 
 }  // namespace limn::colmap_ext

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
-#include <Eigen/SVD>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/rig.h"
@@ -9,27 +12,26 @@
 namespace limn::colmap_ext {
 namespace {
 
-// Rounds of frames and sensors in turn: one is enough if every sensor has an image in every frame.
-constexpr int kMaxRigRounds = 200;
-// Change of an entry of a rotation, or of a position relative to the farthest, that is none.
+// Rotations take a few, unless they are far off; centers one or two.
+constexpr int kMaxRigRounds = 50;
+// Steps (rad, or relative to the positions) that change nothing.
 constexpr double kRigTolerance = 1e-14;
 
-// The rotation nearest to a sum of rotations.
-Eigen::Quaterniond NearestRotation(const Eigen::Matrix3d& sum) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = svd.matrixU();
-  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
-  return Eigen::Quaterniond(Eigen::Matrix3d(u * svd.matrixV().transpose())).normalized();
+Eigen::Vector3d RotationVector(const Eigen::Quaterniond& rotation) {
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
 }
 
-// One pose that is sought, with the images that tell it.
-struct SoughtPose {
-  Rigid3d* pose = nullptr;
-  std::vector<size_t> mounted;  // indices
-};
+Eigen::Quaterniond RotationOf(const Eigen::Vector3d& vector) {
+  const double angle = vector.norm();
+  if (angle == 0) return Eigen::Quaterniond::Identity();
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle));
+}
 
-// Works with centers: a position in the world, unlike the translation of a pose, does not change
-// when its rotation does.
+// In the axes of the rig, what its frame and its sensor miss of the pose of an image is the sum of
+// a step of the frame and one of the sensor: of turns to first order, of centers exactly. Works
+// with centers, since a position in the world, unlike the translation of a pose, does not change
+// when the rotation does.
 class RigFit {
  public:
   RigFit(const std::set<size_t>& images, SparseModel* model) : model_(*model) {
@@ -37,129 +39,99 @@ class RigFit {
       if (!images.contains(at.image)) continue;
       mounted_.push_back(at);
       world_from_image_.push_back(Inverse(model_.images[at.image].cam_from_world));
+      world_from_rig_.emplace(at.frame, Inverse(model_.frames[at.frame].rig_from_world));
+      rig_from_sensor_.emplace(SensorKey(at),
+                               Inverse(model_.rigs[at.rig].sensors[at.sensor].sensor_from_rig));
     }
-    for (const Frame& frame : model_.frames) {
-      world_from_rig_.push_back(Inverse(frame.rig_from_world));
-    }
-    for (const Rig& rig : model_.rigs) {
-      rig_from_sensor_.emplace_back();
-      for (const RigSensor& sensor : rig.sensors) {
-        rig_from_sensor_.back().push_back(Inverse(sensor.sensor_from_rig));
-      }
-    }
-    FindSought();
+    BuildEquations();
   }
 
   void Fit() {
-    Repeat(&RigFit::TurnFrame, &RigFit::TurnSensor, kRigTolerance);
-    const Eigen::Vector3d origin = MoveToOrigin();
+    if (mounted_.empty()) return;
+    Repeat([this](size_t i) { return MissedTurn(i); },
+           [](const Eigen::Vector3d& step, Rigid3d* frame) {
+             frame->rotation = (frame->rotation * RotationOf(step)).normalized();
+           },
+           [](const Eigen::Vector3d& step, Rigid3d* sensor) {
+             sensor->rotation = (RotationOf(step) * sensor->rotation).normalized();
+           },
+           1);
     double size = 0;
     for (const Rigid3d& image : world_from_image_) size = std::max(size, image.translation.norm());
-    Repeat(&RigFit::MoveFrame, &RigFit::MoveSensor, kRigTolerance * size);
-    for (const SoughtPose& frame : frames_) frame.pose->translation += origin;
-    StoreFit();
+    Repeat([this](size_t i) { return MissedShift(i); },
+           [](const Eigen::Vector3d& step, Rigid3d* frame) {
+             frame->translation += frame->rotation * step;
+           },
+           [](const Eigen::Vector3d& step, Rigid3d* sensor) { sensor->translation += step; }, size);
+    Store();
   }
 
  private:
-  // Gives a pose a better value; returns how much it changed.
-  using Step = double (RigFit::*)(const SoughtPose&);
+  using Key = std::pair<size_t, size_t>;  // rig and sensor
 
-  void FindSought() {
-    std::vector<SoughtPose> frames(model_.frames.size());
-    std::vector<std::vector<SoughtPose>> sensors(model_.rigs.size());
-    for (size_t r = 0; r < sensors.size(); ++r) sensors[r].resize(model_.rigs[r].sensors.size());
+  static Key SensorKey(const MountedImage& at) { return {at.rig, at.sensor}; }
+
+  // A row per image; a column per frame, then one per sensor that is sought.
+  void BuildEquations() {
+    std::map<size_t, int> column_of_frame;
+    for (const auto& [frame, pose] : world_from_rig_) {
+      column_of_frame.emplace(frame, static_cast<int>(column_of_frame.size()));
+    }
+    std::map<Key, int> column_of_sensor;
+    for (const auto& [key, pose] : rig_from_sensor_) {
+      if (key.second == 0) continue;  // the reference
+      const size_t column = column_of_frame.size() + column_of_sensor.size();
+      column_of_sensor.emplace(key, static_cast<int>(column));
+    }
+    std::vector<Eigen::Triplet<double>> entries;
     for (size_t i = 0; i < mounted_.size(); ++i) {
-      const MountedImage& at = mounted_[i];
-      Add(&world_from_rig_[at.frame], i, &frames[at.frame]);
-      if (at.sensor == 0) continue;  // the reference
-      Add(&rig_from_sensor_[at.rig][at.sensor], i, &sensors[at.rig][at.sensor]);
+      entries.emplace_back(i, column_of_frame.at(mounted_[i].frame), 1);
+      const auto sensor = column_of_sensor.find(SensorKey(mounted_[i]));
+      if (sensor != column_of_sensor.end()) entries.emplace_back(i, sensor->second, 1);
     }
-    Keep(frames, &frames_);
-    for (const auto& of_rig : sensors) Keep(of_rig, &sensors_);
+    equations_.resize(static_cast<int>(mounted_.size()),
+                      static_cast<int>(column_of_frame.size() + column_of_sensor.size()));
+    equations_.setFromTriplets(entries.begin(), entries.end());
   }
 
-  static void Add(Rigid3d* pose, size_t mounted, SoughtPose* sought) {
-    sought->pose = pose;
-    sought->mounted.push_back(mounted);
-  }
-  static void Keep(const std::vector<SoughtPose>& sought, std::vector<SoughtPose>* kept) {
-    for (const SoughtPose& pose : sought) {
-      if (pose.pose) kept->push_back(pose);
-    }
-  }
-
-  void Repeat(Step of_frame, Step of_sensor, double tolerance) {
+  template <typename Missed, typename MoveFrame, typename MoveSensor>
+  void Repeat(const Missed& missed, const MoveFrame& move_frame, const MoveSensor& move_sensor,
+              double scale) {
+    // From steps of 0, so that what no image tells stays: the place of sensors that are tied to
+    // no reference relative to their frames.
+    Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> solver(equations_);
     for (int round = 0; round < kMaxRigRounds; ++round) {
-      double change = 0;
-      for (const SoughtPose& frame : frames_) change = std::max(change, (this->*of_frame)(frame));
-      for (const SoughtPose& sensor : sensors_) {
-        change = std::max(change, (this->*of_sensor)(sensor));
+      Eigen::MatrixX3d sums(equations_.rows(), 3);
+      for (size_t i = 0; i < mounted_.size(); ++i) sums.row(i) = missed(i).transpose();
+      const Eigen::MatrixX3d steps = solver.solve(sums);
+      Eigen::Index column = 0;
+      for (auto& [frame, pose] : world_from_rig_) move_frame(steps.row(column++), &pose);
+      for (auto& [key, pose] : rig_from_sensor_) {
+        if (key.second != 0) move_sensor(steps.row(column++), &pose);
       }
-      if (change <= tolerance) return;
+      if (steps.cwiseAbs().maxCoeff() <= kRigTolerance * scale) return;
     }
   }
 
-  const Rigid3d& Image(size_t i) const { return world_from_image_[i]; }
-  const Rigid3d& Sensor(size_t i) const {
-    return rig_from_sensor_[mounted_[i].rig][mounted_[i].sensor];
-  }
-  const Rigid3d& FrameOf(size_t i) const { return world_from_rig_[mounted_[i].frame]; }
+  const Rigid3d& FrameOf(size_t i) const { return world_from_rig_.at(mounted_[i].frame); }
+  const Rigid3d& SensorOf(size_t i) const { return rig_from_sensor_.at(SensorKey(mounted_[i])); }
 
-  // Far from the origin of the world digits would be lost. Returns where the new one is.
-  Eigen::Vector3d MoveToOrigin() {
-    if (mounted_.empty()) return Eigen::Vector3d::Zero();
-    const Eigen::Vector3d origin = world_from_image_.front().translation;
-    for (Rigid3d& image : world_from_image_) image.translation -= origin;
-    for (const SoughtPose& frame : frames_) frame.pose->translation -= origin;
-    return origin;
+  Eigen::Vector3d MissedTurn(size_t i) const {
+    return RotationVector(FrameOf(i).rotation.conjugate() * world_from_image_[i].rotation *
+                          SensorOf(i).rotation.conjugate());
+  }
+  Eigen::Vector3d MissedShift(size_t i) const {
+    const Eigen::Vector3d in_world = world_from_image_[i].translation - FrameOf(i).translation;
+    return FrameOf(i).rotation.conjugate() * in_world - SensorOf(i).translation;
   }
 
-  static double Turn(const Eigen::Matrix3d& sum, Rigid3d* pose) {
-    const Eigen::Matrix3d before = pose->rotation.toRotationMatrix();
-    pose->rotation = NearestRotation(sum);
-    return (pose->rotation.toRotationMatrix() - before).cwiseAbs().maxCoeff();
-  }
-  double TurnFrame(const SoughtPose& frame) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const size_t i : frame.mounted) {
-      sum += (Image(i).rotation * Sensor(i).rotation.conjugate()).toRotationMatrix();
+  void Store() {
+    for (const auto& [frame, pose] : world_from_rig_) {
+      model_.frames[frame].rig_from_world = Inverse(pose);
     }
-    return Turn(sum, frame.pose);
-  }
-  double TurnSensor(const SoughtPose& sensor) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const size_t i : sensor.mounted) {
-      sum += (FrameOf(i).rotation.conjugate() * Image(i).rotation).toRotationMatrix();
-    }
-    return Turn(sum, sensor.pose);
-  }
-
-  static double Move(const SoughtPose& sought, const Eigen::Vector3d& sum) {
-    const Eigen::Vector3d before = sought.pose->translation;
-    sought.pose->translation = sum / static_cast<double>(sought.mounted.size());
-    return (sought.pose->translation - before).norm();
-  }
-  double MoveFrame(const SoughtPose& frame) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const size_t i : frame.mounted) {
-      sum += Image(i).translation - FrameOf(i).rotation * Sensor(i).translation;
-    }
-    return Move(frame, sum);
-  }
-  double MoveSensor(const SoughtPose& sensor) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const size_t i : sensor.mounted) {
-      sum += FrameOf(i).rotation.conjugate() * (Image(i).translation - FrameOf(i).translation);
-    }
-    return Move(sensor, sum);
-  }
-
-  void StoreFit() {
-    for (size_t i = 0; i < mounted_.size(); ++i) {
-      const MountedImage& at = mounted_[i];
-      model_.frames[at.frame].rig_from_world = Inverse(FrameOf(i));
-      if (at.sensor == 0) continue;
-      model_.rigs[at.rig].sensors[at.sensor].sensor_from_rig = Inverse(Sensor(i));
+    for (const auto& [key, pose] : rig_from_sensor_) {
+      if (key.second == 0) continue;
+      model_.rigs[key.first].sensors[key.second].sensor_from_rig = Inverse(pose);
     }
     for (const MountedImage& at : MountedImages(model_)) {
       model_.images[at.image].cam_from_world = ComposedPose(model_, at);
@@ -168,10 +140,10 @@ class RigFit {
 
   SparseModel& model_;
   std::vector<MountedImage> mounted_;
-  std::vector<Rigid3d> world_from_image_;              // of mounted_
-  std::vector<Rigid3d> world_from_rig_;                // by frame
-  std::vector<std::vector<Rigid3d>> rig_from_sensor_;  // by rig
-  std::vector<SoughtPose> frames_, sensors_;
+  std::vector<Rigid3d> world_from_image_;  // of mounted_
+  std::map<size_t, Rigid3d> world_from_rig_;
+  std::map<Key, Rigid3d> rig_from_sensor_;
+  Eigen::SparseMatrix<double> equations_;
 };
 
 }  // namespace

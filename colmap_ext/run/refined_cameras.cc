@@ -31,16 +31,18 @@ bool ReadsRefinedFolder(const Project& project) {
 // Poses of views were refined each for itself: those of frames and sensors follow them, and give
 // new ones to the images. Says how much is lost by that.
 void FitRefinedRigs(const std::vector<View>& views, SparseModel* model, Console* console) {
-  const SparseModel refined = *model;
   std::set<size_t> images;
   for (const View& view : views) images.insert(view.model_index);
+  const std::set<size_t> tied = ImagesOfSharedRigs(images, *model);
+  if (tied.empty()) return FitRigs(images, model);
+  const SparseModel refined = *model;
   FitRigs(images, model);
-  if (std::none_of(model->rigs.begin(), model->rigs.end(),
-                   [](const Rig& rig) { return rig.NumCameras() > 1; })) {
-    return;
+  const std::vector<double> shifts = PoseShiftsPx(tied, refined, *model);
+  if (shifts.empty()) {
+    return console->Say(
+        "Rigs are kept: how far their images are from where they were refined is not known, since "
+        "they see no points");
   }
-  const std::vector<double> shifts = PoseShiftsPx(images, refined, *model);
-  if (shifts.empty()) return console->Say("Rigs are kept: images follow their frames");
   const double median = Median(shifts);
   char text[200];
   std::snprintf(text, sizeof text,

@@ -19,10 +19,10 @@ const std::vector<View>& ViewsOfDrawing(const Project& project,
 
 // Writes refined/cameras.txt, images.txt and points3D.txt: the input model with refined poses,
 // focal lengths and points (see ApplyRefinement), and, if it has some, rigs.txt and frames.txt with
-// poses fitted to these (FitRigs). Prints how far the cameras moved, and how far rigs of several
-// cameras are from the refined poses. Without refined cameras it
-// only warns if an earlier run left some. To be called before the drawing is written, so that no
-// drawing lacks its cameras.
+// poses fitted to these (FitRigs). Prints how far the cameras moved, and how far images of rigs of
+// several cameras are then from their refined poses. Without refined cameras it only warns if an
+// earlier run left some. To be called before the drawing is written, so that no drawing lacks its
+// cameras.
 void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
                        Console* console);
 

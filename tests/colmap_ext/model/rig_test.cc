@@ -344,6 +344,94 @@ TEST(RigFit, OfPosesThatNoRigHasIsNear) {
   EXPECT_LT(LargestDifference(again, model), 1e-9);
 }
 
+// A ring of sensors; every frame is of two neighbors, each pair in turn, some frames more than
+// once.
+SparseModel ModelOfSensorsInTurns(uint32_t num_sensors) {
+  SparseModel model;
+  Rig rig;
+  rig.id = 1;
+  for (uint32_t s = 0; s < num_sensors; ++s) {
+    model.cameras.push_back(MakeCamera(CameraModelId::kPinhole, s + 1));
+    RigSensor sensor{{kCameraSensor, s + 1}, true, {}};
+    const double angle = 2 * M_PI * s / num_sensors;
+    if (s > 0) {
+      sensor.sensor_from_rig = {
+          Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d(0.1, 1, 0).normalized())),
+          {std::sin(angle), 0.01 * s, std::cos(angle)}};
+    }
+    rig.sensors.push_back(sensor);
+  }
+  model.rigs = {rig};
+  for (uint32_t f = 0; f + 1 < 2 * num_sensors; ++f) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(std::sin(f), 2, std::cos(f)).normalized();
+    Frame frame{f, 1, {Eigen::Quaterniond(Eigen::AngleAxisd(0.2 * f, axis)), {0.5 * f, 1, 5}}, {}};
+    for (uint32_t k = 0; k < 2; ++k) {
+      ModelImage image;
+      image.id = 2 * f + k;
+      image.camera_id = (f + k) % num_sensors + 1;
+      image.name = std::to_string(image.id);
+      frame.data.push_back({{kCameraSensor, image.camera_id}, image.id});
+      model.images.push_back(image);
+    }
+    model.frames.push_back(frame);
+  }
+  ApplyRigs(&model);
+  model.warnings.clear();
+  return model;
+}
+
+// The same images, with sensors and frames somewhere else.
+SparseModel WithOtherRig(SparseModel model) {
+  for (size_t s = 1; s < model.rigs[0].sensors.size(); ++s) {
+    const Rigid3d by = {Eigen::Quaterniond(Eigen::AngleAxisd(
+                            0.1 * std::sin(s), Eigen::Vector3d(1, std::cos(s), 0).normalized())),
+                        {0.1 * std::sin(3.0 * s), 0.05, 0}};
+    Rigid3d& pose = model.rigs[0].sensors[s].sensor_from_rig;
+    pose = by * pose;
+  }
+  for (Frame& frame : model.frames) frame.rig_from_world.translation.x() += 0.2;
+  return model;
+}
+
+TEST(RigFit, OfSensorsThatFireInTurnsIsExact) {
+  for (const uint32_t num_sensors : {5, 17, 33, 120}) {
+    const SparseModel given = ModelOfSensorsInTurns(num_sensors);
+    SparseModel model = WithOtherRig(given);
+    FitRigs(AllImages(model), &model);
+    EXPECT_LT(LargestDifference(model, given), 1e-9) << num_sensors;
+  }
+}
+
+// Then only the places of frames and sensors relative to each other are told, not which of the two
+// moved.
+TEST(RigFit, NeedsNoImageOfTheReference) {
+  const SparseModel given = ModelOfSensorsInTurns(7);
+  SparseModel model = WithOtherRig(given);
+  std::set<size_t> images;
+  for (size_t i = 0; i < model.images.size(); ++i) {
+    if (model.images[i].camera_id != 1) images.insert(i);
+  }
+  FitRigs(images, &model);
+  for (const size_t i : images) {
+    EXPECT_LT(
+        (model.images[i].cam_from_world.translation - given.images[i].cam_from_world.translation)
+            .norm(),
+        1e-9);
+  }
+  for (const RigSensor& sensor : model.rigs[0].sensors) {
+    EXPECT_LT(sensor.sensor_from_rig.translation.norm(), 2);
+  }
+}
+
+TEST(Rig, ImagesOfSharedRigsAreThoseThatDependOnEachOther) {
+  SparseModel model = ModelOfRig();
+  EXPECT_EQ(ImagesOfSharedRigs(AllImages(model), model), AllImages(model));
+  EXPECT_THAT(ImagesOfSharedRigs({0, 3}, model), ElementsAre(0, 3));
+  EXPECT_THAT(ImagesOfSharedRigs({0, 2, 4}, model), IsEmpty()) << "of one camera";
+  model.frames[1].data.clear();  // images 2 and 3 are in no frame
+  EXPECT_THAT(ImagesOfSharedRigs({0, 1, 2, 3}, model), ElementsAre(0, 1));
+}
+
 TEST(RigFit, DoesNotDependOnWhereTheOriginIs) {
   SparseModel near = ModelOfBentRig();
   SparseModel far = near;
