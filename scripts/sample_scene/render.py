@@ -1,7 +1,7 @@
 """Builds the sample scene in Blender and renders it with Cycles. Blender 3.4 (Debian 12).
 
   blender --background --python render.py -- --light day --output /tmp/frames/day [--views 0,6] [--samples 64]
-          [--distorted | --panorama 1884] [--scale 1.0] [--long]
+          [--panorama 2010 | [--distorted] [--scale 1.0]] [--long]
 
 Writes one lossless PNG per view. Existing frames are kept, so that an interrupted run can be resumed.
 """
@@ -255,9 +255,13 @@ def parse_arguments():
     parser.add_argument("--long", action="store_true", help="on the long path")
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--scale", type=float, default=1.0)
-    parser.add_argument("--distorted", action="store_true")
-    parser.add_argument("--panorama", type=int, help="width of an image of all directions, instead of photographs")
-    return parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
+    lens_group = parser.add_mutually_exclusive_group()
+    lens_group.add_argument("--distorted", action="store_true")
+    lens_group.add_argument("--panorama", type=int, help="width of an image of all directions, instead of photographs")
+    arguments = parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
+    if arguments.panorama and arguments.scale != 1:
+        parser.error("argument --scale: not allowed with argument --panorama, which is a size")
+    return arguments
 
 
 def views_of(arguments):
