@@ -6,8 +6,10 @@
 
 #include "colmap_ext/python/arrays.h"
 #include "colmap_ext/python/bindings.h"
+#include "colmap_ext/python/run_free.h"
 #include "colmap_ext/run/world_shift.h"
 #include "colmap_ext/workspace/to_views.h"
+#include "limn/util/printable.h"
 
 namespace limn::colmap_ext {
 
@@ -30,16 +32,14 @@ std::vector<std::string> NamesOf(const OpenScene& scene) {
 // H x W or H x W x 3, gray levels 0 to 255.
 py::array_t<float> ImageOf(std::shared_ptr<const OpenScene> scene, const std::string& name) {
   const ViewId view = ViewNamed(scene->scene.views(), name);
-  auto image = std::make_shared<Image>();
-  {
-    const py::gil_scoped_release free;
-    *image = ReadViewImage(scene->scene.view_set(), view);
-  }
-  const auto height = static_cast<py::ssize_t>(image->height);
-  std::vector<py::ssize_t> shape = {height, image->width};
-  if (image->channels == 3) shape.push_back(3);
+  const Image image = RunFree(py::none(), [scene = std::move(scene), view](RunMonitor*) {
+    return ReadViewImage(scene->scene.view_set(), view);
+  });
+  const auto height = static_cast<py::ssize_t>(image.height);
+  std::vector<py::ssize_t> shape = {height, image.width};
+  if (image.channels == 3) shape.push_back(3);
   py::array_t<float> array(shape);
-  std::copy(image->data.begin(), image->data.end(), array.mutable_data());
+  std::copy(image.data.begin(), image.data.end(), array.mutable_data());
   return array;
 }
 
@@ -47,7 +47,7 @@ py::array_t<float> ImageOf(std::shared_ptr<const OpenScene> scene, const std::st
 
 py::list WarningsOf(const RunLog& log) {
   py::list warnings;
-  for (const std::string& warning : log.warnings) warnings.append(warning);
+  for (const std::string& warning : log.warnings) warnings.append(LineOf(warning));
   return warnings;
 }
 
@@ -63,6 +63,10 @@ py::list StagesOf(const RunLog& log) {
     stages.append(one);
   }
   return stages;
+}
+
+py::str LineOf(const std::string& text) {
+  return py::reinterpret_steal<py::str>(PyUnicode_DecodeFSDefault(Printable(text).c_str()));
 }
 
 size_t IndexOf(py::ssize_t i, size_t n) {

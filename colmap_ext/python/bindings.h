@@ -7,7 +7,7 @@
 namespace limn::colmap_ext {
 
 // One function per part of the module; classes before the functions that take or return them.
-void BindErrors(pybind11::module_* module);
+void BindErrors();
 void BindScene(pybind11::module_* module);
 void BindImageCurves(pybind11::module_* module);
 void BindDrawing(pybind11::module_* module);
@@ -17,6 +17,10 @@ void BindStages(pybind11::module_* module);
 // Warnings, and stages as dictionaries.
 pybind11::list WarningsOf(const RunLog& log);
 pybind11::list StagesOf(const RunLog& log);
+
+// A line to be read, as the program would print it; bytes of paths that are no text become what
+// os.fsencode makes them of again.
+pybind11::str LineOf(const std::string& text);
 
 // The index of Python's item i of n; negative ones count from the end. Raises IndexError.
 size_t IndexOf(pybind11::ssize_t i, size_t n);

@@ -20,7 +20,7 @@ namespace {
 // Sets the exception of this name of limn.errors.
 void Raise(const char* name, const char* text) {
   const py::object type = py::module_::import("limn.errors").attr(name);
-  PyErr_SetString(type.ptr(), text);
+  PyErr_SetObject(type.ptr(), LineOf(text).ptr());
 }
 
 void Translate(std::exception_ptr error) {
@@ -46,18 +46,15 @@ void Translate(std::exception_ptr error) {
 
 }  // namespace
 
-void BindErrors(py::module_* module) {
-  py::register_exception_translator(Translate);
-  module->def("_join_left_work", JoinLeftWork);
-  py::module_::import("atexit").attr("register")(module->attr("_join_left_work"));
-}
+void BindErrors() { py::register_exception_translator(Translate); }
 
 }  // namespace limn::colmap_ext
 
 PYBIND11_MODULE(_limn, module) {
   module.doc() = "The compiled part of limn.";
   module.attr("__version__") = LIMN_VERSION;
-  limn::colmap_ext::BindErrors(&module);
+  limn::colmap_ext::WatchInterpreter();
+  limn::colmap_ext::BindErrors();
   limn::colmap_ext::BindScene(&module);
   limn::colmap_ext::BindImageCurves(&module);
   limn::colmap_ext::BindDrawing(&module);
