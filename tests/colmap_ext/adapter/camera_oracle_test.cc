@@ -99,7 +99,7 @@ void Raise(double value, double* worst) {
   if (!(value <= *worst)) *worst = std::isnan(value) ? HUGE_VAL : value;
 }
 
-class ColmapLibrary : public testing::TestWithParam<int> {
+class ColmapLibrary : public ::testing::TestWithParam<int> {
  protected:
   bool IsFisheye() const {
     return std::string(FindCameraModel(GetParam())->name).find("FISHEYE") != std::string::npos;
@@ -214,7 +214,7 @@ TEST_P(ColmapLibrary, HasTheSameLenses) {
   EXPECT_EQ(worst.failed, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, ColmapLibrary, testing::Range(0, 17), [](const auto& model) {
+INSTANTIATE_TEST_SUITE_P(Every, ColmapLibrary, ::testing::Range(0, 17), [](const auto& model) {
   return std::string(FindCameraModel(model.param)->name);
 });
 

@@ -11,11 +11,11 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsSubsetOf;
-using testing::IsSupersetOf;
-using testing::Not;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsSubsetOf;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
 
 // What a help text of a user's size holds.
 constexpr size_t kMaxBasicOptions = 20;

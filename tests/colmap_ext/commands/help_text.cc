@@ -10,9 +10,9 @@ namespace limn::colmap_ext {
 
 std::string HelpOf(const Command& command, const char* flag) {
   const char* arguments[] = {command.name, flag};
-  testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStdout();
   EXPECT_EQ(command.run(2, arguments, MakeTerminalConsole), 0) << command.name;
-  return testing::internal::GetCapturedStdout();
+  return ::testing::internal::GetCapturedStdout();
 }
 
 std::set<std::string> OptionsIn(const std::string& help) {

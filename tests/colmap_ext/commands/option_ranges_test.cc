@@ -20,7 +20,7 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::StartsWith;
+using ::testing::StartsWith;
 
 // What commands ask for before they look at other options. Nothing of it exists.
 constexpr std::pair<const char*, const char*> kRequired[] = {

@@ -12,7 +12,7 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 FloatMap MakeMap(int channels) {
   FloatMap map{3, 2, channels, {}};

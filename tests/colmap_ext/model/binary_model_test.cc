@@ -15,9 +15,9 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 struct Files {
   std::string cameras;
@@ -156,7 +156,7 @@ TEST(BinaryModel, PrincipalPointOutsideTheImageIsAWarning) {
   SparseModel model = MakeModel();
   model.cameras[0].params[2] = -1;
   EXPECT_THAT(ReadBinary(Write(model)).warnings,
-              testing::ElementsAre(HasSubstr("1 cameras have their principal point outside")));
+              ::testing::ElementsAre(HasSubstr("1 cameras have their principal point outside")));
 }
 
 TEST(BinaryModel, PosesThatAreNoPosesAreRefused) {
@@ -180,7 +180,7 @@ TEST(BinaryModel, RotationsAreNormalized) {
   const SparseModel back = ReadBinary(Write(model));
   EXPECT_LT(back.images[0].cam_from_world.rotation.angularDistance(unit), 1e-14);
   EXPECT_NEAR(back.images[0].cam_from_world.rotation.norm(), 1, 1e-15);
-  EXPECT_THAT(back.warnings, testing::ElementsAre(HasSubstr("1 image rotations")));
+  EXPECT_THAT(back.warnings, ::testing::ElementsAre(HasSubstr("1 image rotations")));
 }
 
 TEST(BinaryModel, ImagesThatContradictTheModelAreRefused) {
@@ -216,7 +216,7 @@ TEST(BinaryModel, BadPointsAreLeftOutAndCounted) {
   const SparseModel back = ReadBinary(Write(model));
   ASSERT_EQ(back.points.size(), 1u);
   EXPECT_EQ(back.points[0].track.size(), 1u);
-  EXPECT_THAT(back.warnings, testing::ElementsAre(HasSubstr("2 3D points left out"),
+  EXPECT_THAT(back.warnings, ::testing::ElementsAre(HasSubstr("2 3D points left out"),
                                                   HasSubstr("1 elements of point tracks")));
 }
 

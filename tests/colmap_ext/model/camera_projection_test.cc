@@ -20,7 +20,7 @@ CameraProjection Projection(CameraModelId model, std::vector<double> extra) {
   return CameraProjection({model, 1, 1, 0, 0, std::move(extra)});
 }
 
-class EveryModel : public testing::TestWithParam<int> {
+class EveryModel : public ::testing::TestWithParam<int> {
  protected:
   CameraModelId Model() const { return static_cast<CameraModelId>(GetParam()); }
 };
@@ -67,7 +67,7 @@ TEST_P(EveryModel, NothingBeyondTheDomain) {
   EXPECT_FALSE(projection.RayFromPixel({std::nan(""), 300}));
 }
 
-INSTANTIATE_TEST_SUITE_P(CameraProjection, EveryModel, testing::Range(0, 17),
+INSTANTIATE_TEST_SUITE_P(CameraProjection, EveryModel, ::testing::Range(0, 17),
                          [](const auto& model) {
                            return std::string(FindCameraModel(model.param)->name);
                          });

@@ -8,7 +8,7 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(ProblemOfName, AcceptsWhatMayBeJoinedToAFolder) {
   for (const char* name : {"a.jpg", "sub folder/b c.png", "..a/b", "Fläche.jpg", "日本.png",

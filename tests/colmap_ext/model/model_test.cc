@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 std::string ErrorOf(const fs::path& folder) {
   return ErrorText<IoError>([&] { ReadColmapModel(folder); });

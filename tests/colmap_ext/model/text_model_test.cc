@@ -15,7 +15,7 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr char kCamera[] = "1 PINHOLE 640 480 500 500 320 240\n";
 constexpr char kImage[] = "1 1 0 0 0 0 0 1 1 a.png\n\n";
@@ -61,7 +61,7 @@ TEST(LineReader, FilesWithoutLinesAreRefused) {
   LineReader reader(in, path);
   EXPECT_TRUE(reader.NextLine());
   EXPECT_THAT(ErrorText<IoError>([&] { reader.NextLine(); }),
-              testing::HasSubstr("a.txt: line 2: is longer than 256 MB"));
+              ::testing::HasSubstr("a.txt: line 2: is longer than 256 MB"));
 }
 
 TEST(TextModel, PanoramasThatColmapShrankAreRead) {

@@ -8,7 +8,7 @@
 namespace limn {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 CommandDescription SomeCommand() {
   return {"curve_drawer",

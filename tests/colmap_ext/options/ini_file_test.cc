@@ -11,7 +11,7 @@
 namespace limn {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::vector<IniEntry> Read(const std::string& text) {
   std::istringstream in(text);

@@ -12,10 +12,10 @@
 namespace limn {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 enum class Mode { kOriginal, kEnhanced };
 
@@ -30,7 +30,7 @@ struct Values {
   std::vector<std::string> notes;
 };
 
-class OptionParserTest : public testing::Test {
+class OptionParserTest : public ::testing::Test {
  protected:
   OptionParserTest() : parser_("curve_drawer", "Draws curves.") {
     parser_.AddOption("path", &values_.path, BasicOption("A path."));

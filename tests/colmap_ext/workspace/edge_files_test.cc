@@ -16,16 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 constexpr const char* kEdg =
     "# EDGE_MAP v3.0\n\nWIDTH=80\nHEIGHT=60\nEDGE_COUNT=2\n"
     "[10, 20] 0 5 [10, 20] 0 5 0.1\n[11, 20] 0 5 [11, 20] 0 5 0\n";
 
 // Three photographs of 80 x 60 pixels, bright on the left of x = 40.
-class EdgeFilesTest : public testing::Test {
+class EdgeFilesTest : public ::testing::Test {
  protected:
   EdgeFilesTest() {
     fs::create_directories(dir_ / "images/sub");

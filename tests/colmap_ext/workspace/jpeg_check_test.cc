@@ -16,12 +16,12 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kEnd = "\xFF\xD9";
 
-class JpegCheck : public testing::Test {
+class JpegCheck : public ::testing::Test {
  protected:
   JpegCheck() {
     cv::Mat noise(200, 300, CV_8UC3);
@@ -172,9 +172,9 @@ TEST_F(JpegCheck, DecodingPrintsNothing) {
   std::string unknown_version = whole_;
   unknown_version[11] = 7;
   const std::string path = dir_.WriteFile("a.jpg", unknown_version);
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   EXPECT_EQ(ReadImage(path).width, 300);
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

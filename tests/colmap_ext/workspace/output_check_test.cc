@@ -10,7 +10,7 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr char kOurCurves[] = "ply\nformat binary_little_endian 1.0\ncomment curves by limn\n";
 

@@ -17,8 +17,8 @@ namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 // What another lock on the folder says; empty if it is granted. flock is per open file, so one
 // process can stand for two.

@@ -16,8 +16,8 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 Eigen::Matrix3d Intrinsics3(double fx, double fy, double cx, double cy, double skew = 0) {
   Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
@@ -78,7 +78,7 @@ TEST(ReadContour, SaysWhatIsWrong) {
   EXPECT_THAT(error("CONTOUR\n1 2 x 4\n"), HasSubstr("\"x\" is not a number"));
 }
 
-class PmvsModel : public testing::Test {
+class PmvsModel : public ::testing::Test {
  protected:
   // Four digits behind the point of matrices with elements up to 1000: more than COLMAP's six
   // significant ones. One image of 64 x 48 pixels per matrix.

@@ -10,10 +10,10 @@ namespace {
 
 using testing::Curves;
 
-Polyline3d Line(double x0, double x1, double y) { return {{x0, y, 0.5}, {x1, y, 0.5}}; }
+Polyline3d LineAlongX(double x0, double x1, double y) { return {{x0, y, 0.5}, {x1, y, 0.5}}; }
 
 TEST(EmapProtocol, PerfectCurvesScoreOne) {
-  const CurveSet truth = Curves({Line(0, 1, 0.25), Line(0, 1, 0.75)});
+  const CurveSet truth = Curves({LineAlongX(0, 1, 0.25), LineAlongX(0, 1, 0.75)});
   const auto scores = EvaluateByEmap(truth, truth);
   ASSERT_TRUE(scores);
   EXPECT_EQ(scores->num_points, 400);
@@ -29,7 +29,7 @@ TEST(EmapProtocol, PerfectCurvesScoreOne) {
 
 TEST(EmapProtocol, OffsetShowsInAccuracyAndThresholds) {
   const auto scores =
-      EvaluateByEmap(Curves({Line(0, 1, 0.257)}), Curves({Line(0, 1, 0.25), Line(0, 1, 0.75)}));
+      EvaluateByEmap(Curves({LineAlongX(0, 1, 0.257)}), Curves({LineAlongX(0, 1, 0.25), LineAlongX(0, 1, 0.75)}));
   ASSERT_TRUE(scores);
   EXPECT_NEAR(scores->accuracy, 0.007, 1e-4);
   EXPECT_NEAR(scores->completeness, (0.007 + 0.493) / 2, 1e-3);
@@ -41,11 +41,11 @@ TEST(EmapProtocol, OffsetShowsInAccuracyAndThresholds) {
 }
 
 TEST(EmapProtocol, CurvesShorterThanTheSpacingVanish) {
-  const CurveSet truth = Curves({Line(0, 1, 0.25)});
-  EXPECT_FALSE(EvaluateByEmap(Curves({Line(0, 0.0049, 0.25)}), truth));
+  const CurveSet truth = Curves({LineAlongX(0, 1, 0.25)});
+  EXPECT_FALSE(EvaluateByEmap(Curves({LineAlongX(0, 0.0049, 0.25)}), truth));
   EXPECT_FALSE(EvaluateByEmap({}, truth));
-  EXPECT_EQ(EvaluateByEmap(Curves({Line(0, 0.0051, 0.25)}), truth)->num_points, 1);
-  EXPECT_EQ(EvaluateByEmap(Curves({Line(0, 0.0101, 0.25)}), truth)->num_points, 2);
+  EXPECT_EQ(EvaluateByEmap(Curves({LineAlongX(0, 0.0051, 0.25)}), truth)->num_points, 1);
+  EXPECT_EQ(EvaluateByEmap(Curves({LineAlongX(0, 0.0101, 0.25)}), truth)->num_points, 2);
 }
 
 TEST(EmapProtocol, VoxelsAverageWhatSharesACell) {
@@ -60,18 +60,18 @@ TEST(EmapProtocol, VoxelsAverageWhatSharesACell) {
 }
 
 TEST(EmapProtocol, VoxelsMergeCopies) {
-  const CurveSet truth = Curves({Line(0, 1, 0.25)});
+  const CurveSet truth = Curves({LineAlongX(0, 1, 0.25)});
   EmapOptions options;
   options.average_voxels = true;
   const auto one = EvaluateByEmap(truth, truth, options);
-  const auto two = EvaluateByEmap(Curves({Line(0, 1, 0.25), Line(0, 1, 0.25)}), truth, options);
+  const auto two = EvaluateByEmap(Curves({LineAlongX(0, 1, 0.25), LineAlongX(0, 1, 0.25)}), truth, options);
   EXPECT_EQ(one->num_points, two->num_points);
   EXPECT_NEAR(one->num_points, 128, 1);
 }
 
 TEST(EmapProtocol, RefusesAnEmptyTruth) {
   EXPECT_THROW(EvaluateByEmap({}, {}), InputError);
-  EXPECT_THROW(EvaluateByEmap({}, Curves({Line(0, 1, 0)}), {.spacing = 0}), OptionError);
+  EXPECT_THROW(EvaluateByEmap({}, Curves({LineAlongX(0, 1, 0)}), {.spacing = 0}), OptionError);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace limn {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string Nested(int depth) { return std::string(depth, '[') + std::string(depth, ']'); }
 
@@ -29,11 +29,11 @@ TEST(ParseJson, RefusesWhatIsNoneAndWhatIsNestedDeep) {
 }
 
 TEST(IntFromJson, TakesIntegersInRangeOnly) {
-  EXPECT_EQ(IntFromJson(Json::parse("-7")), -7);
-  EXPECT_EQ(IntFromJson(Json::parse("2147483647")), 2147483647);
+  EXPECT_EQ(IntFromJson(OrderedJson::parse("-7")), -7);
+  EXPECT_EQ(IntFromJson(OrderedJson::parse("2147483647")), 2147483647);
   for (const char* text : {"2147483648", "-2147483649", "4294967296", "18446744073709551615", "1.5",
                            "1e300", "\"1\"", "null", "[1]"}) {
-    EXPECT_THROW(IntFromJson(Json::parse(text)), InputError) << text;
+    EXPECT_THROW(IntFromJson(OrderedJson::parse(text)), InputError) << text;
   }
 }
 

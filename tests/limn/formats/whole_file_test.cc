@@ -11,7 +11,7 @@
 namespace limn {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(WholeFile, LargerFilesThanWantedAreNotRead) {
   const TempDir dir;
