@@ -89,6 +89,23 @@ bool IsExtended(double extent, const std::vector<Eigen::Vector3d>& centers) {
   return extent > 1e-9 * centers.front().norm();
 }
 
+// As many sites as there must be where more views than the two of a pair are to confirm a place.
+constexpr int kEnoughSites = 4;
+
+// Of the distinct centers, which views of a panorama or from one tripod share; at most
+// kEnoughSites.
+int CountSites(const std::vector<Eigen::Vector3d>& centers) {
+  std::vector<Eigen::Vector3d> sites;
+  for (const Eigen::Vector3d& center : centers) {
+    const bool is_known = std::any_of(sites.begin(), sites.end(), [&](const auto& site) {
+      return (site - center).norm() <= 1e-9 * center.norm();
+    });
+    if (!is_known) sites.push_back(center);
+    if (sites.size() == kEnoughSites) break;
+  }
+  return static_cast<int>(sites.size());
+}
+
 // The places in front of a primary view at which the choice is made, and how its neighbors see
 // them.
 struct SampledViewField {
@@ -109,6 +126,7 @@ class PlanBuilder {
   PlanBuilder(const std::vector<View>& views, const ViewSelectionOptions& options)
       : views_(views),
         centers_(Centers(views)),
+        num_needed_(CountSites(centers_) - 1),
         options_(options),
         finder_(views, std::min(options.min_pair_angle_deg, options.min_confirmation_angle_deg),
                 std::max(options.max_pair_angle_deg, options.max_confirmation_angle_deg)) {}
@@ -125,10 +143,9 @@ class PlanBuilder {
     const SampledViewField field = Sample(primary, point_depths);
     const std::vector<int> counts = CountViews(field);
     ViewPlan plan;
-    const int needed = std::min<int>(3, static_cast<int>(views_.size()) - 1);
     std::vector<double> weights(counts.size(), 0);
     for (size_t i = 0; i < counts.size(); ++i) {
-      if (counts[i] < needed) continue;
+      if (counts[i] < num_needed_) continue;
       const double depth = field.DepthOf(i);
       if (!point_depths || Contains(*point_depths, depth)) weights[i] = counts[i];
       Include({depth, depth}, &plan);
@@ -250,6 +267,7 @@ class PlanBuilder {
 
   const std::vector<View>& views_;
   const std::vector<Eigen::Vector3d> centers_;
+  const int num_needed_;  // other views that must see a place
   const ViewSelectionOptions& options_;
   const NeighborFinder finder_;
 };
@@ -312,6 +330,9 @@ std::string WhyNothingIsTriangulated(const std::vector<View>& views) {
   const std::vector<Eigen::Vector3d> centers = Centers(views);
   if (!IsExtended(Extent(centers), centers)) {
     return "the cameras are all at one center: nothing can be triangulated";
+  }
+  if (const int num_sites = CountSites(centers); num_sites < 3) {
+    return "the cameras must be at 3 places at least, but all are at " + std::to_string(num_sites);
   }
   return "";
 }

@@ -46,7 +46,8 @@ struct ViewPlan {
   std::vector<ViewId> confirmation_views;  // most useful and diverse first
 };
 
-// Message if there are fewer than 3 views, or if all cameras share one center; else empty.
+// Message if there are fewer than 3 views, or if the cameras have fewer than 3 distinct centers
+// (views of one panorama share theirs); else empty.
 std::string WhyNothingIsTriangulated(const std::vector<View>& views);
 
 // Throws InputError if nothing can be triangulated, as SelectViews does. Call it before extracting

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
@@ -116,6 +117,43 @@ TEST(ViewSelectionTest, CamerasAtOneCenterElsewhereAreAnInputError) {
         LookAt(center, center + Vector3d(5 * std::cos(0.3 * i), 5 * std::sin(0.3 * i), 1)));
   }
   EXPECT_THROW(SelectViews(views, kNoHints, ViewSelectionOptions(), {}), InputError);
+}
+
+// Views to all sides, which do not overlap, as those of the parts of panoramas, at each of these
+// centers.
+constexpr int kNumSides = 6;
+std::vector<View> AllAround(const std::vector<Vector3d>& centers) {
+  std::vector<View> views;
+  for (const Vector3d& center : centers) {
+    for (int i = 0; i < kNumSides; ++i) {
+      const double azimuth = 2 * M_PI * i / kNumSides;
+      const Vector3d ahead(std::cos(azimuth), std::sin(azimuth), 0.1 * (i % 3 - 1));
+      views.push_back(LookAt(center, center + ahead));
+    }
+  }
+  return views;
+}
+
+// However many views there are.
+TEST(ViewSelectionTest, TwoCentersAreTooFew) {
+  const std::vector<View> views = AllAround({{3.1, -2.7, 1.3}, {4.2, -2.5, 1.4}});
+  EXPECT_THAT([&] { SelectViews(views, kNoHints, {}, {}); },
+              ::testing::ThrowsMessage<InputError>(
+                  ::testing::HasSubstr("at 3 places at least, but all are at 2")));
+}
+
+TEST(ViewSelectionTest, ThreeCentersAreEnoughForEveryView) {
+  const std::vector<View> views =
+      AllAround({{3.1, -2.7, 1.3}, {4.1, -2.7, 1.4}, {3.6, -1.9, 1.35}});
+  const ViewSelectionOptions options;
+  const auto plans = SelectViews(views, kNoHints, options, {});
+  ExpectSoundSelection(plans, options);
+  for (size_t v = 0; v < plans.size(); ++v) {
+    std::set<size_t> centers;
+    for (const ViewId other : plans[v].second_views) centers.insert(other / kNumSides);
+    EXPECT_EQ(centers.size(), 2u) << "view " << v;
+    EXPECT_EQ(centers.count(v / kNumSides), 0u) << "view " << v;
+  }
 }
 
 TEST(ViewSelectionTest, OptionsBoundTheSelections) {
