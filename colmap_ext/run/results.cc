@@ -33,6 +33,7 @@ void WritePictures(const Project& project, const std::string& folder, const RunC
     WritePng(PicturePath(project.CurvesPath(folder), project.views()[v].name),
              draw(static_cast<ViewId>(v)));
   });
+  ReleaseDecoded(project.view_set());
 }
 
 // Share of the length by primitive, how far they are, and how much shorter they tell the drawing.

@@ -59,14 +59,19 @@ void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptio
   MoveModel(-origin_, &model);
   view_set_ = ToViews(model, layout_.image_dir, options.view, console->context(), photos);
   for (const std::string& warning : view_set_.warnings) console->Say("WARNING: " + warning);
-  console->Say(std::to_string(views().size()) + " images, " +
-               std::to_string(view_set_.hints.points.size()) + " 3D points");
+  const size_t num_images = view_set_.CountImages(IdsOf(std::nullopt, views().size()));
+  console->Say(std::to_string(num_images) + " images" +
+               (num_images == views().size()
+                    ? ""
+                    : " (in " + std::to_string(views().size()) + " views: panoramas in parts)") +
+               ", " + std::to_string(view_set_.hints.points.size()) + " 3D points");
   if (!origin_.isZero()) {
     console->Say("Coordinates are large: working around " + TextOf(origin_) +
                  ", all files keep the model's coordinates");
   }
   CheckPanoramas(options);
   images_.read = [this](ViewId view) { return ReadViewImage(view_set_, view); };
+  images_.release = [this] { ReleaseDecoded(view_set_); };
   images_.identity = [this](ViewId view) { return ImageIdentity(view_set_, view); };
   if (!options.edges_path.empty()) UseEdges(options, console);
 }

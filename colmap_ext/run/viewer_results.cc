@@ -89,6 +89,7 @@ std::vector<ViewerThumbnail> Thumbnails(const Project& project, int size, Consol
     Thumbnail made = MakeThumbnail(photo, project.views()[v], size);
     thumbnails[v] = {made.min_px, made.max_px, std::move(made.jpeg)};
   });
+  ReleaseDecoded(project.view_set());
   return thumbnails;
 }
 

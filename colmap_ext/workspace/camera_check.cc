@@ -4,22 +4,44 @@
 #include <functional>
 #include <utility>
 
+#include "colmap_ext/workspace/to_views.h"
 #include "limn/model/reprojection_errors.h"
 #include "limn/util/median.h"
 #include "limn/util/name_list.h"
 
 namespace limn::colmap_ext {
+namespace {
 
-CameraCheck CheckCameras(const std::vector<View>& views, const SceneHints& hints, double max_px) {
+// The images of a set: their names, and by view, which one it is of. Its views are neighbors.
+struct Images {
+  std::vector<std::string> names;
+  std::vector<int> of_view;
+};
+
+Images ImagesOf(const ViewSet& set) {
+  Images images;
+  for (size_t v = 0; v < set.views.size(); ++v) {
+    const std::string& name = set.ImageName(static_cast<ViewId>(v));
+    if (v == 0 || images.names.back() != name) images.names.push_back(name);
+    images.of_view.push_back(static_cast<int>(images.names.size()) - 1);
+  }
+  return images;
+}
+
+}  // namespace
+
+CameraCheck CheckCameras(const ViewSet& set, double max_px) {
+  const Images images = ImagesOf(set);
   CameraCheck check;
+  check.num_images = static_cast<int>(images.names.size());
+  const auto errors = MedianReprojectionErrors(set.views, set.hints.points, images.of_view);
   std::vector<double> fits;
-  const auto errors = MedianReprojectionErrors(views, hints.points);
-  for (size_t v = 0; v < errors.size(); ++v) {
-    if (!errors[v]) continue;
-    if (*errors[v] > max_px) {
-      check.misfits.push_back({static_cast<ViewId>(v), *errors[v]});
+  for (size_t i = 0; i < errors.size(); ++i) {
+    if (!errors[i]) continue;
+    if (*errors[i] > max_px) {
+      check.misfits.push_back({images.names[i], *errors[i]});
     } else {
-      fits.push_back(*errors[v]);
+      fits.push_back(*errors[i]);
     }
   }
   std::ranges::stable_sort(check.misfits, std::greater{}, &Misfit::px);
@@ -28,10 +50,10 @@ CameraCheck CheckCameras(const std::vector<View>& views, const SceneHints& hints
   return check;
 }
 
-std::string Describe(const CameraCheck& check, const std::vector<View>& views, double max_px) {
+std::string Describe(const CameraCheck& check, double max_px) {
   std::vector<NamedNumber> names;
-  for (const Misfit& misfit : check.misfits) names.push_back({views[misfit.view].name, misfit.px});
-  std::string text = std::to_string(names.size()) + " of " + std::to_string(views.size()) +
+  for (const Misfit& misfit : check.misfits) names.push_back({misfit.image, misfit.px});
+  std::string text = std::to_string(names.size()) + " of " + std::to_string(check.num_images) +
                      " images by more than " + ShortNumber(max_px) +
                      " px: " + ListNumbers(names, "px");
   if (check.num_fits > 0) {

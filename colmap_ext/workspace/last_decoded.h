@@ -15,15 +15,19 @@ namespace limn::colmap_ext {
 template <typename Pixels>
 class LastDecoded {
  public:
-  // What `decode` returns for this path. `is_last_use`: it is not kept any longer.
+  // What `decode` returns for this path. `is_last_use`: this thread does not keep it any longer.
   std::shared_ptr<const Pixels> Get(const std::string& path, bool is_last_use,
                                     const std::function<Pixels()>& decode) {
-    Entry& entry = OfThisThread();
-    if (entry.path != path) {
-      entry = {};
-      entry = {path, std::make_shared<const Pixels>(decode())};
-    }
-    return is_last_use ? std::exchange(entry, {}).pixels : entry.pixels;
+    std::shared_ptr<const Pixels> pixels = Take(path);
+    if (!pixels) pixels = std::make_shared<const Pixels>(decode());
+    if (!is_last_use) Keep({path, pixels});
+    return pixels;
+  }
+
+  // Threads outlive a loop: to be called at its end, or every thread keeps its image.
+  void Clear() {
+    const std::lock_guard lock(mutex_);
+    entries_.clear();
   }
 
  private:
@@ -32,10 +36,16 @@ class LastDecoded {
     std::shared_ptr<const Pixels> pixels;
   };
 
-  // Only this thread uses it; it stays where it is.
-  Entry& OfThisThread() {
+  // Null if this thread has another one, which is dropped before the next is decoded.
+  std::shared_ptr<const Pixels> Take(const std::string& path) {
     const std::lock_guard lock(mutex_);
-    return entries_[std::this_thread::get_id()];
+    const auto taken = entries_.extract(std::this_thread::get_id());
+    return taken && taken.mapped().path == path ? taken.mapped().pixels : nullptr;
+  }
+
+  void Keep(Entry entry) {
+    const std::lock_guard lock(mutex_);
+    entries_[std::this_thread::get_id()] = std::move(entry);
   }
 
   std::mutex mutex_;

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <Eigen/LU>
@@ -197,8 +198,21 @@ void AddMaskWarning(const std::string& mask_dir, ViewSet* set) {
                           " images have no mask there (<image name>.png) and are used entirely");
 }
 
-void AddWarnings(const SparseModel& model, const std::vector<int>& selected,
-                 const std::vector<ImageSize>& sizes, ViewSet* set) {
+// Points that no image sees, though maybe in no part of a panorama, or far outside the scene.
+int64_t CountLostPoints(const SparseModel& model, const SceneReach& reach) {
+  std::unordered_set<uint32_t> images;
+  for (const ModelImage& image : model.images) images.insert(image.id);
+  return std::count_if(model.points.begin(), model.points.end(), [&](const ModelPoint& point) {
+    return !reach.Contains(point.position) ||
+           std::none_of(point.track.begin(), point.track.end(), [&](const TrackElement& element) {
+             return images.contains(element.image_id);
+           });
+  });
+}
+
+void AddWarnings(const SparseModel& model, const SceneReach& reach,
+                 const std::vector<int>& selected, const std::vector<ImageSize>& sizes,
+                 ViewSet* set) {
   int num_resized = 0;
   for (size_t i = 0; i < selected.size(); ++i) {
     const Camera& camera = model.CameraOf(model.images[selected[i]]);
@@ -209,9 +223,10 @@ void AddWarnings(const SparseModel& model, const std::vector<int>& selected,
     set->warnings.push_back(std::to_string(num_resized) +
                             " images differ in size from their camera; intrinsics were rescaled");
   }
-  if (selected.size() == model.images.size() && set->hints.points.size() < model.points.size()) {
+  if (selected.size() != model.images.size()) return;
+  if (const int64_t num_lost = CountLostPoints(model, reach); num_lost > 0) {
     set->warnings.push_back(
-        std::to_string(model.points.size() - set->hints.points.size()) +
+        std::to_string(num_lost) +
         " 3D points are seen by no image or far outside the scene, and were left out");
   }
 }
@@ -228,17 +243,21 @@ void Keep(const std::vector<uint8_t>& keep, std::vector<T>* items) {
 
 void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double max_px,
                      ViewSet* set) {
-  const CameraCheck check = CheckCameras(set->views, set->hints, max_px);
+  const CameraCheck check = CheckCameras(*set, max_px);
   if (check.misfits.empty()) return;
-  const std::string misses = Describe(check, set->views, max_px);
-  if (check.misfits.size() == set->views.size()) {
+  const std::string misses = Describe(check, max_px);
+  if (static_cast<int>(check.misfits.size()) == check.num_images) {
     throw InputError(model.folder.string() + ": no image is left, points miss " + misses +
                      " (max_reprojection_px)");
   }
   set->left_out.push_back("left out (max_reprojection_px), since points miss " + misses);
   set->warnings.push_back(set->left_out.back());
-  std::vector<uint8_t> keep(set->views.size(), 1);
-  for (const Misfit& misfit : check.misfits) keep[misfit.view] = 0;
+  std::set<std::string> misfits;
+  for (const Misfit& misfit : check.misfits) misfits.insert(misfit.image);
+  std::vector<uint8_t> keep;
+  for (size_t v = 0; v < set->views.size(); ++v) {
+    keep.push_back(!misfits.contains(set->ImageName(static_cast<ViewId>(v))));
+  }
   Keep(keep, &set->views);
   Keep(keep, &set->image_paths);
   Keep(keep, &set->mask_paths);
@@ -253,11 +272,10 @@ void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double m
 }
 
 void WarnOfMisfits(ViewSet* set) {
-  const CameraCheck check = CheckCameras(set->views, set->hints, kDoubtfulCameraPx);
+  const CameraCheck check = CheckCameras(*set, kDoubtfulCameraPx);
   if (check.misfits.empty()) return;
   const bool some_fit = check.num_fits > 0;
-  set->warnings.push_back("points of the sparse model miss " +
-                          Describe(check, set->views, kDoubtfulCameraPx) +
+  set->warnings.push_back("points of the sparse model miss " + Describe(check, kDoubtfulCameraPx) +
                           ". Their poses, focal lengths or lenses are wrong" +
                           (some_fit ? "; --max_reprojection_px leaves such images out" : ""));
 }
@@ -362,6 +380,12 @@ Image ReadPixels(const ViewSet& set, ViewId view) {
 
 }  // namespace
 
+size_t ViewSet::CountImages(const std::vector<ViewId>& of_views) const {
+  std::set<std::string> names;
+  for (const ViewId view : of_views) names.insert(ImageName(view));
+  return names.size();
+}
+
 std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views) {
   for (size_t v = 0; v < views.size(); ++v) {
     const ImageWindow* window = view_set.Window(static_cast<ViewId>(v));
@@ -442,8 +466,9 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
     if (mask.empty()) return;
     view.region = MakeImageRegion(view.camera, view.lens.get(), mask, options.border_margin_px);
   });
+  ReleaseDecoded(set);
   set.hints = MakeHints(model, used.reach, set);
-  AddWarnings(model, selected, sizes_of_images, &set);
+  AddWarnings(model, used.reach, selected, sizes_of_images, &set);
   if (options.max_reprojection_px > 0) {
     LeaveOutMisfits(model, used.reach, options.max_reprojection_px, &set);
   }
@@ -486,6 +511,12 @@ Image ReadViewImage(const ViewSet& view_set, ViewId view) {
   }
   image.mask = ReadViewMask(view_set, view);
   return image;
+}
+
+void ReleaseDecoded(const ViewSet& view_set) {
+  if (!view_set.decoded) return;
+  view_set.decoded->images.Clear();
+  view_set.decoded->masks.Clear();
 }
 
 }  // namespace limn::colmap_ext

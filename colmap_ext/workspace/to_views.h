@@ -71,6 +71,8 @@ struct ViewSet {
   const std::string& ImageName(ViewId view) const {
     return HasPanoramas() ? image_names[view] : views[view].name;
   }
+  // Distinct images among these views.
+  size_t CountImages(const std::vector<ViewId>& of_views) const;
   // Null if the view is no part of a panorama.
   const ImageWindow* Window(ViewId view) const {
     return HasPanoramas() && windows[view] ? &*windows[view] : nullptr;
@@ -99,8 +101,8 @@ Eigen::Vector2d ModelPixel(const View& view, const Camera& camera,
                            const Eigen::Vector2d& stored_px);
 
 // These views of the set (with refined cameras, maybe), with the names of their images, and stored
-// pixels of the whole images, which go on over the right border of a panorama. For tracks: the
-// sizes of parts stay.
+// pixels of the whole images. Columns of a panorama go on over its left border: they run from -1/8
+// to 7/8 of its width. For tracks: the sizes of parts stay.
 std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views);
 
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
@@ -110,5 +112,9 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view);
 // The photograph of a view with its mask, at the size of the view; black and masked entirely if it
 // is damaged. Throws IoError.
 Image ReadViewImage(const ViewSet& view_set, ViewId view);
+
+// Frees what the two keep to read other parts of a panorama: up to one whole panorama and its mask
+// per thread. To be called after a loop over views.
+void ReleaseDecoded(const ViewSet& view_set);
 
 }  // namespace limn::colmap_ext

@@ -8,7 +8,7 @@
 namespace limn {
 namespace {
 
-constexpr size_t kMinPointsOfView = 10;
+constexpr size_t kMinPointsOfImage = 10;
 
 double ReprojectionError(const View& view, const Eigen::Vector3d& point, const PointPixel& pixel) {
   const double diagonal = std::hypot(view.camera.width, view.camera.height);
@@ -22,17 +22,18 @@ double ReprojectionError(const View& view, const Eigen::Vector3d& point, const P
 }  // namespace
 
 std::vector<std::optional<double>> MedianReprojectionErrors(const std::vector<View>& views,
-                                                            const std::vector<ScenePoint>& points) {
-  std::vector<std::vector<double>> errors(views.size());
+                                                            const std::vector<ScenePoint>& points,
+                                                            const std::vector<int>& image_of_view) {
+  std::vector<std::vector<double>> errors(image_of_view.empty() ? 0 : image_of_view.back() + 1);
   for (const ScenePoint& point : points) {
     for (const PointPixel& pixel : point.pixels) {
-      errors[pixel.view].push_back(
+      errors[image_of_view[pixel.view]].push_back(
           ReprojectionError(views[pixel.view], point.position_in_world, pixel));
     }
   }
-  std::vector<std::optional<double>> medians(views.size());
-  for (size_t v = 0; v < views.size(); ++v) {
-    if (errors[v].size() >= kMinPointsOfView) medians[v] = Median(std::move(errors[v]));
+  std::vector<std::optional<double>> medians(errors.size());
+  for (size_t i = 0; i < errors.size(); ++i) {
+    if (errors[i].size() >= kMinPointsOfImage) medians[i] = Median(std::move(errors[i]));
   }
   return medians;
 }

@@ -139,7 +139,7 @@ StageSummary Summarize(const std::vector<ViewCounts>& views) {
   }
   StageSummary summary;
   summary.stage = "image curves";
-  summary.in = {{"images", static_cast<int64_t>(views.size())}, {"edgels", sum.edgels}};
+  summary.in = {{"views", static_cast<int64_t>(views.size())}, {"edgels", sum.edgels}};
   summary.kept = {{"edgels", sum.in_fragments}, {"fragments", sum.fragments}};
   summary.dropped = {{"edgels: not linked to a neighbor", sum.not_linked},
                      {"edgels: fragment too short", sum.not_grouped},
@@ -193,12 +193,13 @@ EdgeMapsResult ExtractEdgeMaps(const ExtractionInput& input, const EdgeDetection
   result.edge_maps.resize(input.views.size());
   ParallelFor(context, "edges", ids.size(),
               [&](size_t i) { result.edge_maps[ids[i]] = extractor.EdgesOf(ids[i]); });
+  if (input.images.release) input.images.release();
   int64_t num_edgels = 0;
   for (const EdgeMap& map : result.edge_maps) num_edgels += static_cast<int64_t>(map.edgels.size());
-  const auto num_images = static_cast<int64_t>(ids.size());
+  const auto num_views = static_cast<int64_t>(ids.size());
   result.summary.stage = "edges";
-  result.summary.in = {{"images", num_images}};
-  result.summary.kept = {{"images", num_images}, {"edgels", num_edgels}};
+  result.summary.in = {{"views", num_views}};
+  result.summary.kept = {{"views", num_views}, {"edgels", num_edgels}};
   return result;
 }
 
@@ -225,6 +226,7 @@ CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOpti
         of_view.edgels - of_view.not_linked - of_view.not_grouped - of_view.in_fragments;
     of_view.fragments = static_cast<int64_t>(curves.fragments.size());
   });
+  if (input.images.release) input.images.release();
   result.summary = Summarize(counts);
   return result;
 }

@@ -24,6 +24,9 @@ struct ImageSource {
   std::function<std::string(ViewId)> identity;
   // Edges to use instead of those in the photograph; none = detect them.
   std::function<GivenEdges(ViewId)> given_edges = nullptr;
+  // Called after a loop over views: frees what the other functions keep of an image to read more
+  // of it. None = they keep nothing.
+  std::function<void()> release = nullptr;
 };
 
 // Told of the fragments of a view, in stored pixels, before ApplyLens. Must be thread-safe.

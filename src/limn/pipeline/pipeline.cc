@@ -73,6 +73,7 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
   const std::vector<View>& views = judged.cameras ? judged.cameras->views : input.views;
   DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, input.images.read, options,
                                      alone, on_stage_end);
+  if (input.images.release) input.images.release();
   return {std::move(image_curves.curves), std::move(sketch.sketch),
           std::move(sketch.fates),        std::move(graph),
           std::move(judged.cameras),      std::move(drawing.fates)};

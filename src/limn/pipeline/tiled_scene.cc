@@ -165,6 +165,7 @@ std::function<CurvesResult(const SceneSubset&)> CurvesFromImages(const PipelineI
     if (input.images.given_edges) {
       images.given_edges = [&](ViewId view) { return input.images.given_edges(scene.ids[view]); };
     }
+    images.release = input.images.release;
     return ExtractCurves({scene.views, images, input.cache}, options.edges, options.linking,
                          context);
   };

@@ -1,8 +1,11 @@
 #include "colmap_ext/workspace/to_views.h"
 
 #include <algorithm>
+#include <atomic>
+#include <barrier>
 #include <cmath>
 #include <fstream>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,13 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using testing::AllOf;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
-class ToViewsTest : public testing::Test {
+class ToViewsTest : public ::testing::Test {
  protected:
   ToViewsTest() : model_(MakeModel()) {
     model_.folder = "the_model";
@@ -389,7 +392,7 @@ TEST_F(ToViewsTest, DamagedImagesCountAsMasked) {
   EXPECT_TRUE(set.views[0].region.Contains({300, 300}));
   const Image image = ReadViewImage(set, 1);
   EXPECT_EQ(image.width, 800);
-  EXPECT_THAT(image.mask, testing::AllOf(testing::SizeIs(800 * 600), testing::Each(0)));
+  EXPECT_THAT(image.mask, ::testing::AllOf(::testing::SizeIs(800 * 600), ::testing::Each(0)));
 }
 
 TEST_F(ToViewsTest, DuplicatesAreLeftOutWithOneWarning) {
@@ -458,6 +461,28 @@ class PanoramaViewsTest : public ToViewsTest {
     SetPanorama();
   }
 
+  void ForgetPoints() {
+    model_.points.clear();
+    for (ModelImage& image : model_.images) image.observations.clear();
+  }
+
+  // Points all around this image, up to 60 degrees above and below it, that it sees where they are.
+  void AddPanoramaPoints(uint32_t count, int image_index) {
+    ModelImage& image = model_.images[image_index];
+    for (uint32_t i = 0; i < count; ++i) {
+      ModelPoint point;
+      point.id = 1 + model_.points.size();
+      const Eigen::Vector3d ray(std::sin(i), 0.9 * std::sin(3.0 * i), std::cos(i));
+      point.position = Inverse(image.cam_from_world) * (5 * ray);
+      const double azimuth = std::atan2(ray.x(), ray.z());
+      const double elevation = std::atan2(-ray.y(), std::hypot(ray.x(), ray.z()));
+      image.observations.push_back(
+          {{(azimuth / (2 * M_PI) + 0.5) * kWidth, (0.5 - elevation / M_PI) * kHeight}, point.id});
+      point.track.push_back({image.id, i});
+      model_.points.push_back(point);
+    }
+  }
+
   void SetPanorama() {
     model_.cameras.push_back(
         {9, CameraModelId::kEquirectangular, kWidth, kHeight, {1.0 * kWidth, 1.0 * kHeight}});
@@ -510,31 +535,127 @@ TEST_F(PanoramaViewsTest, TracksAreInPixelsOfTheImage) {
 }
 
 TEST_F(PanoramaViewsTest, PointsBelongToThePartsThatShowThem) {
-  model_.images[2].observations.clear();
-  model_.points.clear();
-  for (uint32_t i = 0; i < 40; ++i) {
-    ModelPoint point;
-    point.id = 1 + i;
-    // All around, up to 60 degrees above and below.
-    const Eigen::Vector3d ray(std::sin(i), 0.9 * std::sin(3.0 * i), std::cos(i));
-    point.position = Inverse(model_.images[2].cam_from_world) * (5 * ray);
-    const double azimuth = std::atan2(ray.x(), ray.z());
-    const double elevation = std::atan2(-ray.y(), std::hypot(ray.x(), ray.z()));
-    model_.images[2].observations.push_back(
-        {{(azimuth / (2 * M_PI) + 0.5) * kWidth, (0.5 - elevation / M_PI) * kHeight}, point.id});
-    point.track.push_back({model_.images[2].id, i});
-    model_.points.push_back(point);
-  }
+  ForgetPoints();
+  AddPanoramaPoints(200, 2);
   options_.border_margin_px = 2;
   const ViewSet set = Views();
   // A few are in the pixel between parts.
-  EXPECT_GT(set.hints.points.size(), 34u);
+  EXPECT_GT(set.hints.points.size(), 180u);
+  EXPECT_LT(set.hints.points.size(), 200u);
+  EXPECT_THAT(set.warnings, IsEmpty()) << "the panorama shows these, too";
+  size_t num_pixels = 0;
   for (const ScenePoint& hint : set.hints.points) {
-    ASSERT_EQ(hint.views.size(), 1u);
-    ASSERT_EQ(hint.pixels.size(), 1u);
-    const auto pixel = set.views[hint.views[0]].Project(hint.position_in_world);
+    ASSERT_EQ(hint.pixels.size(), hint.views.size());
+    for (const PointPixel& seen : hint.pixels) {
+      const auto pixel = set.views[seen.view].Project(hint.position_in_world);
+      ASSERT_TRUE(pixel);
+      EXPECT_LT((*pixel - seen.position_px).norm(), 1e-6);
+    }
+    num_pixels += hint.pixels.size();
+  }
+  EXPECT_LE(num_pixels, set.hints.points.size() + 3) << "or in that of two";
+}
+
+// COLMAP shrinks pictures and observations; the camera's parameters may be beside its size.
+TEST_F(PanoramaViewsTest, OfHalfTheSizeAreTheSameViews) {
+  ForgetPoints();
+  AddPanoramaPoints(200, 2);
+  options_.border_margin_px = 2;
+  const ViewSet whole = Views();
+  Write("b.png", cv::Mat(kHeight / 2, kWidth / 2, CV_8UC3, cv::Scalar(1, 2, 3)));
+  model_.cameras.back().width = kWidth / 2;
+  model_.cameras.back().height = kHeight / 2;
+  model_.cameras.back().params = {std::nextafter(kWidth / 2.0, 1e9), kHeight / 2.0};
+  for (Observation& observation : model_.images[2].observations) observation.position /= 2;
+  options_.border_margin_px = 1;
+  const ViewSet half = Views();
+  ASSERT_EQ(half.views.size(), whole.views.size());
+  for (ViewId v = 0; v < kNumPanoramaParts; ++v) {
+    // Parts are cut at whole pixels.
+    EXPECT_LT(half.views[v].cam_from_world.rotation.angularDistance(
+                  whole.views[v].cam_from_world.rotation),
+              2 * M_PI / kWidth);
+    EXPECT_NEAR(2 * half.views[v].camera.fx, whole.views[v].camera.fx, 1e-9);
+  }
+  EXPECT_GT(half.hints.points.size(), 0.9 * static_cast<double>(whole.hints.points.size()));
+  for (const ScenePoint& hint : half.hints.points) {
+    const auto pixel = half.views[hint.views[0]].Project(hint.position_in_world);
     ASSERT_TRUE(pixel);
     EXPECT_LT((*pixel - hint.pixels[0].position_px).norm(), 1e-6);
+  }
+}
+
+TEST_F(PanoramaViewsTest, AreLeftOutAsAWhole) {
+  model_.images[0].camera_id = 9;
+  Write("c.png", cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar(9, 9, 9)));
+  ForgetPoints();
+  for (const int image : {0, 2}) AddPanoramaPoints(400, image);
+  options_.max_reprojection_px = 5;
+  EXPECT_EQ(Views().views.size(), 25u);
+  // Most of what each of a few parts shows misses, but not most of what the image shows.
+  std::vector<Observation>& seen = model_.images[2].observations;
+  for (size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].position.x() < 0.3 * kWidth) seen[i].position.y() += 20;
+  }
+  const ViewSet all = Views();
+  EXPECT_EQ(all.views.size(), 25u);
+  EXPECT_THAT(all.warnings, IsEmpty());
+  for (Observation& observation : seen) {
+    if (observation.position.x() < 0.9 * kWidth) observation.position.y() += 20;
+  }
+  const ViewSet fewer = Views();
+  EXPECT_EQ(fewer.views.size(), 13u);
+  for (ViewId v = 0; v < 13; ++v) EXPECT_NE(fewer.ImageName(v), "b.png");
+  EXPECT_EQ(fewer.windows.size(), 13u);
+  ASSERT_THAT(fewer.warnings, Contains(HasSubstr("left out")));
+  EXPECT_THAT(fewer.warnings, Contains(HasSubstr("miss 1 of 3 images by more than 5 px: b.png (")));
+}
+
+TEST_F(PanoramaViewsTest, PartsCountAsOneImage) {
+  const ViewSet set = Views();
+  EXPECT_EQ(set.CountImages({}), 0u);
+  EXPECT_EQ(set.CountImages({0, 5, 11}), 1u);
+  EXPECT_EQ(set.CountImages({3, 4, 12, 13}), 3u);
+}
+
+TEST_F(PanoramaViewsTest, ThreadsThatLiveOnKeepNothingAfterRelease) {
+  Write("masks/b.png.png", cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(255)));
+  options_.mask_path = (dir_ / "masks").string();
+  const ViewSet set = Views();
+  constexpr int kNumThreads = 4;
+  std::barrier all_have(kNumThreads + 1), released(kNumThreads + 1);
+  std::atomic<int> num_kept = 0;
+  std::vector<std::thread> threads;
+  for (ViewId v = 0; v < kNumThreads; ++v) {
+    threads.emplace_back([&, v] {
+      ReadViewImage(set, v);
+      all_have.arrive_and_wait();
+      released.arrive_and_wait();
+      try {
+        ReadViewImage(set, v);
+        ++num_kept;
+      } catch (const IoError&) {
+        // As it should be: the file is gone.
+      }
+    });
+  }
+  all_have.arrive_and_wait();
+  fs::remove(set.image_paths[0]);
+  ReleaseDecoded(set);
+  released.arrive_and_wait();
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(num_kept, 0);
+}
+
+TEST_F(PanoramaViewsTest, MasksAreNotKeptAfterTheViewsAreMade) {
+  Write("masks/b.png.png", cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(255)));
+  options_.mask_path = (dir_ / "masks").string();
+  const ViewSet set = Views();
+  fs::remove(set.mask_paths[0]);
+  for (int round = 0; round < 20; ++round) {
+    ParallelFor({}, "masks", kNumPanoramaParts, [&](size_t v) {
+      EXPECT_THROW(ReadViewMask(set, static_cast<ViewId>(v)), IoError);
+    });
   }
 }
 

@@ -22,7 +22,7 @@ std::vector<ScenePoint> PointsSeenBy(const std::vector<View>& views, int count) 
   return points;
 }
 
-TEST(ReprojectionErrors, AreMediansPerView) {
+TEST(ReprojectionErrors, AreMediansPerImage) {
   std::vector<View> views = testing::DomeViews(3, 4);
   std::vector<ScenePoint> points = PointsSeenBy(views, 12);
   // Few gross errors do not count; a lens halves the error as it halves the image.
@@ -34,7 +34,7 @@ TEST(ReprojectionErrors, AreMediansPerView) {
   views[2].cam_from_world.rotation =
       Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()) * views[2].cam_from_world.rotation;
   views[2].cam_from_world.translation *= -1;
-  const auto errors = MedianReprojectionErrors(views, points);
+  const auto errors = MedianReprojectionErrors(views, points, {0, 1, 2});
   EXPECT_NEAR(errors[0].value(), 0, 1e-9);
   EXPECT_NEAR(errors[1].value(), 4, 1e-9);
   EXPECT_EQ(errors[2].value(), 800);  // all behind it
@@ -42,8 +42,18 @@ TEST(ReprojectionErrors, AreMediansPerView) {
 
 TEST(ReprojectionErrors, NeedPoints) {
   const std::vector<View> views = testing::DomeViews(2, 4);
-  EXPECT_FALSE(MedianReprojectionErrors(views, PointsSeenBy(views, 9))[0]);
-  EXPECT_TRUE(MedianReprojectionErrors(views, PointsSeenBy(views, 10))[0]);
+  EXPECT_FALSE(MedianReprojectionErrors(views, PointsSeenBy(views, 9), {0, 1})[0]);
+  EXPECT_TRUE(MedianReprojectionErrors(views, PointsSeenBy(views, 10), {0, 1})[0]);
+}
+
+TEST(ReprojectionErrors, OfPartsCountTogether) {
+  const std::vector<View> views = testing::DomeViews(3, 4);
+  std::vector<ScenePoint> points = PointsSeenBy(views, 6);
+  for (ScenePoint& point : points) point.pixels[2].position_px.y() += 3;
+  const auto errors = MedianReprojectionErrors(views, points, {0, 1, 1});
+  ASSERT_EQ(errors.size(), 2u);
+  EXPECT_FALSE(errors[0]);
+  EXPECT_NEAR(errors[1].value(), 3, 1e-9);  // the upper of the middle two
 }
 
 }  // namespace

@@ -92,6 +92,16 @@ int64_t Count(const StageSummary::Counts& counts, const std::string& unit) {
   return -1;
 }
 
+TEST_F(ExtractCurvesTest, ReleasesWhatTheSourceKeepsAfterTheLastView) {
+  std::vector<int> read_before;
+  images_.release = [&] { read_before.push_back(num_read_); };
+  Extract();
+  EXPECT_EQ(read_before, std::vector<int>{2});
+  ResultCache cache("");
+  ExtractEdgeMaps({views_, images_, &cache}, edges_, {});
+  EXPECT_EQ(read_before, (std::vector<int>{2, 4}));
+}
+
 TEST_F(ExtractCurvesTest, FindsTheSquareAndAccountsForEveryEdgel) {
   const CurvesResult result = Extract();
   ASSERT_EQ(result.curves.size(), 2u);
@@ -106,7 +116,7 @@ TEST_F(ExtractCurvesTest, FindsTheSquareAndAccountsForEveryEdgel) {
   }
   EXPECT_NEAR(length, 220, 30);  // less what the corners lose
   const StageSummary& summary = result.summary;
-  EXPECT_EQ(Count(summary.in, "images"), 2);
+  EXPECT_EQ(Count(summary.in, "views"), 2);
   int64_t accounted = Count(summary.kept, "edgels");
   for (const auto& [reason, count] : summary.dropped) accounted += count;
   EXPECT_EQ(accounted, Count(summary.in, "edgels"));
