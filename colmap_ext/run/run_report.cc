@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Links of more views are rare.
+// Links of more images are rare.
 constexpr size_t kMaxSupportOfCurves = 12;
 
 Json ToJson(const StageSummary::Counts& counts) {
@@ -50,27 +50,38 @@ Json ChangedOptions(const Json& options, const Json& defaults, const std::string
   return changed;
 }
 
-Json SupportHistogram(const DrawingGraph& graph) {
-  std::vector<int> counts;
+// By link, the images that support it.
+std::vector<size_t> CountSupport(const ViewSet& set, const DrawingGraph& graph) {
+  std::vector<size_t> counts;
   for (const DrawingLink& link : graph.links) {
-    counts.resize(std::max(counts.size(), link.supporting_views.size() + 1));
-    ++counts[link.supporting_views.size()];
+    counts.push_back(set.CountImages(link.supporting_views));
   }
   return counts;
 }
 
-CurveSet LinksOfViews(const DrawingGraph& graph, size_t min_views) {
+Json SupportHistogram(const std::vector<size_t>& support) {
+  std::vector<int> counts;
+  for (const size_t num_images : support) {
+    counts.resize(std::max(counts.size(), num_images + 1));
+    ++counts[num_images];
+  }
+  return counts;
+}
+
+CurveSet LinksOfImages(const DrawingGraph& graph, const std::vector<size_t>& support,
+                       size_t min_images) {
   CurveSet set;
-  for (const DrawingLink& link : graph.links) {
-    if (link.supporting_views.size() >= min_views) set.polylines.push_back(link.points_in_world);
+  for (size_t i = 0; i < support.size(); ++i) {
+    if (support[i] >= min_images) set.polylines.push_back(graph.links[i].points_in_world);
   }
   return set;
 }
 
 Json OrNull(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
-void AddEvaluation(const DrawingGraph& graph, const std::vector<View>& views,
-                   const TruthInput& input, const RunContext& context, Json* report) {
+void AddEvaluation(const DrawingGraph& graph, const std::vector<size_t>& support,
+                   const std::vector<View>& views, const TruthInput& input,
+                   const RunContext& context, Json* report) {
   const Truth truth = ReadTruth(input);
   const bool in_footprints = input.unit == TruthInput::Unit::kFootprint;
   for (const TauResult& row : Evaluate(ToCurveSet(graph), truth, input, views, context).rows) {
@@ -87,8 +98,8 @@ void AddEvaluation(const DrawingGraph& graph, const std::vector<View>& views,
     curves.push_back({{"name", "within " + Json(tau).dump() + (in_footprints ? " px" : "")},
                       {"points", Json::array()}});
   }
-  for (size_t min_views = 2; min_views <= kMaxSupportOfCurves; ++min_views) {
-    const CurveSet kept = LinksOfViews(graph, min_views);
+  for (size_t min_images = 2; min_images <= kMaxSupportOfCurves; ++min_images) {
+    const CurveSet kept = LinksOfImages(graph, support, min_images);
     if (kept.polylines.empty()) break;
     const EvaluationReport at = Evaluate(kept, truth, quick, views, context);
     for (size_t t = 0; t < at.rows.size(); ++t) {
@@ -107,7 +118,7 @@ Json ToJson(const Trust& trust) {
   return {{"images", trust.num_images},
           {"explained", OrNull(trust.explained)},
           {"agree_less", less},
-          {"many_views", kManyViews},
+          {"many_views", kManyImages},
           {"well_seen", OrNull(trust.well_seen)},
           {"error_px", OrNull(trust.error_px)},
           {"error_90_px", OrNull(trust.error_90_px)},
@@ -117,14 +128,17 @@ Json ToJson(const Trust& trust) {
 std::string RunReportJson(const Project& project, const RunOptions& options,
                           const DrawingGraph& graph, const std::vector<View>& views,
                           const Trust& trust, const TruthInput& truth, const Console& console) {
+  const std::vector<size_t> support = CountSupport(project.view_set(), graph);
   Json report = {{"workspace", project.layout().description},
                  {"stages", StagesAsJson(console.log())},
                  {"warnings", console.log().warnings},
                  {"trust", ToJson(trust)},
                  {"options_changed", ChangedOptions(Json::parse(Provenance(options)),
                                                     Json::parse(Provenance(RunOptions())))},
-                 {"support_histogram", SupportHistogram(graph)}};
-  if (truth.IsGiven()) AddEvaluation(graph, views, truth, console.context(), &report);
+                 {"support_histogram", SupportHistogram(support)}};
+  if (truth.IsGiven()) {
+    AddEvaluation(graph, support, views, truth, console.context(), &report);
+  }
   // Paths need not be UTF-8.
   return report.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

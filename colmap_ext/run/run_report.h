@@ -13,8 +13,8 @@ namespace limn::colmap_ext {
 
 // Writes drawing.html with the report of the run: counts, times and memory of its stages, warnings,
 // options that differ from the defaults, how far to trust the drawing, links by number of
-// supporting views; with a truth also precision and recall, overall and for the links with at least
-// n supporting views. The graph and `views`, the cameras that it fits, are relative to the
+// supporting images; with a truth also precision and recall, overall and for the links with at
+// least n of them. The graph and `views`, the cameras that it fits, are relative to the
 // project's origin. Prints a line if Limn was built without the page. Throws IoError.
 void WritePageWithReport(const Project& project, const RunOptions& options,
                          const std::vector<View>& views, const DrawingGraph& graph,

@@ -1,7 +1,6 @@
 #include "colmap_ext/run/trust.h"
 
 #include <algorithm>
-#include <set>
 #include <string>
 
 #include "limn/evaluation/quantiles.h"
@@ -9,6 +8,7 @@
 #include "limn/geometry/polyline.h"
 #include "limn/model/footprint.h"
 #include "limn/model/link_selection.h"
+#include "limn/model/view_subset.h"
 #include "limn/util/median.h"
 
 namespace limn::colmap_ext {
@@ -75,7 +75,8 @@ void AddAgreement(const std::vector<ImageAgreement>& images, Trust* trust) {
 }
 
 // The length of curves that many views see, and their expected errors in px.
-void AddCertainty(const std::vector<View>& views, const DrawingGraph& graph, Trust* trust) {
+void AddCertainty(const ViewSet& set, const std::vector<View>& views, const DrawingGraph& graph,
+                  Trust* trust) {
   const LinkSelection selection;
   double length = 0, well_seen = 0, tentative = 0;
   std::vector<WeightedValue> sigmas_px;
@@ -84,7 +85,7 @@ void AddCertainty(const std::vector<View>& views, const DrawingGraph& graph, Tru
     if (link.tentative) tentative += of_link;
     if (!selection.Has(link)) continue;
     length += of_link;
-    if (link.supporting_views.size() >= kManyViews) well_seen += of_link;
+    if (set.CountImages(link.supporting_views) >= kManyImages) well_seen += of_link;
     const double footprint = LinkFootprint(link, views);
     if (!(footprint > 0)) continue;
     for (const double sigma : link.sigma) {
@@ -128,13 +129,11 @@ void SayAgreement(const Trust& trust, bool has_box, Console* console) {
 Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
                    const std::vector<ImageCurves>& curves, const DrawingGraph& graph) {
   Trust trust;
-  std::set<std::string> images;
-  for (size_t v = 0; v < views.size(); ++v) images.insert(set.ImageName(static_cast<ViewId>(v)));
-  trust.num_images = images.size();
+  trust.num_images = set.CountImages(IdsOf(std::nullopt, views.size()));
   if (!curves.empty()) {
     AddAgreement(OfImages(set, MeasureAgreement(views, curves, graph)), &trust);
   }
-  AddCertainty(views, graph, &trust);
+  AddCertainty(set, views, graph, &trust);
   return trust;
 }
 
@@ -146,7 +145,7 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
   }
   if (!trust.error_px || !trust.error_90_px) return;
   console->Say(Percent(*trust.well_seen) + " of the drawing's length is seen by " +
-               std::to_string(kManyViews) +
+               std::to_string(kManyImages) +
                " or more images; expected error, if the cameras are "
                "right: " +
                ShortNumber(*trust.error_px) + " px (median), " + ShortNumber(*trust.error_90_px) +

@@ -13,7 +13,7 @@
 namespace limn::colmap_ext {
 
 // Images that see a well-seen curve.
-constexpr size_t kManyViews = 5;
+constexpr size_t kManyImages = 5;
 
 // How far a drawing can be believed. Links that are tentative or contours count only in
 // `tentative`.
@@ -25,7 +25,7 @@ struct Trust {
   // Images with next to no edges, and those that agree much less than the others, with the percent
   // of their edges that are drawn; the least first.
   std::vector<NamedNumber> without_edges, agree_less;
-  // Share of the length that kManyViews or more images see.
+  // Share of the length that kManyImages or more see.
   std::optional<double> well_seen;
   // Expected error if the cameras are right, median and 90 % of the length, px.
   std::optional<double> error_px, error_90_px;
