@@ -42,13 +42,9 @@ std::string FirstDrawing(const std::vector<fs::path>& folders, DrawingChoice cho
                                               path_option);
 }
 
-// Where the commands put their results for this workspace; empty if it has no model with images.
-fs::path FolderOfResults(const LayoutOptions& workspace) {
-  try {
-    return ResolveLayout(workspace).output.drawing_dir;
-  } catch (const IoError&) {
-    return {};
-  }
+bool IsMereFolderOfResults(const LayoutOptions& workspace) {
+  return workspace.model_index < 0 && workspace.input_path.empty() &&
+         workspace.image_path.empty() && !HoldsSomeModel(workspace.workspace_path);
 }
 
 }  // namespace
@@ -64,9 +60,9 @@ std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
   if (std::error_code ignored; !fs::is_directory(folder, ignored)) {
     throw IoError(folder.string(), "no such folder (workspace_path)");
   }
-  std::vector<fs::path> folders = {folder};
-  const fs::path output = FolderOfResults(workspace);
-  if (!output.empty() && output != folder) folders.insert(folders.begin(), output);
+  if (IsMereFolderOfResults(workspace)) return FindDrawing(folder, choice, path_option);
+  std::vector<fs::path> folders = {ResolveLayout(workspace).output.drawing_dir};
+  if (folders.front() != folder) folders.push_back(folder);
   return FirstDrawing(folders, choice, path_option);
 }
 

@@ -21,7 +21,8 @@ std::string FindDrawing(const std::filesystem::path& folder, DrawingChoice choic
                         const std::string& path_option);
 
 // The same in the output folder of a workspace, else in the workspace itself, which may be an
-// output folder without a model.
+// output folder without a model if neither one of its models nor images are asked for. Throws what
+// ResolveLayout throws of other workspaces.
 std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
                         const std::string& path_option);
 

@@ -73,16 +73,24 @@ std::string Listing(const fs::path& folder) {
   return text;
 }
 
-// Throws if some folder of the workspace would be a model but for a file.
-void CheckForIncompleteModels(const fs::path& workspace) {
-  std::vector<fs::path> folders = {workspace / "sparse", workspace / "dense" / "sparse", workspace};
-  for (const auto& [index, folder] : NumberedFolders(workspace / "sparse")) {
-    folders.push_back(folder);
+// Where a workspace may have models.
+std::vector<fs::path> FoldersOfModels(const fs::path& workspace) {
+  std::vector<fs::path> folders = {workspace / "sparse", workspace / "dense" / "sparse",
+                                   workspace / "colmap" / "sparse", workspace, workspace / "pmvs"};
+  for (const char* parent : {"sparse", "colmap/sparse", ""}) {
+    for (const auto& [index, folder] : NumberedFolders(workspace / parent)) {
+      folders.push_back(folder);
+    }
   }
   for (const auto& [index, folder] : NumberedFolders(workspace / "dense")) {
     folders.push_back(folder / "sparse");
   }
-  for (const fs::path& folder : folders) {
+  return folders;
+}
+
+// Throws if some folder of the workspace would be a model but for a file.
+void CheckForIncompleteModels(const fs::path& workspace) {
+  for (const fs::path& folder : FoldersOfModels(workspace)) {
     const std::string missing = MissingModelFile(folder);
     if (!missing.empty()) throw IoError(folder.string(), "not a COLMAP model: " + missing);
   }
@@ -272,6 +280,13 @@ WorkspaceLayout ResolveLayout(const LayoutOptions& options) {
       layout, layout.model_dir.string(), CountRegisteredImages(layout.model_dir),
       chosen.num_rivals < 2 ? "" : ", most of " + std::to_string(chosen.num_rivals) + " models");
   return layout;
+}
+
+bool HoldsSomeModel(const fs::path& workspace) {
+  const std::vector<fs::path> folders = FoldersOfModels(workspace);
+  return std::any_of(folders.begin(), folders.end(), [](const fs::path& folder) {
+    return HoldsModel(folder) || !MissingModelFile(folder).empty();
+  });
 }
 
 WorkspaceLayout LayoutInMemory(const LayoutOptions& options, size_t num_images) {

@@ -53,6 +53,10 @@ struct WorkspaceLayout {
 // Throws OptionError if too few paths are given, IoError saying what was found if nothing matches.
 WorkspaceLayout ResolveLayout(const LayoutOptions& options);
 
+// Whether there is a model, maybe incomplete or without its images, where ResolveLayout looks for
+// one in a workspace.
+bool HoldsSomeModel(const std::filesystem::path& workspace);
+
 // The layout for a model in memory with so many images: only image_path and output_path count.
 // Throws OptionError if one is missing, IoError if there is no such folder of images.
 WorkspaceLayout LayoutInMemory(const LayoutOptions& options, size_t num_images);

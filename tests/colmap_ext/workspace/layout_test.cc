@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
-class Layout : public testing::Test {
+class Layout : public ::testing::Test {
  protected:
   void AddModel(const std::string& folder, size_t num_images = 3) {
     SparseModel model = MakeModel();
@@ -128,6 +128,22 @@ TEST_F(Layout, SparseModelsInAColmapFolder) {
   AddModel("colmap/sparse/0");
   AddFolder("images");
   ExpectLayout(Options(), "colmap/sparse/0", "images", ".");
+}
+
+TEST_F(Layout, SomeModelIsHeldEvenIfItCannotBeUsed) {
+  EXPECT_FALSE(HoldsSomeModel(dir_.path()));
+  AddFolder("images");
+  dir_.WriteFile("drawing.json", "");
+  EXPECT_FALSE(HoldsSomeModel(dir_.path()));
+  for (const char* folder :
+       {".", "3", "sparse", "sparse/1", "dense/sparse", "dense/0/sparse", "colmap/sparse/0"}) {
+    AddModel(folder);
+    EXPECT_TRUE(HoldsSomeModel(dir_.path())) << folder;
+    fs::remove(dir_ / folder / "images.bin");  // incomplete
+    EXPECT_TRUE(HoldsSomeModel(dir_.path())) << folder;
+    fs::remove(dir_ / folder / "cameras.bin");
+    EXPECT_FALSE(HoldsSomeModel(dir_.path())) << folder;
+  }
 }
 
 TEST_F(Layout, ModelInMemory) {
