@@ -6,6 +6,18 @@
 #include "colmap_ext/workspace/model_folder.h"
 
 namespace limn::colmap_ext {
+namespace {
+
+// All that can be told before the images are read.
+WorkspaceLayout ChooseLayoutInMemory(const SparseModel& model, const RunOptions& options,
+                                     Console* console) {
+  WorkspaceLayout layout = LayoutInMemory(options.layout, model.images.size());
+  console->Say(layout.description);
+  if (options.pipeline.refinement.refine_poses) CheckTextNames(model);
+  return layout;
+}
+
+}  // namespace
 
 WorkspaceLayout ChooseLayout(const RunOptions& options, Console* console) {
   WorkspaceLayout layout = ResolveLayout(options.layout);
@@ -18,8 +30,7 @@ Project::Project(const RunOptions& options, Console* console)
 
 // Braces evaluate from left to right.
 Project::Project(SparseModel model, const RunOptions& options, Console* console)
-    : Project{LayoutInMemory(options.layout, model.images.size()), std::move(model), options,
-              console} {}
+    : Project{ChooseLayoutInMemory(model, options, console), std::move(model), options, console} {}
 
 Project::Project(const WorkspaceLayout& layout, const RunOptions& options, Console* console)
     : OutputFolder(layout.output, options, console), Scene(layout, options, console) {}
@@ -28,10 +39,7 @@ Project::Project(const WorkspaceLayout& layout, SparseModel model, const RunOpti
                  Console* console)
     : OutputFolder(layout.output, options, console),
       Scene(model, layout.image_dir, {}, options, console),
-      given_model_(std::move(model)) {
-  console->Say(layout.description);
-  if (options.pipeline.refinement.refine_poses) CheckTextNames(*given_model_);
-}
+      given_model_(std::move(model)) {}
 
 SparseModel Project::ReadModel() const {
   return given_model_ ? *given_model_ : colmap_ext::ReadModel(layout().model_dir);
