@@ -150,6 +150,8 @@ void WriteTracks(const DrawingGraph& graph, const LinkSelection& selection,
          "# convention: the centre of the top-left pixel is (0.5, 0.5). A link is clipped to the\n"
          "# image; parts hidden behind surfaces are not told apart. Links that were not\n"
          "# selected, by default tentative ones and outlines of smooth bodies, are left out.\n"
+         "# In panoramas X goes on over the left border, where it is negative, and runs end where\n"
+         "# parts of the panorama meet.\n"
       << "# Number of links: " << num_links << " of " << graph.links.size() << '\n';
   const bool escapes = std::any_of(views.begin(), views.end(), NeedsEscape);
   if (escapes) out << "# Some characters of image names are written as \\xHH.\n";
