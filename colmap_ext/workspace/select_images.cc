@@ -44,6 +44,9 @@ std::vector<int> ListedImages(const SparseModel& model, const std::string& image
     throw IoError(image_list_path, "image \"" + *unknown.begin() + "\" is not registered in " +
                                        model.folder.string());
   }
+  if (!image_list_path.empty() && wanted.empty()) {
+    throw InputError(image_list_path + ": names no image");
+  }
   if (selected.empty()) {
     throw InputError(model.folder.string() + ": no registered image to work on");
   }

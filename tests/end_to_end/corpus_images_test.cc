@@ -370,6 +370,10 @@ const CorpusCase kCases[] = {
                                              "1234");
          },
      .said = {"view_02.jpg: too large to decode: 30000 x 30000 pixels may take 5400 MB"}},
+    {.name = "Case25_EmptyImageList",
+     .spoil = [](const W& w) { w.Write("list.txt", " \n"); },
+     .said = {"list.txt: names no image"},
+     .arguments = {"--image_list_path", "{W}/list.txt"}},
     {.name = "Case25_EndlessImageList",
      .said = {"/dev/zero: "},
      .arguments = {"--image_list_path", "/dev/zero"}},
