@@ -5,6 +5,7 @@
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "colmap_ext/python/bindings.h"
 #include "colmap_ext/python/run_free.h"
@@ -60,7 +61,8 @@ void BindStages(py::module_* module) {
   BindStage(module, "align", AlignSceneDrawing);
   module->def(
       "read_drawing",
-      [](const std::string& path, const std::optional<std::shared_ptr<OpenScene>>& scene) {
+      [](const std::filesystem::path& path,
+         const std::optional<std::shared_ptr<OpenScene>>& scene) {
         return RunFree(py::none(), [path, scene = scene.value_or(nullptr)](RunMonitor*) {
           return ReadSceneDrawing(path, scene);
         });

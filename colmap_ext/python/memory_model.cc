@@ -82,6 +82,8 @@ SparseModel MemoryModel::TakeModel(PixelCenters pixel_centers) {
 std::shared_ptr<OpenScene> OpenMemory(SparseModel model, const std::filesystem::path& image_dir,
                                       const PhotoStore& photos, const OptionTexts& options,
                                       RunMonitor* monitor) {
+  RefuseOptions("Scene", options,
+                {"workspace_path", "input_path", "image_path", "output_path", "model_index"});
   // The run options ask for one; it is not read.
   MadeWith made;
   made.given = Merged({{"workspace_path", "."}}, options);

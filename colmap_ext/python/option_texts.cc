@@ -1,8 +1,33 @@
 #include "colmap_ext/python/option_texts.h"
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
+namespace {
+
+// What a command would print, instead of running.
+constexpr std::string_view kHelpOptions[] = {"help", "help_all", "help_format"};
+constexpr std::string_view kNotInNames("=\0", 2);
+
+bool CanBeOption(const std::string& name) {
+  return !name.empty() && name.find_first_of(kNotInNames) == std::string::npos &&
+         std::ranges::find(kHelpOptions, name) == std::end(kHelpOptions);
+}
+
+}  // namespace
+
+void RefuseOptions(const std::string& function, const OptionTexts& options,
+                   std::initializer_list<const char*> unused) {
+  for (const char* name : unused) {
+    if (options.contains(name)) {
+      throw OptionError(function + ": option '" + name + "' has no use here");
+    }
+  }
+}
 
 OptionTexts Merged(OptionTexts texts, const OptionTexts& more) {
   for (const auto& [name, text] : more) texts[name] = text;
@@ -12,8 +37,9 @@ OptionTexts Merged(OptionTexts texts, const OptionTexts& more) {
 CommandLine::CommandLine(const std::string& command, const OptionTexts& options) {
   arguments_.push_back(command);
   for (const auto& [name, text] : options) {
-    if (name.empty() || name.find('=') != std::string::npos) {
-      throw OptionError("unknown option '" + name + "'");
+    if (!CanBeOption(name)) throw OptionError("unknown option '" + name + "'");
+    if (text.find('\0') != std::string::npos) {
+      throw OptionError(name + ": must be without zero bytes");
     }
     // A value in an argument of its own must not begin with a minus, one beside its name not be
     // empty.

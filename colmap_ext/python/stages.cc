@@ -55,6 +55,7 @@ constexpr const char* kOptionsOfSketch[] = {"EdgeDetection", "Linking",       "m
 MadeWith AddOptions(const MadeWith& made, const std::string& stage, const OptionGroups& groups,
                     const OptionTexts& own, std::span<const char* const> fixed,
                     const std::function<void(OptionParser*)>& add_more = {}) {
+  RefuseOptions(stage, own, {"output_path"});
   // Those of other stages are unknown to it.
   ParseTexts(stage, groups, Merged({{"workspace_path", "."}}, own), add_more);
   MadeWith added;
@@ -132,6 +133,7 @@ OptionTexts OptionsOfScene(const OptionTexts& options) {
   for (const auto& [name, text] : options) {
     if (parser->Knows(name)) of_scene[name] = text;
   }
+  of_scene.erase("output_path");
   return of_scene;
 }
 
@@ -158,6 +160,7 @@ OpenScene::OpenScene(const WorkspaceLayout& layout, MadeWith with, Console* cons
 }
 
 std::shared_ptr<OpenScene> OpenWorkspace(const OptionTexts& options, RunMonitor* monitor) {
+  RefuseOptions("open", options, {"output_path"});
   const RunOptions run = ParseTexts("open", OptionsOfAllStages(), options);
   LibraryConsole console(run.num_threads, monitor);
   return std::make_shared<OpenScene>(ResolveLayout(run.layout), MadeWith{options, run, {}},
@@ -276,6 +279,7 @@ std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDraw
   const std::vector<View>& views = judged.cameras ? judged.cameras->views : drawing->views;
   const DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, scene.images().read,
                                            run.pipeline, console.context(), ReportTo(&console));
+  scene.images().release();
   const std::string provenance = RefinementProvenance(run, drawing->metadata.options_json);
   auto refined = MakeDrawing(drawing->scene, std::move(made), graph, judged.cameras, provenance);
   SayTrust(MeasureTrust(scene.view_set(), refined->views, *curves, graph), HasBox(provenance),
@@ -292,6 +296,8 @@ std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawin
   if (drawing->scene->scene.layout().model_dir.empty()) {
     throw InputError("fuse: dense results belong to a project, not to a scene in memory");
   }
+  // What names the drawing, and of the files that drawing_fuser writes.
+  RefuseOptions("fuse", options, {"drawing_path", "sparse_spacing_px"});
   FuserOptions fuser;
   const MadeWith added =
       AddOptions(drawing->made, "fuse", {.dense = true}, options, kOptionsOfSketch,
@@ -336,10 +342,11 @@ std::shared_ptr<SceneDrawing> AlignSceneDrawing(std::shared_ptr<const SceneDrawi
   return aligned;
 }
 
-std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::string& path,
+std::shared_ptr<SceneDrawing> ReadSceneDrawing(const fs::path& path,
                                                std::shared_ptr<const OpenScene> scene) {
   auto drawing = std::make_shared<SceneDrawing>();
-  DrawingFile file = scene ? ReadDrawingOf(scene->scene, path) : ReadDrawing(path);
+  DrawingFile file =
+      scene ? ReadDrawingOf(scene->scene, path.string()) : ReadDrawing(path.string());
   drawing->graph = std::move(file.graph);
   drawing->metadata = std::move(file.metadata);
   if (!scene) return drawing;
@@ -352,6 +359,10 @@ std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::string& path,
 
 std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const OptionTexts& options,
                            RunMonitor* monitor) {
+  if (drawing) RefuseOptions("evaluate", options, {"input_path"});
+  if (drawing && drawing->scene) {
+    RefuseOptions("evaluate", options, {"workspace_path", "image_path", "model_index"});
+  }
   EvaluatorOptions evaluator;
   OptionParser parser("evaluate", "");
   evaluator.AddOptions(&parser);
@@ -375,6 +386,7 @@ std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const Op
 
 void ExportDrawing(std::shared_ptr<const SceneDrawing> drawing, const OptionTexts& options,
                    RunMonitor* monitor) {
+  if (drawing) RefuseOptions("export", options, {"input_path"});
   ExporterOptions exporter;
   OptionParser parser("export", "");
   exporter.AddOptions(&parser);
@@ -420,7 +432,7 @@ std::shared_ptr<SceneDrawing> DrawInFolder(const OptionTexts& options, RunMonito
       ParseTexts("draw", OptionsOfAllStages(), of_scene).pipeline.refinement.refine_poses;
   RunLog log = RunCommand("automatic_drawer", options, monitor);
   const fs::path folder = options.at("output_path");
-  auto drawing = ReadSceneDrawing((folder / "drawing.json").string(),
+  auto drawing = ReadSceneDrawing(folder / "drawing.json",
                                   moves_cameras ? nullptr : OpenWorkspace(of_scene, monitor));
   drawing->made.log = std::move(log);
   return drawing;

@@ -16,9 +16,11 @@
 
 namespace limn::colmap_ext {
 
-// The stages on a scene in memory. Nothing here writes into a workspace, but for ExportDrawing. A
-// result keeps what it was made of, with the options: those of a later stage are added to them, and
-// must not change what was made before (OptionError).
+// The stages on a scene in memory. Only ExportDrawing, SaveDrawing, EvaluateAsJson with options
+// that name its outputs, RunCommand and DrawInFolder write files. Options that a command has, but a
+// stage has no use for, such as its output_path, are refused (OptionError). A result keeps what it
+// was made of, with the options: those of a later stage are added to them, and must not change what
+// was made before (OptionError).
 
 // What a stage was made with.
 struct MadeWith {
@@ -106,7 +108,7 @@ std::shared_ptr<SceneDrawing> AlignSceneDrawing(std::shared_ptr<const SceneDrawi
                                                 const OptionTexts& options, RunMonitor* monitor);
 
 // A drawing.json; with its scene, if that is not null.
-std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::string& path,
+std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::filesystem::path& path,
                                                std::shared_ptr<const OpenScene> scene);
 
 // The report as JSON, as of drawing_evaluator: of a drawing, or of the file that the options name

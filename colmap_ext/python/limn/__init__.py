@@ -13,8 +13,8 @@ Units: px are pixels of the images as used (after max_image_size), and the cente
 coordinates in space are the model's.
 
 Long functions take `progress`, called as progress(stage, done, total) by the calling thread, at most 20 times a
-second. They release the interpreter's lock; Ctrl-C stops them within two seconds. Errors are limn.Error; the text is
-the line that the program would print.
+second. They release the interpreter's lock; in the main thread Ctrl-C stops them within two seconds. Errors are
+limn.Error; the text is the line that the program would print.
 """
 
 import json
@@ -51,10 +51,10 @@ def open(workspace: Path, *, progress: Progress = None, **options: Any) -> Scene
     Options are those of automatic_drawer on images (max_image_size, mask_path, model_index, ...), and any others: they
     become the defaults of the stages. Writes nothing.
     """
-    return _limn.open(texts_of({"workspace_path": workspace, **options}), progress)
+    return _limn.open(texts_of(options, workspace_path=workspace), progress)
 
 
-def _scene(source: Union[Path, Scene], options: dict[str, Any], progress: Progress) -> tuple[Scene, dict[str, str]]:
+def _scene(source: Union[Path, Scene], options: dict[str, Any], progress: Progress) -> tuple[Scene, dict[str, Any]]:
     """The scene, and the options that are left for its stage: a project is opened with all of them."""
     if isinstance(source, Scene):
         return source, texts_of(options)
@@ -83,10 +83,11 @@ def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = No
          **options: Any) -> Drawing:
     """The 3D drawing of a COLMAP project (as of automatic_drawer), of a scene, or of a sketch (as of curve_drawer).
 
-    Options are those of automatic_drawer: box, quality, max_image_size, Drawing and so on; for a scene or a sketch
-    those that come after it. Writes nothing, unless `output_path` names a folder: then a project is drawn as by the
-    command, which takes up a stopped run, and writes drawing.json, drawing.html, overlays and so on there. With
-    DrawingRefinement={"refine_poses": True} such a drawing has no cameras: they are in refined/.
+    Options are those of automatic_drawer on images and on the algorithms: box, quality, max_image_size, Drawing and so
+    on; for a scene or a sketch those that come after it. Writes nothing, unless `output_path` names a folder: then a
+    project is drawn as by the command, with those of its options, too, that are about files (overwrite, page, account,
+    align, truth_path, ...). It takes up a stopped run, and writes drawing.json, drawing.html, overlays and so on there.
+    With DrawingRefinement={"refine_poses": True} such a drawing has no cameras: they are in refined/.
     """
     if isinstance(source, Sketch):
         _no_output(output_path, "a sketch")
@@ -95,13 +96,13 @@ def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = No
         _no_output(output_path, "a scene")
     if isinstance(source, Scene) or output_path is None:
         return _limn.draw_scene(*_scene(source, options, progress), progress)
-    texts = texts_of({"workspace_path": source, "output_path": output_path, **options})
+    texts = texts_of(options, workspace_path=source, output_path=output_path)
     return _limn.draw_in_folder(texts, progress)
 
 
 def _no_output(output_path: Optional[Path], of: str) -> None:
     if output_path is not None:
-        raise OptionError(f"output_path = {os.fspath(output_path)}: the drawing of {of} is saved by Drawing.save()")
+        raise OptionError(f"output_path = {os.fsdecode(output_path)}: the drawing of {of} is saved by Drawing.save()")
 
 
 def refine(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
@@ -130,7 +131,11 @@ def align(drawing: Drawing, known_length: Union[str, Iterable[str]] = (), *, pro
     Positions stay the model's; save() stores the alignment, and export(..., aligned=True) applies it. Options:
     database_path. Writes nothing.
     """
-    return _limn.align(drawing, texts_of({"known_length": known_length or None, **options}), progress)
+    return _limn.align(drawing, texts_of(options, known_length=known_length or None), progress)
+
+
+def _drawing_or_path(drawing: Union[Path, Drawing]) -> tuple[Optional[Drawing], Optional[Path]]:
+    return (drawing, None) if isinstance(drawing, Drawing) else (None, drawing)
 
 
 def evaluate(drawing: Union[Path, Drawing], truth_path: Path, taus: Any, *, progress: Progress = None,
@@ -139,28 +144,24 @@ def evaluate(drawing: Union[Path, Drawing], truth_path: Path, taus: Any, *, prog
 
     `drawing` may be any file of curves. `taus` are distances in the model's unit, or in footprints (the size of a
     pixel there) with unit="footprint", which needs a scene or workspace_path. Returns the content of --output_json:
-    "rows" has a dictionary per tau with "precision", "recall", "f"; shares are 0 to 1, None where undefined.
+    "rows" has a dictionary per tau with "precision", "recall", "f"; shares are 0 to 1, None where undefined. Writes
+    nothing but what output_json and output_csv name.
     """
-    given = {"truth_path": truth_path, "taus": taus, **options}
-    if not isinstance(drawing, Drawing):
-        given["input_path"] = drawing
-    core = drawing if isinstance(drawing, Drawing) else None
-    report: dict[str, Any] = json.loads(_limn.evaluate(core, texts_of(given), progress))
+    core, path = _drawing_or_path(drawing)
+    texts = texts_of(options, input_path=path, truth_path=truth_path, taus=taus)
+    report: dict[str, Any] = json.loads(_limn.evaluate(core, texts, progress))
     return report
 
 
 def export(drawing: Union[Path, Drawing], output_path: Path, *, progress: Progress = None, **options: Any) -> None:
     """Writes a drawing for another program, as drawing_exporter does, with its options: scale, up_axis, unit, kinds..."""
-    given = {"output_path": output_path, **options}
-    if not isinstance(drawing, Drawing):
-        given["input_path"] = drawing
-    core = drawing if isinstance(drawing, Drawing) else None
-    _limn.export_drawing(core, texts_of(given), progress)
+    core, path = _drawing_or_path(drawing)
+    _limn.export_drawing(core, texts_of(options, input_path=path, output_path=output_path), progress)
 
 
 def read_drawing(path: Path, source: Union[None, Path, Scene] = None) -> Drawing:
     """Reads a drawing.json. With the scene or the project that it was drawn from it has cameras and tracks."""
-    return _limn.read_drawing(os.fspath(path), None if source is None else _scene(source, {}, None)[0])
+    return _limn.read_drawing(path, None if source is None else _scene(source, {}, None)[0])
 
 
 def run(command: str, *, progress: Progress = None, **options: Any) -> None:

@@ -1,6 +1,5 @@
 """Scenes from cameras and images in memory."""
 
-import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Optional
 
@@ -13,15 +12,34 @@ from limn.errors import InputError, OptionError
 _NO_POINT = np.iinfo(np.uint64).max
 
 
+def _by(shape: tuple[int, ...]) -> str:
+    return " x ".join(map(str, shape)) or "one number"
+
+
 def _per_image(name: str, values: Any, shape: tuple[int, ...], count: int) -> Any:
-    """count x shape; one value is that of all images."""
-    array = np.asarray(values, dtype=float)
+    """count x shape, or with a last dimension of 1 more; one value is that of all images."""
+    wanted = (count, *shape)
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: must be {_by(wanted)} numbers") from None
+    if array.shape == (*wanted, 1):
+        array = array[..., 0]
     if array.shape == shape:
-        array = np.broadcast_to(array, (count, *shape))
-    if array.shape != (count, *shape):
-        raise InputError(f"{name}: must be {' x '.join(map(str, (count, *shape)))}, not "
-                         f"{' x '.join(map(str, array.shape))}")
+        array = np.broadcast_to(array, wanted)
+    if array.shape != wanted:
+        raise InputError(f"{name}: must be {_by(wanted)}, not {_by(array.shape)}")
     return array
+
+
+def _pixels(name: str, image: Any) -> Any:
+    try:
+        pixels = np.asarray(image)
+    except ValueError:  # rows of different lengths
+        pixels = np.empty(0)
+    if pixels.ndim < 2:
+        raise InputError(f"image {name}: must be an array of H x W or H x W x 3")
+    return pixels
 
 
 def scene_from_arrays(images: Sequence[Any], K: Any, R: Any, t: Any, names: Optional[Sequence[str]] = None,
@@ -44,13 +62,10 @@ def scene_from_arrays(images: Sequence[Any], K: Any, R: Any, t: Any, names: Opti
         raise InputError(f"names: {len(names)} for {count} images")
     calibrations = _per_image("K", K, (3, 3), count)
     rotations = _per_image("R", R, (3, 3), count)
-    columns = np.asarray(t, dtype=float)
-    translations = _per_image("t", columns[..., 0] if columns.ndim == 3 else columns, (3,), count)
+    translations = _per_image("t", t, (3,), count)
     model = MemoryModel()
     for name, image, calibration, rotation, translation in zip(names, images, calibrations, rotations, translations):
-        pixels = np.asarray(image)
-        if pixels.ndim < 2:
-            raise InputError(f"image {name}: must be an array of H x W or H x W x 3")
+        pixels = _pixels(name, image)
         model.add_view(name, calibration, rotation, translation, pixels.shape[1], pixels.shape[0])
         model.add_photo(name, pixels)
     return model.open("", pixel_centers == "half", texts_of(options), progress)
@@ -116,8 +131,9 @@ def scene_from_reconstruction(reconstruction: Any, image_path: Any = None, image
         track = [(element.image_id, element.point2D_idx) for element in point.track.elements]
         color = [int(value) for value in point.color]
         model.add_point(point_id, point.xyz, color, float(point.error), track)
-    for name in names if images is not None else []:
-        if images is None or name not in images:
-            raise InputError(f"images: there is none of the name \"{name}\"")
-        model.add_photo(name, np.asarray(images[name]))
-    return model.open("" if image_path is None else os.fspath(image_path), False, texts_of(options), progress)
+    if images is not None:
+        for name in names:
+            if name not in images:
+                raise InputError(f"images: there is none of the name \"{name}\"")
+            model.add_photo(name, _pixels(name, images[name]))
+    return model.open("" if image_path is None else image_path, False, texts_of(options), progress)

@@ -1,7 +1,7 @@
 """Keyword arguments as options of the command line."""
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from numbers import Integral
 from typing import Any
 
@@ -29,18 +29,23 @@ def _text_of(name: str, value: Any) -> str:
         raise OptionError(f"{name} = {value!r}: must be a number, a text or a path") from None
 
 
-def texts_of(options: Mapping[str, Any]) -> dict[str, str]:
-    """Names and texts; {"Drawing": {"method": "paper"}} is {"Drawing.method": "paper"}. None is not given."""
-    texts: dict[str, str] = {}
-    for name, value in options.items():
+def _named_texts(options: Iterable[tuple[str, Any]]) -> Iterator[tuple[str, str]]:
+    for name, value in options:
         if isinstance(value, Mapping):
-            named = {f"{name}.{field}": text for field, text in texts_of(value).items()}
-        elif value is None:
-            continue
-        else:
-            named = {name: _text_of(name, value)}
-        for one, text in named.items():
-            if one in texts:
-                raise OptionError(f"option '{one}' is given twice")
-            texts[one] = text
+            yield from ((f"{name}.{field}", text) for field, text in _named_texts(value.items()))
+        elif value is not None:
+            yield name, _text_of(name, value)
+
+
+def texts_of(options: Mapping[str, Any], /, **fixed: Any) -> dict[str, Any]:
+    """Names and texts, as bytes, since paths may be no text; {"Drawing": {"method": "paper"}} is {"Drawing.method":
+    "paper"}. None is not given. `fixed` are options that have other names in the function, or none."""
+    texts: dict[str, Any] = {}
+    for name, text in _named_texts([*fixed.items(), *options.items()]):
+        if name in texts:
+            raise OptionError(f"option '{name}' is given twice")
+        try:
+            texts[name] = os.fsencode(text)
+        except UnicodeEncodeError:
+            raise OptionError(f"{name} = {ascii(text)}: cannot be encoded") from None
     return texts

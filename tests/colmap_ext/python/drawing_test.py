@@ -10,6 +10,7 @@ import tempfile
 import types
 import unittest
 import unittest.mock
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -270,6 +271,47 @@ class Drawings(unittest.TestCase):
         self.assertIn("surface", {link.dense_class for link in fused.links})
 
 
+    def test_options_without_use(self):
+        drawing, truth = self.drawing, scenes.SAMPLE / "truth/curves-visible.ply"
+        unknown = self.output / "unknown.json"
+        for function, arguments, unused in (
+                (limn.open, (scenes.DAY,), ["output_path"]),
+                (limn.extract_edges, (drawing.scene,), ["output_path"]),
+                (limn.link, (drawing.scene,), ["output_path"]),
+                (limn.refine, (drawing,), ["output_path"]),
+                (limn.fuse, (drawing,), ["output_path", "drawing_path", "sparse_spacing_px"]),
+                (limn.evaluate, (drawing, truth, 1), ["input_path", "workspace_path", "image_path", "model_index"]),
+                (limn.export, (drawing, unknown), ["input_path"])):
+            for name in unused:
+                text = f"^{function.__name__}: option '{name}' has no use here$"
+                with self.subTest(text=text), self.assertRaisesRegex(limn.OptionError, text):
+                    function(*arguments, **{name: 1})
+        self.assertFalse(unknown.exists())
+
+    def test_options_that_the_function_gives(self):
+        file, truth = self.output / "x.json", scenes.SAMPLE / "truth/curves-visible.ply"
+        for function, arguments, name in ((limn.open, (scenes.DAY,), "workspace_path"),
+                                          (limn.draw, (scenes.DAY,), "workspace_path"),
+                                          (partial(limn.draw, output_path=file), (scenes.DAY,), "workspace_path"),
+                                          (limn.evaluate, (file, truth, 1), "input_path"),
+                                          (limn.export, (file, file), "input_path")):
+            with self.assertRaisesRegex(limn.OptionError, f"^option '{name}' is given twice$"):
+                function(*arguments, **{name: "b"})
+
+    def test_paths_that_are_no_text(self):
+        folder = os.fsencode(self.output) + b"/\xff"
+        os.symlink(scenes.DAY, folder)
+        for path in (folder, os.fsdecode(folder)):
+            self.assertEqual(len(limn.open(path, **scenes.small_options())), scenes.NUM_IMAGES)
+        file = os.fsencode(self.output) + b"/\xff.json"
+        self.drawing.save(file)
+        for path in (file, os.fsdecode(file)):
+            self.assertEqual(len(limn.read_drawing(path).links), len(self.drawing.links))
+        for path in (b"/nowhere\xff\n", "/nowhere\udcff\n"):
+            with self.assertRaisesRegex(limn.IoError, "^/nowhere\udcff[?]: ."):
+                limn.read_drawing(path)
+
+
 class Errors(unittest.TestCase):
     def test_options(self):
         for options, text in (
@@ -278,6 +320,11 @@ class Errors(unittest.TestCase):
                 ({"Drawing": {"nonsense": 1}}, r"unrecognised option '--Drawing.nonsense=1'"),
                 ({"Drawing.method": "none"}, r"^Drawing.method: none: traced, merged or paper expected$"),
                 ({"a=b": 1}, r"^unknown option 'a=b'$"),
+                ({"help": True}, "^unknown option 'help'$"),
+                ({"help_all": True}, "^unknown option 'help_all'$"),
+                ({"help_format": "man"}, "^unknown option 'help_format'$"),
+                ({"mask_path": "a\0b"}, "^mask_path: must be without zero bytes$"),
+                ({"mask_path": "\ud800"}, r"^mask_path = '.ud800': cannot be encoded$"),
                 ({"Drawing": {"method": "paper"}, "Drawing.method": "ours"}, "^option 'Drawing.method' is given twice$"),
                 ({"box": [0, 1]}, r"^box = 2 numbers: must be six"),
                 ({"quality": object()}, r"^quality = <object.*: must be a number, a text or a path$")):

@@ -31,18 +31,22 @@ class Rotation:
 
 
 class Reconstruction:
-    """A stand-in for pycolmap.Reconstruction: reads the binary files of a model. In the form of pycolmap before 3.12
-    poses are attributes, later methods."""
+    """A stand-in for pycolmap.Reconstruction: reads the binary files of a model. `poses` are "qvec" and tvec in old
+    versions of pycolmap, then attributes, since 3.12 methods; models of cameras have "names", are "strings" or model_name."""
 
-    def __init__(self, folder, poses_are_methods=False, has_quat=True):
+    def __init__(self, folder, poses="attributes", has_quat=True, models="names"):
         self.cameras, self.images, self.points3D = {}, {}, {}
         with open(folder / "cameras.bin", "rb") as file:
             for _ in range(self._read(file, "<Q")[0]):
                 camera_id, model, width, height = self._read(file, "<iiQQ")
                 name, count = MODELS[model]
-                self.cameras[camera_id] = types.SimpleNamespace(
-                    model=types.SimpleNamespace(name=name), width=width, height=height,
-                    params=np.array(self._read(file, f"<{count}d")))
+                camera = types.SimpleNamespace(width=width, height=height,
+                                               params=np.array(self._read(file, f"<{count}d")))
+                if models == "model_name":
+                    camera.model_name = name
+                else:
+                    camera.model = name if models == "strings" else types.SimpleNamespace(name=name)
+                self.cameras[camera_id] = camera
         with open(folder / "images.bin", "rb") as file:
             for _ in range(self._read(file, "<Q")[0]):
                 image_id, *pose, camera_id = self._read(file, "<I7dI")
@@ -56,7 +60,10 @@ class Reconstruction:
                     points2D.append(types.SimpleNamespace(xy=np.array([x, y]), point3D_id=point_id,
                                                           has_point3D=lambda value=point_id: value != NO_POINT))
                 image = types.SimpleNamespace(name=name.decode(), camera_id=camera_id, points2D=points2D)
-                image.cam_from_world = (lambda value=transform: value) if poses_are_methods else transform
+                if poses == "qvec":
+                    image.qvec, image.tvec = np.array(pose[:4]), np.array(pose[4:])
+                else:
+                    image.cam_from_world = (lambda value=transform: value) if poses == "methods" else transform
                 self.images[image_id] = image
         with open(folder / "points3D.bin", "rb") as file:
             for _ in range(self._read(file, "<Q")[0]):
@@ -89,20 +96,50 @@ class Memory(unittest.TestCase):
         cls.images = {name: np.rint(whole.image(name)).astype(np.uint8) for name in whole.names}
 
     def test_reconstruction_with_files(self):
-        for methods in (False, True):
-            reconstruction = Reconstruction(scenes.DAY / "sparse", poses_are_methods=methods)
-            reconstruction.images[1000] = types.SimpleNamespace(name="lost.jpg", registered=False)
-            scene = limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images", **self.options)
-            self.assertEqual(scene.num_points, self.scene.num_points)
-            self.assertEqual(links_of(limn.draw(scene)), self.of_files)
+        reconstruction = Reconstruction(scenes.DAY / "sparse")
+        scene = limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images", **self.options)
+        self.assertEqual(links_of(limn.draw(scene)), self.of_files)
+
+    def test_forms_of_reconstructions(self):
+        for form in ({"poses": "methods"}, {"poses": "qvec"}, {"has_quat": False}, {"models": "strings"},
+                     {"models": "model_name"}):
+            for lost in ({"registered": False}, {"has_pose": False}, {"has_pose": lambda: False}):
+                with self.subTest(form=form, lost=lost):
+                    reconstruction = Reconstruction(scenes.DAY / "sparse", **form)
+                    reconstruction.images[1000] = types.SimpleNamespace(name="lost.jpg", **lost)
+                    scene = limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images", **self.options)
+                    self.assertEqual((scene.names, scene.num_points), (self.scene.names, self.scene.num_points))
+                    for one, other in zip(scene.cameras, self.scene.cameras):
+                        np.testing.assert_array_equal(one.K, other.K)
+                        np.testing.assert_allclose(one.R, other.R, rtol=0, atol=1e-15)
+                        np.testing.assert_array_equal(one.t, other.t)
+
+    def test_panoramas(self):
+        width, height = 512, 256
+        tiles = (np.arange(width) // 32 + np.arange(height)[:, None] // 32) % 2
+        image = (40 + 160 * tiles).astype(np.uint8)
+        reconstruction = types.SimpleNamespace(
+            cameras={1: types.SimpleNamespace(model_name="EQUIRECTANGULAR", width=width, height=height,
+                                              params=[width, height])},
+            images={1: types.SimpleNamespace(name="all.pgm", camera_id=1, qvec=[1, 0, 0, 0], tvec=[0, 0, 0])})
+        scene = limn.Scene.from_reconstruction(reconstruction, images={"all.pgm": image})
+        self.assertEqual(scene.names, [f"all.pgm.part{i:02d}" for i in range(12)])
+        edges = limn.extract_edges(scene)
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "all.pgm").write_bytes(b"P5 %d %d 255\n" % (width, height) + image.tobytes())
+            of_files = limn.Scene.from_reconstruction(reconstruction, folder)
+            for name, camera, other in zip(scene.names, scene.cameras, of_files.cameras):
+                self.assertTrue(camera.has_lens)
+                np.testing.assert_array_equal(camera.R, other.R)
+                np.testing.assert_array_equal(scene.image(name), of_files.image(name))
+                self.assertGreater(len(edges[name]), 100)
 
     def test_reconstruction_with_images_in_memory(self):
         reconstruction = Reconstruction(scenes.DAY / "sparse")
-        scene = limn.Scene.from_reconstruction(reconstruction, images=self.images, **self.options)
+        images = {name: image.copy() for name, image in self.images.items()}
+        scene = limn.Scene.from_reconstruction(reconstruction, images=images, **self.options)
+        images["view_02.jpg"][:] = 0  # it has copies
         self.assertTrue(np.array_equal(scene.image("view_02.jpg"), self.scene.image("view_02.jpg")))
-        self.images["view_02.jpg"][:] = 0  # it has copies
-        self.assertTrue(np.array_equal(scene.image("view_02.jpg"), self.scene.image("view_02.jpg")))
-        self.images["view_02.jpg"] = np.rint(limn.open(scenes.DAY).image("view_02.jpg")).astype(np.uint8)
         self.assertEqual(links_of(limn.draw(scene)), self.of_files)
 
     def test_arrays(self):
@@ -132,6 +169,10 @@ class Memory(unittest.TestCase):
         image, K, R, t = np.zeros((40, 60), np.uint8), np.diag([50, 50, 1]), np.eye(3), np.zeros(3)
         for arrays, text in ((([image], K, 2 * R, [t]), "arrays: image 0: "),
                              (([image], K, R, np.zeros((2, 3))), "^t: must be 1 x 3, not 2 x 3$"),
+                             (([image], K, R, 5), "^t: must be 1 x 3, not one number$"),
+                             (([image], [[50, 0, 1], [0, 50]], R, t), "^K: must be 1 x 3 x 3 numbers$"),
+                             (([image], K, "one", t), "^R: must be 1 x 3 x 3 numbers$"),
+                             (([[[1, 2], [3]]], K, R, t), "^image image-0000: must be an array of H x W or"),
                              (([image.astype(int)], K, R, [t]), "^image image-0000: values must be uint8, uint16 or"),
                              (([image + 2.0], K, R, [t]), "^image image-0000: floating-point values must be 0 to 1$"),
                              (([np.zeros((4, 5, 2), np.uint8)], K, R, [t]), "must be an array of H x W or H x W x 3$")):
@@ -142,6 +183,9 @@ class Memory(unittest.TestCase):
             limn.Scene.from_reconstruction(reconstruction, images={})
         with self.assertRaisesRegex(limn.OptionError, "either image_path or images must be given"):
             limn.Scene.from_reconstruction(reconstruction)
+        for name in ("workspace_path", "input_path", "output_path", "model_index"):
+            with self.assertRaisesRegex(limn.OptionError, f"^Scene: option '{name}' has no use here$"):
+                limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images", **{name: 0})
         next(iter(reconstruction.cameras.values())).model.name = "MAGIC"
         with self.assertRaisesRegex(limn.InputError, "unknown camera model 'MAGIC'"):
             limn.Scene.from_reconstruction(reconstruction, scenes.DAY / "images")

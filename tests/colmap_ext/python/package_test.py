@@ -5,17 +5,29 @@ Argument: the build tree, whose libraries the wheel takes.
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 from pathlib import Path
 
 import scenes
 
 BUILD = Path(sys.argv.pop(1)).resolve()
-PACKAGE = Path(__file__).resolve().parents[3] / "colmap_ext/python"
+ROOT = Path(__file__).resolve().parents[3]
+PACKAGE = ROOT / "colmap_ext/python"
+
+# In place of CMake: it configures, but has the package of the build tree instead of hours of building.
+CMAKE = """#!/bin/sh
+set -e
+[ "$1" = --build ] || exec {cmake} "$@"
+{cmake} --build "$2" "$3" "$4" -- -n > /dev/null
+mkdir -p "$2/python"
+cp -r {build}/python/limn "$2/python"
+"""
 
 
 def run(*command, **options):
@@ -35,8 +47,10 @@ class Package(unittest.TestCase):
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
         cls.environment = {**environment, "LIMN_BUILD_DIR": str(BUILD), "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
         before = set(PACKAGE.rglob("*"))
-        run(sys.executable, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w", cls.folder,
-            PACKAGE, env=cls.environment)
+        # As the documentation says, without a network.
+        (command,) = re.findall(r"`pip (wheel .*?)`", (ROOT / "colmap_ext/README.md").read_text(encoding="utf-8"))
+        run(sys.executable, "-m", "pip", *command.split(), "-w", cls.folder, cwd=ROOT,
+            env={**cls.environment, "PIP_NO_INDEX": "1"})
         cls.left = set(PACKAGE.rglob("*")) - before
         run(sys.executable, "-m", "venv", "--system-site-packages", cls.folder / "venv")
         cls.python = cls.folder / "venv/bin/python"
@@ -59,6 +73,29 @@ class Package(unittest.TestCase):
         for name in ("drawing.json", "drawing.glb", "drawing.dxf"):
             self.assertTrue((self.folder / "out" / name).exists(), name)
         self.assertIn("median standard deviation", self.python_says(PACKAGE / "examples/from_memory.py", scenes.DAY))
+
+    def test_is_configured_without_a_build_tree(self):
+        source, tools = self.folder / "source", self.folder / "tools"
+        for name in ("src", "colmap_ext", "scripts"):
+            shutil.copytree(ROOT / name, source / name)
+        for name in ("CMakeLists.txt", "LICENSE"):
+            shutil.copy(ROOT / name, source)
+        tools.mkdir()
+        (tools / "cmake").write_text(CMAKE.format(cmake=shutil.which("cmake"), build=BUILD), encoding="utf-8")
+        (tools / "cmake").chmod(0o755)
+        environment = {**self.environment, "PATH": f"{tools}:{os.environ['PATH']}",
+                       "LIMN_CMAKE_ARGS": "-DLIMN_WITH_STEP=OFF -DLIMN_WITH_MPI=OFF"}
+        del environment["LIMN_BUILD_DIR"]
+        run(sys.executable, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--no-index",
+            "-w", self.folder / "configured", source / "colmap_ext/python", env=environment)
+        (wheel,) = (self.folder / "configured").glob("limn-*.whl")
+        with zipfile.ZipFile(wheel) as files:
+            self.assertIn("limn/_limn.pyi", files.namelist())
+        cache = (source / "build/wheel/CMakeCache.txt").read_text(encoding="utf-8")
+        for setting in ("BUILD_SHARED_LIBS:BOOL=OFF", "CMAKE_BUILD_TYPE:STRING=Release", "LIMN_BUILD_TESTS:BOOL=OFF",
+                        "LIMN_WITH_PYTHON:BOOL=ON", "LIMN_WITH_STEP:BOOL=OFF", "LIMN_WITH_MPI:BOOL=OFF"):
+            self.assertIn(f"\n{setting}\n", cache)
+        self.assertRegex(cache, rf"\nPython_EXECUTABLE:\w+={re.escape(sys.executable)}\n")
 
     def test_types(self):
         if not shutil.which("mypy"):
