@@ -13,6 +13,8 @@ constexpr Command kCommands[] = {
     {"curve_sketcher", RunCurveSketcher, "reconstruct a sketch: unconnected 3D curves"},
     {"curve_drawer", RunCurveDrawer, "make the drawing from a stored sketch"},
     {"drawing_refiner", RunDrawingRefiner, "fit a stored drawing to all images"},
+    {"drawing_regularizer", RunDrawingRegularizer,
+     "make a stored drawing regular: right angles, planes"},
     {"drawing_aligner", RunDrawingAligner, "find up, axes and scale of a stored drawing"},
     {"drawing_fuser", RunDrawingFuser, "compare a drawing with dense results and combine the two"},
     {"drawing_exporter", RunDrawingExporter, "write a drawing for CAD, Blender or as a graph"},

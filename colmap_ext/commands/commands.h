@@ -18,6 +18,7 @@ int RunDrawingAligner(int argc, const char* const* argv, const ConsoleMaker& mak
 int RunDrawingEvaluator(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingExporter(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunDrawingRegularizer(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingFuser(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingViewer(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunEdgeExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console);

@@ -160,6 +160,8 @@ std::string DrawingProvenance(const RunOptions& options, const std::string& sket
   json["DrawingRefinement"] = nullptr;
   json["Belief"] = nullptr;
   json["Primitives"] = nullptr;
+  json["regularize"] = nullptr;
+  json["Regularity"] = nullptr;
   return json.dump();
 }
 
@@ -169,6 +171,15 @@ std::string RefinementProvenance(const RunOptions& options, const std::string& d
   json["DrawingRefinement"] = now["DrawingRefinement"];
   json["Belief"] = now["Belief"];
   json["Primitives"] = now["Primitives"];
+  json["regularize"] = now["regularize"];
+  json["Regularity"] = now["Regularity"];
+  return json.dump();
+}
+
+std::string RegularityProvenance(const RunOptions& options, const std::string& drawing_provenance) {
+  Json json = Json::parse(drawing_provenance);
+  json["regularize"] = true;
+  json["Regularity"] = Json::parse(OptionsAsJson(options.pipeline))["Regularity"];
   return json.dump();
 }
 
@@ -198,6 +209,13 @@ DrawingMetadata Metadata(const Scene& scene, const std::string& provenance) {
   for (const View& view : scene.views()) metadata.view_names.push_back(view.name);
   metadata.options_json = provenance;
   return metadata;
+}
+
+void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Console* console) {
+  char text[120];
+  std::snprintf(text, sizeof(text), "; %d ends moved, %.2f px (median; at most %.2f)",
+                moves.num_ends, moves.median_px, moves.max_px);
+  console->Say("regularities: " + DescribeRegularities(graph) + text);
 }
 
 DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path) {

@@ -11,6 +11,7 @@
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/pipeline/pipeline.h"
+#include "limn/regularity/regularize.h"
 
 namespace limn::colmap_ext {
 
@@ -24,6 +25,9 @@ std::string DrawingProvenance(const RunOptions& options, const std::string& sket
 
 // Provenance of a refinement, with `options`, of a drawing with provenance `drawing_provenance`.
 std::string RefinementProvenance(const RunOptions& options, const std::string& drawing_provenance);
+
+// Provenance of a drawing that was made regular, with `options`.
+std::string RegularityProvenance(const RunOptions& options, const std::string& drawing_provenance);
 
 // Whether what has this provenance was made in a box.
 bool HasBox(const std::string& provenance);
@@ -67,6 +71,9 @@ DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path);
 
 // The same; the returned graph is relative to the scene's origin.
 DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path);
+
+// Says what is regular in a drawing, and how far ends of links moved for it.
+void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Console* console);
 
 // The names of the scene's views, and the provenance of what was made of them.
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);

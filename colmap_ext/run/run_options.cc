@@ -81,6 +81,14 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
   if (groups.refinement) AddGroup("DrawingRefinement", &pipeline.refinement, parser);
   if (groups.refinement) AddGroup("Belief", &pipeline.belief, parser);
   if (groups.refinement) AddGroup("Primitives", &pipeline.primitives, parser);
+  if (groups.refinement) {
+    parser->AddOption("regularize", &pipeline.regularize,
+                      BasicOption("make directions, planes and circles regular where the images "
+                                  "allow it"));
+  }
+  if (groups.refinement || groups.regularities) {
+    AddGroup("Regularity", &pipeline.regularity, parser);
+  }
   if (groups.tiles) AddGroup("Tiles", &pipeline.tiles, parser);
   if (groups.dense) AddGroup("DenseFusion", &options->dense, parser);
 }

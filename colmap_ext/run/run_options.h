@@ -56,6 +56,7 @@ struct OptionGroups {
   bool sketch = false;
   bool drawing = false;
   bool refinement = false;
+  bool regularities = false;
   bool dense = false;
   bool tiles = false;
   // Has --shard.

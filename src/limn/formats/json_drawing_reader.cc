@@ -127,6 +127,43 @@ LinkPrimitive ToPrimitive(const Json& json) {
   return primitive;
 }
 
+LinkRegularity ToLinkRegularity(const Json& json) {
+  const auto index = [&](const char* name) {
+    return json.contains(name) ? IntFromJson(json.at(name)) : -1;
+  };
+  LinkRegularity regularity;
+  regularity.direction = index("direction");
+  regularity.radius = index("radius");
+  regularity.axis = index("axis");
+  for (const Json& plane : json.value("planes", Json::array())) {
+    regularity.planes.push_back(IntFromJson(plane));
+  }
+  return regularity;
+}
+
+Regularities ToRegularities(const Json& json) {
+  Regularities regularities;
+  for (const Json& of : json.at("directions")) {
+    regularities.directions.push_back({ToPoint(of.at("direction")), {}});
+    for (const Json& other : of.at("orthogonal_to")) {
+      regularities.directions.back().orthogonal_to.push_back(IntFromJson(other));
+    }
+  }
+  for (const Json& of : json.at("planes")) {
+    const int normal =
+        of.contains("normal_direction") ? IntFromJson(of.at("normal_direction")) : -1;
+    regularities.planes.push_back(
+        {ToPoint(of.at("normal")), of.at("offset").get<double>(), normal});
+  }
+  regularities.radii = json.at("radii").get<std::vector<double>>();
+  for (const Json& of : json.at("axes")) {
+    regularities.axes.push_back({ToPoint(of.at("point")), ToPoint(of.at("direction"))});
+  }
+  const std::string broken = Validate(regularities);
+  if (!broken.empty()) throw InputError("\"regularities\": " + broken);
+  return regularities;
+}
+
 // Drawings of earlier versions have no kinds.
 LinkKind ToKind(const std::string& name) {
   const std::optional<LinkKind> kind = LinkKindNamed(name);
@@ -152,6 +189,7 @@ DrawingLink ToLink(const Json& json, const std::map<std::string, ViewId>& view_i
   link.doubt = ToDoubt(json.value("doubt", ""));
   if (json.contains("dense")) link.dense = ToDense(json.at("dense"));
   if (json.contains("primitive")) link.primitive = ToPrimitive(json.at("primitive"));
+  if (json.contains("regularity")) link.regularity = ToLinkRegularity(json.at("regularity"));
   for (const Json& point : json.at("points")) link.points_in_world.push_back(ToPoint(point));
   for (const Json& sigma : json.at("sigma")) {
     // JSON has no infinity: unknown is null.
@@ -192,6 +230,9 @@ DrawingFile ToDrawingFile(const Json& json) {
   file.metadata.options_json = json.at("options").dump();
   if (json.contains("world_from_model")) {
     file.metadata.alignment = ToAlignment(json.at("world_from_model"));
+  }
+  if (json.contains("regularities")) {
+    file.graph.regularities = ToRegularities(json.at("regularities"));
   }
   for (const Json& node : json.at("nodes")) file.graph.nodes.push_back(ToNode(node));
   for (const Json& link : json.at("links")) file.graph.links.push_back(ToLink(link, view_ids));

@@ -78,6 +78,34 @@ Json ToJson(const LinkPrimitive& primitive) {
   return json;
 }
 
+Json ToJson(const LinkRegularity& regularity) {
+  Json json = Json::object();
+  if (regularity.direction >= 0) json["direction"] = regularity.direction;
+  if (!regularity.planes.empty()) json["planes"] = regularity.planes;
+  if (regularity.radius >= 0) json["radius"] = regularity.radius;
+  if (regularity.axis >= 0) json["axis"] = regularity.axis;
+  return json;
+}
+
+Json ToJson(const Regularities& regularities) {
+  Json directions = Json::array(), planes = Json::array(), axes = Json::array();
+  for (const CommonDirection& of : regularities.directions) {
+    directions.push_back(
+        {{"direction", ToJson(of.direction)}, {"orthogonal_to", of.orthogonal_to}});
+  }
+  for (const CommonPlane& of : regularities.planes) {
+    planes.push_back({{"normal", ToJson(of.normal)}, {"offset", of.offset}});
+    if (of.normal_direction >= 0) planes.back()["normal_direction"] = of.normal_direction;
+  }
+  for (const CommonAxis& of : regularities.axes) {
+    axes.push_back({{"point", ToJson(of.point)}, {"direction", ToJson(of.direction)}});
+  }
+  return {{"directions", directions},
+          {"planes", planes},
+          {"radii", regularities.radii},
+          {"axes", axes}};
+}
+
 Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& view_names) {
   Json json = {{"id", id},
                {"node0", link.node0},
@@ -91,6 +119,7 @@ Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& 
   if (link.doubt != LinkDoubt::kNone) json["doubt"] = LinkDoubtName(link.doubt);
   if (link.dense) json["dense"] = ToJson(*link.dense);
   if (link.primitive) json["primitive"] = ToJson(*link.primitive);
+  if (link.regularity) json["regularity"] = ToJson(*link.regularity);
   json["supporting_views"] = Json::array();
   for (const ViewId view : link.supporting_views) {
     if (view < 0 || view >= static_cast<ViewId>(view_names.size())) {
@@ -138,6 +167,9 @@ void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata
       << ",\n\"options\": " << ParseOptions(metadata.options_json).dump() << ",\n";
   if (metadata.alignment) {
     out << "\"world_from_model\": " << ToJson(*metadata.alignment).dump() << ",\n";
+  }
+  if (!graph.regularities.IsEmpty()) {
+    out << "\"regularities\": " << ToJson(graph.regularities).dump() << ",\n";
   }
   PutList(
       "nodes", graph.nodes, [](const DrawingNode& node, size_t id) { return ToJson(node, id); },

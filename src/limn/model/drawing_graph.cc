@@ -65,6 +65,10 @@ void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
     const std::string broken = ValidateShape(link.primitive->shape);
     if (!broken.empty()) violations->Add("link", id, "primitive: " + broken);
   }
+  if (link.regularity) {
+    const std::string broken = Validate(*link.regularity, graph.regularities);
+    if (!broken.empty()) violations->Add("link", id, broken);
+  }
   if (link.closed && link.node0 != link.node1) {
     violations->Add("link", id, "closed, but with two nodes");
   }

@@ -10,6 +10,7 @@
 
 #include "limn/geometry/curve_shape.h"
 #include "limn/model/curve3d.h"
+#include "limn/model/regularities.h"
 
 namespace limn {
 
@@ -158,6 +159,8 @@ struct DrawingLink {
   std::optional<LinkDense> dense = std::nullopt;
   // The same curve as the points; absent in drawings of earlier versions.
   std::optional<LinkPrimitive> primitive = std::nullopt;
+  // What its primitive has in common with others (limn/regularity/).
+  std::optional<LinkRegularity> regularity = std::nullopt;
 
   int size() const { return static_cast<int>(points_in_world.size()); }
   NodeId NodeAt(int end) const { return end == 0 ? node0 : node1; }
@@ -167,12 +170,13 @@ struct DrawingLink {
 struct DrawingGraph {
   std::vector<DrawingNode> nodes;
   std::vector<DrawingLink> links;
+  Regularities regularities = {};
 };
 
 // Descriptions of violated invariants, empty if there are none: ids in range, incidence symmetric,
 // link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
 // zero length, one sigma (and one vertex, if there are any) per point, primitives that
-// ValidateShape accepts, confidences of kinds from 0 to 1, doubts of tentative links only,
+// ValidateShape accepts, regularities that there are, confidences of kinds from 0 to 1, doubts of tentative links only,
 // junction <=> degree >= 3, loop anchors with exactly the two ends of one closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 

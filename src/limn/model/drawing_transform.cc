@@ -25,6 +25,7 @@ DrawingGraph Transformed(DrawingGraph graph, double scale, const Eigen::Matrix3d
       link.primitive->shape = Transformed(link.primitive->shape, scale, rotation, translation);
     }
   }
+  graph.regularities = Transformed(std::move(graph.regularities), {scale, rotation, translation});
   return graph;
 }
 

@@ -196,6 +196,17 @@ void VisitFields(PrimitiveOptions& o, Visit&& visit) {
 }
 
 template <typename Visit>
+void VisitFields(RegularityOptions& o, Visit&& visit) {
+  visit("max_shift_px", o.max_shift_px,
+        "ends of a link move by at most this to follow a regularity, px");
+  visit("max_growth_px", o.max_growth_px,
+        "a link's residual grows by at most this, RMS over the views, px");
+  visit("min_length_px", o.min_length_px, "shorter links follow none, px");
+  visit("noise_px", o.noise_px, "standard deviation of drawn curves, px");
+  visit("correlation_px", o.correlation_px, "correlation length of their errors, px");
+}
+
+template <typename Visit>
 void VisitFields(TileOptions& o, Visit&& visit) {
   visit("max_views", o.max_views,
         "larger scenes are drawn in tiles of at most this many views, 0 = never");
@@ -230,6 +241,7 @@ void VisitGroups(PipelineOptions& options, Visit&& visit) {
   visit("DrawingRefinement", options.refinement);
   visit("Belief", options.belief);
   visit("Primitives", options.primitives);
+  visit("Regularity", options.regularity);
   visit("Tiles", options.tiles);
 }
 

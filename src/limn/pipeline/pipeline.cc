@@ -5,6 +5,7 @@
 #include "limn/belief/link_judge.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/pipeline/sketch_views.h"
+#include "limn/regularity/regularize.h"
 
 namespace limn {
 
@@ -53,8 +54,14 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
   if (options.drawing.IsPaper()) return graph;
   PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
   on_stage_end(primitives.summary);
-  if (!read_image) return std::move(primitives.graph);
-  KindsResult kinds = ClassifyKinds({views, read_image, primitives.graph}, context);
+  graph = std::move(primitives.graph);
+  if (options.regularize) {
+    RegularityResult regular = Regularize(graph, views, options.regularity, context);
+    on_stage_end(regular.summary);
+    graph = std::move(regular.graph);
+  }
+  if (!read_image) return graph;
+  KindsResult kinds = ClassifyKinds({views, read_image, graph}, context);
   on_stage_end(kinds.summary);
   return std::move(kinds.graph);
 }

@@ -78,7 +78,7 @@ const char* SketchModeName(SketchMode mode) {
 
 std::string OptionsAsJson(const PipelineOptions& options) {
   PipelineOptions copy = options;
-  Json json = {{"mode", SketchModeName(options.mode)}};
+  Json json = {{"mode", SketchModeName(options.mode)}, {"regularize", options.regularize}};
   VisitGroups(copy,
               [&](const char* group, const auto& fields) { json[group] = FieldsAsJson(fields); });
   return json.dump();

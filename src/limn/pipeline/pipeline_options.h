@@ -10,6 +10,7 @@
 #include "limn/linking/linking.h"
 #include "limn/primitives/primitive_options.h"
 #include "limn/refinement/refinement_options.h"
+#include "limn/regularity/regularity_options.h"
 #include "limn/sketch/sketch.h"
 #include "limn/tiles/tile_options.h"
 #include "limn/util/errors.h"
@@ -26,6 +27,9 @@ struct PipelineOptions {
   RefinementOptions refinement;
   BeliefOptions belief;
   PrimitiveOptions primitives;
+  // Make the drawing regular, by these options.
+  bool regularize = false;
+  RegularityOptions regularity;
   TileOptions tiles;
 
   // Throws OptionError with group and option.
@@ -62,7 +66,8 @@ void SetPaperDefaults(PipelineOptions* options);
 
 const char* SketchModeName(SketchMode mode);
 
-// All options as the text of a JSON object {"mode": name, group: {name: value}}, for provenance.
+// All options as the text of a JSON object {"mode": name, "regularize": bool, group: {name: value}},
+// for provenance.
 std::string OptionsAsJson(const PipelineOptions& options);
 
 // The same of one group: {name: value}.

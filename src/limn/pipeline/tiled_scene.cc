@@ -40,6 +40,8 @@ std::string TileKey(const SceneSubset& scene, const std::vector<ImageCurves>& cu
                     const RunContext& context) {
   // What comes after the tiles, and what views and reach tell already.
   options.primitives = {};
+  options.regularize = false;
+  options.regularity = {};
   options.tiles = {};
   return "tile, version " + std::to_string(kTileVersion) + "." + std::to_string(kSketchVersion) +
          "\n" + OptionsAsJson(options) + "\nhints " + HintsKey(scene.hints) + "\nbox " +

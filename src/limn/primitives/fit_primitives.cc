@@ -173,6 +173,7 @@ PrimitiveResult FitPrimitives(const DrawingGraph& graph, const std::vector<View>
   options.Check();
   PrimitiveResult result;
   result.graph = graph;
+  result.graph.regularities = {};
   std::vector<Fit> fits = SampleLinks(graph, views, options, context);
   // Fit freely first: the shapes tell where the curves meet.
   const std::vector<EndConditions> ends = EndsOfLinks(graph);
@@ -188,6 +189,7 @@ PrimitiveResult FitPrimitives(const DrawingGraph& graph, const std::vector<View>
   for (size_t l = 0; l < fits.size(); ++l) {
     auto& primitive = result.graph.links[l].primitive;
     primitive.reset();
+    result.graph.links[l].regularity.reset();
     if (!fits[l].fitted || !ValidateShape(fits[l].fitted->shape).empty()) continue;
     primitive = {fits[l].fitted->shape, fits[l].fitted->rms_px, fits[l].fitted->max_px};
   }

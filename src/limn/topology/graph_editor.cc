@@ -58,6 +58,7 @@ void AppendFrom(size_t begin, std::vector<T>* more, std::vector<T>* to) {
 // To be called when the shape of a link has changed.
 void ForgetShape(DrawingLink* link) {
   link->primitive.reset();
+  link->regularity.reset();
   link->dense.reset();
 }
 

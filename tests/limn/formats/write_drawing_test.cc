@@ -126,6 +126,51 @@ TEST(WriteDrawing, JsonKeepsThePrimitives) {
   }
 }
 
+TEST(WriteDrawing, JsonKeepsTheRegularities) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  graph.regularities = {{{{1, 0, 0}, {1}}, {{0, 0.6, 0.8}, {0}}},
+                        {{{0, 0, 1}, 1.0 / 3, -1}, {{0, 0.6, 0.8}, -2, 1}},
+                        {0.125, 3},
+                        {{{1, 2, 3}, {0, 1, 0}}}};
+  graph.links[0].regularity = LinkRegularity{.direction = 1, .planes = {0, 1}};
+  graph.links[2].regularity = LinkRegularity{.radius = 1, .axis = 0};
+  const std::string path = folder.Path("d.json");
+  WriteDrawing(path, graph, SmallMetadata());
+  const DrawingFile file = ReadDrawingJson(path);
+  const Regularities& back = file.graph.regularities;
+  ASSERT_EQ(back.directions.size(), 2u);
+  EXPECT_EQ(back.directions[1].direction, graph.regularities.directions[1].direction);
+  EXPECT_EQ(back.directions[1].orthogonal_to, std::vector<int>{0});
+  ASSERT_EQ(back.planes.size(), 2u);
+  EXPECT_EQ(back.planes[0].offset, 1.0 / 3);
+  EXPECT_EQ(back.planes[0].normal_direction, -1);
+  EXPECT_EQ(back.planes[1].normal_direction, 1);
+  EXPECT_EQ(back.radii, graph.regularities.radii);
+  ASSERT_EQ(back.axes.size(), 1u);
+  EXPECT_EQ(back.axes[0].point, graph.regularities.axes[0].point);
+  ASSERT_TRUE(file.graph.links[0].regularity && file.graph.links[2].regularity);
+  EXPECT_EQ(file.graph.links[0].regularity->planes, (std::vector<int>{0, 1}));
+  EXPECT_EQ(file.graph.links[0].regularity->direction, 1);
+  EXPECT_EQ(file.graph.links[2].regularity->axis, 0);
+  EXPECT_FALSE(file.graph.links[1].regularity);
+  WriteDrawing(folder.Path("again.json"), file.graph, file.metadata);
+  const std::string text = TemporaryFolder::Read(path);
+  EXPECT_EQ(text, TemporaryFolder::Read(folder.Path("again.json")));
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"\"radii\":[0.125", "\"radii\":[-0.125"},
+        {"\"orthogonal_to\":[1]", "\"orthogonal_to\":[2]"},
+        {"\"normal_direction\":1", "\"normal_direction\":7"},
+        {"\"normal\":[0.0,0.0,1.0]", "\"normal\":[0.0,0.0,1.1]"},
+        {"\"planes\":[0,1]", "\"planes\":[0,2]"},
+        {"\"axis\":0", "\"axis\":1"}}) {
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    const std::string bad = std::string(text).replace(at, from.size(), to);
+    EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", bad)), IoError) << from;
+  }
+}
+
 TEST(WriteDrawing, JsonKeepsTheKinds) {
   const TemporaryFolder folder;
   DrawingGraph graph = SmallDrawing();

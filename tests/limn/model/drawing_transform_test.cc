@@ -56,6 +56,22 @@ TEST(TransformedDrawing, MovesGraphAndPrimitivesAlike) {
   }
 }
 
+TEST(TransformedDrawing, RegularitiesMoveAlong) {
+  DrawingGraph graph;
+  const Eigen::Vector3d on_plane(1, 2, 3), normal = Eigen::Vector3d(1, 1, 0).normalized();
+  graph.regularities = {
+      {{normal, {}}}, {{normal, normal.dot(on_plane), 0}}, {2}, {{on_plane, normal}}};
+  const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(2, 1, 1).normalized()).toRotationMatrix();
+  const Eigen::Vector3d translation(5, -7, 10);
+  const Regularities moved = Transformed(graph, 2.5, rotation, translation).regularities;
+  const Eigen::Vector3d place = 2.5 * (rotation * on_plane) + translation;
+  EXPECT_LT((moved.directions[0].direction - rotation * normal).norm(), 1e-12);
+  EXPECT_NEAR(moved.planes[0].normal.dot(place), moved.planes[0].offset, 1e-12);
+  EXPECT_EQ(moved.radii[0], 5);
+  EXPECT_LT((moved.axes[0].point - place).norm(), 1e-12);
+}
+
 TEST(TransformedDrawing, AnAxisChangeLosesNoBit) {
   const DrawingGraph graph = PrimitiveDrawing();
   const DrawingGraph there =

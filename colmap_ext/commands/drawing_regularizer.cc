@@ -1,0 +1,43 @@
+#include "colmap_ext/commands/commands.h"
+#include "colmap_ext/run/drawing_input.h"
+#include "colmap_ext/run/project.h"
+#include "colmap_ext/run/results.h"
+#include "colmap_ext/run/run_options.h"
+#include "limn/regularity/regularize.h"
+
+namespace limn::colmap_ext {
+
+int RunDrawingRegularizer(int argc, const char* const* argv, const ConsoleMaker& make_console) {
+  RunOptions options;
+  std::string drawing_path;
+  const auto parser = ParseRunOptions(
+      "drawing_regularizer", "make a stored drawing regular: parallel, at right angles, in planes",
+      {.regularities = true, .overwrites = true}, argc, argv, &options, [&](OptionParser* more) {
+        more->AddOption("drawing_path", &drawing_path,
+                        BasicOption("drawing.json to start from, instead of the one in the "
+                                    "output folder"));
+      });
+  if (!parser) return 0;
+  const auto console = make_console(options.num_threads, /*speaks=*/true);
+  const Project project(options, console.get());
+  CheckDrawingFiles(project, options);
+  const bool in_place = drawing_path.empty();
+  if (in_place) {
+    drawing_path =
+        FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kUnfused, "drawing_path");
+  }
+  const DrawingFile given = ReadDrawingResult(project, drawing_path);
+  const std::string provenance = RegularityProvenance(options, given.metadata.options_json);
+  if (!in_place) CheckReplaceable(project, options, "drawing.json", provenance);
+  const RegularityResult result =
+      Regularize(given.graph, project.views(), options.pipeline.regularity, console->context());
+  console->Report(result.summary);
+  CheckGraph(result.graph);
+  SayRegularities(result.graph, result.moves, console.get());
+  WriteDrawingResults(project, project.views(), result.graph, provenance, given.metadata.alignment,
+                      console.get());
+  console->RepeatWarnings();
+  return 0;
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limn/model/drawing_graph.h"
+#include "limn/primitives/link_samples.h"
+
+namespace limn {
+
+// New shapes of some links, world units; the ends of several at one node coincide.
+using NewShapes = std::vector<std::optional<CurveShape>>;
+
+// Distances of a link's samples from a shape, px: root mean square, and the largest of those that
+// are not near a node.
+struct ShapeResidual {
+  double rms_px = 0;
+  double max_px = 0;
+};
+ShapeResidual ResidualOf(const CurveShape& shape, const LinkSamples& link);
+
+// Gives links their new shapes, and moves nodes, points and the shapes of other links along.
+// `samples` are per link.
+void ApplyShapes(const NewShapes& shapes, const std::vector<LinkSamples>& samples,
+                 DrawingGraph* graph);
+
+// How far the ends of links with new shapes move, as their images see it, px; only those that do.
+std::vector<double> MovesPx(const DrawingGraph& before, const NewShapes& shapes,
+                            const std::vector<LinkSamples>& samples);
+
+}  // namespace limn

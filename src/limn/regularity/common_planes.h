@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/model/drawing_graph.h"
+#include "limn/regularity/parallel_lines.h"
+
+namespace limn {
+
+// A plane that several lines and arcs lie in: normal . x = offset, local units.
+struct PlaneClass {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  double offset = 0;
+  std::vector<int> lines;  // indices of evidence, ascending
+  std::vector<int> arcs;
+  int normal_class = -1;  // class of directions that is the normal, -1: none
+};
+
+// The planes that lines and arcs share (ours). Hypotheses are the planes of arcs, of two lines that
+// meet at a node and of parallel neighbors. A line or arc is in a plane if that takes less to tell
+// than where it is off the plane, and moves it by no more than max_shift_px; a plane stays if it
+// saves more than it takes itself, is held by three lines or arcs of two directions, and is not
+// nearly one that saves more. A line may be in several. Time: hypotheses, about seven per line,
+// times lines.
+std::vector<PlaneClass> FindCommonPlanes(const DrawingGraph& graph, const DrawingEvidence& evidence,
+                                         const std::vector<DirectionClass>& directions,
+                                         const RegularityOptions& options,
+                                         const RunContext& context);
+
+}  // namespace limn
