@@ -106,6 +106,7 @@ TEST_F(WorkspaceDrawing, MissingItIsNamedByEveryCommand) {
   expect_refused("drawing_evaluator", {"--truth_path", Path("a.obj"), "--taus", "1"}, both,
                  "input_path");
   expect_refused("drawing_viewer", {}, both, "drawing_path");
+  expect_refused("drawing_aligner", {}, both, "drawing_path");
   expect_refused("drawing_refiner", {}, "drawing.json", "drawing_path");
   expect_refused("drawing_fuser", {}, "drawing.json", "drawing_path");
   const LimnRun nothing = RunLimn({"drawing_exporter", "--output_path", Path("a.obj")});
@@ -148,6 +149,12 @@ TEST_F(WorkspaceDrawing, GoesToLimapAndBack) {
   const LimnRun judged = RunLimn({"drawing_evaluator", "--input_path", Path("limap"),
                                   "--truth_path", Path("drawing.json"), "--taus", "0.001"});
   EXPECT_EQ(judged.exit_code, 0) << judged.err;
+  // Of a kind, too, which bare lines have not.
+  const LimnRun of_kind =
+      RunLimn({"drawing_evaluator", "--input_path", Path("limap"), "--kinds", "paint",
+               "--truth_path", Path("drawing.json"), "--taus", "0.001"});
+  EXPECT_EQ(of_kind.exit_code, 0) << of_kind.err;
+  EXPECT_NE(of_kind.out, judged.out);
   ASSERT_EQ(
       Run("drawing_exporter", {"--input_path", Path("limap"), "--output_path", Path("back.json")})
           .exit_code,
