@@ -122,6 +122,27 @@ TEST_F(WorkspaceDrawing, IsFoundInAFolderOfResults) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
 }
 
+// A model that cannot be used is none that was meant: its drawing is elsewhere.
+TEST_F(WorkspaceDrawing, OfAnotherModelThanAskedForIsNotTaken) {
+  Store("drawing.json");
+  const auto error_of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"--output_path", Path("a.obj")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Run("drawing_exporter", arguments).err;
+  };
+  EXPECT_EQ(error_of({}), "");
+  fs::remove(dir_ / "a.obj");
+  EXPECT_THAT(error_of({"--model_index", "7"}),
+              HasSubstr("no COLMAP model with its images with model_index 7"));
+  EXPECT_THAT(error_of({"--image_path", Path("nowhere")}), HasSubstr("nowhere: no such folder"));
+  fs::remove(dir_ / "images");
+  EXPECT_THAT(error_of({}), HasSubstr("no COLMAP model with its images"));
+  fs::remove(dir_ / "sparse");
+  EXPECT_THAT(error_of({"--model_index", "7"}), HasSubstr("with model_index 7"));
+  EXPECT_FALSE(fs::exists(dir_ / "a.obj"));
+  EXPECT_EQ(error_of({}), "");
+}
+
 TEST_F(WorkspaceDrawing, ObjOfSegments) {
   Store("drawing.json");
   ASSERT_EQ(Run("drawing_exporter", {"--output_path", Path("a.obj"), "--segments", "1"}).exit_code,
