@@ -2,8 +2,6 @@
 
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/alignment_run.h"
-#include "colmap_ext/run/drawing_input.h"
-#include "colmap_ext/run/fusion_results.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
@@ -18,24 +16,6 @@ void CheckStoresAlignment(const std::string& drawing_path) {
   throw OptionError("drawing_path = " + drawing_path +
                     ": is a folder, where no alignment can be stored; export it to a .json file "
                     "first (drawing_exporter)");
-}
-
-// Of the output folder: drawing.json and, unless it is older, drawing-fused.json. The last one is
-// that which other commands show.
-std::vector<std::string> DrawingsToAlign(const Project& project, Console* console) {
-  const auto find = [&](DrawingChoice choice) {
-    return FindDrawing(project.layout().output.drawing_dir, choice, "drawing_path");
-  };
-  std::vector<std::string> paths = {find(DrawingChoice::kUnfused)};
-  const std::string newest = find(DrawingChoice::kNewest);
-  const std::string fused = project.DrawingPath(kFusedDrawing);
-  if (newest != paths.front()) {
-    paths.push_back(newest);
-  } else if (std::filesystem::exists(fused)) {
-    console->Say("WARNING: " + fused + " is older than " + newest +
-                 " and is not aligned: run drawing_fuser again");
-  }
-  return paths;
 }
 
 }  // namespace
@@ -57,12 +37,12 @@ int RunDrawingAligner(int argc, const char* const* argv, const ConsoleMaker& mak
   CheckStoresAlignment(drawing_path);
   const auto console = make_console(options.num_threads, /*speaks=*/true);
   const Project project(options, console.get());
-  const std::vector<std::string> paths = drawing_path.empty()
-                                             ? DrawingsToAlign(project, console.get())
-                                             : std::vector<std::string>{drawing_path};
+  const std::vector<std::string> paths =
+      drawing_path.empty() ? DrawingsToAlign(project.layout().output.drawing_dir, console.get())
+                           : std::vector<std::string>{drawing_path};
   // Known lengths name the links that drawing_viewer shows.
-  const DrawingFile drawing = ReadDrawingResult(project, paths.back());
-  console->Say("drawing: " + paths.back());
+  const DrawingFile drawing = ReadDrawingResult(project, paths.front());
+  console->Say("drawing: " + paths.front());
   const SceneAligner aligner(project, options.layout, align, console.get());
   const auto alignment = aligner.Align(project.views(), drawing.graph, console.get());
   StoreAlignment(paths, *alignment);

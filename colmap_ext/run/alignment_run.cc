@@ -1,15 +1,17 @@
 #include "colmap_ext/run/alignment_run.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <set>
 
+#include "colmap_ext/run/drawing_input.h"
+#include "colmap_ext/run/fusion_results.h"
 #include "colmap_ext/workspace/pose_priors.h"
 #include "limn/alignment/geodetic.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
-#include "limn/util/median.h"
 #include "limn/util/name_list.h"
 
 namespace limn::colmap_ext {
@@ -19,8 +21,8 @@ namespace fs = std::filesystem;
 
 // The database of a model may be so many folders above it: W/dense/0/sparse.
 constexpr int kMaxFoldersUp = 3;
-// Positions are told by name if they are off, by their accuracies, by so many times the median.
-constexpr double kFarTimesMedian = 5;
+// Positions are told by name if they are off, by their accuracies, by so many typical residuals.
+constexpr double kFarTimesTypical = 5;
 
 // Empty if there is none.
 fs::path FindDatabase(const Scene& scene, const LayoutOptions& layout) {
@@ -96,13 +98,17 @@ std::vector<ViewPrior> PriorsOfViews(const PosePriors& stored, const std::vector
 }
 
 std::string CountsOf(const std::vector<ViewPrior>& priors, size_t num_images) {
-  size_t num_positions = 0, num_gravities = 0;
+  size_t num_positions = 0, num_gravities = 0, num_flags = 0;
   for (const ViewPrior& prior : priors) {
     num_positions += prior.position ? 1 : 0;
-    num_gravities += prior.gravity_in_cam ? 1 : 0;
+    const bool is_measured = MeasuredGravity(prior);
+    num_gravities += is_measured ? 1 : 0;
+    num_flags += prior.gravity_in_cam && !is_measured ? 1 : 0;
   }
+  const std::string flags =
+      num_flags == 0 ? "" : ", only the orientation flag of " + std::to_string(num_flags);
   return "positions of " + std::to_string(num_positions) + " and gravity of " +
-         std::to_string(num_gravities) + " of " + std::to_string(num_images) + " images";
+         std::to_string(num_gravities) + " of " + std::to_string(num_images) + " images" + flags;
 }
 
 std::string Degrees(double angle_rad) { return ShortNumber(angle_rad / kDeg) + " degrees"; }
@@ -153,6 +159,18 @@ std::string ScaleText(const AlignmentResult& result) {
   return "";
 }
 
+// Why gravity was not used that cameras measured.
+void SayGravity(const AlignmentResult& result, const std::vector<ViewPrior>& priors,
+                Console* console) {
+  const auto count = std::count_if(priors.begin(), priors.end(), MeasuredGravity);
+  if (count == 0 || result.alignment.up == UpSource::kGravity) return;
+  const std::string reason =
+      result.gravity
+          ? "is not used: it differs by " + Degrees(result.gravity->deviation_rad) + " (median)"
+          : "tells nothing: " + std::to_string(kMinGravities) + " that agree are needed";
+  console->Say("alignment: gravity of " + std::to_string(count) + " cameras " + reason);
+}
+
 // How well positions fit, or why they were not used.
 void SayPositions(const AlignmentResult& result, const ViewSet& set, Console* console) {
   if (result.positioned.empty()) return;
@@ -164,7 +182,7 @@ void SayPositions(const AlignmentResult& result, const ViewSet& set, Console* co
   }
   const PositionFit& fit = *result.positions;
   std::vector<NamedNumber> far;
-  const double limit = kFarTimesMedian * Median(fit.scaled_residuals);
+  const double limit = kFarTimesTypical * fit.typical_scaled_residual;
   for (size_t i = 0; i < fit.residuals.size(); ++i) {
     if (fit.scaled_residuals[i] > limit) {
       far.push_back({set.ImageName(result.positioned[i]), fit.residuals[i]});
@@ -242,6 +260,7 @@ std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
                                              const DrawingGraph& graph, Console* console) const {
   if (!is_asked_) return std::nullopt;
   AlignmentResult result = AlignDrawing({views, graph, priors_, lengths_});
+  SayGravity(result, priors_, console);
   SayPositions(result, scene_.view_set(), console);
   SayLengths(lengths_, result, console);
   console->Say("alignment: up from " + UpText(result));
@@ -250,12 +269,30 @@ std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
   return After({1, Eigen::Matrix3d::Identity(), scene_.origin()}, result.alignment);
 }
 
+std::vector<std::string> DrawingsToAlign(const fs::path& folder, Console* console) {
+  std::vector<std::string> paths = {FindDrawing(folder, DrawingChoice::kNewest, "drawing_path")};
+  const fs::path plain = folder / "drawing.json", fused = folder / kFusedDrawing;
+  std::error_code ignored;
+  if (paths.front() != plain) {
+    if (fs::exists(plain, ignored)) paths.push_back(plain.string());
+  } else if (fs::exists(fused, ignored)) {
+    console->Say("WARNING: " + fused.string() + " is older than " + plain.string() +
+                 " and is not aligned: run drawing_fuser again");
+  }
+  return paths;
+}
+
 void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment) {
   std::vector<DrawingFile> drawings;
   for (const std::string& path : drawing_paths) drawings.push_back(ReadDrawingJson(path));
   for (size_t i = 0; i < drawings.size(); ++i) {
+    const std::string& path = drawing_paths[i];
     drawings[i].metadata.alignment = alignment;
-    WriteDrawing(drawing_paths[i], drawings[i].graph, drawings[i].metadata);
+    std::error_code error;
+    const auto time = fs::last_write_time(path, error);
+    WriteDrawing(path, drawings[i].graph, drawings[i].metadata);
+    if (!error) fs::last_write_time(path, time, error);
+    if (error) throw IoError(path, "its time of change cannot be kept: " + error.message());
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,8 +51,13 @@ class SceneAligner {
   std::vector<ViewPrior> priors_;
 };
 
-// Stores the alignment in drawings, whose graphs stay as they are. All are read before the first is
-// written, and the last stays the newest. Throws IoError.
+// The drawings of an output folder to align: the newest, in which is measured, then drawing.json if
+// that is not the newest. An older drawing-fused.json is not aligned, and warned of. Throws IoError
+// if there is none.
+std::vector<std::string> DrawingsToAlign(const std::filesystem::path& folder, Console* console);
+
+// Stores the alignment in drawings, whose graphs stay as they are, and so do their times of change,
+// by which commands take the newest. All are read before the first is written. Throws IoError.
 void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment);
 
 // The alignment of a drawing that shall be shown or exported with it. Throws IoError naming the

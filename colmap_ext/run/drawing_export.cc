@@ -71,7 +71,9 @@ size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console*
   const WorkspaceLayout layout = ResolveLayout(options.workspace);
   SparseModel model = ReadModel(layout.model_dir);
   const ViewSet views = ToViews(model, layout.image_dir, {}, console->context());
-  const LimapModel limap = ToLimap(drawing, std::move(model), views.views, options.chains);
+  const size_t num_links = drawing.graph.links.size();
+  const LimapModel limap =
+      ToLimap(std::move(drawing), std::move(model), views.views, options.chains);
   WriteNewModel(limap.model, options.output_path, ModelFlavor::kBinary,
                 [&](const std::filesystem::path& folder) {
                   std::filesystem::create_directory(folder / "structures");
@@ -79,7 +81,7 @@ size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console*
                 });
   console->Say(std::to_string(limap.structures.lines.size()) + " lines, " +
                std::to_string(limap.structures.wireframe.size()) + " ends where lines meet");
-  return options.chains ? drawing.graph.links.size() : limap.structures.lines.size();
+  return options.chains ? num_links : limap.structures.lines.size();
 }
 
 size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* console) {

@@ -1,5 +1,7 @@
 #include "colmap_ext/run/evaluation_run.h"
 
+#include "colmap_ext/run/drawing_input.h"
+#include "colmap_ext/run/limap_model.h"
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
@@ -7,7 +9,6 @@
 #include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/formats/atomic_file.h"
-#include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/json_kinds_reader.h"
 #include "limn/formats/read_curves.h"
 #include "limn/util/errors.h"
@@ -22,8 +23,8 @@ std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& c
 }
 
 // Without a path it is the drawing of the workspace.
-bool IsDrawing(const EvaluatorOptions& options) {
-  return options.input_path.empty() || options.input_path.ends_with(".json");
+bool IsDrawingJson(const std::string& input_path) {
+  return input_path.empty() || input_path.ends_with(".json");
 }
 
 void CheckOutputs(const EvaluatorOptions& options) {
@@ -116,7 +117,7 @@ void EvaluatorOptions::Check() const {
   truth.Check();
   selection.Selection();  // throws
   BoxFromNumbers(box);    // throws
-  if (!true_kinds_path.empty() && !IsDrawing(*this)) {
+  if (!true_kinds_path.empty() && !IsDrawingJson(input_path)) {
     throw OptionError("true_kinds_path: only links of a drawing.json have kinds");
   }
   if (truth.unit == TruthInput::Unit::kFootprint && !views) {
@@ -129,8 +130,8 @@ void EvaluatorOptions::Check() const {
 EvaluationReport EvaluateFile(const EvaluatorOptions& options, const RunContext& context) {
   CheckOutputs(options);
   Judged judged;
-  if (IsDrawing(options)) {
-    judged.drawing = ReadDrawingJson(options.input_path).graph;
+  if (IsDrawingJson(options.input_path) || HoldsLimapDrawing(options.input_path)) {
+    judged.drawing = ReadDrawing(options.input_path).graph;
   } else {
     judged.curves = ReadCurves(options.input_path);
   }

@@ -34,9 +34,10 @@ struct Piece {
 
 // The corners of lines that stand for a link that is not straight.
 Polyline3d ChainOf(const DrawingLink& link, const std::vector<View>& views) {
-  const double footprint = LinkFootprint(link, views);
-  if (!link.primitive || footprint <= 0) return link.points_in_world;
-  Polyline3d chain = SampleShape(link.primitive->shape, kChainPx * footprint);
+  const double tolerance = kChainPx * LinkFootprint(link, views);
+  if (!(tolerance > 0)) return link.points_in_world;
+  if (!link.primitive) return Simplified(link.points_in_world, tolerance);
+  Polyline3d chain = SampleShape(link.primitive->shape, tolerance);
   chain.front() = link.points_in_world.front();
   chain.back() = link.points_in_world.back();
   return chain;
@@ -86,13 +87,13 @@ void CheckPinholes(const SparseModel& model) {
 
 class LimapMaker {
  public:
-  LimapMaker(const DrawingFile& drawing, SparseModel model, const std::vector<View>& views)
-      : graph_(drawing.graph), views_(views) {
+  LimapMaker(DrawingFile drawing, SparseModel model, const std::vector<View>& views)
+      : graph_(std::move(drawing.graph)), views_(views) {
     made_.model = std::move(model);
     made_.structures.images.resize(made_.model.images.size());
     view_of_image_.resize(made_.model.images.size());
     for (const View& view : views_) view_of_image_[view.model_index] = &view;
-    for (const std::string& name : drawing.metadata.view_names) view_of_id_.push_back(Find(name));
+    RenumberViews(drawing.metadata.view_names);
     num_joints_ = static_cast<int>(graph_.nodes.size());
   }
 
@@ -111,10 +112,24 @@ class LimapMaker {
   }
 
  private:
-  // Null if the image is in the model but has no view, such as a duplicate.
-  const View* Find(const std::string& name) const {
-    for (const View& view : views_) {
-      if (view.name == name) return &view;
+  // Links are supported by the views of the model, of which the drawing may have only some, in
+  // another order.
+  void RenumberViews(const std::vector<std::string>& names_in_drawing) {
+    std::vector<std::optional<ViewId>> found;
+    for (const std::string& name : names_in_drawing) found.push_back(Find(name));
+    for (DrawingLink& link : graph_.links) {
+      std::vector<ViewId> supporting;
+      for (const ViewId id : link.supporting_views) {
+        if (found.at(id)) supporting.push_back(*found[id]);
+      }
+      link.supporting_views = std::move(supporting);
+    }
+  }
+
+  // Nothing if the image is in the model but has no view, such as a duplicate.
+  std::optional<ViewId> Find(const std::string& name) const {
+    for (size_t v = 0; v < views_.size(); ++v) {
+      if (views_[v].name == name) return static_cast<ViewId>(v);
     }
     const auto& images = made_.model.images;
     if (std::none_of(images.begin(), images.end(),
@@ -122,7 +137,7 @@ class LimapMaker {
       throw IoError(made_.model.folder.string(),
                     "the model has no image " + name + ", which the drawing has");
     }
-    return nullptr;
+    return std::nullopt;
   }
 
   void AddPieces(LinkId id, bool chains) {
@@ -154,10 +169,9 @@ class LimapMaker {
     const DrawingLink& link = graph_.links[piece.link];
     LimapLine line = {index, piece.start, piece.end, {}, Uncertainty(link)};
     for (const ViewId id : link.supporting_views) {
-      const View* view = view_of_id_.at(id);
-      if (!view) continue;
-      const size_t place = view->model_index;
-      auto segment = SegmentIn(*view, made_.model.cameras[view->camera_index], piece);
+      const View& view = views_[id];
+      const size_t place = view.model_index;
+      auto segment = SegmentIn(view, made_.model.cameras[view.camera_index], piece);
       if (!segment) continue;
       segment->line = index;
       std::vector<LimapSegment>& segments = made_.structures.images[place].segments;
@@ -224,9 +238,8 @@ class LimapMaker {
         {ModelPixel(view, made_.model.cameras[view.camera_index], pixel), point->id});
   }
 
-  const DrawingGraph& graph_;
+  DrawingGraph graph_;
   const std::vector<View>& views_;
-  std::vector<const View*> view_of_id_;     // of the drawing
   std::vector<const View*> view_of_image_;  // of the model
   int num_joints_ = 0;                      // those of nodes first
   std::vector<Piece> pieces_;
@@ -365,14 +378,21 @@ class DrawingMaker {
 
 }  // namespace
 
-LimapModel ToLimap(const DrawingFile& drawing, SparseModel model, const std::vector<View>& views,
+LimapModel ToLimap(DrawingFile drawing, SparseModel model, const std::vector<View>& views,
                    bool chains) {
   CheckPinholes(model);
-  return LimapMaker(drawing, std::move(model), views).Make(chains);
+  return LimapMaker(std::move(drawing), std::move(model), views).Make(chains);
 }
 
 DrawingFile FromLimap(const LimapModel& limap, const std::vector<std::string>& view_names) {
   return DrawingMaker(limap, view_names).Make();
+}
+
+bool HoldsLimapDrawing(const fs::path& folder) {
+  const fs::path lines = FindLimapLines(folder);
+  if (lines.empty()) return false;
+  const fs::path structures = fs::weakly_canonical(lines.parent_path());
+  return structures.filename() == "structures" && HoldsColmapModel(structures.parent_path());
 }
 
 DrawingFile ReadLimapDrawing(const fs::path& folder, const std::vector<std::string>& view_names) {

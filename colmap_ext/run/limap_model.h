@@ -25,7 +25,7 @@ struct LimapModel {
 //   lines, if there are two; the wireframes say which lines go through it.
 // Groups are not made. Throws InputError for images with lens distortion, whose lines are not
 // straight, and IoError if the drawing has images that the model has not.
-LimapModel ToLimap(const DrawingFile& drawing, SparseModel model, const std::vector<View>& views,
+LimapModel ToLimap(DrawingFile drawing, SparseModel model, const std::vector<View>& views,
                    bool chains);
 
 // A drawing whose links are LIMAP's lines, supported by the images of their tracks: the named
@@ -35,8 +35,10 @@ LimapModel ToLimap(const DrawingFile& drawing, SparseModel model, const std::vec
 // does not have.
 DrawingFile FromLimap(const LimapModel& limap, const std::vector<std::string>& view_names = {});
 
-// FromLimap of a folder with structures/, or of structures/ itself, whose model is the folder
-// above. Throws IoError.
+// Whether the folder has structures/ with lines, or is structures/, and the model is beside it.
+bool HoldsLimapDrawing(const std::filesystem::path& folder);
+
+// FromLimap of such a folder. Throws IoError.
 DrawingFile ReadLimapDrawing(const std::filesystem::path& folder,
                              const std::vector<std::string>& view_names = {});
 

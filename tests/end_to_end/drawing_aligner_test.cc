@@ -183,6 +183,10 @@ TEST_F(DrawingAligner, KnownLengthsAreOfTheDrawingThatIsShown) {
   fused.metadata.alignment.reset();
   const std::string path = (*scene_ / "drawing-fused.json").string();
   WriteDrawing(path, fused.graph, fused.metadata);
+  const auto times = [&] {
+    return std::pair(fs::last_write_time(path), fs::last_write_time(Drawing()));
+  };
+  const auto times_before = times();
   const LimnRun run = Align({"--known_length", "link 0 = 2 m"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("drawing: " + path + "\n"));
@@ -190,10 +194,17 @@ TEST_F(DrawingAligner, KnownLengthsAreOfTheDrawingThatIsShown) {
   ASSERT_TRUE(aligned);
   EXPECT_NEAR(aligned->world_from_model.scale, 2 * ScaleByLink(fused.graph, 0), 1e-9);
   EXPECT_EQ(Read().metadata.alignment->world_from_model.scale, aligned->world_from_model.scale);
+  // Commands still take the same drawing for the newest.
+  EXPECT_EQ(times(), times_before);
+
+  // Even if it is named.
+  fs::last_write_time(path, fs::last_write_time(Drawing()) - std::chrono::seconds(5));
+  const auto times_of_older = times();
+  ASSERT_EQ(Align({"--drawing_path", path}).exit_code, 0);
+  EXPECT_EQ(times(), times_of_older);
 
   // An older one stays as it is, and older.
   const auto bytes = ReadTree(scene_->output())["drawing-fused.json"];
-  fs::last_write_time(path, fs::last_write_time(Drawing()) - std::chrono::seconds(5));
   const LimnRun again = Align({"--known_length", "link 0 = 2 m"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_THAT(again.out + again.err,
@@ -203,6 +214,18 @@ TEST_F(DrawingAligner, KnownLengthsAreOfTheDrawingThatIsShown) {
               1e-9);
   EXPECT_EQ(ReadTree(scene_->output())["drawing-fused.json"], bytes);
   EXPECT_LT(fs::last_write_time(path), fs::last_write_time(Drawing()));
+  fs::remove(path);
+}
+
+TEST_F(DrawingAligner, AFusedDrawingMayBeAlone) {
+  const std::string path = (*scene_ / "drawing-fused.json").string();
+  fs::rename(Drawing(), path);
+  const LimnRun run = Align({"--known_length", "link 0 = 2 m"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("drawing: " + path + "\n"),
+                             HasSubstr("Written: alignment in " + path + "\n")));
+  EXPECT_FALSE(fs::exists(Drawing()));
+  EXPECT_EQ(ReadDrawingJson(path).metadata.alignment->scale, ScaleSource::kLengths);
   fs::remove(path);
 }
 

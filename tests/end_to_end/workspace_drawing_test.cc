@@ -106,6 +106,7 @@ TEST_F(WorkspaceDrawing, MissingItIsNamedByEveryCommand) {
   expect_refused("drawing_evaluator", {"--truth_path", Path("a.obj"), "--taus", "1"}, both,
                  "input_path");
   expect_refused("drawing_viewer", {}, both, "drawing_path");
+  expect_refused("drawing_aligner", {}, both, "drawing_path");
   expect_refused("drawing_refiner", {}, "drawing.json", "drawing_path");
   expect_refused("drawing_fuser", {}, "drawing.json", "drawing_path");
   const LimnRun nothing = RunLimn({"drawing_exporter", "--output_path", Path("a.obj")});
@@ -119,6 +120,27 @@ TEST_F(WorkspaceDrawing, IsFoundInAFolderOfResults) {
   const LimnRun run = RunLimn(
       {"drawing_exporter", "--workspace_path", Path("results"), "--output_path", Path("a.dxf")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
+}
+
+// A model that cannot be used is none that was meant: its drawing is elsewhere.
+TEST_F(WorkspaceDrawing, OfAnotherModelThanAskedForIsNotTaken) {
+  Store("drawing.json");
+  const auto error_of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"--output_path", Path("a.obj")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Run("drawing_exporter", arguments).err;
+  };
+  EXPECT_EQ(error_of({}), "");
+  fs::remove(dir_ / "a.obj");
+  EXPECT_THAT(error_of({"--model_index", "7"}),
+              HasSubstr("no COLMAP model with its images with model_index 7"));
+  EXPECT_THAT(error_of({"--image_path", Path("nowhere")}), HasSubstr("nowhere: no such folder"));
+  fs::remove(dir_ / "images");
+  EXPECT_THAT(error_of({}), HasSubstr("no COLMAP model with its images"));
+  fs::remove(dir_ / "sparse");
+  EXPECT_THAT(error_of({"--model_index", "7"}), HasSubstr("with model_index 7"));
+  EXPECT_FALSE(fs::exists(dir_ / "a.obj"));
+  EXPECT_EQ(error_of({}), "");
 }
 
 TEST_F(WorkspaceDrawing, ObjOfSegments) {
@@ -148,6 +170,12 @@ TEST_F(WorkspaceDrawing, GoesToLimapAndBack) {
   const LimnRun judged = RunLimn({"drawing_evaluator", "--input_path", Path("limap"),
                                   "--truth_path", Path("drawing.json"), "--taus", "0.001"});
   EXPECT_EQ(judged.exit_code, 0) << judged.err;
+  // Of a kind, too, which bare lines have not.
+  const LimnRun of_kind =
+      RunLimn({"drawing_evaluator", "--input_path", Path("limap"), "--kinds", "paint",
+               "--truth_path", Path("drawing.json"), "--taus", "0.001"});
+  EXPECT_EQ(of_kind.exit_code, 0) << of_kind.err;
+  EXPECT_NE(of_kind.out, judged.out);
   ASSERT_EQ(
       Run("drawing_exporter", {"--input_path", Path("limap"), "--output_path", Path("back.json")})
           .exit_code,

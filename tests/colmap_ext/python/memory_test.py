@@ -32,7 +32,8 @@ class Rotation:
 
 class Reconstruction:
     """A stand-in for pycolmap.Reconstruction: reads the binary files of a model. `poses` are "qvec" and tvec in old
-    versions of pycolmap, then attributes, since 3.12 methods; models of cameras have "names", are "strings" or model_name."""
+    versions of pycolmap, then "attributes", since 3.12 "methods"; models of cameras have "names", are "strings", or
+    are in "model_name"."""
 
     def __init__(self, folder, poses="attributes", has_quat=True, models="names"):
         self.cameras, self.images, self.points3D = {}, {}, {}

@@ -147,6 +147,42 @@ TEST_F(AlignmentRun, GravityAndPlacesOfADatabaseAboveTheModel) {
   EXPECT_THAT(console_.log().warnings, IsEmpty());
 }
 
+TEST_F(AlignmentRun, GravityThatIsNotUsedGetsAReason) {
+  WritePhotographs();
+  std::vector<StoredPrior> priors = Priors();
+  const auto align = [&] {
+    fs::remove(Database());
+    WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
+    EXPECT_NE(Align().up, UpSource::kGravity);
+  };
+  for (int i = 0; i < kNumImages; ++i) {
+    priors[i].gravity = {i % 2 == 0 ? 1.0 : -1.0, 2, -0.5 * i - 1};  // held in any way
+  }
+  align();
+  EXPECT_THAT(console_.text(), AllOf(HasSubstr("and gravity of 8 of 8 images\n"),
+                                     HasSubstr("gravity of 8 cameras is not used: it differs by "),
+                                     HasSubstr(" degrees (median)\n")));
+  for (int i = 2; i < kNumImages; ++i) priors[i].gravity = {0, 1, 0};
+  align();
+  EXPECT_THAT(console_.text(),
+              AllOf(HasSubstr("and gravity of 2 of 8 images, only the orientation flag of 6\n"),
+                    HasSubstr("gravity of 2 cameras tells nothing: 3 that agree are needed\n")));
+}
+
+TEST_F(AlignmentRun, FewPositionsAreNotCalledFar) {
+  WritePhotographs();
+  std::vector<StoredPrior> priors = Priors();
+  priors.resize(5);
+  WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
+  ExpectTruth(Align());
+  EXPECT_THAT(console_.log().warnings, IsEmpty());
+  priors.resize(3);
+  fs::remove(Database());
+  WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
+  EXPECT_EQ(Align().scale, ScaleSource::kNone);
+  EXPECT_THAT(console_.text(), HasSubstr("positions of 3 cameras tell nothing: 4 at different"));
+}
+
 TEST_F(AlignmentRun, ChangesThatAreOnlyInTheLogAreTold) {
   WritePhotographs();
   WriteDatabase(Database(), DatabaseVersion::k4_1, Priors());

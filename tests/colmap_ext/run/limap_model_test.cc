@@ -74,7 +74,7 @@ DrawingFile MakeDrawing() {
     drawing.graph.links.push_back(link);
   };
   add(0, 1, {});
-  add(1, 2, {{0.75, 0, 0}, {0.75, -0.25, 0}});
+  add(1, 2, {{0.85, 0, 0}, {0.9, -0.25, 0}});
   RebuildIncidence(&drawing.graph);
   return drawing;
 }
@@ -134,6 +134,66 @@ TEST(LimapModel, ChainsMeetInPointsOfTheModel) {
   EXPECT_EQ(made.structures.images[0].wireframe[1].line, 1u);
 }
 
+// The bent link of the drawing, on a quarter of a circle or as so many points of one.
+DrawingFile WithArc(int num_points) {
+  DrawingFile drawing = MakeDrawing();
+  DrawingLink& link = drawing.graph.links[1];
+  const CircularArc arc = {{0.5, -0.5, 0}, {0, 1, 0}, {1, 0, 0}, 0.75, M_PI / 2};
+  link.points_in_world.clear();
+  for (int i = 0; i < num_points; ++i) {
+    link.points_in_world.push_back(PointAt(arc, i * M_PI / 2 / (num_points - 1)));
+  }
+  link.sigma.assign(link.points_in_world.size(), 0.25);
+  drawing.graph.nodes[1].position_in_world = link.points_in_world.front();
+  drawing.graph.nodes[2].position_in_world = link.points_in_world.back();
+  drawing.graph.links[0].points_in_world[1] = link.points_in_world.front();
+  link.primitive = LinkPrimitive{arc};
+  return drawing;
+}
+
+size_t NumChainLines(const CurveShape& shape, double footprint) {
+  return SampleShape(shape, 0.5 * footprint).size() - 1;
+}
+
+TEST(LimapModel, ChainsAreInPixelsOfTheViewsOfTheDrawing) {
+  SparseModel model = MakeScene();
+  model.images[0].cam_from_world.translation.z() = 0.5;  // c.png, b.png and d.png
+  model.images[2].cam_from_world.translation.z() = 16;
+  std::vector<View> views = ViewsOf(model);
+  DrawingFile drawing = WithArc(3);
+  const CurveShape shape = drawing.graph.links[1].primitive->shape;
+  const size_t num_lines = NumChainLines(shape, 16.0 / 50);
+  ASSERT_LT(num_lines, NumChainLines(shape, 4.0 / 50));
+  // Made of two of the three images.
+  drawing.metadata.view_names = {"b.png", "d.png"};
+  for (DrawingLink& link : drawing.graph.links) link.supporting_views = {1};
+  EXPECT_EQ(ToLimap(drawing, model, views, true).structures.lines.size(), 1 + num_lines);
+  // Made with an image that has become a duplicate of another one.
+  drawing.metadata.view_names = {"b.png", "c.png", "d.png"};
+  for (DrawingLink& link : drawing.graph.links) link.supporting_views = {0, 2};
+  views.erase(views.begin() + 1);
+  const LimapModel made = ToLimap(drawing, model, views, true);
+  EXPECT_EQ(made.structures.lines.size(), 1 + num_lines);
+  ASSERT_EQ(made.structures.lines[0].track.size(), 1u);
+  EXPECT_EQ(made.structures.lines[0].track[0].image_id, 30u);
+}
+
+TEST(LimapModel, ChainsOfPointsAreWithinHalfAPixel) {
+  const SparseModel model = MakeScene();
+  DrawingFile drawing = WithArc(400);
+  drawing.graph.links[1].primitive.reset();
+  const LimapModel made = ToLimap(drawing, model, ViewsOf(model), true);
+  EXPECT_LT(made.structures.lines.size(), 8u);
+  Polyline3d chain = {made.structures.lines[1].start};
+  for (size_t i = 1; i < made.structures.lines.size(); ++i) {
+    EXPECT_EQ(made.structures.lines[i].start, chain.back());
+    chain.push_back(made.structures.lines[i].end);
+  }
+  for (const Eigen::Vector3d& point : drawing.graph.links[1].points_in_world) {
+    EXPECT_LE(std::sqrt(ClosestPoint(chain, point).squared_distance), 0.5 * 4 / 50);
+  }
+}
+
 TEST(LimapModel, LinksThatHardlyBendAreLines) {
   const SparseModel model = MakeScene();
   DrawingFile drawing = MakeDrawing();
@@ -169,6 +229,7 @@ TEST(LimapModel, RoundTripThroughAFolder) {
   std::filesystem::create_directory(dir / "structures");
   WriteLimapStructures(made.structures, dir / "structures");
   for (const std::string& path : {dir.path().string(), (dir / "structures").string()}) {
+    EXPECT_TRUE(HoldsLimapDrawing(path));
     const DrawingFile read = ReadLimapDrawing(path);
     EXPECT_THAT(Validate(read.graph), IsEmpty());
     EXPECT_EQ(read.metadata.view_names, MakeDrawing().metadata.view_names);
@@ -181,7 +242,11 @@ TEST(LimapModel, RoundTripThroughAFolder) {
     ASSERT_TRUE(read.graph.links[3].primitive);
     EXPECT_STREQ(ShapeName(read.graph.links[3].primitive->shape), "line");
   }
+  std::filesystem::rename(dir / "structures", dir / "lines");
+  EXPECT_FALSE(HoldsLimapDrawing(dir / "lines"));
+  std::filesystem::rename(dir / "lines", dir / "structures");
   std::filesystem::remove(dir / "structures/lines3D.bin");
+  EXPECT_FALSE(HoldsLimapDrawing(dir.path()));
   EXPECT_THAT([&] { ReadLimapDrawing(dir.path()); },
               ThrowsMessage<IoError>(HasSubstr("is no drawing")));
 }
@@ -229,6 +294,9 @@ TEST(LimapModel, WhatTheModelHasNotIsRefused) {
   model.cameras[0].model = CameraModelId::kSimpleRadial;
   EXPECT_THAT([&] { ToLimap(MakeDrawing(), model, ViewsOf(model), false); },
               ThrowsMessage<InputError>(HasSubstr("camera 1 has a lens (SIMPLE_RADIAL)")));
+  model.cameras[0].model = CameraModelId::kEquirectangular;
+  EXPECT_THAT([&] { ToLimap(MakeDrawing(), model, ViewsOf(model), false); },
+              ThrowsMessage<InputError>(HasSubstr("camera 1 is EQUIRECTANGULAR")));
 }
 
 }  // namespace

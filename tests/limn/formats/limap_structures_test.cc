@@ -105,6 +105,28 @@ TEST(LimapStructures, WireframeAndImagesHaveTheLayoutOfLimap) {
   EXPECT_EQ(TemporaryFolder::Read(folder.Path("structures/structures2d.bin")), images);
 }
 
+TEST(LimapStructures, GroupsHaveTheLayoutOfLimap) {
+  const TemporaryFolder folder;
+  WriteTo(folder, SmallStructures());
+  std::string expected;
+  Put<uint64_t>(1, &expected);
+  Put<uint64_t>(2, &expected);
+  Put<int32_t>(1, &expected);
+  Put<uint64_t>(1, &expected);
+  Put<uint64_t>(9, &expected);
+  Put(1.0, &expected);
+  Put<uint64_t>(2, &expected);
+  Put<uint64_t>(7, &expected);
+  Put(1.0, &expected);
+  Put<uint64_t>(8, &expected);
+  Put(0.5, &expected);
+  Put<uint64_t>(1, &expected);
+  for (const uint32_t value : {3u, 0u}) Put(value, &expected);
+  Put<uint64_t>(3, &expected);
+  for (const double value : {0.0, 0.0, 1.0}) Put(value, &expected);
+  EXPECT_EQ(TemporaryFolder::Read(folder.Path("structures/groups3D.bin")), expected);
+}
+
 TEST(LimapStructures, WhatIsReadIsWrittenAgain) {
   const TemporaryFolder folder;
   const std::string first = WriteTo(folder, SmallStructures());
