@@ -16,7 +16,7 @@ namespace limn {
 namespace {
 
 constexpr int kParallelNeighbors = 5;
-constexpr int kRefinements = 3;
+constexpr int kPlaneRefinements = 3;
 // Two lines at a smaller angle tell no plane.
 constexpr double kMinAngleRad = 10 * kDeg;
 // A plane is the same as another if this share of what it holds is in that one, too, and their
@@ -308,7 +308,7 @@ std::vector<PlaneClass> FindCommonPlanes(const DrawingGraph& graph, const Drawin
   std::vector<Support> supports(planes.size());
   ParallelFor(context, "finding planes", planes.size(), [&](size_t p) {
     supports[p] = finder.SupportOf(planes[p]);
-    for (int k = 0; k < kRefinements && supports[p].Spans(); ++k) {
+    for (int k = 0; k < kPlaneRefinements && supports[p].Spans(); ++k) {
       const Plane refined = finder.Refined(planes[p], supports[p]);
       Support more = finder.SupportOf(refined);
       if (more.gain <= supports[p].gain) break;

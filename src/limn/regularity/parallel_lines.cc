@@ -14,7 +14,7 @@ namespace {
 using Matrix32 = Eigen::Matrix<double, 3, 2>;
 
 constexpr size_t kMaxHypotheses = 1000;
-constexpr int kRefinements = 3;
+constexpr int kDirectionRefinements = 3;
 constexpr double kMinCosine = 0.95;
 // Errors that all lines share, such as those of the cameras, px: no class is more accurate than
 // this makes its longest line.
@@ -78,7 +78,7 @@ class ClassFinder {
     }
     if (best_gain <= 0) return best;
     std::vector<Member> members = MembersOf(best.direction);
-    for (int k = 0; k < kRefinements; ++k) {
+    for (int k = 0; k < kDirectionRefinements; ++k) {
       const Eigen::Vector3d refined = Refined(best.direction, members);
       std::vector<Member> more = MembersOf(refined);
       if (Gain(more) < Gain(members)) break;
