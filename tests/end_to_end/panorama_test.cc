@@ -128,10 +128,10 @@ class PanoramaWorkspace {
   TempDir dir_;
 };
 
-// At two footprints of the photographs, for both kinds alike.
-TauResult Judge(const fs::path& drawing) {
+// At so many footprints of the photographs, for both kinds alike.
+TauResult Judge(const fs::path& drawing, double tau = 2) {
   EvaluationOptions options;
-  options.taus = {2};
+  options.taus = {tau};
   options.find_duplicates = false;
   options.region =
       Eigen::AlignedBox3d(Eigen::Vector3d(-1.25, -0.95, 0.04), Eigen::Vector3d(1.25, 0.95, 1.05));
@@ -171,15 +171,27 @@ TEST(Panoramas, AreDrawnAsWellAsPhotographs) {
   EXPECT_THAT(given.err, HasSubstr("ERROR: edges_path"));
 }
 
-TEST(Panoramas, ThatColmapShrankAreFoundInDense) {
-  constexpr int kWidth = 500;
+// However many parts they have.
+TEST(Panoramas, OfTwoPlacesAreTooFew) {
+  const PanoramaWorkspace workspace;
+  const LimnRun run = workspace.Draw(
+      {"--image_list_path", workspace.dir().WriteFile("two.txt", "view_00.png\nview_01.png\n")});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.out, HasSubstr("2 images (in 24 views: panoramas in parts)"));
+  EXPECT_THAT(run.err, HasSubstr("at 3 places at least, but all are at 2"));
+}
+
+TEST(Panoramas, ThatColmapShrankAreDrawnInDense) {
+  constexpr int kWidth = 1000;
   const PanoramaWorkspace workspace;
   const fs::path dense = workspace.dir() / "dense/0";
   fs::create_directories(dense);
   fs::rename(workspace.dir() / "images", dense / "images");
+  const fs::path masks = workspace.dir() / "masks";
   SparseModel model = colmap_ext::ReadModel(workspace.dir() / "sparse");
   // Of a product, the parameters are beside the size.
   const double width = std::nextafter(kWidth, 2.0 * kWidth);
+  const double reduction = static_cast<double>(model.cameras.front().width) / kWidth;
   model.cameras.front().width = kWidth;
   model.cameras.front().height = kWidth / 2;
   model.cameras.front().params = {width, width / 2};
@@ -189,12 +201,21 @@ TEST(Panoramas, ThatColmapShrankAreFoundInDense) {
     cv::Mat shrunk;
     cv::resize(cv::imread(path), shrunk, {kWidth, kWidth / 2}, 0, 0, cv::INTER_AREA);
     cv::imwrite(path, shrunk);
+    const std::string mask_path = (masks / (image.name + ".png")).string();
+    const cv::Mat mask = cv::imread(mask_path, cv::IMREAD_GRAYSCALE);
+    cv::Mat shrunk_mask;
+    cv::resize(mask, shrunk_mask, {kWidth, kWidth / 2}, 0, 0, cv::INTER_NEAREST);
+    cv::imwrite(mask_path, shrunk_mask);
   }
-  const LimnRun run =
-      RunLimn({"edge_extractor", "--workspace_path", workspace.dir().path().string()});
+  const LimnRun run = workspace.Draw();
   ASSERT_EQ(run.exit_code, 0) << run.err;
+  // At two pixels of theirs.
+  const TauResult result = Judge(dense / "drawing.json", 2 * reduction);
+  std::printf("P / R of shrunk panoramas %.3f / %.3f\n", *result.precision, *result.recall);
+  EXPECT_GT(*result.precision, 0.8);
+  EXPECT_GT(*result.recall, 0.05);
   for (const char* part : {"00", "11"}) {
-    EXPECT_TRUE(fs::exists(dense / "curves/cache/edges" /
+    EXPECT_TRUE(fs::exists(dense / "curves/cache/fragments" /
                            (model.images.front().name + ".part" + part + ".bin")));
   }
 }
