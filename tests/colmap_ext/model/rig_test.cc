@@ -18,9 +18,9 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr char kRigsText[] =
     "# rigs\n"

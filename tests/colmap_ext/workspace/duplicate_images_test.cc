@@ -10,12 +10,12 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::Pair;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Pair;
 
 // Five cameras in a row, a unit apart, 10 units before a point; all pictures are noise.
-class DuplicateImages : public testing::Test {
+class DuplicateImages : public ::testing::Test {
  protected:
   DuplicateImages() {
     Camera camera;

@@ -24,12 +24,12 @@
 namespace limn::colmap_ext {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr const char* kNames[] = {"a.png",  "a.jpg", "a.tiff", "a.bmp",
                                   "a.webp", "a.jp2", "a.pgm",  "a.ras"};
 
-class ImageReader : public testing::Test {
+class ImageReader : public ::testing::Test {
  protected:
   std::string Write(const std::string& name, const cv::Mat& image) {
     const std::string path = (dir_ / name).string();
@@ -77,7 +77,7 @@ TEST_F(ImageReader, RowsComeInOrder) {
   for (int i = 0; i < 6; ++i) gray.at<uchar>(i / 3, i % 3) = static_cast<uchar>(i);
   const Image image = ReadImage(Write("gray.png", gray));
   EXPECT_EQ(image.channels, 1);
-  EXPECT_THAT(image.data, testing::ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_THAT(image.data, ::testing::ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
 TEST_F(ImageReader, SixteenBitsBecomeGrayLevels) {
@@ -132,13 +132,13 @@ TEST_F(ImageReader, DecodersPrintNothing) {
   const std::string huge = (dir_ / "huge.png").string();
   std::ofstream(huge, std::ios::binary) << png;
 
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   EXPECT_NO_THROW(ReadImage(damaged));
   EXPECT_THROW(ReadMask(huge, {64, 64}), IoError);
   EXPECT_THROW(ReadImage(huge), IoError);
   std::fputs("ours\n", stderr);
   PrintErrorLine("and ours");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "ours\nand ours\n");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "ours\nand ours\n");
 }
 
 TEST_F(ImageReader, SizeComesFromTheHeader) {
@@ -222,15 +222,15 @@ TEST_F(ImageReader, ShrinkingAverages) {
   const Image image = ReadImage(Write("gray.png", gray), 2);
   EXPECT_EQ(image.width, 2);
   EXPECT_EQ(image.height, 1);
-  EXPECT_THAT(image.data, testing::ElementsAre(25, 10));
+  EXPECT_THAT(image.data, ::testing::ElementsAre(25, 10));
 }
 
 TEST_F(ImageReader, MaskCountsOnlyPixelsThatAreWholeInside) {
   cv::Mat gray(2, 4, CV_8UC1, cv::Scalar(1));
   gray.at<uchar>(1, 3) = 0;
   const std::string path = Write("mask.png", gray);
-  EXPECT_THAT(ReadMask(path, {4, 2}), testing::ElementsAre(1, 1, 1, 1, 1, 1, 1, 0));
-  EXPECT_THAT(ReadMask(path, {4, 2}, 2), testing::ElementsAre(1, 0));
+  EXPECT_THAT(ReadMask(path, {4, 2}), ::testing::ElementsAre(1, 1, 1, 1, 1, 1, 1, 0));
+  EXPECT_THAT(ReadMask(path, {4, 2}, 2), ::testing::ElementsAre(1, 0));
   EXPECT_THAT(ErrorText<IoError>([&] {
                 ReadMask(path, {4, 3});
               }),
@@ -322,7 +322,7 @@ TEST_F(ImageReader, LittleMemoryIsNoDamage) {
     std::fputs(ErrorText<IoError>([&] { CheckImage(path, 300); }).c_str(), stderr);
     std::_Exit(0);
   };
-  EXPECT_EXIT(check_with_little_memory(), testing::ExitedWithCode(0),
+  EXPECT_EXIT(check_with_little_memory(), ::testing::ExitedWithCode(0),
               "progressive.jpg: does not fit in memory");
 }
 #endif
