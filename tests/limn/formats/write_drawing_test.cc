@@ -134,7 +134,7 @@ TEST(WriteDrawing, JsonKeepsTheRegularities) {
                         {0.125, 3},
                         {{{1, 2, 3}, {0, 1, 0}}}};
   graph.links[0].regularity = LinkRegularity{.direction = 1, .planes = {0, 1}};
-  graph.links[2].regularity = LinkRegularity{.radius = 1, .axis = 0};
+  graph.links[2].regularity = LinkRegularity{.radius = 1, .axis = 0, .planes = {}};
   const std::string path = folder.Path("d.json");
   WriteDrawing(path, graph, SmallMetadata());
   const DrawingFile file = ReadDrawingJson(path);

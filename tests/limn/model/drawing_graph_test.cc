@@ -79,7 +79,9 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"ConfidenceNan", [](DrawingGraph* g) { g->links[1].kind_confidence = NAN; },
                  "link 1: confidence of its kind not from 0 to 1"},
         Breakage{"RegularityThatThereIsNot",
-                 [](DrawingGraph* g) { g->links[1].regularity = LinkRegularity{.direction = 0}; },
+                 [](DrawingGraph* g) {
+                   g->links[1].regularity = LinkRegularity{.direction = 0, .planes = {}};
+                 },
                  "link 1: it follows a regularity that there is not"},
         Breakage{"DoubtedButNotTentative",
                  [](DrawingGraph* g) { g->links[1].doubt = LinkDoubt::kChance; },
