@@ -83,8 +83,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
   if (groups.refinement) AddGroup("Primitives", &pipeline.primitives, parser);
   if (groups.refinement) {
     parser->AddOption("regularize", &pipeline.regularize,
-                      BasicOption("make directions, planes and circles regular where the images "
-                                  "allow it"));
+                      "make directions, planes and circles regular where the images allow it");
   }
   if (groups.refinement || groups.regularities) {
     AddGroup("Regularity", &pipeline.regularity, parser);

@@ -35,7 +35,7 @@ for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
   [[ ! -s $file ]] || sources+=("$file")
 done
 timeout 300 mmdebstrap --quiet --variant=apt --aptopt='Acquire::Retries "2"' --aptopt='Acquire::http::Timeout "30"' \
-  --aptopt='APT::Keep-Downloaded-Packages "false"' bookworm "$root" "${sources[@]}" 2>"$work/mmdebstrap.log" ||
+  bookworm "$root" "${sources[@]}" 2>"$work/mmdebstrap.log" ||
   { cat "$work/mmdebstrap.log"; skip "no Debian root can be made here"; }
 
 proxies=()

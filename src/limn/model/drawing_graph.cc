@@ -232,6 +232,7 @@ void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph) {
   std::vector<LinkId> new_link(keep.size(), -1);
   std::vector<NodeId> new_node(graph->nodes.size(), -1);
   DrawingGraph kept;
+  kept.regularities = std::move(graph->regularities);
   for (size_t l = 0; l < keep.size(); ++l) {
     if (!keep[l]) continue;
     new_link[l] = static_cast<LinkId>(kept.links.size());

@@ -100,7 +100,7 @@ class PlaneFinder {
     for (const ArcEvidence& arc : evidence.arcs) distances.push_back(arc.arc.center.norm());
     std::sort(distances.begin(), distances.end());
     if (!distances.empty()) reach_ = 2 * distances[distances.size() * 9 / 10] + 1;
-    name_cost_ = std::log(std::max<double>(2, static_cast<double>(distances.size())));
+    count_ = std::max<double>(2, static_cast<double>(distances.size()));
   }
 
   std::vector<Plane> Hypotheses() const {
@@ -116,7 +116,9 @@ class PlaneFinder {
     return planes;
   }
 
-  Support SupportOf(const Plane& plane) const {
+  // To name a plane that `count` lines and arcs are in takes the less, the more there are.
+  Support SupportOf(const Plane& plane, size_t count) const {
+    const double name_cost = std::log(count_ / static_cast<double>(count));
     Support support;
     for (size_t i = 0; i < evidence_.lines.size(); ++i) {
       const LineEvidence& line = evidence_.lines[i];
@@ -127,8 +129,9 @@ class PlaneFinder {
       const bool is_parallel =
           class_of_[i] >= 0 &&
           std::abs(plane.normal.dot(directions_[class_of_[i]].direction)) < kParallelSine;
-      const double gain =
+      const double saved =
           is_parallel ? GainOfOffset(deviation) : GainOfBoth(deviation, line.Chord().norm());
+      const double gain = saved - name_cost;
       if (!(gain > 0) || deviation.shift_px > options_.max_shift_px) continue;
       support.gain += gain;
       support.lines.push_back(static_cast<int>(i));
@@ -137,7 +140,7 @@ class PlaneFinder {
       const ArcEvidence& arc = evidence_.arcs[i];
       if (arc.length_px < options_.min_length_px) continue;
       const Deviation deviation = DeviationOf(arc, plane);
-      const double gain = GainOfBoth(deviation, 2 * arc.arc.radius);
+      const double gain = GainOfBoth(deviation, 2 * arc.arc.radius) - name_cost;
       if (!(gain > 0) || deviation.shift_px > options_.max_shift_px) continue;
       support.gain += gain;
       support.arcs.push_back(static_cast<int>(i));
@@ -221,10 +224,10 @@ class PlaneFinder {
   static constexpr double kParallelSine = 0.005;  // to the plane
 
   // Nats saved by being in the plane: an offset within the scene and a tilt over the extent of the
-  // line or arc, each told to its accuracy, minus the name of the plane's member.
+  // line or arc, each told to its accuracy.
   double GainOfBoth(const Deviation& deviation, double extent) const {
     const double determinant = std::max(deviation.covariance.determinant(), 1e-12);
-    return std::log(reach_ * extent / (2 * M_PI)) - 0.5 * std::log(determinant) - name_cost_ -
+    return std::log(reach_ * extent / (2 * M_PI)) - 0.5 * std::log(determinant) -
            0.5 * deviation.value.dot(deviation.covariance.ldlt().solve(deviation.value));
   }
 
@@ -232,7 +235,7 @@ class PlaneFinder {
   double GainOfOffset(const Deviation& deviation) const {
     const double sigma = std::sqrt(deviation.covariance.mean());
     const double offset = deviation.value.mean();
-    return std::log(reach_ / sigma) - 0.5 * std::log(2 * M_PI) - name_cost_ -
+    return std::log(reach_ / sigma) - 0.5 * std::log(2 * M_PI) -
            0.5 * offset * offset / (sigma * sigma);
   }
 
@@ -284,7 +287,7 @@ class PlaneFinder {
   const RegularityOptions& options_;
   std::vector<int> class_of_;
   double reach_ = 1;
-  double name_cost_ = 0;
+  double count_ = 2;  // of lines and arcs
 };
 
 // Share of the lines and arcs of one that the other has, too.
@@ -307,10 +310,10 @@ std::vector<PlaneClass> FindCommonPlanes(const DrawingGraph& graph, const Drawin
   std::vector<Plane> planes = finder.Hypotheses();
   std::vector<Support> supports(planes.size());
   ParallelFor(context, "finding planes", planes.size(), [&](size_t p) {
-    supports[p] = finder.SupportOf(planes[p]);
+    supports[p] = finder.SupportOf(planes[p], 1);
     for (int k = 0; k < kPlaneRefinements && supports[p].Spans(); ++k) {
       const Plane refined = finder.Refined(planes[p], supports[p]);
-      Support more = finder.SupportOf(refined);
+      Support more = finder.SupportOf(refined, supports[p].lines.size() + supports[p].arcs.size());
       if (more.gain <= supports[p].gain) break;
       planes[p] = refined;
       supports[p] = std::move(more);

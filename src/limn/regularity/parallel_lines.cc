@@ -55,12 +55,12 @@ class ClassFinder {
   ClassFinder(const std::vector<LineEvidence>& lines, const RegularityOptions& options)
       : lines_(lines), options_(options), is_free_(lines.size(), true) {
     for (const LineEvidence& line : lines) own_cost_.push_back(OwnDirectionCost(line));
-    name_cost_ = std::log(std::max<double>(2, static_cast<double>(lines.size())));
     for (size_t i = 0; i < lines.size(); ++i) {
       if (lines[i].length_px >= options.min_length_px) hypotheses_.push_back(static_cast<int>(i));
     }
     std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
                      [&](int a, int b) { return lines_[a].length_px > lines_[b].length_px; });
+    num_lines_ = std::max<double>(2, static_cast<double>(hypotheses_.size()));
     if (hypotheses_.size() > kMaxHypotheses) hypotheses_.resize(kMaxHypotheses);
   }
 
@@ -71,16 +71,16 @@ class ClassFinder {
     for (const int hypothesis : hypotheses_) {
       if (!is_free_[hypothesis]) continue;
       const Eigen::Vector3d direction = lines_[hypothesis].Chord().normalized();
-      const double gain = Gain(MembersOf(direction));
+      const double gain = Gain(MembersOf(direction, 1));
       if (gain <= best_gain) continue;
       best_gain = gain;
       best.direction = direction;
     }
     if (best_gain <= 0) return best;
-    std::vector<Member> members = MembersOf(best.direction);
+    std::vector<Member> members = MembersOf(best.direction, 1);
     for (int k = 0; k < kDirectionRefinements; ++k) {
       const Eigen::Vector3d refined = Refined(best.direction, members);
-      std::vector<Member> more = MembersOf(refined);
+      std::vector<Member> more = MembersOf(refined, members.size());
       if (Gain(more) < Gain(members)) break;
       best.direction = refined;
       members = std::move(more);
@@ -89,7 +89,9 @@ class ClassFinder {
   }
 
  private:
-  std::vector<Member> MembersOf(const Eigen::Vector3d& direction) const {
+  // To name a direction that `count` lines have takes the less, the more there are.
+  std::vector<Member> MembersOf(const Eigen::Vector3d& direction, size_t count) const {
+    const double name_cost = std::log(num_lines_ / static_cast<double>(count));
     std::vector<Member> members;
     for (size_t i = 0; i < lines_.size(); ++i) {
       if (!is_free_[i] || lines_[i].length_px < options_.min_length_px) continue;
@@ -98,7 +100,7 @@ class ClassFinder {
         continue;
       }
       const DirectionCost cost = CostOfDirection(lines_[i], direction);
-      const double gain = own_cost_[i] - name_cost_ - 0.5 * cost.chi_square;
+      const double gain = own_cost_[i] - name_cost - 0.5 * cost.chi_square;
       if (gain > 0 && cost.shift_px <= options_.max_shift_px) {
         members.push_back({static_cast<int>(i), gain});
       }
@@ -154,7 +156,7 @@ class ClassFinder {
   const RegularityOptions& options_;
   std::vector<bool> is_free_;
   std::vector<double> own_cost_;
-  double name_cost_ = 0;
+  double num_lines_ = 2;  // that are long enough
   std::vector<int> hypotheses_;
 };
 
