@@ -1,6 +1,8 @@
 #include "limn/regularity/regularize.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "limn/regularity/apply_shapes.h"
@@ -33,16 +35,25 @@ NewShapes ShapesByLink(const RegularShapes& shapes, const DrawingEvidence& evide
   return by_link;
 }
 
-// Links whose residual grows too much.
+// Links whose residual grows too much, of these the worst: others may be well without them.
 std::set<LinkId> Opposed(const DrawingGraph& graph, const NewShapes& shapes,
                          const DrawingEvidence& evidence, const RegularityOptions& options) {
-  std::set<LinkId> opposed;
+  constexpr double kAsBad = 0.5;  // share of the worst growth
+  std::vector<double> growth(shapes.size(), 0);
+  double worst = 0;
   for (size_t l = 0; l < shapes.size(); ++l) {
     if (!shapes[l]) continue;
     const LinkSamples& samples = evidence.samples[l];
-    const double before = ResidualOf(graph.links[l].primitive->shape, samples).rms_px;
-    if (!ValidateShape(*shapes[l]).empty() ||
-        !(ResidualOf(*shapes[l], samples).rms_px <= before + options.max_growth_px)) {
+    growth[l] = ResidualOf(*shapes[l], samples).rms_px -
+                ResidualOf(graph.links[l].primitive->shape, samples).rms_px;
+    if (!ValidateShape(*shapes[l]).empty() || !std::isfinite(growth[l])) {
+      growth[l] = std::numeric_limits<double>::infinity();
+    }
+    worst = std::max(worst, growth[l]);
+  }
+  std::set<LinkId> opposed;
+  for (size_t l = 0; l < shapes.size(); ++l) {
+    if (growth[l] > options.max_growth_px && growth[l] >= kAsBad * worst) {
       opposed.insert(static_cast<LinkId>(l));
     }
   }
