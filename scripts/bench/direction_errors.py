@@ -6,8 +6,7 @@
 A line of a drawing (a link whose primitive is a line, neither tentative nor an outline) is compared with the nearest
 segment of the truth within `distance` (world units) of its middle that is within 5 degrees of it. Printed per drawing:
 lines compared, and, weighted by length, median and 90 % quantile of the angle (degrees) and of the distance of its
-middle from the line of the segment. The truth is a binary PLY with double vertices and edges, as those of
-datasets/sample/truth.
+middle from the line of the segment. The truth is a PLY of vertices (double, if binary) and edges.
 """
 
 import argparse
@@ -23,6 +22,11 @@ def read_segments(path):
     end = data.index(b"end_header\n") + len(b"end_header\n")
     counts = {words[1]: int(words[2]) for words in
               (line.split() for line in data[:end].decode().splitlines()) if words[0] == "element"}
+    if b"format ascii" in data[:end]:
+        numbers = data[end:].split()
+        points = np.array(numbers[:3 * counts["vertex"]], float).reshape(-1, 3)
+        edges = np.array(numbers[3 * counts["vertex"]:][:2 * counts["edge"]], int).reshape(-1, 2)
+        return points[edges[:, 0]], points[edges[:, 1]]
     points = np.frombuffer(data, "<f8", 3 * counts["vertex"], end).reshape(-1, 3)
     edges = np.frombuffer(data, "<i4", 2 * counts["edge"], end + points.nbytes).reshape(-1, 2)
     return points[edges[:, 0]], points[edges[:, 1]]
