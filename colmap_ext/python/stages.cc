@@ -290,6 +290,26 @@ std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDraw
   return refined;
 }
 
+std::shared_ptr<SceneDrawing> RegularizeSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
+                                                     const OptionTexts& options,
+                                                     RunMonitor* monitor) {
+  RequireScene(*drawing, "regularize");
+  auto regular = std::make_shared<SceneDrawing>(*drawing);
+  regular->made =
+      AddOptions(drawing->made, "regularize", {.regularities = true}, options, kOptionsOfSketch);
+  const RunOptions& run = regular->made.options;
+  LibraryConsole console(run.num_threads, monitor);
+  const RegularityResult result = Regularize(GraphInScene(*drawing), drawing->views,
+                                             run.pipeline.regularity, console.context());
+  console.Report(result.summary);
+  CheckGraph(result.graph);
+  SayRegularities(result.graph, result.moves, &console);
+  regular->graph = Moved(result.graph, drawing->scene->scene.origin());
+  regular->metadata.options_json = RegularityProvenance(run, drawing->metadata.options_json);
+  regular->made.log = console.log();
+  return regular;
+}
+
 std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
                                                const OptionTexts& options, RunMonitor* monitor) {
   RequireScene(*drawing, "fuse");

@@ -99,6 +99,12 @@ std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> sce
 std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
                                                  const OptionTexts& options, RunMonitor* monitor);
 
+// The drawing with exact right angles, planes and so on, as of drawing_regularizer. Needs a drawing
+// with a scene.
+std::shared_ptr<SceneDrawing> RegularizeSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
+                                                     const OptionTexts& options,
+                                                     RunMonitor* monitor);
+
 // The drawing with the classes of its links, as of drawing_fuser. Needs a drawing with a scene.
 std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
                                                const OptionTexts& options, RunMonitor* monitor);

@@ -32,8 +32,8 @@ from limn.errors import Error, InputError, IoError, OptionError
 __all__ = [
     "Alignment", "Camera", "Curves", "Drawing", "Edges", "Error", "ImageCurves", "ImageEdges", "InputError",
     "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "Scene", "Sketch", "SketchCurve",
-    "align", "draw", "evaluate", "export", "extract_edges", "fuse", "link", "open", "read_drawing", "refine", "run",
-    "sketch",
+    "align", "draw", "evaluate", "export", "extract_edges", "fuse", "link", "open", "read_drawing", "refine",
+    "regularize", "run", "sketch",
 ]
 
 __version__: str = _limn.__version__
@@ -112,6 +112,15 @@ def refine(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Dr
     nothing.
     """
     return _limn.refine(drawing, texts_of(options), progress)
+
+
+def regularize(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
+    """The drawing with exact right angles, parallel lines, planes and equal circles, as by drawing_regularizer.
+
+    Where the images allow them. The drawing needs its scene: read_drawing(path, scene). Options: Regularity. Writes
+    nothing.
+    """
+    return _limn.regularize(drawing, texts_of(options), progress)
 
 
 def fuse(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:

@@ -184,9 +184,22 @@ class Drawings(unittest.TestCase):
             limn.align(self.drawing, "link one is long")
         with self.assertRaisesRegex(limn.InputError, "has no alignment"):
             limn.export(self.drawing, self.output / "aligned.obj", aligned=np.True_)
-        for stage in (limn.align, limn.refine, limn.fuse):
+        for stage in (limn.align, limn.refine, limn.regularize, limn.fuse):
             with self.assertRaises(TypeError):
                 stage(None)
+
+    def test_regularize(self):
+        path, folder = self.output / "irregular.json", self.output / "regular"
+        self.drawing.save(path)
+        regular = limn.regularize(self.drawing, Regularity={"min_length_px": 10})
+        limn.run("drawing_regularizer", workspace_path=scenes.DAY, drawing_path=path, output_path=folder,
+                 Regularity={"min_length_px": 10}, **scenes.small_options())
+        stored = limn.read_drawing(folder / "drawing.json")
+        self.assertEqual([link.points.tobytes() for link in stored.links],
+                         [link.points.tobytes() for link in regular.links])
+        regular.save(self.output / "regular.json")
+        self.assertEqual(json.loads((self.output / "regular.json").read_text())["regularities"],
+                         json.loads((folder / "drawing.json").read_text())["regularities"])
 
     def test_commands(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -279,6 +292,7 @@ class Drawings(unittest.TestCase):
                 (limn.extract_edges, (drawing.scene,), ["output_path"]),
                 (limn.link, (drawing.scene,), ["output_path"]),
                 (limn.refine, (drawing,), ["output_path"]),
+                (limn.regularize, (drawing,), ["output_path"]),
                 (limn.fuse, (drawing,), ["output_path", "drawing_path", "sparse_spacing_px"]),
                 (limn.evaluate, (drawing, truth, 1), ["input_path", "workspace_path", "image_path", "model_index"]),
                 (limn.export, (drawing, unknown), ["input_path"])):
