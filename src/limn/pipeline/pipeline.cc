@@ -55,15 +55,15 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
   PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
   on_stage_end(primitives.summary);
   graph = std::move(primitives.graph);
-  if (options.regularize) {
-    RegularityResult regular = Regularize(graph, views, options.regularity, context);
-    on_stage_end(regular.summary);
-    graph = std::move(regular.graph);
+  if (read_image) {
+    KindsResult kinds = ClassifyKinds({views, read_image, graph}, context);
+    on_stage_end(kinds.summary);
+    graph = std::move(kinds.graph);
   }
-  if (!read_image) return graph;
-  KindsResult kinds = ClassifyKinds({views, read_image, graph}, context);
-  on_stage_end(kinds.summary);
-  return std::move(kinds.graph);
+  if (!options.regularize) return graph;
+  RegularityResult regular = Regularize(graph, views, options.regularity, context);
+  on_stage_end(regular.summary);
+  return std::move(regular.graph);
 }
 
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,

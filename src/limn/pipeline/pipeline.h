@@ -69,8 +69,9 @@ struct JudgedDrawing {
 JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                              const RunContext& context, const StageObserver& on_stage_end);
 
-// Fits primitives to the links and tells their kinds (FitPrimitives, ClassifyKinds), the kinds only
-// when images can be read. The paper's drawing stays as it is.
+// Fits primitives to the links, tells their kinds, the latter only when images can be read, and
+// makes them regular if the options say so (FitPrimitives, ClassifyKinds, Regularize). The paper's
+// drawing stays as it is.
 DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const std::function<Image(ViewId)>& read_image,
                            const PipelineOptions& options, const RunContext& context,

@@ -197,6 +197,9 @@ class Drawings(unittest.TestCase):
         stored = limn.read_drawing(folder / "drawing.json")
         self.assertEqual([link.points.tobytes() for link in stored.links],
                          [link.points.tobytes() for link in regular.links])
+        at_once = limn.draw(scenes.DAY, regularize=True, Regularity={"min_length_px": 10}, **scenes.small_options())
+        self.assertEqual([link.points.tobytes() for link in at_once.links],
+                         [link.points.tobytes() for link in regular.links])
         regular.save(self.output / "regular.json")
         self.assertEqual(json.loads((self.output / "regular.json").read_text())["regularities"],
                          json.loads((folder / "drawing.json").read_text())["regularities"])

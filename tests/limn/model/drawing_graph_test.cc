@@ -170,5 +170,17 @@ TEST(RemoveLinks, NothingMayRemain) {
   EXPECT_TRUE(graph.nodes.empty());
 }
 
+TEST(RemoveLinks, KeepsTheRegularities) {
+  DrawingGraph graph = Star();
+  graph.regularities.radii = {0.5};
+  graph.links[1].regularity.emplace().radius = 0;
+  std::vector<uint8_t> keep(graph.links.size(), 1);
+  keep[0] = 0;
+  RemoveLinks(keep, &graph);
+  EXPECT_THAT(Validate(graph), IsEmpty());
+  EXPECT_EQ(graph.regularities.radii, std::vector<double>{0.5});
+  EXPECT_EQ(graph.links[0].regularity.value().radius, 0);
+}
+
 }  // namespace
 }  // namespace limn
