@@ -1,5 +1,4 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/refined_cameras.h"
 #include "colmap_ext/run/results.h"
@@ -25,14 +24,8 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
   const Project project(options, console.get());
   CheckRefinedFolder(project, options);
   CheckDrawingFiles(project, options);
-  const bool in_place = drawing_path.empty();
-  if (in_place) {
-    drawing_path =
-        FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kUnfused, "drawing_path");
-  }
-  const DrawingFile given = ReadDrawingResult(project, drawing_path);
-  const std::string provenance = RefinementProvenance(options, given.metadata.options_json);
-  if (!in_place) CheckReplaceable(project, options, "drawing.json", provenance);
+  const auto [given, provenance] =
+      ReadStartingDrawing(project, options, drawing_path, RefinementProvenance);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
   const StageObserver report = [&](const StageSummary& summary) { console->Report(summary); };
   const JudgedDrawing judged = RefineAndJudge(

@@ -1,5 +1,4 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/drawing_input.h"
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
@@ -21,14 +20,8 @@ int RunDrawingRegularizer(int argc, const char* const* argv, const ConsoleMaker&
   const auto console = make_console(options.num_threads, /*speaks=*/true);
   const Project project(options, console.get());
   CheckDrawingFiles(project, options);
-  const bool in_place = drawing_path.empty();
-  if (in_place) {
-    drawing_path =
-        FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kUnfused, "drawing_path");
-  }
-  const DrawingFile given = ReadDrawingResult(project, drawing_path);
-  const std::string provenance = RegularityProvenance(options, given.metadata.options_json);
-  if (!in_place) CheckReplaceable(project, options, "drawing.json", provenance);
+  const auto [given, provenance] =
+      ReadStartingDrawing(project, options, drawing_path, RegularityProvenance);
   const RegularityResult result =
       Regularize(given.graph, project.views(), options.pipeline.regularity, console->context());
   console->Report(result.summary);

@@ -204,6 +204,21 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
   return std::move(*stored);
 }
 
+StartingDrawing ReadStartingDrawing(
+    const Project& project, const RunOptions& options, const std::string& drawing_path,
+    const std::function<std::string(const RunOptions&, const std::string&)>& provenance_of) {
+  const std::string path = !drawing_path.empty()
+                               ? drawing_path
+                               : FindDrawing(project.layout().output.drawing_dir,
+                                             DrawingChoice::kUnfused, "drawing_path");
+  StartingDrawing start = {ReadDrawingResult(project, path), ""};
+  start.provenance = provenance_of(options, start.file.metadata.options_json);
+  if (!drawing_path.empty()) {
+    CheckReplaceable(project, options, "drawing.json", start.provenance);
+  }
+  return start;
+}
+
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance) {
   DrawingMetadata metadata;
   for (const View& view : scene.views()) metadata.view_names.push_back(view.name);

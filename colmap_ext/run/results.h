@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,6 +75,18 @@ DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path);
 
 // Says what is regular in a drawing, and how far ends of links moved for it.
 void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Console* console);
+
+// A stored drawing that a command goes on with, and the provenance of what it makes of it.
+struct StartingDrawing {
+  DrawingFile file;
+  std::string provenance;
+};
+// Reads the drawing of the output folder, or of `drawing_path` if that is not empty; in the latter
+// case it must not replace another drawing (CheckReplaceable). `provenance_of` is called with the
+// options and the drawing's provenance. Throws IoError.
+StartingDrawing ReadStartingDrawing(
+    const Project& project, const RunOptions& options, const std::string& drawing_path,
+    const std::function<std::string(const RunOptions&, const std::string&)>& provenance_of);
 
 // The names of the scene's views, and the provenance of what was made of them.
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);

@@ -37,8 +37,9 @@ std::string Validate(const Regularities& regularities) {
     if (problem.empty()) problem = ProblemOf(of, regularities);
   }
   for (const double radius : regularities.radii) {
-    if (problem.empty() && !(radius > 0 && std::isfinite(radius)))
+    if (problem.empty() && !(radius > 0 && std::isfinite(radius))) {
       problem = "a radius is not positive";
+    }
   }
   for (const CommonAxis& of : regularities.axes) {
     if (problem.empty() && !(IsUnit(of.direction) && of.point.allFinite())) {

@@ -84,22 +84,12 @@ FittedShape BestSpline(const LinkSamples& link, const EndConditions& ends, bool 
 
 FittedShape Judge(const CurveShape& shape, int num_parameters, const LinkSamples& link,
                   const PrimitiveOptions& options) {
-  FittedShape fitted;
-  fitted.shape = shape;
-  const std::vector<double> deviations = DeviationsPx(shape, link);
-  double sum = 0;
-  double weights = 0;
-  for (size_t k = 0; k < deviations.size(); ++k) {
-    const double weight = link.samples[k].weight;
-    sum += weight * deviations[k] * deviations[k];
-    weights += weight;
-    if (weight == 1) fitted.max_px = std::max(fitted.max_px, deviations[k]);
-  }
-  const double mean = sum / weights;
-  fitted.rms_px = std::sqrt(mean);
+  const ShapeResidual residual = ResidualOf(shape, link);
+  FittedShape fitted = {shape, residual.RmsPx(), residual.max_px};
   const double num_independent = std::max(link.length_px / options.correlation_px, 2.0);
-  fitted.criterion = num_independent * mean / (options.noise_px * options.noise_px) +
-                     num_parameters * std::log(num_independent);
+  fitted.criterion =
+      num_independent * residual.mean_square / (options.noise_px * options.noise_px) +
+      num_parameters * std::log(num_independent);
   return fitted;
 }
 

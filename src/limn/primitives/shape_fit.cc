@@ -168,4 +168,19 @@ std::vector<double> DeviationsPx(const CurveShape& shape, const LinkSamples& lin
   return deviations;
 }
 
+ShapeResidual ResidualOf(const CurveShape& shape, const LinkSamples& link) {
+  const std::vector<double> deviations = DeviationsPx(shape, link);
+  double sum = 0;
+  double weights = 0;
+  ShapeResidual residual;
+  for (size_t k = 0; k < deviations.size(); ++k) {
+    const double weight = link.samples[k].weight;
+    sum += weight * deviations[k] * deviations[k];
+    weights += weight;
+    if (weight == 1) residual.max_px = std::max(residual.max_px, deviations[k]);
+  }
+  residual.mean_square = sum / weights;
+  return residual;
+}
+
 }  // namespace limn

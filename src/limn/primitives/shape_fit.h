@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -38,5 +39,14 @@ CubicBSpline FitSpline(const LinkSamples& link, const EndConditions& ends, bool 
 
 // Distance of every sample from the shape, px: |across * (nearest point - sample)|.
 std::vector<double> DeviationsPx(const CurveShape& shape, const LinkSamples& link);
+
+// These: the weighted mean square, px^2, and the largest of samples that have full weight, px.
+struct ShapeResidual {
+  double mean_square = 0;
+  double max_px = 0;
+
+  double RmsPx() const { return std::sqrt(mean_square); }
+};
+ShapeResidual ResidualOf(const CurveShape& shape, const LinkSamples& link);
 
 }  // namespace limn

@@ -79,20 +79,6 @@ std::vector<std::optional<Vector3d>> PlacesOfNodes(const NewShapes& shapes,
 
 }  // namespace
 
-ShapeResidual ResidualOf(const CurveShape& shape, const LinkSamples& link) {
-  const std::vector<double> deviations = DeviationsPx(shape, link);
-  double sum = 0, weights = 0;
-  ShapeResidual residual;
-  for (size_t k = 0; k < deviations.size(); ++k) {
-    const double weight = link.samples[k].weight;
-    sum += weight * deviations[k] * deviations[k];
-    weights += weight;
-    if (weight == 1) residual.max_px = std::max(residual.max_px, deviations[k]);
-  }
-  residual.rms_px = std::sqrt(sum / weights);
-  return residual;
-}
-
 void ApplyShapes(const NewShapes& shapes, const std::vector<LinkSamples>& samples,
                  DrawingGraph* graph) {
   const std::vector<std::optional<Vector3d>> places = PlacesOfNodes(shapes, *graph);
@@ -112,7 +98,7 @@ void ApplyShapes(const NewShapes& shapes, const std::vector<LinkSamples>& sample
     shape = shapes[l] ? *shapes[l] : WithMovedEnds(shape, moves[0], moves[1]);
     if (samples[l].samples.empty()) continue;
     const ShapeResidual residual = ResidualOf(shape, samples[l]);
-    link.primitive->rms_px = residual.rms_px;
+    link.primitive->rms_px = residual.RmsPx();
     link.primitive->max_px = residual.max_px;
   }
   for (size_t n = 0; n < places.size(); ++n) {

@@ -11,14 +11,6 @@ namespace limn {
 // New shapes of some links, world units; the ends of several at one node coincide.
 using NewShapes = std::vector<std::optional<CurveShape>>;
 
-// Distances of a link's samples from a shape, px: root mean square, and the largest of those that
-// are not near a node.
-struct ShapeResidual {
-  double rms_px = 0;
-  double max_px = 0;
-};
-ShapeResidual ResidualOf(const CurveShape& shape, const LinkSamples& link);
-
 // Gives links their new shapes, and moves nodes, points and the shapes of other links along.
 // `samples` are per link.
 void ApplyShapes(const NewShapes& shapes, const std::vector<LinkSamples>& samples,

@@ -1,9 +1,6 @@
 #include "limn/regularity/regular_fit.h"
 
-#include <array>
 #include <cmath>
-#include <deque>
-#include <optional>
 #include <set>
 
 #include <Eigen/Cholesky>
@@ -140,8 +137,7 @@ class RegularFit {
 
   RegularShapes Solve() {
     for (const double weight : kWeights) {
-      ceres::Problem::Options problem_options;
-      ceres::Problem problem(problem_options);
+      ceres::Problem problem;
       AddEvidence(&problem);
       AddCircleEnds(weight, &problem);
       AddDirections(weight, &problem);
@@ -204,14 +200,10 @@ class RegularFit {
   }
 
   Point PlaceOf(const LinkEnd& at) const {
-    const LinkId l = at.link;
-    const NodeId node = graph_.links[l].NodeAt(at.end);
-    if (graph_.nodes[node].Degree() >= 2) {
-      return evidence_.unit.FromWorld(graph_.nodes[node].position_in_world);
-    }
-    const auto line = line_of_.find(l);
-    if (line == line_of_.end()) {
-      return evidence_.unit.FromWorld(graph_.nodes[node].position_in_world);
+    const DrawingNode& node = graph_.nodes[graph_.links[at.link].NodeAt(at.end)];
+    const auto line = line_of_.find(at.link);
+    if (node.Degree() >= 2 || line == line_of_.end()) {
+      return evidence_.unit.FromWorld(node.position_in_world);
     }
     return at.end == 0 ? evidence_.lines[line->second].start : evidence_.lines[line->second].end;
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "limn/primitives/shape_fit.h"
 #include "limn/regularity/apply_shapes.h"
 #include "limn/regularity/regular_fit.h"
 #include "limn/util/median.h"
@@ -35,17 +36,26 @@ NewShapes ShapesByLink(const RegularShapes& shapes, const DrawingEvidence& evide
   return by_link;
 }
 
+// Per link; 0 where there is no evidence. Root mean squares, px.
+std::vector<double> ResidualsOf(const DrawingGraph& graph, const DrawingEvidence& evidence) {
+  std::vector<double> residuals;
+  for (size_t l = 0; l < graph.links.size(); ++l) {
+    const LinkSamples& samples = evidence.samples[l];
+    residuals.push_back(
+        samples.samples.empty() ? 0 : ResidualOf(graph.links[l].primitive->shape, samples).RmsPx());
+  }
+  return residuals;
+}
+
 // Links whose residual grows too much, of these the worst: others may be well without them.
-std::set<LinkId> Opposed(const DrawingGraph& graph, const NewShapes& shapes,
+std::set<LinkId> Opposed(const std::vector<double>& rms_before, const NewShapes& shapes,
                          const DrawingEvidence& evidence, const RegularityOptions& options) {
   constexpr double kAsBad = 0.5;  // share of the worst growth
   std::vector<double> growth(shapes.size(), 0);
   double worst = 0;
   for (size_t l = 0; l < shapes.size(); ++l) {
     if (!shapes[l]) continue;
-    const LinkSamples& samples = evidence.samples[l];
-    growth[l] = ResidualOf(*shapes[l], samples).rms_px -
-                ResidualOf(graph.links[l].primitive->shape, samples).rms_px;
+    growth[l] = ResidualOf(*shapes[l], evidence.samples[l]).RmsPx() - rms_before[l];
     if (!ValidateShape(*shapes[l]).empty() || !std::isfinite(growth[l])) {
       growth[l] = std::numeric_limits<double>::infinity();
     }
@@ -134,6 +144,7 @@ RegularityResult Regularize(const DrawingGraph& graph, const std::vector<View>& 
   RegularityClasses classes = FindClasses(graph, evidence, options, context);
   RegularityResult result;
   result.graph = graph;
+  const std::vector<double> rms_before = ResidualsOf(graph, evidence);
   std::set<LinkId> let_go;
   NewShapes shapes;
   // Ends: every round lets links go.
@@ -141,8 +152,8 @@ RegularityResult Regularize(const DrawingGraph& graph, const std::vector<View>& 
     ThrowIfCancelled(context);
     shapes =
         ShapesByLink(FitRegularShapes(graph, evidence, &classes), evidence, graph.links.size());
-    const std::set<LinkId> links =
-        ToLetGo(Opposed(graph, shapes, evidence, options), graph, MembersOf(classes, evidence));
+    const std::set<LinkId> links = ToLetGo(Opposed(rms_before, shapes, evidence, options), graph,
+                                           MembersOf(classes, evidence));
     if (links.empty()) break;
     LetGo(links, evidence, &classes);
     let_go.insert(links.begin(), links.end());

@@ -9,6 +9,7 @@
 #include "limn/geometry/median_point.h"
 #include "limn/model/link_selection.h"
 #include "limn/primitives/continuity.h"
+#include "limn/primitives/primitive_options.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -115,15 +116,14 @@ LocalUnit UnitOf(const DrawingGraph& graph, const std::vector<LinkSamples>& samp
 
 DrawingEvidence MeasureEvidence(const DrawingGraph& graph, const std::vector<View>& views,
                                 const RegularityOptions& options, const RunContext& context) {
-  // As for primitives: near nodes the edges of several links run into one another.
-  constexpr double kEndZonePx = 4;
   DrawingEvidence evidence;
   evidence.samples.resize(graph.links.size());
   const std::vector<EndConditions> ends = EndsOfLinks(graph);
   ParallelFor(context, "measuring shapes", graph.links.size(), [&](size_t l) {
     if (!graph.links[l].primitive) return;
     evidence.samples[l] = SampleLink(graph.links[l], views);
-    DiscountEnds({ends[l][0].held, ends[l][1].held}, kEndZonePx, &evidence.samples[l]);
+    DiscountEnds({ends[l][0].held, ends[l][1].held}, PrimitiveOptions().end_zone_px,
+                 &evidence.samples[l]);
   });
   evidence.unit = UnitOf(graph, evidence.samples);
   const LinkSelection selection;

@@ -1,90 +1,24 @@
 #include "limn/primitives/fit_primitives.h"
 
 #include <cmath>
-#include <functional>
-#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
-#include "support/synthetic_scene.h"
+#include "support/noisy_drawing.h"
 
 namespace limn {
 namespace {
 
-// Ten views around the origin; a pixel is about 8 mm large there.
-constexpr double kPx = 0.008;
-constexpr double kNoisePx = 0.15;
+using testing::LineCurve;
+using Scene = testing::NoisyDrawing;
+using Curve = Scene::Curve;
 
-const std::vector<View>& Views() {
-  static const std::vector<View> views = testing::DomeViews(10, 5);
-  return views;
-}
+constexpr double kPx = testing::kNoisyDrawingPx;
+constexpr double kNoisePx = testing::kDrawnNoisePx;
 
-using Curve = std::function<Eigen::Vector3d(double)>;
-
-// Builds graphs of noisy curves; the noise changes every 10 px.
-class Scene {
- public:
-  NodeId AddNode(const Eigen::Vector3d& position) {
-    graph_.nodes.emplace_back();
-    graph_.nodes.back().position_in_world = position;
-    return static_cast<NodeId>(graph_.nodes.size()) - 1;
-  }
-
-  // A curve of about this length from node to node.
-  void AddLink(NodeId node0, NodeId node1, const Curve& curve, double length) {
-    const int count = std::max(3, static_cast<int>(length / kPx));
-    DrawingLink link;
-    Eigen::Vector3d noise = Noise();
-    Eigen::Vector3d next = Noise();
-    for (int k = 0; k <= count; ++k) {
-      if (k % 10 == 0) noise = std::exchange(next, Noise());
-      const double part = (k % 10) / 10.0;
-      link.points_in_world.push_back(curve(static_cast<double>(k) / count) + (1 - part) * noise +
-                                     part * next);
-    }
-    link.node0 = node0;
-    link.node1 = node1;
-    link.points_in_world.front() = graph_.nodes[node0].position_in_world;
-    link.points_in_world.back() = graph_.nodes[node1].position_in_world;
-    link.sigma.assign(link.points_in_world.size(), kNoisePx * kPx);
-    for (size_t v = 0; v < Views().size(); ++v) {
-      link.supporting_views.push_back(static_cast<ViewId>(v));
-    }
-    graph_.links.push_back(std::move(link));
-  }
-
-  // A curve with nodes of its own at its ends.
-  void AddCurve(const Curve& curve, double length) {
-    const NodeId node0 = AddNode(curve(0));
-    const bool closed = (curve(1) - curve(0)).norm() < 1e-9;
-    AddLink(node0, closed ? node0 : AddNode(curve(1)), curve, length);
-  }
-
-  DrawingGraph graph() {
-    RebuildIncidence(&graph_);
-    for (DrawingLink& link : graph_.links) {
-      link.closed = link.node0 == link.node1 && graph_.nodes[link.node0].Degree() == 2;
-    }
-    RebuildIncidence(&graph_);
-    return graph_;
-  }
-
- private:
-  Eigen::Vector3d Noise() {
-    std::normal_distribution<double> normal(0, kNoisePx * kPx);
-    return {normal(random_), normal(random_), normal(random_)};
-  }
-
-  DrawingGraph graph_;
-  std::mt19937 random_{5};
-};
-
-Curve Line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return [=](double t) -> Eigen::Vector3d { return (1 - t) * from + t * to; };
-}
+const std::vector<View>& Views() { return testing::ViewsOfNoisyDrawing(); }
 
 // In a tilted plane around the origin.
 Curve Arc(double radius, double sweep_rad) {
@@ -119,7 +53,7 @@ TEST(FitPrimitives, LinesAreLines) {
   Scene scene;
   const Eigen::Vector3d along = Eigen::Vector3d(3, 1, -1).normalized();
   for (const double length : {0.08, 0.3, 1.2}) {
-    scene.AddCurve(Line(Eigen::Vector3d::Zero(), length * along), length);
+    scene.AddCurve(LineCurve(Eigen::Vector3d::Zero(), length * along), length);
   }
   const PrimitiveResult result = Fit(scene.graph());
   for (size_t l = 0; l < 3; ++l) {
@@ -157,7 +91,7 @@ TEST(FitPrimitives, CirclesOnWhichOthersEndAreCircles) {
   const NodeId node = scene.AddNode(start + Eigen::Vector3d(0.7 * kPx, 0, 0));
   scene.AddLink(node, node, Arc(0.4, 2 * M_PI), 0.8 * M_PI);
   const Eigen::Vector3d end(0.9, 0.3, 0);
-  scene.AddLink(node, scene.AddNode(end), Line(start, end), 0.6);
+  scene.AddLink(node, scene.AddNode(end), LineCurve(start, end), 0.6);
   const PrimitiveResult result = Fit(scene.graph());
   EXPECT_FALSE(result.graph.links[0].closed);
   ASSERT_STREQ(ShapeName(ShapeOf(result, 0)), "circle");
@@ -197,7 +131,7 @@ TEST(FitPrimitives, EndsAreHeldWhereTheirCurvesMeet) {
   const NodeId center = scene.AddNode({1.5 * kPx, 0, 0});
   const Eigen::Vector3d ends[] = {{0.6, 0.1, 0}, {-0.3, 0.5, 0.1}, {-0.2, -0.6, -0.1}};
   for (const Eigen::Vector3d& end : ends) {
-    scene.AddLink(center, scene.AddNode(end), Line(Eigen::Vector3d::Zero(), end), 0.6);
+    scene.AddLink(center, scene.AddNode(end), LineCurve(Eigen::Vector3d::Zero(), end), 0.6);
   }
   const PrimitiveResult result = Fit(scene.graph());
   const Eigen::Vector3d& meeting = result.graph.nodes[center].position_in_world;
@@ -215,7 +149,7 @@ TEST(FitPrimitives, EndsOfArcsAreHeldToo) {
   scene.AddLink(node, scene.AddNode(Arc(0.4, 2)(1)), Arc(0.4, 2), 0.8);
   for (const Eigen::Vector3d& end :
        {Eigen::Vector3d(0.9, 0.3, 0), Eigen::Vector3d(0.6, -0.5, 0.1)}) {
-    scene.AddLink(node, scene.AddNode(end), Line(start, end), 0.6);
+    scene.AddLink(node, scene.AddNode(end), LineCurve(start, end), 0.6);
   }
   const PrimitiveResult result = Fit(scene.graph());
   ASSERT_STREQ(ShapeName(ShapeOf(result, 0)), "arc");
@@ -231,7 +165,7 @@ TEST(FitPrimitives, ContinuationsShareTheirTangent) {
   const NodeId side = scene.AddNode({0, 0.6, 0.1});
   scene.AddLink(first, middle, Wave(-1, 0), 1.2);
   scene.AddLink(middle, last, Wave(0, 1), 1.2);
-  scene.AddLink(middle, side, Line(Wave(-1, 1)(0.5), {0, 0.6, 0.1}), 0.6);
+  scene.AddLink(middle, side, LineCurve(Wave(-1, 1)(0.5), {0, 0.6, 0.1}), 0.6);
   DrawingGraph graph = scene.graph();
   graph.nodes[middle].continuations = {{{0, 1}, {1, 0}}};
   const PrimitiveResult result = Fit(graph);
@@ -248,9 +182,10 @@ TEST(FitPrimitives, ShortLinksDoNotCollapse) {
   Scene scene;
   const NodeId a = scene.AddNode({0, 0, 0});
   const NodeId b = scene.AddNode({kPx, 0, 0});
-  scene.AddLink(a, b, Line({0, 0, 0}, {kPx, 0, 0}), kPx);
-  scene.AddLink(a, scene.AddNode({0.02, 0.5, 0}), Line({0.02, 0, 0}, {0.02, 0.5, 0}), 0.5);
-  scene.AddLink(b, scene.AddNode({-0.01, -0.5, 0}), Line({-0.01, 0, 0}, {-0.01, -0.5, 0}), 0.5);
+  scene.AddLink(a, b, LineCurve({0, 0, 0}, {kPx, 0, 0}), kPx);
+  scene.AddLink(a, scene.AddNode({0.02, 0.5, 0}), LineCurve({0.02, 0, 0}, {0.02, 0.5, 0}), 0.5);
+  scene.AddLink(b, scene.AddNode({-0.01, -0.5, 0}), LineCurve({-0.01, 0, 0}, {-0.01, -0.5, 0}),
+                0.5);
   const PrimitiveResult result = Fit(scene.graph());
   EXPECT_GT(Length(result.graph.links[0].points_in_world), 0.4 * kPx);
   for (const DrawingLink& link : result.graph.links) EXPECT_TRUE(link.primitive);
@@ -258,8 +193,8 @@ TEST(FitPrimitives, ShortLinksDoNotCollapse) {
 
 TEST(FitPrimitives, WhatNoViewSeesGetsNone) {
   Scene scene;
-  scene.AddCurve(Line({0, 0, 50}, {1, 0, 50}), 1);  // behind all views
-  scene.AddCurve(Line({0, 0, 0}, {1, 0, 0}), 1);
+  scene.AddCurve(LineCurve({0, 0, 50}, {1, 0, 50}), 1);  // behind all views
+  scene.AddCurve(LineCurve({0, 0, 0}, {1, 0, 0}), 1);
   const PrimitiveResult result = Fit(scene.graph());
   EXPECT_FALSE(result.graph.links[0].primitive);
   EXPECT_TRUE(result.graph.links[1].primitive);

@@ -1,90 +1,46 @@
 #include "limn/regularity/regularize.h"
 
 #include <cmath>
-#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limn/primitives/fit_primitives.h"
 #include "limn/util/errors.h"
-#include "support/synthetic_scene.h"
+#include "support/noisy_drawing.h"
 
 namespace limn {
 namespace {
 
 using Eigen::Vector3d;
 
-// Ten views around the origin; a pixel is about 8 mm large there.
-constexpr double kPx = 0.008;
-constexpr double kNoisePx = 0.15;
+using testing::LineCurve;
+using testing::NoisyDrawing;
 
-const std::vector<View>& ViewsAround() {
-  static const std::vector<View> views = testing::DomeViews(10, 5);
-  return views;
+constexpr double kPx = testing::kNoisyDrawingPx;
+
+NodeId AddNoisyNode(const Vector3d& position, NoisyDrawing* drawing) {
+  return drawing->AddNode(position + drawing->Noise());
 }
 
-// A graph of noisy curves; the noise changes every 10 px.
-class NoisyDrawing {
- public:
-  NodeId AddNode(const Vector3d& position) {
-    graph_.nodes.emplace_back();
-    graph_.nodes.back().position_in_world = position + Noise();
-    return static_cast<NodeId>(graph_.nodes.size()) - 1;
-  }
+void AddFreeLine(const Vector3d& from, const Vector3d& to, NoisyDrawing* drawing) {
+  const NodeId node0 = AddNoisyNode(from, drawing);
+  const NodeId node1 = AddNoisyNode(to, drawing);
+  drawing->AddLink(node0, node1, LineCurve(from, to), (to - from).norm());
+}
 
-  template <class Curve>
-  void AddLink(NodeId node0, NodeId node1, double length, const Curve& curve) {
-    const int count = std::max(3, static_cast<int>(length / kPx));
-    DrawingLink link;
-    Vector3d noise = Noise(), next = Noise();
-    for (int k = 0; k <= count; ++k) {
-      if (k % 10 == 0) noise = std::exchange(next, Noise());
-      const double part = (k % 10) / 10.0;
-      link.points_in_world.push_back(curve(static_cast<double>(k) / count) + (1 - part) * noise +
-                                     part * next);
-    }
-    link.node0 = node0;
-    link.node1 = node1;
-    link.points_in_world.front() = graph_.nodes[node0].position_in_world;
-    link.points_in_world.back() = graph_.nodes[node1].position_in_world;
-    link.sigma.assign(link.points_in_world.size(), kNoisePx * kPx);
-    link.closed = node0 == node1;
-    for (size_t v = 0; v < ViewsAround().size(); ++v) {
-      link.supporting_views.push_back(static_cast<ViewId>(v));
-    }
-    graph_.links.push_back(std::move(link));
-  }
+void AddCircle(const Vector3d& center, const Vector3d& x, const Vector3d& y,
+               NoisyDrawing* drawing) {
+  const NodeId node = AddNoisyNode(center + x, drawing);
+  const auto circle = [=](double t) {
+    return Vector3d(center + std::cos(2 * M_PI * t) * x + std::sin(2 * M_PI * t) * y);
+  };
+  drawing->AddLink(node, node, circle, 2 * M_PI * x.norm());
+}
 
-  void AddLine(NodeId node0, NodeId node1, const Vector3d& from, const Vector3d& to) {
-    AddLink(node0, node1, (to - from).norm(),
-            [&](double t) { return Vector3d((1 - t) * from + t * to); });
-  }
-  void AddFreeLine(const Vector3d& from, const Vector3d& to) {
-    AddLine(AddNode(from), AddNode(to), from, to);
-  }
-
-  void AddCircle(const Vector3d& center, const Vector3d& x, const Vector3d& y) {
-    const NodeId node = AddNode(center + x);
-    AddLink(node, node, 2 * M_PI * x.norm(), [&](double t) {
-      return Vector3d(center + std::cos(2 * M_PI * t) * x + std::sin(2 * M_PI * t) * y);
-    });
-  }
-
-  DrawingGraph Fitted() {
-    RebuildIncidence(&graph_);
-    return FitPrimitives(graph_, ViewsAround(), {}, {}).graph;
-  }
-
- private:
-  Vector3d Noise() {
-    std::normal_distribution<double> normal(0, kNoisePx * kPx);
-    return {normal(random_), normal(random_), normal(random_)};
-  }
-
-  DrawingGraph graph_;
-  std::mt19937 random_{5};
-};
+DrawingGraph Fitted(NoisyDrawing* drawing) {
+  return FitPrimitives(drawing->graph(), testing::ViewsOfNoisyDrawing(), {}, {}).graph;
+}
 
 // A tilted box of 0.8 x 0.6 x 0.5 around the origin.
 const Eigen::Matrix3d& Tilt() {
@@ -101,17 +57,18 @@ Vector3d BoxCorner(int index) {
 
 void AddBox(NoisyDrawing* drawing) {
   std::vector<NodeId> corners;
-  for (int i = 0; i < 8; ++i) corners.push_back(drawing->AddNode(BoxCorner(i)));
+  for (int i = 0; i < 8; ++i) corners.push_back(AddNoisyNode(BoxCorner(i), drawing));
   for (int i = 0; i < 8; ++i) {
     for (const int bit : {1, 2, 4}) {
       if (i & bit) continue;
-      drawing->AddLine(corners[i], corners[i | bit], BoxCorner(i), BoxCorner(i | bit));
+      const Vector3d from = BoxCorner(i), to = BoxCorner(i | bit);
+      drawing->AddLink(corners[i], corners[i | bit], LineCurve(from, to), (to - from).norm());
     }
   }
 }
 
 RegularityResult Regularized(const DrawingGraph& graph, const RegularityOptions& options = {}) {
-  const RegularityResult result = Regularize(graph, ViewsAround(), options, {});
+  const RegularityResult result = Regularize(graph, testing::ViewsOfNoisyDrawing(), options, {});
   EXPECT_THAT(Validate(result.graph), ::testing::IsEmpty());
   return result;
 }
@@ -143,7 +100,7 @@ Vector3d DirectionOf(const DrawingGraph& graph, LinkId link) {
 TEST(Regularize, ABoxGetsRightAngles) {
   NoisyDrawing drawing;
   AddBox(&drawing);
-  const DrawingGraph before = drawing.Fitted();
+  const DrawingGraph before = Fitted(&drawing);
   const RegularityResult result = Regularized(before);
   const Regularities& found = result.graph.regularities;
   ASSERT_EQ(found.directions.size(), 3u);
@@ -190,9 +147,9 @@ TEST(Regularize, WhatIsNearlyRegularStays) {
     const double angle = i * 2 * M_PI / 180;
     const Vector3d middle(0, 0.15 * i - 0.3, 0.05 * i);
     const Vector3d half(0.4 * std::cos(angle), 0, 0.4 * std::sin(angle));
-    drawing.AddFreeLine(middle - half, middle + half);
+    AddFreeLine(middle - half, middle + half, &drawing);
   }
-  const DrawingGraph before = drawing.Fitted();
+  const DrawingGraph before = Fitted(&drawing);
   const RegularityResult result = Regularized(before);
   EXPECT_TRUE(result.graph.regularities.IsEmpty());
   EXPECT_EQ(result.moves.num_ends, 0);
@@ -205,10 +162,10 @@ TEST(Regularize, CirclesGetOneAxisAndOneRadius) {
   NoisyDrawing drawing;
   const Vector3d x = Tilt().col(0), y = Tilt().col(1), axis = Tilt().col(2);
   for (const double height : {-0.3, 0.0, 0.3}) {
-    drawing.AddCircle(height * axis, 0.35 * x, 0.35 * y);
+    AddCircle(height * axis, 0.35 * x, 0.35 * y, &drawing);
   }
-  drawing.AddCircle(0.1 * axis + 0.05 * x, 0.2 * x, 0.2 * y);  // of neither
-  const RegularityResult result = Regularized(drawing.Fitted());
+  AddCircle(0.1 * axis + 0.05 * x, 0.2 * x, 0.2 * y, &drawing);  // of neither
+  const RegularityResult result = Regularized(Fitted(&drawing));
   const Regularities& found = result.graph.regularities;
   ASSERT_EQ(found.radii.size(), 1u);
   EXPECT_NEAR(found.radii[0], 0.35, 0.1 * kPx);
@@ -229,7 +186,7 @@ TEST(Regularize, CirclesGetOneAxisAndOneRadius) {
 TEST(Regularize, NoResidualGrows) {
   NoisyDrawing drawing;
   AddBox(&drawing);
-  const DrawingGraph before = drawing.Fitted();
+  const DrawingGraph before = Fitted(&drawing);
   RegularityOptions options;
   options.max_growth_px = 0.01;
   const RegularityResult result = Regularized(before, options);
@@ -242,7 +199,7 @@ TEST(Regularize, NoResidualGrows) {
 TEST(Regularize, OptionsAreChecked) {
   RegularityOptions options;
   options.max_growth_px = -1;
-  EXPECT_THROW(Regularize({}, ViewsAround(), options, {}), OptionError);
+  EXPECT_THROW(Regularize({}, testing::ViewsOfNoisyDrawing(), options, {}), OptionError);
 }
 
 TEST(Regularize, AnEmptyDrawingStaysEmpty) {
