@@ -176,8 +176,9 @@ struct DrawingGraph {
 // Descriptions of violated invariants, empty if there are none: ids in range, incidence symmetric,
 // link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
 // zero length, one sigma (and one vertex, if there are any) per point, primitives that
-// ValidateShape accepts, regularities that there are, confidences of kinds from 0 to 1, doubts of tentative links only,
-// junction <=> degree >= 3, loop anchors with exactly the two ends of one closed link. Linear time.
+// ValidateShape accepts, regularities that there are, confidences of kinds from 0 to 1, doubts of
+// tentative links only, junction <=> degree >= 3, loop anchors with exactly the two ends of one
+// closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // Recomputes `incident` and `kind` of every node from the links' node0, node1 and closed.

@@ -66,8 +66,8 @@ void SetPaperDefaults(PipelineOptions* options);
 
 const char* SketchModeName(SketchMode mode);
 
-// All options as the text of a JSON object {"mode": name, "regularize": bool, group: {name: value}},
-// for provenance.
+// All options as the text of a JSON object {"mode": name, "regularize": bool, group: {name:
+// value}}, for provenance.
 std::string OptionsAsJson(const PipelineOptions& options);
 
 // The same of one group: {name: value}.

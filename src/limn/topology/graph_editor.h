@@ -16,9 +16,9 @@ namespace limn {
 // when its two ends are alone at one node. Ids stay valid until Compact(); removed items leave gaps
 // (IsLink, IsNode).
 //
-// Edits that change the shape of a link drop its primitive, regularity and dense class. The parts of a
-// split link share its members, supporting views and kind; joined links unite theirs, are of the
-// kind that more of their length is, weighted by confidence, and tentative if most of it is.
+// Edits that change the shape of a link drop its primitive, regularity and dense class. The parts
+// of a split link share its members, supporting views and kind; joined links unite theirs, are of
+// the kind that more of their length is, weighted by confidence, and tentative if most of it is.
 class GraphEditor {
  public:
   // The graph must pass Validate. It is edited in place, and passes Validate again after Compact().

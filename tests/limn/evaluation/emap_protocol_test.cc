@@ -28,8 +28,8 @@ TEST(EmapProtocol, PerfectCurvesScoreOne) {
 }
 
 TEST(EmapProtocol, OffsetShowsInAccuracyAndThresholds) {
-  const auto scores =
-      EvaluateByEmap(Curves({LineAlongX(0, 1, 0.257)}), Curves({LineAlongX(0, 1, 0.25), LineAlongX(0, 1, 0.75)}));
+  const auto scores = EvaluateByEmap(Curves({LineAlongX(0, 1, 0.257)}),
+                                     Curves({LineAlongX(0, 1, 0.25), LineAlongX(0, 1, 0.75)}));
   ASSERT_TRUE(scores);
   EXPECT_NEAR(scores->accuracy, 0.007, 1e-4);
   EXPECT_NEAR(scores->completeness, (0.007 + 0.493) / 2, 1e-3);
@@ -64,7 +64,8 @@ TEST(EmapProtocol, VoxelsMergeCopies) {
   EmapOptions options;
   options.average_voxels = true;
   const auto one = EvaluateByEmap(truth, truth, options);
-  const auto two = EvaluateByEmap(Curves({LineAlongX(0, 1, 0.25), LineAlongX(0, 1, 0.25)}), truth, options);
+  const auto two =
+      EvaluateByEmap(Curves({LineAlongX(0, 1, 0.25), LineAlongX(0, 1, 0.25)}), truth, options);
   EXPECT_EQ(one->num_points, two->num_points);
   EXPECT_NEAR(one->num_points, 128, 1);
 }
