@@ -91,15 +91,16 @@ void CheckTakesFile(const std::string& path) {
 
 void WriteFileAtomically(const std::string& path, const std::function<void(std::ostream&)>& write) {
   CheckTakesFile(path);
-  MakeParentFolder(path);
   std::optional<TemporaryPath> temporary;  // removed after errno was read
   std::ofstream out;
   // An exception at the first byte that cannot be written: the reason is still in errno, and the
   // rest is not made in vain.
   out.exceptions(std::ios::failbit | std::ios::badbit);
   try {
-    errno = 0;
+    // The folder, too, is made here: after AbandonWrites, nothing may be made any more.
     temporary.emplace(TemporaryFor(path), [&](const fs::path& made) {
+      MakeParentFolder(path);
+      errno = 0;
       out.open(made, std::ios::binary | std::ios::trunc);
     });
     TakeModeOf(path, temporary->path());

@@ -119,6 +119,15 @@ void CheckNode(const DrawingGraph& graph, NodeId id, Violations* violations) {
   CheckIncidence(graph, id, violations);
 }
 
+void CheckFaces(const DrawingGraph& graph, Violations* violations) {
+  std::vector<int> num_points;
+  for (const DrawingLink& link : graph.links) num_points.push_back(link.size());
+  for (size_t id = 0; id < graph.faces.size(); ++id) {
+    const std::string broken = Validate(graph.faces[id], num_points);
+    if (!broken.empty()) violations->Add("face", static_cast<int>(id), broken);
+  }
+}
+
 }  // namespace
 
 const char* NodeKindName(NodeKind kind) {
@@ -200,6 +209,13 @@ std::vector<std::string> Validate(const DrawingGraph& graph) {
   for (size_t id = 0; id < graph.links.size(); ++id) {
     CheckLink(graph, static_cast<LinkId>(id), &violations);
   }
+  CheckFaces(graph, &violations);
+  for (size_t id = 0; id < graph.dimensions.size(); ++id) {
+    const DrawingDimension& dimension = graph.dimensions[id];
+    if (!dimension.from.allFinite() || !dimension.to.allFinite() || !dimension.shift.allFinite()) {
+      violations.Add("dimension", static_cast<int>(id), "place not finite");
+    }
+  }
   for (size_t id = 0; id < graph.nodes.size(); ++id) {
     CheckNode(graph, static_cast<NodeId>(id), &violations);
   }
@@ -233,6 +249,7 @@ void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph) {
   std::vector<NodeId> new_node(graph->nodes.size(), -1);
   DrawingGraph kept;
   kept.regularities = std::move(graph->regularities);
+  kept.dimensions = std::move(graph->dimensions);
   for (size_t l = 0; l < keep.size(); ++l) {
     if (!keep[l]) continue;
     new_link[l] = static_cast<LinkId>(kept.links.size());
@@ -257,6 +274,9 @@ void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph) {
     link.node1 = new_node[link.node1];
   }
   RebuildIncidence(&kept);
+  for (DrawingFace& face : graph->faces) {
+    if (RenameLinks(new_link, &face)) kept.faces.push_back(std::move(face));
+  }
   *graph = std::move(kept);
 }
 

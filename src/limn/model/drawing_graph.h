@@ -10,6 +10,8 @@
 
 #include "limn/geometry/curve_shape.h"
 #include "limn/model/curve3d.h"
+#include "limn/model/dimension.h"
+#include "limn/model/faces.h"
 #include "limn/model/regularities.h"
 
 namespace limn {
@@ -171,21 +173,24 @@ struct DrawingGraph {
   std::vector<DrawingNode> nodes;
   std::vector<DrawingLink> links;
   Regularities regularities = {};
+  // Surfaces between the links. Whoever changes links drops those that they bound.
+  std::vector<DrawingFace> faces = {};
+  std::vector<DrawingDimension> dimensions = {};
 };
 
 // Descriptions of violated invariants, empty if there are none: ids in range, incidence symmetric,
 // link ends at their nodes' positions, all numbers finite, links of at least two points, no link of
 // zero length, one sigma (and one vertex, if there are any) per point, primitives that
-// ValidateShape accepts, regularities that there are, confidences of kinds from 0 to 1, doubts of
-// tentative links only, junction <=> degree >= 3, loop anchors with exactly the two ends of one
-// closed link. Linear time.
+// ValidateShape accepts, regularities and faces that are in order, finite dimensions, confidences
+// of kinds from 0 to 1, doubts of tentative links only, junction <=> degree >= 3, loop anchors with
+// exactly the two ends of one closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
 // Recomputes `incident` and `kind` of every node from the links' node0, node1 and closed.
 void RebuildIncidence(DrawingGraph* graph);
 
-// Removes links marked 0, and nodes without links; the others keep their order. Rebuilds the
-// incidence.
+// Removes links marked 0, nodes without links and faces that these links bound; the others keep
+// their order. Rebuilds the incidence.
 void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph);
 
 }  // namespace limn

@@ -25,7 +25,14 @@ DrawingGraph Transformed(DrawingGraph graph, double scale, const Eigen::Matrix3d
       link.primitive->shape = Transformed(link.primitive->shape, scale, rotation, translation);
     }
   }
-  graph.regularities = Transformed(std::move(graph.regularities), {scale, rotation, translation});
+  const Similarity3d similarity{scale, rotation, translation};
+  graph.regularities = Transformed(std::move(graph.regularities), similarity);
+  for (DrawingFace& face : graph.faces) face = Transformed(std::move(face), similarity);
+  for (DrawingDimension& dimension : graph.dimensions) {
+    dimension.from = similarity * dimension.from;
+    dimension.to = similarity * dimension.to;
+    dimension.shift = scale * (rotation * dimension.shift);
+  }
   return graph;
 }
 

@@ -22,7 +22,8 @@ namespace limn {
 class GraphEditor {
  public:
   // The graph must pass Validate. It is edited in place, and passes Validate again after Compact().
-  explicit GraphEditor(DrawingGraph* graph) : graph_(graph) {}
+  // Drops all faces, which are to be found again between the edited links.
+  explicit GraphEditor(DrawingGraph* graph) : graph_(graph) { graph_->faces.clear(); }
 
   const DrawingGraph& graph() const { return *graph_; }
   const DrawingLink& link(LinkId id) const { return graph_->links[id]; }

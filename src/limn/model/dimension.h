@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace limn {
+
+// A length that a user asked to be written into the drawing: the distance of two places. World
+// units.
+struct DrawingDimension {
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();
+  Eigen::Vector3d to = Eigen::Vector3d::UnitX();
+  // From the places to where the dimension line is drawn; zero: between the places themselves.
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+};
+
+}  // namespace limn
