@@ -234,6 +234,10 @@ DrawingFile ToDrawingFile(const Json& json) {
   if (json.contains("regularities")) {
     file.graph.regularities = ToRegularities(json.at("regularities"));
   }
+  for (const Json& dimension : json.value("dimensions", Json::array())) {
+    file.graph.dimensions.push_back({ToPoint(dimension.at("from")), ToPoint(dimension.at("to")),
+                                     ToPoint(dimension.at("shift"))});
+  }
   for (const Json& node : json.at("nodes")) file.graph.nodes.push_back(ToNode(node));
   for (const Json& link : json.at("links")) file.graph.links.push_back(ToLink(link, view_ids));
   const std::vector<std::string> violations = Validate(file.graph);

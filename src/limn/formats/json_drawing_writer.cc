@@ -106,6 +106,12 @@ Json ToJson(const Regularities& regularities) {
           {"axes", axes}};
 }
 
+Json ToJson(const DrawingDimension& dimension) {
+  return {{"from", ToJson(dimension.from)},
+          {"to", ToJson(dimension.to)},
+          {"shift", ToJson(dimension.shift)}};
+}
+
 Json ToJson(const DrawingLink& link, size_t id, const std::vector<std::string>& view_names) {
   Json json = {{"id", id},
                {"node0", link.node0},
@@ -170,6 +176,12 @@ void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata
   }
   if (!graph.regularities.IsEmpty()) {
     out << "\"regularities\": " << ToJson(graph.regularities).dump() << ",\n";
+  }
+  if (!graph.dimensions.empty()) {
+    PutList(
+        "dimensions", graph.dimensions,
+        [](const DrawingDimension& dimension, size_t) { return ToJson(dimension); }, out);
+    out << ",\n";
   }
   PutList(
       "nodes", graph.nodes, [](const DrawingNode& node, size_t id) { return ToJson(node, id); },
