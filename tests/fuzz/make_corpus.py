@@ -237,6 +237,17 @@ def curves():
     put("drawing_json", "fused", '{"format": "limn-drawing", "format_version": 1,\n"views": ["a.png"], '
         '"options": {},\n"nodes": [' + ",\n".join(nodes) + '],\n"links": [' +
         link % (0, 0, 1, dense, 0, 0) + ",\n" + link % (1, 2, 3, free, 1, 1) + "]}\n")
+    # A plane between two links and two bridges, and the same as ruled surface and as patch.
+    border = ('[[{"link":0,"from":0,"to":1},{"bridge":[[0,1,0],[1,1,0]]},{"link":1,"from":1,"to":0},'
+              '{"bridge":[[1,0,0],[0.5,0,0.1],[0,0,0]]}]]')
+    face = ('{"id":%d,"surface":"%s","area":1,"confidence":0.5,%s"views":["a.png"],"loops":' + border +
+            '%s,"vertices":[[0,0,0],[0,1,0],[1,1,0],[1,0,0]],"triangles":[[0,1,2],[0,2,3]]}')
+    put("drawing_json", "faces", '{"format": "limn-drawing", "format_version": 1,\n"views": ["a.png"], '
+        '"options": {},\n"nodes": [' + ",\n".join(nodes) + '],\n"links": [' +
+        link % (0, 0, 1, dense, 0, 0) + ",\n" + link % (1, 2, 3, free, 1, 1) + '],\n"faces": [' +
+        face % (0, "plane", '"normal":[0,0,-1],"offset":0,', "") + ",\n" +
+        face % (1, "ruled", "", ',"side_starts":[0,1,2,3]') + ",\n" +
+        face % (2, "patch", "", ',"side_starts":[0,2]') + "]}\n")
 
 
 def edges():

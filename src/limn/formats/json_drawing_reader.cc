@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/formats/json_faces.h"
 #include "limn/formats/json_text.h"
 #include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
@@ -240,6 +241,9 @@ DrawingFile ToDrawingFile(const Json& json) {
   }
   for (const Json& node : json.at("nodes")) file.graph.nodes.push_back(ToNode(node));
   for (const Json& link : json.at("links")) file.graph.links.push_back(ToLink(link, view_ids));
+  for (const Json& face : json.value("faces", Json::array())) {
+    file.graph.faces.push_back(FaceFromJson(face, view_ids));
+  }
   const std::vector<std::string> violations = Validate(file.graph);
   if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
   return file;

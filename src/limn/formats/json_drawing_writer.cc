@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/formats/json_faces.h"
 #include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
 #include "limn/version.h"
@@ -191,6 +192,15 @@ void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata
       "links", graph.links,
       [&](const DrawingLink& link, size_t id) { return ToJson(link, id, metadata.view_names); },
       out);
+  if (!graph.faces.empty()) {
+    out << ",\n";
+    PutList(
+        "faces", graph.faces,
+        [&](const DrawingFace& face, size_t id) {
+          return FaceToJson(face, id, metadata.view_names);
+        },
+        out);
+  }
   out << "}\n";
 }
 

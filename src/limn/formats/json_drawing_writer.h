@@ -32,9 +32,15 @@ namespace limn {
 //                            {"type": "spline", "degree": 3, "knots": [...],
 //                             "control_points": [...]}, each with "rms_px", "max_px",
 //               "supporting_views": [name, ...], "members": [[curve, begin, end], ...],
-//               "points": [[x, y, z], ...], "sigma": [..., null = unknown]}]}
-// One node or link per line. Throws InputError if a supporting view has no name in the metadata or
-// the options are not a JSON object.
+//               "points": [[x, y, z], ...], "sigma": [..., null = unknown]}],
+//    where there are surfaces "faces": [{"id", "surface": "plane"|"ruled"|"patch", "area",
+//               "confidence", of a plane "normal", "offset", "views": [name, ...],
+//               "loops": [[edge, ...], ...] with edge = {"link", "from", "to"} or
+//               {"bridge": [[x, y, z], ...]}, "side_starts": [edge, ...] where there are,
+//               "vertices": [[x, y, z], ...], "triangles": [[vertex, vertex, vertex], ...]}] as in
+//               model/faces.h}
+// One node, link or face per line. Throws InputError if a view has no name in the metadata or the
+// options are not a JSON object.
 void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata,
                       std::ostream& out);
 
