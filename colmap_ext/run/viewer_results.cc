@@ -93,13 +93,16 @@ std::vector<ViewerThumbnail> Thumbnails(const Project& project, int size, Consol
   return thumbnails;
 }
 
-void MoveToWorld(const Similarity3d& world_from_model, ViewerScene* scene) {
+void MoveToWorld(const Alignment& alignment, ViewerScene* scene) {
+  const Similarity3d& world_from_model = alignment.world_from_model;
   const auto& [scale, rotation, translation] = world_from_model;
   scene->graph = Transformed(std::move(scene->graph), scale, rotation, translation);
   for (View& view : scene->views) {
     view.cam_from_world = CamFromB(view.cam_from_world, world_from_model);
   }
   for (ViewerPoint& point : scene->cloud) point.position = world_from_model * point.position;
+  scene->shown_from_model = world_from_model;
+  if (alignment.IsMetric()) scene->unit = alignment.Unit();
 }
 
 }  // namespace
@@ -148,7 +151,7 @@ void WriteViewerResult(const Project& project, const std::string& workspace_path
   scene.graph = Moved(graph, project.origin());
   scene.views = Moved(views, project.origin());
   scene.cloud = CloudOf(project, workspace_path, options, console);
-  if (shown) MoveToWorld(shown->world_from_model, &scene);
+  if (shown) MoveToWorld(*shown, &scene);
   scene.thumbnails = Thumbnails(project, options.thumbnail_size, console);
   scene.report_json = report_json;
   const std::string path = project.DrawingPath(kViewerPage);

@@ -1,6 +1,7 @@
 // make_pages <folder>: the pages that the browser tests open.
 //   wires.html, wires.json    a synthetic scene and what its page must show
-//   large.html                for tests/bench/viewer_frames.mjs
+//   edit.html, edit.json      links to edit
+//   large.html, many.html     for tests/bench
 //   day/, distorted/          the truth of the sample scene over its photographs, made by
 //                             `limn drawing_viewer`; distorted/ has a lens
 
@@ -12,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "browser/edit_scene.h"
 #include "browser/wire_scene.h"
 #include "end_to_end/run_limn.h"
 #include "limn/formats/atomic_file.h"
@@ -72,7 +74,11 @@ bool MakePages(const fs::path& folder) {
   const ViewerScene wires = WireScene();
   WritePage(folder / "wires.html", wires);
   WriteFileAtomically((folder / "wires.json").string(), Expectations(wires).dump());
+  const ViewerScene edit = EditScene();
+  WritePage(folder / "edit.html", edit);
+  WriteFileAtomically((folder / "edit.json").string(), EditExpectations(edit).dump());
   WritePage(folder / "large.html", LargeScene());
+  WritePage(folder / "many.html", ManyLinksScene());
   return MakeSamplePage(folder / "day", "day") && MakeSamplePage(folder / "distorted", "distorted");
 }
 

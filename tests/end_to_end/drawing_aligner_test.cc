@@ -251,6 +251,12 @@ TEST_F(DrawingAligner, ThePageShowsTheWorld) {
   const DrawingFile drawing = Read();
   const Similarity3d& world_from_model = drawing.metadata.alignment->world_from_model;
   EXPECT_GT(std::abs(world_from_model.scale - 1), 0.1);
+  // The way back to drawing.json, in which the page writes edits.
+  const auto& told = page.at("shownFromModel");
+  EXPECT_EQ(told.at("scale").get<double>(), world_from_model.scale);
+  EXPECT_EQ(told.at("translation")[2].get<double>(), world_from_model.translation.z());
+  EXPECT_EQ(told.at("rotation")[1].get<double>(), world_from_model.rotation(0, 1));
+  EXPECT_EQ(page.at("unit"), "m");
   for (const size_t n : {size_t{0}, drawing.graph.nodes.size() - 1}) {
     const Eigen::Vector3d expected = world_from_model * drawing.graph.nodes[n].position_in_world;
     EXPECT_LT((position(page.at("nodes")[n]) - expected).norm(), 1e-5);

@@ -177,6 +177,34 @@ void AddNodes(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadAr
   arrays->Add("nodeKind", kind);
 }
 
+void AddFaces(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
+  Values vertices;
+  std::vector<uint32_t> triangles;  // of vertices of all faces
+  std::vector<double> areas;
+  for (const DrawingFace& face : scene.graph.faces) {
+    const auto first = static_cast<uint32_t>(vertices.numbers.size() / 3);
+    for (const Eigen::Vector3d& vertex : face.vertices) vertices.Put(vertex - center);
+    for (const auto& triangle : face.triangles) {
+      for (const int vertex : triangle) triangles.push_back(first + static_cast<uint32_t>(vertex));
+    }
+    areas.push_back(AreaOf(face));
+  }
+  arrays->Add("faceVertices", vertices.numbers);
+  arrays->Add("faceTriangles", triangles);
+  arrays->Add("faceAreas", areas);
+}
+
+// Nine numbers each: from, to, shift.
+void AddDimensions(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
+  Values values;
+  for (const DrawingDimension& dimension : scene.graph.dimensions) {
+    values.Put(dimension.from - center);
+    values.Put(dimension.to - center);
+    values.Put(dimension.shift);
+  }
+  arrays->Add("dimensions", values.numbers);
+}
+
 void AddCloud(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
   const double step = CloudStep(scene, center);
   Values positions;
@@ -193,21 +221,34 @@ void AddCloud(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadAr
 
 Json ToJson(const Eigen::Vector2d& pixel) { return {pixel.x(), pixel.y()}; }
 
+Json ToJson(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+Json RowsOf(const Eigen::Matrix3d& matrix) {
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) rows.push_back(matrix(row, column));
+  }
+  return rows;
+}
+
+Json ToJson(const Similarity3d& similarity) {
+  return {{"scale", similarity.scale},
+          {"rotation", RowsOf(similarity.rotation)},
+          {"translation", ToJson(similarity.translation)}};
+}
+
 Json ToJson(const View& view, const Eigen::Vector3d& center) {
   const PinholeCamera& camera = view.camera;
-  const Eigen::Matrix3d rotation = view.cam_from_world.rotation.toRotationMatrix();
-  Json json = {{"name", view.name},   {"width", camera.width}, {"height", camera.height},
-               {"fx", camera.fx},     {"fy", camera.fy},       {"cx", camera.cx},
-               {"cy", camera.cy},     {"position", nullptr},   {"camFromWorld", Json::array()},
-               {"thumbnail", nullptr}};
-  const Eigen::Vector3d position = view.CenterInWorld() - center;
-  json["position"] = {position.x(), position.y(), position.z()};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      json["camFromWorld"].push_back(rotation(row, column));
-    }
-  }
-  return json;
+  return {{"name", view.name},
+          {"width", camera.width},
+          {"height", camera.height},
+          {"fx", camera.fx},
+          {"fy", camera.fy},
+          {"cx", camera.cx},
+          {"cy", camera.cy},
+          {"position", ToJson(Eigen::Vector3d(view.CenterInWorld() - center))},
+          {"camFromWorld", RowsOf(view.cam_from_world.rotation.toRotationMatrix())},
+          {"thumbnail", nullptr}};
 }
 
 Json AddViews(const ViewerScene& scene, const Eigen::Vector3d& center, PayloadArrays* arrays) {
@@ -249,9 +290,13 @@ std::string EncodePayload(const ViewerScene& scene) {
   AddDense(scene, &arrays);
   AddKinds(scene, &arrays);
   AddNodes(scene, center, &arrays);
+  AddFaces(scene, center, &arrays);
+  AddDimensions(scene, center, &arrays);
   AddCloud(scene, center, &arrays);
   Json header = {{"format", "limn-viewer"}, {"version", 1}, {"title", scene.title}};
-  header["center"] = {center.x(), center.y(), center.z()};
+  header["center"] = ToJson(center);
+  header["shownFromModel"] = ToJson(scene.shown_from_model);
+  header["unit"] = scene.unit;
   header["views"] = AddViews(scene, center, &arrays);
   header["report"] = ReportOf(scene);
   header["arrays"] = arrays.header();

@@ -13,7 +13,8 @@ namespace limn {
 // "length"}}}, offsets counted from the end of the header. Numbers of several bytes are stored in
 // planes, the first bytes of all numbers, then the second bytes, ..., which compresses better.
 // Positions are relative to the header's "center", so that 32 bits are enough even far from the
-// origin.
+// origin; "shownFromModel" is ViewerScene::shown_from_model: {"scale", "rotation": nine numbers,
+// row by row, "translation"}, before the center is subtracted.
 //
 // Throws InputError if the scene is inconsistent: thumbnails or supporting views without views, a
 // report that is not a JSON object.

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "limn/geometry/similarity3.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 
@@ -31,6 +32,10 @@ struct ViewerPoint {
 // model's or the world's.
 struct ViewerScene {
   std::string title;
+  // How the displayed coordinates come from those of drawing.json, in which edits are written.
+  Similarity3d shown_from_model;
+  // What displayed lengths are in.
+  std::string unit = "model units";
   DrawingGraph graph;
   // The views that the links' supporting views are indices into.
   std::vector<View> views;

@@ -122,6 +122,50 @@ TEST(ViewerPayload, TellsPrimitives) {
   EXPECT_EQ(payload.Array<uint32_t>("primitiveControls")[3], 5u);
 }
 
+TEST(ViewerPayload, TellsTheWayBackToTheModel) {
+  ViewerScene scene = SmallScene();
+  EXPECT_EQ(Payload(EncodePayload(scene)).header["unit"], "model units");
+  scene.unit = "m";
+  scene.shown_from_model.scale = 2;
+  scene.shown_from_model.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  scene.shown_from_model.translation = {10, 20, 30};
+  const Payload payload(EncodePayload(scene));
+  EXPECT_EQ(payload.header["unit"], "m");
+  const auto told = payload.header["shownFromModel"];
+  EXPECT_EQ(told["scale"], 2.0);
+  EXPECT_EQ(told["translation"], (std::vector<double>{10, 20, 30}));
+  // Row by row: (1, 2, 3) -> 2 (-2, 1, 3) + (10, 20, 30).
+  EXPECT_EQ(told["rotation"], (std::vector<double>{0, -1, 0, 1, 0, 0, 0, 0, 1}));
+}
+
+TEST(ViewerPayload, HoldsFacesAndDimensions) {
+  ViewerScene scene = SmallScene();
+  EXPECT_TRUE(Payload(EncodePayload(scene)).Array<float>("faceVertices").empty());
+  DrawingFace square, triangle;
+  square.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  triangle.vertices = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  triangle.triangles = {{0, 1, 2}};
+  scene.graph.faces = {square, triangle};
+  scene.graph.dimensions = {{{1, 2, 3}, {4, 5, 6}, {0, 0, 0.5}}};
+  const Payload payload(EncodePayload(scene));
+  const auto vertices = payload.Array<float>("faceVertices");
+  ASSERT_EQ(vertices.size(), 3u * 7);
+  const auto center = payload.header["center"];
+  EXPECT_NEAR(center[0].get<double>() + vertices[3 * 5], 1, 1e-6);
+  EXPECT_EQ(payload.Array<uint32_t>("faceTriangles"),
+            (std::vector<uint32_t>{0, 1, 2, 0, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(payload.Array<double>("faceAreas"), (std::vector<double>{4, 0.5}));
+  const auto dimension = payload.Array<float>("dimensions");
+  ASSERT_EQ(dimension.size(), 9u);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double middle = center[axis].get<double>();
+    EXPECT_NEAR(middle + dimension[axis], 1 + axis, 1e-6);
+    EXPECT_NEAR(middle + dimension[3 + axis], 4 + axis, 1e-6);
+  }
+  EXPECT_EQ(dimension[8], 0.5f);  // a difference, to which no center belongs
+}
+
 TEST(ViewerPayload, RefusesWhatDoesNotFitTogether) {
   ViewerScene scene = SmallScene();
   scene.graph.links[2].supporting_views = {2};

@@ -9,6 +9,7 @@ import { make } from './dom.js';
 import { download } from './download.js';
 import { Drawing } from './drawing.js';
 import { DrawingPanel } from './drawing_panel.js';
+import { Editor } from './editor.js';
 import { Eye } from './eye.js';
 import { watchPhotoGestures, watchTaps } from './gestures.js';
 import { Help } from './help.js';
@@ -21,6 +22,7 @@ import { PhotoBar } from './photo_bar.js';
 import { Photos } from './photos.js';
 import { Picking } from './picking.js';
 import { reportPanel } from './report.js';
+import { Selection } from './selection.js';
 import { Sidebar } from './sidebar.js';
 import { Stage } from './stage.js';
 import { Theme } from './theme.js';
@@ -35,11 +37,12 @@ const element = (id) => document.getElementById(id);
 export class App {
   constructor({ header, arrays }) {
     this.drawing = new Drawing(header, arrays);
-    this.picked = null;
+    this.selection = new Selection();
     this.scheme = null;
     this.schemes = schemesFor(this.drawing);
     document.title = `${header.title} - Limn`;
     this.makePicture();
+    this.makeEditor();
     this.makePanels(header.report);
     this.commands = commandsOf(this);
     this.makeTools();
@@ -59,6 +62,7 @@ export class App {
     this.layers = new Layers(drawing, this.stage, this.photos);
     this.backdrop = new Backdrop(this.photos, this.stage.backdrop, () => this.stage.change());
     this.picking = new Picking(drawing, this.eye);
+    this.picking.depthAt = (x, y) => this.layers.faces.hidingDepth(x, y, this.eye);
     this.measuring = new Measuring({
       ...{ drawing, canvas, eye: this.eye, picking: this.picking },
       ...{ scene: this.stage.near, marks: element('marks') },
@@ -68,6 +72,21 @@ export class App {
       () => this.backdrop.update(this.eye),
       () => this.measuring.update(),
     );
+  }
+
+  makeEditor() {
+    const { drawing, eye, picking, stage, layers, selection } = this;
+    this.editor = new Editor({
+      ...{ drawing, eye, picking, stage, layers, selection },
+      ...{ canvas: element('canvas'), marks: element('edit-marks') },
+      on: {
+        recolor: () => this.recolor(),
+        say: (text, isError) => this.say(text, isError),
+        tool: () => this.measuring.active && this.toggleMeasuring(),
+      },
+    });
+    this.selection.onChange = () => this.showSelection();
+    this.stage.beforeFrame.push(() => this.editor.update());
   }
 
   makePanels(report) {
@@ -86,6 +105,7 @@ export class App {
     const tabs = [
       { id: 'drawing', label: 'Drawing', content: this.drawingPanel.content },
       { id: 'links', label: 'Links', content: this.linksPanel.content },
+      { id: 'edit', label: 'Edit', content: this.editor.panel.content },
     ];
     const hasViews = drawing.views.length > 0;
     if (hasViews) {
@@ -115,7 +135,7 @@ export class App {
     );
     this.tools.get('Measure').setAttribute('aria-pressed', 'false');
     element('toolbar').append(...this.tools.values());
-    this.help = new Help(element('help'), this.commands);
+    this.help = new Help(element('help'), this.commands, this.drawing.unit);
     this.theme = new Theme();
   }
 
@@ -125,7 +145,7 @@ export class App {
     this.eye.onPhoto(() => this.photoBar.show(this.eye.photo === null ? null : this.eye.view()));
     this.measuring.onChange = () => this.showMeasurement();
     watchTaps(element('canvas'), {
-      tap: (x, y, isTouch) => this.tap(x, y, isTouch ? TOUCH_FACTOR : 1),
+      tap: (x, y, isTouch, adds) => this.tap(x, y, isTouch ? TOUCH_FACTOR : 1, adds),
       doubleTap: (x, y, isTouch) => this.doubleTap(x, y, isTouch ? TOUCH_FACTOR : 1),
       hover: (x, y) => this.hover(x, y),
     });
@@ -136,34 +156,58 @@ export class App {
     watchKeys(this.commands, () => element('help').open);
   }
 
-  tap(x, y, factor) {
+  tap(x, y, factor, withShift) {
     if (this.measuring.active) {
       this.measuring.click(x, y, factor * SNAP_PX);
       return;
     }
+    if (this.editor.tap(x, y, factor * SNAP_PX)) return;
+    const adds = withShift || this.editor.adding;
     const link = this.layers.isShown('drawing') ? this.picking.link(x, y, factor * PICK_PX) : null;
     const camera = this.layers.frusta.pick(x, y, this.eye);
-    if (camera && !(link && link.depth < camera.depth)) this.lookThrough(camera.view);
+    if (adds) this.addPick(link?.link ?? null);
+    else if (camera && !(link && link.depth < camera.depth)) this.lookThrough(camera.view);
     else this.pick(link?.link ?? null);
   }
 
   doubleTap(x, y, factor) {
-    const found = this.measuring.active ? null : this.picking.link(x, y, factor * PICK_PX);
+    const isPointing = this.measuring.active || this.editor.pointing !== null;
+    const found = isPointing ? null : this.picking.link(x, y, factor * PICK_PX);
     if (found) this.focusLink(found.link);
   }
 
   hover(x, y) {
+    this.editor.moveTo(x, y, SNAP_PX);
     if (!this.measuring.active) return;
     this.measuring.moveTo(x, y, SNAP_PX);
     this.measuring.update();
   }
 
+  // The link that is selected, if it is one.
+  get picked() {
+    return this.selection.only;
+  }
+
   pick(link) {
-    this.picked = link;
-    this.layers.curves.select(link, this.theme.color('select'));
-    this.linksPanel.show(link);
-    if (link !== null) this.sidebar.show('links');
+    this.selection.set(link === null ? [] : [link]);
+    if (link !== null && !this.sidebar.isShown('edit')) this.sidebar.show('links');
+  }
+
+  // One more link, or one less.
+  addPick(link) {
+    if (link !== null) this.selection.toggle(link);
+  }
+
+  showSelection() {
+    this.layers.curves.select(this.selection.links, this.theme.color('select'));
+    this.linksPanel.show(this.picked);
+    this.editor.showSelection();
     this.stage.change();
+  }
+
+  say(text, isError = false) {
+    element('message').classList.toggle('error', isError);
+    element('message').textContent = text;
   }
 
   focusLink(link) {
@@ -198,11 +242,18 @@ export class App {
     this.scheme = this.schemes.find((scheme) => scheme.id === id);
     this.drawing.visible.set(this.drawing.shownAtFirst());
     this.layers.curves.showLinks();
+    this.recolor();
+    this.stage.change();
+  }
+
+  // To be called when links or their kinds have changed.
+  recolor() {
+    if (!this.scheme) return;
     const { colors, legend } = this.scheme.apply(this.drawing);
     this.legend = legend;
     this.layers.curves.setColors(colors);
-    this.drawingPanel.showScheme(id, legend);
-    this.stage.change();
+    this.drawingPanel.showScheme(this.scheme.id, legend);
+    this.linksPanel.rank();
   }
 
   stepScheme() {
@@ -226,6 +277,7 @@ export class App {
   }
 
   toggleMeasuring() {
+    if (!this.measuring.active && this.editor.tool) this.editor.startTool(null);
     this.measuring.setActive(!this.measuring.active);
     this.tools.get('Measure').setAttribute('aria-pressed', String(this.measuring.active));
     if (this.measuring.active) this.sidebar.show('drawing');
@@ -243,7 +295,8 @@ export class App {
 
   escape() {
     if (this.measuring.active) this.toggleMeasuring();
-    else if (this.picked !== null) this.pick(null);
+    else if (this.editor.tool) this.editor.startTool(null);
+    else if (this.selection.size > 0) this.pick(null);
     else if (this.eye.photo !== null) this.eye.home();
   }
 
@@ -251,12 +304,13 @@ export class App {
     this.stage.setBackground(this.theme.color('stage'));
     this.layers.frusta.setColor(this.theme.color('faint'));
     this.measuring.setColor(this.theme.color('select'));
-    this.layers.curves.select(this.picked, this.theme.color('select'));
+    this.layers.curves.select(this.selection.links, this.theme.color('select'));
+    this.editor.setColors(...['select', 'ghost', 'accent'].map((name) => this.theme.color(name)));
     this.stage.change();
   }
 
-  // For scripts: the place on the canvas, CSS px, of a point in the model's coordinates.
+  // For scripts: the place on the canvas, CSS px, of a point as coordinates are displayed.
   screenOf(point) {
-    return this.eye.screen(this.drawing.fromModel(point));
+    return this.eye.screen(this.drawing.fromDisplayed(point));
   }
 }

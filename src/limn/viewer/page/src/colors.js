@@ -90,7 +90,9 @@ function bySigma(drawing) {
 
 function byCategory(drawing, types, names) {
   const lengths = names.map(() => 0);
-  types.forEach((type, link) => (lengths[type] += drawing.linkLength[link]));
+  types.forEach((type, link) => {
+    if (drawing.isLive(link)) lengths[type] += drawing.linkLength[link];
+  });
   const whole = lengths.reduce((sum, length) => sum + length, 0);
   const entries = names
     .map((name, type) => ({
@@ -98,7 +100,9 @@ function byCategory(drawing, types, names) {
       type,
       color: CATEGORIES[type],
       share: whole > 0 ? lengths[type] / whole : 0,
-      shown: types.every((of, link) => of !== type || drawing.visible[link] === 1),
+      shown: types.every(
+        (of, link) => of !== type || !drawing.isLive(link) || drawing.visible[link] === 1,
+      ),
     }))
     .filter((entry) => entry.share > 0);
   return {

@@ -14,6 +14,7 @@ export function commandsOf(app) {
       tool: 'Back',
       run: () => app.eye.back(),
     },
+    { keys: ['i'], label: 'edit', tool: 'Edit', run: () => app.sidebar.show('edit') },
     { keys: ['m'], label: 'measure', tool: 'Measure', run: () => app.toggleMeasuring() },
     {
       keys: ['s'],
@@ -31,9 +32,10 @@ export function commandsOf(app) {
     { keys: [']'], label: 'next photograph', run: () => app.stepPhoto(1) },
     {
       keys: ['Escape'],
-      label: 'stop measuring, unpick, leave the photograph',
+      label: 'stop a tool, unpick, leave the photograph',
       run: () => app.escape(),
     },
     ...layers,
+    ...app.editor.commands,
   ];
 }

@@ -4,10 +4,11 @@
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
 
 import { importanceOf } from './detail.js';
-import { joined, WideLines } from './wide_lines.js';
+import { WideLines } from './wide_lines.js';
 
 const WIDTH_PX = 1.8;
 const SELECTED_WIDTH_PX = 4.5;
+const GHOST_WIDTH_PX = 1;
 // How far off thin lines may be, px, and where frames are slow.
 const COARSE_PX = 0.6;
 const COARSEST_PX = 2.4;
@@ -17,42 +18,60 @@ const FINEST_LEVEL = 1 / 16384;
 
 // First vertices of the segments of the links that pass.
 function segmentsOf(drawing, passes) {
-  const segments = [];
+  const segments = new Uint32Array(drawing.numSegments);
+  let size = 0;
   for (let link = 0; link < drawing.numLinks; ++link) {
     if (!passes(link)) continue;
-    const [begin, end] = drawing.range(link);
-    for (let vertex = begin; vertex + 1 < end; ++vertex) segments.push(vertex);
+    const last = drawing.linkStart[link + 1] - 1;
+    for (let vertex = drawing.linkStart[link]; vertex < last; ++vertex) segments[size++] = vertex;
   }
-  return segments;
+  return segments.subarray(0, size);
 }
 
 export class Curves {
   constructor(drawing, scene) {
     this.drawing = drawing;
-    this.colors = new Uint8Array(3 * drawing.numVertices);
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(drawing.points, 3));
-    geometry.setAttribute('color', new BufferAttribute(this.colors, 3, true));
-    this.thin = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true }));
+    const material = new LineBasicMaterial({ vertexColors: true });
+    this.thin = new LineSegments(new BufferGeometry(), material);
     this.thin.frustumCulled = false;
     scene.add(this.thin);
     this.wide = new WideLines({ width: WIDTH_PX, withColors: true, isRound: false }, scene);
-    this.wide.setLines({ positions: drawing.points, segments: [] });
     this.selected = new WideLines(
       { width: SELECTED_WIDTH_PX, depthTest: false, renderOrder: 2 },
       scene,
     );
     this.selected.visible = false;
+    this.ghosts = new WideLines({ width: GHOST_WIDTH_PX, isRound: false }, scene);
     this.coarsePx = COARSE_PX;
-    this.importance = importanceOf(drawing);
     this.shown = true;
+    this.load();
+  }
+
+  // To be called when the drawing has other links.
+  load() {
+    const { drawing } = this;
+    this.numLoaded = drawing.numLinks;
+    this.importance = importanceOf(drawing, this.importance);
+    this.colors = new Uint8Array(3 * drawing.numVertices);
+    this.thin.geometry.dispose();
+    this.thin.geometry = new BufferGeometry();
+    this.thin.geometry.setAttribute('position', new BufferAttribute(drawing.points, 3));
+    this.thin.geometry.setAttribute('color', new BufferAttribute(this.colors, 3, true));
+    this.wide.setLines({ positions: drawing.points, segments: [] });
+    this.selected.shareLines(this.wide);
+    this.ghosts.shareLines(this.wide);
     this.showLinks();
   }
 
-  // To be called when drawing.visible has changed.
+  // To be called when it has changed which links are shown.
   showLinks() {
+    const { drawing } = this;
     this.levels = new Map();
-    this.wide.setSegments(segmentsOf(this.drawing, (link) => this.drawing.visible[link]));
+    this.wide.setSegments(segmentsOf(drawing, (link) => drawing.isShown(link)));
+    this.ghosts.visible = this.shown && drawing.withGhosts;
+    if (drawing.withGhosts) {
+      this.ghosts.setSegments(segmentsOf(drawing, (link) => drawing.isGhost(link)));
+    }
   }
 
   // Pairs of vertices without those that a polyline within the level's tolerance does without.
@@ -61,7 +80,7 @@ export class Curves {
     const tolerance = level < 0 ? -1 : FINEST_LEVEL * drawing.radius * 2 ** level;
     const ends = [];
     for (let link = 0; link < drawing.numLinks; ++link) {
-      if (!drawing.visible[link]) continue;
+      if (!drawing.isShown(link)) continue;
       const [begin, end] = drawing.range(link);
       for (let vertex = begin + 1, previous = begin; vertex < end; ++vertex) {
         if (!(importance[vertex] > tolerance)) continue;
@@ -100,16 +119,14 @@ export class Curves {
     if (!fine) this.setLevel(this.levelFor(eye));
     this.thin.visible = this.shown && !fine;
     this.wide.visible = this.shown && fine;
+    this.ghosts.visible = this.shown && this.drawing.withGhosts;
   }
 
-  select(link, color) {
-    this.selected.visible = link !== null;
-    if (link === null) return;
-    const [begin, end] = this.drawing.range(link);
-    const points = Array.from({ length: end - begin }, (_, i) =>
-      this.drawing.point(begin + i).toArray(),
-    );
-    this.selected.setLines(joined([points]));
+  // `links`: a set.
+  select(links, color) {
+    this.selected.visible = links.size > 0;
+    if (links.size === 0) return;
+    this.selected.setSegments(segmentsOf(this.drawing, (link) => links.has(link)));
     this.selected.setTint(color);
   }
 }

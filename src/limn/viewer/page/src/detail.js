@@ -38,9 +38,12 @@ function rate(points, begin, end, importance) {
   }
 }
 
-export function importanceOf(drawing) {
+// `known`: of the first links.
+export function importanceOf(drawing, known = []) {
   const importance = new Float32Array(drawing.numVertices);
+  importance.set(known);
   for (let link = 0; link < drawing.numLinks; ++link) {
+    if (drawing.range(link)[0] < known.length) continue;
     rate(drawing.points, ...drawing.range(link), importance);
   }
   return importance;

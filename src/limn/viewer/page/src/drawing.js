@@ -2,10 +2,14 @@
 
 import { Box3, Vector3 } from 'three';
 
+import { storedDimensions } from './dimensions.js';
+
 export const PRIMITIVES = ['none', 'line', 'arc', 'spline', 'circle'];
 export const DENSE_CLASSES = ['unknown', 'surface', 'boundary', 'free'];
 // Of edges, as LinkKind; tentative links are a category of their own in legends.
 export const LINK_KINDS = ['unknown', 'edge', 'paint', 'shadow', 'contour', 'tentative'];
+// Those that a user can set.
+export const NUM_KINDS = 5;
 const CONTOUR = 4;
 const TENTATIVE = 5;
 export const NODE_KINDS = ['end', 'junction', 'loop anchor'];
@@ -13,6 +17,11 @@ export const JUNCTION = 1;
 
 // Parts of the points that do not decide how large the drawing is, per side of an axis.
 const STRAY_SHARE = 0.03;
+
+// What edits have done to a link (edit_state.js): `DELETED` can be restored one by one.
+export const LIVE = 0;
+export const GONE = 1;
+export const DELETED = 2;
 
 function rootOf(parents, node) {
   while (parents[node] !== node) {
@@ -40,6 +49,25 @@ function componentsOf(numLinks, numNodes, nodes, lengths) {
   );
 }
 
+function grown(values, more) {
+  const result = new values.constructor(values.length + more.length);
+  result.set(values);
+  result.set(more, values.length);
+  return result;
+}
+
+export function lengthOf(points) {
+  let length = 0;
+  for (let i = 3; i < points.length; i += 3) {
+    length += Math.hypot(
+      points[i] - points[i - 3],
+      points[i + 1] - points[i - 2],
+      points[i + 2] - points[i - 1],
+    );
+  }
+  return length;
+}
+
 function robustBox(points) {
   const box = new Box3();
   if (points.length === 0) return box.set(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
@@ -61,8 +89,11 @@ export class Drawing {
     Object.assign(this, arrays);
     this.title = header.title;
     this.center = header.center;
+    this.unit = header.unit;
+    this.shownFromModel = header.shownFromModel;
     this.views = header.views;
     this.numLinks = arrays.linkLength.length;
+    this.numStored = this.numLinks; // those of drawing.json; the others are made by edits
     this.numNodes = arrays.nodeKind.length;
     this.numVertices = arrays.points.length / 3;
     this.numSegments = this.numVertices - this.numLinks;
@@ -75,13 +106,49 @@ export class Drawing {
     this.numComponents = this.component.reduce((most, rank) => Math.max(most, rank + 1), 0);
     this.hasPrimitives = arrays.primitiveType.some((type) => type !== 0);
     this.hasClasses = arrays.denseClass !== undefined;
-    this.kindCategory = arrays.linkKind.map((kind, link) =>
-      arrays.linkTentative[link] ? TENTATIVE : kind,
+    this.numFaces = arrays.faceAreas.length;
+    this.storedDimensions = storedDimensions(arrays.dimensions, (values, at) =>
+      new Vector3().fromArray(values, at),
     );
+    this.gone = new Uint8Array(this.numLinks);
+    this.withGhosts = false; // whether deleted links are shown, too
+    this.sortKinds();
+    this.countDegrees();
     this.hasKinds = this.kindCategory.some((kind) => kind !== 0);
     this.visible = this.shownAtFirst();
     this.box = robustBox(arrays.points);
     this.radius = Math.max(0.5 * this.box.getSize(new Vector3()).length(), 1e-12);
+  }
+
+  // To be called when kinds of links have changed.
+  sortKinds() {
+    this.kindCategory = this.linkKind.map((kind, link) =>
+      this.linkTentative[link] ? TENTATIVE : kind,
+    );
+  }
+
+  // Numbers of link ends at nodes, of links that there are. To be called when `gone` has changed.
+  countDegrees() {
+    this.degree = new Uint32Array(this.numNodes);
+    this.linkNodes.forEach((node, end) => {
+      if (this.gone[end >> 1] === LIVE) ++this.degree[node];
+    });
+  }
+
+  isLive(link) {
+    return this.gone[link] === LIVE;
+  }
+
+  isShown(link) {
+    return this.visible[link] === 1 && this.gone[link] === LIVE;
+  }
+
+  isGhost(link) {
+    return this.withGhosts && this.gone[link] === DELETED;
+  }
+
+  isPickable(link) {
+    return this.isShown(link) || this.isGhost(link);
   }
 
   // All links but outlines of smooth bodies and tentative ones, as in exports.
@@ -92,6 +159,19 @@ export class Drawing {
   // First vertex of a link, and the first that is no longer its own.
   range(link) {
     return [this.linkStart[link], this.linkStart[link + 1]];
+  }
+
+  isClosed(link) {
+    return this.linkNodes[2 * link] === this.linkNodes[2 * link + 1];
+  }
+
+  // The first (0) or last (1) vertex of a link.
+  endVertex(link, end) {
+    return end === 0 ? this.linkStart[link] : this.linkStart[link + 1] - 1;
+  }
+
+  endPosition(link, end) {
+    return this.point(this.endVertex(link, end));
   }
 
   point(vertex, target = new Vector3()) {
@@ -122,12 +202,75 @@ export class Drawing {
     return sigmas[Math.floor(sigmas.length / 2)];
   }
 
-  // In the model's coordinates, in double precision.
-  inModel(position) {
+  // As coordinates are displayed, in double precision.
+  displayed(position) {
     return [this.center[0] + position.x, this.center[1] + position.y, this.center[2] + position.z];
   }
 
-  fromModel([x, y, z]) {
+  fromDisplayed([x, y, z]) {
     return new Vector3(x - this.center[0], y - this.center[1], z - this.center[2]);
+  }
+
+  // In the coordinates of drawing.json, and back.
+  inModel(position) {
+    const { scale, rotation: r, translation } = this.shownFromModel;
+    const shown = this.displayed(position);
+    const [x, y, z] = shown.map((value, axis) => (value - translation[axis]) / scale);
+    return [0, 1, 2].map((axis) => r[axis] * x + r[3 + axis] * y + r[6 + axis] * z);
+  }
+
+  fromModel([x, y, z]) {
+    const { scale, rotation: r, translation } = this.shownFromModel;
+    return this.fromDisplayed(
+      [0, 1, 2].map(
+        (row) =>
+          scale * (r[3 * row] * x + r[3 * row + 1] * y + r[3 * row + 2] * z) + translation[row],
+      ),
+    );
+  }
+
+  // Adds a link that an edit makes: `points`, three numbers each; `like`: the link whose figures it
+  // shares; `nodes`: where it begins and ends, null for a new node. Returns its number.
+  append({ points, like, nodes }) {
+    const link = this.numLinks;
+    const count = points.length / 3;
+    const ends = nodes.map((node, end) =>
+      node === null ? this.appendNode(points.subarray(end === 0 ? 0 : 3 * (count - 1))) : node,
+    );
+    const more = {
+      points,
+      sigma: new Float32Array(count).fill(this.medianSigma(like)),
+      linkStart: [this.numVertices + count],
+      linkLength: [lengthOf(points)],
+      linkNodes: ends,
+      linkViews: this.supportingViews(like).slice(),
+      linkViewStart: [this.linkViews.length + this.numSupportingViews(like)],
+      linkColor: this.linkColor.slice(3 * like, 3 * like + 3),
+      component: [this.component[like]],
+      visible: [1],
+      gone: [LIVE],
+    };
+    for (const name of ['linkResidual', 'linkKind', 'kindConfidence', 'linkTentative']) {
+      more[name] = [this[name][like]];
+    }
+    for (const name of ['Type', 'Radius', 'Sweep', 'Controls', 'Rms', 'Max']) {
+      more[`primitive${name}`] = [0];
+    }
+    if (this.hasClasses) {
+      for (const name of ['Class', 'Behind', 'Added', 'Fold']) {
+        more[`dense${name}`] = [this[`dense${name}`][like]];
+      }
+    }
+    for (const [name, values] of Object.entries(more)) this[name] = grown(this[name], values);
+    this.numLinks += 1;
+    this.numVertices += count;
+    this.numSegments += count - 1;
+    return link;
+  }
+
+  appendNode(position) {
+    this.nodePositions = grown(this.nodePositions, position.slice(0, 3));
+    this.nodeKind = grown(this.nodeKind, [0]);
+    return this.numNodes++;
   }
 }

@@ -5,14 +5,19 @@ import { facts, make } from './dom.js';
 import { JUNCTION } from './drawing.js';
 import { coordinates, count, number, percent } from './format.js';
 
+const squareOf = (unit) => (unit === 'm' ? 'm²' : `square ${unit}`);
+
 function summary(drawing) {
+  const area = drawing.faceAreas.reduce((sum, value) => sum + value, 0);
   const length = drawing.linkLength.reduce((sum, value) => sum + value, 0);
   const junctions = drawing.nodeKind.filter((kind) => kind === JUNCTION).length;
   return facts([
-    ['Links', count(drawing.numLinks)],
+    ['Links', count(drawing.numStored)],
     ['Junctions', count(junctions)],
     ['Components', count(drawing.numComponents)],
-    ['Length, model units', number(length)],
+    [`Length, ${drawing.unit}`, number(length)],
+    ['Faces', drawing.numFaces > 0 ? count(drawing.numFaces) : null],
+    [`Area of the faces, ${squareOf(drawing.unit)}`, drawing.numFaces > 0 ? number(area) : null],
     ['Views', count(drawing.views.length)],
     ['Points of the cloud', count(drawing.cloudPositions.length / 3)],
   ]);
@@ -52,10 +57,10 @@ function measurement(drawing, result) {
   const step = 1e-5 * drawing.radius;
   const at = ({ position, node, link }) => {
     const what = node !== undefined ? `node ${node}` : `link ${link}`;
-    return `${coordinates(drawing.inModel(position), step)} (${what})`;
+    return `${coordinates(drawing.displayed(position), step)} (${what})`;
   };
   return [
-    make('h2', {}, 'Measured, model units'),
+    make('h2', {}, `Measured, ${drawing.unit}`),
     facts([
       ['Distance', number(distance)],
       ['dx', number(delta.x)],

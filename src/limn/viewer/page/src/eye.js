@@ -269,6 +269,14 @@ export class Eye {
     };
   }
 
+  // The point at a place on the canvas, CSS px, and a depth.
+  pointAt(x, y, depth) {
+    const { width, height } = this.size;
+    const place = new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, 0.5);
+    const ray = place.applyMatrix4(this.camera.projectionMatrixInverse);
+    return ray.multiplyScalar(-depth / ray.z).applyMatrix4(this.camera.matrixWorld);
+  }
+
   // Size of a pixel at distance 1.
   pixelAngle() {
     return 2 / (this.size.height * this.camera.projectionMatrix.elements[5]);

@@ -1,17 +1,17 @@
 // Pointers on the canvas: taps, double taps, hovering; wheel, pinch and drag over a photograph (the
 // controls of three.js do it elsewhere).
 
-const TAP_PX = 5;
+export const TAP_PX = 5;
 const DOUBLE_MS = 350;
 const DOUBLE_PX = 24;
 const WHEEL_STEP = 0.0015;
 
-function placeOf(event, canvas) {
+export function placeOf(event, canvas) {
   const { left, top } = canvas.getBoundingClientRect();
   return { x: event.clientX - left, y: event.clientY - top };
 }
 
-// on.tap(x, y, isTouch), on.doubleTap(x, y, isTouch), on.hover(x, y).
+// on.tap(x, y, isTouch, withShift), on.doubleTap(the same), on.hover(x, y).
 export function watchTaps(canvas, on) {
   let down = null;
   let previous = null;
@@ -37,7 +37,7 @@ export function watchTaps(canvas, on) {
       event.timeStamp - previous.time < DOUBLE_MS &&
       Math.hypot(x - previous.x, y - previous.y) < DOUBLE_PX;
     previous = isDouble ? null : { x, y, time: event.timeStamp };
-    (isDouble ? on.doubleTap : on.tap)(x, y, isTouch);
+    (isDouble ? on.doubleTap : on.tap)(x, y, isTouch, event.shiftKey);
   });
   canvas.addEventListener('pointermove', (event) => {
     if (event.pointerType === 'touch' || pointers > 0) return;

@@ -8,13 +8,20 @@ const POINTER = [
   ['Tap a curve', 'what is known of it'],
   ['Tap a camera', 'look through it'],
   ['Tap twice', 'go there'],
+  ['Shift and tap', 'select more links, or fewer'],
+  ['Shift and drag', 'select with a box'],
 ];
 
 export class Help {
   // `commands`: [{keys, label}].
-  constructor(element, commands) {
+  constructor(element, commands, unit) {
     this.element = element;
-    const keyRows = (list) => rows(list.map(({ keys, label }) => [keys.join(' '), label]));
+    const keyRows = (list) =>
+      rows(
+        list
+          .filter(({ keys }) => keys.length > 0)
+          .map(({ keys, label }) => [keys.join(' '), label]),
+      );
     const rows = (list) =>
       list.map(([key, text]) =>
         make('tr', {}, make('th', { scope: 'row' }, make('kbd', {}, key)), make('td', {}, text)),
@@ -28,7 +35,7 @@ export class Help {
         make('section', {}, make('h2', {}, 'Pointer'), make('table', {}, ...rows(POINTER))),
         make('section', {}, make('h2', {}, 'Keys'), make('table', {}, ...keyRows(commands))),
       ),
-      make('p', { class: 'faint' }, 'Lengths and coordinates are in the units of the model.'),
+      make('p', { class: 'faint' }, `Lengths and coordinates are in ${unit}.`),
       make(
         'p',
         { class: 'faint' },

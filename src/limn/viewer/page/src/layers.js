@@ -3,15 +3,19 @@
 import { Cloud } from './cloud.js';
 import { Curves } from './curves.js';
 import { JUNCTION } from './drawing.js';
+import { Faces } from './faces.js';
 import { Frusta } from './frusta.js';
 import { Markers } from './markers.js';
 
 const JUNCTION_LOOK = { size: 7, fill: '#ffffff', rim: '#20242a' };
 const END_LOOK = { size: 6, fill: '#ffd23c', rim: '#20242a' };
 
+const HIDDEN_AT_FIRST = ['ends', 'hiding'];
+
 function positionsOf(drawing, passes) {
   const positions = [];
   for (let node = 0; node < drawing.numNodes; ++node) {
+    if (drawing.degree[node] === 0) continue;
     if (passes(drawing.nodeKind[node])) positions.push(...drawing.node(node).toArray());
   }
   return positions;
@@ -19,12 +23,12 @@ function positionsOf(drawing, passes) {
 
 export class Layers {
   constructor(drawing, stage, photos) {
+    this.drawing = drawing;
+    this.faces = new Faces(drawing, stage.near);
     this.curves = new Curves(drawing, stage.near);
-    const isJunction = (kind) => kind === JUNCTION;
-    const junctions = positionsOf(drawing, isJunction);
-    const ends = positionsOf(drawing, (kind) => !isJunction(kind));
-    this.junctions = new Markers(junctions, JUNCTION_LOOK, stage.near);
-    this.ends = new Markers(ends, END_LOOK, stage.near);
+    this.junctions = new Markers([], JUNCTION_LOOK, stage.near);
+    this.ends = new Markers([], END_LOOK, stage.near);
+    this.showNodes();
     this.cloud = new Cloud(drawing, stage.far);
     this.frusta = new Frusta(drawing, photos, stage.near, () => stage.change());
     stage.addLayer(this.curves);
@@ -38,11 +42,32 @@ export class Layers {
       { id: 'ends', label: 'Ends', key: 'e', show: (on) => (this.ends.points.visible = on) },
       { id: 'cloud', label: 'Points', key: 'p', show: (on) => (this.cloud.points.visible = on) },
       { id: 'cameras', label: 'Cameras', key: 'c', show: (on) => (this.frusta.shown = on) },
+      ...this.layersOfFaces(),
     ];
     for (const layer of this.list) {
-      layer.shown = layer.id !== 'ends';
+      layer.shown = !HIDDEN_AT_FIRST.includes(layer.id);
       layer.show(layer.shown);
     }
+  }
+
+  layersOfFaces() {
+    const { faces } = this;
+    faces.shades.visible = faces.mask.visible = false;
+    if (this.drawing.numFaces === 0) return [];
+    return [
+      { id: 'faces', label: 'Faces', key: 'a', show: (on) => (faces.shades.visible = on) },
+      {
+        ...{ id: 'hiding', label: 'Hide lines behind faces', key: 'h' },
+        show: (on) => (faces.mask.visible = on),
+      },
+    ];
+  }
+
+  // To be called when nodes have other links.
+  showNodes() {
+    const isJunction = (kind) => kind === JUNCTION;
+    this.junctions.setPositions(positionsOf(this.drawing, isJunction));
+    this.ends.setPositions(positionsOf(this.drawing, (kind) => !isJunction(kind)));
   }
 
   set(id, shown) {

@@ -46,7 +46,7 @@ function nodeText(drawing, node) {
 function linkFacts(drawing, link) {
   const added = drawing.hasClasses ? percent(drawing.denseAdded[link]) : null;
   return facts([
-    ['Length, model units', number(drawing.linkLength[link])],
+    [`Length, ${drawing.unit}`, number(drawing.linkLength[link])],
     ['Primitive', primitiveText(drawing, link)],
     ['Its fit', primitiveFit(drawing, link)],
     ['Residual', `${number(drawing.linkResidual[link], 3)} px`],
@@ -67,9 +67,6 @@ export class LinksPanel {
     this.drawing = drawing;
     this.on = on;
     this.shown = PAGE;
-    this.ranked = Array.from({ length: drawing.numLinks }, (_, link) => link).sort(
-      (a, b) => drawing.linkLength[b] - drawing.linkLength[a] || a - b,
-    );
     this.picked = null;
     this.details = make('div', { id: 'link-details', role: 'status', 'aria-live': 'polite' });
     this.search = make('input', {
@@ -86,7 +83,17 @@ export class LinksPanel {
       make('section', {}, make('div', { class: 'field' }, label, this.search), this.rows),
     ];
     this.show(null);
-    this.refill();
+    this.rank();
+  }
+
+  // To be called when there are other links.
+  rank() {
+    const { drawing } = this;
+    const links = Array.from({ length: drawing.numLinks }, (_, link) => link);
+    this.ranked = links
+      .filter((link) => drawing.isLive(link))
+      .sort((a, b) => drawing.linkLength[b] - drawing.linkLength[a] || a - b);
+    this.fillRows();
   }
 
   // The link of the number first, then those that begin with it; all without one.
@@ -155,6 +162,7 @@ export class LinksPanel {
     }
     this.details.replaceChildren(
       make('h2', {}, `Link ${link}`),
+      ...this.edited(link),
       linkFacts(this.drawing, link),
       make(
         'div',
@@ -165,6 +173,14 @@ export class LinksPanel {
       make('h2', {}, `Supporting views (${this.drawing.numSupportingViews(link)})`),
       this.viewChips(link),
     );
+  }
+
+  edited(link) {
+    const { drawing } = this;
+    const notes = [];
+    if (link >= drawing.numStored) notes.push('Made by an edit; not fitted to photographs yet.');
+    if (!drawing.isLive(link)) notes.push('Deleted.');
+    return notes.map((note) => make('p', { class: 'faint' }, note));
   }
 
   viewChips(link) {

@@ -25,8 +25,6 @@ const FRAGMENT = `
 export class Markers {
   // `positions`: three numbers each.
   constructor(positions, { size, fill, rim }, scene) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3));
     this.sizePx = size;
     this.material = new ShaderMaterial({
       vertexShader: VERTEX,
@@ -38,12 +36,20 @@ export class Markers {
         rim: { value: new Color(rim) },
       },
     });
-    this.points = new Points(geometry, this.material);
+    this.points = new Points(new BufferGeometry(), this.material);
     this.points.frustumCulled = false;
     this.points.renderOrder = 1;
     this.points.onBeforeRender = (renderer) => {
       this.material.uniforms.size.value = this.sizePx * renderer.getPixelRatio();
     };
     scene.add(this.points);
+    this.setPositions(positions);
+  }
+
+  setPositions(positions) {
+    this.points.geometry.dispose();
+    this.points.geometry = new BufferGeometry();
+    const places = new BufferAttribute(Float32Array.from(positions), 3);
+    this.points.geometry.setAttribute('position', places);
   }
 }

@@ -45,7 +45,7 @@ async function drawOverlay(canvas, drawing, photos, index) {
     context.globalAlpha = strong ? 1 : 0.3;
     context.lineWidth = strong ? 1.6 : 0.8;
     for (let link = 0; link < drawing.numLinks; ++link) {
-      if (supported[link] !== strong) continue;
+      if (supported[link] !== strong || !drawing.isLive(link)) continue;
       context.strokeStyle = css(drawing.linkColor.subarray(3 * link, 3 * link + 3));
       drawLink(context, drawing, view, link, toPicture);
     }

@@ -76,6 +76,8 @@ export class Picking {
     this.eye = eye;
     this.runs = runsOf(drawing);
     this.runTree = new BoxTree(boxesOfRuns(drawing, this.runs));
+    // Depth of what hides curves at a place on the screen.
+    this.depthAt = () => Infinity;
     this.nodeTree = new BoxTree(boxesOfPoints(drawing.nodePositions));
   }
 
@@ -85,10 +87,12 @@ export class Picking {
     return new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
   }
 
-  // The link within `radius` px of (x, y): {link, position, distance, depth}, or null.
+  // The link within `radius` px of (x, y): {link, vertex, position, distance, depth}, or null;
+  // `vertex` begins the segment.
   link(x, y, radius) {
     const matrix = this.matrix().elements;
     const nearest = new Nearest(radius);
+    const deepest = this.depthAt(x, y);
     this.runTree.visit(
       matrix,
       this.eye.size,
@@ -97,17 +101,61 @@ export class Picking {
       () => nearest.reach(),
       (run) => {
         const { link, first, last } = this.runs[run];
-        if (!this.drawing.visible[link]) return;
-        for (let vertex = first; vertex < last; ++vertex) {
-          const found = this.onSegment(vertex, matrix, x, y);
-          if (found) nearest.offer({ link, ...found });
-        }
+        this.offerRun(link, first, last, nearest, { matrix, x, y, deepest });
       },
     );
+    // Few; they are in no tree.
+    for (let link = this.drawing.numStored; link < this.drawing.numLinks; ++link) {
+      const [begin, end] = this.drawing.range(link);
+      this.offerRun(link, begin, end - 1, nearest, { matrix, x, y, deepest });
+    }
     return nearest.best;
   }
 
-  // The node that a visible link ends at: {node, position, distance, depth}, or null.
+  offerRun(link, first, last, nearest, { matrix, x, y, deepest }) {
+    if (!this.drawing.isPickable(link)) return;
+    for (let vertex = first; vertex < last; ++vertex) {
+      const found = this.onSegment(vertex, matrix, x, y);
+      if (found && found.depth <= deepest) nearest.offer({ link, vertex, ...found });
+    }
+  }
+
+  // The end of a link that is meant: {link, end, position, distance}, or null. Where several links
+  // meet it is the one whose curve is nearest.
+  end(x, y, radius) {
+    const near = this.link(x, y, radius);
+    const own = near ? this.endOf(near.link, x, y, 2 * radius) : null;
+    if (own) return own;
+    let best = null;
+    for (let link = 0; link < this.drawing.numLinks; ++link) {
+      if (!this.drawing.isPickable(link)) continue;
+      const found = this.endOf(link, x, y, best?.distance ?? radius);
+      if (found && !(found.distance >= best?.distance)) best = found;
+    }
+    return best;
+  }
+
+  // The nearer end of a link, if it is within `radius` px.
+  endOf(link, x, y, radius) {
+    if (this.drawing.isClosed(link)) return null;
+    let best = null;
+    for (const end of [0, 1]) {
+      const position = this.drawing.endPosition(link, end);
+      const place = this.eye.screen(position);
+      if (!place) continue;
+      const distance = Math.hypot(place.x - x, place.y - y);
+      if (distance <= (best?.distance ?? radius)) best = { link, end, position, distance };
+    }
+    return best;
+  }
+
+  // A place on a link: its end, if that is near: {link, position, end or vertex, distance}, or null.
+  place(x, y, radius) {
+    const near = this.link(x, y, radius);
+    return near && (this.endOf(near.link, x, y, radius) ?? near);
+  }
+
+  // A node that links end at: {node, position, distance, depth}, or null.
   node(x, y, radius) {
     const matrix = this.matrix().elements;
     const nearest = new Nearest(radius);
@@ -118,6 +166,7 @@ export class Picking {
       y,
       () => nearest.reach(),
       (node) => {
+        if (this.drawing.degree[node] === 0) return;
         const position = this.drawing.node(node);
         const place = this.eye.screen(position);
         if (!place) return;

@@ -43,6 +43,7 @@ export class Sidebar {
   }
 
   show(id) {
+    this.current = id;
     for (const tab of this.tabs) {
       const isShown = tab.id === id;
       tab.button.setAttribute('aria-selected', isShown);
@@ -60,6 +61,10 @@ export class Sidebar {
     const next = this.tabs[(index + step + this.tabs.length) % this.tabs.length];
     this.show(next.id);
     next.button.focus();
+  }
+
+  isShown(id) {
+    return !this.element.hidden && this.current === id;
   }
 
   toggle() {

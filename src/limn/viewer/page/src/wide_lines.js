@@ -165,11 +165,17 @@ export class WideLines {
     this.setSegments(segments);
   }
 
+  // The vertices of other lines; which segments, and in which color, may differ.
+  shareLines(other) {
+    this.material.uniforms.vertices.value = other.material.uniforms.vertices.value;
+    this.material.uniforms.colors.value = other.material.uniforms.colors.value;
+  }
+
   setSegments(segments) {
     const corners = new Uint32Array(6 * segments.length);
-    segments.forEach((vertex, s) => {
-      QUAD.forEach((corner, i) => (corners[6 * s + i] = 4 * vertex + corner));
-    });
+    for (let s = 0, to = 0; s < segments.length; ++s) {
+      for (let i = 0; i < 6; ++i) corners[to++] = 4 * segments[s] + QUAD[i];
+    }
     this.mesh.geometry.dispose();
     this.mesh.geometry = new BufferGeometry();
     this.mesh.geometry.setIndex(new BufferAttribute(corners, 1));

@@ -1,0 +1,363 @@
+// Editing: the list of edits, the tools that add to it, and what is shown of them.
+
+import { watchBoxes } from './box_tool.js';
+import { Dimensions } from './dimensions.js';
+import { make } from './dom.js';
+import { download } from './download.js';
+import { editCommands } from './edit_commands.js';
+import { EditHistory } from './edit_history.js';
+import { EditPreview } from './edit_preview.js';
+import { EditState } from './edit_state.js';
+import { DimensionTool, JoinTool, SplitTool } from './edit_tools.js';
+import * as edits from './edits.js';
+import { numMissing } from './edits.js';
+import { parseEdits, resolveEdits, textOfEdits } from './edits_file.js';
+import { EditsPanel } from './edits_panel.js';
+import { count } from './format.js';
+import { placeOf } from './link_refs.js';
+import { linksInRectangle, linksOfKind, linksShorterThan } from './selection.js';
+
+const FILE_NAME = 'edits.json';
+const MOST_BYTES = 1 << 28;
+const TOOLS = { split: SplitTool, join: JoinTool, dimension: DimensionTool };
+
+export class Editor {
+  // on.recolor(), on.say(text, isError), on.tool() before one of ours begins.
+  constructor({ drawing, eye, picking, stage, layers, selection, canvas, marks, on }) {
+    Object.assign(this, { drawing, eye, picking, stage, layers, selection, canvas, marks, on });
+    this.history = new EditHistory();
+    this.state = new EditState(drawing);
+    this.preview = new EditPreview(stage.near);
+    this.tool = null; // name
+    this.pointing = null; // the tool, unless it is the box
+    this.adding = false;
+    this.pointers = make('div');
+    this.labels = make('div');
+    marks.append(this.pointers, this.labels);
+    this.dimensions = new Dimensions(eye, stage.near, this.labels);
+    this.commands = editCommands(this);
+    this.panel = new EditsPanel(
+      drawing,
+      this,
+      this.commands.filter(({ button }) => button),
+    );
+    watchBoxes(canvas, marks, {
+      isActive: (event) => this.tool === 'box' || event.shiftKey,
+      hold: (still) => (eye.controls.enabled = !still),
+      box: (...drawn) => this.selectBox(...drawn),
+    });
+    window.addEventListener('beforeunload', (event) => {
+      if (!this.history.isSaved) event.preventDefault();
+    });
+    this.showTools();
+    this.show();
+  }
+
+  say(text, isError = false) {
+    this.on.say(text, isError);
+  }
+
+  setColors(color, ghost, accent) {
+    this.preview.setColor(color);
+    this.dimensions.setColor(accent);
+    this.layers.curves.ghosts.setTint(ghost);
+  }
+
+  // The list of edits.
+
+  perform(edit) {
+    this.setEdits([...this.history.edits, edit]);
+  }
+
+  setEdits(list) {
+    this.history.set(list);
+    this.show();
+  }
+
+  undo() {
+    if (this.history.undo()) this.afterTravel();
+  }
+
+  redo() {
+    if (this.history.redo()) this.afterTravel();
+  }
+
+  // A tool must not go on with links that are no longer there.
+  afterTravel() {
+    this.startTool(this.tool);
+    this.show();
+  }
+
+  // Makes the picture what the edits make of the drawing.
+  show() {
+    const { drawing, layers } = this;
+    const preview = this.state.show(this.history.edits);
+    if (layers.curves.numLoaded < drawing.numLinks) layers.curves.load();
+    else layers.curves.showLinks();
+    layers.showNodes();
+    this.preview.show(preview);
+    this.showLengths(preview);
+    this.selection.keep((link) => drawing.isLive(link) || drawing.isGhost(link));
+    this.panel.showHistory(this.history);
+    this.showSelection();
+    this.on.recolor();
+    this.stage.change();
+  }
+
+  showLengths({ dimensions, removed }) {
+    const ofFile = this.drawing.storedDimensions
+      .map((dimension, stored) => ({
+        ...dimension,
+        stored,
+        onRemove: () => this.removeStored(stored, dimension),
+      }))
+      .filter(({ stored }) => !removed.has(stored));
+    const ofEdits = dimensions.map((dimension) => ({
+      ...dimension,
+      onRemove: () => this.setEdits(this.history.edits.filter((edit) => edit !== dimension.edit)),
+    }));
+    this.lengths = [...ofFile, ...ofEdits];
+    this.panel.showLengths(this.lengths);
+    this.drawLengths();
+  }
+
+  drawLengths() {
+    const pending = this.pointing?.pending?.() ?? null;
+    this.dimensions.show(pending ? [...this.lengths, pending] : this.lengths);
+  }
+
+  removeStored(stored, { from, to }) {
+    const at = [from, to].map((place) => placeOf(this.drawing, place));
+    this.perform(edits.dimensionRemoval(stored, at));
+  }
+
+  // What is done with the selection.
+
+  selected(passes) {
+    return [...this.selection.links].filter(passes).sort((a, b) => a - b);
+  }
+
+  liveSelected() {
+    return this.selected((link) => this.drawing.isLive(link));
+  }
+
+  // Does something with the selected links; says why not.
+  withLinks(links, why, makeEdit) {
+    if (links.length === 0) this.say(why);
+    else this.perform(makeEdit(links));
+  }
+
+  remove() {
+    this.withLinks(this.liveSelected(), 'Select the links to delete first.', (links) =>
+      edits.deletion(this.drawing, links),
+    );
+  }
+
+  setKind(kind) {
+    this.withLinks(this.liveSelected(), 'Select the links whose kind to set first.', (links) =>
+      edits.kindChange(this.drawing, links, kind),
+    );
+  }
+
+  restorable() {
+    const { drawing } = this;
+    return {
+      deleted: this.selected((link) => drawing.isGhost(link)),
+      tentative: this.selected((link) => drawing.isLive(link) && drawing.linkTentative[link] === 1),
+    };
+  }
+
+  restore() {
+    const { deleted, tentative } = this.restorable();
+    if (deleted.length + tentative.length === 0) {
+      this.say('Select deleted links (Show deleted) or tentative ones first.');
+      return;
+    }
+    const list = edits.undeleted(this.history.edits, new Set(deleted));
+    if (tentative.length > 0) list.push(edits.firming(this.drawing, tentative));
+    this.setEdits(list);
+  }
+
+  merge() {
+    const links = this.liveSelected();
+    if (links.length === 2) this.perform(edits.merging(this.drawing, links));
+    else this.say('Select the two links to merge first.');
+  }
+
+  showSelection() {
+    const numLive = this.liveSelected().length;
+    const { deleted, tentative } = this.restorable();
+    this.panel.showSelection({
+      selection: this.selection,
+      canDelete: numLive > 0,
+      canRestore: deleted.length + tentative.length > 0,
+      canMerge: numLive === 2,
+    });
+  }
+
+  // Ways to select.
+
+  select(links, adds = this.adding) {
+    if (adds) this.selection.add(links);
+    else this.selection.set(links);
+    const { size } = this.selection;
+    this.say(`${count(size)} ${size === 1 ? 'link' : 'links'} selected.`);
+  }
+
+  selectKind(category) {
+    this.select(linksOfKind(this.drawing, category));
+  }
+
+  selectShorter(length) {
+    this.select(linksShorterThan(this.drawing, length));
+  }
+
+  selectBox(rectangle, toLeft, withShift) {
+    const matrix = this.picking.matrix().elements;
+    const links = linksInRectangle(this.drawing, matrix, this.eye.size, rectangle, toLeft);
+    this.select(links, this.adding || withShift);
+  }
+
+  toggleAdding() {
+    this.adding = !this.adding;
+    this.showTools();
+  }
+
+  toggleGhosts() {
+    this.drawing.withGhosts = !this.drawing.withGhosts;
+    this.layers.curves.showLinks();
+    this.selection.keep((link) => this.drawing.isLive(link) || this.drawing.isGhost(link));
+    this.showSelection();
+    this.showTools();
+    this.stage.change();
+  }
+
+  // Tools.
+
+  toggleTool(name) {
+    if (this.tool !== name) this.on.tool();
+    this.startTool(this.tool === name ? null : name);
+  }
+
+  startTool(name) {
+    const Tool = TOOLS[name];
+    this.tool = name;
+    this.pointing = Tool ? new Tool({ ...this.parts(), on: this.listener() }) : null;
+    this.drawLengths();
+    this.showTools();
+    this.showProgress();
+  }
+
+  parts() {
+    const { drawing, picking, eye } = this;
+    return { drawing, picking, eye };
+  }
+
+  listener() {
+    return {
+      edit: (edit) => {
+        this.perform(edit);
+        this.showProgress();
+      },
+      progress: () => this.showProgress(),
+      say: (text) => this.say(text),
+    };
+  }
+
+  showProgress() {
+    if (this.tool === 'box')
+      this.say('Box: drag to the right for links inside, to the left for those touched.');
+    else this.say(this.pointing?.hint() ?? '');
+    this.drawLengths();
+    this.stage.change();
+  }
+
+  showTools() {
+    this.canvas.classList.toggle('pointing', this.tool !== null);
+    this.panel.showTools({
+      ...{ Box: this.tool === 'box', Join: this.tool === 'join', Split: this.tool === 'split' },
+      ...{ Length: this.tool === 'dimension', Add: this.adding },
+      'Show deleted': this.drawing.withGhosts,
+    });
+  }
+
+  // Whether a tool has taken the tap.
+  tap(x, y, radius) {
+    if (!this.pointing) return false;
+    this.pointing.tap(x, y, radius);
+    return true;
+  }
+
+  moveTo(x, y, radius) {
+    if (!this.pointing) return;
+    this.pointing.moveTo(x, y, radius);
+    if (this.pointing.pending?.()) {
+      this.drawLengths();
+      this.stage.change();
+    }
+    this.update();
+  }
+
+  // Before every frame: the marks on the screen.
+  update() {
+    this.dimensions.update();
+    const { places = [], hover = null } = this.pointing ?? {};
+    const marks = (hover ? [...places, hover] : places).map((found) => this.mark(found));
+    this.pointers.replaceChildren(...marks.filter((mark) => mark !== null));
+  }
+
+  mark({ position, end }) {
+    const place = this.eye.screen(position);
+    if (!place) return null;
+    const mark = make('div', { class: end === undefined ? 'snap free' : 'snap' });
+    mark.style.left = `${place.x}px`;
+    mark.style.top = `${place.y}px`;
+    return mark;
+  }
+
+  // Files.
+
+  save() {
+    const text = textOfEdits(this.history.edits);
+    download(new Blob([text], { type: 'application/json' }), FILE_NAME);
+    this.saved();
+  }
+
+  saved() {
+    this.history.markSaved();
+    this.panel.showHistory(this.history);
+  }
+
+  async copy() {
+    try {
+      await navigator.clipboard.writeText(textOfEdits(this.history.edits));
+      this.saved();
+      this.say('The edits are in the clipboard: paste them into a file edits.json.');
+    } catch (error) {
+      this.say(
+        `The browser does not let the page copy (${error.message}); download instead.`,
+        true,
+      );
+    }
+  }
+
+  async load(file) {
+    try {
+      if (file.size > MOST_BYTES) throw new Error('is too large');
+      this.replaceBy(parseEdits(await file.text()));
+    } catch (error) {
+      this.say(`${file.name}: ${error.message}. Nothing was loaded.`, true);
+    }
+  }
+
+  // The loaded edits instead of those that there are; undone in one step.
+  replaceBy(stored) {
+    const list = resolveEdits(this.drawing, stored, (before) => this.state.show(before));
+    this.selection.set([]);
+    this.setEdits(list);
+    this.saved();
+    const missing = list.filter((edit) => numMissing(edit) > 0).length;
+    const told = missing > 0 ? `; ${count(missing)} refer to what is not in this drawing` : '';
+    this.say(`${count(list.length)} edits loaded${told}.`, missing > 0);
+  }
+}
