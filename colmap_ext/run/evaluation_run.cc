@@ -10,7 +10,9 @@
 #include "limn/evaluation/report_writers.h"
 #include "limn/formats/atomic_file.h"
 #include "limn/formats/json_kinds_reader.h"
+#include "limn/formats/mesh_reader.h"
 #include "limn/formats/read_curves.h"
+#include "limn/pipeline/pipeline_options.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -31,10 +33,11 @@ void CheckOutputs(const EvaluatorOptions& options) {
   const TruthInput& truth = options.truth;
   for (const std::string& path : {options.output_csv, options.output_json}) {
     if (path.empty()) continue;
-    CheckNamedOutput(path,
-                     {options.input_path, truth.truth_path, truth.truth_edges_path,
-                      truth.junctions_path, truth.dont_care_path, options.true_kinds_path},
-                     options.overwrite);
+    CheckNamedOutput(
+        path,
+        {options.input_path, truth.truth_path, truth.truth_edges_path, truth.junctions_path,
+         truth.dont_care_path, options.true_kinds_path, options.truth_mesh_path, options.mesh_path},
+        options.overwrite);
   }
 }
 
@@ -56,27 +59,96 @@ struct Judged {
   CurveSet curves;
 };
 
-EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const RunContext& context) {
+EvaluationReport JudgeCurves(const Judged& judged, const EvaluatorOptions& options,
+                             const std::vector<View>& views, const RunContext& context) {
   TruthInput input = options.truth;
   input.evaluation.region = BoxFromNumbers(options.box);
-  if (judged.drawing) {
-    judged.drawing = Selected(*std::move(judged.drawing), options.selection.Selection());
-    judged.curves = ToCurveSet(*judged.drawing);
-  }
   const Truth truth = ReadTruth(input);
-  const bool has_views = options.views || !options.layout.workspace_path.empty();
-  const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
   EvaluationReport report = Evaluate(judged.curves, truth, input, views, context);
   if (!options.true_kinds_path.empty()) report.kinds = KindsOf(*judged.drawing, options, views);
-  if (!has_views) return report;
-  report.saw_teeth = MeasureSawTeeth(judged.curves.polylines, views);
-  if (judged.drawing) {
+  if (judged.drawing && !views.empty()) {
     NormalizedErrorOptions of_sigmas;
     of_sigmas.region = input.evaluation.region;
     report.normalized_errors =
         MeasureNormalizedErrors(*judged.drawing, truth.curves, truth.dont_care, views, of_sigmas);
   }
   return report;
+}
+
+FaceScores JudgeFaces(const std::vector<DrawingFace>& faces, const EvaluatorOptions& options,
+                      const std::vector<View>& views, const RunContext& context) {
+  FaceScoreOptions of_faces = options.faces;
+  of_faces.region = BoxFromNumbers(options.box);
+  const PartedSurface surface =
+      options.mesh_path.empty() ? SurfaceOf(faces) : SurfaceOf(ReadMesh(options.mesh_path));
+  return ScoreFaces(surface, ReadMesh(options.truth_mesh_path), views, of_faces, context);
+}
+
+EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const RunContext& context) {
+  std::vector<DrawingFace> faces;
+  if (judged.drawing) {
+    // Faces do not depend on which links are chosen.
+    faces = std::move(judged.drawing->faces);
+    judged.drawing->faces.clear();
+    judged.drawing = Selected(*std::move(judged.drawing), options.selection.Selection());
+    judged.curves = ToCurveSet(*judged.drawing);
+  }
+  const bool has_views = options.views || !options.layout.workspace_path.empty();
+  const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
+  EvaluationReport report = options.truth.IsGiven() ? JudgeCurves(judged, options, views, context)
+                                                    : CountCurves(judged.curves);
+  if (has_views) report.saw_teeth = MeasureSawTeeth(judged.curves.polylines, views);
+  if (!options.truth_mesh_path.empty()) report.faces = JudgeFaces(faces, options, views, context);
+  return report;
+}
+
+void AddFaceOptions(FaceScoreOptions* faces, OptionParser* parser) {
+  parser->AddOption("Faces.taus", &faces->taus,
+                    BasicOption("distances at which a place of a surface counts as found, px"));
+  parser->AddOption("Faces.max_angle_deg", &faces->max_angle_deg,
+                    BasicOption("largest angle between the surfaces there"));
+  parser->AddOption("Faces.min_views", &faces->min_views,
+                    "views that must see a place of the true surface");
+  parser->AddOption("Faces.min_grazing_deg", &faces->min_grazing_deg,
+                    "smallest angle between a surface and the ray of a view that sees it");
+  parser->AddOption("Faces.occlusion_px", &faces->occlusion_px,
+                    "how far behind the true surface a visible place may be, px");
+  parser->AddOption("Faces.spacing_px", &faces->spacing_px,
+                    "longest side of the triangles that surfaces are cut into, px");
+  parser->AddOption("Faces.max_bend_deg", &faces->max_bend_deg,
+                    "smooth regions of the true surface bend by less between triangles");
+  parser->AddOption("Faces.min_region_px", &faces->min_region_px,
+                    "side of the square that is as large as the smallest region that counts, px");
+}
+
+// Nothing of what is to be judged is missing.
+void CheckInputs(const EvaluatorOptions& options) {
+  const bool has_workspace = !options.layout.workspace_path.empty();
+  if (options.truth.truth_path.empty() && options.truth_mesh_path.empty()) {
+    throw OptionError("--truth_path or --truth_mesh_path must be given");
+  }
+  if (options.input_path.empty() && !has_workspace) {
+    throw OptionError("--input_path or --workspace_path must be given");
+  }
+  if (!options.true_kinds_path.empty() &&
+      (!IsDrawingJson(options.input_path) || !options.truth.IsGiven())) {
+    throw OptionError(
+        "true_kinds_path: only links of a drawing.json, compared with truth_path, "
+        "have kinds");
+  }
+  const bool in_footprints = options.truth.unit == TruthInput::Unit::kFootprint;
+  const bool needs_views =
+      !options.truth_mesh_path.empty() || (options.truth.IsGiven() && in_footprints);
+  if (needs_views && !has_workspace && !options.views) {
+    throw OptionError("--workspace_path must be given");
+  }
+  if (!options.mesh_path.empty() && options.truth_mesh_path.empty()) {
+    throw OptionError("mesh_path: needs truth_mesh_path");
+  }
+  if (!options.truth_mesh_path.empty() && options.mesh_path.empty() &&
+      !IsDrawingJson(options.input_path)) {
+    throw OptionError("truth_mesh_path: only a drawing.json or mesh_path has faces");
+  }
 }
 
 }  // namespace
@@ -86,6 +158,12 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
                     BasicOption("curves or points to judge, instead of the newest drawing of the "
                                 "workspace"));
   truth.AddOptions(/*are_basic=*/true, parser);
+  parser->AddOption("truth_mesh_path", &truth_mesh_path,
+                    BasicOption("true surface, .ply or .obj: judge the faces of the drawing; needs "
+                                "the workspace, truth_path may be left out"));
+  parser->AddOption("mesh_path", &mesh_path,
+                    BasicOption("surface to judge instead of the faces of the drawing"));
+  AddFaceOptions(&faces, parser);
   selection.AddOptions(parser);
   parser->AddOption("true_kinds_path", &true_kinds_path,
                     BasicOption("true curves with their kinds, .json: also compare the kinds of "
@@ -107,29 +185,19 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
 }
 
 void EvaluatorOptions::Check() const {
-  const auto require = [](const std::string& value, const char* name) {
-    if (value.empty()) throw OptionError(std::string("--") + name + " must be given");
-  };
-  if (input_path.empty() && layout.workspace_path.empty()) {
-    throw OptionError("--input_path or --workspace_path must be given");
-  }
-  require(truth.truth_path, "truth_path");
-  truth.Check();
+  if (truth.IsGiven()) truth.Check();
+  CheckGroup("Faces", faces);
   selection.Selection();  // throws
   BoxFromNumbers(box);    // throws
-  if (!true_kinds_path.empty() && !IsDrawingJson(input_path)) {
-    throw OptionError("true_kinds_path: only links of a drawing.json have kinds");
-  }
-  if (truth.unit == TruthInput::Unit::kFootprint && !views) {
-    require(layout.workspace_path, "workspace_path");
-  }
-  if (!layout.workspace_path.empty()) layout.Check();
   LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
+  CheckInputs(*this);
+  if (!layout.workspace_path.empty()) layout.Check();
 }
 
 EvaluationReport EvaluateFile(const EvaluatorOptions& options, const RunContext& context) {
   CheckOutputs(options);
   Judged judged;
+  if (options.IsOfMeshOnly()) return Judge(judged, options, context);
   if (IsDrawingJson(options.input_path) || HoldsLimapDrawing(options.input_path)) {
     judged.drawing = ReadDrawing(options.input_path).graph;
   } else {

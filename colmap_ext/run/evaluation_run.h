@@ -7,6 +7,7 @@
 #include "colmap_ext/run/selection_options.h"
 #include "colmap_ext/run/truth_input.h"
 #include "colmap_ext/workspace/layout.h"
+#include "limn/evaluation/face_scores.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 
@@ -17,6 +18,9 @@ struct EvaluatorOptions {
   // Empty: the newest drawing of the workspace.
   std::string input_path;
   TruthInput truth;
+  // A true surface, to judge the faces of the drawing too, or those of a mesh instead; empty: none.
+  std::string truth_mesh_path, mesh_path;
+  FaceScoreOptions faces;
   // Of a drawing.
   SelectionOptions selection;
   // Curves with their kinds, for a confusion table; empty: none.
@@ -33,11 +37,14 @@ struct EvaluatorOptions {
   void AddOptions(OptionParser* parser);
   // Throws OptionError.
   void Check() const;
+  // A mesh alone is judged: there are no curves to read.
+  bool IsOfMeshOnly() const { return !mesh_path.empty() && truth.truth_path.empty(); }
 };
 
-// Evaluates the input file. Precondition: its path is given. With a workspace also measures
-// saw-teeth and, of a drawing, the normalized errors; with true kinds compares those of the links.
-// Throws IoError, also if an output must not be replaced, and InputError.
+// Evaluates the input file, whose path must be given unless a mesh alone is judged. With a
+// workspace also measures saw-teeth and, of a drawing, the normalized errors; with true kinds
+// compares those of the links; with a true surface scores faces. Throws IoError, also if an output
+// must not be replaced, and InputError.
 EvaluationReport EvaluateFile(const EvaluatorOptions& options, const RunContext& context);
 
 // The same for a drawing that is in memory, with the kinds, box and truth of the options.

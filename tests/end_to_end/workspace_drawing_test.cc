@@ -211,5 +211,63 @@ TEST_F(WorkspaceDrawing, GoesToLimapAndBack) {
   EXPECT_FALSE(fs::exists(dir_ / "l2"));
 }
 
+// A square of 0.4 above the objects, and beside it the same once more.
+constexpr char kTwoSquares[] =
+    "v 0 0 1.2\nv 0.4 0 1.2\nv 0.4 0.4 1.2\nv 0 0.4 1.2\nv 0.4 0 1.2\nv 0.8 0 1.2\n"
+    "v 0.8 0.4 1.2\nv 0.4 0.4 1.2\nf 1 2 3 4\nf 5 6 7 8\n";
+
+DrawingFace FirstSquare() {
+  DrawingFace face;
+  face.vertices = {{0, 0, 1.2}, {0.4, 0, 1.2}, {0.4, 0.4, 1.2}, {0, 0.4, 1.2}};
+  face.triangles = {{0, 1, 2}, {0, 2, 3}};
+  face.offset = 1.2;
+  for (int k = 0; k < 4; ++k) {
+    face.loops.resize(1);
+    face.loops[0].push_back({-1, 0, 0, {face.vertices[k], face.vertices[(k + 1) % 4]}});
+  }
+  return face;
+}
+
+TEST_F(WorkspaceDrawing, ItsFacesAreJudgedByATrueSurface) {
+  drawing_.graph.faces = {FirstSquare()};
+  Store("drawing.json");
+  const std::string truth = dir_.WriteFile("truth.obj", kTwoSquares);
+  const LimnRun judged = Run("drawing_evaluator", {"--truth_mesh_path", truth, "--Faces.taus",
+                                                   "0.5,2", "--output_csv", Path("faces.csv")});
+  ASSERT_EQ(judged.exit_code, 0) << judged.err;
+  EXPECT_THAT(judged.out, HasSubstr("faces 1, area 0.16;"));
+  EXPECT_THAT(judged.out, HasSubstr("2 rho      100.0       5"));  // half of the truth and 2 px
+  EXPECT_TRUE(fs::exists(Path("faces.csv")));
+  // Together with its curves, and of a mesh instead, for which no drawing is needed.
+  const LimnRun with_curves = Run("drawing_evaluator", {"--truth_mesh_path", truth, "--truth_path",
+                                                        Path("drawing.json"), "--taus", "0.01"});
+  EXPECT_THAT(with_curves.out, HasSubstr("links 2"));
+  EXPECT_THAT(with_curves.out, HasSubstr("faces 1, area 0.16;"));
+  fs::remove(Path("drawing.json"));
+  const LimnRun of_mesh =
+      Run("drawing_evaluator", {"--truth_mesh_path", truth, "--mesh_path", truth});
+  ASSERT_EQ(of_mesh.exit_code, 0) << of_mesh.err;
+  EXPECT_THAT(of_mesh.out, HasSubstr("2 rho      100.0      100.0      100.0"));
+}
+
+TEST_F(WorkspaceDrawing, WhatFacesCannotBeJudgedByIsRefused) {
+  Store("drawing.json");
+  const std::string truth = dir_.WriteFile("truth.obj", kTwoSquares);
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& text) {
+    const LimnRun run = Run("drawing_evaluator", more);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, HasSubstr(text));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  };
+  refused({}, "--truth_path or --truth_mesh_path must be given");
+  refused({"--truth_path", truth, "--taus", "1", "--mesh_path", truth}, "needs truth_mesh_path");
+  refused({"--truth_mesh_path", truth, "--input_path", truth}, "only a drawing.json or mesh_path");
+  refused({"--truth_mesh_path", truth, "--Faces.min_views", "25"}, "at most the number of views");
+  refused({"--truth_mesh_path", Path("none.ply")}, "none.ply");
+  const LimnRun run = RunLimn(
+      {"drawing_evaluator", "--truth_mesh_path", truth, "--input_path", Path("drawing.json")});
+  EXPECT_THAT(run.err, HasSubstr("--workspace_path must be given"));
+}
+
 }  // namespace
 }  // namespace limn::testing

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/evaluation/face_scores.h"
 #include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/normalized_errors.h"
 #include "limn/evaluation/saw_teeth.h"
@@ -70,7 +71,7 @@ struct TauResult {
 };
 
 struct EvaluationReport {
-  std::vector<TauResult> rows;  // as options.taus
+  std::vector<TauResult> rows;  // as options.taus; none if no curves were compared
   bool in_footprints = false;
   // Of the whole reconstruction, inside and outside the region.
   int num_links = 0;
@@ -87,6 +88,8 @@ struct EvaluationReport {
   std::optional<NormalizedErrors> normalized_errors;
   // Of a drawing. Filled in by callers that have the graph and true kinds.
   std::optional<KindConfusion> kinds;
+  // Filled in by callers that have true surfaces.
+  std::optional<FaceScores> faces;
 };
 
 // Compares curves or points with ground truth. Both sets are cut into cells of at most tau/4 along

@@ -148,9 +148,68 @@ Json KindsAsJson(const KindConfusion& kinds) {
   return {{"tau", kinds.tau}, {"length", lengths}};
 }
 
-}  // namespace
+void PrintFaces(const FaceScores& scores, std::ostream& out) {
+  constexpr int kWidth = 10;
+  const auto print_row = [&](const std::vector<std::string>& cells) {
+    for (const std::string& cell : cells) out << std::setw(kWidth) << cell << ' ';
+    out << '\n';
+  };
+  print_row({"faces", "P %", "R %", "F %", "right", "covered"});
+  for (const FaceTauResult& row : scores.rows) {
+    print_row({Cell(row.tau, 4) + " rho", Percent(row.precision), Percent(row.recall),
+               Percent(row.f), std::to_string(row.num_right_faces),
+               std::to_string(row.num_covered_regions)});
+  }
+  out << "faces " << scores.faces.size() << ", area " << Cell(scores.area, 5)
+      << "; true surface that is seen " << Cell(scores.true_area, 5) << ", smooth regions "
+      << scores.regions.size() << "; directions within " << Cell(scores.max_angle_deg, 4)
+      << " degrees\n";
+}
 
-void PrintReport(const EvaluationReport& report, std::ostream& out) {
+Json FaceRowAsJson(const FaceTauResult& row) {
+  return {{"tau", row.tau},
+          {"precision", OrNull(row.precision)},
+          {"recall", OrNull(row.recall)},
+          {"f", OrNull(row.f)},
+          {"num_right_faces", row.num_right_faces},
+          {"num_covered_regions", row.num_covered_regions}};
+}
+
+Json PartsAsJson(const char* id, const std::vector<PartScore>& parts) {
+  Json json = Json::array();
+  for (const PartScore& part : parts) {
+    json.push_back({{id, part.part}, {"area", part.area}, {"within", part.within}});
+  }
+  return json;
+}
+
+Json FacesAsJson(const FaceScores& scores) {
+  Json json = {{"unit", "footprint"}, {"max_angle_deg", scores.max_angle_deg}};
+  json["rows"] = Json::array();
+  for (const FaceTauResult& row : scores.rows) json["rows"].push_back(FaceRowAsJson(row));
+  json["area"] = scores.area;
+  json["true_area"] = scores.true_area;
+  json["num_faces"] = scores.faces.size();
+  json["num_regions"] = scores.regions.size();
+  json["faces"] = PartsAsJson("face", scores.faces);
+  json["regions"] = PartsAsJson("region", scores.regions);
+  return json;
+}
+
+void WriteFacesCsv(const FaceScores& scores, std::ostream& out) {
+  for (const auto& [name, value] : FaceRowAsJson({}).items()) out << name << ',';
+  out << "max_angle_deg,faces,area,true_area,regions\n";
+  for (const FaceTauResult& row : scores.rows) {
+    for (const auto& [name, value] : FaceRowAsJson(row).items()) {
+      if (!value.is_null()) out << value;
+      out << ',';
+    }
+    out << scores.max_angle_deg << ',' << scores.faces.size() << ',' << scores.area << ','
+        << scores.true_area << ',' << scores.regions.size() << '\n';
+  }
+}
+
+void PrintCurves(const EvaluationReport& report, std::ostream& out) {
   constexpr int kWidth = 10;
   const auto print_row = [&](const std::vector<std::string>& cells) {
     for (const std::string& cell : cells) out << std::setw(kWidth) << cell << ' ';
@@ -181,9 +240,17 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
   }
 }
 
+}  // namespace
+
+void PrintReport(const EvaluationReport& report, std::ostream& out) {
+  if (!report.rows.empty()) PrintCurves(report, out);
+  if (report.faces) PrintFaces(*report.faces, out);
+}
+
 void WriteReportCsv(const EvaluationReport& report, std::ostream& out) {
   std::ostringstream text;
   text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  if (report.rows.empty() && report.faces) WriteFacesCsv(*report.faces, text);
   const SawTeeth teeth = report.saw_teeth.value_or(SawTeeth());
   bool first = true;
   for (const TauResult& row : report.rows) {
@@ -228,6 +295,7 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   json["normalised_errors"] =
       report.normalized_errors ? NormalizedErrorsAsJson(*report.normalized_errors) : Json(nullptr);
   json["kinds"] = report.kinds ? KindsAsJson(*report.kinds) : Json(nullptr);
+  json["faces"] = report.faces ? FacesAsJson(*report.faces) : Json(nullptr);
   out << json.dump(2) << '\n';
 }
 

@@ -7,14 +7,15 @@
 
 namespace limn {
 
-// A table for the screen: one row per tau, then the counts of the reconstruction. Absent shares are
-// "-".
+// Tables for the screen: one row per tau, then the counts of the reconstruction; a table of faces
+// where these were compared. Absent shares are "-".
 void PrintReport(const EvaluationReport& report, std::ostream& out);
 
-// One header line and one row per tau; absent shares are empty cells.
+// One header line and one row per tau of the curves, or of the faces if no curves were compared;
+// absent shares are empty cells.
 void WriteReportCsv(const EvaluationReport& report, std::ostream& out);
 
-// An object with `rows` and the counts; absent shares are null.
+// An object with `rows`, the counts and `faces`; what is absent is null.
 void WriteReportJson(const EvaluationReport& report, std::ostream& out);
 
 }  // namespace limn

@@ -1,14 +1,10 @@
 #include "limn/evaluation/sharp_edges.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
-#include <tuple>
 
-#include <Eigen/Geometry>
-
+#include "limn/evaluation/edge_sides.h"
 #include "limn/formats/curve_chains.h"
-#include "limn/geometry/polygon_triangulation.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
 
@@ -18,65 +14,20 @@ namespace {
 // Angles given exactly are met in spite of rounding.
 constexpr double kAngleSlackRad = 1e-9;
 
-// A side of a polygon, at its edge a < b.
-struct Side {
-  int a = 0;
-  int b = 0;
-  int polygon = 0;
-  // Unit vector in the polygon, across the side, towards the polygon's inside.
-  Eigen::Vector3d inwards;
-};
-
-double Angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-std::vector<Side> SidesByEdge(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  for (size_t p = 0; p < mesh.polygons.size(); ++p) {
-    const std::vector<int>& polygon = mesh.polygons[p];
-    const Eigen::Vector3d area = PolygonAreaVector(CornersOf(mesh, polygon));
-    for (size_t k = 0; k < polygon.size(); ++k) {
-      const int from = polygon[k];
-      const int to = polygon[(k + 1) % polygon.size()];
-      const Eigen::Vector3d along = mesh.vertices[to] - mesh.vertices[from];
-      sides.push_back({std::min(from, to), std::max(from, to), static_cast<int>(p),
-                       area.normalized().cross(along.normalized()).normalized()});
-    }
-  }
-  std::stable_sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-    return std::tie(s.a, s.b) < std::tie(t.a, t.b);
-  });
-  return sides;
-}
-
-// Of the sides of all polygons at one edge.
-bool IsSharp(std::span<const Side> sides, double min_bend_rad) {
-  if (sides.size() != 2) return true;
-  const double bend = M_PI - Angle(sides[0].inwards, sides[1].inwards);
-  return bend >= min_bend_rad - kAngleSlackRad;
-}
-
 EdgeSoup SharpEdgesOf(const TriangleMesh& mesh, double min_bend_rad) {
   EdgeSoup soup;
   soup.vertices = mesh.vertices;
-  const std::vector<Side> sides = SidesByEdge(mesh);
-  for (size_t begin = 0; begin < sides.size();) {
-    size_t end = begin + 1;
-    while (end < sides.size() && sides[end].a == sides[begin].a && sides[end].b == sides[begin].b) {
-      ++end;
-    }
-    if (IsSharp({sides.data() + begin, end - begin}, min_bend_rad)) {
-      soup.edges.emplace_back(sides[begin].a, sides[begin].b);
-    }
-    begin = end;
-  }
+  ForEachEdge(mesh.vertices, mesh.polygons, [&](std::span<const EdgeSide> sides) {
+    const bool is_smooth =
+        sides.size() == 2 && BendAt(sides[0], sides[1]) < min_bend_rad - kAngleSlackRad;
+    if (!is_smooth) soup.edges.emplace_back(sides[0].a, sides[0].b);
+  });
   return soup;
 }
 
 bool TurnsAt(const Eigen::Vector3d& before, const Eigen::Vector3d& at, const Eigen::Vector3d& after,
              double max_turn_rad) {
-  return Angle(at - before, after - at) > max_turn_rad + kAngleSlackRad;
+  return AngleBetween(at - before, after - at) > max_turn_rad + kAngleSlackRad;
 }
 
 // A closed chain begins at one of its corners, if it has any.

@@ -11,6 +11,7 @@ namespace limn {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 EvaluationReport SmallReport() {
   EvaluationReport report;
@@ -148,6 +149,47 @@ TEST(ReportWriters, SawTeethAreToldWhereKnown) {
   const nlohmann::json teeth = nlohmann::json::parse(json.str()).at("saw_teeth");
   EXPECT_EQ(teeth.at("median"), 1.25);
   EXPECT_TRUE(teeth.at("p90_by_length").is_null());
+}
+
+EvaluationReport ReportOfFaces() {
+  EvaluationReport report;
+  FaceScores& scores = report.faces.emplace();
+  scores.rows = {{0.5, 0.25, 0.5, 0.3333, 1, 2}, {2, std::nullopt, 0.75, std::nullopt, 3, 4}};
+  scores.max_angle_deg = 10;
+  scores.area = 1.25;
+  scores.true_area = 2.5;
+  scores.faces = {{0, 1.0, {0.25, 0.5}}, {4, 0.25, {0.125, 1}}};
+  scores.regions = {{7, 2.0, {0, 0.875}}};
+  return report;
+}
+
+TEST(ReportWriters, FacesAreInTextAndJson) {
+  std::ostringstream table, json;
+  PrintReport(ReportOfFaces(), table);
+  EXPECT_THAT(table.str(), HasSubstr("   0.5 rho       25.0       50.0       33.3          1"));
+  EXPECT_THAT(table.str(), HasSubstr("     2 rho          -       75.0          -          3"));
+  EXPECT_THAT(table.str(), HasSubstr("faces 2, area 1.25; true surface that is seen 2.5, smooth"));
+  EXPECT_THAT(table.str(), Not(HasSubstr("links")));
+  WriteReportJson(ReportOfFaces(), json);
+  const nlohmann::json faces = nlohmann::json::parse(json.str()).at("faces");
+  EXPECT_EQ(faces.at("rows").at(0).at("precision"), 0.25);
+  EXPECT_TRUE(faces.at("rows").at(1).at("precision").is_null());
+  EXPECT_EQ(faces.at("faces").at(1).at("face"), 4);
+  EXPECT_EQ(faces.at("faces").at(1).at("within"), nlohmann::json({0.125, 1.0}));
+  EXPECT_EQ(faces.at("regions").at(0).at("area"), 2.0);
+  std::ostringstream without;
+  WriteReportJson(SmallReport(), without);
+  EXPECT_TRUE(nlohmann::json::parse(without.str()).at("faces").is_null());
+}
+
+TEST(ReportWriters, CsvIsOfFacesWhereThereAreNoCurves) {
+  std::ostringstream csv;
+  WriteReportCsv(ReportOfFaces(), csv);
+  EXPECT_EQ(csv.str(),
+            "tau,precision,recall,f,num_right_faces,num_covered_regions,"
+            "max_angle_deg,faces,area,true_area,regions\n"
+            "0.5,0.25,0.5,0.3333,1,2,10,2,1.25,2.5,1\n"
+            "2.0,,0.75,,3,4,10,2,1.25,2.5,1\n");
 }
 
 }  // namespace
