@@ -15,6 +15,7 @@ int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_c
 int RunCurveLinker(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunCurveSketcher(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingAligner(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunDrawingEditor(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingEvaluator(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingExporter(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& make_console);

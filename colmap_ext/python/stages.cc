@@ -12,6 +12,7 @@
 #include "colmap_ext/run/drawer_options.h"
 #include "colmap_ext/run/drawing_export.h"
 #include "colmap_ext/run/drawing_input.h"
+#include "colmap_ext/run/edit_run.h"
 #include "colmap_ext/run/evaluation_run.h"
 #include "colmap_ext/run/fusion_results.h"
 #include "colmap_ext/run/project.h"
@@ -21,6 +22,7 @@
 #include "colmap_ext/run/world_shift.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/formats/write_drawing.h"
+#include "limn/pipeline/refit_edited.h"
 #include "limn/pipeline/sketch_views.h"
 #include "limn/util/errors.h"
 
@@ -308,6 +310,37 @@ std::shared_ptr<SceneDrawing> RegularizeSceneDrawing(std::shared_ptr<const Scene
   regular->metadata.options_json = RegularityProvenance(run, drawing->metadata.options_json);
   regular->made.log = console.log();
   return regular;
+}
+
+std::shared_ptr<SceneDrawing> EditSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
+                                               const OptionTexts& options, RunMonitor* monitor) {
+  RequireScene(*drawing, "edit");
+  RefuseOptions("edit", options, {"drawing_path"});
+  std::string edits_path;
+  const MadeWith added =
+      AddOptions(drawing->made, "edit", {.refit = true}, options, kOptionsOfSketch,
+                 [&](OptionParser* more) { more->AddOption("edits", &edits_path, "edits.json"); });
+  const RunOptions& run = added.options;
+  CheckEditorOptions(run);
+  const EditsFile file = ReadEdits(edits_path);
+  LibraryConsole console(run.num_threads, monitor);
+  const Scene& scene = drawing->scene->scene;
+  EditedDrawing result =
+      ApplyEdits(GraphInScene(*drawing), drawing->views, Moved(file.edits, -scene.origin()));
+  // Options of the edits are of no use to later stages.
+  auto edited = std::make_shared<SceneDrawing>(*drawing);
+  if (HasTouched(result)) {
+    if (!edited->curves) edited->curves = CurvesOf(drawing->scene, run, &console);
+    console.Report(RefitEdited({drawing->views, *edited->curves, scene.images().read}, run.pipeline,
+                               console.context(), &result));
+    scene.images().release();
+  }
+  SayEdits(file.edits, result, &console);
+  CheckGraph(result.graph);
+  edited->graph = Moved(result.graph, scene.origin());
+  edited->metadata.options_json = EditProvenance(file, drawing->metadata.options_json);
+  edited->made.log = console.log();
+  return edited;
 }
 
 std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,

@@ -78,9 +78,11 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
     AddGroup("Sketch", &pipeline.sketch, parser);
   }
   if (groups.drawing) AddGroup("Drawing", &pipeline.drawing, parser);
-  if (groups.refinement) AddGroup("DrawingRefinement", &pipeline.refinement, parser);
+  if (groups.refinement || groups.refit) {
+    AddGroup("DrawingRefinement", &pipeline.refinement, parser);
+  }
   if (groups.refinement) AddGroup("Belief", &pipeline.belief, parser);
-  if (groups.refinement) AddGroup("Primitives", &pipeline.primitives, parser);
+  if (groups.refinement || groups.refit) AddGroup("Primitives", &pipeline.primitives, parser);
   if (groups.refinement) {
     parser->AddOption("regularize", &pipeline.regularize,
                       "make directions, planes and circles regular where the images allow it");

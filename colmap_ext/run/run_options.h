@@ -56,6 +56,8 @@ struct OptionGroups {
   bool sketch = false;
   bool drawing = false;
   bool refinement = false;
+  // What of the refinement applies to some links of a finished drawing.
+  bool refit = false;
   bool regularities = false;
   bool dense = false;
   bool tiles = false;

@@ -211,6 +211,16 @@ def curves():
     put("edges_txt", "edges", "1 2\n2 3\n4 5\n")
     put("junctions_json", "two", '{"junctions": [{"position": [0, 1, 2], "degree": 3},\n'
         '{"position": [0.5, 1, 2], "degree": 1, "kind": "end"}]}\n')
+    ref = '{"id": %d, "closed": false, "points": [[0, 0, 0], [1, 0, 0], [2, 0.5, 0]]}'
+    place = '{"link": ' + ref % -1 + ', "at": [1, 0, 0]}'
+    put("edits_json", "all", '{"format": "limn_edits", "format_version": 1, "edits": [\n'
+        f'{{"edit": "delete", "links": [{ref % 1}, {ref % 2}]}},\n{{"edit": "restore", "links": [{ref % 1}]}},\n'
+        f'{{"edit": "set_kind", "links": [{ref % 1}], "kind": "paint"}},\n'
+        f'{{"edit": "split", "link": {ref % 1}, "at": [1, 0, 0]}},\n'
+        f'{{"edit": "join", "ends": [{{"link": {ref % 1}, "end": 0}}, {{"link": {ref % 2}, "end": 1}}]}},\n'
+        f'{{"edit": "merge", "links": [{ref % 1}, {ref % 2}]}},\n'
+        f'{{"edit": "dimension", "from": {place}, "to": {place}, "shift": [0, 0, 1]}},\n'
+        '{"edit": "remove_dimension", "from": [0, 0, 0], "to": [1, 0, 0]}]}\n')
     put("drawing_json", "corner", """{"format": "limn-drawing", "format_version": 1,
 "views": ["a.png", "b.png"], "options": {"Sketch": {"max_gap_px": 3}},
 "nodes": [

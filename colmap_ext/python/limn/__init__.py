@@ -32,7 +32,7 @@ from limn.errors import Error, InputError, IoError, OptionError
 __all__ = [
     "Alignment", "Camera", "Curves", "Drawing", "Edges", "Error", "ImageCurves", "ImageEdges", "InputError",
     "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "Scene", "Sketch", "SketchCurve",
-    "align", "draw", "evaluate", "export", "extract_edges", "fuse", "link", "open", "read_drawing", "refine",
+    "align", "draw", "edit", "evaluate", "export", "extract_edges", "fuse", "link", "open", "read_drawing", "refine",
     "regularize", "run", "sketch",
 ]
 
@@ -121,6 +121,16 @@ def regularize(drawing: Drawing, *, progress: Progress = None, **options: Any) -
     nothing.
     """
     return _limn.regularize(drawing, texts_of(options), progress)
+
+
+def edit(drawing: Drawing, edits: Path, *, progress: Progress = None, **options: Any) -> Drawing:
+    """The drawing with edits made by hand (edits.json of drawing.html), as by drawing_editor.
+
+    The links that they touch are fitted to the images again; edits that do not fit the drawing are told in `warnings`
+    of the result. The drawing needs its scene: read_drawing(path, scene). Options: DrawingRefinement, Primitives. Writes
+    nothing.
+    """
+    return _limn.edit(drawing, texts_of(options, edits=edits), progress)
 
 
 def fuse(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:

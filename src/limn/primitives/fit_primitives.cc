@@ -52,11 +52,13 @@ void FitAgain(const EndConditions& ends, bool closed, const PrimitiveOptions& op
   }
 }
 
-std::vector<Fit> SampleLinks(const DrawingGraph& graph, const std::vector<View>& views,
-                             const PrimitiveOptions& options, const RunContext& context) {
+std::vector<Fit> SampleLinks(const DrawingGraph& graph, const std::vector<uint8_t>& refit,
+                             const std::vector<View>& views, const PrimitiveOptions& options,
+                             const RunContext& context) {
   std::vector<Fit> fits(graph.links.size());
   const std::vector<EndConditions> ends = EndsOfLinks(graph);
   ParallelFor(context, "sampling links", fits.size(), [&](size_t l) {
+    if (!refit[l]) return;
     fits[l].samples = SampleLink(graph.links[l], views);
     DiscountEnds({ends[l][0].held, ends[l][1].held}, options.end_zone_px, &fits[l].samples);
   });
@@ -72,10 +74,23 @@ void Choose(const std::vector<EndConditions>& ends, const DrawingGraph& graph,
   });
 }
 
-void Join(const DrawingGraph& graph, std::vector<EndConditions> ends,
-          const PrimitiveOptions& options, const RunContext& context, std::vector<Fit>* fits) {
+// The shape of a link that stays, if others can only follow its direction: no spline.
+const CurveShape* StiffShape(const DrawingLink& link) {
+  const bool is_stiff =
+      link.primitive && !std::holds_alternative<CubicBSpline>(link.primitive->shape);
+  return is_stiff ? &link.primitive->shape : nullptr;
+}
+
+void Join(const DrawingGraph& graph, const std::vector<uint8_t>& refit,
+          std::vector<EndConditions> ends, const PrimitiveOptions& options,
+          const RunContext& context, std::vector<Fit>* fits) {
   std::vector<const CurveShape*> shapes;
-  for (const Fit& fit : *fits) shapes.push_back(fit.fitted ? &fit.fitted->shape : nullptr);
+  for (size_t l = 0; l < fits->size(); ++l) {
+    const Fit& fit = (*fits)[l];
+    shapes.push_back(!refit[l]    ? StiffShape(graph.links[l])
+                     : fit.fitted ? &fit.fitted->shape
+                                  : nullptr);
+  }
   ShareDirections(graph, shapes, &ends);
   ParallelFor(context, "joining primitives", fits->size(), [&](size_t l) {
     const bool joined = ends[l][0].direction || ends[l][1].direction;
@@ -166,35 +181,52 @@ StageSummary Summarize(const DrawingGraph& graph) {
   return summary;
 }
 
+// The graph with new primitives of some links.
+DrawingGraph Fitted(const DrawingGraph& graph, const std::vector<uint8_t>& refit,
+                    const std::vector<View>& views, const PrimitiveOptions& options,
+                    const RunContext& context) {
+  DrawingGraph result = graph;
+  std::vector<Fit> fits = SampleLinks(graph, refit, views, options, context);
+  // Fit freely first: the shapes tell where the curves meet.
+  const std::vector<EndConditions> ends = EndsOfLinks(graph);
+  Choose(std::vector<EndConditions>(ends.size()), graph, options, context, &fits);
+  MoveNodes(fits, options.end_zone_px, &result);
+  for (size_t l = 0; l < fits.size(); ++l) {
+    if (fits[l].samples.samples.empty()) continue;
+    fits[l].samples.samples.front().position = result.links[l].points_in_world.front();
+    fits[l].samples.samples.back().position = result.links[l].points_in_world.back();
+  }
+  Choose(ends, graph, options, context, &fits);
+  Join(graph, refit, ends, options, context, &fits);
+  for (size_t l = 0; l < fits.size(); ++l) {
+    if (!refit[l]) continue;
+    auto& primitive = result.links[l].primitive;
+    primitive.reset();
+    result.links[l].regularity.reset();
+    if (!fits[l].fitted || !ValidateShape(fits[l].fitted->shape).empty()) continue;
+    primitive = {fits[l].fitted->shape, fits[l].fitted->rms_px, fits[l].fitted->max_px};
+  }
+  return result;
+}
+
 }  // namespace
 
 PrimitiveResult FitPrimitives(const DrawingGraph& graph, const std::vector<View>& views,
                               const PrimitiveOptions& options, const RunContext& context) {
   options.Check();
   PrimitiveResult result;
-  result.graph = graph;
+  result.graph =
+      Fitted(graph, std::vector<uint8_t>(graph.links.size(), 1), views, options, context);
   result.graph.regularities = {};
-  std::vector<Fit> fits = SampleLinks(graph, views, options, context);
-  // Fit freely first: the shapes tell where the curves meet.
-  const std::vector<EndConditions> ends = EndsOfLinks(graph);
-  Choose(std::vector<EndConditions>(ends.size()), graph, options, context, &fits);
-  MoveNodes(fits, options.end_zone_px, &result.graph);
-  for (size_t l = 0; l < fits.size(); ++l) {
-    if (fits[l].samples.samples.empty()) continue;
-    fits[l].samples.samples.front().position = result.graph.links[l].points_in_world.front();
-    fits[l].samples.samples.back().position = result.graph.links[l].points_in_world.back();
-  }
-  Choose(ends, graph, options, context, &fits);
-  Join(graph, ends, options, context, &fits);
-  for (size_t l = 0; l < fits.size(); ++l) {
-    auto& primitive = result.graph.links[l].primitive;
-    primitive.reset();
-    result.graph.links[l].regularity.reset();
-    if (!fits[l].fitted || !ValidateShape(fits[l].fitted->shape).empty()) continue;
-    primitive = {fits[l].fitted->shape, fits[l].fitted->rms_px, fits[l].fitted->max_px};
-  }
   result.summary = Summarize(result.graph);
   return result;
+}
+
+DrawingGraph RefitPrimitives(const DrawingGraph& graph, const std::vector<uint8_t>& refit,
+                             const std::vector<View>& views, const PrimitiveOptions& options,
+                             const RunContext& context) {
+  options.Check();
+  return Fitted(graph, refit, views, options, context);
 }
 
 PrimitiveStatistics Describe(const DrawingGraph& graph) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct PrimitiveResult {
 // view sees gets no primitive. Throws OptionError and Cancelled.
 PrimitiveResult FitPrimitives(const DrawingGraph& graph, const std::vector<View>& views,
                               const PrimitiveOptions& options, const RunContext& context);
+
+// The same for some links of a drawing (`refit`, one per link). All else stays as it is: the other
+// links with their primitives, nodes that they end at, and regularities. Throws OptionError and
+// Cancelled.
+DrawingGraph RefitPrimitives(const DrawingGraph& graph, const std::vector<uint8_t>& refit,
+                             const std::vector<View>& views, const PrimitiveOptions& options,
+                             const RunContext& context);
 
 // Statistics of the primitives of a drawing.
 struct PrimitiveStatistics {

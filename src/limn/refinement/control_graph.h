@@ -63,8 +63,10 @@ struct ControlGraph {
   // hold the point.
   std::vector<uint8_t> corner;
   std::vector<std::optional<Eigen::Matrix3d>> covariance;  // world units squared, if fitted
-  std::vector<ControlLink> links;                          // as in the graph
-  std::vector<Bend> bends;                                 // also through smooth nodes
+  // Points that must stay where they are, with their standard deviations, world units. Empty: none.
+  std::vector<std::optional<double>> held;
+  std::vector<ControlLink> links;  // as in the graph
+  std::vector<Bend> bends;         // also through smooth nodes
 };
 
 // Control points about `spacing_px` apart along every link. Linear time.

@@ -68,8 +68,19 @@ std::array<double, 3> BendFactors(const Bend& bend, const RefinementOptions& opt
   return {factor / first, factor * (-1 / first - 1 / second), factor / second};
 }
 
-// Hold a point weakly where it was in the drawing: along its curve, and at a corner.
+const std::optional<double>* HeldAt(int point, const ControlGraph& control) {
+  return control.held.empty() || !control.held[point] ? nullptr : &control.held[point];
+}
+
+// Hold a point weakly where it was in the drawing: along its curve, and at a corner. One that must
+// stay is as uncertain as it was.
 void AddHold(int point, ControlGraph* control, ceres::Problem* problem) {
+  if (const std::optional<double>* sigma = HeldAt(point, *control)) {
+    const Eigen::Matrix3d factor = Eigen::Matrix3d::Identity() / **sigma;
+    problem->AddResidualBlock(new LinearCost({factor}, factor * control->start[point]), nullptr,
+                              control->position[point].data());
+    return;
+  }
   const double across_px = control->corner[point] ? kCornerSigmaPx : kWeakSigmaPx;
   const double along_px = control->corner[point] ? kCornerSigmaPx : kAlongSigmaPx;
   const Eigen::Vector3d& tangent = control->tangent[point];
@@ -237,7 +248,15 @@ void FitCurves(const std::vector<View>& views, const RefinementOptions& options,
   ParallelFor(context, "fitting curves", components.size(), [&](size_t c) {
     ceres::Problem problem;
     AddTerms(views, options, components[c], nullptr, control, &problem);
+    for (const int point : components[c].points) {
+      double* position = control->position[point].data();
+      if (HeldAt(point, *control)) problem.SetParameterBlockConstant(position);
+    }
     Minimize(kMaxIterations, context, &problem);
+    // Points that stay are no surer for that.
+    for (const int point : components[c].points) {
+      problem.SetParameterBlockVariable(control->position[point].data());
+    }
     if (with_covariances) SetCovariances(components[c], control, &problem);
   });
   FollowNodes(before, control);

@@ -122,7 +122,54 @@ class Refiner {
     return result;
   }
 
+  // Fits some links only (RefitLinks).
+  RefitResult Refit(const std::vector<uint8_t>& refit) {
+    refit_ = &refit;
+    HoldOthers();
+    for (int round = 0; round < options_.num_rounds; ++round) {
+      Match(1);
+      FindFrozen(&control_);
+      for (size_t l = 0; l < refit.size(); ++l) control_.links[l].frozen |= !refit[l];
+      FitCurves(views_, options_, context_, round + 1 == options_.num_rounds, &control_);
+    }
+    Match(1);
+    ScaleCovariances();
+    SetGeometry();
+    RefitResult result;
+    for (size_t l = 0; l < refit.size(); ++l) {
+      const ControlLink& fitted = control_.links[l];
+      if (!fitted.frozen) SetSupport(fitted, &graph_.links[l]);
+      result.fitted.push_back(!fitted.frozen);
+      auto& shown = result.shown.emplace_back();
+      if (!refit[l]) continue;
+      for (const LinkSample& sample : fitted.samples) {
+        shown.push_back({sample.position, static_cast<int>(sample.pulls.size())});
+      }
+    }
+    result.graph = std::move(graph_);
+    return result;
+  }
+
  private:
+  bool IsAsked(size_t link) const { return !refit_ || (*refit_)[link]; }
+
+  // Nodes of links that stay are as uncertain as the ends of these links.
+  void HoldOthers() {
+    control_.held.resize(control_.position.size());
+    for (size_t l = 0; l < graph_.links.size(); ++l) {
+      if (IsAsked(l)) continue;
+      const DrawingLink& link = graph_.links[l];
+      for (const int end : {0, 1}) {
+        const NodeId node = link.NodeAt(end);
+        const double sigma = end == 0 ? link.sigma.front() : link.sigma.back();
+        const double unknown = options_.max_distance_px * control_.footprint[node];
+        std::optional<double>& held = control_.held[node];
+        held = std::min(held.value_or(std::numeric_limits<double>::infinity()),
+                        std::isfinite(sigma) && sigma > 0 ? sigma : unknown);
+      }
+    }
+  }
+
   // Sets up the unknowns for the current graph.
   void TakeGraph() { control_ = MakeControlGraph(graph_, views_, options_.control_spacing_px); }
 
@@ -246,6 +293,7 @@ class Refiner {
       graph_.nodes[n].position_in_world = control_.position[n];
     }
     for (size_t l = 0; l < graph_.links.size(); ++l) {
+      if (!IsAsked(l)) continue;
       const ControlLink& fitted = control_.links[l];
       if (fitted.frozen) {
         KeepShape(fitted, &graph_.links[l]);
@@ -328,7 +376,8 @@ class Refiner {
   const RefinementOptions& options_;
   const TopologyOptions& topology_;
   const RunContext& context_;
-  std::vector<View> views_;  // with refined cameras
+  std::vector<View> views_;                      // with refined cameras
+  const std::vector<uint8_t>* refit_ = nullptr;  // per link whether to fit it; null: all
   DrawingGraph graph_;
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
@@ -368,7 +417,66 @@ RefinementResult RefineEdges(const RefinementInput& input, const RefinementOptio
   return result;
 }
 
+// The links that a fit takes: all but the outlines of smooth bodies.
+std::vector<uint8_t> AreEdges(const DrawingGraph& graph) {
+  std::vector<uint8_t> are_edges;
+  for (const DrawingLink& link : graph.links) are_edges.push_back(link.kind != LinkKind::kContour);
+  return are_edges;
+}
+
+// Puts a fitted link into a drawing that has its ends at nodes of its own.
+void PutFitted(const DrawingLink& from, const std::vector<DrawingNode>& nodes, LinkId id,
+               DrawingGraph* graph) {
+  DrawingLink& link = graph->links[id];
+  link.points_in_world = from.points_in_world;
+  link.sigma = from.sigma;
+  link.supporting_views = from.supporting_views;
+  link.residual_px = from.residual_px;
+  graph->nodes[link.node0].position_in_world = nodes[from.node0].position_in_world;
+  graph->nodes[link.node1].position_in_world = nodes[from.node1].position_in_world;
+}
+
 }  // namespace
+
+RefitResult RefitLinks(const RefinementInput& input, const std::vector<uint8_t>& refit,
+                       const RefinementOptions& options, const RunContext& context) {
+  options.Check();
+  const size_t num_links = input.graph.links.size();
+  RefitResult result = {input.graph, std::vector<uint8_t>(num_links, 0), {}};
+  result.shown.resize(num_links);
+  if (options.num_rounds == 0) return result;
+  const std::vector<uint8_t> are_edges = AreEdges(input.graph);
+  DrawingGraph edges = input.graph;
+  RemoveLinks(are_edges, &edges);
+  std::vector<LinkId> ids;  // of the edges
+  std::vector<uint8_t> refit_edges;
+  for (size_t l = 0; l < num_links; ++l) {
+    if (!are_edges[l]) continue;
+    ids.push_back(static_cast<LinkId>(l));
+    refit_edges.push_back(refit[l]);
+  }
+  const double unit = SceneUnit(input.views, edges);
+  const std::vector<View> views = Scaled(input.views, 1 / unit);
+  edges = Scaled(std::move(edges), 1 / unit);
+  const TopologyOptions unused;
+  RefitResult fitted =
+      Refiner({views, input.curves, edges}, options, unused, context).Refit(refit_edges);
+  fitted.graph = Scaled(std::move(fitted.graph), unit);
+  for (size_t e = 0; e < ids.size(); ++e) {
+    if (!refit_edges[e]) continue;
+    PutFitted(fitted.graph.links[e], fitted.graph.nodes, ids[e], &result.graph);
+    result.fitted[ids[e]] = fitted.fitted[e];
+    for (ShownPlace& place : fitted.shown[e]) place.position *= unit;
+    result.shown[ids[e]] = std::move(fitted.shown[e]);
+  }
+  // Outlines end where their nodes have gone.
+  for (size_t l = 0; l < num_links; ++l) {
+    DrawingLink& link = result.graph.links[l];
+    FollowEnds(result.graph.nodes[link.node0].position_in_world,
+               result.graph.nodes[link.node1].position_in_world, &link.points_in_world);
+  }
+  return result;
+}
 
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const TopologyOptions& topology, const RunContext& context) {
@@ -380,12 +488,8 @@ RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOpt
     unchanged.summary.stage = "refinement";
     return unchanged;
   }
-  std::vector<uint8_t> is_kept;
-  for (const DrawingLink& link : input.graph.links) {
-    is_kept.push_back(link.kind != LinkKind::kContour);
-  }
   DrawingGraph edges = input.graph;
-  RemoveLinks(is_kept, &edges);
+  RemoveLinks(AreEdges(input.graph), &edges);
   RefinementResult result =
       RefineEdges({input.views, input.curves, edges, input.points}, options, topology, context);
   AddContours(input.graph, &result.graph);

@@ -64,4 +64,26 @@ struct RefinementResult {
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const TopologyOptions& topology, const RunContext& context);
 
+// A place on a link, and the number of views with edgels that it was fitted to there.
+struct ShownPlace {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  int num_views = 0;
+};
+
+struct RefitResult {
+  DrawingGraph graph;
+  // Per link whether it was fitted: asked for, and enough views show it.
+  std::vector<uint8_t> fitted;
+  // Per link that was asked for, whether fitted or not: places along it, every 1.5 px.
+  std::vector<std::vector<ShownPlace>> shown;
+};
+
+// Fits some links of a drawing (`refit`, one per link) to the images again, as RefineDrawing does,
+// and gives them new supporting views. All else stays as it is, bit for bit: cameras, topology,
+// other links, and the nodes that these end at. Links without enough views, and outlines of smooth
+// bodies, keep their shape. The result passes Validate(). Throws OptionError and Cancelled. Time:
+// as RefineDrawing, but links that stay are matched only.
+RefitResult RefitLinks(const RefinementInput& input, const std::vector<uint8_t>& refit,
+                       const RefinementOptions& options, const RunContext& context);
+
 }  // namespace limn

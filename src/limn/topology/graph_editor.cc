@@ -317,6 +317,29 @@ LinkEnd GraphEditor::Now(LinkEnd end) const {
   return end;
 }
 
+void GraphEditor::Unify(LinkId id, LinkId other) {
+  DrawingLink& link = graph_->links[id];
+  const DrawingLink& same = graph_->links[other];
+  CombineKinds(same, &link);
+  link.members.insert(link.members.end(), same.members.begin(), same.members.end());
+  Unite(same.supporting_views, &link.supporting_views);
+  Remove(other);
+}
+
+int GraphEditor::InsertPoint(LinkId id, int segment, double t) {
+  DrawingLink& link = graph_->links[id];
+  const int at = segment + 1;
+  const Eigen::Vector3d point =
+      (1 - t) * link.points_in_world[segment] + t * link.points_in_world[at];
+  const double sigma = std::max(link.sigma[segment], link.sigma[at]);
+  link.points_in_world.insert(link.points_in_world.begin() + at, point);
+  link.sigma.insert(link.sigma.begin() + at, sigma);
+  if (!link.vertices.empty()) {
+    link.vertices.insert(link.vertices.begin() + at, Bare(link.vertices[segment]));
+  }
+  return at;
+}
+
 void GraphEditor::MoveNode(NodeId id, const Eigen::Vector3d& position) {
   graph_->nodes[id].position_in_world = position;
   for (const LinkEnd& end : graph_->nodes[id].incident) {
@@ -329,6 +352,20 @@ void GraphEditor::MoveNode(NodeId id, const Eigen::Vector3d& position) {
 void GraphEditor::MovePoint(LinkId id, int index, const Eigen::Vector3d& position) {
   graph_->links[id].points_in_world[index] = position;
   ForgetShape(&graph_->links[id]);
+}
+
+void GraphEditor::SetContinuations(NodeId id, std::vector<std::pair<LinkEnd, LinkEnd>> pairs) {
+  graph_->nodes[id].continuations = std::move(pairs);
+}
+
+void GraphEditor::SetKind(LinkId id, LinkKind kind) {
+  graph_->links[id].kind = kind;
+  graph_->links[id].kind_confidence = kind == LinkKind::kUnknown ? 0 : 1;
+}
+
+void GraphEditor::MakeFirm(LinkId id) {
+  graph_->links[id].tentative = false;
+  graph_->links[id].doubt = LinkDoubt::kNone;
 }
 
 void GraphEditor::Keep(const std::vector<uint8_t>& keep) {

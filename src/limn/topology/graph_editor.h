@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -69,9 +70,22 @@ class GraphEditor {
   // The current name of an end whose link Join appended to another one.
   LinkEnd Now(LinkEnd end) const;
 
+  // Removes `other`, which shows the same curve as `id`: that gets its members and views.
+  void Unify(LinkId id, LinkId other);
+
+  // Adds a point between two neighbors, `t` in (0, 1) from point `segment` to the next one, and
+  // returns its index.
+  int InsertPoint(LinkId id, int segment, double t);
   void MoveNode(NodeId id, const Eigen::Vector3d& position);
   // Moves an interior point of a link.
   void MovePoint(LinkId id, int index, const Eigen::Vector3d& position);
+
+  // Which ends at a node continue each other; the pairs name ends that are there.
+  void SetContinuations(NodeId id, std::vector<std::pair<LinkEnd, LinkEnd>> pairs);
+  // By somebody who knows it.
+  void SetKind(LinkId id, LinkKind kind);
+  // No longer tentative.
+  void MakeFirm(LinkId id);
 
   // Keep removes links marked 0; both then close the gaps. Ids change, the order does not. Linear
   // time.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
+#include <tuple>
 
 #include <Eigen/Eigenvalues>
 
@@ -82,6 +84,26 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
 double TurnBetween(const LinkTip& a, const LinkTip& b) {
   return std::min(AngleBetween(a.outward, -b.outward),
                   AngleBetween(a.bent_outward, -b.bent_outward));
+}
+
+std::vector<std::pair<size_t, size_t>> SmoothPairs(const std::vector<LinkTip>& tips,
+                                                   double max_turn_rad) {
+  std::vector<std::tuple<double, size_t, size_t>> by_turn;
+  for (size_t i = 0; i < tips.size(); ++i) {
+    for (size_t j = i + 1; j < tips.size(); ++j) {
+      const double turn = TurnBetween(tips[i], tips[j]);
+      if (turn < max_turn_rad) by_turn.push_back({turn, i, j});
+    }
+  }
+  std::sort(by_turn.begin(), by_turn.end());
+  std::vector<uint8_t> used(tips.size(), 0);
+  std::vector<std::pair<size_t, size_t>> pairs;
+  for (const auto& [turn, i, j] : by_turn) {
+    if (used[i] || used[j]) continue;
+    used[i] = used[j] = 1;
+    pairs.push_back({i, j});
+  }
+  return pairs;
 }
 
 LinkTip TipOf(const DrawingLink& link, int end) {

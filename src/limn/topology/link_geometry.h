@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -35,6 +37,11 @@ LinkTip TipOf(const DrawingLink& link, int end);
 // curve. It is the turn from line to line, or, if that is less, between the ends themselves: where
 // both bend alike the lines differ by the bend between their middles.
 double TurnBetween(const LinkTip& a, const LinkTip& b);
+
+// Of tips at one node the pairs, by index, that turn by less than this: smoothest first, each tip
+// at most once.
+std::vector<std::pair<size_t, size_t>> SmoothPairs(const std::vector<LinkTip>& tips,
+                                                   double max_turn_rad);
 
 // Position of the end.
 const Eigen::Vector3d& EndPoint(const DrawingLink& link, int end);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "limn/util/angles.h"
 
@@ -40,19 +39,8 @@ void PairAt(double max_turn_rad, const DrawingGraph& graph, DrawingNode* node_at
   for (const LinkEnd& end : node.incident) {
     tips.push_back(TipOf(graph.links[end.link], end.end, footprint));
   }
-  std::vector<std::tuple<double, size_t, size_t>> pairs;
-  for (size_t i = 0; i < tips.size(); ++i) {
-    for (size_t j = i + 1; j < tips.size(); ++j) {
-      const double turn = TurnBetween(tips[i], tips[j]);
-      if (turn < max_turn_rad) pairs.push_back({turn, i, j});
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<uint8_t> used(tips.size(), 0);
   node.continuations.clear();
-  for (const auto& [turn, i, j] : pairs) {
-    if (used[i] || used[j]) continue;
-    used[i] = used[j] = 1;
+  for (const auto& [i, j] : SmoothPairs(tips, max_turn_rad)) {
     node.continuations.push_back({node.incident[i], node.incident[j]});
   }
 }

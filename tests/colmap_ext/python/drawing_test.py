@@ -204,6 +204,32 @@ class Drawings(unittest.TestCase):
         self.assertEqual(json.loads((self.output / "regular.json").read_text())["regularities"],
                          json.loads((folder / "drawing.json").read_text())["regularities"])
 
+    def test_edit(self):
+        path, folder = self.output / "unedited.json", self.output / "edited"
+        self.drawing.save(path)
+        ends = np.linspace(0, 1, 16)
+        def ref(points):
+            lengths = np.r_[0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]
+            evenly = [np.interp(ends * lengths[-1], lengths, points[:, axis]) for axis in range(3)]
+            return {"id": -1, "closed": False, "points": np.transpose(evenly).tolist()}
+        long = max((link for link in self.drawing.links if link.primitive and link.primitive.type == "line"),
+                   key=lambda link: link.length)
+        middle = ref(long.points)["points"][7]
+        edits = self.output / "edits.json"
+        edits.write_text(json.dumps({"format": "limn_edits", "format_version": 1, "edits": [
+            {"edit": "split", "link": ref(long.points), "at": middle},
+            {"edit": "delete", "links": [{"id": 0, "closed": False, "points": [[99, 0, 0], [99, 1, 0]]}]}]}))
+        edited = limn.edit(self.drawing, edits)
+        self.assertEqual(len(edited.links), len(self.drawing.links) + 1)
+        self.assertRegex("\n".join(edited.warnings), r"edits\[1\] \(delete\): not found")
+        limn.run("drawing_editor", workspace_path=scenes.DAY, drawing_path=path, output_path=folder, edits=edits,
+                 **scenes.small_options())
+        stored = limn.read_drawing(folder / "drawing.json")
+        self.assertEqual([link.points.tobytes() for link in stored.links],
+                         [link.points.tobytes() for link in edited.links])
+        with self.assertRaisesRegex(limn.IoError, "nothing.json"):
+            limn.edit(self.drawing, self.output / "nothing.json")
+
     def test_commands(self):
         with tempfile.TemporaryDirectory() as folder:
             limn.run("curve_linker", workspace_path=scenes.DAY, output_path=folder, format="cem", **scenes.small_options())
@@ -296,6 +322,7 @@ class Drawings(unittest.TestCase):
                 (limn.link, (drawing.scene,), ["output_path"]),
                 (limn.refine, (drawing,), ["output_path"]),
                 (limn.regularize, (drawing,), ["output_path"]),
+                (limn.edit, (drawing, unknown), ["output_path", "drawing_path"]),
                 (limn.fuse, (drawing,), ["output_path", "drawing_path", "sparse_spacing_px"]),
                 (limn.evaluate, (drawing, truth, 1), ["input_path", "workspace_path", "image_path", "model_index"]),
                 (limn.export, (drawing, unknown), ["input_path"])):

@@ -126,6 +126,25 @@ TEST(WriteDrawing, JsonKeepsThePrimitives) {
   }
 }
 
+TEST(WriteDrawing, JsonKeepsTheDimensions) {
+  const TemporaryFolder folder;
+  DrawingGraph graph = SmallDrawing();
+  graph.dimensions = {{{0, 0, 1.0 / 3}, {1, 0, 0}, {0, 0, 2}}, {{1, 0, 0}, {5, 5, 5}, {0, 0, 0}}};
+  const std::string path = folder.Path("d.json");
+  WriteDrawing(path, graph, SmallMetadata());
+  const std::vector<DrawingDimension> back = ReadDrawingJson(path).graph.dimensions;
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(back[0].from, Eigen::Vector3d(0, 0, 1.0 / 3));
+  EXPECT_EQ(back[0].to, Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(back[0].shift, Eigen::Vector3d(0, 0, 2));
+  EXPECT_EQ(back[1].to, Eigen::Vector3d(5, 5, 5));
+  std::string text = TemporaryFolder::Read(path);
+  const std::string shift = "\"shift\":[0.0,0.0,2.0]";
+  ASSERT_NE(text.find(shift), std::string::npos);
+  text.replace(text.find(shift), shift.size(), "\"shift\":[0.0,0.0]");
+  EXPECT_THROW(ReadDrawingJson(folder.Write("bad.json", text)), IoError);
+}
+
 TEST(WriteDrawing, JsonKeepsTheRegularities) {
   const TemporaryFolder folder;
   DrawingGraph graph = SmallDrawing();

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/editing/edits.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+
+namespace limn {
+
+enum class EditStatus {
+  kApplied,
+  kPartly,     // to some of its links, or to a part of them
+  kNotFound,   // what it refers to is not in the drawing, or no longer as it was
+  kAmbiguous,  // it may mean one of several links
+  kNoSense,    // found, but there is nothing that could be done
+};
+
+struct EditOutcome {
+  EditStatus status = EditStatus::kApplied;
+  std::string text;  // what was done, or why not
+  // What the user should know of an edit that was applied; may be empty.
+  std::string warning = "";
+};
+
+// A stretch that an edit has closed, from end to end or from an end to its node.
+struct BridgedGap {
+  size_t edit = 0;  // its index
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();
+  double length_px = 0;
+};
+
+struct EditedDrawing {
+  DrawingGraph graph;
+  // Per link: its shape is new, so that it is to be fitted to the images again.
+  std::vector<uint8_t> touched;
+  // Per link: its kind was set by hand.
+  std::vector<uint8_t> kind_by_hand;
+  // Per dimension: added by these edits.
+  std::vector<uint8_t> new_dimension;
+  std::vector<EditOutcome> outcomes;  // per edit
+  std::vector<BridgedGap> gaps;
+  size_t num_dropped_faces = 0;
+};
+
+// Applies edits in their order. An edit that does not fit the drawing changes nothing and is told
+// in its outcome. The graph passes Validate() before and after; links that are not touched keep
+// their shape, and all links their order. `views` are those that the drawing was made from, at
+// least one. Time: n log n in the length of all links in px, and the lengths of all references.
+EditedDrawing ApplyEdits(const DrawingGraph& graph, const std::vector<View>& views,
+                         const std::vector<Edit>& edits);
+
+// Moves the places of dimensions onto the links, which were fitted anew: those of new dimensions to
+// the nearest link, others if that is a touched one. Within reach of an end they go to the end.
+void SnapDimensions(const std::vector<View>& views, EditedDrawing* edited);
+
+}  // namespace limn

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/editing/apply_edits.h"
+#include "limn/editing/match_links.h"
+#include "limn/geometry/polyline.h"
+#include "limn/topology/graph_editor.h"
+#include "limn/topology/link_geometry.h"
+
+namespace limn {
+
+// Ends continue each other below this turn.
+inline constexpr double kMaxTurnRad = 30 * M_PI / 180;
+
+// A place on a link of the drawing.
+struct LinkPlace {
+  LinkId link = -1;
+  PolylinePoint point;
+};
+
+// What a reference means, or why there is no such thing.
+template <typename Found>
+struct Search {
+  std::optional<Found> found;
+  EditOutcome problem;
+};
+
+// A drawing while edits are applied to it: what the edits share.
+class EditSession {
+ public:
+  EditSession(const std::vector<View>& views, DrawingGraph* graph);
+
+  GraphEditor& editor() { return editor_; }
+  const LinkMatcher& matcher() const { return matcher_; }
+  const DrawingLink& link(LinkId id) const { return editor_.link(id); }
+  // World units per px.
+  double FootprintAt(const Eigen::Vector3d& place) const { return matcher_.FootprintAt(place); }
+
+  // The link that is all of the reference.
+  Search<LinkId> FindLink(const LinkRef& ref) const;
+  Search<LinkPlace> FindPlace(const PlaceRef& ref) const;
+  Search<LinkEnd> FindEnd(const EndRef& ref) const;
+
+  // A link has a new shape. One that has shrunk to a point is removed.
+  void Touch(LinkId id);
+  void TouchAllAt(NodeId id);
+  void Remove(LinkId id);
+  void SetKindByHand(LinkId id, LinkKind kind);
+  // What has become of the link `from` is also in `to`, kinds set by hand included.
+  void ShareKind(LinkId from, LinkId to);
+  // Joins two ends (GraphEditor::Join). A kind set by hand stays.
+  void Join(const LinkEnd& a, const LinkEnd& b);
+  // Adds a link to another that shows the same curve (GraphEditor::Unify).
+  void Unify(LinkId id, LinkId other);
+  // Splits a link at a place; returns the node, and the second part if there is one.
+  NodeId SplitAt(const LinkPlace& place, LinkId* second);
+  // Finds out which ends at a node continue each other.
+  void PairAt(NodeId id);
+  LinkTip TipAt(const LinkEnd& end) const;
+  void NoteGap(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+  size_t edit = 0;                // index of the one that is being applied
+  std::set<LinkId> touched;       // may name links that were removed since
+  std::set<LinkId> kind_by_hand;  // likewise
+  std::set<LinkId> cut_loops;     // closed links that begin where a user cut them
+  std::vector<BridgedGap> gaps;
+
+ private:
+  GraphEditor editor_;
+  LinkMatcher matcher_;
+};
+
+// One function per edit; the others are in apply_edits.cc.
+EditOutcome ApplySplit(const SplitLink& edit, EditSession* session);
+EditOutcome ApplyJoin(const JoinEnds& edit, EditSession* session);
+EditOutcome ApplyMerge(const MergeLinks& edit, EditSession* session);
+
+}  // namespace limn

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/editing/edits.h"
+#include "limn/geometry/spatial_index.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+
+namespace limn {
+
+// The links of a drawing that a reference means.
+struct LinkMatch {
+  // Links that lie along the reference with most of their length: the link itself, or the pieces
+  // that it is in now. Ascending.
+  std::vector<LinkId> along;
+  // Links that the reference is a part of: most of it lies along them, but they go on much farther.
+  std::vector<LinkId> longer;
+  // Two links fit equally well, side by side, and the id does not tell which.
+  std::vector<LinkId> tied;
+  // Share of the reference's length that `along` covers.
+  double covered = 0;
+
+  bool IsAmbiguous() const { return !tied.empty(); }
+  // Exactly one link along the reference; nothing otherwise.
+  std::optional<LinkId> Single() const;
+  // Why no link, or no single one, can be meant; for messages.
+  std::string Problem() const;
+};
+
+// Finds the links that references mean, by geometry: how near and how parallel they run, in px, and
+// how much of both curves does so. Of links side by side the nearest is meant; the id decides
+// between those that are equally near. `graph` and `views` must outlive it.
+class LinkMatcher {
+ public:
+  // How far from each other a link and a reference to it may run, px: scenes that are drawn anew
+  // from other photographs differ by one or two.
+  static constexpr double kMatchPx = 3;
+
+  // O(n log n) in the length of all links in px.
+  LinkMatcher(const DrawingGraph& graph, const std::vector<View>& views);
+
+  // To be called when a link was changed, added or removed.
+  void Update(LinkId id);
+
+  // Time: length of the reference in px, times log n.
+  LinkMatch Match(const LinkRef& ref) const;
+
+  // World units per px at a place.
+  double FootprintAt(const Eigen::Vector3d& place) const;
+
+ private:
+  struct Sample {
+    LinkId link = -1;
+    int number = 0;  // along the link
+    Eigen::Vector3d position, direction;
+  };
+
+  void AddSamples(LinkId id, std::vector<Sample>* samples);
+  void Rebuild();
+  void ForEachWithin(const Eigen::Vector3d& place, double radius,
+                     const std::function<void(const Sample&)>& visit) const;
+
+  const DrawingGraph& graph_;
+  const std::vector<View>& views_;
+  std::vector<Sample> samples_;  // those of changed links are out of date
+  std::optional<SpatialIndex> index_;
+  std::vector<Sample> changed_samples_;  // of changed links, not in the index
+  std::vector<uint8_t> is_changed_;      // per link
+  std::vector<int> num_samples_;         // per link
+};
+
+}  // namespace limn
