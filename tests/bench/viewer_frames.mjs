@@ -4,14 +4,14 @@
 //   cmake --build --preset release --target viewer_pages browser_packages
 //   build/release/tests/browser/viewer_pages /tmp/pages
 //   LIMN_PAGES=/tmp/pages LIMN_BROWSER_PACKAGES=$PWD/build/release/tests/browser/packages
-//       node tests/bench/viewer_frames.mjs
+//       node tests/bench/viewer_frames.mjs [large.html]
 
 import { launch, open } from '../browser/browser.mjs';
 
 const SECONDS = 8;
 
 const browser = await launch();
-const { page, troubles } = await open(browser, 'large.html', {
+const { page, troubles } = await open(browser, process.argv[2] ?? 'large.html', {
   viewport: { width: 800, height: 600 },
 });
 await page.evaluate(() => window.limnViewer.sidebar.toggle());

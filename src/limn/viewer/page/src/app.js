@@ -80,7 +80,7 @@ export class App {
       ...{ drawing, eye, picking, stage, layers, selection },
       ...{ canvas: element('canvas'), marks: element('edit-marks') },
       on: {
-        recolor: () => this.recolor(),
+        change: (hasNewLinks) => this.afterEdits(hasNewLinks),
         say: (text, isError) => this.say(text, isError),
         tool: () => this.measuring.active && this.toggleMeasuring(),
       },
@@ -171,8 +171,8 @@ export class App {
   }
 
   doubleTap(x, y, factor) {
-    const isPointing = this.measuring.active || this.editor.pointing !== null;
-    const found = isPointing ? null : this.picking.link(x, y, factor * PICK_PX);
+    if (this.editor.tap(x, y, factor * SNAP_PX)) return;
+    const found = this.measuring.active ? null : this.picking.link(x, y, factor * PICK_PX);
     if (found) this.focusLink(found.link);
   }
 
@@ -246,14 +246,18 @@ export class App {
     this.stage.change();
   }
 
-  // To be called when links or their kinds have changed.
+  // Kinds change colors, and all edits the shares in a legend.
+  afterEdits(hasNewLinks) {
+    if (!this.scheme) return; // at the start
+    if (hasNewLinks || this.legend.entries) this.recolor();
+    this.linksPanel.rank();
+  }
+
   recolor() {
-    if (!this.scheme) return;
     const { colors, legend } = this.scheme.apply(this.drawing);
     this.legend = legend;
     this.layers.curves.setColors(colors);
     this.drawingPanel.showScheme(this.scheme.id, legend);
-    this.linksPanel.rank();
   }
 
   stepScheme() {

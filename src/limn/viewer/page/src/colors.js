@@ -46,9 +46,13 @@ export function css([red, green, blue]) {
 function fillLinks(drawing, colorOf) {
   const colors = new Uint8Array(3 * drawing.numVertices);
   for (let link = 0; link < drawing.numLinks; ++link) {
-    const color = colorOf(link);
+    const [red, green, blue] = colorOf(link);
     const [begin, end] = drawing.range(link);
-    for (let vertex = begin; vertex < end; ++vertex) colors.set(color, 3 * vertex);
+    for (let at = 3 * begin; at < 3 * end; at += 3) {
+      colors[at] = red;
+      colors[at + 1] = green;
+      colors[at + 2] = blue;
+    }
   }
   return colors;
 }

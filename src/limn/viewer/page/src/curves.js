@@ -57,7 +57,9 @@ export class Curves {
     this.thin.geometry = new BufferGeometry();
     this.thin.geometry.setAttribute('position', new BufferAttribute(drawing.points, 3));
     this.thin.geometry.setAttribute('color', new BufferAttribute(this.colors, 3, true));
-    this.wide.setLines({ positions: drawing.points, segments: [] });
+    const segments = segmentsOf(drawing, () => true);
+    this.wide.setLines({ positions: drawing.points, segments });
+    this.isOn = new Uint8Array(drawing.numLinks).fill(1);
     this.selected.shareLines(this.wide);
     this.ghosts.shareLines(this.wide);
     this.showLinks();
@@ -67,28 +69,39 @@ export class Curves {
   showLinks() {
     const { drawing } = this;
     this.levels = new Map();
-    this.wide.setSegments(segmentsOf(drawing, (link) => drawing.isShown(link)));
+    for (let link = 0; link < drawing.numLinks; ++link) {
+      const isOn = drawing.isShown(link) ? 1 : 0;
+      if (isOn !== this.isOn[link]) this.switchLink(link, isOn);
+    }
     this.ghosts.visible = this.shown && drawing.withGhosts;
     if (drawing.withGhosts) {
       this.ghosts.setSegments(segmentsOf(drawing, (link) => drawing.isGhost(link)));
     }
   }
 
+  switchLink(link, isOn) {
+    const [begin, end] = this.drawing.range(link);
+    this.wide.switchSegments(begin - link, end - begin - 1, begin, isOn);
+    this.isOn[link] = isOn;
+  }
+
   // Pairs of vertices without those that a polyline within the level's tolerance does without.
   endsAt(level) {
     const { drawing, importance } = this;
     const tolerance = level < 0 ? -1 : FINEST_LEVEL * drawing.radius * 2 ** level;
-    const ends = [];
+    const ends = new Uint32Array(2 * drawing.numSegments);
+    let size = 0;
     for (let link = 0; link < drawing.numLinks; ++link) {
       if (!drawing.isShown(link)) continue;
       const [begin, end] = drawing.range(link);
       for (let vertex = begin + 1, previous = begin; vertex < end; ++vertex) {
         if (!(importance[vertex] > tolerance)) continue;
-        ends.push(previous, vertex);
+        ends[size++] = previous;
+        ends[size++] = vertex;
         previous = vertex;
       }
     }
-    return new BufferAttribute(Uint32Array.from(ends), 1);
+    return new BufferAttribute(ends.slice(0, size), 1);
   }
 
   // The coarsest level that is good enough for what is nearest; -1: all vertices.

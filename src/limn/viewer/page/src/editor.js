@@ -22,7 +22,7 @@ const MOST_BYTES = 1 << 28;
 const TOOLS = { split: SplitTool, join: JoinTool, dimension: DimensionTool };
 
 export class Editor {
-  // on.recolor(), on.say(text, isError), on.tool() before one of ours begins.
+  // on.change(whether there are new links), on.say(text, isError), on.tool() before one of ours begins.
   constructor({ drawing, eye, picking, stage, layers, selection, canvas, marks, on }) {
     Object.assign(this, { drawing, eye, picking, stage, layers, selection, canvas, marks, on });
     this.history = new EditHistory();
@@ -47,7 +47,9 @@ export class Editor {
       box: (...drawn) => this.selectBox(...drawn),
     });
     window.addEventListener('beforeunload', (event) => {
-      if (!this.history.isSaved) event.preventDefault();
+      if (this.history.isSaved) return;
+      event.preventDefault();
+      event.returnValue = true; // older browsers
     });
     this.showTools();
     this.show();
@@ -92,7 +94,8 @@ export class Editor {
   show() {
     const { drawing, layers } = this;
     const preview = this.state.show(this.history.edits);
-    if (layers.curves.numLoaded < drawing.numLinks) layers.curves.load();
+    const isLarger = layers.curves.numLoaded < drawing.numLinks;
+    if (isLarger) layers.curves.load();
     else layers.curves.showLinks();
     layers.showNodes();
     this.preview.show(preview);
@@ -100,7 +103,7 @@ export class Editor {
     this.selection.keep((link) => drawing.isLive(link) || drawing.isGhost(link));
     this.panel.showHistory(this.history);
     this.showSelection();
-    this.on.recolor();
+    this.on.change(isLarger);
     this.stage.change();
   }
 
@@ -346,6 +349,7 @@ export class Editor {
       if (file.size > MOST_BYTES) throw new Error('is too large');
       this.replaceBy(parseEdits(await file.text()));
     } catch (error) {
+      this.show();
       this.say(`${file.name}: ${error.message}. Nothing was loaded.`, true);
     }
   }

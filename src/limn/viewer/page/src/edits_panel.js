@@ -31,7 +31,13 @@ export class EditsPanel {
     this.latest = make('ol', { id: 'edit-list', class: 'edits', reversed: true });
     this.lengths = make('div', { id: 'edit-lengths' });
     this.content = [
-      make('section', {}, ...this.selecting(), ...this.changing()),
+      make(
+        'section',
+        {},
+        row(this.button('Undo'), this.button('Redo')),
+        ...this.selecting(),
+        ...this.changing(),
+      ),
       make('section', {}, ...this.listing(), ...this.filing()),
     ];
   }
@@ -95,13 +101,7 @@ export class EditsPanel {
   }
 
   listing() {
-    return [
-      make('h2', {}, 'Edits'),
-      row(this.button('Undo'), this.button('Redo')),
-      this.state,
-      this.latest,
-      this.lengths,
-    ];
+    return [make('h2', {}, 'Edits'), this.state, this.latest, this.lengths];
   }
 
   filing() {
@@ -114,14 +114,16 @@ export class EditsPanel {
         this.file.value = ''; // so that the same file can be chosen again
       },
     });
-    const note =
-      'What is drawn is a preview: joins are straight, of two merged links the longer one is ' +
-      'left. `limn drawing_editor --edits edits.json` applies the edits to drawing.json and ' +
-      'fits what they touch to the photographs.';
     return [
       make('h2', {}, 'File'),
       row(this.button('Download'), this.button('Copy'), this.button('Load'), this.file),
-      make('p', { class: 'faint' }, note),
+      make(
+        'p',
+        { class: 'faint' },
+        'What is drawn is a preview: joins are straight, and of two merged links the longer one is left. ',
+        make('code', {}, 'limn drawing_editor --edits edits.json'),
+        ' applies the edits to drawing.json and fits what they touch to the photographs.',
+      ),
     ];
   }
 

@@ -183,6 +183,17 @@ export class WideLines {
     this.mesh.geometry.boundingSphere = new Sphere();
   }
 
+  // Switches segments of setSegments() on and off: those from number `first` on, `count` of them;
+  // the first begins at `vertex`, each at the next vertex.
+  switchSegments(first, count, vertex, isShown) {
+    const index = this.mesh.geometry.getIndex();
+    for (let s = 0, to = 6 * first; s < count; ++s) {
+      for (let i = 0; i < 6; ++i) index.array[to++] = isShown ? 4 * (vertex + s) + QUAD[i] : 0;
+    }
+    index.addUpdateRange(6 * first, 6 * count);
+    index.needsUpdate = true;
+  }
+
   // Three bytes per vertex.
   setColors(colors) {
     fillTexture(this.material.uniforms.colors.value, colors);
