@@ -32,7 +32,8 @@ constexpr double kBulgeShare = 0.5;
 struct RefSample {
   Eigen::Vector3d position, direction;
   double footprint = 0;
-  double bulge = 0;  // how far the smooth curve is from the chord
+  double bulge = 0;      // how far the smooth curve is from the chord
+  double half_step = 0;  // it stands for this length to either side
 };
 
 // Points before the first and after the last one, where a smooth curve would have them.
@@ -70,7 +71,8 @@ std::vector<RefSample> SampleReference(const LinkRef& ref, const std::vector<Vie
                                        t * (1 - t) * (1 - t) * leaving - t * t * (1 - t) * arriving;
       const Eigen::Vector3d slope =
           6 * t * (1 - t) * chord + (1 - t) * (1 - 3 * t) * leaving - t * (2 - 3 * t) * arriving;
-      samples.push_back({position, slope.stableNormalized(), footprint, bulge});
+      samples.push_back(
+          {position, slope.stableNormalized(), footprint, bulge, 0.5 * slope.norm() / count});
     }
   }
   return samples;
@@ -151,8 +153,10 @@ void LinkMatcher::AddSamples(LinkId id, std::vector<Sample>* samples) {
                                length / kMaxSamples);
   const Polyline3d points = ResampleUniform(link.points_in_world, step);
   for (size_t k = 0; k + 1 < points.size(); ++k) {
-    samples->push_back({id, num_samples_[id]++, 0.5 * (points[k] + points[k + 1]),
-                        (points[k + 1] - points[k]).stableNormalized()});
+    const Eigen::Vector3d chord = points[k + 1] - points[k];
+    samples->push_back({id, num_samples_[id]++, points[k] + 0.5 * chord, chord.stableNormalized(),
+                        0.5 * chord.norm()});
+    longest_half_step_ = std::max(longest_half_step_, samples->back().half_step);
   }
 }
 
@@ -194,14 +198,16 @@ LinkMatch LinkMatcher::Match(const LinkRef& ref) const {
   const std::vector<RefSample> samples = SampleReference(ref, views_);
   std::map<LinkId, Candidate> by_link;
   for (size_t r = 0; r < samples.size(); ++r) {
-    const auto& [position, direction, footprint, bulge] = samples[r];
+    const auto& [position, direction, footprint, bulge, half_step] = samples[r];
     const double reach = kMatchPx * footprint + kBulgeShare * bulge;
     std::map<LinkId, double> nearest;  // px
-    ForEachWithin(position, reach + kSampleSpacingPx * footprint, [&](const Sample& sample) {
+    const double radius = std::hypot(reach, half_step + longest_half_step_);
+    ForEachWithin(position, radius, [&](const Sample& sample) {
       const Eigen::Vector3d offset = position - sample.position;
-      const double across = (offset - offset.dot(sample.direction) * sample.direction).norm();
-      if (!(across <= reach) || LineAngleBetween(direction, sample.direction) > kMaxAngleRad)
-        return;
+      const double along = offset.dot(sample.direction);
+      const double across = (offset - along * sample.direction).norm();
+      if (!(across <= reach) || !(std::abs(along) <= half_step + sample.half_step)) return;
+      if (LineAngleBetween(direction, sample.direction) > kMaxAngleRad) return;
       by_link[sample.link].own.push_back(sample.number);
       const auto [found, is_new] = nearest.emplace(sample.link, across / footprint);
       if (!is_new) found->second = std::min(found->second, across / footprint);

@@ -59,6 +59,7 @@ class LinkMatcher {
     LinkId link = -1;
     int number = 0;  // along the link
     Eigen::Vector3d position, direction;
+    double half_step = 0;  // it stands for this length to either side
   };
 
   void AddSamples(LinkId id, std::vector<Sample>* samples);
@@ -73,6 +74,7 @@ class LinkMatcher {
   std::vector<Sample> changed_samples_;  // of changed links, not in the index
   std::vector<uint8_t> is_changed_;      // per link
   std::vector<int> num_samples_;         // per link
+  double longest_half_step_ = 0;         // of all samples
 };
 
 }  // namespace limn

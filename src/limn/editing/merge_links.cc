@@ -14,9 +14,10 @@ namespace {
 constexpr double kMaxApartPx = 15;
 constexpr double kMaxParallelRad = 45 * M_PI / 180;
 constexpr double kMinParallelShare = 0.7;
-// What sticks out less than this beyond the other link is dropped, px. A node this near to an end
-// of the merged link goes there.
+// What sticks out less than this beyond the other link is dropped, px.
 constexpr double kMinRestPx = 2;
+// A node this near to an end of the merged link, along it, goes there, px.
+constexpr double kNearEndPx = 5;
 
 // Where one of two links runs along the other one.
 struct Beside {
@@ -26,15 +27,18 @@ struct Beside {
   std::array<int, 2> beyond = {-1, -1};
 };
 
-// The end of an open base that a point lies beyond; -1 if it lies beside it.
-int BeyondEnd(const DrawingLink& base, const PolylinePoint& on_base, double tolerance) {
-  if (base.closed || std::sqrt(on_base.squared_distance) <= tolerance) return -1;
-  if (on_base.segment == 0 && on_base.t <= 0) return 0;
-  return on_base.segment + 2 == base.size() && on_base.t >= 1 ? 1 : -1;
-}
-
 Eigen::Vector3d DirectionOf(const DrawingLink& link, int segment) {
   return (link.points_in_world[segment + 1] - link.points_in_world[segment]).stableNormalized();
+}
+
+// The end of an open base that a point lies beyond, by more than this along the base; -1 if it lies
+// beside it.
+int BeyondEnd(const DrawingLink& base, const Eigen::Vector3d& point, const PolylinePoint& on_base,
+              double tolerance) {
+  if (base.closed) return -1;
+  const double along = (point - on_base.position).dot(DirectionOf(base, on_base.segment));
+  if (on_base.segment == 0 && on_base.t <= 0 && along < -tolerance) return 0;
+  return on_base.segment + 2 == base.size() && on_base.t >= 1 && along > tolerance ? 1 : -1;
 }
 
 // Nothing if they do not run along each other.
@@ -47,7 +51,7 @@ std::optional<Beside> FindBeside(const EditSession& session, const DrawingLink& 
   int num_parallel = 0;
   for (int k = 0; k < other.size(); ++k) {
     const PolylinePoint on_base = ClosestPoint(base.points_in_world, other.points_in_world[k]);
-    beyond.push_back(BeyondEnd(base, on_base, footprint));
+    beyond.push_back(BeyondEnd(base, other.points_in_world[k], on_base, footprint));
     if (beyond.back() >= 0) continue;
     beside.push_back(k);
     distance += std::sqrt(on_base.squared_distance) / footprint;
@@ -80,7 +84,7 @@ void MoveToMean(LinkId base, const DrawingLink& other, EditSession* session) {
   for (int k = 0; k < size; ++k) {
     const Eigen::Vector3d point = session->link(base).points_in_world[k];
     const PolylinePoint beside = ClosestPoint(other.points_in_world, point);
-    if (BeyondEnd(other, beside, footprint) >= 0) continue;
+    if (BeyondEnd(other, point, beside, footprint) >= 0) continue;
     const double share = ShareOfWay(session->link(base).sigma[k], other.sigma[beside.segment]);
     const Eigen::Vector3d mean = point + share * (beside.position - point);
     if (k > 0 && k + 1 < size) {
@@ -115,7 +119,7 @@ void Attach(NodeId node, std::vector<LinkId>* parts, EditSession* session) {
     const PolylinePoint point = ClosestPoint(editor.link(part).points_in_world, position);
     if (point.squared_distance < place.point.squared_distance) place = {part, point};
   }
-  const double near = kMinRestPx * session->FootprintAt(position);
+  const double near = kNearEndPx * session->FootprintAt(position);
   NodeId target = -1;
   for (const int end : {0, 1}) {
     const Eigen::Vector3d& at = EndPoint(editor.link(place.link), end);

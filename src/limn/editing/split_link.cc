@@ -37,16 +37,16 @@ EditOutcome ApplySplit(const SplitLink& edit, EditSession* session) {
   const std::string name = "link " + std::to_string(place->link);
   const bool is_loop = session->link(place->link).closed;
   const bool was_cut = session->cut_loops.contains(place->link);
-  if (!(is_loop && !was_cut) && PxToNearerEnd(*session, *place) < kMinPartPx) {
-    return {EditStatus::kNoSense, name + " ends there"};
-  }
+  const bool is_at_end = PxToNearerEnd(*session, *place) < kMinPartPx;
+  if (is_at_end && !(is_loop && !was_cut)) return {EditStatus::kNoSense, name + " ends there"};
   if (is_loop && was_cut) {
     CutOpen(*place, session);
     return {EditStatus::kApplied, name + ", closed and cut before, is in two"};
   }
   LinkId second = -1;
-  const NodeId node = session->SplitAt(*place, &second);
-  if (second < 0) {
+  NodeId node = -1;
+  if (!is_at_end) node = session->SplitAt(*place, &second);
+  if (is_loop) {
     session->cut_loops.insert(place->link);
     return {EditStatus::kApplied,
             name + ", closed, begins and ends there; another cut makes it two"};

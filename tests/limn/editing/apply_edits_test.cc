@@ -142,6 +142,12 @@ TEST(ApplyEdits, TheSecondCutOfARingMakesItTwo) {
     EXPECT_FALSE(link.closed);
   }
   EXPECT_THAT(twice.touched, ElementsAre(1, 1));
+  // The first cut may be where the ring begins; the same cut again makes no sense.
+  const EditedDrawing at_start =
+      Edited(graph, {SplitLink{{ring, FrontalPoint(50, 0)}}, SplitLink{{ring, FrontalPoint(50, 0)}},
+                     SplitLink{{ring, FrontalPoint(-50, 0)}}});
+  EXPECT_EQ(at_start.graph.links.size(), 2u);
+  EXPECT_EQ(at_start.outcomes[1].status, EditStatus::kNoSense);
 }
 
 TEST(ApplyEdits, DimensionsAreAddedAndRemoved) {
