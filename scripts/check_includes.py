@@ -20,7 +20,7 @@ LIMN_LAYERS = [
     ["topology"],
     ["edges", "linking", "sketch", "drawing", "refinement", "belief", "primitives", "kinds", "dense", "tiles",
      "alignment"],
-    ["regularity", "editing"],
+    ["regularity", "surfaces", "editing"],
     ["formats"],
     ["pictures", "evaluation", "viewer"],
     ["pipeline"],
@@ -54,8 +54,9 @@ THIRD_PARTY = {
     "pybind11/": ["colmap_ext/python/"],
     "tiny_gltf.h": ["src/limn/formats/glb_drawing_writer.cc"],
     # OpenCASCADE: its headers are in no folder.
-    **{prefix: ["src/limn/formats/step_drawing_writer.cc", "src/limn/formats/step_edges"]
-       for prefix in ("Step", "STEP", "Geom", "gp_", "TCol", "Standard_", "Interface_", "APIHeader", "TopoDS", "BRep")},
+    **{prefix: ["src/limn/formats/step_"]
+       for prefix in ("Step", "STEP", "Geom", "GC_", "gp_", "TCol", "Standard_", "Interface_", "APIHeader", "Top",
+                      "BRep", "Shape", "Transfer_", "Precision")},
 }
 
 # Made by the build, of no module.

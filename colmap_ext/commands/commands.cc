@@ -15,6 +15,7 @@ constexpr Command kCommands[] = {
     {"drawing_refiner", RunDrawingRefiner, "fit a stored drawing to all images"},
     {"drawing_regularizer", RunDrawingRegularizer,
      "make a stored drawing regular: right angles, planes"},
+    {"drawing_surfacer", RunDrawingSurfacer, "find the faces between the curves of a drawing"},
     {"drawing_editor", RunDrawingEditor, "apply edits made by hand to a stored drawing"},
     {"drawing_aligner", RunDrawingAligner, "find up, axes and scale of a stored drawing"},
     {"drawing_fuser", RunDrawingFuser, "compare a drawing with dense results and combine the two"},

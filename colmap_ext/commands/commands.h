@@ -20,6 +20,7 @@ int RunDrawingEvaluator(int argc, const char* const* argv, const ConsoleMaker& m
 int RunDrawingExporter(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingRegularizer(int argc, const char* const* argv, const ConsoleMaker& make_console);
+int RunDrawingSurfacer(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingFuser(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunDrawingViewer(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunEdgeExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console);

@@ -162,6 +162,7 @@ std::string DrawingProvenance(const RunOptions& options, const std::string& sket
   json["Primitives"] = nullptr;
   json["regularize"] = nullptr;
   json["Regularity"] = nullptr;
+  json["Surfaces"] = nullptr;
   return json.dump();
 }
 
@@ -180,6 +181,12 @@ std::string RegularityProvenance(const RunOptions& options, const std::string& d
   Json json = Json::parse(drawing_provenance);
   json["regularize"] = true;
   json["Regularity"] = Json::parse(OptionsAsJson(options.pipeline))["Regularity"];
+  return json.dump();
+}
+
+std::string SurfaceProvenance(const RunOptions& options, const std::string& drawing_provenance) {
+  Json json = Json::parse(drawing_provenance);
+  json["Surfaces"] = Json::parse(OptionsAsJson(options.pipeline))["Surfaces"];
   return json.dump();
 }
 

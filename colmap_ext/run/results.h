@@ -30,6 +30,9 @@ std::string RefinementProvenance(const RunOptions& options, const std::string& d
 // Provenance of a drawing that was made regular, with `options`.
 std::string RegularityProvenance(const RunOptions& options, const std::string& drawing_provenance);
 
+// Provenance of a drawing whose faces were found, with `options`.
+std::string SurfaceProvenance(const RunOptions& options, const std::string& drawing_provenance);
+
 // Whether what has this provenance was made in a box.
 bool HasBox(const std::string& provenance);
 

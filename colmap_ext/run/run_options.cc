@@ -90,6 +90,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
   if (groups.refinement || groups.regularities) {
     AddGroup("Regularity", &pipeline.regularity, parser);
   }
+  if (groups.surfaces) AddGroup("Surfaces", &pipeline.surfaces, parser);
   if (groups.tiles) AddGroup("Tiles", &pipeline.tiles, parser);
   if (groups.dense) AddGroup("DenseFusion", &options->dense, parser);
 }

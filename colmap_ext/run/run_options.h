@@ -59,6 +59,7 @@ struct OptionGroups {
   // What of the refinement applies to some links of a finished drawing.
   bool refit = false;
   bool regularities = false;
+  bool surfaces = false;
   bool dense = false;
   bool tiles = false;
   // Has --shard.

@@ -12,6 +12,7 @@
 #include "limn/refinement/refinement_options.h"
 #include "limn/regularity/regularity_options.h"
 #include "limn/sketch/sketch.h"
+#include "limn/surfaces/surface_options.h"
 #include "limn/tiles/tile_options.h"
 #include "limn/util/errors.h"
 
@@ -30,6 +31,8 @@ struct PipelineOptions {
   // Make the drawing regular, by these options.
   bool regularize = false;
   RegularityOptions regularity;
+  // Of faces, which are found in finished drawings.
+  SurfaceOptions surfaces;
   TileOptions tiles;
 
   // Throws OptionError with group and option.

@@ -42,6 +42,7 @@ std::string TileKey(const SceneSubset& scene, const std::vector<ImageCurves>& cu
   options.primitives = {};
   options.regularize = false;
   options.regularity = {};
+  options.surfaces = {};
   options.tiles = {};
   return "tile, version " + std::to_string(kTileVersion) + "." + std::to_string(kSketchVersion) +
          "\n" + OptionsAsJson(options) + "\nhints " + HintsKey(scene.hints) + "\nbox " +

@@ -1,0 +1,324 @@
+#include "limn/surfaces/face_evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "limn/belief/link_claims.h"
+#include "limn/model/link_selection.h"
+#include "limn/model/view_finder.h"
+#include "limn/support/view_edgels.h"
+#include "limn/surfaces/link_sightings.h"
+
+namespace limn {
+namespace {
+
+// An edgel shows a link within these limits, those of the refinement.
+constexpr SupportGate kGate = {1.0, 1.0, 15 * M_PI / 180};
+// Only links with this evidence tell what is seen through others.
+constexpr double kSureEvidence = 10;
+
+// Places of a candidate: about as many, on a grid.
+constexpr int kNumPlaces = 24;
+// The border is looked for in so many directions around a place; a place is not judged if links run
+// there in fewer than half of them.
+constexpr int kNumDirections = 16;
+// A border is shown at a sample if it is at one of the samples so near.
+constexpr int kShownReach = 2;
+
+// What lies behind a candidate is this far behind it along the line of sight, and from its plane,
+// px, and that far from its border.
+constexpr double kMinBehindPx = 8;
+constexpr double kMinOffPlanePx = 4;
+constexpr double kMinInsidePx = 3;
+// Views that see a plane at a smaller angle (sine) tell nothing.
+constexpr double kMinSine = 0.1;
+// How often a sample is shown that is behind a surface, and that is not.
+constexpr double kShownBehind = 0.1;
+constexpr double kShownInFront = 0.6;
+// Neighboring samples are shown or hidden together: so many count as one. One view's evidence of
+// one link is at most that of so many.
+constexpr double kSamplesPerUnit = 7;
+constexpr double kMaxUnits = 3;
+constexpr int kMinSamples = 4;
+// What is not shown may be hidden by something else.
+constexpr double kHiddenWeight = 0.5;
+// Points of the model may be wrong, and so may what matched them.
+constexpr double kUnitsPerPoint = 0.5;
+
+// A place of a link, by sample of its evidence.
+struct LinkSample {
+  LinkId link = -1;
+  int sample = -1;
+};
+
+// A place of a candidate and the border around it.
+struct Place {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  std::vector<LinkSample> border;  // where links run, of all directions
+};
+
+// The sample of a link's evidence at a position on it.
+int SampleAt(const DrawingLink& link, const ImageEvidence& evidence, double position) {
+  const std::vector<double> along = CumulativeLength(link.points_in_world);
+  const auto i = std::min(static_cast<size_t>(position), along.size() - 2);
+  const double share = position - static_cast<double>(i);
+  const double length = along[i] + share * (along[i + 1] - along[i]);
+  const auto size = static_cast<double>(evidence.samples.size());
+  return static_cast<int>(std::clamp(length / along.back() * size, 0.0, size - 1));
+}
+
+// Places on a grid inside a polygon, at least one.
+std::vector<Eigen::Vector2d> GridInside(const Polygon2d& polygon) {
+  Eigen::AlignedBox2d extent;
+  for (const Eigen::Vector2d& corner : polygon.outlines[0]) extent.extend(corner);
+  std::vector<Eigen::Vector2d> places;
+  double step = std::sqrt(polygon.Area() / kNumPlaces);
+  for (int round = 0; round < 4 && places.empty(); ++round, step /= 2) {
+    const Eigen::Vector2d start = extent.min() + Eigen::Vector2d::Constant(step / 2);
+    for (double y = start.y(); y < extent.max().y(); y += step) {
+      for (double x = start.x(); x < extent.max().x(); x += step) {
+        if (polygon.Contains({x, y})) places.emplace_back(x, y);
+      }
+    }
+  }
+  return places;
+}
+
+std::vector<Place> FindPlaces(const FaceCandidate& candidate, const DrawingGraph& graph,
+                              const std::vector<ImageEvidence>& links) {
+  std::vector<Place> places;
+  for (const Eigen::Vector2d& flat : GridInside(candidate.polygon)) {
+    Place place = {candidate.frame.InSpace(flat), {}};
+    for (int d = 0; d < kNumDirections; ++d) {
+      const double angle = 2 * M_PI * (d + 0.5) / kNumDirections;
+      const OutlinePlace hit =
+          candidate.polygon.FirstCrossing(flat, {std::cos(angle), std::sin(angle)});
+      if (hit.loop < 0) continue;
+      const LinkRun& run = candidate.sides[hit.loop][hit.corner];
+      if (run.link < 0 || links[run.link].samples.empty()) continue;
+      const double position = run.from + hit.t * (run.to - run.from);
+      place.border.push_back(
+          {run.link, SampleAt(graph.links[run.link], links[run.link], position)});
+    }
+    places.push_back(std::move(place));
+  }
+  return places;
+}
+
+bool IsShown(const LinkSighting& sighting, int sample) {
+  const int last = static_cast<int>(sighting.samples.size()) - 1;
+  for (int k = std::max(0, sample - kShownReach); k <= std::min(last, sample + kShownReach); ++k) {
+    if (sighting.samples[k] >= Sighting::kOther) return true;
+  }
+  return false;
+}
+
+// How much likelier it is that so many of the samples behind a surface are shown if it is one.
+double EvidenceOf(double num_samples, double num_shown) {
+  const double units = std::min(num_samples / kSamplesPerUnit, kMaxUnits);
+  const double share = num_shown / num_samples;
+  return units * (share * std::log(kShownBehind / kShownInFront) +
+                  kHiddenWeight * (1 - share) *
+                      std::log((1 - kShownBehind) / (1 - kShownInFront)));
+}
+
+// What one view says of a candidate.
+struct ViewEvidence {
+  double occlusion = 0;
+  int num_judged = 0;         // places
+  std::vector<uint8_t> seen;  // per place
+};
+
+// What one view says of the candidates.
+class ViewJudge {
+ public:
+  ViewJudge(const SurfaceImages& images, const SurfaceOptions& options, ViewId view,
+            const std::vector<ImageEvidence>& links, const std::vector<uint8_t>& is_sure)
+      : view_(images.views[view]),
+        options_(options),
+        eye_(view_.CenterInWorld()),
+        links_(links),
+        is_sure_(is_sure),
+        sightings_(SightingsIn(view_, view, links)) {
+    for (const ScenePoint& point : images.points) {
+      if (std::ranges::binary_search(point.views, view)) {
+        points_.push_back(point.position_in_world);
+      }
+    }
+  }
+
+  ViewEvidence Judge(const FaceCandidate& candidate, const std::vector<Place>& places) const {
+    ViewEvidence evidence;
+    evidence.seen.assign(places.size(), 0);
+    if (Sine(candidate, places) < kMinSine) return evidence;
+    for (size_t p = 0; p < places.size(); ++p) {
+      const auto is_seen = SeesPlace(places[p]);
+      if (!is_seen) continue;
+      ++evidence.num_judged;
+      evidence.seen[p] = *is_seen;
+    }
+    evidence.occlusion = Occlusion(candidate);
+    return evidence;
+  }
+
+ private:
+  // Of the angle between the plane and the line of sight to its middle.
+  double Sine(const FaceCandidate& candidate, const std::vector<Place>& places) const {
+    const Eigen::Vector3d sight = places[places.size() / 2].position - eye_;
+    return std::abs(sight.normalized().dot(candidate.frame.Normal()));
+  }
+
+  // Nothing if too little of the border around it is in the image.
+  std::optional<bool> SeesPlace(const Place& place) const {
+    if (!view_.Project(place.position)) return std::nullopt;
+    int num = 0;
+    int num_shown = 0;
+    for (const LinkSample& border : place.border) {
+      const LinkSighting& sighting = sightings_[border.link];
+      if (sighting.samples.empty() || sighting.samples[border.sample] == Sighting::kOutside) {
+        continue;
+      }
+      ++num;
+      num_shown += IsShown(sighting, border.sample);
+    }
+    if (num < kNumDirections / 2) return std::nullopt;
+    return num_shown >= options_.min_shown_share * num;
+  }
+
+  double Occlusion(const FaceCandidate& candidate) const {
+    const auto extent = ExtentOf(candidate);
+    if (extent && extent->isEmpty()) return 0;
+    double occlusion = 0;
+    for (size_t l = 0; l < links_.size(); ++l) {
+      const LinkSighting& sighting = sightings_[l];
+      if (!is_sure_[l] || sighting.extent.isEmpty()) continue;
+      if (extent && !extent->intersects(sighting.extent)) continue;
+      occlusion += OcclusionOf(candidate, extent, l);
+    }
+    double num_points = 0;
+    for (const Eigen::Vector3d& point : points_) {
+      num_points += IsBehind(candidate, point);
+    }
+    const double units = std::min(kUnitsPerPoint * num_points, kMaxUnits);
+    return occlusion + units * std::log(kShownBehind / kShownInFront);
+  }
+
+  double OcclusionOf(const FaceCandidate& candidate,
+                     const std::optional<Eigen::AlignedBox2d>& extent, size_t l) const {
+    const LinkSighting& sighting = sightings_[l];
+    int num = 0;
+    int num_shown = 0;
+    for (size_t k = 0; k < sighting.samples.size(); ++k) {
+      if (sighting.samples[k] == Sighting::kOutside) continue;
+      if (extent && !extent->contains(sighting.pixels[k])) continue;
+      if (!IsBehind(candidate, links_[l].samples[k].position)) continue;
+      ++num;
+      num_shown += sighting.samples[k] == Sighting::kShown;
+    }
+    return num < kMinSamples ? 0 : EvidenceOf(num, num_shown);
+  }
+
+  // Of the border in the image; nothing if a part of it is behind the camera.
+  std::optional<Eigen::AlignedBox2d> ExtentOf(const FaceCandidate& candidate) const {
+    Eigen::AlignedBox2d extent;
+    for (const Eigen::Vector2d& corner : candidate.polygon.outlines[0]) {
+      const Eigen::Vector3d in_cam = view_.cam_from_world * candidate.frame.InSpace(corner);
+      if (!(in_cam.z() > 0)) return std::nullopt;
+      extent.extend(view_.camera.Project(in_cam));
+    }
+    return extent;
+  }
+
+  // Whether the line of sight to a point crosses the inside of the candidate before.
+  bool IsBehind(const FaceCandidate& candidate, const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d normal = candidate.frame.Normal();
+    const double eye_side = normal.dot(eye_ - candidate.frame.origin);
+    const double point_side = normal.dot(point - candidate.frame.origin);
+    if (eye_side * point_side >= 0) return false;
+    if (std::abs(point_side) < kMinOffPlanePx * candidate.footprint) return false;
+    const double t = eye_side / (eye_side - point_side);
+    if ((1 - t) * (point - eye_).norm() < kMinBehindPx * candidate.footprint) return false;
+    const Eigen::Vector2d flat = candidate.frame.Flat(eye_ + t * (point - eye_));
+    return candidate.polygon.Contains(flat) &&
+           candidate.polygon.DistanceToOutline(flat) >= kMinInsidePx * candidate.footprint;
+  }
+
+  const View& view_;
+  const SurfaceOptions& options_;
+  Eigen::Vector3d eye_;
+  const std::vector<ImageEvidence>& links_;
+  const std::vector<uint8_t>& is_sure_;
+  std::vector<LinkSighting> sightings_;
+  std::vector<Eigen::Vector3d> points_;  // that the view sees
+};
+
+std::vector<ImageEvidence> EvidenceOfLinks(const SurfaceImages& images, const DrawingGraph& graph,
+                                           const RunContext& context) {
+  const auto edgels = BuildViewEdgels(images.curves, context);
+  const TopologyInput input = {images.views, images.curves, edgels, kGate};
+  const ViewFinder finder(images.views);
+  std::vector<ImageEvidence> links(graph.links.size());
+  ParallelFor(context, "evidence for links", links.size(),
+              [&](size_t l) { links[l] = FindEvidence(input, finder, graph.links[l]); });
+  FindClaims(input, context, &links);
+  return links;
+}
+
+FaceEvidence Combined(const std::vector<std::vector<ViewEvidence>>& per_view, size_t candidate,
+                      size_t num_places, const SurfaceOptions& options) {
+  FaceEvidence combined;
+  std::vector<int> num_views(num_places, 0);
+  for (size_t v = 0; v < per_view.size(); ++v) {
+    const ViewEvidence& evidence = per_view[v][candidate];
+    combined.occlusion += evidence.occlusion;
+    int num_seen = 0;
+    for (size_t p = 0; p < num_places; ++p) {
+      num_views[p] += evidence.seen[p];
+      num_seen += evidence.seen[p];
+    }
+    if (num_seen > 0 && 2 * num_seen >= static_cast<int>(num_places)) {
+      combined.views.push_back(static_cast<ViewId>(v));
+    }
+  }
+  const auto num_seen = std::ranges::count_if(
+      num_views, [&](int num) { return num >= options.min_views; });
+  if (num_places > 0) {
+    combined.seen_share = static_cast<double>(num_seen) / static_cast<double>(num_places);
+  }
+  return combined;
+}
+
+}  // namespace
+
+std::vector<FaceEvidence> FindFaceEvidence(const SurfaceImages& images, const DrawingGraph& graph,
+                                           const std::vector<FaceCandidate>& candidates,
+                                           const SurfaceOptions& options,
+                                           const RunContext& context) {
+  const std::vector<ImageEvidence> links = EvidenceOfLinks(images, graph, context);
+  const LinkSelection selection;
+  std::vector<uint8_t> is_sure(links.size());
+  for (size_t l = 0; l < links.size(); ++l) {
+    is_sure[l] = selection.Has(graph.links[l]) && links[l].evidence >= kSureEvidence;
+  }
+  std::vector<std::vector<Place>> places(candidates.size());
+  ParallelFor(context, "places of faces", candidates.size(),
+              [&](size_t c) { places[c] = FindPlaces(candidates[c], graph, links); });
+  std::vector<std::vector<ViewEvidence>> per_view(images.views.size());
+  ParallelFor(context, "faces in views", images.views.size(), [&](size_t v) {
+    const ViewJudge judge(images, options, static_cast<ViewId>(v), links, is_sure);
+    for (size_t c = 0; c < candidates.size(); ++c) {
+      per_view[v].push_back(places[c].empty() ? ViewEvidence()
+                                              : judge.Judge(candidates[c], places[c]));
+    }
+  });
+  std::vector<FaceEvidence> evidence;
+  for (size_t c = 0; c < candidates.size(); ++c) {
+    evidence.push_back(Combined(per_view, c, places[c].size(), options));
+  }
+  return evidence;
+}
+
+}  // namespace limn

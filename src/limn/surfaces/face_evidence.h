@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/geometry/polygon2d.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/scene_hints.h"
+#include "limn/surfaces/plane_cells.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+// A flat region that may be a surface.
+struct FaceCandidate {
+  PlaneFrame frame;
+  double footprint = 0;
+  Polygon2d polygon;
+  // Per side of each outline, the link along it.
+  std::vector<std::vector<LinkRun>> sides;
+};
+
+struct FaceEvidence {
+  // What is seen, and not seen, of curves behind it: the logarithm of how much likelier that is if
+  // there is a surface.
+  double occlusion = 0;
+  // Share of its places around which enough views show most of the border.
+  double seen_share = 0;
+  // Views that see at least half of these places, ascending.
+  std::vector<ViewId> views;
+};
+
+// `curves[v]` belongs to `views[v]`, which the supporting views of links are ids of.
+struct SurfaceImages {
+  const std::vector<View>& views;
+  const std::vector<ImageCurves>& curves;
+  const std::vector<ScenePoint>& points;
+};
+
+// What the images say of the candidates (ours; ALGORITHM.md 27.3).
+//
+// Occlusion: a view that shows a curve behind a surface looks through it; if it shows the curve
+// elsewhere but not behind the surface, that is hidden there. Points of the model that views see
+// through it count as curves do.
+//
+// Borders: a view sees a place of a surface only if it sees the border in most directions around
+// the place. Of a disc inside a solid, each view shows the half of the border on its own side only.
+//
+// The result does not depend on the number of threads. Time: views times (samples of links plus
+// candidates times links whose images overlap).
+std::vector<FaceEvidence> FindFaceEvidence(const SurfaceImages& images, const DrawingGraph& graph,
+                                           const std::vector<FaceCandidate>& candidates,
+                                           const SurfaceOptions& options,
+                                           const RunContext& context);
+
+}  // namespace limn

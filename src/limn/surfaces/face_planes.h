@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/surfaces/face_links.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+// A plane with links that may bound faces in it: normal . x = offset.
+struct FacePlane {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  double offset = 0;
+  std::vector<int> members;  // indices of links, ascending
+};
+
+// Planes in which faces may lie (ours; ALGORITHM.md 27.1). Each grows from a bent link that is
+// flat, or from two links that meet or nearly meet, over all links that meet those it has and are
+// within plane_tolerance_px of it, fitted again as it grows. Planes of fewer than three links
+// remain only if a closed one is among them; those whose links are all in one with more are left
+// out. The plane with most length comes first. Time: hypotheses times links of their planes.
+std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links,
+                                      const DrawingGraph& graph, const SurfaceOptions& options,
+                                      const RunContext& context);
+
+}  // namespace limn

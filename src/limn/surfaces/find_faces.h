@@ -1,0 +1,23 @@
+#pragma once
+
+#include "limn/model/drawing_graph.h"
+#include "limn/surfaces/face_evidence.h"
+#include "limn/surfaces/surface_options.h"
+#include "limn/util/parallel.h"
+#include "limn/util/stage_summary.h"
+
+namespace limn {
+
+struct SurfaceResult {
+  DrawingGraph graph;  // with faces
+  StageSummary summary;
+};
+
+// Finds the surfaces that the links of a drawing bound (ours; ALGORITHM.md 27) and replaces the
+// drawing's faces by them: regions of planes that links surround, where what the views show of the
+// border and of curves behind agrees with a surface. Links and nodes stay as they are. The result
+// does not depend on the number of threads. Throws OptionError and Cancelled.
+SurfaceResult FindFaces(const SurfaceImages& images, const DrawingGraph& graph,
+                        const SurfaceOptions& options, const RunContext& context);
+
+}  // namespace limn

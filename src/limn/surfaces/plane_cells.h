@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "limn/geometry/planar_arrangement.h"
+#include "limn/model/faces.h"
+#include "limn/surfaces/plane_strokes.h"
+
+namespace limn {
+
+// The strokes of a plane, and the cells between them: candidates for faces.
+struct PlaneCells {
+  PlaneStrokes strokes;
+  PlanarArrangement arrangement;  // of the points of `strokes`
+  std::vector<ArrangementCell> cells;
+};
+
+// The cells of a plane that are wide enough.
+PlaneCells FindPlaneCells(const FacePlane& plane, const std::vector<FaceLink>& links,
+                          const DrawingGraph& graph, const SurfaceOptions& options);
+
+// A part of a link, by positions on it; link -1: a bridge.
+struct LinkRun {
+  LinkId link = -1;
+  double from = 0;
+  double to = 0;
+};
+LinkRun OnLink(const PlaneStrokes& strokes, const StrokeRun& run);
+
+// A face and the cells that it is made of.
+struct MadeFace {
+  DrawingFace face;
+  std::vector<int> cells;
+};
+
+// The cells marked 1, as faces: those that only bridges separate become one. Normals are those of
+// the plane's frame.
+std::vector<MadeFace> MakeFaces(const PlaneCells& plane, const std::vector<uint8_t>& is_face);
+
+// Whether bridges are part of the border of a face.
+bool HasBridges(const DrawingFace& face);
+
+}  // namespace limn

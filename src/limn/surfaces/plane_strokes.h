@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/geometry/polygon2d.h"
+#include "limn/surfaces/face_planes.h"
+
+namespace limn {
+
+// Coordinates in a plane.
+struct PlaneFrame {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d x_axis = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d y_axis = Eigen::Vector3d::UnitY();
+
+  Eigen::Vector3d Normal() const;
+  Eigen::Vector2d Flat(const Eigen::Vector3d& point) const {
+    return {x_axis.dot(point - origin), y_axis.dot(point - origin)};
+  }
+  Eigen::Vector3d InSpace(const Eigen::Vector2d& flat) const {
+    return origin + flat.x() * x_axis + flat.y() * y_axis;
+  }
+};
+
+// A link in a plane, or a bridge.
+struct PlaneStroke {
+  LinkId link = -1;  // -1: a bridge
+  Polyline2d points;
+  // Of a link, where each point is along it: index of a point.
+  std::vector<double> at;
+};
+
+// What may bound faces in a plane: the links in it, then bridges.
+struct PlaneStrokes {
+  PlaneFrame frame;
+  double footprint = 0;  // median over the links, world units per px
+  std::vector<PlaneStroke> strokes;
+};
+
+// The strokes of a plane (ours; ALGORITHM.md 27.2): all links within plane_tolerance_px of it that
+// are in the rectangle around its members. An end that meets none of these gets a bridge to the
+// nearest within max_bridge_px, or straight on to the first that it meets, and another to where two
+// ends cross that both go straight on. Whether a bridge bounds anything shows in the arrangement.
+// Time: ends times points of the links in the plane.
+PlaneStrokes MakeStrokes(const FacePlane& plane, const std::vector<FaceLink>& links,
+                         const DrawingGraph& graph, const SurfaceOptions& options);
+
+}  // namespace limn
