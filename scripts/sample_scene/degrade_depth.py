@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Simulates real dense results from the exact depth maps of the sample scene.
 
-    degrade_depth.py datasets/sample/day OUT
+    degrade_depth.py datasets/sample/day OUT [--exact]
 
 Makes OUT a dense workspace of COLMAP: links to images and model, and in stereo/ depth and normal maps
 with the artifacts of multi-view stereo:
@@ -9,7 +9,7 @@ with the artifacts of multi-view stereo:
   - fattened edges: near surfaces extend over far ones by half a matching window;
   - smoothed edges: a matching window mixes the depths it covers;
   - noise, smooth over a few pixels, and stray depths.
-Needs numpy and OpenCV. The same input gives the same output.
+With --exact the depths stay as they are and only get normals. Needs numpy and OpenCV. The same input gives the same output.
 """
 
 import argparse
@@ -106,6 +106,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("workspace", type=Path)
     parser.add_argument("out", type=Path)
+    parser.add_argument("--exact", action="store_true")
     arguments = parser.parse_args()
     random = np.random.default_rng(SEED)
     width, focal, center = read_camera(arguments.workspace / "sparse" / "cameras.bin")
@@ -120,7 +121,7 @@ def main():
         exact = read_map(arguments.workspace / "stereo" / "depth_maps" / f"{name}.geometric.bin")
         scale = exact.shape[1] / width
         image = cv2.imread(str(arguments.workspace / "images" / name), cv2.IMREAD_GRAYSCALE)
-        depth = degrade(exact, image, focal * scale, random)
+        depth = exact if arguments.exact else degrade(exact, image, focal * scale, random)
         normals = normals_of(depth, focal * scale, center * scale)
         write_map(stereo / "depth_maps" / f"{name}.geometric.bin", depth[None])
         write_map(stereo / "normal_maps" / f"{name}.geometric.bin", normals)

@@ -50,11 +50,8 @@ void ForEachEdge(const std::vector<Eigen::Vector3d>& vertices,
 }
 
 double BendAt(const EdgeSide& side, const EdgeSide& other) {
-  return M_PI - AngleBetween(side.inwards, other.inwards);
-}
-
-double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return M_PI -
+         std::atan2(side.inwards.cross(other.inwards).norm(), side.inwards.dot(other.inwards));
 }
 
 }  // namespace limn

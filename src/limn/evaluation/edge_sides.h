@@ -28,7 +28,4 @@ void ForEachEdge(const std::vector<Eigen::Vector3d>& vertices,
 // flat, pi if it turns back. Orientations of polygons do not matter.
 double BendAt(const EdgeSide& side, const EdgeSide& other);
 
-// 0 to pi.
-double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
-
 }  // namespace limn

@@ -1,7 +1,10 @@
 #include "limn/evaluation/sharp_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
+
+#include <Eigen/Geometry>
 
 #include "limn/evaluation/edge_sides.h"
 #include "limn/formats/curve_chains.h"
@@ -27,7 +30,9 @@ EdgeSoup SharpEdgesOf(const TriangleMesh& mesh, double min_bend_rad) {
 
 bool TurnsAt(const Eigen::Vector3d& before, const Eigen::Vector3d& at, const Eigen::Vector3d& after,
              double max_turn_rad) {
-  return AngleBetween(at - before, after - at) > max_turn_rad + kAngleSlackRad;
+  const Eigen::Vector3d in = at - before;
+  const Eigen::Vector3d out = after - at;
+  return std::atan2(in.cross(out).norm(), in.dot(out)) > max_turn_rad + kAngleSlackRad;
 }
 
 // A closed chain begins at one of its corners, if it has any.
