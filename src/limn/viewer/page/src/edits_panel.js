@@ -34,7 +34,7 @@ export class EditsPanel {
       make(
         'section',
         {},
-        row(this.button('Undo'), this.button('Redo')),
+        row(this.button('Undo'), this.button('Redo'), this.button('Delete')),
         ...this.selecting(),
         ...this.changing(),
       ),
@@ -93,7 +93,7 @@ export class EditsPanel {
     );
     return [
       make('h2', {}, 'Change'),
-      row(this.button('Delete'), this.button('Restore'), this.button('Merge')),
+      row(this.button('Restore'), this.button('Merge')),
       make('div', { class: 'pair' }, this.kindToSet, this.setKind),
       row(this.button('Join'), this.button('Split'), this.button('Length')),
       row(this.button('Show deleted')),
