@@ -586,6 +586,40 @@ TEST(MoveNodeTest, AllEndsMoveWithIt) {
   EXPECT_EQ(graph.links[2].points_in_world.back(), Vector3d(0, 0, 0.5));
 }
 
+TEST(InsertPointTest, PointBetweenTwoIsNoSurerThanTheyAre) {
+  DrawingGraph graph = GraphWithVertices({Row(0, 3)});
+  GraphEditor editor(&graph);
+  EXPECT_EQ(editor.InsertPoint(0, 1, 0.25), 2);
+  ExpectSound(graph, "insert");
+  EXPECT_EQ(graph.links[0].points_in_world[2], Vector3d(1.25, 0, 0));
+  EXPECT_EQ(graph.links[0].sigma, (std::vector<double>{1, 2, 3, 3, 4}));
+  EXPECT_TRUE(graph.links[0].vertices[2].support.empty());
+}
+
+TEST(UnifyTest, OneLinkRemainsWithTheViewsOfBoth) {
+  DrawingGraph graph = GraphWithVertices({Row(0, 3), {{0, 1, 0}, {3, 1, 0}}});
+  graph.links[0].supporting_views = {1, 4};
+  graph.links[1].supporting_views = {2, 4};
+  GraphEditor editor(&graph);
+  editor.Unify(0, 1);
+  EXPECT_FALSE(editor.IsLink(1));
+  EXPECT_EQ(graph.links[0].supporting_views, (std::vector<ViewId>{1, 2, 4}));
+  EXPECT_EQ(graph.links[0].members.size(), 2u);
+  editor.Compact();
+  ExpectValid(graph);
+  EXPECT_EQ(graph.nodes.size(), 2u);
+}
+
+TEST(MakeFirmTest, DoubtGoesToo) {
+  DrawingGraph graph = GraphWithVertices({Row(0, 3)});
+  graph.links[0].tentative = true;
+  graph.links[0].doubt = LinkDoubt::kChance;
+  GraphEditor editor(&graph);
+  editor.MakeFirm(0);
+  EXPECT_FALSE(graph.links[0].tentative);
+  ExpectValid(graph);
+}
+
 TEST(MovePointTest, OnlyThePointMoves) {
   DrawingGraph graph = GraphWithVertices({Row(0, 3)});
   GraphEditor(&graph).MovePoint(0, 2, {2, 1, 0});
