@@ -55,12 +55,12 @@ const result = await page.evaluate(async (repeats) => {
     'split one',
     (i) => {
       const edit = window.limnViewer.editor;
-      edit.startTool('split');
+      edit.pointing.start('split');
       const link = 1000 + i;
       const { x, y } = eye.screen(drawing.point(drawing.linkStart[link] + 50));
-      edit.tap(x, y, 12);
+      edit.pointing.tap(x, y, 12);
     },
-    () => editor.startTool(null),
+    () => editor.pointing.start(null),
   );
   await measure('point at the drawing', (i) => picking.place(100 * i, 80 * i, 12));
   return {

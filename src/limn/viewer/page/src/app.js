@@ -161,7 +161,7 @@ export class App {
       this.measuring.click(x, y, factor * SNAP_PX);
       return;
     }
-    if (this.editor.tap(x, y, factor * SNAP_PX)) return;
+    if (this.editor.pointing.tap(x, y, factor * SNAP_PX)) return;
     const adds = withShift || this.editor.adding;
     const link = this.layers.isShown('drawing') ? this.picking.link(x, y, factor * PICK_PX) : null;
     const camera = this.layers.frusta.pick(x, y, this.eye);
@@ -171,13 +171,13 @@ export class App {
   }
 
   doubleTap(x, y, factor) {
-    if (this.editor.tap(x, y, factor * SNAP_PX)) return;
+    if (this.editor.pointing.tap(x, y, factor * SNAP_PX)) return;
     const found = this.measuring.active ? null : this.picking.link(x, y, factor * PICK_PX);
     if (found) this.focusLink(found.link);
   }
 
   hover(x, y) {
-    this.editor.moveTo(x, y, SNAP_PX);
+    this.editor.pointing.moveTo(x, y, SNAP_PX);
     if (!this.measuring.active) return;
     this.measuring.moveTo(x, y, SNAP_PX);
     this.measuring.update();
@@ -281,7 +281,7 @@ export class App {
   }
 
   toggleMeasuring() {
-    if (!this.measuring.active && this.editor.tool) this.editor.startTool(null);
+    if (!this.measuring.active) this.editor.pointing.start(null);
     this.measuring.setActive(!this.measuring.active);
     this.tools.get('Measure').setAttribute('aria-pressed', String(this.measuring.active));
     if (this.measuring.active) this.sidebar.show('drawing');
@@ -299,7 +299,7 @@ export class App {
 
   escape() {
     if (this.measuring.active) this.toggleMeasuring();
-    else if (this.editor.tool) this.editor.startTool(null);
+    else if (this.editor.pointing.name) this.editor.pointing.start(null);
     else if (this.selection.size > 0) this.pick(null);
     else if (this.eye.photo !== null) this.eye.home();
   }

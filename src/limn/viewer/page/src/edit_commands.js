@@ -5,7 +5,7 @@ import { LINK_KINDS, NUM_KINDS } from './drawing.js';
 export function editCommands(editor) {
   const tool = (keys, id, button, label) => ({
     ...{ keys, button, label },
-    run: () => editor.toggleTool(id),
+    run: () => editor.pointing.toggle(id),
   });
   const kinds = LINK_KINDS.slice(0, NUM_KINDS).map((name, kind) => ({
     keys: [String(kind)],
@@ -34,8 +34,13 @@ export function editCommands(editor) {
       ...{ keys: ['Ctrl+Shift+z', 'Ctrl+y'], button: 'Redo', label: 'redo' },
       run: () => editor.redo(),
     },
-    { keys: ['w'], button: 'Download', label: 'download edits.json', run: () => editor.save() },
-    { keys: [], button: 'Copy', label: 'copy the edits', run: () => editor.copy() },
+    {
+      keys: ['w'],
+      button: 'Download',
+      label: 'download edits.json',
+      run: () => editor.storage.save(),
+    },
+    { keys: [], button: 'Copy', label: 'copy the edits', run: () => editor.storage.copy() },
     { keys: [], button: 'Load', label: 'load edits.json', run: () => editor.panel.file.click() },
     ...kinds,
   ];

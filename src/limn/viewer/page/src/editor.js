@@ -3,23 +3,17 @@
 import { watchBoxes } from './box_tool.js';
 import { Dimensions } from './dimensions.js';
 import { make } from './dom.js';
-import { download } from './download.js';
 import { editCommands } from './edit_commands.js';
 import { EditHistory } from './edit_history.js';
 import { EditPreview } from './edit_preview.js';
 import { EditState } from './edit_state.js';
-import { DimensionTool, JoinTool, SplitTool } from './edit_tools.js';
 import * as edits from './edits.js';
-import { numMissing } from './edits.js';
-import { parseEdits, resolveEdits, textOfEdits } from './edits_file.js';
 import { EditsPanel } from './edits_panel.js';
+import { EditsStorage } from './edits_storage.js';
 import { count } from './format.js';
 import { placeOf } from './link_refs.js';
+import { Pointing } from './pointing.js';
 import { linksInRectangle, linksOfKind, linksShorterThan } from './selection.js';
-
-const FILE_NAME = 'edits.json';
-const MOST_BYTES = 1 << 28;
-const TOOLS = { split: SplitTool, join: JoinTool, dimension: DimensionTool };
 
 export class Editor {
   // on.change(whether there are new links), on.say(text, isError), on.tool() before one of ours begins.
@@ -28,22 +22,44 @@ export class Editor {
     this.history = new EditHistory();
     this.state = new EditState(drawing);
     this.preview = new EditPreview(stage.near);
-    this.tool = null; // name
-    this.pointing = null; // the tool, unless it is the box
     this.adding = false;
-    this.pointers = make('div');
-    this.labels = make('div');
-    marks.append(this.pointers, this.labels);
-    this.dimensions = new Dimensions(eye, stage.near, this.labels);
+    this.storage = new EditsStorage(this);
+    this.pointing = this.makePointing();
+    const labels = make('div');
+    marks.append(labels);
+    this.dimensions = new Dimensions(eye, stage.near, labels);
     this.commands = editCommands(this);
     this.panel = new EditsPanel(
       drawing,
       this,
       this.commands.filter(({ button }) => button),
     );
-    watchBoxes(canvas, marks, {
-      isActive: (event) => this.tool === 'box' || event.shiftKey,
-      hold: (still) => (eye.controls.enabled = !still),
+    this.watch();
+    this.showTools();
+    this.show();
+  }
+
+  makePointing() {
+    const { drawing, picking, eye, canvas, marks, on } = this;
+    return new Pointing({
+      ...{ drawing, picking, eye, canvas, marks },
+      on: {
+        edit: (edit) => this.perform(edit),
+        say: (text) => this.say(text),
+        begin: () => on.tool(),
+        change: () => this.showTools(),
+        progress: () => {
+          this.drawLengths();
+          this.stage.change();
+        },
+      },
+    });
+  }
+
+  watch() {
+    watchBoxes(this.canvas, this.marks, {
+      isActive: (event) => this.pointing.name === 'box' || event.shiftKey,
+      hold: (still) => (this.eye.controls.enabled = !still),
       box: (...drawn) => this.selectBox(...drawn),
     });
     window.addEventListener('beforeunload', (event) => {
@@ -51,8 +67,6 @@ export class Editor {
       event.preventDefault();
       event.returnValue = true; // older browsers
     });
-    this.showTools();
-    this.show();
   }
 
   say(text, isError = false) {
@@ -86,8 +100,13 @@ export class Editor {
 
   // A tool must not go on with links that are no longer there.
   afterTravel() {
-    this.startTool(this.tool);
+    this.pointing.start(this.pointing.name);
     this.show();
+  }
+
+  markSaved() {
+    this.history.markSaved();
+    this.panel.showHistory(this.history);
   }
 
   // Makes the picture what the edits make of the drawing.
@@ -125,7 +144,7 @@ export class Editor {
   }
 
   drawLengths() {
-    const pending = this.pointing?.pending?.() ?? null;
+    const pending = this.pointing.pending();
     this.dimensions.show(pending ? [...this.lengths, pending] : this.lengths);
   }
 
@@ -235,133 +254,18 @@ export class Editor {
     this.stage.change();
   }
 
-  // Tools.
-
-  toggleTool(name) {
-    if (this.tool !== name) this.on.tool();
-    this.startTool(this.tool === name ? null : name);
-  }
-
-  startTool(name) {
-    const Tool = TOOLS[name];
-    this.tool = name;
-    this.pointing = Tool ? new Tool({ ...this.parts(), on: this.listener() }) : null;
-    this.drawLengths();
-    this.showTools();
-    this.showProgress();
-  }
-
-  parts() {
-    const { drawing, picking, eye } = this;
-    return { drawing, picking, eye };
-  }
-
-  listener() {
-    return {
-      edit: (edit) => {
-        this.perform(edit);
-        this.showProgress();
-      },
-      progress: () => this.showProgress(),
-      say: (text) => this.say(text),
-    };
-  }
-
-  showProgress() {
-    if (this.tool === 'box')
-      this.say('Box: drag to the right for links inside, to the left for those touched.');
-    else this.say(this.pointing?.hint() ?? '');
-    this.drawLengths();
-    this.stage.change();
-  }
-
   showTools() {
-    this.canvas.classList.toggle('pointing', this.tool !== null);
+    const { name } = this.pointing;
     this.panel.showTools({
-      ...{ Box: this.tool === 'box', Join: this.tool === 'join', Split: this.tool === 'split' },
-      ...{ Length: this.tool === 'dimension', Add: this.adding },
+      ...{ Box: name === 'box', Join: name === 'join', Split: name === 'split' },
+      ...{ Length: name === 'dimension', Add: this.adding },
       'Show deleted': this.drawing.withGhosts,
     });
   }
 
-  // Whether a tool has taken the tap.
-  tap(x, y, radius) {
-    if (!this.pointing) return false;
-    this.pointing.tap(x, y, radius);
-    return true;
-  }
-
-  moveTo(x, y, radius) {
-    if (!this.pointing) return;
-    this.pointing.moveTo(x, y, radius);
-    if (this.pointing.pending?.()) {
-      this.drawLengths();
-      this.stage.change();
-    }
-    this.update();
-  }
-
-  // Before every frame: the marks on the screen.
+  // Before every frame.
   update() {
     this.dimensions.update();
-    const { places = [], hover = null } = this.pointing ?? {};
-    const marks = (hover ? [...places, hover] : places).map((found) => this.mark(found));
-    this.pointers.replaceChildren(...marks.filter((mark) => mark !== null));
-  }
-
-  mark({ position, end }) {
-    const place = this.eye.screen(position);
-    if (!place) return null;
-    const mark = make('div', { class: end === undefined ? 'snap free' : 'snap' });
-    mark.style.left = `${place.x}px`;
-    mark.style.top = `${place.y}px`;
-    return mark;
-  }
-
-  // Files.
-
-  save() {
-    const text = textOfEdits(this.history.edits);
-    download(new Blob([text], { type: 'application/json' }), FILE_NAME);
-    this.saved();
-  }
-
-  saved() {
-    this.history.markSaved();
-    this.panel.showHistory(this.history);
-  }
-
-  async copy() {
-    try {
-      await navigator.clipboard.writeText(textOfEdits(this.history.edits));
-      this.saved();
-      this.say('The edits are in the clipboard: paste them into a file edits.json.');
-    } catch (error) {
-      this.say(
-        `The browser does not let the page copy (${error.message}); download instead.`,
-        true,
-      );
-    }
-  }
-
-  async load(file) {
-    try {
-      if (file.size > MOST_BYTES) throw new Error('is too large');
-      this.replaceBy(parseEdits(await file.text()));
-    } catch (error) {
-      this.show();
-      this.say(`${file.name}: ${error.message}. Nothing was loaded.`, true);
-    }
-  }
-
-  // The loaded edits instead of those that there are; undone in one step.
-  replaceBy(stored) {
-    const list = resolveEdits(this.drawing, stored, (before) => this.state.show(before));
-    this.selection.set([]);
-    this.setEdits(list);
-    this.saved();
-    const missing = list.filter((edit) => numMissing(edit) > 0).length;
-    const told = missing > 0 ? `; ${count(missing)} refer to what is not in this drawing` : '';
-    this.say(`${count(list.length)} edits loaded${told}.`, missing > 0);
+    this.pointing.update();
   }
 }

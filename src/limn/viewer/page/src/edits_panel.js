@@ -17,7 +17,7 @@ function selectOf(id, names) {
 const row = (...children) => make('div', { class: 'actions' }, ...children);
 
 export class EditsPanel {
-  // `on`: see editor.js; `commands`: by the names of their buttons here.
+  // `on`: the editor; `commands`: by the names of their buttons here.
   constructor(drawing, on, commands) {
     this.drawing = drawing;
     this.on = on;
@@ -110,7 +110,7 @@ export class EditsPanel {
       ...{ 'aria-label': 'File of edits', tabindex: -1 },
       onchange: () => {
         const [file] = this.file.files;
-        if (file) this.on.load(file);
+        if (file) this.on.storage.load(file);
         this.file.value = ''; // so that the same file can be chosen again
       },
     });
