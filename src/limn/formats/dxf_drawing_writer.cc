@@ -32,7 +32,7 @@ int UnitCode(LengthUnit unit) {
   return 0;
 }
 
-// Of points and primitives; what an arc has between its samples matters for no view.
+// Of points, primitives and faces; what an arc has between its samples matters for no view.
 Eigen::AlignedBox3d ExtentOf(const DrawingGraph& graph) {
   constexpr int kSamples = 64;
   Eigen::AlignedBox3d extent;
@@ -42,6 +42,9 @@ Eigen::AlignedBox3d ExtentOf(const DrawingGraph& graph) {
     for (int k = 0; k <= kSamples; ++k) {
       extent.extend(PointAt(link.primitive->shape, static_cast<double>(k) / kSamples));
     }
+  }
+  for (const DrawingFace& face : graph.faces) {
+    for (const Eigen::Vector3d& vertex : face.vertices) extent.extend(vertex);
   }
   return extent;
 }

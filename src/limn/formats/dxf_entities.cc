@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/formats/triangle_parts.h"
+
 namespace limn {
 namespace {
 
@@ -37,6 +39,13 @@ class EntityWriter {
     } else {
       PutPolyline(link);
     }
+  }
+
+  // A part of a face.
+  void PutFace(const TrianglePart& part, int face) {
+    layer_ = plan_.layers[plan_.of_face[face]].name;
+    id_ = face;
+    PutPolyface(part);
   }
 
   void PutJunction(const DrawingNode& node, NodeId id) {
@@ -123,6 +132,33 @@ class EntityWriter {
     Begin("SEQEND", nullptr, polyline);
   }
 
+  void PutPolyface(const TrianglePart& part) {
+    const int polyline = Begin("POLYLINE", "AcDbPolyFaceMesh", model_space_);
+    writer_.Put(66, 1);
+    writer_.PutPoint(10, Eigen::Vector3d::Zero());
+    writer_.Put(70, 64);
+    writer_.Put(71, static_cast<int>(part.vertices.size()));
+    writer_.Put(72, static_cast<int>(part.triangles.size()));
+    PutId();
+    for (const Eigen::Vector3d& vertex : part.vertices) {
+      Begin("VERTEX", "AcDbVertex", polyline);
+      writer_.Put(100, "AcDbPolyFaceMeshVertex");
+      writer_.PutPoint(10, vertex);
+      writer_.Put(70, 64 + 128);
+    }
+    for (size_t t = 0; t < part.triangles.size(); ++t) {
+      Begin("VERTEX", "AcDbFaceRecord", polyline);
+      writer_.PutPoint(10, Eigen::Vector3d::Zero());
+      writer_.Put(70, 128);
+      for (int corner = 0; corner < 3; ++corner) {
+        // Counted from 1; negative if the edge that begins there is invisible.
+        const int vertex = part.triangles[t][corner] + 1;
+        writer_.Put(71 + corner, part.is_border[t][corner] ? vertex : -vertex);
+      }
+    }
+    Begin("SEQEND", nullptr, polyline);
+  }
+
   const DxfLayerPlan& plan_;
   int model_space_;
   int* next_handle_;
@@ -138,6 +174,11 @@ void PutDxfEntities(const DrawingGraph& graph, const DxfLayerPlan& plan, int mod
   EntityWriter entities(plan, model_space, next_handle, writer);
   for (size_t id = 0; id < graph.links.size(); ++id) {
     entities.PutLink(graph.links[id], static_cast<LinkId>(id));
+  }
+  for (size_t id = 0; id < graph.faces.size(); ++id) {
+    for (const TrianglePart& part : PartsOf(graph.faces[id])) {
+      entities.PutFace(part, static_cast<int>(id));
+    }
   }
   if (plan.of_junctions < 0) return;
   for (size_t id = 0; id < graph.nodes.size(); ++id) {

@@ -45,6 +45,33 @@ DxfLayer LayerOfClass(const DrawingLink& link) {
   return {primitive + suffix, ColorOfClass(primitive, dense_class)};
 }
 
+std::string Numbered(const char* name, size_t number, size_t count) {
+  const std::string digits = std::to_string(number);
+  const size_t width = std::to_string(count).size();
+  return name + std::string(width - digits.size(), '0') + digits;
+}
+
+DxfLayer LayerOfFace(int face, size_t num_faces) {
+  return {Numbered("face_", face, num_faces - 1), ColorOfComponent(face)};
+}
+
+// The largest face that each link bounds; -1: none.
+std::vector<int> FacesOfLinks(const DrawingGraph& graph) {
+  std::vector<int> of_link(graph.links.size(), -1);
+  std::vector<double> area(graph.links.size(), -1);
+  for (size_t id = 0; id < graph.faces.size(); ++id) {
+    const double of_face = AreaOf(graph.faces[id]);
+    for (const FaceLoop& loop : graph.faces[id].loops) {
+      for (const FaceEdge& edge : loop) {
+        if (edge.IsBridge() || of_face <= area[edge.link]) continue;
+        area[edge.link] = of_face;
+        of_link[edge.link] = static_cast<int>(id);
+      }
+    }
+  }
+  return of_link;
+}
+
 std::vector<DxfLayer> LayersOfLinks(const DrawingGraph& graph, DxfLayers layers) {
   std::vector<DxfLayer> of_links;
   if (layers == DxfLayers::kClass) {
@@ -57,11 +84,14 @@ std::vector<DxfLayer> LayersOfLinks(const DrawingGraph& graph, DxfLayers layers)
     const std::vector<int> components = ComponentsOfLinks(graph);
     const int count =
         components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + 1;
-    const size_t width = std::to_string(count).size();
     for (const int component : components) {
-      const std::string number = std::to_string(component + 1);
-      of_links.push_back({"component_" + std::string(width - number.size(), '0') + number,
-                          ColorOfComponent(component)});
+      of_links.push_back(
+          {Numbered("component_", component + 1, count), ColorOfComponent(component)});
+    }
+  } else if (layers == DxfLayers::kFace) {
+    for (const int face : FacesOfLinks(graph)) {
+      of_links.push_back(face < 0 ? DxfLayer{"no_face", kForeground}
+                                  : LayerOfFace(face, graph.faces.size()));
     }
   } else {
     of_links.assign(graph.links.size(), {"drawing", kForeground});
@@ -69,12 +99,24 @@ std::vector<DxfLayer> LayersOfLinks(const DrawingGraph& graph, DxfLayers layers)
   return of_links;
 }
 
+std::vector<DxfLayer> LayersOfFaces(const DrawingGraph& graph, DxfLayers layers) {
+  constexpr int kGray = 8;
+  std::vector<DxfLayer> of_faces(graph.faces.size(), {"faces", kGray});
+  if (layers != DxfLayers::kFace) return of_faces;
+  for (size_t id = 0; id < of_faces.size(); ++id) {
+    of_faces[id] = LayerOfFace(static_cast<int>(id), of_faces.size());
+  }
+  return of_faces;
+}
+
 }  // namespace
 
 DxfLayerPlan PlanDxfLayers(const DrawingGraph& graph, const DxfOptions& options) {
   const std::vector<DxfLayer> of_links = LayersOfLinks(graph, options.layers);
+  const std::vector<DxfLayer> of_faces = LayersOfFaces(graph, options.layers);
   std::map<std::string, int> colors;
   for (const DxfLayer& layer : of_links) colors[layer.name] = layer.color;
+  for (const DxfLayer& layer : of_faces) colors[layer.name] = layer.color;
   DxfLayerPlan plan;
   std::map<std::string, int> index;
   for (const auto& [name, color] : colors) {
@@ -82,6 +124,7 @@ DxfLayerPlan PlanDxfLayers(const DrawingGraph& graph, const DxfOptions& options)
     plan.layers.push_back({name, color});
   }
   for (const DxfLayer& layer : of_links) plan.of_link.push_back(index.at(layer.name));
+  for (const DxfLayer& layer : of_faces) plan.of_face.push_back(index.at(layer.name));
   const bool has_junctions =
       std::any_of(graph.nodes.begin(), graph.nodes.end(),
                   [](const DrawingNode& node) { return node.kind == NodeKind::kJunction; });

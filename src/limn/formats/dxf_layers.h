@@ -13,10 +13,11 @@ struct DxfLayer {
   int color = 7;  // AutoCAD's color index
 };
 
-// The nonempty layers, and the layer of every link and of the junctions.
+// The nonempty layers, and the layer of every link, of every face and of the junctions.
 struct DxfLayerPlan {
   std::vector<DxfLayer> layers;
   std::vector<int> of_link;
+  std::vector<int> of_face;
   int of_junctions = -1;  // -1: not drawn
 };
 

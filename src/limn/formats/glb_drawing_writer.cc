@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <ostream>
 #include <string>
 
@@ -16,6 +17,7 @@
 #define TINYGLTF_NO_EXTERNAL_IMAGE
 #include <tiny_gltf.h>
 
+#include "limn/formats/face_mesh.h"
 #include "limn/geometry/polyline.h"
 #include "limn/util/errors.h"
 #include "limn/version.h"
@@ -27,6 +29,7 @@ using Value = tinygltf::Value;
 
 // A vertex's bytes in each of the buffer views, and an index's.
 constexpr size_t kPositionBytes = 3 * sizeof(float);
+constexpr size_t kNormalBytes = 3 * sizeof(float);
 constexpr size_t kColorBytes = 4 * sizeof(uint16_t);
 constexpr size_t kIndexBytes = sizeof(uint32_t);
 // Room for the JSON beside the buffer in a file of at most 4 GB.
@@ -48,16 +51,31 @@ Eigen::Vector3d MiddleOf(const DrawingGraph& graph) {
   return box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(box.center());
 }
 
-// Collects vertices and what refers to them.
+tinygltf::Material CurveMaterial() {
+  tinygltf::Material material;
+  material.name = "curves and points";
+  material.extensions["KHR_materials_unlit"] = Value(Value::Object());
+  return material;
+}
+
+tinygltf::Material FaceMaterial() {
+  constexpr double kGray = 0.6;
+  tinygltf::Material material;
+  material.name = "faces";
+  material.doubleSided = true;
+  material.pbrMetallicRoughness.baseColorFactor = {kGray, kGray, kGray, 1};
+  material.pbrMetallicRoughness.metallicFactor = 0;
+  material.pbrMetallicRoughness.roughnessFactor = 1;
+  return material;
+}
+
+// Collects vertices and what refers to them: first those with colors, then those with normals.
 class SceneBuilder {
  public:
   explicit SceneBuilder(const Eigen::Vector3d& origin) : origin_(origin) {
     model_.asset.version = "2.0";
     model_.asset.generator = "limn " LIMN_VERSION;
-    tinygltf::Material material;
-    material.name = "curves and points";
-    material.extensions["KHR_materials_unlit"] = Value(Value::Object());
-    model_.materials.push_back(material);
+    model_.materials.push_back(CurveMaterial());
     model_.extensionsUsed = {"KHR_materials_unlit"};
     tinygltf::Node root;
     root.name = "drawing";
@@ -71,9 +89,7 @@ class SceneBuilder {
 
   // Vertices are added, then made a child of the drawing.
   void AddVertex(const Eigen::Vector3d& point, const Color& color) {
-    const Eigen::Vector3f place = YUp(point - origin_).cast<float>();
-    if (!place.allFinite()) throw InputError("coordinates are too large for a .glb file");
-    positions_.insert(positions_.end(), place.data(), place.data() + 3);
+    AddPosition(point);
     for (const uint8_t channel : {color.red, color.green, color.blue}) {
       colors_.push_back(LinearFromSrgb(channel));
     }
@@ -85,21 +101,31 @@ class SceneBuilder {
     const size_t count = positions_.size() / 3 - first_vertex_;
     tinygltf::Primitive primitive;
     primitive.mode = mode;
-    primitive.material = 0;
+    primitive.material = kCurves;
     primitive.attributes["POSITION"] = AddPositions(count);
     primitive.attributes["COLOR_0"] = AddColors(count);
     if (is_ring) primitive.indices = AddRing(count);
     first_vertex_ += count;
-    tinygltf::Mesh mesh;
-    mesh.name = name;
-    mesh.primitives.push_back(primitive);
-    model_.meshes.push_back(mesh);
-    tinygltf::Node node;
-    node.name = name;
-    node.mesh = static_cast<int>(model_.meshes.size()) - 1;
-    if (!extras.empty()) node.extras = Value(std::move(extras));
-    model_.nodes[0].children.push_back(static_cast<int>(model_.nodes.size()));
-    model_.nodes.push_back(node);
+    AddMesh(name, primitive, std::move(extras));
+  }
+
+  // Triangles; after all children with colors.
+  void AddFace(const std::string& name, const DrawingFace& face, Value::Object extras) {
+    if (model_.materials.size() == kFaces) model_.materials.push_back(FaceMaterial());
+    const std::vector<Eigen::Vector3d> normals = VertexNormals(face);
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    primitive.material = kFaces;
+    for (const Eigen::Vector3d& vertex : face.vertices) AddPosition(vertex);
+    primitive.attributes["POSITION"] = AddPositions(face.vertices.size());
+    primitive.attributes["NORMAL"] = AddNormals(normals);
+    std::vector<uint32_t> corners;
+    for (const auto& triangle : face.triangles) {
+      corners.insert(corners.end(), triangle.begin(), triangle.end());
+    }
+    primitive.indices = AddIndices(corners);
+    first_vertex_ += face.vertices.size();
+    AddMesh(name, primitive, std::move(extras));
   }
 
   void Write(std::ostream& out) {
@@ -114,11 +140,34 @@ class SceneBuilder {
   }
 
  private:
-  enum ViewIndex { kPositions, kColors, kIndices };
+  enum MaterialIndex { kCurves, kFaces };
+  // Accessors name their buffer views by these until the views are made.
+  enum ViewKind { kPositions, kColors, kIndices, kNormals };
+
+  void AddPosition(const Eigen::Vector3d& point) {
+    const Eigen::Vector3f place = YUp(point - origin_).cast<float>();
+    if (!place.allFinite()) throw InputError("coordinates are too large for a .glb file");
+    positions_.insert(positions_.end(), place.data(), place.data() + 3);
+  }
+
+  // An object with this mesh.
+  void AddMesh(const std::string& name, const tinygltf::Primitive& primitive,
+               Value::Object extras) {
+    tinygltf::Mesh mesh;
+    mesh.name = name;
+    mesh.primitives.push_back(primitive);
+    model_.meshes.push_back(mesh);
+    tinygltf::Node node;
+    node.name = name;
+    node.mesh = static_cast<int>(model_.meshes.size()) - 1;
+    if (!extras.empty()) node.extras = Value(std::move(extras));
+    model_.nodes[0].children.push_back(static_cast<int>(model_.nodes.size()));
+    model_.nodes.push_back(node);
+  }
 
   size_t NumBytes() const {
-    return sizeof(float) * positions_.size() + sizeof(uint16_t) * colors_.size() +
-           kIndexBytes * indices_.size();
+    return sizeof(float) * (positions_.size() + normals_.size()) +
+           sizeof(uint16_t) * colors_.size() + kIndexBytes * indices_.size();
   }
 
   int AddAccessor(const tinygltf::Accessor& accessor) {
@@ -157,20 +206,42 @@ class SceneBuilder {
     return AddAccessor(accessor);
   }
 
+  int AddNormals(const std::vector<Eigen::Vector3d>& normals) {
+    tinygltf::Accessor accessor;
+    accessor.bufferView = kNormals;
+    accessor.byteOffset = sizeof(float) * normals_.size();
+    accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
+    accessor.type = TINYGLTF_TYPE_VEC3;
+    accessor.count = normals.size();
+    for (const Eigen::Vector3d& normal : normals) {
+      const Eigen::Vector3f y_up = YUp(normal).cast<float>();
+      normals_.insert(normals_.end(), y_up.data(), y_up.data() + 3);
+    }
+    return AddAccessor(accessor);
+  }
+
   int AddRing(size_t count) {
+    std::vector<uint32_t> indices(count + 1);
+    std::iota(indices.begin(), indices.end() - 1, 0);
+    indices.back() = 0;
+    return AddIndices(indices);
+  }
+
+  int AddIndices(const std::vector<uint32_t>& indices) {
     tinygltf::Accessor accessor;
     accessor.bufferView = kIndices;
     accessor.byteOffset = kIndexBytes * indices_.size();
     accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
     accessor.type = TINYGLTF_TYPE_SCALAR;
-    accessor.count = count + 1;
-    for (size_t i = 0; i < count; ++i) indices_.push_back(static_cast<uint32_t>(i));
-    indices_.push_back(0);
+    accessor.count = indices.size();
+    indices_.insert(indices_.end(), indices.begin(), indices.end());
     return AddAccessor(accessor);
   }
 
+  // Returns its index, -1 if there are no values.
   template <typename T>
-  void AddView(const std::vector<T>& values, int target, size_t stride) {
+  int AddView(const std::vector<T>& values, int target, size_t stride) {
+    if (values.empty()) return -1;
     std::vector<unsigned char>& bytes = model_.buffers[0].data;
     tinygltf::BufferView view;
     view.buffer = 0;
@@ -181,20 +252,26 @@ class SceneBuilder {
     model_.bufferViews.push_back(view);
     bytes.resize(bytes.size() + view.byteLength);
     std::memcpy(bytes.data() + view.byteOffset, values.data(), view.byteLength);
+    return static_cast<int>(model_.bufferViews.size()) - 1;
   }
 
   void AddBuffer() {
     model_.buffers.resize(1);
     model_.buffers[0].data.reserve(NumBytes());
-    AddView(positions_, TINYGLTF_TARGET_ARRAY_BUFFER, kPositionBytes);
-    AddView(colors_, TINYGLTF_TARGET_ARRAY_BUFFER, kColorBytes);
-    if (!indices_.empty()) AddView(indices_, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, 0);
+    const int index_of[] = {AddView(positions_, TINYGLTF_TARGET_ARRAY_BUFFER, kPositionBytes),
+                            AddView(colors_, TINYGLTF_TARGET_ARRAY_BUFFER, kColorBytes),
+                            AddView(indices_, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, 0),
+                            AddView(normals_, TINYGLTF_TARGET_ARRAY_BUFFER, kNormalBytes)};
+    for (tinygltf::Accessor& accessor : model_.accessors) {
+      accessor.bufferView = index_of[accessor.bufferView];
+    }
   }
 
   Eigen::Vector3d origin_;
   tinygltf::Model model_;
   std::vector<float> positions_;
   std::vector<uint16_t> colors_;
+  std::vector<float> normals_;
   std::vector<uint32_t> indices_;
   size_t first_vertex_ = 0;
 };
@@ -230,6 +307,19 @@ void AddJunctions(const DrawingGraph& graph, SceneBuilder* scene) {
   scene->AddChild("junctions", TINYGLTF_MODE_POINTS, false, {{"nodes", Value(std::move(ids))}});
 }
 
+void AddFaces(const DrawingGraph& graph, SceneBuilder* scene) {
+  for (size_t id = 0; id < graph.faces.size(); ++id) {
+    const DrawingFace& face = graph.faces[id];
+    if (face.triangles.empty()) continue;
+    scene->AddFace("face_" + std::to_string(id), face,
+                   {{"face", Value(static_cast<int>(id))},
+                    {"surface", Value(std::string(FaceSurfaceName(face.surface)))},
+                    {"area", Value(AreaOf(face))},
+                    {"confidence", Value(face.confidence)},
+                    {"views", Value(static_cast<int>(face.views.size()))}});
+  }
+}
+
 }  // namespace
 
 void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::ostream& out) {
@@ -240,6 +330,7 @@ void WriteDrawingGlb(const DrawingGraph& graph, const GlbOptions& options, std::
   if (options.junctions) AddJunctions(graph, &scene);
   for (const GlbPoint& point : options.cloud) scene.AddVertex(point.position, point.color);
   if (!options.cloud.empty()) scene.AddChild("cloud", TINYGLTF_MODE_POINTS, false, {});
+  AddFaces(graph, &scene);
   scene.Write(out);
 }
 

@@ -29,6 +29,8 @@ struct GlbOptions {
 //                            extras: "link", "length", "closed", "residual_px", "views", and where
 //                            known "primitive", "class", "kind" and
 //                            "kind_confidence"; "tentative" if it is
+//     node "face_<id>"       triangles with normals, of the material "faces" (matt, seen from both
+//                            sides). extras: "face", "surface", "area", "confidence", "views"
 //     node "junctions"       points, white; extras: "nodes", their ids in order
 //     node "cloud"           points in their colors
 // The graph has z up, glTF y up: (x, y, z) is written as (x, z, -y), which Blender's importer

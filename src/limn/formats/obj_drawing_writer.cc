@@ -3,14 +3,16 @@
 #include <ostream>
 #include <vector>
 
+#include "limn/formats/face_mesh.h"
 #include "limn/formats/link_kind.h"
 #include "limn/formats/number_text.h"
 
 namespace limn {
 namespace {
 
-void PutVertex(std::ostream& out, const Eigen::Vector3d& point) {
-  out << 'v';
+// A vertex ("v") or a normal ("vn").
+void PutVector(const char* keyword, const Eigen::Vector3d& point, std::ostream& out) {
+  out << keyword;
   for (int axis = 0; axis < 3; ++axis) out << ' ' << NumberText(point[axis]);
   out << '\n';
 }
@@ -25,11 +27,31 @@ void PutLines(const std::vector<size_t>& vertices, const ObjOptions& options, st
   out << '\n';
 }
 
+// Faces after `num_vertices` other vertices. Vertices and normals are counted from 1.
+void PutFaces(const std::vector<DrawingFace>& faces, size_t num_vertices, std::ostream& out) {
+  size_t first_vertex = num_vertices + 1, first_normal = 1;
+  for (size_t id = 0; id < faces.size(); ++id) {
+    const DrawingFace& face = faces[id];
+    out << "o face_" << id << "\ng " << FaceSurfaceName(face.surface) << '\n';
+    for (const Eigen::Vector3d& vertex : face.vertices) PutVector("v", vertex, out);
+    for (const Eigen::Vector3d& normal : VertexNormals(face)) PutVector("vn", normal, out);
+    for (const auto& triangle : face.triangles) {
+      out << 'f';
+      for (const int corner : triangle) {
+        out << ' ' << first_vertex + corner << "//" << first_normal + corner;
+      }
+      out << '\n';
+    }
+    first_vertex += face.vertices.size();
+    first_normal += face.vertices.size();
+  }
+}
+
 }  // namespace
 
 void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, std::ostream& out) {
   out << "# 3D drawing by limn: the first " << graph.nodes.size() << " vertices are its nodes\n";
-  for (const DrawingNode& node : graph.nodes) PutVertex(out, node.position_in_world);
+  for (const DrawingNode& node : graph.nodes) PutVector("v", node.position_in_world, out);
   const bool has_kinds = HasKinds(graph);
   size_t num_vertices = graph.nodes.size();
   for (size_t id = 0; id < graph.links.size(); ++id) {
@@ -38,12 +60,13 @@ void WriteDrawingObj(const DrawingGraph& graph, const ObjOptions& options, std::
     if (has_kinds) out << "g " << LinkKindName(link.kind) << '\n';
     std::vector<size_t> vertices = {static_cast<size_t>(link.node0) + 1};
     for (size_t i = 1; i + 1 < link.points_in_world.size(); ++i) {
-      PutVertex(out, link.points_in_world[i]);
+      PutVector("v", link.points_in_world[i], out);
       vertices.push_back(++num_vertices);
     }
     vertices.push_back(static_cast<size_t>(link.node1) + 1);
     PutLines(vertices, options, out);
   }
+  PutFaces(graph.faces, num_vertices, out);
 }
 
 }  // namespace limn

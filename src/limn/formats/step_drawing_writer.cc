@@ -6,10 +6,12 @@
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_HArray1OfHAsciiString.hxx>
+#include <STEPConstruct.hxx>
 #include <STEPConstruct_Part.hxx>
 #include <STEPConstruct_UnitContext.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPEdit.hxx>
+#include <Standard_Failure.hxx>
 #include <StepBasic_ApplicationContext.hxx>
 #include <StepBasic_ApplicationProtocolDefinition.hxx>
 #include <StepData_Protocol.hxx>
@@ -17,15 +19,26 @@
 #include <StepData_StepWriter.hxx>
 #include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
 #include <StepRepr_HArray1OfRepresentationItem.hxx>
+#include <StepShape_AdvancedBrepShapeRepresentation.hxx>
 #include <StepShape_ConnectedEdgeSet.hxx>
 #include <StepShape_EdgeBasedWireframeModel.hxx>
 #include <StepShape_EdgeBasedWireframeShapeRepresentation.hxx>
 #include <StepShape_HArray1OfConnectedEdgeSet.hxx>
 #include <StepShape_HArray1OfEdge.hxx>
+#include <StepShape_ManifoldSolidBrep.hxx>
+#include <StepShape_ManifoldSurfaceShapeRepresentation.hxx>
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
+#include <StepShape_ShellBasedSurfaceModel.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopoDS.hxx>
+#include <TopoDSToStep_MakeManifoldSolidBrep.hxx>
+#include <TopoDSToStep_MakeShellBasedSurfaceModel.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <Transfer_FinderProcess.hxx>
 
 #include "limn/formats/step_edges.h"
+#include "limn/formats/step_shells.h"
 #include "limn/model/drawing_paths.h"
 #include "limn/model/drawing_transform.h"
 #include "limn/util/errors.h"
@@ -35,6 +48,8 @@ namespace limn {
 namespace {
 
 using opencascade::handle;
+
+constexpr double kLeastUncertaintyMm = 1e-7;
 
 handle<TCollection_HAsciiString> Text(const std::string& text) {
   return new TCollection_HAsciiString(text.c_str());
@@ -85,17 +100,96 @@ handle<StepShape_ShapeRepresentation> MakeRepresentation(
   return representation;
 }
 
-void AddProduct(const handle<StepShape_ShapeRepresentation>& representation,
-                StepData_StepModel* model) {
-  handle<StepBasic_ApplicationContext> context = new StepBasic_ApplicationContext;
-  context->Init(Text("core data for automotive mechanical design processes"));
-  handle<StepBasic_ApplicationProtocolDefinition> protocol =
-      new StepBasic_ApplicationProtocolDefinition;
-  protocol->Init(Text("international standard"), Text("automotive_design"), 2000, context);
-  STEPConstruct_Part part;
-  part.MakeSDR(representation, Text("drawing"), context);
-  model->AddWithRefs(protocol);
-  model->AddWithRefs(part.SDRValue());
+// A model and what its products have in common.
+class ProductModel {
+ public:
+  ProductModel() {
+    model_->SetProtocol(STEPEdit::Protocol());
+    context_->Init(Text("core data for automotive mechanical design processes"));
+    handle<StepBasic_ApplicationProtocolDefinition> protocol =
+        new StepBasic_ApplicationProtocolDefinition;
+    protocol->Init(Text("international standard"), Text("automotive_design"), 2000, context_);
+    model_->AddWithRefs(protocol);
+  }
+
+  void Add(const char* name, const handle<StepShape_ShapeRepresentation>& representation) {
+    STEPConstruct_Part part;
+    part.MakeSDR(representation, Text(name), context_);
+    model_->AddWithRefs(part.SDRValue());
+  }
+
+  const handle<StepData_StepModel>& model() const { return model_; }
+
+ private:
+  handle<StepData_StepModel> model_ = new StepData_StepModel;
+  handle<StepBasic_ApplicationContext> context_ = new StepBasic_ApplicationContext;
+};
+
+// Solids or shells as a representation of the given type.
+template <typename Representation, typename Make>
+handle<StepShape_ShapeRepresentation> MakeSurfaces(const char* name,
+                                                   const std::vector<TopoDS_Shape>& shapes,
+                                                   double uncertainty_mm, const Make& make) {
+  handle<StepRepr_HArray1OfRepresentationItem> items =
+      new StepRepr_HArray1OfRepresentationItem(1, static_cast<int>(shapes.size()));
+  for (size_t i = 0; i < shapes.size(); ++i) {
+    items->SetValue(static_cast<int>(i) + 1, make(shapes[i]));
+  }
+  STEPConstruct_UnitContext units;
+  units.Init(uncertainty_mm);
+  handle<Representation> representation = new Representation;
+  representation->Init(Text(name), items, units.Value());
+  return representation;
+}
+
+void Name(const handle<Transfer_FinderProcess>& made, const TopoDS_Shape& shape,
+          const std::string& name) {
+  const handle<StepRepr_RepresentationItem> item = STEPConstruct::FindEntity(made, shape);
+  if (!item.IsNull()) item->SetName(Text(name));
+}
+
+void AddShells(const DrawingGraph& graph, const StepShells& shells, ProductModel* products) {
+  handle<Transfer_FinderProcess> made = new Transfer_FinderProcess;
+  const double uncertainty = std::max(kLeastUncertaintyMm, 2 * shells.tolerance);
+  if (!shells.solids.empty()) {
+    const auto make = [&](const TopoDS_Shape& solid) {
+      return TopoDSToStep_MakeManifoldSolidBrep(TopoDS::Solid(solid), made).Value();
+    };
+    products->Add("solids", MakeSurfaces<StepShape_AdvancedBrepShapeRepresentation>(
+                                "solids", shells.solids, uncertainty, make));
+  }
+  if (!shells.shells.empty()) {
+    const auto make = [&](const TopoDS_Shape& shell) {
+      return TopoDSToStep_MakeShellBasedSurfaceModel(TopoDS::Shell(shell), made).Value();
+    };
+    products->Add("shells", MakeSurfaces<StepShape_ManifoldSurfaceShapeRepresentation>(
+                                "shells", shells.shells, uncertainty, make));
+  }
+  for (const LabeledShape& face : shells.faces) {
+    Name(made, face.shape, "face_" + std::to_string(face.id));
+  }
+  for (const LabeledShape& edge : shells.edges) {
+    Name(made, edge.shape, StepNameOf(graph.links[edge.id], edge.id));
+  }
+}
+
+// Without the links of shells; a path is cut where they are.
+std::vector<DrawingPath> PathsWithout(const std::vector<LabeledShape>& edges,
+                                      const DrawingGraph& graph) {
+  std::vector<bool> is_in(graph.links.size(), false);
+  for (const LabeledShape& edge : edges) is_in[edge.id] = true;
+  std::vector<DrawingPath> paths;
+  for (const DrawingPath& path : PathsOf(graph)) {
+    bool goes_on = false;
+    for (const PathStep& step : path) {
+      if (!is_in[step.link]) {
+        if (!goes_on) paths.emplace_back();
+        paths.back().push_back(step);
+      }
+      goes_on = !is_in[step.link];
+    }
+  }
+  return paths;
 }
 
 void AddHeader(const handle<StepData_StepModel>& model) {
@@ -112,26 +206,36 @@ void AddHeader(const handle<StepData_StepModel>& model) {
   header.Apply(model);
 }
 
+StepShells ShellsOf(const DrawingGraph& graph) {
+  try {
+    return MakeStepShells(graph);
+  } catch (const Standard_Failure& failure) {
+    throw InputError(std::string("faces: no shells of OpenCASCADE: ") + failure.GetMessageString());
+  }
+}
+
 }  // namespace
 
-void WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& out) {
-  constexpr double kLeastUncertaintyMm = 1e-7;
+std::vector<int> WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& out) {
   if (graph.links.empty()) throw InputError("a drawing without links cannot be a STEP file");
   const DrawingGraph in_mm =
       Transformed(graph, Millimeters(unit), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
   STEPControl_Controller::Init();
-  handle<StepData_StepModel> model = new StepData_StepModel;
-  model->SetProtocol(STEPEdit::Protocol());
-  const std::vector<DrawingPath> paths = PathsOf(in_mm);
-  const StepEdges edges = MakeStepEdges(in_mm, paths);
-  AddProduct(
-      MakeRepresentation(MakeWireframe(paths, edges), std::max(kLeastUncertaintyMm, 2 * edges.gap)),
-      model.get());
-  AddHeader(model);
-  StepData_StepWriter writer(model);
+  ProductModel products;
+  const StepShells shells = ShellsOf(in_mm);
+  const std::vector<DrawingPath> paths = PathsWithout(shells.edges, in_mm);
+  if (!paths.empty()) {
+    const StepEdges edges = MakeStepEdges(in_mm, paths);
+    products.Add("drawing", MakeRepresentation(MakeWireframe(paths, edges),
+                                               std::max(kLeastUncertaintyMm, 2 * edges.gap)));
+  }
+  AddShells(in_mm, shells, &products);
+  AddHeader(products.model());
+  StepData_StepWriter writer(products.model());
   writer.FloatWriter().SetFormat("%.16E");  // all digits
   writer.SendModel(handle<StepData_Protocol>::DownCast(STEPEdit::Protocol()));
   writer.Print(out);
+  return shells.left_out;
 }
 
 }  // namespace limn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <StepShape_EdgeCurve.hxx>
@@ -16,6 +17,9 @@ struct StepEdges {
   // The largest distance between a vertex and the end of a curve there.
   double gap = 0;
 };
+
+// "link_<id>", or "link_<id>_<kind>" where its kind is known.
+std::string StepNameOf(const DrawingLink& link, LinkId id);
 
 // Every link is directed as in its path; the edge is marked reversed where its curve runs the other
 // way. Coordinates in millimeters. Throws InputError if OpenCASCADE rejects a curve.

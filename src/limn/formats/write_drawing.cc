@@ -8,6 +8,7 @@
 #include "limn/formats/graphml_drawing_writer.h"
 #include "limn/formats/json_drawing_writer.h"
 #include "limn/formats/ply_drawing_writer.h"
+#include "limn/formats/ply_faces_writer.h"
 #include "limn/formats/ply_sketch_writer.h"
 #include "limn/formats/step_drawing_writer.h"
 #include "limn/formats/tracks_writer.h"
@@ -20,6 +21,7 @@ struct Job {
   const DrawingGraph& graph;
   const DrawingMetadata& metadata;
   const DrawingFormatOptions& options;
+  std::vector<std::string>* left_out;  // what the format cannot hold
 };
 
 struct Format {
@@ -38,11 +40,25 @@ void WriteSvg(const Job& job, std::ostream& out) {
   }
 }
 
+#ifdef LIMN_WITH_STEP
+std::string LeftOut(const std::vector<int>& faces, size_t num_faces) {
+  constexpr size_t kMaxNamed = 10;
+  std::string text = std::to_string(faces.size()) + " of " + std::to_string(num_faces) +
+                     " faces are not in the file, since they have no valid shape there:";
+  for (size_t i = 0; i < std::min(faces.size(), kMaxNamed); ++i) {
+    text += ' ' + std::to_string(faces[i]);
+  }
+  return faces.size() > kMaxNamed ? text + " ..." : text;
+}
+#endif
+
 // One line per format.
 const std::vector<Format>& Formats() {
   using Out = std::ostream;
   static const std::vector<Format> formats = {
       {"ply", {".ply"}, [](const Job& job, Out& out) { WriteDrawingPly(job.graph, out); }},
+      // Only by its name: a .ply file is the curves.
+      {"faces", {}, [](const Job& job, Out& out) { WriteFacesPly(job.graph, out); }},
       {"obj",
        {".obj"},
        [](const Job& job, Out& out) { WriteDrawingObj(job.graph, job.options.obj, out); }},
@@ -64,7 +80,10 @@ const std::vector<Format>& Formats() {
 #ifdef LIMN_WITH_STEP
       {"step",
        {".step", ".stp"},
-       [](const Job& job, Out& out) { WriteDrawingStep(job.graph, job.options.unit, out); }},
+       [](const Job& job, Out& out) {
+         const std::vector<int> faces = WriteDrawingStep(job.graph, job.options.unit, out);
+         if (!faces.empty()) job.left_out->push_back(LeftOut(faces, job.graph.faces.size()));
+       }},
 #endif
   };
   return formats;
@@ -122,16 +141,19 @@ std::vector<std::string> DrawingFormats() {
   return names;
 }
 
-void WriteDrawing(const std::string& path, const DrawingGraph& graph,
-                  const DrawingMetadata& metadata, const DrawingFormatOptions& options) {
+std::vector<std::string> WriteDrawing(const std::string& path, const DrawingGraph& graph,
+                                      const DrawingMetadata& metadata,
+                                      const DrawingFormatOptions& options) {
   const std::vector<std::string> violations = Validate(graph);
   if (!violations.empty()) throw InputError("no valid drawing: " + violations.front());
   const std::string wrong = metadata.alignment ? Validate(*metadata.alignment) : "";
   if (!wrong.empty()) throw InputError("no valid alignment: " + wrong);
   const Format& format = FormatOf(path, options);
+  std::vector<std::string> left_out;
   WriteFileAtomically(path, [&](std::ostream& out) {
-    format.write({graph, metadata, options}, out);
+    format.write({graph, metadata, options, &left_out}, out);
   });
+  return left_out;
 }
 
 void WriteSketch(const std::string& path, const CurveSketch& sketch) {

@@ -39,7 +39,8 @@ struct DrawingFormatOptions {
   LengthUnit unit = LengthUnit::kNone;
 };
 
-// The names of the formats for drawings: "ply", "obj", ... Builds without OpenCASCADE lack "step".
+// The names of the formats for drawings: "ply", "obj", ..., and "faces", a .ply file of the faces
+// alone. Builds without OpenCASCADE lack "step".
 std::vector<std::string> DrawingFormats();
 
 // The name of the format of a drawing written to this path. Throws IoError if there is none.
@@ -47,9 +48,10 @@ std::string DrawingFormatOf(const std::string& path, const DrawingFormatOptions&
 
 // Writes a drawing atomically. The same graph gives the same bytes. Throws IoError, also for an
 // unknown extension or format, or InputError if Validate finds something wrong with the graph or
-// its alignment.
-void WriteDrawing(const std::string& path, const DrawingGraph& graph,
-                  const DrawingMetadata& metadata, const DrawingFormatOptions& options = {});
+// its alignment. Returns a sentence for each thing that the format cannot hold.
+std::vector<std::string> WriteDrawing(const std::string& path, const DrawingGraph& graph,
+                                      const DrawingMetadata& metadata,
+                                      const DrawingFormatOptions& options = {});
 
 // WriteSketchPly and WriteTracks to a path, atomically.
 void WriteSketch(const std::string& path, const CurveSketch& sketch);

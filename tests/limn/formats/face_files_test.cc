@@ -1,4 +1,6 @@
 // Faces of a drawing in the files that hold them.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -9,8 +11,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limn/formats/face_mesh.h"
 #include "limn/formats/json_drawing_reader.h"
+#include "limn/formats/mesh_reader.h"
+#include "limn/formats/read_curves.h"
 #include "limn/formats/temporary_folder.h"
+#include "limn/formats/triangle_parts.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"
 #include "support/face_drawing.h"
@@ -142,6 +148,92 @@ TEST(FaceFiles, FacesNeedTheNamesOfTheirViews) {
   for (DrawingLink& link : graph.links) link.supporting_views = {0};
   EXPECT_THROW(WriteDrawing(folder.Path("d.json"), graph, {{"only one.png"}, "{}"}), InputError);
   EXPECT_FALSE(std::filesystem::exists(folder.Path("d.json")));
+}
+
+// As many triangles, the same area, and normals on the side that is seen.
+TEST(FaceFiles, MeshesComeBack) {
+  const TemporaryFolder folder;
+  DrawingFormatOptions as_faces;
+  as_faces.format = "faces";
+  for (const auto& [name, graph] : FaceDrawings()) {
+    SCOPED_TRACE(name);
+    double area = 0;
+    size_t num_triangles = 0;
+    for (const DrawingFace& face : graph.faces) {
+      area += AreaOf(face);
+      num_triangles += face.triangles.size();
+    }
+    WriteDrawing(folder.Path("faces.ply"), graph, kFaceMetadata, as_faces);
+    WriteDrawing(folder.Path("d.obj"), graph, kFaceMetadata);
+    for (const char* file : {"faces.ply", "d.obj"}) {
+      const TriangleMesh mesh = ReadMesh(folder.Path(file));
+      EXPECT_EQ(mesh.triangles.size() + mesh.num_degenerate, num_triangles);
+      double read_area = 0;
+      for (const auto& [a, b, c] : mesh.triangles) {
+        read_area +=
+            (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
+      }
+      EXPECT_NEAR(read_area / 2, area, 1e-9);
+    }
+    const CurveSet curves = ReadCurves(folder.Path("d.obj"));
+    ASSERT_EQ(curves.polylines.size(), graph.links.size());
+    EXPECT_EQ(curves.polylines.back(), graph.links.back().points_in_world);
+  }
+  EXPECT_THROW(WriteDrawing(folder.Path("none.ply"), {}, {}, as_faces), InputError);
+}
+
+TEST(FaceFiles, NormalsAreOfTheSeenSide) {
+  for (const DrawingFace& face : testing::UnitCube().faces) {
+    for (const Eigen::Vector3d& normal : VertexNormals(face)) {
+      EXPECT_GT(normal.dot(face.vertices.front() - Eigen::Vector3d(0.5, 0.5, 0.5)), 0.4);
+    }
+  }
+  const DrawingGraph half = testing::HalfCylinderSide();
+  const std::vector<Eigen::Vector3d> normals = VertexNormals(half.faces[0]);
+  for (size_t v = 0; v < normals.size(); ++v) {
+    const Eigen::Vector3d& vertex = half.faces[0].vertices[v];
+    EXPECT_GT(normals[v].dot(Eigen::Vector3d(vertex.x(), vertex.y(), 0)), 0.999);
+  }
+  EXPECT_TRUE(std::any_of(normals.begin(), normals.end(), [](const Eigen::Vector3d& normal) {
+    return normal.isApprox(Eigen::Vector3d::UnitY(), 1e-9);
+  }));
+}
+
+TEST(FaceFiles, ObjHasAnObjectPerFaceWithNormals) {
+  const TemporaryFolder folder;
+  WriteDrawing(folder.Path("d.obj"), testing::TwoSquaresOnOneLine(), kFaceMetadata);
+  const std::string text = TemporaryFolder::Read(folder.Path("d.obj"));
+  EXPECT_THAT(text, ::testing::HasSubstr("o face_0\ng plane\nv "));
+  EXPECT_THAT(text, ::testing::HasSubstr("vn 0 0 1\nf 7//1 8//2 9//3\n"));
+  EXPECT_THAT(text, ::testing::HasSubstr("o face_1\ng plane\nv "));
+  EXPECT_THAT(text, ::testing::HasSubstr("\nf 11//5 12//6 13//7\n"));
+}
+
+// Formats with short indices get large faces in parts.
+TEST(FaceFiles, PartsHaveAllTrianglesAndKnowTheBorder) {
+  constexpr int kCount = 12'001;
+  DrawingFace face;
+  for (int i = 0; i <= kCount + 1; ++i) face.vertices.emplace_back(i / 2, i % 2, 0);
+  for (int i = 0; i < kCount; ++i) {
+    face.triangles.push_back(i % 2 == 0 ? std::array{i, i + 2, i + 1}
+                                        : std::array{i, i + 1, i + 2});
+  }
+  const std::vector<TrianglePart> parts = PartsOf(face);
+  ASSERT_EQ(parts.size(), 2u);
+  int t = 0, num_border = 0;
+  for (const TrianglePart& part : parts) {
+    EXPECT_LE(part.vertices.size(), 32'767u);
+    for (size_t i = 0; i < part.triangles.size(); ++i, ++t) {
+      for (int corner = 0; corner < 3; ++corner) {
+        num_border += part.is_border[i][corner];
+        EXPECT_EQ(part.vertices[part.triangles[i][corner]],
+                  face.vertices[face.triangles[t][corner]]);
+      }
+    }
+  }
+  EXPECT_EQ(t, kCount);
+  EXPECT_EQ(num_border, kCount + 2);
+  EXPECT_THAT(PartsOf({}), ::testing::IsEmpty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "limn/formats/small_drawing.h"
 #include "limn/util/errors.h"
+#include "support/face_drawing.h"
 
 namespace limn {
 namespace {
@@ -186,6 +187,48 @@ TEST(WriteDrawingGlb, TellsTheKindOfEdge) {
   EXPECT_FALSE(NodeNamed(glb, "link_0")["extras"].contains("tentative"));
   EXPECT_FALSE(NodeNamed(glb, "link_1")["extras"].contains("kind"));
   EXPECT_EQ(NodeNamed(glb, "link_1")["extras"]["tentative"], true);
+}
+
+std::vector<float> FloatsOf(const Glb& glb, const Json& accessor) {
+  std::vector<float> floats(3 * accessor["count"].get<size_t>());
+  for (size_t i = 0; i < floats.size() / 3; ++i) {
+    std::memcpy(floats.data() + 3 * i, Element(glb, accessor, i, 12), 12);
+  }
+  return floats;
+}
+
+TEST(WriteDrawingGlb, FacesAreTrianglesWithNormals) {
+  const DrawingGraph graph = testing::HalfCylinderSide();
+  const DrawingFace& face = graph.faces[0];
+  GlbOptions options;
+  options.cloud = {{{1, 2, 3}, {255, 0, 188}}};
+  const Glb glb = WrittenGlb(graph, options);
+  const Json& primitive = PrimitiveOf(glb, "face_0");
+  EXPECT_EQ(primitive["mode"].get<int>(), 4);
+  EXPECT_EQ(glb.json["materials"][primitive["material"].get<int>()]["name"], "faces");
+  EXPECT_EQ(glb.json["materials"][PrimitiveOf(glb, "link_0")["material"].get<int>()]["name"],
+            "curves and points");
+  EXPECT_EQ(NodeNamed(glb, "face_0")["extras"]["surface"], "ruled");
+  EXPECT_NEAR(NodeNamed(glb, "face_0")["extras"]["area"].get<double>(), 2 * M_PI, 0.01);
+  const std::vector<Eigen::Vector3d> points = PointsOf(glb, "face_0");
+  ASSERT_EQ(points.size(), face.vertices.size());
+  const std::vector<float> normals =
+      FloatsOf(glb, glb.json["accessors"][primitive["attributes"]["NORMAL"].get<int>()]);
+  for (size_t v = 0; v < points.size(); ++v) {
+    EXPECT_LT((points[v] - face.vertices[v]).norm(), 1e-6);
+    // Outwards: (x, y, 0), with y up.
+    EXPECT_NEAR(normals[3 * v], points[v].x(), 0.03);
+    EXPECT_NEAR(normals[3 * v + 1], 0, 1e-6);
+    EXPECT_NEAR(normals[3 * v + 2], -points[v].y(), 0.03);
+  }
+  const Json& accessor = glb.json["accessors"][primitive["indices"].get<int>()];
+  ASSERT_EQ(accessor["count"].get<size_t>(), 3 * face.triangles.size());
+  for (size_t i = 0; i < 3 * face.triangles.size(); ++i) {
+    uint32_t index = 0;
+    std::memcpy(&index, Element(glb, accessor, i, 4), 4);
+    EXPECT_EQ(static_cast<int>(index), face.triangles[i / 3][i % 3]);
+  }
+  EXPECT_EQ(PointsOf(glb, "cloud").size(), 1u);
 }
 
 TEST(WriteDrawingGlb, RefusesCoordinatesBeyondFloat) {

@@ -1,0 +1,343 @@
+#include "limn/formats/step_borders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include "limn/formats/step_curves.h"
+#include "limn/geometry/polyline.h"
+#include "limn/util/union_find.h"
+
+namespace limn {
+namespace {
+
+// Per link the positions where it is cut, ascending, with both its ends. Positions that differ by
+// less than kSamePosition of its points are one.
+constexpr double kSamePosition = 1e-4;
+using LinkCuts = std::vector<std::vector<double>>;
+
+LinkCuts CutsOf(const DrawingGraph& graph, const std::vector<StepSheet>& sheets) {
+  LinkCuts cuts(graph.links.size());
+  for (const StepSheet& sheet : sheets) {
+    for (const FaceLoop& side : sheet.sides) {
+      for (const FaceEdge& edge : side) {
+        if (edge.IsBridge()) continue;
+        cuts[edge.link].insert(cuts[edge.link].end(), {edge.from, edge.to});
+      }
+    }
+  }
+  for (size_t l = 0; l < cuts.size(); ++l) {
+    if (cuts[l].empty()) continue;
+    const double last = graph.links[l].size() - 1;
+    std::vector<double> sorted = std::move(cuts[l]);
+    std::sort(sorted.begin(), sorted.end());
+    cuts[l] = {0};
+    for (const double position : sorted) {
+      if (position - cuts[l].back() > kSamePosition && last - position > kSamePosition) {
+        cuts[l].push_back(position);
+      }
+    }
+    cuts[l].push_back(last);
+  }
+  return cuts;
+}
+
+// On the primitive, where the link has one and the position is no node.
+Eigen::Vector3d PlaceOnCurve(const DrawingGraph& graph, int link_id, double position) {
+  const DrawingLink& link = graph.links[link_id];
+  if (position == 0) return PositionOfVertex(graph, graph.nodes[link.node0]);
+  if (position == link.size() - 1) return PositionOfVertex(graph, graph.nodes[link.node1]);
+  const int segment = std::min(static_cast<int>(position), link.size() - 2);
+  const double t = position - segment;
+  const Eigen::Vector3d point =
+      (1 - t) * link.points_in_world[segment] + t * link.points_in_world[segment + 1];
+  if (!link.primitive) return point;
+  if (const auto* arc = std::get_if<CircularArc>(&link.primitive->shape)) {
+    const Eigen::Vector3d normal = arc->Normal();
+    const Eigen::Vector3d from_center = point - arc->center;
+    const Eigen::Vector3d radial = from_center - normal.dot(from_center) * normal;
+    return arc->center + arc->radius * radial.normalized();
+  }
+  if (const auto* line = std::get_if<LineSegment>(&link.primitive->shape)) {
+    const Eigen::Vector3d along = (line->end - line->start).normalized();
+    return line->start + along.dot(point - line->start) * along;
+  }
+  return point;
+}
+
+double SizeOf(const DrawingGraph& graph, const StepSheet& sheet) {
+  Eigen::AlignedBox3d box;
+  for (const FaceLoop& side : sheet.sides) {
+    for (const FaceEdge& edge : side) {
+      for (const Eigen::Vector3d& point : CourseOf(graph, edge)) box.extend(point);
+    }
+  }
+  return box.diagonal().norm();
+}
+
+class BorderBuilder {
+ public:
+  BorderBuilder(const DrawingGraph& graph, double max_gap_rel)
+      : graph_(graph), max_gap_rel_(max_gap_rel) {}
+
+  FaceBorders Build(const std::vector<StepSheet>& sheets) {
+    cuts_ = CutsOf(graph_, sheets);
+    for (const DrawingNode& node : graph_.nodes) {
+      places_.push_back(PositionOfVertex(graph_, node));
+    }
+    PlaceCuts();
+    std::vector<PlacedSheet> placed;
+    for (const StepSheet& sheet : sheets) placed.push_back(Place(sheet));
+    Unite(placed);
+    for (const PlacedSheet& sheet : placed) {
+      if (!sheet.is_open) AddSheet(sheet);
+    }
+    DropUnusedVertices();
+    FitVerticesToPlanes();
+    return std::move(borders_);
+  }
+
+ private:
+  // An edge of a sheet between two places.
+  struct PlacedEdge {
+    const FaceEdge* edge;
+    int start;
+    int end;
+  };
+  struct PlacedSheet {
+    const StepSheet* sheet;
+    std::vector<std::vector<PlacedEdge>> sides;
+    bool is_open = false;
+  };
+
+  size_t CutIndex(int link, double position) const {
+    const std::vector<double>& cuts = cuts_[link];
+    const auto above = std::lower_bound(cuts.begin(), cuts.end(), position);
+    if (above == cuts.begin()) return 0;
+    if (above == cuts.end()) return cuts.size() - 1;
+    const auto below = std::prev(above);
+    return (position - *below <= *above - position ? below : above) - cuts.begin();
+  }
+
+  int AddPlace(const Eigen::Vector3d& position) {
+    places_.push_back(position);
+    return static_cast<int>(places_.size()) - 1;
+  }
+
+  // Before ends of bridges: of places that are one, the first says where it is.
+  void PlaceCuts() {
+    for (size_t link = 0; link < cuts_.size(); ++link) {
+      for (size_t cut = 1; cut + 1 < cuts_[link].size(); ++cut) {
+        place_of_cut_[{static_cast<int>(link), cut}] =
+            AddPlace(PlaceOnCurve(graph_, static_cast<int>(link), cuts_[link][cut]));
+      }
+    }
+  }
+
+  int PlaceOfCut(int link, size_t cut) const {
+    if (cut == 0) return graph_.links[link].node0;
+    if (cut + 1 == cuts_[link].size()) return graph_.links[link].node1;
+    return place_of_cut_.at({link, cut});
+  }
+
+  PlacedSheet Place(const StepSheet& sheet) {
+    PlacedSheet placed = {&sheet, {}, false};
+    for (const FaceLoop& side : sheet.sides) {
+      auto& edges = placed.sides.emplace_back();
+      for (const FaceEdge& edge : side) {
+        if (edge.IsBridge()) {
+          edges.push_back({&edge, AddPlace(edge.bridge.front()), AddPlace(edge.bridge.back())});
+        } else {
+          edges.push_back({&edge, PlaceOfCut(edge.link, CutIndex(edge.link, edge.from)),
+                           PlaceOfCut(edge.link, CutIndex(edge.link, edge.to))});
+        }
+      }
+    }
+    return placed;
+  }
+
+  // Pairs of places that are one: where an edge ends and the next of the loop begins.
+  std::vector<std::pair<int, int>> JointsOf(const PlacedSheet& placed) const {
+    std::vector<std::vector<PlacedEdge>> loops = placed.sides;
+    if (graph_.faces[placed.sheet->face].surface != FaceSurface::kPlane) {
+      loops = {{}};
+      for (const auto& side : placed.sides) {
+        loops[0].insert(loops[0].end(), side.begin(), side.end());
+      }
+    }
+    std::vector<std::pair<int, int>> joints;
+    for (const auto& loop : loops) {
+      for (size_t i = 0; i < loop.size(); ++i) {
+        joints.emplace_back(loop[i].end, loop[(i + 1) % loop.size()].start);
+      }
+    }
+    return joints;
+  }
+
+  void Unite(std::vector<PlacedSheet>& sheets) {
+    UnionFind same(static_cast<int>(places_.size()));
+    for (PlacedSheet& placed : sheets) {
+      const double max_gap = max_gap_rel_ * SizeOf(graph_, *placed.sheet);
+      const auto joints = JointsOf(placed);
+      placed.is_open = std::any_of(joints.begin(), joints.end(), [&](const auto& joint) {
+        return (places_[joint.first] - places_[joint.second]).norm() > max_gap;
+      });
+      if (placed.is_open) continue;
+      for (const auto& [end, start] : joints) same.Union(end, start);
+    }
+    for (size_t p = 0; p < places_.size(); ++p) {
+      vertex_of_place_.push_back(same.Find(static_cast<int>(p)));
+    }
+  }
+
+  void AddSheet(const PlacedSheet& placed) {
+    BorderSheet sheet;
+    sheet.face = placed.sheet->face;
+    for (const auto& side : placed.sides) {
+      auto& steps = sheet.sides.emplace_back();
+      for (const PlacedEdge& edge : side) {
+        if (edge.edge->IsBridge()) {
+          AddBridge(edge, &steps);
+        } else {
+          AddPartsOfLink(*edge.edge, &steps);
+        }
+      }
+      if (steps.empty()) return;
+      if (graph_.faces[sheet.face].surface != FaceSurface::kPlane) continue;
+      for (const BorderStep& step : steps) {
+        std::vector<int>& planes = borders_.edges[step.edge].planes;
+        if (planes.empty() || planes.back() != sheet.face) planes.push_back(sheet.face);
+      }
+    }
+    borders_.sheets.push_back(std::move(sheet));
+  }
+
+  void AddPartsOfLink(const FaceEdge& edge, std::vector<BorderStep>* steps) {
+    const size_t from = CutIndex(edge.link, edge.from), to = CutIndex(edge.link, edge.to);
+    const bool reversed = from > to;
+    for (size_t i = from; i != to; reversed ? --i : ++i) {
+      const int part = EdgeOfPart(edge.link, reversed ? i - 1 : i);
+      if (part >= 0) steps->push_back({part, reversed});
+    }
+  }
+
+  // The edge from a cut of a link to the next; -1 if its ends are one vertex, but it is no loop.
+  int EdgeOfPart(int link, size_t cut) {
+    const auto [found, is_new] = edge_of_part_.try_emplace({link, cut}, -1);
+    if (!is_new) return found->second;
+    BorderEdge part;
+    part.link = link;
+    part.from = cuts_[link][cut];
+    part.to = cuts_[link][cut + 1];
+    part.start = vertex_of_place_[PlaceOfCut(link, cut)];
+    part.end = vertex_of_place_[PlaceOfCut(link, cut + 1)];
+    const bool is_loop = graph_.links[link].closed && cuts_[link].size() == 2;
+    if (part.start == part.end && !is_loop) return -1;
+    part.course = CourseOf(graph_, {link, part.from, part.to, {}});
+    found->second = static_cast<int>(borders_.edges.size());
+    borders_.edges.push_back(std::move(part));
+    return found->second;
+  }
+
+  // Bridges between the same vertices are one if they are straight or go through one middle.
+  void AddBridge(const PlacedEdge& placed, std::vector<BorderStep>* steps) {
+    const int start = vertex_of_place_[placed.start], end = vertex_of_place_[placed.end];
+    if (start == end) return;
+    const std::vector<Eigen::Vector3d>& course = placed.edge->bridge;
+    std::vector<int>& others = bridges_[std::minmax(start, end)];
+    for (const int id : others) {
+      const BorderEdge& other = borders_.edges[id];
+      if (!AreAlike(course, other.course)) continue;
+      steps->push_back({id, other.start != start});
+      return;
+    }
+    BorderEdge bridge;
+    bridge.start = start;
+    bridge.end = end;
+    bridge.course = course;
+    others.push_back(static_cast<int>(borders_.edges.size()));
+    steps->push_back({others.back(), false});
+    borders_.edges.push_back(std::move(bridge));
+  }
+
+  bool AreAlike(const std::vector<Eigen::Vector3d>& a,
+                const std::vector<Eigen::Vector3d>& b) const {
+    if (a.size() == 2 && b.size() == 2) return true;
+    const double length = Length(a);
+    const auto middle = CutPolyline(a, length / 2, length).front();
+    return ClosestPoint(b, middle).squared_distance < max_gap_rel_ * max_gap_rel_ * length * length;
+  }
+
+  void DropUnusedVertices() {
+    std::vector<int> new_vertex(places_.size(), -1);
+    const auto rename = [&](int* vertex) {
+      int& renamed = new_vertex[*vertex];
+      if (renamed < 0) {
+        renamed = static_cast<int>(borders_.vertices.size());
+        borders_.vertices.push_back(places_[*vertex]);
+      }
+      *vertex = renamed;
+    };
+    for (BorderEdge& edge : borders_.edges) {
+      rename(&edge.start);
+      rename(&edge.end);
+    }
+  }
+
+  // To the nearest place on all planes of the faces there, but by no more than the largest gap of
+  // the least edge; planes that are nearly one do not say where along them.
+  void FitVerticesToPlanes() {
+    constexpr double kLeastSine = 0.1;
+    std::vector<std::set<int>> planes(borders_.vertices.size());
+    std::vector<double> least_length(borders_.vertices.size(), -1);
+    for (const BorderEdge& edge : borders_.edges) {
+      const double length = Length(edge.course);
+      for (const int vertex : {edge.start, edge.end}) {
+        planes[vertex].insert(edge.planes.begin(), edge.planes.end());
+        double& least = least_length[vertex];
+        least = least < 0 ? length : std::min(least, length);
+      }
+    }
+    for (size_t v = 0; v < planes.size(); ++v) {
+      if (planes[v].empty()) continue;
+      Eigen::MatrixXd normals(planes[v].size(), 3);
+      Eigen::VectorXd distances(planes[v].size());
+      int row = 0;
+      for (const int f : planes[v]) {
+        const DrawingFace& face = graph_.faces[f];
+        normals.row(row) = face.normal.transpose();
+        distances[row++] = face.offset - face.normal.dot(borders_.vertices[v]);
+      }
+      Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeThinV);
+      svd.setThreshold(kLeastSine);
+      const Eigen::Vector3d move = svd.solve(distances);
+      if (move.norm() <= 10 * max_gap_rel_ * least_length[v]) borders_.vertices[v] += move;
+    }
+  }
+
+  const DrawingGraph& graph_;
+  double max_gap_rel_;
+  LinkCuts cuts_;
+  // Nodes, then cuts of links and ends of bridges.
+  std::vector<Eigen::Vector3d> places_;
+  std::vector<int> vertex_of_place_;
+  std::map<std::pair<int, size_t>, int> place_of_cut_;
+  std::map<std::pair<int, size_t>, int> edge_of_part_;
+  std::map<std::pair<int, int>, std::vector<int>> bridges_;
+  FaceBorders borders_;
+};
+
+}  // namespace
+
+FaceBorders MakeFaceBorders(const DrawingGraph& graph, const std::vector<StepSheet>& sheets,
+                            double max_gap_rel) {
+  return BorderBuilder(graph, max_gap_rel).Build(sheets);
+}
+
+}  // namespace limn

@@ -1,0 +1,183 @@
+#include "limn/formats/step_faces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepLib.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <Geom_Plane.hxx>
+#include <Precision.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <Standard_Failure.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pln.hxx>
+
+#include "limn/formats/step_curves.h"
+#include "limn/formats/step_surfaces.h"
+#include "limn/geometry/polygon_triangulation.h"
+
+namespace limn {
+namespace {
+
+using opencascade::handle;
+using Wire = std::vector<TopoDS_Edge>;
+
+constexpr int kSamplesPerEdge = 24;
+
+Wire WireOf(const std::vector<BorderStep>& steps, const std::vector<TopoDS_Edge>& edges) {
+  Wire wire;
+  for (const BorderStep& step : steps) {
+    wire.push_back(edges[step.edge]);
+    wire.back().Orientation(step.reversed ? TopAbs_REVERSED : TopAbs_FORWARD);
+  }
+  return wire;
+}
+
+Wire ReversedWire(Wire wire) {
+  std::reverse(wire.begin(), wire.end());
+  for (TopoDS_Edge& edge : wire) edge.Reverse();
+  return wire;
+}
+
+// In its direction, without the last point.
+std::vector<Eigen::Vector3d> SamplesOf(const TopoDS_Edge& edge) {
+  const BRepAdaptor_Curve curve(edge);
+  std::vector<Eigen::Vector3d> samples;
+  for (int k = 0; k < kSamplesPerEdge; ++k) {
+    double share = static_cast<double>(k) / kSamplesPerEdge;
+    if (edge.Orientation() == TopAbs_REVERSED) share = 1 - share;
+    const double range = curve.LastParameter() - curve.FirstParameter();
+    samples.push_back(FromPnt(curve.Value(curve.FirstParameter() + share * range)));
+  }
+  return samples;
+}
+
+std::vector<Eigen::Vector3d> SamplesOf(const Wire& wire) {
+  std::vector<Eigen::Vector3d> samples;
+  for (const TopoDS_Edge& edge : wire) {
+    const std::vector<Eigen::Vector3d> of_edge = SamplesOf(edge);
+    samples.insert(samples.end(), of_edge.begin(), of_edge.end());
+  }
+  return samples;
+}
+
+TopoDS_Wire AsWire(const Wire& edges) {
+  BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (const TopoDS_Edge& edge : edges) builder.Add(wire, edge);
+  wire.Closed(true);
+  return wire;
+}
+
+TopoDS_Face AsFace(const handle<Geom_Surface>& surface, const std::vector<Wire>& wires) {
+  BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, surface, Precision::Confusion());
+  for (const Wire& wire : wires) builder.Add(face, AsWire(wire));
+  return face;
+}
+
+class FaceMaker {
+ public:
+  FaceMaker(const DrawingFace& face, const BorderSheet& sheet,
+            const std::vector<TopoDS_Edge>& edges, double max_gap_rel)
+      : face_(face) {
+    Eigen::AlignedBox3d box;
+    for (const auto& side : sheet.sides) {
+      sides_.push_back(WireOf(side, edges));
+      for (const Eigen::Vector3d& point : SamplesOf(sides_.back())) box.extend(point);
+    }
+    max_gap_ = max_gap_rel * box.diagonal().norm();
+  }
+
+  std::optional<TopoDS_Face> Make() {
+    const auto made = face_.surface == FaceSurface::kPlane ? MakePlane() : MakeCurved();
+    if (!made) return std::nullopt;
+    BRepLib::UpdateTolerances(*made);
+    return BRepCheck_Analyzer(*made).IsValid() ? made : std::nullopt;
+  }
+
+ private:
+  std::optional<TopoDS_Face> MakePlane() {
+    const Eigen::Vector3d on_plane =
+        SamplesOf(sides_[0]).front() +
+        (face_.offset - face_.normal.dot(SamplesOf(sides_[0]).front())) * face_.normal;
+    const gp_Pln plane(ToPnt(on_plane), ToDir(face_.normal));
+    std::vector<Wire> wires;
+    for (const Wire& side : sides_) {
+      const std::vector<Eigen::Vector3d> samples = SamplesOf(side);
+      const bool is_outer = wires.empty();
+      const bool is_counterclockwise = PolygonAreaVector(samples).dot(face_.normal) > 0;
+      wires.push_back(is_counterclockwise == is_outer ? side : ReversedWire(side));
+      for (const TopoDS_Edge& edge : side) {
+        if (!WidenTo(plane, edge)) return std::nullopt;
+      }
+    }
+    return AsFace(new Geom_Plane(plane), wires);
+  }
+
+  // Whether the edge is near enough to the plane; then its tolerance says how near.
+  bool WidenTo(const gp_Pln& plane, const TopoDS_Edge& edge) const {
+    double distance = 0;
+    for (const Eigen::Vector3d& point : SamplesOf(edge)) {
+      distance = std::max(distance, plane.Distance(ToPnt(point)));
+    }
+    if (distance > max_gap_) return false;
+    constexpr double kMargin = 1.1;
+    BRep_Builder().UpdateEdge(edge, kMargin * distance + Precision::Confusion());
+    return true;
+  }
+
+  std::optional<TopoDS_Face> MakeCurved() {
+    const double tolerance = 0.1 * max_gap_;
+    const handle<Geom_Surface> surface = face_.surface == FaceSurface::kRuled
+                                             ? RuledSurface(sides_, tolerance)
+                                             : PatchSurface(sides_, tolerance);
+    if (surface.IsNull()) return std::nullopt;
+    Wire wire;
+    for (const Wire& side : sides_) wire.insert(wire.end(), side.begin(), side.end());
+    for (const TopoDS_Edge& edge : wire) {
+      if (!AddCurveOn(surface, edge)) return std::nullopt;
+    }
+    // The border runs counterclockwise around the side that is seen.
+    const TopoDS_Face face = AsFace(surface, {wire});
+    const BRepTopAdaptor_FClass2d classifier(face, Precision::PConfusion());
+    if (classifier.PerformInfinitePoint() == TopAbs_OUT) return face;
+    TopoDS_Face reversed = AsFace(surface, {ReversedWire(wire)});
+    reversed.Reverse();
+    return reversed;
+  }
+
+  bool AddCurveOn(const handle<Geom_Surface>& surface, const TopoDS_Edge& edge) const {
+    TopoDS_Edge forward = edge;
+    forward.Orientation(TopAbs_FORWARD);
+    ShapeFix_Edge fix;
+    fix.FixAddPCurve(forward, surface, TopLoc_Location(), /*isSeam=*/false, Precision::Confusion());
+    fix.FixSameParameter(forward);
+    return BRep_Tool::Tolerance(forward) <= max_gap_;
+  }
+
+  const DrawingFace& face_;
+  std::vector<Wire> sides_;
+  double max_gap_ = 0;
+};
+
+}  // namespace
+
+std::optional<TopoDS_Face> MakeStepFace(const DrawingGraph& graph, const BorderSheet& sheet,
+                                        const std::vector<TopoDS_Edge>& edges, double max_gap_rel) {
+  try {
+    return FaceMaker(graph.faces[sheet.face], sheet, edges, max_gap_rel).Make();
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace limn
