@@ -94,8 +94,9 @@ TEST(JsonEdits, ComplaintsNameThePlace) {
             "e.json: edits[0].links[0].points[1][1]: a number expected");
   EXPECT_EQ(of_points("[[0, 0, 0], [0, 1e300, 0]]"),
             "e.json: edits[0].links[0].points[1][1]: a number from -1e15 to 1e15 expected");
-  EXPECT_EQ(of_points("[[1, 0, 0], [0, 0, 0], [0, 0, 0]]"),
-            "e.json: edits[0].links[0].points: points 1 and 2 are at one place");
+  EXPECT_EQ(of_points("[[1, 0, 0], [1, 0, 0], [1, 0, 0]]"),
+            "e.json: edits[0].links[0].points: all points are at one place");
+  EXPECT_EQ(of_points("[[1, 0, 0], [0, 0, 0], [0, 0, 0]]"), "");
   EXPECT_EQ(of_edit(R"({"edit": "delete", "links": [{"id": 1.5}]})"),
             "e.json: edits[0].links[0].id: an integer expected");
   EXPECT_EQ(of_edit(R"({"edit": "delete", "links": [{"id": 1, "closed": 0}]})"),
