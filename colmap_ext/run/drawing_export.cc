@@ -105,7 +105,9 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
     graph = std::move(scene.graph);
   }
   ThrowIfCancelled(console->context());
-  WriteDrawing(options.output_path, graph, metadata, format);
+  for (const std::string& note : WriteDrawing(options.output_path, graph, metadata, format)) {
+    console->Say("WARNING: " + note);
+  }
   return graph.links.size();
 }
 
@@ -127,9 +129,10 @@ void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
       {{"class", DxfLayers::kClass},
        {"kind", DxfLayers::kKind},
        {"component", DxfLayers::kComponent},
-       {"single", DxfLayers::kSingle}},
-      "DXF: what makes a layer, the shape of the curve (class), the kind of edge or the "
-      "connected component");
+       {"single", DxfLayers::kSingle},
+       {"face", DxfLayers::kFace}},
+      "DXF: what makes a layer, the shape of the curve (class), the kind of edge, the connected "
+      "component or the face");
   parser->AddOption("unit", &format->unit,
                     {{"none", LengthUnit::kNone},
                      {"mm", LengthUnit::kMillimeter},
@@ -157,8 +160,9 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("image_path", &workspace.image_path, "images of the project");
   parser->AddOption("model_index", &workspace.model_index, "which of its models");
   parser->AddOption("overwrite", &overwrite, BasicOption(kOverwriteHelp));
-  parser->AddOption("output_type", &format.format, formats,
-                    BasicOption("its format; auto = by its extension"));
+  parser->AddOption(
+      "output_type", &format.format, formats,
+      BasicOption("its format; auto = by its extension; faces = only these, as .ply"));
   parser->AddOption("scale", &scale, BasicOption("what coordinates are multiplied by"));
   parser->AddOption("up_axis", &up_axis,
                     {{"x", SignedAxis::kX},

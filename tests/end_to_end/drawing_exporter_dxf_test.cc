@@ -11,6 +11,7 @@
 #include "limn/formats/primitive_drawing.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/drawing_transform.h"
+#include "support/face_drawing.h"
 
 namespace limn::testing {
 namespace {
@@ -41,7 +42,7 @@ std::string EntityType(const DrawingLink& link) {
 std::map<int, json> LinkEntities(const json& read) {
   std::map<int, json> entities;
   for (const json& entity : read.at("entities")) {
-    if (entity.at("type") == "POINT") continue;
+    if (entity.at("type") == "POINT" || entity.at("type") == "FACE") continue;
     EXPECT_TRUE(entities.emplace(entity.at("id"), entity).second);
     EXPECT_EQ(entity.at("owner"), read.at("entities")[0].at("owner"));
   }
@@ -203,6 +204,62 @@ TEST(DrawingExporterDxf, ExtentHoldsAllAndNoMore) {
   const json extent = exported.Read("read_dxf.py", "d.dxf").at("extent");
   EXPECT_LT((ToPoint(extent[0]) - box.min()).norm(), 1e-3);
   EXPECT_LT((ToPoint(extent[1]) - box.max()).norm(), 1e-3);
+}
+
+TEST(DrawingExporterDxf, FacesAreMeshesWhoseBordersAreVisible) {
+  for (const DrawingGraph& graph : {UnitCube(), HalfCylinderSide()}) {
+    const ExportedDrawing exported(graph);
+    exported.Export("d.dxf");
+    const json read = exported.Read("read_dxf.py", "d.dxf");
+    ExpectSameDrawing(read, graph, 3);
+    size_t num_faces = 0;
+    for (const json& entity : read.at("entities")) {
+      if (entity.at("type") != "FACE") continue;
+      EXPECT_EQ(entity.at("layer"), "faces");
+      ASSERT_EQ(entity.at("id"), num_faces);
+      const DrawingFace& face = graph.faces.at(num_faces++);
+      const json& triangles = entity.at("triangles");
+      ASSERT_EQ(triangles.size(), face.triangles.size());
+      double border = 0, expected = 0;
+      for (size_t t = 0; t < triangles.size(); ++t) {
+        for (int c = 0; c < 3; ++c) {
+          const json& corners = triangles[t].at("corners");
+          const Eigen::Vector3d from = ToPoint(corners[c]), to = ToPoint(corners[(c + 1) % 3]);
+          EXPECT_EQ(from, face.vertices[face.triangles[t][c]]);
+          if (triangles[t].at("visible")[c]) border += (to - from).norm();
+        }
+      }
+      for (const FaceLoop& loop : face.loops) {
+        for (const FaceEdge& edge : loop) {
+          expected += edge.IsBridge() ? Length(edge.bridge)
+                                      : Length(graph.links[edge.link].points_in_world);
+        }
+      }
+      // Curved borders are resampled for the mesh.
+      EXPECT_NEAR(border, expected, 0.01);
+    }
+    EXPECT_EQ(num_faces, graph.faces.size());
+  }
+}
+
+TEST(DrawingExporterDxf, LayersByFace) {
+  DrawingGraph graph = Cylinder();
+  const DrawingGraph far = Transformed(UnitCube(), 1, Eigen::Matrix3d::Identity(), {9, 0, 0});
+  const int num_nodes = static_cast<int>(graph.nodes.size());
+  for (DrawingLink link : far.links) {
+    link.node0 += num_nodes;
+    link.node1 += num_nodes;
+    graph.links.push_back(link);
+  }
+  graph.nodes.insert(graph.nodes.end(), far.nodes.begin(), far.nodes.end());
+  RebuildIncidence(&graph);
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf", {"--layers", "face", "--junctions", "0"});
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  // Both circles are with the side, the largest of their faces.
+  EXPECT_THAT(CountsByLayer(read), ElementsAre(Pair("face_0", 1), Pair("face_1", 1),
+                                               Pair("face_2", 3), Pair("no_face", 12)));
 }
 
 TEST(DrawingExporterDxf, EmptyDrawing) {

@@ -17,10 +17,29 @@
 namespace limn {
 namespace {
 
-// Per link the positions where it is cut, ascending, with both its ends. Positions that differ by
-// less than kSamePosition of its points are one.
-constexpr double kSamePosition = 1e-4;
+// Per link the positions where it is cut, ascending, with both its ends.
 using LinkCuts = std::vector<std::vector<double>>;
+
+// Sorted positions without those that are nearer to another one or an end than 0.1 % of the link.
+std::vector<double> DistinctCuts(const DrawingLink& link, std::vector<double> positions) {
+  constexpr double kLeastShare = 1e-3;
+  const std::vector<double> lengths = CumulativeLength(link.points_in_world);
+  const auto length_at = [&](double position) {
+    const int segment = std::min(static_cast<int>(position), link.size() - 2);
+    return lengths[segment] + (position - segment) * (lengths[segment + 1] - lengths[segment]);
+  };
+  const double least = kLeastShare * lengths.back();
+  std::sort(positions.begin(), positions.end());
+  std::vector<double> cuts = {0};
+  for (const double position : positions) {
+    const double length = length_at(position);
+    if (length - length_at(cuts.back()) > least && lengths.back() - length > least) {
+      cuts.push_back(position);
+    }
+  }
+  cuts.push_back(link.size() - 1);
+  return cuts;
+}
 
 LinkCuts CutsOf(const DrawingGraph& graph, const std::vector<StepSheet>& sheets) {
   LinkCuts cuts(graph.links.size());
@@ -33,17 +52,7 @@ LinkCuts CutsOf(const DrawingGraph& graph, const std::vector<StepSheet>& sheets)
     }
   }
   for (size_t l = 0; l < cuts.size(); ++l) {
-    if (cuts[l].empty()) continue;
-    const double last = graph.links[l].size() - 1;
-    std::vector<double> sorted = std::move(cuts[l]);
-    std::sort(sorted.begin(), sorted.end());
-    cuts[l] = {0};
-    for (const double position : sorted) {
-      if (position - cuts[l].back() > kSamePosition && last - position > kSamePosition) {
-        cuts[l].push_back(position);
-      }
-    }
-    cuts[l].push_back(last);
+    if (!cuts[l].empty()) cuts[l] = DistinctCuts(graph.links[l], std::move(cuts[l]));
   }
   return cuts;
 }

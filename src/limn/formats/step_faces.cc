@@ -13,8 +13,12 @@
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <ShapeFix_Edge.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Pln.hxx>
 
@@ -98,10 +102,16 @@ class FaceMaker {
   }
 
   std::optional<TopoDS_Face> Make() {
-    const auto made = face_.surface == FaceSurface::kPlane ? MakePlane() : MakeCurved();
-    if (!made) return std::nullopt;
-    BRepLib::UpdateTolerances(*made);
-    return BRepCheck_Analyzer(*made).IsValid() ? made : std::nullopt;
+    if (face_.surface == FaceSurface::kPlane) return Checked(MakePlane());
+    const double tolerance = 0.01 * max_gap_;
+    const StepSurfaces surfaces = face_.surface == FaceSurface::kRuled
+                                      ? RuledSurfaces(sides_, tolerance)
+                                      : PatchSurfaces(sides_, tolerance);
+    for (const auto& make_surface : surfaces) {
+      const auto made = Try(make_surface);
+      if (made) return made;
+    }
+    return std::nullopt;
   }
 
  private:
@@ -135,12 +145,56 @@ class FaceMaker {
     return true;
   }
 
-  std::optional<TopoDS_Face> MakeCurved() {
-    const double tolerance = 0.1 * max_gap_;
-    const handle<Geom_Surface> surface = face_.surface == FaceSurface::kRuled
-                                             ? RuledSurface(sides_, tolerance)
-                                             : PatchSurface(sides_, tolerance);
-    if (surface.IsNull()) return std::nullopt;
+  static std::optional<TopoDS_Face> Checked(std::optional<TopoDS_Face> made) {
+    if (!made) return std::nullopt;
+    BRepLib::UpdateTolerances(*made);
+    return BRepCheck_Analyzer(*made).IsValid() ? made : std::nullopt;
+  }
+
+  // If there is no valid face, the edges are left as they were.
+  std::optional<TopoDS_Face> Try(const std::function<handle<Geom_Surface>()>& make_surface) const {
+    handle<Geom_Surface> surface;
+    const std::vector<double> tolerances = Tolerances();
+    try {
+      surface = make_surface();
+      if (surface.IsNull()) return std::nullopt;
+      const auto made = Checked(MakeCurved(surface));
+      if (made) return made;
+    } catch (const Standard_Failure&) {
+      if (surface.IsNull()) return std::nullopt;
+    }
+    size_t at = 0;
+    for (const TopoDS_Shape& shape : EdgesAndVertices()) {
+      ShapeFix_ShapeTolerance().SetTolerance(shape, tolerances[at++], shape.ShapeType());
+      if (shape.ShapeType() != TopAbs_EDGE) continue;
+      ShapeFix_Edge().FixRemovePCurve(TopoDS::Edge(shape), surface, TopLoc_Location());
+    }
+    return std::nullopt;
+  }
+
+  std::vector<TopoDS_Shape> EdgesAndVertices() const {
+    std::vector<TopoDS_Shape> shapes;
+    for (const Wire& side : sides_) {
+      for (const TopoDS_Edge& edge : side) {
+        shapes.push_back(edge);
+        shapes.push_back(TopExp::FirstVertex(edge));
+        shapes.push_back(TopExp::LastVertex(edge));
+      }
+    }
+    return shapes;
+  }
+
+  std::vector<double> Tolerances() const {
+    std::vector<double> tolerances;
+    for (const TopoDS_Shape& shape : EdgesAndVertices()) {
+      tolerances.push_back(shape.ShapeType() == TopAbs_EDGE
+                               ? BRep_Tool::Tolerance(TopoDS::Edge(shape))
+                               : BRep_Tool::Tolerance(TopoDS::Vertex(shape)));
+    }
+    return tolerances;
+  }
+
+  std::optional<TopoDS_Face> MakeCurved(const handle<Geom_Surface>& surface) const {
     Wire wire;
     for (const Wire& side : sides_) wire.insert(wire.end(), side.begin(), side.end());
     for (const TopoDS_Edge& edge : wire) {

@@ -111,35 +111,43 @@ handle<Geom_Surface> PlateSurface(const std::vector<Side>& sides, double toleran
   return approximation.Surface();
 }
 
-}  // namespace
-
-handle<Geom_Surface> RuledSurface(const std::vector<std::vector<TopoDS_Edge>>& sides,
-                                  double tolerance) {
+handle<Geom_Surface> RoundSurface(const std::vector<Side>& sides, double tolerance) {
   const auto from = CircleOfSide(sides[0], tolerance), to = CircleOfSide(sides[2], tolerance);
-  if (from && to) {
-    const handle<Geom_Surface> round =
-        SurfaceOfRevolution(*from, *to, MiddleOfSide(sides[0]), tolerance);
-    if (!round.IsNull()) return round;
-  }
-  const handle<Geom_BSplineCurve> rail = CurveOfSide(sides[0], tolerance, Convert_TgtThetaOver2);
-  const handle<Geom_BSplineCurve> other = CurveOfSide(sides[2], tolerance, Convert_TgtThetaOver2);
+  if (!from || !to) return nullptr;
+  return SurfaceOfRevolution(*from, *to, MiddleOfSide(sides[0]), tolerance);
+}
+
+handle<Geom_Surface> LinesBetweenRails(const std::vector<Side>& sides, double tolerance) {
+  const auto rail = CurveOfSide(sides[0], tolerance, Convert_TgtThetaOver2);
+  const auto other = CurveOfSide(sides[2], tolerance, Convert_TgtThetaOver2);
   if (rail.IsNull() || other.IsNull()) return nullptr;
   other->Reverse();
   return GeomFill::Surface(rail, other);
 }
 
-handle<Geom_Surface> PatchSurface(const std::vector<std::vector<TopoDS_Edge>>& sides,
-                                  double tolerance) {
-  if (sides.size() != 4) return PlateSurface(sides, tolerance);
+handle<Geom_Surface> CoonsSurface(const std::vector<Side>& sides, double tolerance) {
+  if (sides.size() != 4) return nullptr;
   handle<Geom_BSplineCurve> curves[4];
   for (int s = 0; s < 4; ++s) {
     // Coons' surface of rational curves is not implemented.
     curves[s] = CurveOfSide(sides[s], tolerance, Convert_Polynomial);
-    if (curves[s].IsNull()) return PlateSurface(sides, tolerance);
+    if (curves[s].IsNull()) return nullptr;
   }
   const GeomFill_BSplineCurves coons(curves[0], curves[1], curves[2], curves[3],
                                      GeomFill_CoonsStyle);
   return handle<Geom_Surface>(coons.Surface());
+}
+
+}  // namespace
+
+StepSurfaces RuledSurfaces(const std::vector<std::vector<TopoDS_Edge>>& sides, double tolerance) {
+  return {[&sides, tolerance] { return RoundSurface(sides, tolerance); },
+          [&sides, tolerance] { return LinesBetweenRails(sides, tolerance); }};
+}
+
+StepSurfaces PatchSurfaces(const std::vector<std::vector<TopoDS_Edge>>& sides, double tolerance) {
+  return {[&sides, tolerance] { return CoonsSurface(sides, tolerance); },
+          [&sides, tolerance] { return PlateSurface(sides, tolerance); }};
 }
 
 }  // namespace limn

@@ -10,8 +10,12 @@ import sys
 import ezdxf
 
 
+def is_face(entity):
+    return entity.dxftype() == "POLYLINE" and entity.is_poly_face_mesh
+
+
 def is_curve(entity):
-    return entity.dxftype() in ("LINE", "ARC", "CIRCLE", "SPLINE", "POLYLINE")
+    return not is_face(entity) and entity.dxftype() in ("LINE", "ARC", "CIRCLE", "SPLINE", "POLYLINE")
 
 
 def points_and_length(entity):
@@ -46,7 +50,14 @@ def describe(entity):
         record["degree"] = entity.dxf.degree
         record["knots"] = list(entity.knots)
         record["control_points"] = [list(point) for point in entity.control_points]
-    if entity.dxftype() == "POLYLINE":
+    if is_face(entity):
+        record["type"] = "FACE"
+        # Corners, and which of the edges that begin there are visible.
+        record["triangles"] = [
+            {"corners": [list(vertex.dxf.location) for vertex in face[:-1]],
+             "visible": [face[-1].dxf.get(f"vtx{corner}") > 0 for corner in range(3)]}
+            for face in entity.faces()]
+    elif entity.dxftype() == "POLYLINE":
         record["is_3d"], record["closed"] = entity.is_3d_polyline, entity.is_closed
         record["points"] = [list(vertex.dxf.location) for vertex in entity.vertices]
     if entity.dxftype() == "POINT":
