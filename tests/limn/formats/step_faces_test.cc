@@ -259,6 +259,33 @@ TEST_F(StepFaces, VerticesGoToWherePlanesMeet) {
   EXPECT_LT(LargestToleranceOf(read), 1e-5);
 }
 
+// Circles of a drawing from photographs have neither one axis nor one radius.
+TEST_F(StepFaces, ACylinderOfNoisyCirclesIsASolid) {
+  std::mt19937 random(3);
+  for (const double noise : {1e-5, 1e-4, 1e-3}) {
+    SCOPED_TRACE(noise);
+    std::normal_distribution<double> normal(0, noise);
+    const auto random_vector = [&] {
+      return Eigen::Vector3d(normal(random), normal(random), normal(random));
+    };
+    DrawingGraph graph = testing::Cylinder();
+    for (DrawingLink& link : graph.links) {
+      auto& arc = std::get<CircularArc>(link.primitive->shape);
+      const Eigen::Vector3d turn = random_vector();
+      const Eigen::Matrix3d rotation =
+          Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+      arc.center += random_vector();
+      arc.radius += normal(random);
+      arc.x_axis = rotation * arc.x_axis;
+      arc.y_axis = rotation * arc.y_axis;
+    }
+    const TopoDS_Shape read = ReadBack(graph);
+    ASSERT_EQ(SubShapes(read, TopAbs_SOLID).size(), 1u);
+    EXPECT_NEAR(VolumeOfShape(read), 2 * M_PI, 100 * noise);
+    EXPECT_THAT(left_out_, ::testing::IsEmpty());
+  }
+}
+
 // A spline and an arc leave the plane of their face a little: they are projected onto it.
 TEST_F(StepFaces, CurvesAreProjectedOntoThePlane) {
   testing::FaceDrawing drawing;
