@@ -197,10 +197,12 @@ Json FacesAsJson(const FaceScores& scores) {
 }
 
 void WriteFacesCsv(const FaceScores& scores, std::ostream& out) {
-  for (const auto& [name, value] : FaceRowAsJson({}).items()) out << name << ',';
+  const Json names = FaceRowAsJson({});
+  for (const auto& [name, value] : names.items()) out << name << ',';
   out << "max_angle_deg,faces,area,true_area,regions\n";
   for (const FaceTauResult& row : scores.rows) {
-    for (const auto& [name, value] : FaceRowAsJson(row).items()) {
+    const Json values = FaceRowAsJson(row);
+    for (const auto& [name, value] : values.items()) {
       if (!value.is_null()) out << value;
       out << ',';
     }
@@ -243,7 +245,8 @@ void PrintCurves(const EvaluationReport& report, std::ostream& out) {
 }  // namespace
 
 void PrintReport(const EvaluationReport& report, std::ostream& out) {
-  if (!report.rows.empty()) PrintCurves(report, out);
+  const bool of_faces_only = report.faces && report.rows.empty();
+  if (!of_faces_only) PrintCurves(report, out);
   if (report.faces) PrintFaces(*report.faces, out);
 }
 
