@@ -74,6 +74,11 @@ DrawingFace SquareFace() {
   DrawingFace face;
   face.vertices = {{1, -3, 0}, {3, -3, 0}, {3, -1, 0}, {1, -1, 0}};
   face.triangles = {{0, 1, 2}, {0, 2, 3}};
+  FaceLoop border;
+  for (size_t i = 0; i < 4; ++i) {
+    border.push_back({-1, 0, 0, {face.vertices[i], face.vertices[(i + 1) % 4]}});
+  }
+  face.loops = {border};
   return face;
 }
 
