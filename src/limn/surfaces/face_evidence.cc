@@ -35,16 +35,15 @@ constexpr double kMinOffPlanePx = 4;
 constexpr double kMinInsidePx = 3;
 // Views that see a plane at a smaller angle (sine) tell nothing.
 constexpr double kMinSine = 0.1;
-// How often a sample is shown that is behind a surface, and that is not.
-constexpr double kShownBehind = 0.1;
-constexpr double kShownInFront = 0.6;
+// How often a sample is shown that is behind a surface, by accident, and that is not: most of what
+// lies behind is hidden by something else.
+constexpr double kShownBehind = 0.02;
+constexpr double kShownInFront = 0.15;
 // Neighboring samples are shown or hidden together: so many count as one. One view's evidence of
 // one link is at most that of so many.
 constexpr double kSamplesPerUnit = 7;
 constexpr double kMaxUnits = 3;
 constexpr int kMinSamples = 4;
-// What is not shown may be hidden by something else.
-constexpr double kHiddenWeight = 0.5;
 // Points of the model may be wrong, and so may what matched them.
 constexpr double kUnitsPerPoint = 0.5;
 
@@ -116,21 +115,21 @@ bool IsShown(const LinkSighting& sighting, int sample) {
   return false;
 }
 
-// How much likelier it is that so many of the samples behind a surface are shown if it is one.
-double EvidenceOf(double num_samples, double num_shown) {
-  const double units = std::min(num_samples / kSamplesPerUnit, kMaxUnits);
-  const double share = num_shown / num_samples;
-  return units * (share * std::log(kShownBehind / kShownInFront) +
-                  kHiddenWeight * (1 - share) *
-                      std::log((1 - kShownBehind) / (1 - kShownInFront)));
-}
-
 // What one view says of a candidate.
 struct ViewEvidence {
-  double occlusion = 0;
-  int num_judged = 0;         // places
+  double seen_through = 0;
+  double hidden = 0;
   std::vector<uint8_t> seen;  // per place
 };
+
+// Adds how much likelier it is that so many of the samples behind a surface are shown if it is one.
+void AddOcclusion(double num_samples, double num_shown, ViewEvidence* evidence) {
+  const double units = std::min(num_samples / kSamplesPerUnit, kMaxUnits);
+  const double share = num_shown / num_samples;
+  const double sum = share * std::log(kShownBehind / kShownInFront) +
+                     (1 - share) * std::log((1 - kShownBehind) / (1 - kShownInFront));
+  (sum < 0 ? evidence->seen_through : evidence->hidden) += units * sum;
+}
 
 // What one view says of the candidates.
 class ViewJudge {
@@ -155,12 +154,9 @@ class ViewJudge {
     evidence.seen.assign(places.size(), 0);
     if (Sine(candidate, places) < kMinSine) return evidence;
     for (size_t p = 0; p < places.size(); ++p) {
-      const auto is_seen = SeesPlace(places[p]);
-      if (!is_seen) continue;
-      ++evidence.num_judged;
-      evidence.seen[p] = *is_seen;
+      evidence.seen[p] = SeesPlace(places[p]);
     }
-    evidence.occlusion = Occlusion(candidate);
+    AddOcclusions(candidate, &evidence);
     return evidence;
   }
 
@@ -171,9 +167,8 @@ class ViewJudge {
     return std::abs(sight.normalized().dot(candidate.frame.Normal()));
   }
 
-  // Nothing if too little of the border around it is in the image.
-  std::optional<bool> SeesPlace(const Place& place) const {
-    if (!view_.Project(place.position)) return std::nullopt;
+  bool SeesPlace(const Place& place) const {
+    if (!view_.Project(place.position)) return false;
     int num = 0;
     int num_shown = 0;
     for (const LinkSample& border : place.border) {
@@ -184,30 +179,28 @@ class ViewJudge {
       ++num;
       num_shown += IsShown(sighting, border.sample);
     }
-    if (num < kNumDirections / 2) return std::nullopt;
-    return num_shown >= options_.min_shown_share * num;
+    return num >= kNumDirections / 2 && num_shown >= options_.min_shown_share * num;
   }
 
-  double Occlusion(const FaceCandidate& candidate) const {
+  void AddOcclusions(const FaceCandidate& candidate, ViewEvidence* evidence) const {
     const auto extent = ExtentOf(candidate);
-    if (extent && extent->isEmpty()) return 0;
-    double occlusion = 0;
     for (size_t l = 0; l < links_.size(); ++l) {
       const LinkSighting& sighting = sightings_[l];
       if (!is_sure_[l] || sighting.extent.isEmpty()) continue;
       if (extent && !extent->intersects(sighting.extent)) continue;
-      occlusion += OcclusionOf(candidate, extent, l);
+      AddOcclusionOf(candidate, extent, l, evidence);
     }
     double num_points = 0;
     for (const Eigen::Vector3d& point : points_) {
       num_points += IsBehind(candidate, point);
     }
     const double units = std::min(kUnitsPerPoint * num_points, kMaxUnits);
-    return occlusion + units * std::log(kShownBehind / kShownInFront);
+    evidence->seen_through += units * std::log(kShownBehind / kShownInFront);
   }
 
-  double OcclusionOf(const FaceCandidate& candidate,
-                     const std::optional<Eigen::AlignedBox2d>& extent, size_t l) const {
+  void AddOcclusionOf(const FaceCandidate& candidate,
+                      const std::optional<Eigen::AlignedBox2d>& extent, size_t l,
+                      ViewEvidence* evidence) const {
     const LinkSighting& sighting = sightings_[l];
     int num = 0;
     int num_shown = 0;
@@ -218,7 +211,7 @@ class ViewJudge {
       ++num;
       num_shown += sighting.samples[k] == Sighting::kShown;
     }
-    return num < kMinSamples ? 0 : EvidenceOf(num, num_shown);
+    if (num >= kMinSamples) AddOcclusion(num, num_shown, evidence);
   }
 
   // Of the border in the image; nothing if a part of it is behind the camera.
@@ -268,25 +261,15 @@ std::vector<ImageEvidence> EvidenceOfLinks(const SurfaceImages& images, const Dr
 }
 
 FaceEvidence Combined(const std::vector<std::vector<ViewEvidence>>& per_view, size_t candidate,
-                      size_t num_places, const SurfaceOptions& options) {
+                      const std::vector<Place>& places) {
   FaceEvidence combined;
-  std::vector<int> num_views(num_places, 0);
+  for (const Place& place : places) combined.places.push_back(place.position);
   for (size_t v = 0; v < per_view.size(); ++v) {
     const ViewEvidence& evidence = per_view[v][candidate];
-    combined.occlusion += evidence.occlusion;
-    int num_seen = 0;
-    for (size_t p = 0; p < num_places; ++p) {
-      num_views[p] += evidence.seen[p];
-      num_seen += evidence.seen[p];
-    }
-    if (num_seen > 0 && 2 * num_seen >= static_cast<int>(num_places)) {
-      combined.views.push_back(static_cast<ViewId>(v));
-    }
-  }
-  const auto num_seen = std::ranges::count_if(
-      num_views, [&](int num) { return num >= options.min_views; });
-  if (num_places > 0) {
-    combined.seen_share = static_cast<double>(num_seen) / static_cast<double>(num_places);
+    combined.seen_through += evidence.seen_through;
+    combined.hidden += evidence.hidden;
+    if (std::ranges::count(evidence.seen, 1) == 0) continue;
+    combined.seen[static_cast<ViewId>(v)] = evidence.seen;
   }
   return combined;
 }
@@ -316,7 +299,7 @@ std::vector<FaceEvidence> FindFaceEvidence(const SurfaceImages& images, const Dr
   });
   std::vector<FaceEvidence> evidence;
   for (size_t c = 0; c < candidates.size(); ++c) {
-    evidence.push_back(Combined(per_view, c, places[c].size(), options));
+    evidence.push_back(Combined(per_view, c, places[c]));
   }
   return evidence;
 }

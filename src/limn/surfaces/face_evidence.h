@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include "limn/geometry/polygon2d.h"
@@ -20,13 +22,15 @@ struct FaceCandidate {
 };
 
 struct FaceEvidence {
-  // What is seen, and not seen, of curves behind it: the logarithm of how much likelier that is if
-  // there is a surface.
-  double occlusion = 0;
-  // Share of its places around which enough views show most of the border.
-  double seen_share = 0;
-  // Views that see at least half of these places, ascending.
-  std::vector<ViewId> views;
+  // What is seen of curves and points behind it, the logarithm of how much likelier that is if there
+  // is a surface: negative.
+  double seen_through = 0;
+  // The same of what is hidden behind it: positive.
+  double hidden = 0;
+  // Places spread over the face, and per view which of them it sees with the border around them;
+  // without a view that sees none.
+  std::vector<Eigen::Vector3d> places;
+  std::map<ViewId, std::vector<uint8_t>> seen;
 };
 
 // `curves[v]` belongs to `views[v]`, which the supporting views of links are ids of.

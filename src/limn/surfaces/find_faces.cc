@@ -1,8 +1,11 @@
 #include "limn/surfaces/find_faces.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <iterator>
+#include <utility>
+
+#include "limn/surfaces/choose_cells.h"
 
 namespace limn {
 namespace {
@@ -19,16 +22,6 @@ FaceCandidate CandidateOf(const PlaneCells& plane, const ArrangementCell& cell) 
     candidate.sides.push_back(std::move(sides));
   }
   return candidate;
-}
-
-// How sure it is that there is a surface, 0 to 1.
-double ConfidenceOf(const FaceEvidence& evidence, const SurfaceOptions& options) {
-  const double odds = std::exp(std::min(evidence.occlusion + options.prior_evidence, 100.0));
-  return evidence.seen_share * odds / (1 + odds);
-}
-
-bool IsSeenThrough(const FaceEvidence& evidence, const SurfaceOptions& options) {
-  return evidence.occlusion + options.prior_evidence < 0;
 }
 
 // Turns a face to the side that most of its views are on.
@@ -54,23 +47,12 @@ class FaceFinder {
  public:
   FaceFinder(const SurfaceImages& images, const DrawingGraph& graph, const SurfaceOptions& options,
              const RunContext& context)
-      : images_(images), graph_(graph), options_(options), context_(context) {
-    const std::vector<FaceLink> links = MeasureFaceLinks(graph, images.views, options);
-    const std::vector<FacePlane> planes = FindFacePlanes(links, graph, options, context);
-    planes_.resize(planes.size());
-    ParallelFor(context, "planes", planes.size(), [&](size_t p) {
-      planes_[p] = FindPlaneCells(planes[p], links, graph, options);
-    });
-  }
+      : images_(images), graph_(graph), options_(options), context_(context) {}
 
   SurfaceResult Run() {
-    std::vector<FaceCandidate> candidates;
-    for (const PlaneCells& plane : planes_) {
-      for (const ArrangementCell& cell : plane.cells) {
-        candidates.push_back(CandidateOf(plane, cell));
-      }
-    }
-    evidence_ = FindFaceEvidence(images_, graph_, candidates, options_, context_);
+    FindPlanes();
+    FindCells();
+    fates_ = ChooseCells(images_.views, graph_, planes_, cells_, options_, context_);
     SurfaceResult result = {graph_, {}};
     result.graph.faces = Faces();
     result.summary = Summarize(result.graph.faces);
@@ -78,64 +60,76 @@ class FaceFinder {
   }
 
  private:
-  bool IsFace(const FaceEvidence& evidence) const {
-    return !IsSeenThrough(evidence, options_) && evidence.seen_share >= options_.min_seen_share &&
-           evidence.seen_share > 0;
+  void FindPlanes() {
+    const std::vector<FaceLink> links = MeasureFaceLinks(graph_, images_.views, options_);
+    const std::vector<FacePlane> planes = FindFacePlanes(links, graph_, options_, context_);
+    planes_.resize(planes.size());
+    ParallelFor(context_, "planes", planes.size(), [&](size_t p) {
+      planes_[p] = FindPlaneCells(planes[p], links, graph_, options_);
+    });
+  }
+
+  // With their evidence.
+  void FindCells() {
+    std::vector<FaceCandidate> candidates;
+    for (size_t p = 0; p < planes_.size(); ++p) {
+      for (size_t c = 0; c < planes_[p].cells.size(); ++c) {
+        candidates.push_back(CandidateOf(planes_[p], planes_[p].cells[c]));
+        cells_.push_back({p, static_cast<int>(c), {}, {}});
+      }
+    }
+    std::vector<FaceEvidence> evidence =
+        FindFaceEvidence(images_, graph_, candidates, options_, context_);
+    for (size_t c = 0; c < cells_.size(); ++c) {
+      cells_[c].candidate = std::move(candidates[c]);
+      cells_[c].evidence = std::move(evidence[c]);
+    }
   }
 
   std::vector<DrawingFace> Faces() const {
     std::vector<DrawingFace> faces;
-    size_t first = 0;
-    for (const PlaneCells& plane : planes_) {
-      const auto begin = evidence_.begin() + static_cast<std::ptrdiff_t>(first);
-      const std::vector<FaceEvidence> of_plane(
-          begin, begin + static_cast<std::ptrdiff_t>(plane.cells.size()));
-      first += plane.cells.size();
-      std::ranges::move(FacesOf(plane, of_plane), std::back_inserter(faces));
+    size_t first = 0;  // cells are ordered by plane
+    for (size_t p = 0; p < planes_.size(); ++p) {
+      std::vector<uint8_t> is_face;
+      for (size_t c = 0; c < planes_[p].cells.size(); ++c) {
+        is_face.push_back(fates_[first + c] == CellFate::kFace);
+      }
+      for (MadeFace& made : MakeFaces(planes_[p], is_face)) {
+        Describe(first, made.cells, &made.face);
+        faces.push_back(std::move(made.face));
+      }
+      first += is_face.size();
     }
     return faces;
   }
 
-  std::vector<DrawingFace> FacesOf(const PlaneCells& plane,
-                                   const std::vector<FaceEvidence>& evidence) const {
-    std::vector<uint8_t> is_face;
-    for (const FaceEvidence& of_cell : evidence) is_face.push_back(IsFace(of_cell));
-    std::vector<MadeFace> made = MakeFaces(plane, is_face);
-    std::vector<DrawingFace> faces;
-    for (MadeFace& of_cells : made) {
-      DrawingFace& face = of_cells.face;
-      face.confidence = 1;
-      for (const int cell : of_cells.cells) {
-        face.confidence = std::min(face.confidence, ConfidenceOf(evidence[cell], options_));
-        face.views.insert(face.views.end(), evidence[cell].views.begin(),
-                          evidence[cell].views.end());
-      }
-      std::ranges::sort(face.views);
-      face.views.erase(std::unique(face.views.begin(), face.views.end()), face.views.end());
-      TurnToViews(images_.views, &face);
-      faces.push_back(std::move(face));
+  // Sets what is known of the cells that a face is made of.
+  void Describe(size_t first, const std::vector<int>& cells, DrawingFace* face) const {
+    face->confidence = 1;
+    for (const int cell : cells) {
+      const FaceEvidence& evidence = cells_[first + static_cast<size_t>(cell)].evidence;
+      face->confidence = std::min(face->confidence, ConfidenceOf(evidence, options_));
+      std::ranges::copy(ViewsOf(evidence), std::back_inserter(face->views));
     }
-    return faces;
+    std::ranges::sort(face->views);
+    face->views.erase(std::unique(face->views.begin(), face->views.end()), face->views.end());
+    TurnToViews(images_.views, face);
   }
 
   StageSummary Summarize(const std::vector<DrawingFace>& faces) const {
-    int64_t num_faces = 0, num_seen_through = 0, num_hidden = 0;
-    for (const FaceEvidence& evidence : evidence_) {
-      if (IsFace(evidence)) {
-        ++num_faces;
-      } else {
-        ++(IsSeenThrough(evidence, options_) ? num_seen_through : num_hidden);
-      }
-    }
+    std::array<int64_t, 4> num = {};
+    for (const CellFate fate : fates_) ++num[static_cast<size_t>(fate)];
     StageSummary summary;
     summary.stage = "surfaces";
-    summary.in = {{"planes", std::ssize(planes_)}, {"cells", std::ssize(evidence_)}};
-    summary.kept = {{"planes", std::ssize(planes_)},
-                    {"cells", num_faces},
+    summary.in = {{"cells", std::ssize(cells_)}};
+    summary.kept = {{"cells", num[static_cast<size_t>(CellFate::kFace)]},
+                    {"planes", std::ssize(planes_)},
                     {"faces", std::ssize(faces)},
                     {"faces with bridges", std::ranges::count_if(faces, &HasBridges)}};
-    summary.dropped = {{"cells: seen through", num_seen_through},
-                       {"cells: border not seen at once", num_hidden}};
+    summary.dropped = {
+        {"cells: seen through", num[static_cast<size_t>(CellFate::kSeenThrough)]},
+        {"cells: border not seen at once", num[static_cast<size_t>(CellFate::kUnseen)]},
+        {"cells: behind other faces", num[static_cast<size_t>(CellFate::kBehind)]}};
     return summary;
   }
 
@@ -144,7 +138,8 @@ class FaceFinder {
   const SurfaceOptions& options_;
   const RunContext& context_;
   std::vector<PlaneCells> planes_;
-  std::vector<FaceEvidence> evidence_;  // of the cells of all planes in order
+  std::vector<CellChoice> cells_;
+  std::vector<CellFate> fates_;
 };
 
 }  // namespace

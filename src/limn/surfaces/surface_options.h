@@ -11,8 +11,8 @@ struct SurfaceOptions {
   double max_bridge_px = 10;
   // A link goes straight on beyond its end for at most this, px, and this share of its length, if
   // it meets another one there.
-  double max_extension_px = 60;
-  double max_extension_share = 0.5;
+  double max_extension_px = 150;
+  double max_extension_share = 1;
   // A face is at least this wide, px: twice its area by its perimeter.
   double min_width_px = 2;
   // A place of a face is seen if that share of the border around it is shown, in so many views.

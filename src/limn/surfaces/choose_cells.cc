@@ -1,0 +1,206 @@
+#include "limn/surfaces/choose_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "limn/geometry/polygon_with_holes.h"
+#include "limn/visibility/render_depth.h"
+
+namespace limn {
+namespace {
+
+// A place this far behind other faces is hidden, px.
+constexpr double kHiddenPx = 3;
+
+double Balance(const FaceEvidence& evidence, const SurfaceOptions& options) {
+  return options.prior_evidence + evidence.hidden + evidence.seen_through;
+}
+
+int NumSeen(const std::vector<uint8_t>& seen) {
+  return static_cast<int>(std::ranges::count(seen, 1));
+}
+
+bool SeesMost(const std::vector<uint8_t>& seen) {
+  return 2 * NumSeen(seen) >= static_cast<int>(seen.size());
+}
+
+// Share of the places that enough views see.
+double SeenShare(const FaceEvidence& evidence, const SurfaceOptions& options) {
+  if (evidence.places.empty()) return 0;
+  int num_seen = 0;
+  for (size_t p = 0; p < evidence.places.size(); ++p) {
+    const auto num_views = std::ranges::count_if(
+        evidence.seen, [&](const auto& of_view) { return of_view.second[p] != 0; });
+    num_seen += num_views >= options.min_views;
+  }
+  return static_cast<double>(num_seen) / static_cast<double>(evidence.places.size());
+}
+
+bool IsSeen(const FaceEvidence& evidence, const SurfaceOptions& options) {
+  const auto num_views =
+      std::ranges::count_if(evidence.seen, [](const auto& view) { return SeesMost(view.second); });
+  const double share = SeenShare(evidence, options);
+  return num_views >= options.min_views && share > 0 && share >= options.min_seen_share;
+}
+
+class CellChooser {
+ public:
+  CellChooser(const std::vector<View>& views, const DrawingGraph& graph,
+              const std::vector<PlaneCells>& planes, const std::vector<CellChoice>& cells,
+              const SurfaceOptions& options, const RunContext& context)
+      : views_(views),
+        graph_(graph),
+        planes_(planes),
+        cells_(cells),
+        options_(options),
+        context_(context),
+        fates_(cells.size(), CellFate::kFace) {}
+
+  std::vector<CellFate> Run() {
+    for (size_t c = 0; c < cells_.size(); ++c) {
+      if (Balance(cells_[c].evidence, options_) < 0) {
+        fates_[c] = CellFate::kSeenThrough;
+      } else if (!IsSeen(cells_[c].evidence, options_)) {
+        fates_[c] = CellFate::kUnseen;
+      }
+    }
+    // What hides others may turn out to be hidden itself: then these come back.
+    DropHidden();
+    DropHidden();
+    Spread();
+    return fates_;
+  }
+
+ private:
+  bool IsFace(size_t c) const { return fates_[c] == CellFate::kFace; }
+
+  TriangleMesh MeshOfFaces() const {
+    TriangleMesh mesh;
+    for (size_t c = 0; c < cells_.size(); ++c) {
+      if (!IsFace(c)) continue;
+      const FaceCandidate& candidate = cells_[c].candidate;
+      const int first = static_cast<int>(mesh.vertices.size());
+      for (const Polyline2d& outline : candidate.polygon.outlines) {
+        for (const Eigen::Vector2d& corner : outline) {
+          mesh.vertices.push_back(candidate.frame.InSpace(corner));
+        }
+      }
+      for (const auto& [i, j, k] : Triangulate(candidate.polygon)) {
+        mesh.triangles.push_back({first + i, first + j, first + k});
+      }
+    }
+    return mesh;
+  }
+
+  // Judges again the cells that are faces or behind faces.
+  void DropHidden() {
+    const TriangleMesh mesh = MeshOfFaces();
+    std::vector<std::vector<std::vector<uint8_t>>> seen_by(views_.size());
+    ParallelFor(context_, "faces before faces", views_.size(), [&](size_t v) {
+      const DepthImage depth = RenderDepth(mesh, views_[v], /*scale=*/1);
+      seen_by[v].resize(cells_.size());
+      for (size_t c = 0; c < cells_.size(); ++c) {
+        seen_by[v][c] = UnhiddenIn(static_cast<ViewId>(v), depth, cells_[c]);
+      }
+    });
+    for (size_t c = 0; c < cells_.size(); ++c) {
+      if (!IsFace(c) && fates_[c] != CellFate::kBehind) continue;
+      FaceEvidence unhidden = cells_[c].evidence;
+      for (auto& [view, seen] : unhidden.seen) seen = seen_by[view][c];
+      fates_[c] = IsSeen(unhidden, options_) ? CellFate::kFace : CellFate::kBehind;
+    }
+  }
+
+  // The places that a view sees and no face hides.
+  std::vector<uint8_t> UnhiddenIn(ViewId view, const DepthImage& depth,
+                                  const CellChoice& choice) const {
+    const auto found = choice.evidence.seen.find(view);
+    if (found == choice.evidence.seen.end()) return {};
+    std::vector<uint8_t> seen = found->second;
+    for (size_t p = 0; p < seen.size(); ++p) {
+      if (!seen[p]) continue;
+      const Eigen::Vector3d in_cam = views_[view].cam_from_world * choice.evidence.places[p];
+      const double tolerance = kHiddenPx * choice.candidate.footprint;
+      seen[p] = !IsBehind(depth, views_[view].camera.Project(in_cam), in_cam.z(), tolerance);
+    }
+    return seen;
+  }
+
+  // To cells that were unseen, beside faces.
+  void Spread() {
+    std::vector<std::vector<size_t>> choices_of(planes_.size());
+    for (size_t c = 0; c < cells_.size(); ++c) choices_of[cells_[c].plane].push_back(c);
+    for (size_t p = 0; p < planes_.size(); ++p) {
+      std::vector<size_t> choice_of(planes_[p].cells.size());
+      for (const size_t c : choices_of[p]) choice_of[cells_[c].cell] = c;
+      std::vector<int> cell_of = CellOfHalfEdges(planes_[p]);
+      for (bool any = true; any;) {
+        any = false;
+        for (size_t e = 0; e < planes_[p].arrangement.edges.size(); ++e) {
+          const int left = cell_of[2 * e], right = cell_of[2 * e + 1];
+          if (left < 0 || right < 0 || !IsOnSurface(planes_[p], e)) continue;
+          any = SpreadBetween(choice_of[left], choice_of[right]) || any;
+        }
+      }
+    }
+  }
+
+  bool SpreadBetween(size_t a, size_t b) {
+    if (IsFace(a) == IsFace(b)) return false;
+    const size_t other = IsFace(a) ? b : a;
+    if (fates_[other] != CellFate::kUnseen) return false;
+    fates_[other] = CellFate::kFace;
+    return true;
+  }
+
+  static std::vector<int> CellOfHalfEdges(const PlaneCells& plane) {
+    std::vector<int> cell_of(2 * plane.arrangement.edges.size(), -1);
+    for (size_t c = 0; c < plane.cells.size(); ++c) {
+      for (const auto& loop : plane.cells[c].loops) {
+        for (const HalfEdge half : loop) cell_of[half] = static_cast<int>(c);
+      }
+    }
+    return cell_of;
+  }
+
+  // Whether there is the same surface on both sides of an edge.
+  bool IsOnSurface(const PlaneCells& plane, size_t edge) const {
+    const LinkId link = plane.strokes.strokes[plane.arrangement.edges[edge].run.stroke].link;
+    if (link < 0) return true;
+    const LinkKind kind = graph_.links[link].kind;
+    return kind == LinkKind::kPaint || kind == LinkKind::kShadow;
+  }
+
+  const std::vector<View>& views_;
+  const DrawingGraph& graph_;
+  const std::vector<PlaneCells>& planes_;
+  const std::vector<CellChoice>& cells_;
+  const SurfaceOptions& options_;
+  const RunContext& context_;
+  std::vector<CellFate> fates_;
+};
+
+}  // namespace
+
+std::vector<CellFate> ChooseCells(const std::vector<View>& views, const DrawingGraph& graph,
+                                  const std::vector<PlaneCells>& planes,
+                                  const std::vector<CellChoice>& cells,
+                                  const SurfaceOptions& options, const RunContext& context) {
+  return CellChooser(views, graph, planes, cells, options, context).Run();
+}
+
+double ConfidenceOf(const FaceEvidence& evidence, const SurfaceOptions& options) {
+  const double odds = std::exp(std::min(Balance(evidence, options), 50.0));
+  return std::max(SeenShare(evidence, options), 0.5) * odds / (1 + odds);
+}
+
+std::vector<ViewId> ViewsOf(const FaceEvidence& evidence) {
+  std::vector<ViewId> views;
+  for (const auto& [view, seen] : evidence.seen) {
+    if (SeesMost(seen)) views.push_back(view);
+  }
+  return views;
+}
+
+}  // namespace limn
