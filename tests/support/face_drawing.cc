@@ -154,9 +154,16 @@ void FaceDrawing::AddPlane(const std::vector<FaceLoop>& loops) {
   std::vector<Eigen::Vector3d> corners = PointsOf(loops.front());
   corners.pop_back();
   face.normal = PolygonAreaVector(corners).normalized();
-  // Holes are reached along a cut from the first corner.
+  // Holes are reached along a cut from the first corner to their nearest point.
   for (size_t l = 1; l < loops.size(); ++l) {
-    const std::vector<Eigen::Vector3d> hole = PointsOf(loops[l]);
+    std::vector<Eigen::Vector3d> hole = PointsOf(loops[l]);
+    hole.pop_back();
+    const auto nearest =
+        std::min_element(hole.begin(), hole.end(), [&](const auto& a, const auto& b) {
+          return (a - corners.front()).norm() < (b - corners.front()).norm();
+        });
+    std::rotate(hole.begin(), nearest, hole.end());
+    hole.push_back(hole.front());
     corners.push_back(corners.front());
     corners.insert(corners.end(), hole.begin(), hole.end());
   }
