@@ -12,10 +12,6 @@
 namespace limn {
 namespace {
 
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 struct Segment {
   Eigen::Vector2d from;
   Eigen::Vector2d to;

@@ -7,10 +7,6 @@
 namespace limn {
 namespace {
 
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 // Calls visit(from, to, loop, corner) for every side.
 template <typename Visit>
 void ForEachSide(const std::vector<Polyline2d>& outlines, Visit&& visit) {
@@ -53,8 +49,7 @@ bool Polygon2d::Contains(const Eigen::Vector2d& point) const {
   bool is_inside = false;
   ForEachSide(outlines, [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to, int, int) {
     if ((from.y() > point.y()) == (to.y() > point.y())) return;
-    const double x =
-        from.x() + (point.y() - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
+    const double x = from.x() + (point.y() - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
     if (point.x() < x) is_inside = !is_inside;
   });
   return is_inside;
@@ -71,16 +66,16 @@ double Polygon2d::DistanceToOutline(const Eigen::Vector2d& point) const {
 OutlinePlace Polygon2d::FirstCrossing(const Eigen::Vector2d& start,
                                       const Eigen::Vector2d& direction) const {
   OutlinePlace first = {.distance = std::numeric_limits<double>::infinity()};
-  ForEachSide(outlines, [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to, int loop,
-                            int corner) {
-    const Eigen::Vector2d side = to - from;
-    const double turn = Cross(direction, side);
-    if (turn == 0) return;
-    const double distance = Cross(from - start, side) / turn;
-    const double t = Cross(from - start, direction) / turn;
-    if (distance < 0 || distance >= first.distance || t < 0 || t > 1) return;
-    first = {loop, corner, t, distance};
-  });
+  ForEachSide(outlines,
+              [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to, int loop, int corner) {
+                const Eigen::Vector2d side = to - from;
+                const double turn = Cross(direction, side);
+                if (turn == 0) return;
+                const double distance = Cross(from - start, side) / turn;
+                const double t = Cross(from - start, direction) / turn;
+                if (distance < 0 || distance >= first.distance || t < 0 || t > 1) return;
+                first = {loop, corner, t, distance};
+              });
   return first;
 }
 

@@ -9,6 +9,15 @@ namespace limn {
 
 using Polyline2d = std::vector<Eigen::Vector2d>;
 
+// Twice the area of the triangle between two vectors; positive if b is to the left of a.
+inline double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+// Twice the signed area of a triangle, positive if its corners go counterclockwise.
+inline double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  return Cross(b - a, c - a);
+}
+
 // Polygons in a plane, by their corners in order; the last is joined to the first.
 
 // Counterclockwise is positive.

@@ -6,15 +6,12 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/geometry/polygon2d.h"
+
 namespace limn {
 namespace {
 
 using Triangle = std::array<int, 3>;
-
-// Twice the signed area, positive when a, b, c go counter-clockwise.
-double Area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 // The corners in a plane in which the polygon goes counter-clockwise.
 std::vector<Eigen::Vector2d> Flatten(std::span<const Eigen::Vector3d> corners) {
@@ -99,7 +96,7 @@ class EarClipper {
   }
 
   double AreaOf(const Triangle& t) const {
-    return Area(corners_[t[0]], corners_[t[1]], corners_[t[2]]);
+    return Cross(corners_[t[0]], corners_[t[1]], corners_[t[2]]);
   }
 
   Triangle EarAt(int at) const { return {before_[at], at, next_[at]}; }
@@ -123,7 +120,7 @@ class EarClipper {
   bool IsInside(const Triangle& t, const Eigen::Vector2d& point) const {
     for (int k = 0; k < 3; ++k) {
       if (point == corners_[t[k]]) return false;
-      if (Area(corners_[t[k]], corners_[t[(k + 1) % 3]], point) < 0) return false;
+      if (Cross(corners_[t[k]], corners_[t[(k + 1) % 3]], point) < 0) return false;
     }
     return true;
   }

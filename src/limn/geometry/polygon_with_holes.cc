@@ -10,10 +10,6 @@ namespace {
 
 using Ring = std::vector<int>;  // corners in order
 
-double Area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
 // Joins holes to a border.
 class HoleJoiner {
  public:
@@ -53,8 +49,8 @@ class HoleJoiner {
     std::iota(places.begin(), places.end(), 0);
     std::ranges::stable_sort(
         places, {}, [&](int place) { return (corners_[ring[place]] - from).squaredNorm(); });
-    const auto seen = std::ranges::find_if(
-        places, [&](int place) { return Sees(ring, place, *start, hole); });
+    const auto seen =
+        std::ranges::find_if(places, [&](int place) { return Sees(ring, place, *start, hole); });
     const int place = seen != places.end() ? *seen : places.front();
     Ring joined(ring.begin(), ring.begin() + place + 1);
     joined.insert(joined.end(), start, inner.end());
@@ -78,9 +74,9 @@ class HoleJoiner {
     const Eigen::Vector2d& before = corners_[ring[(place + size - 1) % size]];
     const Eigen::Vector2d& at = corners_[ring[place]];
     const Eigen::Vector2d& after = corners_[ring[(place + 1) % size]];
-    const bool left_of_in = Area(before, at, point) > 0;
-    const bool left_of_out = Area(at, after, point) > 0;
-    return Area(before, at, after) > 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
+    const bool left_of_in = Cross(before, at, point) > 0;
+    const bool left_of_out = Cross(at, after, point) > 0;
+    return Cross(before, at, after) > 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
   }
 
   bool IsCrossed(const Ring& ring, int from, int to) const {
@@ -89,7 +85,7 @@ class HoleJoiner {
       const int first = ring[i], second = ring[(i + 1) % ring.size()];
       if (first == from || first == to || second == from || second == to) continue;
       const Eigen::Vector2d &c = corners_[first], &d = corners_[second];
-      if (Area(a, b, c) * Area(a, b, d) <= 0 && Area(c, d, a) * Area(c, d, b) <= 0) return true;
+      if (Cross(a, b, c) * Cross(a, b, d) <= 0 && Cross(c, d, a) * Cross(c, d, b) <= 0) return true;
     }
     return false;
   }

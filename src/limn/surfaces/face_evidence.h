@@ -22,8 +22,8 @@ struct FaceCandidate {
 };
 
 struct FaceEvidence {
-  // What is seen of curves and points behind it, the logarithm of how much likelier that is if there
-  // is a surface: negative.
+  // What is seen of curves and points behind it, the logarithm of how much likelier that is if
+  // there is a surface: negative.
   double seen_through = 0;
   // The same of what is hidden behind it: positive.
   double hidden = 0;

@@ -94,7 +94,10 @@ class PlaneFinder {
  public:
   PlaneFinder(const std::vector<FaceLink>& links, const DrawingGraph& graph,
               const SurfaceOptions& options)
-      : links_(links), graph_(graph), options_(options), neighbors_(FindNeighbors(links, options)) {}
+      : links_(links),
+        graph_(graph),
+        options_(options),
+        neighbors_(FindNeighbors(links, options)) {}
 
   // Longest first.
   std::vector<Hypothesis> Hypotheses() const {
@@ -161,9 +164,8 @@ class PlaneFinder {
     return DistancePx(links_[l], plane.normal, plane.offset) <= options_.plane_tolerance_px;
   }
   bool MayBound(const std::vector<int>& members) const {
-    return members.size() >= 3 || std::ranges::any_of(members, [&](int l) {
-             return graph_.links[links_[l].link].closed;
-           });
+    return members.size() >= 3 ||
+           std::ranges::any_of(members, [&](int l) { return graph_.links[links_[l].link].closed; });
   }
 
   const std::vector<FaceLink>& links_;
@@ -174,9 +176,8 @@ class PlaneFinder {
 
 }  // namespace
 
-std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links,
-                                      const DrawingGraph& graph, const SurfaceOptions& options,
-                                      const RunContext& context) {
+std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links, const DrawingGraph& graph,
+                                      const SurfaceOptions& options, const RunContext& context) {
   const PlaneFinder finder(links, graph, options);
   std::vector<FacePlane> grown;
   for (const Hypothesis& hypothesis : finder.Hypotheses()) {
@@ -195,9 +196,8 @@ std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links,
                            [&](const FacePlane& plane) { return finder.LengthPx(plane); });
   std::vector<FacePlane> planes;
   for (FacePlane& plane : grown) {
-    const bool is_known = std::ranges::any_of(planes, [&](const FacePlane& known) {
-      return finder.AreIn(plane.members, known);
-    });
+    const bool is_known = std::ranges::any_of(
+        planes, [&](const FacePlane& known) { return finder.AreIn(plane.members, known); });
     if (!is_known) planes.push_back(std::move(plane));
   }
   return planes;

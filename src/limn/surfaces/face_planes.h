@@ -21,8 +21,7 @@ struct FacePlane {
 // within plane_tolerance_px of it, fitted again as it grows. Planes of fewer than three links
 // remain only if a closed one is among them; those whose links are all in one with more are left
 // out. The plane with most length comes first. Time: hypotheses times links of their planes.
-std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links,
-                                      const DrawingGraph& graph, const SurfaceOptions& options,
-                                      const RunContext& context);
+std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links, const DrawingGraph& graph,
+                                      const SurfaceOptions& options, const RunContext& context);
 
 }  // namespace limn

@@ -64,9 +64,8 @@ class FaceFinder {
     const std::vector<FaceLink> links = MeasureFaceLinks(graph_, images_.views, options_);
     const std::vector<FacePlane> planes = FindFacePlanes(links, graph_, options_, context_);
     planes_.resize(planes.size());
-    ParallelFor(context_, "planes", planes.size(), [&](size_t p) {
-      planes_[p] = FindPlaneCells(planes[p], links, graph_, options_);
-    });
+    ParallelFor(context_, "planes", planes.size(),
+                [&](size_t p) { planes_[p] = FindPlaneCells(planes[p], links, graph_, options_); });
   }
 
   // With their evidence.

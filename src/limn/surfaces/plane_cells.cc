@@ -28,8 +28,7 @@ double PositionOnLink(const PlaneStroke& stroke, double position) {
 }
 
 Eigen::Vector2d PointAlong(const Polyline2d& points, double position) {
-  const double index =
-      std::min(std::floor(position), static_cast<double>(points.size() - 2));
+  const double index = std::min(std::floor(position), static_cast<double>(points.size() - 2));
   const auto i = static_cast<size_t>(index);
   return points[i] + (position - index) * (points[i + 1] - points[i]);
 }
@@ -76,9 +75,8 @@ PlaneCells FindPlaneCells(const FacePlane& plane, const std::vector<FaceLink>& l
   result.cells =
       FindCells(result.arrangement, std::vector<uint8_t>(result.arrangement.edges.size(), 1));
   const double min_width = options.min_width_px * result.strokes.footprint;
-  std::erase_if(result.cells, [&](const ArrangementCell& cell) {
-    return WidthOf(cell.polygon) < min_width;
-  });
+  std::erase_if(result.cells,
+                [&](const ArrangementCell& cell) { return WidthOf(cell.polygon) < min_width; });
   return result;
 }
 

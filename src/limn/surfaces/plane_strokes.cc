@@ -31,17 +31,13 @@ PlaneFrame FrameOf(const FacePlane& plane, const Eigen::Vector3d& center) {
   return frame;
 }
 
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 // An end of a link that meets no other in the plane, and how it would go on.
 struct OpenEnd {
   int stroke = -1;
   double footprint = 0;
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   Eigen::Vector2d direction = Eigen::Vector2d::Zero();  // unit
-  double reach = 0;  // straight on, plane coordinates
+  double reach = 0;                                     // straight on, plane coordinates
 };
 
 struct Target {
@@ -51,8 +47,8 @@ struct Target {
 
 class StrokeMaker {
  public:
-  StrokeMaker(const FacePlane& plane, const std::vector<FaceLink>& links,
-              const DrawingGraph& graph, const SurfaceOptions& options)
+  StrokeMaker(const FacePlane& plane, const std::vector<FaceLink>& links, const DrawingGraph& graph,
+              const SurfaceOptions& options)
       : links_(links), graph_(graph), options_(options) {
     result_.frame = FrameOf(plane, links[plane.members.front()].center);
     AddLinks(plane);
@@ -85,8 +81,7 @@ class StrokeMaker {
         extent.extend(result_.frame.Flat(sample));
       }
     }
-    const Eigen::Vector2d margin =
-        Eigen::Vector2d::Constant(kMargin * extent.sizes().maxCoeff());
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin * extent.sizes().maxCoeff());
     extent = Eigen::AlignedBox2d(extent.min() - margin, extent.max() + margin);
     std::vector<double> footprints;
     for (size_t l = 0; l < links_.size(); ++l) {
@@ -131,9 +126,8 @@ class StrokeMaker {
     const auto& incident = graph_.nodes[node].incident;
     return std::ranges::any_of(incident, [&](const LinkEnd& end) {
       return end.link != result_.strokes[stroke].link &&
-             std::ranges::any_of(result_.strokes, [&](const PlaneStroke& other) {
-               return other.link == end.link;
-             });
+             std::ranges::any_of(result_.strokes,
+                                 [&](const PlaneStroke& other) { return other.link == end.link; });
     });
   }
 
@@ -159,8 +153,7 @@ class StrokeMaker {
     open.place = points.back();
     const Eigen::Vector2d back = PointBefore(points, kTangentPx * link.footprint);
     open.direction = (open.place - back).normalized();
-    open.reach = std::min(options_.max_extension_px,
-                          options_.max_extension_share * link.length_px);
+    open.reach = std::min(options_.max_extension_px, options_.max_extension_share * link.length_px);
     open.reach = std::max(open.reach, options_.max_bridge_px) * link.footprint;
     return open;
   }
