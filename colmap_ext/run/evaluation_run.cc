@@ -104,9 +104,9 @@ EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const Run
 
 void AddFaceOptions(FaceScoreOptions* faces, OptionParser* parser) {
   parser->AddOption("Faces.taus", &faces->taus,
-                    BasicOption("distances at which a place of a surface counts as found, px"));
+                    "distances at which a place of a surface counts as found, px");
   parser->AddOption("Faces.max_angle_deg", &faces->max_angle_deg,
-                    BasicOption("largest angle between the surfaces there"));
+                    "largest angle between the surfaces there");
   parser->AddOption("Faces.min_views", &faces->min_views,
                     "views that must see a place of the true surface");
   parser->AddOption("Faces.min_grazing_deg", &faces->min_grazing_deg,
@@ -190,8 +190,8 @@ void EvaluatorOptions::Check() const {
   selection.Selection();  // throws
   BoxFromNumbers(box);    // throws
   LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
-  CheckInputs(*this);
   if (!layout.workspace_path.empty()) layout.Check();
+  CheckInputs(*this);
 }
 
 EvaluationReport EvaluateFile(const EvaluatorOptions& options, const RunContext& context) {
