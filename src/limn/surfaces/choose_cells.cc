@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "limn/geometry/polygon_with_holes.h"
 #include "limn/visibility/render_depth.h"
 
 namespace limn {
@@ -17,31 +15,27 @@ double Balance(const FaceEvidence& evidence, const SurfaceOptions& options) {
   return options.prior_evidence + evidence.hidden + evidence.seen_through;
 }
 
-int NumSeen(const std::vector<uint8_t>& seen) {
-  return static_cast<int>(std::ranges::count(seen, 1));
-}
-
-bool SeesMost(const std::vector<uint8_t>& seen) {
-  return 2 * NumSeen(seen) >= static_cast<int>(seen.size());
+bool SeesMost(const FaceCandidate& candidate, const std::vector<uint8_t>& seen) {
+  const auto num_seen = std::ranges::count(seen, 1);
+  return (candidate.flat ? 2 : 4) * num_seen >= std::ssize(seen);
 }
 
 // Share of the places that enough views see.
-double SeenShare(const FaceEvidence& evidence, const SurfaceOptions& options) {
-  if (evidence.places.empty()) return 0;
+double SeenShare(const CellChoice& choice, const SurfaceOptions& options) {
+  const size_t num_places = choice.candidate.places.size();
   int num_seen = 0;
-  for (size_t p = 0; p < evidence.places.size(); ++p) {
+  for (size_t p = 0; p < num_places; ++p) {
     const auto num_views = std::ranges::count_if(
-        evidence.seen, [&](const auto& of_view) { return of_view.second[p] != 0; });
+        choice.evidence.seen, [&](const auto& of_view) { return of_view.second[p] != 0; });
     num_seen += num_views >= options.min_views;
   }
-  return static_cast<double>(num_seen) / static_cast<double>(evidence.places.size());
+  return num_places == 0 ? 0 : static_cast<double>(num_seen) / static_cast<double>(num_places);
 }
 
-bool IsSeen(const FaceEvidence& evidence, const SurfaceOptions& options) {
-  const auto num_views =
-      std::ranges::count_if(evidence.seen, [](const auto& view) { return SeesMost(view.second); });
-  const double share = SeenShare(evidence, options);
-  return num_views >= options.min_views && share > 0 && share >= options.min_seen_share;
+bool IsSeen(const CellChoice& choice, const SurfaceOptions& options) {
+  const double share = SeenShare(choice, options);
+  return std::ssize(ViewsOf(choice)) >= options.min_views && share > 0 &&
+         share >= options.min_seen_share;
 }
 
 class CellChooser {
@@ -61,7 +55,7 @@ class CellChooser {
     for (size_t c = 0; c < cells_.size(); ++c) {
       if (Balance(cells_[c].evidence, options_) < 0) {
         fates_[c] = CellFate::kSeenThrough;
-      } else if (!IsSeen(cells_[c].evidence, options_)) {
+      } else if (!IsSeen(cells_[c], options_)) {
         fates_[c] = CellFate::kUnseen;
       }
     }
@@ -81,12 +75,9 @@ class CellChooser {
       if (!IsFace(c)) continue;
       const FaceCandidate& candidate = cells_[c].candidate;
       const int first = static_cast<int>(mesh.vertices.size());
-      for (const Polyline2d& outline : candidate.polygon.outlines) {
-        for (const Eigen::Vector2d& corner : outline) {
-          mesh.vertices.push_back(candidate.frame.InSpace(corner));
-        }
-      }
-      for (const auto& [i, j, k] : Triangulate(candidate.polygon)) {
+      mesh.vertices.insert(mesh.vertices.end(), candidate.vertices.begin(),
+                           candidate.vertices.end());
+      for (const auto& [i, j, k] : candidate.triangles) {
         mesh.triangles.push_back({first + i, first + j, first + k});
       }
     }
@@ -106,8 +97,8 @@ class CellChooser {
     });
     for (size_t c = 0; c < cells_.size(); ++c) {
       if (!IsFace(c) && fates_[c] != CellFate::kBehind) continue;
-      FaceEvidence unhidden = cells_[c].evidence;
-      for (auto& [view, seen] : unhidden.seen) seen = seen_by[view][c];
+      CellChoice unhidden = cells_[c];
+      for (auto& [view, seen] : unhidden.evidence.seen) seen = seen_by[view][c];
       fates_[c] = IsSeen(unhidden, options_) ? CellFate::kFace : CellFate::kBehind;
     }
   }
@@ -120,7 +111,8 @@ class CellChooser {
     std::vector<uint8_t> seen = found->second;
     for (size_t p = 0; p < seen.size(); ++p) {
       if (!seen[p]) continue;
-      const Eigen::Vector3d in_cam = views_[view].cam_from_world * choice.evidence.places[p];
+      const Eigen::Vector3d in_cam =
+          views_[view].cam_from_world * choice.candidate.places[p].position;
       const double tolerance = kHiddenPx * choice.candidate.footprint;
       seen[p] = !IsBehind(depth, views_[view].camera.Project(in_cam), in_cam.z(), tolerance);
     }
@@ -130,7 +122,9 @@ class CellChooser {
   // To cells that were unseen, beside faces.
   void Spread() {
     std::vector<std::vector<size_t>> choices_of(planes_.size());
-    for (size_t c = 0; c < cells_.size(); ++c) choices_of[cells_[c].plane].push_back(c);
+    for (size_t c = 0; c < cells_.size(); ++c) {
+      if (cells_[c].plane >= 0) choices_of[cells_[c].plane].push_back(c);
+    }
     for (size_t p = 0; p < planes_.size(); ++p) {
       std::vector<size_t> choice_of(planes_[p].cells.size());
       for (const size_t c : choices_of[p]) choice_of[cells_[c].cell] = c;
@@ -190,15 +184,16 @@ std::vector<CellFate> ChooseCells(const std::vector<View>& views, const DrawingG
   return CellChooser(views, graph, planes, cells, options, context).Run();
 }
 
-double ConfidenceOf(const FaceEvidence& evidence, const SurfaceOptions& options) {
-  const double odds = std::exp(std::min(Balance(evidence, options), 50.0));
-  return std::max(SeenShare(evidence, options), 0.5) * odds / (1 + odds);
+double ConfidenceOf(const CellChoice& choice, const SurfaceOptions& options) {
+  const double odds = std::exp(std::min(Balance(choice.evidence, options), 50.0));
+  // A face that has spread from others was not seen itself.
+  return std::max(SeenShare(choice, options), 0.5) * odds / (1 + odds);
 }
 
-std::vector<ViewId> ViewsOf(const FaceEvidence& evidence) {
+std::vector<ViewId> ViewsOf(const CellChoice& choice) {
   std::vector<ViewId> views;
-  for (const auto& [view, seen] : evidence.seen) {
-    if (SeesMost(seen)) views.push_back(view);
+  for (const auto& [view, seen] : choice.evidence.seen) {
+    if (SeesMost(choice.candidate, seen)) views.push_back(view);
   }
   return views;
 }

@@ -5,13 +5,14 @@
 
 #include "limn/model/view.h"
 #include "limn/surfaces/face_evidence.h"
+#include "limn/surfaces/plane_cells.h"
 
 namespace limn {
 
-// A cell of a plane as a possible face.
+// A possible face: a cell of a plane, or a bent surface.
 struct CellChoice {
-  size_t plane = 0;
-  int cell = -1;  // of the plane's cells
+  int plane = -1;  // index of planes, -1: bent
+  int cell = -1;   // of the plane's cells
   FaceCandidate candidate;
   FaceEvidence evidence;
 };
@@ -24,18 +25,19 @@ enum class CellFate : uint8_t {
 };
 
 // Which cells are faces (ours; ALGORITHM.md 27.4). What views see through is none. A cell is a face
-// if enough views see it whole, with the border around it, and other faces do not hide it from
-// these views; besides, if a face is beside it in its plane and only paint, a shadow or a bridge is
-// between them. Time: views times triangles.
+// if enough views see it whole (the places of a bent one are seen by some each), with the border
+// around it, and other faces do not hide it from these views; besides, if a face is beside it in
+// its plane and only paint, a shadow or a bridge is between them. Time: views times triangles.
 std::vector<CellFate> ChooseCells(const std::vector<View>& views, const DrawingGraph& graph,
                                   const std::vector<PlaneCells>& planes,
                                   const std::vector<CellChoice>& cells,
                                   const SurfaceOptions& options, const RunContext& context);
 
 // How sure it is that there is a surface, 0 to 1.
-double ConfidenceOf(const FaceEvidence& evidence, const SurfaceOptions& options);
+double ConfidenceOf(const CellChoice& choice, const SurfaceOptions& options);
 
-// Views that see at least half of the places, ascending.
-std::vector<ViewId> ViewsOf(const FaceEvidence& evidence);
+// Views that see at least half of the places of a flat candidate, a quarter of those of a bent one,
+// ascending.
+std::vector<ViewId> ViewsOf(const CellChoice& choice);
 
 }  // namespace limn

@@ -1,7 +1,6 @@
 #include "limn/surfaces/face_evidence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -20,11 +19,6 @@ constexpr SupportGate kGate = {1.0, 1.0, 15 * M_PI / 180};
 // Only links with this evidence tell what is seen through others.
 constexpr double kSureEvidence = 10;
 
-// Places of a candidate: about as many, on a grid.
-constexpr int kNumPlaces = 24;
-// The border is looked for in so many directions around a place; a place is not judged if links run
-// there in fewer than half of them.
-constexpr int kNumDirections = 16;
 // A border is shown at a sample if it is at one of the samples so near.
 constexpr int kShownReach = 2;
 
@@ -53,11 +47,8 @@ struct LinkSample {
   int sample = -1;
 };
 
-// A place of a candidate and the border around it.
-struct Place {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  std::vector<LinkSample> border;  // where links run, of all directions
-};
+// The border around a place of a candidate.
+using Border = std::vector<LinkSample>;
 
 // The sample of a link's evidence at a position on it.
 int SampleAt(const DrawingLink& link, const ImageEvidence& evidence, double position) {
@@ -69,42 +60,19 @@ int SampleAt(const DrawingLink& link, const ImageEvidence& evidence, double posi
   return static_cast<int>(std::clamp(length / along.back() * size, 0.0, size - 1));
 }
 
-// Places on a grid inside a polygon, at least one.
-std::vector<Eigen::Vector2d> GridInside(const Polygon2d& polygon) {
-  Eigen::AlignedBox2d extent;
-  for (const Eigen::Vector2d& corner : polygon.outlines[0]) extent.extend(corner);
-  std::vector<Eigen::Vector2d> places;
-  double step = std::sqrt(polygon.Area() / kNumPlaces);
-  for (int round = 0; round < 4 && places.empty(); ++round, step /= 2) {
-    const Eigen::Vector2d start = extent.min() + Eigen::Vector2d::Constant(step / 2);
-    for (double y = start.y(); y < extent.max().y(); y += step) {
-      for (double x = start.x(); x < extent.max().x(); x += step) {
-        if (polygon.Contains({x, y})) places.emplace_back(x, y);
-      }
-    }
-  }
-  return places;
-}
-
-std::vector<Place> FindPlaces(const FaceCandidate& candidate, const DrawingGraph& graph,
+// Per place of a candidate.
+std::vector<Border> BordersOf(const FaceCandidate& candidate, const DrawingGraph& graph,
                               const std::vector<ImageEvidence>& links) {
-  std::vector<Place> places;
-  for (const Eigen::Vector2d& flat : GridInside(candidate.polygon)) {
-    Place place = {candidate.frame.InSpace(flat), {}};
-    for (int d = 0; d < kNumDirections; ++d) {
-      const double angle = 2 * M_PI * (d + 0.5) / kNumDirections;
-      const OutlinePlace hit =
-          candidate.polygon.FirstCrossing(flat, {std::cos(angle), std::sin(angle)});
-      if (hit.loop < 0) continue;
-      const LinkRun& run = candidate.sides[hit.loop][hit.corner];
-      if (run.link < 0 || links[run.link].samples.empty()) continue;
-      const double position = run.from + hit.t * (run.to - run.from);
-      place.border.push_back(
-          {run.link, SampleAt(graph.links[run.link], links[run.link], position)});
+  std::vector<Border> borders;
+  for (const CandidatePlace& place : candidate.places) {
+    Border border;
+    for (const auto& [link, position] : place.border) {
+      if (links[link].samples.empty()) continue;
+      border.push_back({link, SampleAt(graph.links[link], links[link], position)});
     }
-    places.push_back(std::move(place));
+    borders.push_back(std::move(border));
   }
-  return places;
+  return borders;
 }
 
 bool IsShown(const LinkSighting& sighting, int sample) {
@@ -149,37 +117,30 @@ class ViewJudge {
     }
   }
 
-  ViewEvidence Judge(const FaceCandidate& candidate, const std::vector<Place>& places) const {
+  ViewEvidence Judge(const FaceCandidate& candidate, const std::vector<Border>& borders) const {
     ViewEvidence evidence;
-    evidence.seen.assign(places.size(), 0);
-    if (Sine(candidate, places) < kMinSine) return evidence;
-    for (size_t p = 0; p < places.size(); ++p) {
-      evidence.seen[p] = SeesPlace(places[p]);
+    for (size_t p = 0; p < borders.size(); ++p) {
+      evidence.seen.push_back(SeesPlace(candidate.places[p], borders[p]));
     }
     AddOcclusions(candidate, &evidence);
     return evidence;
   }
 
  private:
-  // Of the angle between the plane and the line of sight to its middle.
-  double Sine(const FaceCandidate& candidate, const std::vector<Place>& places) const {
-    const Eigen::Vector3d sight = places[places.size() / 2].position - eye_;
-    return std::abs(sight.normalized().dot(candidate.frame.Normal()));
-  }
-
-  bool SeesPlace(const Place& place) const {
-    if (!view_.Project(place.position)) return false;
+  bool SeesPlace(const CandidatePlace& place, const Border& border) const {
+    const Eigen::Vector3d sight = (place.position - eye_).normalized();
+    if (std::abs(sight.dot(place.normal)) < kMinSine || !view_.Project(place.position)) {
+      return false;
+    }
     int num = 0;
     int num_shown = 0;
-    for (const LinkSample& border : place.border) {
-      const LinkSighting& sighting = sightings_[border.link];
-      if (sighting.samples.empty() || sighting.samples[border.sample] == Sighting::kOutside) {
-        continue;
-      }
+    for (const auto& [link, sample] : border) {
+      const LinkSighting& sighting = sightings_[link];
+      if (sighting.samples.empty() || sighting.samples[sample] == Sighting::kOutside) continue;
       ++num;
-      num_shown += IsShown(sighting, border.sample);
+      num_shown += IsShown(sighting, sample);
     }
-    return num >= kNumDirections / 2 && num_shown >= options_.min_shown_share * num;
+    return num >= place.min_border && num_shown >= options_.min_shown_share * num;
   }
 
   void AddOcclusions(const FaceCandidate& candidate, ViewEvidence* evidence) const {
@@ -214,11 +175,11 @@ class ViewJudge {
     if (num >= kMinSamples) AddOcclusion(num, num_shown, evidence);
   }
 
-  // Of the border in the image; nothing if a part of it is behind the camera.
+  // Of the surface in the image; nothing if a part of it is behind the camera.
   std::optional<Eigen::AlignedBox2d> ExtentOf(const FaceCandidate& candidate) const {
     Eigen::AlignedBox2d extent;
-    for (const Eigen::Vector2d& corner : candidate.polygon.outlines[0]) {
-      const Eigen::Vector3d in_cam = view_.cam_from_world * candidate.frame.InSpace(corner);
+    for (const Eigen::Vector3d& vertex : candidate.vertices) {
+      const Eigen::Vector3d in_cam = view_.cam_from_world * vertex;
       if (!(in_cam.z() > 0)) return std::nullopt;
       extent.extend(view_.camera.Project(in_cam));
     }
@@ -227,16 +188,47 @@ class ViewJudge {
 
   // Whether the line of sight to a point crosses the inside of the candidate before.
   bool IsBehind(const FaceCandidate& candidate, const Eigen::Vector3d& point) const {
-    const Eigen::Vector3d normal = candidate.frame.Normal();
-    const double eye_side = normal.dot(eye_ - candidate.frame.origin);
-    const double point_side = normal.dot(point - candidate.frame.origin);
+    return candidate.flat ? IsBehind(*candidate.flat, candidate.footprint, point)
+                          : IsBehindTriangles(candidate, point);
+  }
+
+  bool IsBehind(const FlatRegion& flat, double footprint, const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d normal = flat.frame.Normal();
+    const double eye_side = normal.dot(eye_ - flat.frame.origin);
+    const double point_side = normal.dot(point - flat.frame.origin);
     if (eye_side * point_side >= 0) return false;
-    if (std::abs(point_side) < kMinOffPlanePx * candidate.footprint) return false;
+    if (std::abs(eye_side) < kMinSine * (eye_ - flat.frame.origin).norm()) return false;
+    if (std::abs(point_side) < kMinOffPlanePx * footprint) return false;
     const double t = eye_side / (eye_side - point_side);
-    if ((1 - t) * (point - eye_).norm() < kMinBehindPx * candidate.footprint) return false;
-    const Eigen::Vector2d flat = candidate.frame.Flat(eye_ + t * (point - eye_));
-    return candidate.polygon.Contains(flat) &&
-           candidate.polygon.DistanceToOutline(flat) >= kMinInsidePx * candidate.footprint;
+    if ((1 - t) * (point - eye_).norm() < kMinBehindPx * footprint) return false;
+    const Eigen::Vector2d place = flat.frame.Flat(eye_ + t * (point - eye_));
+    return flat.polygon.Contains(place) &&
+           flat.polygon.DistanceToOutline(place) >= kMinInsidePx * footprint;
+  }
+
+  bool IsBehindTriangles(const FaceCandidate& candidate, const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d sight = point - eye_;
+    const double margin = kMinBehindPx * candidate.footprint / sight.norm();
+    return std::ranges::any_of(candidate.triangles, [&](const auto& triangle) {
+      const auto& [i, j, k] = triangle;
+      const auto t =
+          Crossing(sight, candidate.vertices[i], candidate.vertices[j], candidate.vertices[k]);
+      return t && *t > 0 && *t < 1 - margin;
+    });
+  }
+
+  // Where the line eye + t * sight crosses a triangle.
+  std::optional<double> Crossing(const Eigen::Vector3d& sight, const Eigen::Vector3d& a,
+                                 const Eigen::Vector3d& b, const Eigen::Vector3d& c) const {
+    Eigen::Matrix3d system;
+    system << b - a, c - a, -sight;
+    const double determinant = system.determinant();
+    if (determinant == 0) return std::nullopt;
+    const Eigen::Vector3d solution = system.inverse() * (eye_ - a);
+    if (solution.x() < 0 || solution.y() < 0 || solution.x() + solution.y() > 1) {
+      return std::nullopt;
+    }
+    return solution.z();
   }
 
   const View& view_;
@@ -260,10 +252,8 @@ std::vector<ImageEvidence> EvidenceOfLinks(const SurfaceImages& images, const Dr
   return links;
 }
 
-FaceEvidence Combined(const std::vector<std::vector<ViewEvidence>>& per_view, size_t candidate,
-                      const std::vector<Place>& places) {
+FaceEvidence Combined(const std::vector<std::vector<ViewEvidence>>& per_view, size_t candidate) {
   FaceEvidence combined;
-  for (const Place& place : places) combined.places.push_back(place.position);
   for (size_t v = 0; v < per_view.size(); ++v) {
     const ViewEvidence& evidence = per_view[v][candidate];
     combined.seen_through += evidence.seen_through;
@@ -286,21 +276,18 @@ std::vector<FaceEvidence> FindFaceEvidence(const SurfaceImages& images, const Dr
   for (size_t l = 0; l < links.size(); ++l) {
     is_sure[l] = selection.Has(graph.links[l]) && links[l].evidence >= kSureEvidence;
   }
-  std::vector<std::vector<Place>> places(candidates.size());
-  ParallelFor(context, "places of faces", candidates.size(),
-              [&](size_t c) { places[c] = FindPlaces(candidates[c], graph, links); });
+  std::vector<std::vector<Border>> borders(candidates.size());
+  ParallelFor(context, "borders of faces", candidates.size(),
+              [&](size_t c) { borders[c] = BordersOf(candidates[c], graph, links); });
   std::vector<std::vector<ViewEvidence>> per_view(images.views.size());
   ParallelFor(context, "faces in views", images.views.size(), [&](size_t v) {
     const ViewJudge judge(images, options, static_cast<ViewId>(v), links, is_sure);
     for (size_t c = 0; c < candidates.size(); ++c) {
-      per_view[v].push_back(places[c].empty() ? ViewEvidence()
-                                              : judge.Judge(candidates[c], places[c]));
+      per_view[v].push_back(judge.Judge(candidates[c], borders[c]));
     }
   });
   std::vector<FaceEvidence> evidence;
-  for (size_t c = 0; c < candidates.size(); ++c) {
-    evidence.push_back(Combined(per_view, c, places[c]));
-  }
+  for (size_t c = 0; c < candidates.size(); ++c) evidence.push_back(Combined(per_view, c));
   return evidence;
 }
 

@@ -4,22 +4,13 @@
 #include <map>
 #include <vector>
 
-#include "limn/geometry/polygon2d.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/scene_hints.h"
-#include "limn/surfaces/plane_cells.h"
+#include "limn/surfaces/face_candidate.h"
+#include "limn/surfaces/surface_options.h"
 #include "limn/util/parallel.h"
 
 namespace limn {
-
-// A flat region that may be a surface.
-struct FaceCandidate {
-  PlaneFrame frame;
-  double footprint = 0;
-  Polygon2d polygon;
-  // Per side of each outline, the link along it.
-  std::vector<std::vector<LinkRun>> sides;
-};
 
 struct FaceEvidence {
   // What is seen of curves and points behind it, the logarithm of how much likelier that is if
@@ -27,9 +18,8 @@ struct FaceEvidence {
   double seen_through = 0;
   // The same of what is hidden behind it: positive.
   double hidden = 0;
-  // Places spread over the face, and per view which of them it sees with the border around them;
-  // without a view that sees none.
-  std::vector<Eigen::Vector3d> places;
+  // Per view, which of the candidate's places it sees with the border around them; without a view
+  // that sees none.
   std::map<ViewId, std::vector<uint8_t>> seen;
 };
 
@@ -46,8 +36,8 @@ struct SurfaceImages {
 // elsewhere but not behind the surface, that is hidden there. Points of the model that views see
 // through it count as curves do.
 //
-// Borders: a view sees a place of a surface only if it sees the border in most directions around
-// the place. Of a disc inside a solid, each view shows the half of the border on its own side only.
+// Borders: a view sees a place of a surface only if it sees most of the border around the place. Of
+// a disc inside a solid, each view shows the half of the border on its own side only.
 //
 // The result does not depend on the number of threads. Time: views times (samples of links plus
 // candidates times links whose images overlap).

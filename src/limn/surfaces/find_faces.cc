@@ -6,31 +6,28 @@
 #include <utility>
 
 #include "limn/surfaces/choose_cells.h"
+#include "limn/surfaces/flat_candidates.h"
+#include "limn/surfaces/ruled_candidates.h"
+#include "limn/util/sort_unique.h"
 
 namespace limn {
 namespace {
 
-FaceCandidate CandidateOf(const PlaneCells& plane, const ArrangementCell& cell) {
-  FaceCandidate candidate = {plane.strokes.frame, plane.strokes.footprint, cell.polygon, {}};
-  for (const auto& loop : cell.loops) {
-    std::vector<LinkRun> sides;
-    for (const HalfEdge half : loop) {
-      LinkRun side = OnLink(plane.strokes, plane.arrangement.edges[half / 2].run);
-      if (half % 2 == 1) std::swap(side.from, side.to);
-      sides.push_back(side);
+// Whether more of the places that are seen are seen from the side that the normals point to, than
+// from the other one.
+bool IsSeenFromFront(const std::vector<View>& views, const CellChoice& choice) {
+  int balance = 0;
+  for (const auto& [view, seen] : choice.evidence.seen) {
+    const Eigen::Vector3d eye = views[view].CenterInWorld();
+    for (size_t p = 0; p < seen.size(); ++p) {
+      const CandidatePlace& place = choice.candidate.places[p];
+      if (seen[p]) balance += place.normal.dot(eye - place.position) > 0 ? 1 : -1;
     }
-    candidate.sides.push_back(std::move(sides));
   }
-  return candidate;
+  return balance >= 0;
 }
 
-// Turns a face to the side that most of its views are on.
-void TurnToViews(const std::vector<View>& views, DrawingFace* face) {
-  int balance = 0;
-  for (const ViewId view : face->views) {
-    balance += face->normal.dot(views[view].CenterInWorld()) > face->offset ? 1 : -1;
-  }
-  if (balance >= 0) return;
+void TurnRound(DrawingFace* face) {
   face->normal = -face->normal;
   face->offset = -face->offset;
   for (auto& triangle : face->triangles) std::swap(triangle[1], triangle[2]);
@@ -40,6 +37,8 @@ void TurnToViews(const std::vector<View>& views, DrawingFace* face) {
       std::swap(edge.from, edge.to);
       std::ranges::reverse(edge.bridge);
     }
+    // Rails are the first and third side.
+    if (!face->side_starts.empty()) std::ranges::rotate(loop, loop.begin() + 1);
   }
 }
 
@@ -50,8 +49,8 @@ class FaceFinder {
       : images_(images), graph_(graph), options_(options), context_(context) {}
 
   SurfaceResult Run() {
-    FindPlanes();
-    FindCells();
+    FindCandidates();
+    FindEvidence();
     fates_ = ChooseCells(images_.views, graph_, planes_, cells_, options_, context_);
     SurfaceResult result = {graph_, {}};
     result.graph.faces = Faces();
@@ -60,59 +59,67 @@ class FaceFinder {
   }
 
  private:
-  void FindPlanes() {
+  // Cells of planes, by plane, then bent surfaces.
+  void FindCandidates() {
     const std::vector<FaceLink> links = MeasureFaceLinks(graph_, images_.views, options_);
     const std::vector<FacePlane> planes = FindFacePlanes(links, graph_, options_, context_);
     planes_.resize(planes.size());
     ParallelFor(context_, "planes", planes.size(),
                 [&](size_t p) { planes_[p] = FindPlaneCells(planes[p], links, graph_, options_); });
-  }
-
-  // With their evidence.
-  void FindCells() {
-    std::vector<FaceCandidate> candidates;
     for (size_t p = 0; p < planes_.size(); ++p) {
       for (size_t c = 0; c < planes_[p].cells.size(); ++c) {
-        candidates.push_back(CandidateOf(planes_[p], planes_[p].cells[c]));
-        cells_.push_back({p, static_cast<int>(c), {}, {}});
+        cells_.push_back({static_cast<int>(p),
+                          static_cast<int>(c),
+                          FlatCandidate(planes_[p], planes_[p].cells[c]),
+                          {}});
       }
     }
+    for (RuledCandidate& ruled : FindRuledCandidates(links, graph_, options_)) {
+      cells_.push_back({-1, static_cast<int>(ruled_.size()), std::move(ruled.candidate), {}});
+      ruled_.push_back(std::move(ruled.face));
+    }
+  }
+
+  void FindEvidence() {
+    std::vector<FaceCandidate> candidates;
+    for (const CellChoice& cell : cells_) candidates.push_back(cell.candidate);
     std::vector<FaceEvidence> evidence =
         FindFaceEvidence(images_, graph_, candidates, options_, context_);
-    for (size_t c = 0; c < cells_.size(); ++c) {
-      cells_[c].candidate = std::move(candidates[c]);
-      cells_[c].evidence = std::move(evidence[c]);
-    }
+    for (size_t c = 0; c < cells_.size(); ++c) cells_[c].evidence = std::move(evidence[c]);
   }
 
   std::vector<DrawingFace> Faces() const {
     std::vector<DrawingFace> faces;
-    size_t first = 0;  // cells are ordered by plane
+    size_t first = 0;
     for (size_t p = 0; p < planes_.size(); ++p) {
       std::vector<uint8_t> is_face;
       for (size_t c = 0; c < planes_[p].cells.size(); ++c) {
         is_face.push_back(fates_[first + c] == CellFate::kFace);
       }
       for (MadeFace& made : MakeFaces(planes_[p], is_face)) {
-        Describe(first, made.cells, &made.face);
+        for (int& cell : made.cells) cell += static_cast<int>(first);
+        Describe(made.cells, &made.face);
         faces.push_back(std::move(made.face));
       }
       first += is_face.size();
     }
+    for (size_t r = 0; r < ruled_.size(); ++r) {
+      if (fates_[first + r] != CellFate::kFace) continue;
+      faces.push_back(ruled_[r]);
+      Describe({static_cast<int>(first + r)}, &faces.back());
+    }
     return faces;
   }
 
-  // Sets what is known of the cells that a face is made of.
-  void Describe(size_t first, const std::vector<int>& cells, DrawingFace* face) const {
+  // Sets what is known of the candidates that a face is made of.
+  void Describe(const std::vector<int>& cells, DrawingFace* face) const {
     face->confidence = 1;
-    for (const int cell : cells) {
-      const FaceEvidence& evidence = cells_[first + static_cast<size_t>(cell)].evidence;
-      face->confidence = std::min(face->confidence, ConfidenceOf(evidence, options_));
-      std::ranges::copy(ViewsOf(evidence), std::back_inserter(face->views));
+    for (const int c : cells) {
+      face->confidence = std::min(face->confidence, ConfidenceOf(cells_[c], options_));
+      std::ranges::copy(ViewsOf(cells_[c]), std::back_inserter(face->views));
     }
-    std::ranges::sort(face->views);
-    face->views.erase(std::unique(face->views.begin(), face->views.end()), face->views.end());
-    TurnToViews(images_.views, face);
+    SortUnique(&face->views);
+    if (!IsSeenFromFront(images_.views, cells_[cells.front()])) TurnRound(face);
   }
 
   StageSummary Summarize(const std::vector<DrawingFace>& faces) const {
@@ -121,10 +128,12 @@ class FaceFinder {
     StageSummary summary;
     summary.stage = "surfaces";
     summary.in = {{"cells", std::ssize(cells_)}};
-    summary.kept = {{"cells", num[static_cast<size_t>(CellFate::kFace)]},
-                    {"planes", std::ssize(planes_)},
-                    {"faces", std::ssize(faces)},
-                    {"faces with bridges", std::ranges::count_if(faces, &HasBridges)}};
+    summary.kept = {
+        {"cells", num[static_cast<size_t>(CellFate::kFace)]},
+        {"planes", std::ssize(planes_)},
+        {"faces", std::ssize(faces)},
+        {"ruled faces", std::ranges::count(faces, FaceSurface::kRuled, &DrawingFace::surface)},
+        {"faces with bridges", std::ranges::count_if(faces, &HasBridges)}};
     summary.dropped = {
         {"cells: seen through", num[static_cast<size_t>(CellFate::kSeenThrough)]},
         {"cells: border not seen at once", num[static_cast<size_t>(CellFate::kUnseen)]},
@@ -137,6 +146,7 @@ class FaceFinder {
   const SurfaceOptions& options_;
   const RunContext& context_;
   std::vector<PlaneCells> planes_;
+  std::vector<DrawingFace> ruled_;
   std::vector<CellChoice> cells_;
   std::vector<CellFate> fates_;
 };

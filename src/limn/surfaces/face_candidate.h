@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/geometry/polygon2d.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/surfaces/plane_strokes.h"
+
+namespace limn {
+
+// A place of a link: index of a point plus a fraction.
+struct LinkPlace {
+  LinkId link = -1;
+  double position = 0;
+};
+
+// A place of a surface, and places of its border around it. A view that sees the place without
+// anything between sees most of these, too.
+struct CandidatePlace {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // either way
+  std::vector<LinkPlace> border;
+  int min_border = 1;  // fewer of them in an image tell nothing
+};
+
+struct FlatRegion {
+  PlaneFrame frame;
+  Polygon2d polygon;
+};
+
+// What may be a surface.
+struct FaceCandidate {
+  double footprint = 0;  // world units per px
+  std::vector<CandidatePlace> places;
+  // Set if it is flat; otherwise a view may see only a part of it.
+  std::optional<FlatRegion> flat = std::nullopt;
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+}  // namespace limn
