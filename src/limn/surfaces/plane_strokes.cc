@@ -20,8 +20,6 @@ constexpr double kSimplifyPx = 0.1;
 constexpr double kTangentPx = 12;
 // The nearest link is preferred to the first straight on if it is that much nearer.
 constexpr double kNearerShare = 0.7;
-// Bridges go this far beyond what they meet, so that they surely meet it, px.
-constexpr double kOvershootPx = 0.05;
 
 PlaneFrame FrameOf(const FacePlane& plane, const Eigen::Vector3d& center) {
   PlaneFrame frame;
@@ -225,10 +223,7 @@ class StrokeMaker {
   }
 
   static PlaneStroke Bridge(const OpenEnd& end, const Eigen::Vector2d& place) {
-    const Eigen::Vector2d way = place - end.place;
-    const double length = way.norm();
-    const double overshoot = length > 0 ? kOvershootPx * end.footprint / length : 0;
-    return {-1, {end.place, place + overshoot * way}, {}};
+    return {-1, {end.place, place}, {}};
   }
 
   const std::vector<FaceLink>& links_;
