@@ -28,6 +28,7 @@ int RunDrawingSurfacer(int argc, const char* const* argv, const ConsoleMaker& ma
       FindFaces({project.views(), image_curves.curves, project.view_set().hints.points},
                 given.graph, options.pipeline.surfaces, console->context());
   console->Report(result.summary);
+  SayLinksBehind(result.links_behind, console.get());
   CheckGraph(result.graph);
   WriteDrawingResults(project, project.views(), result.graph, provenance, given.metadata.alignment,
                       console.get());

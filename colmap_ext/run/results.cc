@@ -1,5 +1,6 @@
 #include "colmap_ext/run/results.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -238,6 +239,18 @@ void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Co
   std::snprintf(text, sizeof(text), "; %d ends moved, %.2f px (median; at most %.2f)",
                 moves.num_ends, moves.median_px, moves.max_px);
   console->Say("regularities: " + DescribeRegularities(graph) + text);
+}
+
+void SayLinksBehind(const std::vector<LinkId>& links, Console* console) {
+  if (links.empty()) return;
+  constexpr size_t kMaxNamed = 20;
+  std::string text;
+  for (size_t i = 0; i < std::min(links.size(), kMaxNamed); ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(links[i]);
+  }
+  if (links.size() > kMaxNamed) text += ", ...";
+  console->Say("links that faces hide from most of their views, probably false: " +
+               std::to_string(links.size()) + " (" + text + ")");
 }
 
 DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path) {

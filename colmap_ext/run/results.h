@@ -79,6 +79,9 @@ DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path);
 // Says what is regular in a drawing, and how far ends of links moved for it.
 void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Console* console);
 
+// Says which links faces hide from most of their views.
+void SayLinksBehind(const std::vector<LinkId>& links, Console* console);
+
 // A stored drawing that a command goes on with, and the provenance of what it makes of it.
 struct StartingDrawing {
   DrawingFile file;

@@ -7,6 +7,7 @@
 
 #include "limn/surfaces/choose_cells.h"
 #include "limn/surfaces/flat_candidates.h"
+#include "limn/surfaces/hidden_links.h"
 #include "limn/surfaces/ruled_candidates.h"
 #include "limn/util/sort_unique.h"
 
@@ -52,8 +53,9 @@ class FaceFinder {
     FindCandidates();
     FindEvidence();
     fates_ = ChooseCells(images_.views, graph_, planes_, cells_, options_, context_);
-    SurfaceResult result = {graph_, {}};
+    SurfaceResult result = {graph_, {}, {}};
     result.graph.faces = Faces();
+    result.links_behind = LinksBehindFaces(images_.views, result.graph, context_);
     result.summary = Summarize(result.graph.faces);
     return result;
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "limn/model/drawing_graph.h"
 #include "limn/surfaces/face_evidence.h"
 #include "limn/surfaces/surface_options.h"
@@ -9,7 +11,8 @@
 namespace limn {
 
 struct SurfaceResult {
-  DrawingGraph graph;  // with faces
+  DrawingGraph graph;                // with faces
+  std::vector<LinkId> links_behind;  // LinksBehindFaces
   StageSummary summary;
 };
 

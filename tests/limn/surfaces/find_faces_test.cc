@@ -120,6 +120,20 @@ TEST(FindFaces, PointsSeenThroughIt) {
   EXPECT_EQ(NumFaces(scene, points(0, 3 * kHalf)), 1u);  // beside it
 }
 
+// A link behind the square that views claim to see, too few and unlike the others to matter.
+TEST(FindFaces, LinksBehindFacesAreTold) {
+  BeliefScene scene = SquareScene(1);
+  std::vector<ViewId> all;
+  for (ViewId v = 0; v < 16; ++v) all.push_back(v);
+  for (DrawingLink& link : scene.graph.links) link.supporting_views = all;
+  const LinkId behind =
+      testing::DrawLink({FrontalPoint(-20, 0), FrontalPoint(20, 0)}, all, &scene.graph);
+  testing::DrawLink({FrontalPoint(120, 0), FrontalPoint(160, 0)}, all, &scene.graph);
+  const SurfaceResult result = FacesOf(scene);
+  ASSERT_EQ(result.graph.faces.size(), 1u);
+  EXPECT_EQ(result.links_behind, std::vector<LinkId>{behind});
+}
+
 TEST(FindFaces, TheSameWithAnyNumberOfThreads) {
   BeliefScene scene = SquareScene(1);
   AddLineBehind(true, &scene);
