@@ -10,14 +10,21 @@ namespace {
 
 // A place this far behind other faces is hidden, px.
 constexpr double kHiddenPx = 3;
+// Faces of two planes are copies if they are within so many tolerances of planes, and normals
+// within 20 degrees.
+constexpr double kCopyTolerances = 2;
+constexpr double kMinCopyCosine = 0.94;
 
 double Balance(const FaceEvidence& evidence, const SurfaceOptions& options) {
   return options.prior_evidence + evidence.hidden + evidence.seen_through;
 }
 
-bool SeesMost(const FaceCandidate& candidate, const std::vector<uint8_t>& seen) {
-  const auto num_seen = std::ranges::count(seen, 1);
-  return (candidate.flat ? 2 : 4) * num_seen >= std::ssize(seen);
+// Whether a view sees most of the places of a candidate that it can judge: half, or a quarter of
+// a bent one.
+bool SeesMost(const FaceCandidate& candidate, const std::vector<PlaceSight>& sights) {
+  const auto num_seen = std::ranges::count(sights, PlaceSight::kSeen);
+  const auto num_hidden = std::ranges::count(sights, PlaceSight::kHidden);
+  return num_seen > 0 && (candidate.flat ? 2 : 4) * num_seen >= num_seen + num_hidden;
 }
 
 // Share of the places that enough views see.
@@ -25,8 +32,9 @@ double SeenShare(const CellChoice& choice, const SurfaceOptions& options) {
   const size_t num_places = choice.candidate.places.size();
   int num_seen = 0;
   for (size_t p = 0; p < num_places; ++p) {
-    const auto num_views = std::ranges::count_if(
-        choice.evidence.seen, [&](const auto& of_view) { return of_view.second[p] != 0; });
+    const auto num_views = std::ranges::count_if(choice.evidence.sights, [&](const auto& of_view) {
+      return of_view.second[p] == PlaceSight::kSeen;
+    });
     num_seen += num_views >= options.min_views;
   }
   return num_places == 0 ? 0 : static_cast<double>(num_seen) / static_cast<double>(num_places);
@@ -63,6 +71,7 @@ class CellChooser {
     DropHidden();
     DropHidden();
     Spread();
+    DropCopies();
     return fates_;
   }
 
@@ -87,36 +96,38 @@ class CellChooser {
   // Judges again the cells that are faces or behind faces.
   void DropHidden() {
     const TriangleMesh mesh = MeshOfFaces();
-    std::vector<std::vector<std::vector<uint8_t>>> seen_by(views_.size());
+    std::vector<std::vector<std::vector<PlaceSight>>> sights_by(views_.size());
     ParallelFor(context_, "faces before faces", views_.size(), [&](size_t v) {
       const DepthImage depth = RenderDepth(mesh, views_[v], /*scale=*/1);
-      seen_by[v].resize(cells_.size());
+      sights_by[v].resize(cells_.size());
       for (size_t c = 0; c < cells_.size(); ++c) {
-        seen_by[v][c] = UnhiddenIn(static_cast<ViewId>(v), depth, cells_[c]);
+        sights_by[v][c] = UnhiddenIn(static_cast<ViewId>(v), depth, cells_[c]);
       }
     });
     for (size_t c = 0; c < cells_.size(); ++c) {
       if (!IsFace(c) && fates_[c] != CellFate::kBehind) continue;
       CellChoice unhidden = cells_[c];
-      for (auto& [view, seen] : unhidden.evidence.seen) seen = seen_by[view][c];
+      for (auto& [view, sights] : unhidden.evidence.sights) sights = sights_by[view][c];
       fates_[c] = IsSeen(unhidden, options_) ? CellFate::kFace : CellFate::kBehind;
     }
   }
 
-  // The places that a view sees and no face hides.
-  std::vector<uint8_t> UnhiddenIn(ViewId view, const DepthImage& depth,
-                                  const CellChoice& choice) const {
-    const auto found = choice.evidence.seen.find(view);
-    if (found == choice.evidence.seen.end()) return {};
-    std::vector<uint8_t> seen = found->second;
-    for (size_t p = 0; p < seen.size(); ++p) {
-      if (!seen[p]) continue;
+  // The places of a candidate in a view, hidden where faces are before them.
+  std::vector<PlaceSight> UnhiddenIn(ViewId view, const DepthImage& depth,
+                                     const CellChoice& choice) const {
+    const auto found = choice.evidence.sights.find(view);
+    if (found == choice.evidence.sights.end()) return {};
+    std::vector<PlaceSight> sights = found->second;
+    for (size_t p = 0; p < sights.size(); ++p) {
+      if (sights[p] != PlaceSight::kSeen) continue;
       const Eigen::Vector3d in_cam =
           views_[view].cam_from_world * choice.candidate.places[p].position;
       const double tolerance = kHiddenPx * choice.candidate.footprint;
-      seen[p] = !IsBehind(depth, views_[view].camera.Project(in_cam), in_cam.z(), tolerance);
+      if (IsBehind(depth, views_[view].camera.Project(in_cam), in_cam.z(), tolerance)) {
+        sights[p] = PlaceSight::kHidden;
+      }
     }
-    return seen;
+    return sights;
   }
 
   // To cells that were unseen, beside faces.
@@ -138,6 +149,34 @@ class CellChooser {
         }
       }
     }
+  }
+
+  // Planes may be found twice, a little apart, and so are their cells.
+  void DropCopies() {
+    for (size_t c = 0; c < cells_.size(); ++c) {
+      if (!IsFace(c) || !cells_[c].candidate.flat) continue;
+      const std::vector<CandidatePlace>& places = cells_[c].candidate.places;
+      const auto num_covered = std::ranges::count_if(
+          places, [&](const CandidatePlace& place) { return IsOnEarlier(place, c); });
+      if (2 * num_covered > std::ssize(places)) fates_[c] = CellFate::kCopy;
+    }
+  }
+
+  // Whether a place is on a face of an earlier plane.
+  bool IsOnEarlier(const CandidatePlace& place, size_t cell) const {
+    for (size_t c = 0; c < cell && cells_[c].plane < cells_[cell].plane; ++c) {
+      const auto& flat = cells_[c].candidate.flat;
+      if (!IsFace(c) || !flat) continue;
+      const Eigen::Vector3d normal = flat->frame.Normal();
+      const double distance = std::abs(normal.dot(place.position - flat->frame.origin));
+      if (distance <=
+              kCopyTolerances * options_.plane_tolerance_px * cells_[c].candidate.footprint &&
+          std::abs(normal.dot(place.normal)) >= kMinCopyCosine &&
+          flat->polygon.Contains(flat->frame.Flat(place.position))) {
+        return true;
+      }
+    }
+    return false;
   }
 
   bool SpreadBetween(size_t a, size_t b) {
@@ -192,8 +231,8 @@ double ConfidenceOf(const CellChoice& choice, const SurfaceOptions& options) {
 
 std::vector<ViewId> ViewsOf(const CellChoice& choice) {
   std::vector<ViewId> views;
-  for (const auto& [view, seen] : choice.evidence.seen) {
-    if (SeesMost(choice.candidate, seen)) views.push_back(view);
+  for (const auto& [view, sights] : choice.evidence.sights) {
+    if (SeesMost(choice.candidate, sights)) views.push_back(view);
   }
   return views;
 }

@@ -22,12 +22,16 @@ enum class CellFate : uint8_t {
   kSeenThrough,  // views show what is behind
   kUnseen,       // no views see it and the border around it at once
   kBehind,       // other faces hide it from all views that would see it
+  kCopy,         // most of it is on a face of another plane
 };
 
+constexpr int kNumCellFates = 5;
+
 // Which cells are faces (ours; ALGORITHM.md 27.4). What views see through is none. A cell is a face
-// if enough views see it whole (the places of a bent one are seen by some each), with the border
-// around it, and other faces do not hide it from these views; besides, if a face is beside it in
-// its plane and only paint, a shadow or a bridge is between them. Time: views times triangles.
+// if enough views see most of what they can judge of it, with the border around it, enough of its
+// places are seen by enough views, and other faces do not hide it from these; besides, if a face is
+// beside it in its plane and only paint, a shadow or a bridge is between them. Of faces on top of
+// each other the first stays. Time: views times triangles, squared number of cells.
 std::vector<CellFate> ChooseCells(const std::vector<View>& views, const DrawingGraph& graph,
                                   const std::vector<PlaneCells>& planes,
                                   const std::vector<CellChoice>& cells,
@@ -36,8 +40,8 @@ std::vector<CellFate> ChooseCells(const std::vector<View>& views, const DrawingG
 // How sure it is that there is a surface, 0 to 1.
 double ConfidenceOf(const CellChoice& choice, const SurfaceOptions& options);
 
-// Views that see at least half of the places of a flat candidate, a quarter of those of a bent one,
-// ascending.
+// Views that see at least half of the places that they can judge, or a quarter of those of a bent
+// candidate, ascending.
 std::vector<ViewId> ViewsOf(const CellChoice& choice);
 
 }  // namespace limn

@@ -87,7 +87,7 @@ bool IsShown(const LinkSighting& sighting, int sample) {
 struct ViewEvidence {
   double seen_through = 0;
   double hidden = 0;
-  std::vector<uint8_t> seen;  // per place
+  std::vector<PlaceSight> sights;  // per place
 };
 
 // Adds how much likelier it is that so many of the samples behind a surface are shown if it is one.
@@ -120,17 +120,17 @@ class ViewJudge {
   ViewEvidence Judge(const FaceCandidate& candidate, const std::vector<Border>& borders) const {
     ViewEvidence evidence;
     for (size_t p = 0; p < borders.size(); ++p) {
-      evidence.seen.push_back(SeesPlace(candidate.places[p], borders[p]));
+      evidence.sights.push_back(SightOf(candidate.places[p], borders[p]));
     }
     AddOcclusions(candidate, &evidence);
     return evidence;
   }
 
  private:
-  bool SeesPlace(const CandidatePlace& place, const Border& border) const {
+  PlaceSight SightOf(const CandidatePlace& place, const Border& border) const {
     const Eigen::Vector3d sight = (place.position - eye_).normalized();
     if (std::abs(sight.dot(place.normal)) < kMinSine || !view_.Project(place.position)) {
-      return false;
+      return PlaceSight::kUnknown;
     }
     int num = 0;
     int num_shown = 0;
@@ -140,7 +140,8 @@ class ViewJudge {
       ++num;
       num_shown += IsShown(sighting, sample);
     }
-    return num >= place.min_border && num_shown >= options_.min_shown_share * num;
+    if (num < place.min_border) return PlaceSight::kUnknown;
+    return num_shown >= options_.min_shown_share * num ? PlaceSight::kSeen : PlaceSight::kHidden;
   }
 
   void AddOcclusions(const FaceCandidate& candidate, ViewEvidence* evidence) const {
@@ -258,8 +259,8 @@ FaceEvidence Combined(const std::vector<std::vector<ViewEvidence>>& per_view, si
     const ViewEvidence& evidence = per_view[v][candidate];
     combined.seen_through += evidence.seen_through;
     combined.hidden += evidence.hidden;
-    if (std::ranges::count(evidence.seen, 1) == 0) continue;
-    combined.seen[static_cast<ViewId>(v)] = evidence.seen;
+    if (std::ranges::count(evidence.sights, PlaceSight::kSeen) == 0) continue;
+    combined.sights[static_cast<ViewId>(v)] = evidence.sights;
   }
   return combined;
 }

@@ -12,15 +12,21 @@
 
 namespace limn {
 
+// Whether a view sees a place of a candidate.
+enum class PlaceSight : uint8_t {
+  kUnknown,  // too little of the place and its border is in the image
+  kHidden,
+  kSeen,
+};
+
 struct FaceEvidence {
   // What is seen of curves and points behind it, the logarithm of how much likelier that is if
   // there is a surface: negative.
   double seen_through = 0;
   // The same of what is hidden behind it: positive.
   double hidden = 0;
-  // Per view, which of the candidate's places it sees with the border around them; without a view
-  // that sees none.
-  std::map<ViewId, std::vector<uint8_t>> seen;
+  // Per view, the candidate's places; without views that see none.
+  std::map<ViewId, std::vector<PlaceSight>> sights;
 };
 
 // `curves[v]` belongs to `views[v]`, which the supporting views of links are ids of.

@@ -18,11 +18,12 @@ namespace {
 // from the other one.
 bool IsSeenFromFront(const std::vector<View>& views, const CellChoice& choice) {
   int balance = 0;
-  for (const auto& [view, seen] : choice.evidence.seen) {
+  for (const auto& [view, sights] : choice.evidence.sights) {
     const Eigen::Vector3d eye = views[view].CenterInWorld();
-    for (size_t p = 0; p < seen.size(); ++p) {
+    for (size_t p = 0; p < sights.size(); ++p) {
       const CandidatePlace& place = choice.candidate.places[p];
-      if (seen[p]) balance += place.normal.dot(eye - place.position) > 0 ? 1 : -1;
+      if (sights[p] != PlaceSight::kSeen) continue;
+      balance += place.normal.dot(eye - place.position) > 0 ? 1 : -1;
     }
   }
   return balance >= 0;
@@ -125,7 +126,7 @@ class FaceFinder {
   }
 
   StageSummary Summarize(const std::vector<DrawingFace>& faces) const {
-    std::array<int64_t, 4> num = {};
+    std::array<int64_t, kNumCellFates> num = {};
     for (const CellFate fate : fates_) ++num[static_cast<size_t>(fate)];
     StageSummary summary;
     summary.stage = "surfaces";
@@ -139,7 +140,8 @@ class FaceFinder {
     summary.dropped = {
         {"cells: seen through", num[static_cast<size_t>(CellFate::kSeenThrough)]},
         {"cells: border not seen at once", num[static_cast<size_t>(CellFate::kUnseen)]},
-        {"cells: behind other faces", num[static_cast<size_t>(CellFate::kBehind)]}};
+        {"cells: behind other faces", num[static_cast<size_t>(CellFate::kBehind)]},
+        {"cells: on other faces", num[static_cast<size_t>(CellFate::kCopy)]}};
     return summary;
   }
 

@@ -12,8 +12,6 @@
 namespace limn {
 namespace {
 
-// Links may reach beyond the members of a plane by this share of its extent.
-constexpr double kMargin = 0.02;
 // Projected links are simplified to this, px.
 constexpr double kSimplifyPx = 0.1;
 // An end goes on in the direction of its last part, this long, px.
@@ -79,7 +77,9 @@ class StrokeMaker {
         extent.extend(result_.frame.Flat(sample));
       }
     }
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin * extent.sizes().maxCoeff());
+    // What an extension can reach may bound faces, too.
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(
+        options_.max_extension_px * links_[plane.members.front()].footprint);
     extent = Eigen::AlignedBox2d(extent.min() - margin, extent.max() + margin);
     std::vector<double> footprints;
     for (size_t l = 0; l < links_.size(); ++l) {

@@ -1,5 +1,7 @@
 #include "limn/surfaces/choose_cells.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "limn/surfaces/flat_candidates.h"
@@ -50,7 +52,7 @@ struct Squares {
     }
   }
   static void See(ViewId view, CellChoice* choice) {
-    choice->evidence.seen[view].assign(choice->candidate.places.size(), 1);
+    choice->evidence.sights[view].assign(choice->candidate.places.size(), PlaceSight::kSeen);
   }
 
   std::vector<CellFate> Fates() const { return ChooseCells(views, graph, planes, choices, {}, {}); }
@@ -71,10 +73,19 @@ TEST(ChooseCells, DifferentViewsOfDifferentHalvesDoNotSeeItWhole) {
   squares.FindChoices(0);
   CellChoice& choice = squares.choices[0];
   // Each view sees a third of the places, each place is seen by several.
-  for (ViewId v = 0; v < 9; ++v) {
-    std::vector<uint8_t>& seen = choice.evidence.seen[v];
-    for (size_t p = 0; p < choice.candidate.places.size(); ++p) seen.push_back(p % 3 == v % 3u);
-  }
+  const auto see_thirds = [&](PlaceSight others) {
+    for (ViewId v = 0; v < 9; ++v) {
+      std::vector<PlaceSight>& sights = choice.evidence.sights[v];
+      sights.clear();
+      for (size_t p = 0; p < choice.candidate.places.size(); ++p) {
+        sights.push_back(p % 3 == v % 3u ? PlaceSight::kSeen : others);
+      }
+    }
+  };
+  // Of a large surface there may be no more in the image.
+  see_thirds(PlaceSight::kUnknown);
+  EXPECT_EQ(squares.Fates(), (std::vector{CellFate::kFace}));
+  see_thirds(PlaceSight::kHidden);
   EXPECT_EQ(squares.Fates(), (std::vector{CellFate::kUnseen}));
   // Of a bent surface no view sees all.
   choice.candidate.flat.reset();
@@ -116,6 +127,26 @@ TEST(ChooseCells, OtherFacesHideIt) {
   fates = squares.Fates();
   for (const size_t c : {0, 1}) {
     EXPECT_EQ(fates[c], is_near(c) ? CellFate::kSeenThrough : CellFate::kFace);
+  }
+}
+
+TEST(ChooseCells, OfTwoFacesOnTopOfEachOtherOneStays) {
+  // The same plane found again, a little apart or farther.
+  for (const double apart_px : {2.5, 10.0}) {
+    Squares squares;
+    squares.Add(40, 0);
+    squares.FindChoices(16);
+    squares.planes.push_back(squares.planes[0]);
+    squares.choices.push_back(squares.choices[0]);
+    CellChoice& again = squares.choices[1];
+    again.plane = 1;
+    const Eigen::Vector3d apart(0, 0, apart_px * testing::kFrontalPx);
+    again.candidate.flat->frame.origin += apart;
+    for (CandidatePlace& place : again.candidate.places) place.position += apart;
+    for (Eigen::Vector3d& vertex : again.candidate.vertices) vertex += apart;
+    const std::vector<CellFate> fates = squares.Fates();
+    EXPECT_EQ(std::ranges::count(fates, CellFate::kFace), 1);
+    EXPECT_EQ(fates[1], apart_px < 4 ? CellFate::kCopy : CellFate::kFace);
   }
 }
 
