@@ -14,6 +14,8 @@ struct PlaneClass {
   std::vector<int> lines;  // indices of evidence, ascending
   std::vector<int> arcs;
   int normal_class = -1;  // class of directions that is the normal, -1: none
+
+  size_t Size() const { return lines.size() + arcs.size(); }
 };
 
 // The planes that lines and arcs share (ours). Hypotheses are the planes of arcs, of two lines that

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <vector>
 
@@ -17,12 +18,36 @@ struct RegularityClasses {
   std::vector<AxisClass> axes;
 };
 
-// The links that follow any.
-std::set<LinkId> MembersOf(const RegularityClasses& classes, const DrawingEvidence& evidence);
+enum class RegularityKind { kDirection, kPlane, kRadius, kAxis };
 
-// Lets links go, and what too few follow then: directions and circles of fewer than two, planes of
-// fewer than three.
-void LetGo(const std::set<LinkId>& links, const DrawingEvidence& evidence,
+// That a line or arc follows a regularity.
+struct Membership {
+  LinkId link = -1;
+  RegularityKind kind = RegularityKind::kDirection;
+  int index = 0;   // of the regularity among its kind
+  int member = 0;  // index of evidence
+
+  auto operator<=>(const Membership&) const = default;
+};
+
+// What each link follows; only links that follow any.
+using Memberships = std::map<LinkId, std::vector<Membership>>;
+Memberships MembershipsOf(const RegularityClasses& classes, const DrawingEvidence& evidence);
+
+// Ends what some lines and arcs follow, and what too few follow then: directions and circles of
+// fewer than two, planes of fewer than three. Those stay, without members and ties to others, so
+// that the indices of the rest hold.
+void Leave(const std::set<Membership>& memberships, const DrawingEvidence& evidence,
            RegularityClasses* classes);
+
+// Whether a regularity still has members.
+bool IsLeft(RegularityKind kind, int index, const RegularityClasses& classes);
+
+// Puts lines and arcs into regularities that they left.
+void Join(const std::set<Membership>& memberships, const DrawingEvidence& evidence,
+          RegularityClasses* classes);
+
+// Removes regularities without members; the others get new indices.
+void RemoveEmpty(RegularityClasses* classes);
 
 }  // namespace limn

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/regularity/apply_shapes.h"
+#include "limn/regularity/regularity_classes.h"
+
+namespace limn {
+
+struct SettledRegularities {
+  RegularityClasses classes;  // after the fit
+  NewShapes shapes;           // that follow them
+  std::set<LinkId> let_go;    // follow none any more
+};
+
+// Fits lines and arcs under regularities, and ends memberships until no link's residual in the
+// images grows by more than max_growth_px (ours; ALGORITHM.md 26.3). Where links are opposed, what
+// strains a link most by itself goes first; in the end what the result would not strain is tried
+// once again. Time: a fit per round, about 20.
+SettledRegularities SettleRegularities(const DrawingGraph& graph, const DrawingEvidence& evidence,
+                                       const RegularityOptions& options, RegularityClasses classes,
+                                       const RunContext& context);
+
+}  // namespace limn
