@@ -64,12 +64,11 @@ std::vector<FaceLink> MeasureFaceLinks(const DrawingGraph& graph, const std::vec
   return links;
 }
 
-double DistancePx(const FaceLink& link, const Eigen::Vector3d& normal, double offset) {
-  double distance = 0;
-  for (const Eigen::Vector3d& sample : link.samples) {
-    distance = std::max(distance, std::abs(normal.dot(sample) - offset));
-  }
-  return distance / link.footprint;
+bool LiesIn(const FaceLink& link, const Eigen::Vector3d& normal, double offset,
+            double tolerance_px) {
+  return std::ranges::all_of(link.samples, [&](const Eigen::Vector3d& sample) {
+    return std::abs(normal.dot(sample) - offset) <= tolerance_px * link.footprint;
+  });
 }
 
 }  // namespace limn

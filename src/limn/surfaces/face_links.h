@@ -33,7 +33,9 @@ struct FaceLink {
 std::vector<FaceLink> MeasureFaceLinks(const DrawingGraph& graph, const std::vector<View>& views,
                                        const SurfaceOptions& options);
 
-// The largest distance of the link from the plane normal . x = offset, px.
-double DistancePx(const FaceLink& link, const Eigen::Vector3d& normal, double offset);
+// Whether all samples are within `tolerance_px` of the plane normal . x = offset. Ends at the first
+// that is not: constant time for most links of a drawing.
+bool LiesIn(const FaceLink& link, const Eigen::Vector3d& normal, double offset,
+            double tolerance_px);
 
 }  // namespace limn

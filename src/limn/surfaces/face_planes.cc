@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
@@ -23,16 +24,20 @@ struct Plane {
   double offset;
 };
 
-// Sums from which the plane of links follows, weighted by length, in px.
+// Sums from which the plane of links follows, weighted by length, in px. Coordinates may be large
+// where a scene is in a national grid: sums are of offsets from a place among the links.
 class PlaneFit {
  public:
+  explicit PlaneFit(const Eigen::Vector3d& origin) : origin_(origin) {}
+
   void Add(const FaceLink& link) {
     const double weight = link.length_px / static_cast<double>(link.samples.size()) /
                           (link.footprint * link.footprint);
     for (const Eigen::Vector3d& sample : link.samples) {
+      const Eigen::Vector3d offset = sample - origin_;
       weight_ += weight;
-      first_ += weight * sample;
-      second_ += weight * sample * sample.transpose();
+      first_ += weight * offset;
+      second_ += weight * offset * offset.transpose();
     }
   }
   Plane Fit() const {
@@ -40,10 +45,11 @@ class PlaneFit {
     const Eigen::Matrix3d moments = second_ / weight_ - center * center.transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
     const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-    return {normal, normal.dot(center)};
+    return {normal, normal.dot(origin_ + center)};
   }
 
  private:
+  Eigen::Vector3d origin_;
   double weight_ = 0;
   Eigen::Vector3d first_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second_ = Eigen::Matrix3d::Zero();
@@ -82,13 +88,34 @@ std::vector<std::vector<int>> FindNeighbors(const std::vector<FaceLink>& links,
 }
 
 struct Hypothesis {
-  double length_px = 0;  // of the shorter link
-  std::vector<int> links;
+  double length_px = 0;    // of the shorter link
+  std::vector<int> links;  // ascending
 };
 
 bool IsSubset(const std::vector<int>& part, const std::vector<int>& whole) {
   return std::ranges::includes(whole, part);
 }
+
+// Planes as they are found, by their links.
+class GrownPlanes {
+ public:
+  explicit GrownPlanes(size_t num_links) : planes_of_(num_links) {}
+
+  // Whether links, at least one, are all in one plane.
+  bool Have(const std::vector<int>& links) const {
+    return std::ranges::any_of(planes_of_[links.front()],
+                               [&](int p) { return IsSubset(links, planes_[p].members); });
+  }
+  void Add(FacePlane plane) {
+    for (const int l : plane.members) planes_of_[l].push_back(static_cast<int>(planes_.size()));
+    planes_.push_back(std::move(plane));
+  }
+  std::vector<FacePlane> Take() { return std::move(planes_); }
+
+ private:
+  std::vector<FacePlane> planes_;
+  std::vector<std::vector<int>> planes_of_;  // per link
+};
 
 class PlaneFinder {
  public:
@@ -123,7 +150,7 @@ class PlaneFinder {
   // Empty members if the links of the hypothesis are in no plane.
   FacePlane Grow(const Hypothesis& hypothesis) const {
     std::set<int> members(hypothesis.links.begin(), hypothesis.links.end());
-    PlaneFit fit;
+    PlaneFit fit(links_[hypothesis.links.front()].center);
     for (const int l : members) fit.Add(links_[l]);
     Plane plane = fit.Fit();
     std::vector<int> fresh = hypothesis.links;
@@ -149,7 +176,7 @@ class PlaneFinder {
 
   bool AreIn(const std::vector<int>& members, const FacePlane& plane) const {
     return std::ranges::all_of(members, [&](int l) {
-      return DistancePx(links_[l], plane.normal, plane.offset) <= options_.plane_tolerance_px;
+      return LiesIn(links_[l], plane.normal, plane.offset, options_.plane_tolerance_px);
     });
   }
 
@@ -161,7 +188,7 @@ class PlaneFinder {
 
  private:
   bool IsIn(int l, const Plane& plane) const {
-    return DistancePx(links_[l], plane.normal, plane.offset) <= options_.plane_tolerance_px;
+    return LiesIn(links_[l], plane.normal, plane.offset, options_.plane_tolerance_px);
   }
   bool MayBound(const std::vector<int>& members) const {
     return members.size() >= 3 ||
@@ -179,19 +206,14 @@ class PlaneFinder {
 std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links, const DrawingGraph& graph,
                                       const SurfaceOptions& options, const RunContext& context) {
   const PlaneFinder finder(links, graph, options);
-  std::vector<FacePlane> grown;
+  GrownPlanes found(links.size());
   for (const Hypothesis& hypothesis : finder.Hypotheses()) {
     ThrowIfCancelled(context);
-    std::vector<int> seeds = hypothesis.links;
-    std::ranges::sort(seeds);
-    const auto has = [&](const std::vector<int>& part) {
-      return std::ranges::any_of(
-          grown, [&](const FacePlane& plane) { return IsSubset(part, plane.members); });
-    };
-    if (has(seeds)) continue;
+    if (found.Have(hypothesis.links)) continue;
     FacePlane plane = finder.Grow(hypothesis);
-    if (!plane.members.empty() && !has(plane.members)) grown.push_back(std::move(plane));
+    if (!plane.members.empty() && !found.Have(plane.members)) found.Add(std::move(plane));
   }
+  std::vector<FacePlane> grown = found.Take();
   std::ranges::stable_sort(grown, std::greater<>(),
                            [&](const FacePlane& plane) { return finder.LengthPx(plane); });
   std::vector<FacePlane> planes;

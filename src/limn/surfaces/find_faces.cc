@@ -14,9 +14,9 @@
 namespace limn {
 namespace {
 
-// Whether more of the places that are seen are seen from the side that the normals point to, than
+// How many more of the places that are seen are seen from the side that the normals point to, than
 // from the other one.
-bool IsSeenFromFront(const std::vector<View>& views, const CellChoice& choice) {
+int FrontBalance(const std::vector<View>& views, const CellChoice& choice) {
   int balance = 0;
   for (const auto& [view, sights] : choice.evidence.sights) {
     const Eigen::Vector3d eye = views[view].CenterInWorld();
@@ -26,7 +26,7 @@ bool IsSeenFromFront(const std::vector<View>& views, const CellChoice& choice) {
       balance += place.normal.dot(eye - place.position) > 0 ? 1 : -1;
     }
   }
-  return balance >= 0;
+  return balance;
 }
 
 void TurnRound(DrawingFace* face) {
@@ -117,12 +117,14 @@ class FaceFinder {
   // Sets what is known of the candidates that a face is made of.
   void Describe(const std::vector<int>& cells, DrawingFace* face) const {
     face->confidence = 1;
+    int front_balance = 0;
     for (const int c : cells) {
       face->confidence = std::min(face->confidence, ConfidenceOf(cells_[c], options_));
       std::ranges::copy(ViewsOf(cells_[c]), std::back_inserter(face->views));
+      front_balance += FrontBalance(images_.views, cells_[c]);
     }
     SortUnique(&face->views);
-    if (!IsSeenFromFront(images_.views, cells_[cells.front()])) TurnRound(face);
+    if (front_balance < 0) TurnRound(face);
   }
 
   StageSummary Summarize(const std::vector<DrawingFace>& faces) const {

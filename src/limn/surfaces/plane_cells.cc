@@ -19,27 +19,14 @@ double WidthOf(const Polygon2d& polygon) {
   return perimeter > 0 ? 2 * polygon.Area() / perimeter : 0;
 }
 
-// Position on the link of a position on its simplified stroke.
-double PositionOnLink(const PlaneStroke& stroke, double position) {
-  const auto last = static_cast<double>(stroke.at.size() - 1);
-  const double index = std::min(std::floor(position), last - 1);
-  const auto i = static_cast<size_t>(index);
-  return stroke.at[i] + (position - index) * (stroke.at[i + 1] - stroke.at[i]);
-}
-
-Eigen::Vector2d PointAlong(const Polyline2d& points, double position) {
-  const double index = std::min(std::floor(position), static_cast<double>(points.size() - 2));
-  const auto i = static_cast<size_t>(index);
-  return points[i] + (position - index) * (points[i + 1] - points[i]);
-}
-
 FaceEdge EdgeOf(const PlaneStrokes& strokes, const StrokeRun& run) {
-  const LinkRun on_link = OnLink(strokes, run);
-  if (on_link.link >= 0) return {on_link.link, on_link.from, on_link.to, {}};
+  const PlaneStroke& stroke = strokes.strokes[run.stroke];
+  if (stroke.link >= 0) {
+    return {stroke.link, PositionOnLink(stroke, run.from), PositionOnLink(stroke, run.to), {}};
+  }
   FaceEdge edge;
   for (const double position : {run.from, run.to}) {
-    const Polyline2d& points = strokes.strokes[run.stroke].points;
-    edge.bridge.push_back(strokes.frame.InSpace(PointAlong(points, position)));
+    edge.bridge.push_back(strokes.frame.InSpace(PointOn(stroke, position)));
   }
   return edge;
 }
@@ -52,7 +39,9 @@ DrawingFace FaceOf(const PlaneCells& plane, const ArrangementCell& cell) {
   for (const std::vector<HalfEdge>& half_edges : cell.loops) {
     FaceLoop loop;
     for (const StrokeRun& run : RunsAlong(plane.arrangement, half_edges)) {
-      loop.push_back(EdgeOf(plane.strokes, run));
+      FaceEdge edge = EdgeOf(plane.strokes, run);
+      // A part across the link, between two ends that touch it, has no length along it.
+      if (edge.IsBridge() || edge.from != edge.to) loop.push_back(std::move(edge));
     }
     face.loops.push_back(std::move(loop));
   }
@@ -78,12 +67,6 @@ PlaneCells FindPlaneCells(const FacePlane& plane, const std::vector<FaceLink>& l
   std::erase_if(result.cells,
                 [&](const ArrangementCell& cell) { return WidthOf(cell.polygon) < min_width; });
   return result;
-}
-
-LinkRun OnLink(const PlaneStrokes& strokes, const StrokeRun& run) {
-  const PlaneStroke& stroke = strokes.strokes[run.stroke];
-  if (stroke.link < 0) return {};
-  return {stroke.link, PositionOnLink(stroke, run.from), PositionOnLink(stroke, run.to)};
 }
 
 std::vector<MadeFace> MakeFaces(const PlaneCells& plane, const std::vector<uint8_t>& is_face) {

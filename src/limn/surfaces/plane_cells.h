@@ -20,14 +20,6 @@ struct PlaneCells {
 PlaneCells FindPlaneCells(const FacePlane& plane, const std::vector<FaceLink>& links,
                           const DrawingGraph& graph, const SurfaceOptions& options);
 
-// A part of a link, by positions on it; link -1: a bridge.
-struct LinkRun {
-  LinkId link = -1;
-  double from = 0;
-  double to = 0;
-};
-LinkRun OnLink(const PlaneStrokes& strokes, const StrokeRun& run);
-
 // A face and the cells that it is made of.
 struct MadeFace {
   DrawingFace face;

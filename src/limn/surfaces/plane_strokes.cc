@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -25,6 +27,12 @@ PlaneFrame FrameOf(const FacePlane& plane, const Eigen::Vector3d& center) {
   frame.x_axis = plane.normal.unitOrthogonal();
   frame.y_axis = plane.normal.cross(frame.x_axis);
   return frame;
+}
+
+// The segment of a position on a stroke of at least two points, and the fraction along it.
+std::pair<size_t, double> Split(double position, size_t num_points) {
+  const size_t i = std::min(static_cast<size_t>(position), num_points - 2);
+  return {i, position - static_cast<double>(i)};
 }
 
 // An end of a link that meets no other in the plane, and how it would go on.
@@ -83,13 +91,15 @@ class StrokeMaker {
     extent = Eigen::AlignedBox2d(extent.min() - margin, extent.max() + margin);
     std::vector<double> footprints;
     for (size_t l = 0; l < links_.size(); ++l) {
-      if (DistancePx(links_[l], plane.normal, plane.offset) > options_.plane_tolerance_px ||
+      if (!LiesIn(links_[l], plane.normal, plane.offset, options_.plane_tolerance_px) ||
           !IsWithin(links_[l], extent)) {
         continue;
       }
       result_.strokes.push_back(StrokeOf(links_[l]));
       link_of_.push_back(static_cast<int>(l));
       footprints.push_back(links_[l].footprint);
+      Eigen::AlignedBox2d& box = boxes_.emplace_back();
+      for (const Eigen::Vector2d& point : result_.strokes.back().points) box.extend(point);
     }
     result_.footprint = Median(footprints);
   }
@@ -103,13 +113,13 @@ class StrokeMaker {
   // Every point that is kept is a point of the link.
   PlaneStroke StrokeOf(const FaceLink& link) const {
     const std::vector<Eigen::Vector3d>& points = graph_.links[link.link].points_in_world;
-    Polyline3d flat;
+    PlaneStroke stroke;
+    stroke.link = link.link;
+    Polyline3d& flat = stroke.course;
     for (const Eigen::Vector3d& point : points) {
       const Eigen::Vector2d place = result_.frame.Flat(point);
       flat.emplace_back(place.x(), place.y(), 0);
     }
-    PlaneStroke stroke;
-    stroke.link = link.link;
     size_t next = 0;
     for (const Eigen::Vector3d& kept : Simplified(flat, kSimplifyPx * link.footprint)) {
       while (flat[next] != kept) ++next;
@@ -124,8 +134,7 @@ class StrokeMaker {
     const auto& incident = graph_.nodes[node].incident;
     return std::ranges::any_of(incident, [&](const LinkEnd& end) {
       return end.link != result_.strokes[stroke].link &&
-             std::ranges::any_of(result_.strokes,
-                                 [&](const PlaneStroke& other) { return other.link == end.link; });
+             std::ranges::binary_search(result_.strokes, end.link, {}, &PlaneStroke::link);
     });
   }
 
@@ -175,10 +184,12 @@ class StrokeMaker {
     return best;
   }
 
+  // Those of the links that the end may reach.
   template <typename Visit>
   void ForEachOtherSegment(const OpenEnd& end, Visit&& visit) const {
     for (size_t s = 0; s < result_.strokes.size(); ++s) {
       if (static_cast<int>(s) == end.stroke) continue;
+      if (boxes_[s].exteriorDistance(end.place) > end.reach) continue;
       const Polyline2d& points = result_.strokes[s].points;
       for (size_t i = 0; i + 1 < points.size(); ++i) visit(points[i], points[i + 1]);
     }
@@ -223,17 +234,35 @@ class StrokeMaker {
   }
 
   static PlaneStroke Bridge(const OpenEnd& end, const Eigen::Vector2d& place) {
-    return {-1, {end.place, place}, {}};
+    return {-1, {end.place, place}, {}, {}};
   }
 
   const std::vector<FaceLink>& links_;
   const DrawingGraph& graph_;
   const SurfaceOptions& options_;
   PlaneStrokes result_;
-  std::vector<int> link_of_;  // per stroke
+  // Per stroke.
+  std::vector<int> link_of_;
+  std::vector<Eigen::AlignedBox2d> boxes_;
 };
 
 }  // namespace
+
+Eigen::Vector2d PointOn(const PlaneStroke& stroke, double position) {
+  const auto [i, t] = Split(position, stroke.points.size());
+  return stroke.points[i] + t * (stroke.points[i + 1] - stroke.points[i]);
+}
+
+double PositionOnLink(const PlaneStroke& stroke, double position) {
+  const auto [i, t] = Split(position, stroke.points.size());
+  const double begin = stroke.at[i], end = stroke.at[i + 1];
+  if (end - begin <= 1) return begin + t * (end - begin);
+  const std::span part(stroke.course.begin() + static_cast<std::ptrdiff_t>(begin),
+                       stroke.course.begin() + static_cast<std::ptrdiff_t>(end) + 1);
+  const Eigen::Vector2d place = PointOn(stroke, position);
+  const PolylinePoint on_link = ClosestPoint(part, {place.x(), place.y(), 0});
+  return begin + on_link.segment + on_link.t;
+}
 
 Eigen::Vector3d PlaneFrame::Normal() const { return x_axis.cross(y_axis); }
 

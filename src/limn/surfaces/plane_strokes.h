@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "limn/geometry/polygon2d.h"
+#include "limn/geometry/polyline.h"
 #include "limn/surfaces/face_planes.h"
 
 namespace limn {
@@ -30,20 +31,28 @@ struct PlaneStroke {
   Polyline2d points;
   // Of a link, where each point is along it: index of a point.
   std::vector<double> at;
+  // Of a link, all its points; z = 0.
+  Polyline3d course = {};
 };
+
+// At a position: index of a point plus fraction.
+Eigen::Vector2d PointOn(const PlaneStroke& stroke, double position);
+// The position on the link of a position on its stroke: of the same place, as the points of a link
+// may be at any distances. Time: points of the link between two of the stroke.
+double PositionOnLink(const PlaneStroke& stroke, double position);
 
 // What may bound faces in a plane: the links in it, then bridges.
 struct PlaneStrokes {
   PlaneFrame frame;
-  double footprint = 0;  // median over the links, world units per px
-  std::vector<PlaneStroke> strokes;
+  double footprint = 0;              // median over the links, world units per px
+  std::vector<PlaneStroke> strokes;  // links ascending
 };
 
 // The strokes of a plane (ours; ALGORITHM.md 27.2): all links within plane_tolerance_px of it that
 // are in the rectangle around its members, widened by max_extension_px. An end that meets none of
 // these gets a bridge to the nearest within max_bridge_px, or straight on to the first that it
 // meets, and another to where two ends cross that both go straight on. Whether a bridge bounds
-// anything shows in the arrangement. Time: ends times points of the links in the plane.
+// anything shows in the arrangement. Time: ends times links in the plane, and points in reach.
 PlaneStrokes MakeStrokes(const FacePlane& plane, const std::vector<FaceLink>& links,
                          const DrawingGraph& graph, const SurfaceOptions& options);
 

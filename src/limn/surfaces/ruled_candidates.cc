@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -65,7 +64,7 @@ class RailFinder {
  public:
   RailFinder(const std::vector<FaceLink>& links, const DrawingGraph& graph,
              const SurfaceOptions& options)
-      : graph_(graph), options_(options) {
+      : graph_(graph), options_(options), link_of_(graph.links.size(), nullptr) {
     for (const FaceLink& link : links) {
       if (!link.IsStraight(options.plane_tolerance_px)) bent_.push_back(&link);
       link_of_[link.link] = &link;
@@ -97,10 +96,8 @@ class RailFinder {
   // A straight link between two nodes.
   LinkId StraightBetween(NodeId from, NodeId to) const {
     for (const LinkEnd& end : graph_.nodes[from].incident) {
-      const auto found = link_of_.find(end.link);
-      if (found == link_of_.end() || !found->second->IsStraight(options_.plane_tolerance_px)) {
-        continue;
-      }
+      const FaceLink* link = link_of_[end.link];
+      if (!link || !link->IsStraight(options_.plane_tolerance_px)) continue;
       if (graph_.links[end.link].NodeAt(1 - end.end) == to) return end.link;
     }
     return -1;
@@ -124,7 +121,7 @@ class RailFinder {
   }
 
   bool AreFlat(const FaceLink& a, const FaceLink& b) const {
-    return DistancePx(b, a.normal, a.normal.dot(a.center)) <= 2 * options_.plane_tolerance_px;
+    return LiesIn(b, a.normal, a.normal.dot(a.center), 2 * options_.plane_tolerance_px);
   }
 
   // Circles, or arcs whose ends are beside each other, around one axis with the same radius.
@@ -195,7 +192,7 @@ class RailFinder {
   const DrawingGraph& graph_;
   const SurfaceOptions& options_;
   std::vector<const FaceLink*> bent_;
-  std::map<LinkId, const FaceLink*> link_of_;
+  std::vector<const FaceLink*> link_of_;  // per link of the graph
 };
 
 std::vector<Ruling> RulingsOf(const Rails& rails, const DrawingGraph& graph) {
