@@ -46,7 +46,7 @@ THIRD_PARTY = {
     "flann/": ["src/limn/geometry/spatial_index.cc"],
     "tbb/": ["src/limn/util/parallel.cc"],
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
-    "boost/geometry/": ["src/limn/geometry/triangle_index.cc"],
+    "boost/geometry/": ["src/limn/geometry/box_index2d.cc", "src/limn/geometry/triangle_index.cc"],
     "boost/program_options": ["colmap_ext/options/"],
     "boost/mpi/": ["colmap_ext/run/ranks.cc"],
     **{prefix: ["colmap_ext/adapter/"] for prefix in ("colmap/", "base/", "util/", "glog/")},

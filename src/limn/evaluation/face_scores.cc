@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "limn/evaluation/area_samples.h"
 #include "limn/evaluation/smooth_regions.h"
@@ -12,6 +13,7 @@
 #include "limn/model/footprint.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
+#include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"
 
 namespace limn {
@@ -195,15 +197,11 @@ void FaceScoreOptions::Check() const {
 }
 
 PartedSurface SurfaceOf(const std::vector<DrawingFace>& faces) {
-  PartedSurface surface;
+  TriangleMesh mesh = MeshOf(faces);
+  PartedSurface surface = {std::move(mesh.vertices), std::move(mesh.triangles), {}, 0};
   for (const DrawingFace& face : faces) {
-    const int first = static_cast<int>(surface.vertices.size());
-    surface.vertices.insert(surface.vertices.end(), face.vertices.begin(), face.vertices.end());
-    for (const auto& [a, b, c] : face.triangles) {
-      surface.triangles.push_back({first + a, first + b, first + c});
-      surface.part_of_triangle.push_back(surface.num_parts);
-    }
-    ++surface.num_parts;
+    surface.part_of_triangle.insert(surface.part_of_triangle.end(), face.triangles.size(),
+                                    surface.num_parts++);
   }
   return surface;
 }

@@ -30,7 +30,7 @@ std::string ProblemOf(const FaceEdge& edge, const std::vector<int>& num_points) 
   return is_on_link ? "" : "an edge is not on its link";
 }
 
-// One loop per side count that the surface can have.
+// Whether a surface can have so many loops, and sides of its only loop.
 bool HasRightLoops(const DrawingFace& face) {
   const size_t num_sides = face.side_starts.size();
   switch (face.surface) {

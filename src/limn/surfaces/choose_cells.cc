@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"
 
 namespace limn {
@@ -81,14 +82,8 @@ class CellChooser {
   TriangleMesh MeshOfFaces() const {
     TriangleMesh mesh;
     for (size_t c = 0; c < cells_.size(); ++c) {
-      if (!IsFace(c)) continue;
       const FaceCandidate& candidate = cells_[c].candidate;
-      const int first = static_cast<int>(mesh.vertices.size());
-      mesh.vertices.insert(mesh.vertices.end(), candidate.vertices.begin(),
-                           candidate.vertices.end());
-      for (const auto& [i, j, k] : candidate.triangles) {
-        mesh.triangles.push_back({first + i, first + j, first + k});
-      }
+      if (IsFace(c)) AddTriangles(candidate.vertices, candidate.triangles, &mesh);
     }
     return mesh;
   }

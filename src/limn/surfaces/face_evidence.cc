@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "limn/belief/link_claims.h"
+#include "limn/geometry/box_index2d.h"
 #include "limn/model/link_selection.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/view_edgels.h"
@@ -87,7 +89,7 @@ bool IsShown(const LinkSighting& sighting, int sample) {
 struct ViewEvidence {
   double seen_through = 0;
   double hidden = 0;
-  std::vector<PlaceSight> sights;  // per place
+  std::vector<PlaceSight> sights;  // per place; empty if none is seen
 };
 
 // Adds how much likelier it is that so many of the samples behind a surface are shown if it is one.
@@ -115,6 +117,8 @@ class ViewJudge {
         points_.push_back(point.position_in_world);
       }
     }
+    link_index_ = BoxIndex2d(SureExtents());
+    point_index_ = BoxIndex2d(PointExtents());
   }
 
   ViewEvidence Judge(const FaceCandidate& candidate, const std::vector<Border>& borders) const {
@@ -122,6 +126,7 @@ class ViewJudge {
     for (size_t p = 0; p < borders.size(); ++p) {
       evidence.sights.push_back(SightOf(candidate.places[p], borders[p]));
     }
+    if (std::ranges::count(evidence.sights, PlaceSight::kSeen) == 0) evidence.sights = {};
     AddOcclusions(candidate, &evidence);
     return evidence;
   }
@@ -146,22 +151,19 @@ class ViewJudge {
 
   void AddOcclusions(const FaceCandidate& candidate, ViewEvidence* evidence) const {
     const auto extent = ExtentOf(candidate);
-    for (size_t l = 0; l < links_.size(); ++l) {
-      const LinkSighting& sighting = sightings_[l];
-      if (!is_sure_[l] || sighting.extent.isEmpty()) continue;
-      if (extent && !extent->intersects(sighting.extent)) continue;
+    for (const int l : link_index_.Meeting(extent.value_or(Everywhere()))) {
       AddOcclusionOf(candidate, extent, l, evidence);
     }
     double num_points = 0;
-    for (const Eigen::Vector3d& point : points_) {
-      num_points += IsBehind(candidate, point);
+    for (const int p : point_index_.Meeting(extent.value_or(Everywhere()))) {
+      num_points += IsBehind(candidate, points_[p]);
     }
     const double units = std::min(kUnitsPerPoint * num_points, kMaxUnits);
     evidence->seen_through += units * std::log(kShownBehind / kShownInFront);
   }
 
   void AddOcclusionOf(const FaceCandidate& candidate,
-                      const std::optional<Eigen::AlignedBox2d>& extent, size_t l,
+                      const std::optional<Eigen::AlignedBox2d>& extent, int l,
                       ViewEvidence* evidence) const {
     const LinkSighting& sighting = sightings_[l];
     int num = 0;
@@ -174,6 +176,28 @@ class ViewJudge {
       num_shown += sighting.samples[k] == Sighting::kShown;
     }
     if (num >= kMinSamples) AddOcclusion(num, num_shown, evidence);
+  }
+
+  // In the image, of links that are sure; empty for the others.
+  std::vector<Eigen::AlignedBox2d> SureExtents() const {
+    std::vector<Eigen::AlignedBox2d> extents(links_.size());
+    for (size_t l = 0; l < links_.size(); ++l) {
+      if (is_sure_[l]) extents[l] = sightings_[l].extent;
+    }
+    return extents;
+  }
+  // Empty for points behind the camera.
+  std::vector<Eigen::AlignedBox2d> PointExtents() const {
+    std::vector<Eigen::AlignedBox2d> extents(points_.size());
+    for (size_t p = 0; p < points_.size(); ++p) {
+      const Eigen::Vector3d in_cam = view_.cam_from_world * points_[p];
+      if (in_cam.z() > 0) extents[p].extend(view_.camera.Project(in_cam));
+    }
+    return extents;
+  }
+  static Eigen::AlignedBox2d Everywhere() {
+    constexpr double kFar = std::numeric_limits<double>::max();
+    return {Eigen::Vector2d(-kFar, -kFar), Eigen::Vector2d(kFar, kFar)};
   }
 
   // Of the surface in the image; nothing if a part of it is behind the camera.
@@ -239,6 +263,8 @@ class ViewJudge {
   const std::vector<uint8_t>& is_sure_;
   std::vector<LinkSighting> sightings_;
   std::vector<Eigen::Vector3d> points_;  // that the view sees
+  BoxIndex2d link_index_{{}};
+  BoxIndex2d point_index_{{}};
 };
 
 std::vector<ImageEvidence> EvidenceOfLinks(const SurfaceImages& images, const DrawingGraph& graph,
@@ -259,8 +285,7 @@ FaceEvidence Combined(const std::vector<std::vector<ViewEvidence>>& per_view, si
     const ViewEvidence& evidence = per_view[v][candidate];
     combined.seen_through += evidence.seen_through;
     combined.hidden += evidence.hidden;
-    if (std::ranges::count(evidence.sights, PlaceSight::kSeen) == 0) continue;
-    combined.sights[static_cast<ViewId>(v)] = evidence.sights;
+    if (!evidence.sights.empty()) combined.sights[static_cast<ViewId>(v)] = evidence.sights;
   }
   return combined;
 }

@@ -46,7 +46,7 @@ struct SurfaceImages {
 // a disc inside a solid, each view shows the half of the border on its own side only.
 //
 // The result does not depend on the number of threads. Time: views times (samples of links plus
-// candidates times links whose images overlap).
+// candidates times links and points whose images overlap).
 std::vector<FaceEvidence> FindFaceEvidence(const SurfaceImages& images, const DrawingGraph& graph,
                                            const std::vector<FaceCandidate>& candidates,
                                            const SurfaceOptions& options,

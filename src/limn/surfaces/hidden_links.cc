@@ -6,6 +6,7 @@
 #include "limn/geometry/polyline.h"
 #include "limn/model/footprint.h"
 #include "limn/model/link_selection.h"
+#include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"
 
 namespace limn {
@@ -14,18 +15,6 @@ namespace {
 constexpr double kSpacingPx = 3;
 constexpr double kBehindPx = 5;
 constexpr double kMinHiddenShare = 0.5;
-
-TriangleMesh MeshOf(const std::vector<DrawingFace>& faces) {
-  TriangleMesh mesh;
-  for (const DrawingFace& face : faces) {
-    const int first = static_cast<int>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), face.vertices.begin(), face.vertices.end());
-    for (const auto& [i, j, k] : face.triangles) {
-      mesh.triangles.push_back({first + i, first + j, first + k});
-    }
-  }
-  return mesh;
-}
 
 struct Counts {
   int64_t samples = 0;

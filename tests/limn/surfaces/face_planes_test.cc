@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/model/drawing_transform.h"
 #include "limn/topology/graph_fixture.h"
 #include "support/face_drawing.h"
 #include "support/synthetic_scene.h"
@@ -31,6 +32,19 @@ TEST(FacePlanes, ACubeHasSix) {
     EXPECT_NEAR(plane.offset * plane.normal.sum(), std::round(plane.offset * plane.normal.sum()),
                 1e-9);
   }
+}
+
+// Coordinates of a national grid, where squares of coordinates have no digits left.
+TEST(FacePlanes, FarFromTheOrigin) {
+  const Eigen::Vector3d far(5e5, 5.4e6, 300);
+  const DrawingGraph cube = Transformed(testing::UnitCube(), 1, Eigen::Matrix3d::Identity(), far);
+  std::vector<View> views = testing::DomeViews(12, 5);
+  for (View& view : views) {
+    view.cam_from_world.translation -= view.cam_from_world.rotation * far;
+  }
+  const std::vector<FacePlane> planes = PlanesOf(cube, views);
+  ASSERT_EQ(planes.size(), 6u);
+  for (const FacePlane& plane : planes) EXPECT_NEAR(plane.normal.cwiseAbs().maxCoeff(), 1, 1e-7);
 }
 
 TEST(FacePlanes, LinksOffThePlaneAreLeftOut) {

@@ -155,5 +155,21 @@ TEST(FindFaces, EarlierFacesAreReplacedAndBadOptionsRefused) {
   EXPECT_THROW(FindFaces({scene.views, curves, {}}, scene.graph, options, {}), OptionError);
 }
 
+TEST(FindFaces, NothingToLookAt) {
+  for (const bool has_links : {true, false}) {
+    const DrawingGraph graph = has_links ? SquareScene(1).graph : DrawingGraph();
+    const SurfaceResult result = FindFaces({{}, {}, {}}, graph, {}, {});
+    EXPECT_TRUE(result.graph.faces.empty());
+    EXPECT_EQ(result.graph.links.size(), graph.links.size());
+  }
+}
+
+TEST(FindFaces, OneViewIsNotEnough) {
+  BeliefScene scene = SquareScene(1);
+  scene.views.resize(1);
+  scene.shown.resize(1);
+  EXPECT_EQ(NumFaces(scene), 0u);
+}
+
 }  // namespace
 }  // namespace limn

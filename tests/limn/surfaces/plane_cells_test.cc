@@ -154,5 +154,61 @@ TEST(PlaneCells, ALinkAcrossSeparatesFacesAndNarrowCellsAreLeftOut) {
   EXPECT_TRUE(found);
 }
 
+// The points of a link may be at any distances.
+TEST(PlaneCells, PlacesOnLinksAreWhereTheFaceEnds) {
+  DrawingGraph graph;
+  DrawLink({FrontalPoint(0, 0), FrontalPoint(1, 0), FrontalPoint(3, 0), FrontalPoint(60, 0)}, {},
+           &graph);
+  DrawLink(FrontalLine(60, 0, 60, 60), {}, &graph);
+  DrawLink(FrontalLine(60, 60, 0, 60), {}, &graph);
+  DrawLink(FrontalLine(0, 60, 0, 0), {}, &graph);
+  DrawLink(FrontalLine(40, 0, 40, 60), {}, &graph);
+  const PlaneCells plane = CellsOf(graph);
+  ASSERT_EQ(plane.cells.size(), 2u);
+  int num_parts = 0;
+  for (const MadeFace& made : AllFaces(plane)) {
+    ExpectInOrder(made.face, graph);
+    for (const FaceEdge& edge : made.face.loops[0]) {
+      if (edge.link != 0) continue;
+      ++num_parts;
+      const double inner = edge.from > 0 && edge.from < 3 ? edge.from : edge.to;
+      EXPECT_NEAR(inner, 2 + 37.0 / 57, 1e-6);
+    }
+  }
+  EXPECT_EQ(num_parts, 2);
+}
+
+TEST(PlaneCells, LinksOnTopOfEachOtherCountOnce) {
+  DrawingGraph graph = OpenSquare(60);
+  DrawLink(FrontalLine(20, 0, 50, 0), {}, &graph);        // on the lower side
+  DrawLink(FrontalLine(10, 60.1, 70, 60.1), {}, &graph);  // nearly on the upper one
+  DrawLink(FrontalLine(0, 60, 0, 0), {}, &graph);         // back along the left one
+  const PlaneCells plane = CellsOf(graph);
+  ASSERT_EQ(plane.cells.size(), 1u);
+  EXPECT_NEAR(AreasPx(plane)[0], 3600, 10);
+  for (const MadeFace& made : AllFaces(plane)) ExpectInOrder(made.face, graph);
+}
+
+TEST(PlaneCells, HolesThatTouchTheBorderOrEachOther) {
+  DrawingGraph graph = OpenSquare(60);
+  const auto draw_triangle = [&](double x, double y) {  // its tip at (x, y)
+    DrawLink({FrontalPoint(x, y), FrontalPoint(x + 15, y - 5), FrontalPoint(x + 15, y + 5),
+              FrontalPoint(x, y)},
+             {}, &graph);
+  };
+  draw_triangle(0, 20);
+  draw_triangle(15, 25);
+  draw_triangle(20, 45);
+  const PlaneCells plane = CellsOf(graph);
+  ASSERT_EQ(plane.cells.size(), 4u);
+  EXPECT_NEAR(AreasPx(plane).back(), 3600 - 3 * 75, 1e-6);
+  double area = 0;
+  for (const MadeFace& made : AllFaces(plane)) {
+    ExpectInOrder(made.face, graph);
+    area += AreaOf(made.face) / (kFrontalPx * kFrontalPx);
+  }
+  EXPECT_NEAR(area, 3600, 1e-6);
+}
+
 }  // namespace
 }  // namespace limn
