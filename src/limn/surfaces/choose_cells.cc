@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include <Eigen/Geometry>
 
 #include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"
@@ -148,30 +151,40 @@ class CellChooser {
 
   // Planes may be found twice, a little apart, and so are their cells.
   void DropCopies() {
+    std::vector<Eigen::AlignedBox3d> boxes(cells_.size());
+    for (size_t c = 0; c < cells_.size(); ++c) boxes[c] = BoxAround(cells_[c].candidate);
     for (size_t c = 0; c < cells_.size(); ++c) {
       if (!IsFace(c) || !cells_[c].candidate.flat) continue;
-      const std::vector<CandidatePlace>& places = cells_[c].candidate.places;
-      const auto num_covered = std::ranges::count_if(
-          places, [&](const CandidatePlace& place) { return IsOnEarlier(place, c); });
-      if (2 * num_covered > std::ssize(places)) fates_[c] = CellFate::kCopy;
+      std::vector<CandidatePlace> places = cells_[c].candidate.places;
+      const auto num_places = std::ssize(places);
+      for (size_t e = 0; e < c && cells_[e].plane < cells_[c].plane; ++e) {
+        if (!IsFace(e) || !cells_[e].candidate.flat || !boxes[e].intersects(boxes[c])) continue;
+        std::erase_if(
+            places, [&](const CandidatePlace& place) { return IsOn(place, cells_[e].candidate); });
+      }
+      if (2 * std::ssize(places) < num_places) fates_[c] = CellFate::kCopy;
     }
   }
 
-  // Whether a place is on a face of an earlier plane.
-  bool IsOnEarlier(const CandidatePlace& place, size_t cell) const {
-    for (size_t c = 0; c < cell && cells_[c].plane < cells_[cell].plane; ++c) {
-      const auto& flat = cells_[c].candidate.flat;
-      if (!IsFace(c) || !flat) continue;
-      const Eigen::Vector3d normal = flat->frame.Normal();
-      const double distance = std::abs(normal.dot(place.position - flat->frame.origin));
-      if (distance <=
-              kCopyTolerances * options_.plane_tolerance_px * cells_[c].candidate.footprint &&
-          std::abs(normal.dot(place.normal)) >= kMinCopyCosine &&
-          flat->polygon.Contains(flat->frame.Flat(place.position))) {
-        return true;
-      }
-    }
-    return false;
+  // Of what may be a copy of a flat candidate.
+  Eigen::AlignedBox3d BoxAround(const FaceCandidate& candidate) const {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& vertex : candidate.vertices) box.extend(vertex);
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(CopyDistance(candidate));
+    return {box.min() - margin, box.max() + margin};
+  }
+  double CopyDistance(const FaceCandidate& candidate) const {
+    return kCopyTolerances * options_.plane_tolerance_px * candidate.footprint;
+  }
+
+  // Whether a place is on a flat candidate.
+  bool IsOn(const CandidatePlace& place, const FaceCandidate& candidate) const {
+    const FlatRegion& flat = *candidate.flat;
+    const Eigen::Vector3d normal = flat.frame.Normal();
+    const double distance = std::abs(normal.dot(place.position - flat.frame.origin));
+    return distance <= CopyDistance(candidate) &&
+           std::abs(normal.dot(place.normal)) >= kMinCopyCosine &&
+           flat.polygon.Contains(flat.frame.Flat(place.position));
   }
 
   bool SpreadBetween(size_t a, size_t b) {

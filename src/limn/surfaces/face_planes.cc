@@ -96,6 +96,13 @@ bool IsSubset(const std::vector<int>& part, const std::vector<int>& whole) {
   return std::ranges::includes(whole, part);
 }
 
+// Adds links that are not there yet.
+void Join(const std::vector<int>& more, std::vector<int>* members) {
+  std::vector<int> joined;
+  std::ranges::set_union(*members, more, std::back_inserter(joined));
+  *members = std::move(joined);
+}
+
 // Planes as they are found, by their links.
 class GrownPlanes {
  public:
@@ -218,9 +225,13 @@ std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links, const 
                            [&](const FacePlane& plane) { return finder.LengthPx(plane); });
   std::vector<FacePlane> planes;
   for (FacePlane& plane : grown) {
-    const bool is_known = std::ranges::any_of(
-        planes, [&](const FacePlane& known) { return finder.AreIn(plane.members, known); });
-    if (!is_known) planes.push_back(std::move(plane));
+    const auto known = std::ranges::find_if(
+        planes, [&](const FacePlane& other) { return finder.AreIn(plane.members, other); });
+    if (known == planes.end()) {
+      planes.push_back(std::move(plane));
+    } else {
+      Join(plane.members, &known->members);
+    }
   }
   return planes;
 }

@@ -63,6 +63,20 @@ TEST(FacePlanes, LinksOffThePlaneAreLeftOut) {
   }
 }
 
+// Two squares on a table, far from each other.
+TEST(FacePlanes, WhatIsApartInAPlaneIsInItToo) {
+  DrawingGraph graph;
+  for (const double x : {-150.0, 120.0}) {
+    const auto corner = [&](int k) {
+      return FrontalPoint(x + (k % 4 == 1 || k % 4 == 2 ? 30 : 0), k % 4 < 2 ? 0 : 30);
+    };
+    for (int k = 0; k < 4; ++k) DrawLink({corner(k), corner(k + 1)}, {}, &graph);
+  }
+  const auto planes = PlanesOf(graph, testing::FrontalViews(4, 4, 0.3));
+  ASSERT_EQ(planes.size(), 1u);
+  EXPECT_EQ(planes[0].members, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
+}
+
 TEST(FacePlanes, AFlatClosedLinkIsEnough) {
   DrawingGraph graph;
   Polyline3d ring;
