@@ -138,9 +138,19 @@ class EdgeMaker {
     return border.planes.empty() ? nullptr : &graph_.faces[border.planes.front()];
   }
 
+  // Two planes meet in a straight line.
+  bool IsBetweenPlanes(const BorderEdge& border) const {
+    constexpr double kMaxCosine = 0.98;
+    if (border.start == border.end) return false;
+    return std::ranges::any_of(border.planes, [&](int face) {
+      return std::abs(graph_.faces[face].normal.dot(PlaneOf(border)->normal)) < kMaxCosine;
+    });
+  }
+
   TrimmedCurve CurveOfBorder(const BorderEdge& border) const {
     const Eigen::Vector3d& start = borders_.vertices[border.start];
     const Eigen::Vector3d& end = borders_.vertices[border.end];
+    if (IsBetweenPlanes(border)) return LineBetween(start, end);
     const CurveShape* shape = nullptr;
     if (!border.IsBridge() && graph_.links[border.link].primitive) {
       shape = &graph_.links[border.link].primitive->shape;

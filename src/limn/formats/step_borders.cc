@@ -189,13 +189,21 @@ class BorderBuilder {
     return joints;
   }
 
+  // Borders of planes are projected onto them: only what is left along the plane is a gap.
+  double GapAt(int face_id, const std::pair<int, int>& joint) const {
+    const DrawingFace& face = graph_.faces[face_id];
+    Eigen::Vector3d gap = places_[joint.second] - places_[joint.first];
+    if (face.surface == FaceSurface::kPlane) gap -= face.normal.dot(gap) * face.normal;
+    return gap.norm();
+  }
+
   void Unite(std::vector<PlacedSheet>& sheets) {
     UnionFind same(static_cast<int>(places_.size()));
     for (PlacedSheet& placed : sheets) {
       const double max_gap = max_gap_rel_ * SizeOf(graph_, *placed.sheet);
       const auto joints = JointsOf(placed);
       placed.is_open = std::any_of(joints.begin(), joints.end(), [&](const auto& joint) {
-        return (places_[joint.first] - places_[joint.second]).norm() > max_gap;
+        return GapAt(placed.sheet->face, joint) > max_gap;
       });
       if (placed.is_open) continue;
       for (const auto& [end, start] : joints) same.Union(end, start);
@@ -299,10 +307,10 @@ class BorderBuilder {
     }
   }
 
-  // To the nearest place on all planes of the faces there, but by no more than the largest gap of
-  // the least edge; planes that are nearly one do not say where along them.
+  // To the nearest place on all planes of the faces there, but by no more than a part of the
+  // shortest edge; planes that are nearly one do not say where along them.
   void FitVerticesToPlanes() {
-    constexpr double kLeastSine = 0.1;
+    constexpr double kLeastSine = 0.1, kMaxMoveShare = 0.2;
     std::vector<std::set<int>> planes(borders_.vertices.size());
     std::vector<double> least_length(borders_.vertices.size(), -1);
     for (const BorderEdge& edge : borders_.edges) {
@@ -326,7 +334,7 @@ class BorderBuilder {
       Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeThinV);
       svd.setThreshold(kLeastSine);
       const Eigen::Vector3d move = svd.solve(distances);
-      if (move.norm() <= 10 * max_gap_rel_ * least_length[v]) borders_.vertices[v] += move;
+      if (move.norm() <= kMaxMoveShare * least_length[v]) borders_.vertices[v] += move;
     }
   }
 

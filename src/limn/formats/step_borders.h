@@ -44,9 +44,9 @@ struct FaceBorders {
 };
 
 // Cuts links wherever an edge of a sheet begins or ends; places nearer than 0.1 % of the link are
-// one. Vertices are moved to where the planes of
-// their faces meet. Sheets whose border has gaps of more than `max_gap_rel` of their size are left
-// out. Time n log n in edges and points of borders.
+// one. Vertices are moved to where the planes of their faces meet. Sheets whose border has gaps of
+// more than `max_gap_rel` of their size, of planes along them, are left out. Time n log n in edges
+// and points of borders.
 FaceBorders MakeFaceBorders(const DrawingGraph& graph, const std::vector<StepSheet>& sheets,
                             double max_gap_rel);
 

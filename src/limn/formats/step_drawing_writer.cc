@@ -216,7 +216,7 @@ StepShells ShellsOf(const DrawingGraph& graph) {
 
 }  // namespace
 
-std::vector<int> WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& out) {
+StepFaceNotes WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& out) {
   if (graph.links.empty()) throw InputError("a drawing without links cannot be a STEP file");
   const DrawingGraph in_mm =
       Transformed(graph, Millimeters(unit), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
@@ -235,7 +235,7 @@ std::vector<int> WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, st
   writer.FloatWriter().SetFormat("%.16E");  // all digits
   writer.SendModel(handle<StepData_Protocol>::DownCast(STEPEdit::Protocol()));
   writer.Print(out);
-  return shells.left_out;
+  return {shells.apart, shells.left_out};
 }
 
 }  // namespace limn

@@ -1,12 +1,17 @@
 #include "limn/formats/step_sheets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include "limn/geometry/polygon_triangulation.h"
 #include "limn/geometry/polyline.h"
 
 namespace limn {
@@ -212,6 +217,30 @@ std::vector<FaceLoop> SidesOf(const DrawingFace& face) {
   return sides;
 }
 
+// Loops of vertices around triangles, each in the direction of the triangles; none if these do not
+// close.
+std::vector<std::vector<int>> OutlinesOf(const std::vector<std::array<int, 3>>& triangles) {
+  std::set<std::pair<int, int>> sides;
+  for (const auto& [i, j, k] : triangles) {
+    for (const auto& side : {std::pair(i, j), std::pair(j, k), std::pair(k, i)}) {
+      if (sides.erase({side.second, side.first}) == 0) sides.insert(side);
+    }
+  }
+  std::map<int, int> next(sides.begin(), sides.end());
+  if (next.size() != sides.size()) return {};
+  std::vector<std::vector<int>> outlines;
+  while (!next.empty()) {
+    std::vector<int>& outline = outlines.emplace_back();
+    const int first = next.begin()->first;
+    for (auto at = next.begin(); at != next.end(); at = next.find(outline.back())) {
+      outline.push_back(at->second);
+      next.erase(at);
+    }
+    if (outline.back() != first) return {};
+  }
+  return outlines;
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3d> CourseOf(const DrawingGraph& graph, const FaceEdge& edge) {
@@ -243,6 +272,24 @@ std::vector<StepSheet> SheetsOf(const DrawingGraph& graph) {
     }
   }
   return sheets;
+}
+
+StepSheet SheetApart(const DrawingGraph& graph, int face_id) {
+  const DrawingFace& face = graph.faces[face_id];
+  std::vector<std::pair<double, FaceLoop>> loops;  // with twice their areas
+  for (const std::vector<int>& outline : OutlinesOf(face.triangles)) {
+    std::vector<Eigen::Vector3d> corners;
+    for (const int vertex : outline) corners.push_back(face.vertices[vertex]);
+    auto& [area, loop] = loops.emplace_back(PolygonAreaVector(corners).norm(), FaceLoop());
+    for (size_t c = 0; c < corners.size(); ++c) {
+      loop.push_back({-1, 0, 0, {corners[c], corners[(c + 1) % corners.size()]}});
+    }
+  }
+  // The outer border first.
+  std::ranges::stable_sort(loops, std::greater<>(), [](const auto& loop) { return loop.first; });
+  StepSheet sheet = {face_id, {}};
+  for (auto& [area, loop] : loops) sheet.sides.push_back(std::move(loop));
+  return sheet;
 }
 
 }  // namespace limn

@@ -23,4 +23,9 @@ std::vector<Eigen::Vector3d> CourseOf(const DrawingGraph& graph, const FaceEdge&
 // face whose cuts meet there. Time: linear in the points of the borders.
 std::vector<StepSheet> SheetsOf(const DrawingGraph& graph);
 
+// A plane between the straight sides of its triangles, as bridges, which it shares with no other
+// face. No sides if the triangles have no outline, or not along whole loops. Time n log n in
+// triangles.
+StepSheet SheetApart(const DrawingGraph& graph, int face_id);
+
 }  // namespace limn

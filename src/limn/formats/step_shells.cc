@@ -25,12 +25,13 @@
 namespace limn {
 namespace {
 
-constexpr double kMaxGapRel = 0.01;
+constexpr double kMaxGapRel = 0.02;
 
 struct MadeSheets {
   FaceBorders borders;
   std::vector<TopoDS_Edge> edges;
   std::vector<TopoDS_Face> faces;  // per sheet of the borders
+  std::set<int> apart;
 };
 
 std::map<int, int> CountByFace(const std::vector<StepSheet>& sheets) {
@@ -39,31 +40,46 @@ std::map<int, int> CountByFace(const std::vector<StepSheet>& sheets) {
   return counts;
 }
 
+// Returns the faces of which a sheet could not be made: one half of a face is no face.
+std::set<int> MakeFaces(const DrawingGraph& graph, const std::vector<StepSheet>& sheets,
+                        MadeSheets* made) {
+  std::map<int, int> num_made;
+  for (const BorderSheet& sheet : made->borders.sheets) {
+    if (const auto face = MakeStepFace(graph, sheet, made->edges, kMaxGapRel)) {
+      made->faces.push_back(*face);
+      ++num_made[sheet.face];
+    }
+  }
+  std::set<int> failed;
+  for (const auto& [face, count] : CountByFace(sheets)) {
+    if (num_made[face] != count) failed.insert(face);
+  }
+  return failed;
+}
+
 // Edges carry the curves and tolerances of all faces: those of faces that fail must go, and
-// everything is made again without these faces.
+// everything is made again without these faces, or with borders that are theirs alone.
 MadeSheets MakeSheets(const DrawingGraph& graph) {
   std::vector<StepSheet> sheets = SheetsOf(graph);
+  std::set<int> apart;
   for (;;) {
     MadeSheets made;
     made.borders = MakeFaceBorders(graph, sheets, kMaxGapRel);
     made.edges = MakeBorderEdges(graph, made.borders);
-    std::set<int> failed;
-    std::map<int, int> num_made;
-    for (const BorderSheet& sheet : made.borders.sheets) {
-      const auto face = MakeStepFace(graph, sheet, made.edges, kMaxGapRel);
-      if (face) {
-        made.faces.push_back(*face);
-        ++num_made[sheet.face];
-      } else {
-        failed.insert(sheet.face);
-      }
+    const std::set<int> failed = MakeFaces(graph, sheets, &made);
+    if (failed.empty()) {
+      made.apart = std::move(apart);
+      return made;
     }
-    // One half of a face is no face.
-    for (const auto& [face, count] : CountByFace(sheets)) {
-      if (num_made[face] != count) failed.insert(face);
-    }
-    if (failed.empty()) return made;
     std::erase_if(sheets, [&](const StepSheet& sheet) { return failed.contains(sheet.face); });
+    for (const int face : failed) {
+      const bool was_apart = apart.erase(face) > 0;
+      if (was_apart || graph.faces[face].surface != FaceSurface::kPlane) continue;
+      StepSheet sheet = SheetApart(graph, face);
+      if (sheet.sides.empty()) continue;
+      sheets.push_back(std::move(sheet));
+      apart.insert(face);
+    }
   }
 }
 
@@ -147,6 +163,7 @@ double LargestTolerance(const std::vector<TopoDS_Edge>& edges) {
 StepShells MakeStepShells(const DrawingGraph& graph) {
   const MadeSheets made = MakeSheets(graph);
   StepShells result;
+  result.apart.assign(made.apart.begin(), made.apart.end());
   std::vector<bool> is_in(graph.faces.size(), false);
   for (size_t s = 0; s < made.faces.size(); ++s) {
     const int face = made.borders.sheets[s].face;

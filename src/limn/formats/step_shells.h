@@ -22,15 +22,19 @@ struct StepShells {
   std::vector<TopoDS_Shape> shells;
   std::vector<LabeledShape> faces;
   std::vector<LabeledShape> edges;  // parts of links
-  // Faces of the drawing that are in none, ascending.
+  // Faces of the drawing that share no edges with others, as their borders are theirs alone, and
+  // those that are in no shell, ascending.
+  std::vector<int> apart;
   std::vector<int> left_out;
   // Largest tolerance of an edge or a vertex.
   double tolerance = 0;
 };
 
-// The faces of a drawing as shells: a connected set of faces each. Faces that meet share edges. A
-// face is left out if its border has gaps or leaves its surface by more than 1 % of its size, or if
-// OpenCASCADE has no valid face for it. Only for the writer of STEP files.
+// The faces of a drawing as shells: a connected set of faces each. Faces that meet share edges. If
+// the border that a face shares with others has gaps or leaves its surface by more than 2 % of its
+// size, or if OpenCASCADE has no valid face in it, a plane is a shell of its own, with the straight
+// border of its triangles; other faces, and planes for which this is not valid either, are left
+// out. Only for the writer of STEP files.
 StepShells MakeStepShells(const DrawingGraph& graph);
 
 }  // namespace limn

@@ -41,14 +41,28 @@ void WriteSvg(const Job& job, std::ostream& out) {
 }
 
 #ifdef LIMN_WITH_STEP
-std::string LeftOut(const std::vector<int>& faces, size_t num_faces) {
+std::string NoteOn(const std::vector<int>& faces, size_t num_faces, const std::string& what) {
   constexpr size_t kMaxNamed = 10;
-  std::string text = std::to_string(faces.size()) + " of " + std::to_string(num_faces) +
-                     " faces are not in the file, since they have no valid shape there:";
+  std::string text =
+      std::to_string(faces.size()) + " of " + std::to_string(num_faces) + " faces " + what + ":";
   for (size_t i = 0; i < std::min(faces.size(), kMaxNamed); ++i) {
     text += ' ' + std::to_string(faces[i]);
   }
   return faces.size() > kMaxNamed ? text + " ..." : text;
+}
+
+void WriteStep(const Job& job, std::ostream& out) {
+  const size_t num_faces = job.graph.faces.size();
+  const StepFaceNotes notes = WriteDrawingStep(job.graph, job.options.unit, out);
+  if (!notes.apart.empty()) {
+    job.left_out->push_back(NoteOn(notes.apart, num_faces,
+                                   "share no edges in the file, since their borders do not fit "
+                                   "those of their neighbors"));
+  }
+  if (!notes.left_out.empty()) {
+    job.left_out->push_back(NoteOn(notes.left_out, num_faces,
+                                   "are not in the file, since they have no valid shape there"));
+  }
 }
 #endif
 
@@ -78,12 +92,7 @@ const std::vector<Format>& Formats() {
        {".graphml"},
        [](const Job& job, Out& out) { WriteDrawingGraphml(job.graph, out); }},
 #ifdef LIMN_WITH_STEP
-      {"step",
-       {".step", ".stp"},
-       [](const Job& job, Out& out) {
-         const std::vector<int> faces = WriteDrawingStep(job.graph, job.options.unit, out);
-         if (!faces.empty()) job.left_out->push_back(LeftOut(faces, job.graph.faces.size()));
-       }},
+      {"step", {".step", ".stp"}, [](const Job& job, Out& out) { WriteStep(job, out); }},
 #endif
   };
   return formats;

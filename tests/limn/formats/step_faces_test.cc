@@ -20,6 +20,7 @@
 
 #include "limn/formats/temporary_folder.h"
 #include "limn/formats/write_drawing.h"
+#include "limn/geometry/polygon_with_holes.h"
 #include "limn/model/drawing_transform.h"
 #include "support/face_drawing.h"
 
@@ -335,21 +336,86 @@ TEST_F(StepFaces, ThreeFacesAtAnEdgeAreSeveralShells) {
   EXPECT_NEAR(AreaOfShape(read), 3, 1e-9);
 }
 
+// A link that crosses others near a plane meets them in it, and so do the corners.
+TEST_F(StepFaces, AcrossAPlaneBordersHaveNoGaps) {
+  testing::FaceDrawing drawing;
+  const LinkId a = drawing.AddLine({-0.2, 0, 0.04}, {1.2, 0, 0.04});
+  const LinkId b = drawing.AddLine({1, -0.2, 0}, {1, 1, 0});
+  const LinkId c = drawing.AddLine({1, 1, 0}, {0, 1, 0});
+  const LinkId d = drawing.AddLine({0, 1, 0}, {0, -0.2, 0});
+  drawing.AddPlane({{drawing.Part(a, 0.2 / 1.4, 1.2 / 1.4), drawing.Part(b, 0.2 / 1.2, 1),
+                     drawing.Whole(c), drawing.Part(d, 0, 1 / 1.2)}});
+  DrawingGraph graph = drawing.graph();
+  graph.faces[0].normal = Eigen::Vector3d::UnitZ();
+  graph.faces[0].offset = 0;
+  const TopoDS_Shape read = ReadBack(graph);
+  EXPECT_THAT(left_out_, ::testing::IsEmpty());
+  EXPECT_NEAR(AreaOfShape(read), 1, 1e-6);
+  EXPECT_LT(LargestToleranceOf(read), 1e-5);
+}
+
+TEST_F(StepFaces, PlanesMeetInAStraightLine) {
+  testing::FaceDrawing drawing;
+  const CubicBSpline bent{{0, 0, 0, 0, 1, 1, 1, 1},
+                          {{0, 0, 0}, {0.02, 0.02, 0.3}, {-0.02, 0.01, 0.7}, {0, 0, 1}}};
+  const LinkId hinge = drawing.AddShape(bent);
+  for (const int axis : {0, 1}) {
+    const Eigen::Vector3d out = Eigen::Vector3d::Unit(axis);
+    const LinkId bottom = drawing.AddLine(out, {0, 0, 0});
+    const LinkId top = drawing.AddLine({0, 0, 1}, out + Eigen::Vector3d::UnitZ());
+    const LinkId side = drawing.AddLine(out + Eigen::Vector3d::UnitZ(), out);
+    drawing.AddPlane({drawing.Loop({hinge, top, side, bottom})});
+  }
+  DrawingGraph graph = drawing.graph();
+  for (DrawingFace& face : graph.faces) face.offset = 0;
+  graph.faces[0].normal = Eigen::Vector3d::UnitY();
+  graph.faces[1].normal = -Eigen::Vector3d::UnitX();
+  const TopoDS_Shape read = ReadBack(graph);
+  EXPECT_EQ(SubShapes(read, TopAbs_SHELL).size(), 1u);
+  EXPECT_EQ(SubShapes(read, TopAbs_EDGE).size(), 7u);
+  EXPECT_LT(LargestToleranceOf(read), 1e-5);
+}
+
 // A face whose border has a gap, and one whose plane is not that of its border.
-TEST_F(StepFaces, FacesWithoutAValidShapeAreLeftOutAndTold) {
+TEST_F(StepFaces, FacesThatDoNotFitAreApartOrLeftOutAndTold) {
   DrawingGraph graph = testing::UnitCube();
   graph.faces[0].loops[0].pop_back();
   graph.faces[3].offset += 0.3;
   const TopoDS_Shape read = ReadBack(graph);
-  EXPECT_EQ(SubShapes(read, TopAbs_FACE).size(), 4u);
-  EXPECT_NEAR(AreaOfShape(read), 4, 1e-9);
-  EXPECT_THAT(left_out_, ::testing::ElementsAre("2 of 6 faces are not in the file, since they have "
-                                                "no valid shape there: 0 3"));
+  EXPECT_EQ(SubShapes(read, TopAbs_FACE).size(), 5u);
+  EXPECT_EQ(SubShapes(read, TopAbs_SHELL).size(), 2u);
+  EXPECT_NEAR(AreaOfShape(read), 5, 1e-9);
+  EXPECT_THAT(left_out_,
+              ::testing::ElementsAre("1 of 6 faces share no edges in the file, since their borders "
+                                     "do not fit those of their neighbors: 0",
+                                     "1 of 6 faces are not in the file, since they have no valid "
+                                     "shape there: 3"));
   // All faces failed: wires only.
-  graph.faces.resize(1);
+  graph.faces = {graph.faces[3]};
   const TopoDS_Shape wires = ReadBack(graph);
   EXPECT_THAT(SubShapes(wires, TopAbs_FACE), ::testing::IsEmpty());
   EXPECT_EQ(SubShapes(wires, TopAbs_EDGE).size(), 12u);
+}
+
+TEST_F(StepFaces, AFaceApartKeepsItsHole) {
+  DrawingGraph graph = testing::PlateWithHole();
+  DrawingFace& face = graph.faces[0];
+  face.loops[0].pop_back();
+  const Polygon2d polygon = {
+      {{{0, 0}, {3, 0}, {3, 2}, {0, 2}}, {{1, 0.5}, {1, 1.5}, {2, 1.5}, {2, 0.5}}}};
+  face.vertices.clear();
+  for (const Polyline2d& outline : polygon.outlines) {
+    for (const Eigen::Vector2d& corner : outline) {
+      face.vertices.emplace_back(corner.x(), corner.y(), 1);
+    }
+  }
+  face.triangles = Triangulate(polygon);
+  const TopoDS_Shape read = ReadBack(graph);
+  const std::vector<TopoDS_Shape> faces = SubShapes(read, TopAbs_FACE);
+  ASSERT_EQ(faces.size(), 1u);
+  EXPECT_EQ(SubShapes(faces[0], TopAbs_WIRE).size(), 2u);
+  EXPECT_NEAR(AreaOfShape(read), 6 - 1, 1e-9);
+  EXPECT_THAT(text_, ::testing::HasSubstr("'path_0'"));  // its links stay wires
 }
 
 TEST_F(StepFaces, FarFromTheOriginAndTurned) {
