@@ -108,6 +108,7 @@ TEST_F(WorkspaceDrawing, MissingItIsNamedByEveryCommand) {
   expect_refused("drawing_viewer", {}, both, "drawing_path");
   expect_refused("drawing_aligner", {}, both, "drawing_path");
   expect_refused("drawing_refiner", {}, "drawing.json", "drawing_path");
+  expect_refused("drawing_surfacer", {}, "drawing.json", "drawing_path");
   expect_refused("drawing_fuser", {}, "drawing.json", "drawing_path");
   const LimnRun nothing = RunLimn({"drawing_exporter", "--output_path", Path("a.obj")});
   EXPECT_EQ(nothing.err, "ERROR: --input_path or --workspace_path must be given\n");

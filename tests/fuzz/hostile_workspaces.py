@@ -47,14 +47,14 @@ RAW_WORDS = ['exception', 'std::', 'bad_alloc', 'basic_string', 'vector::', 'ter
              'Corrupt JPEG', 'Premature end', 'libpng', 'TIFFRead', 'TIFFFetch', 'TIFFOpen', 'OpenCV(', 'cv::', '.cc:', '.cpp:',
              'json.']
 DRAWERS = ['automatic_drawer', 'automatic_drawer', 'automatic_drawer', 'curve_sketcher', 'edge_extractor',
-           'curve_linker', 'curve_drawer', 'drawing_refiner']
+           'curve_linker', 'curve_drawer', 'drawing_refiner', 'drawing_surfacer']
 VIEWERS = ['drawing_viewer', 'drawing_fuser', 'truth_extractor', 'drawing_exporter', 'drawing_evaluator']
 COMMANDS = {'model': DRAWERS + VIEWERS, 'images': DRAWERS + VIEWERS, 'files': DRAWERS + VIEWERS + ['model_importer'],
             'options': DRAWERS + VIEWERS + ['model_importer'], 'outputs': DRAWERS + VIEWERS + ['model_importer'],
-            'drawing': ['drawing_refiner'] + VIEWERS, 'stored': DRAWERS, 'cameras': ['model_importer'],
+            'drawing': ['drawing_refiner', 'drawing_surfacer'] + VIEWERS, 'stored': DRAWERS, 'cameras': ['model_importer'],
             'dense': VIEWERS}
-REPLACING = ['automatic_drawer', 'curve_drawer', 'drawing_refiner', 'drawing_fuser', 'drawing_viewer', 'truth_extractor',
-             'drawing_exporter', 'drawing_evaluator']
+REPLACING = ['automatic_drawer', 'curve_drawer', 'drawing_refiner', 'drawing_surfacer', 'drawing_fuser', 'drawing_viewer',
+             'truth_extractor', 'drawing_exporter', 'drawing_evaluator']
 RESULTS = ['drawing.json', 'drawing.ply', 'drawing.obj', 'drawing.html', 'drawing-fused.json', 'drawing-fused.ply',
            'curves', 'curves/.lock', 'curves/cache', 'curves/cache/fragments', 'curves/cache/sketch/view_00.jpg.bin',
            'curves/tracks.txt', 'curves/overlays', 'curves/overlays/view_00.jpg.png', 'curves/project.ini',
