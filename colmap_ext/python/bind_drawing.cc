@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <variant>
 
 #include <pybind11/pybind11.h>
@@ -39,6 +40,13 @@ struct Node {
   const DrawingNode& Get() const { return drawing->graph.nodes[id]; }
 };
 
+struct Face {
+  Owner drawing;
+  size_t id = 0;
+
+  const DrawingFace& Get() const { return drawing->graph.faces[id]; }
+};
+
 struct Primitive {
   Owner drawing;
   const LinkPrimitive* primitive;
@@ -49,18 +57,44 @@ struct Primitive {
   }
 };
 
-// Links or nodes as a sequence.
+// Links, nodes or faces as a sequence.
 template <typename Item>
 struct Items {
   Owner drawing;
 };
 
-std::vector<std::string> SupportingViews(const Link& link) {
+std::vector<std::string> NamesOf(const std::vector<ViewId>& views, const SceneDrawing& drawing) {
   std::vector<std::string> names;
-  for (const ViewId view : link.Get().supporting_views) {
-    names.push_back(link.drawing->metadata.view_names[view]);
-  }
+  for (const ViewId view : views) names.push_back(drawing.metadata.view_names[view]);
   return names;
+}
+
+std::vector<std::string> SupportingViews(const Link& link) {
+  return NamesOf(link.Get().supporting_views, *link.drawing);
+}
+
+// Per loop the edges: the link, or none of a bridge, and where on it the edge begins and ends.
+using EdgeTuple = std::tuple<std::optional<LinkId>, double, double>;
+std::vector<std::vector<EdgeTuple>> LoopsOf(const Face& face) {
+  std::vector<std::vector<EdgeTuple>> loops;
+  for (const FaceLoop& loop : face.Get().loops) {
+    loops.emplace_back();
+    for (const FaceEdge& edge : loop) {
+      const auto link = edge.IsBridge() ? std::nullopt : std::optional<LinkId>(edge.link);
+      loops.back().emplace_back(link, edge.from, edge.to);
+    }
+  }
+  return loops;
+}
+
+std::optional<Array> NormalOf(const Face& face) {
+  if (face.Get().surface != FaceSurface::kPlane) return std::nullopt;
+  return CopyOf(face.Get().normal);
+}
+
+std::optional<double> OffsetOf(const Face& face) {
+  if (face.Get().surface != FaceSurface::kPlane) return std::nullopt;
+  return face.Get().offset;
 }
 
 // Runs in a row, with not-a-number between them.
@@ -303,6 +337,49 @@ void BindNode(py::module_* module) {
       });
 }
 
+void BindFace(py::module_* module) {
+  py::class_<Face>(*module, "Face",
+                   "A surface that links bound, as a mesh. Arrays are read-only, not copied, and "
+                   "keep the drawing.")
+      .def_property_readonly(
+          "id", [](const Face& face) { return face.id; }, "Index in the drawing's faces.")
+      .def_property_readonly(
+          "surface",
+          [](const Face& face) { return std::string(FaceSurfaceName(face.Get().surface)); },
+          "'plane', 'ruled' (straight lines between two rails) or 'patch'.")
+      .def_property_readonly(
+          "vertices",
+          [](const Face& face) { return PointsOver(face.Get().vertices, face.drawing); },
+          "V x 3 points in the model's coordinates.")
+      .def_property_readonly(
+          "triangles",
+          [](const Face& face) {
+            const auto& triangles = face.Get().triangles;
+            return ColumnsOver<int>(triangles, triangles.empty() ? nullptr : triangles[0].data(), 3,
+                                    face.drawing);
+          },
+          "T x 3 indices of vertices, counterclockwise seen from the side that is seen.")
+      .def_property_readonly("normal", NormalOf,
+                             "Plane: 3 unit vector towards the side that is seen; else None.")
+      .def_property_readonly("offset", OffsetOf, "Plane: normal . x on it; else None.")
+      .def_property_readonly(
+          "area", [](const Face& face) { return AreaOf(face.Get()); },
+          "Area, in the square of the model's unit.")
+      .def_property_readonly(
+          "loops", LoopsOf,
+          "The border, then holes: lists of (link, from, to), an index of a point plus a fraction; "
+          "link is None where no curve was found.")
+      .def_property_readonly(
+          "confidence", [](const Face& face) { return face.Get().confidence; }, "0 to 1.")
+      .def_property_readonly(
+          "views", [](const Face& face) { return NamesOf(face.Get().views, *face.drawing); },
+          "Names of the images that see it.")
+      .def("__repr__", [](const Face& face) {
+        return "<limn.Face " + std::to_string(face.id) + ": " +
+               FaceSurfaceName(face.Get().surface) + ">";
+      });
+}
+
 // A function of limn._interop.
 py::object Interop(const char* name) { return py::module_::import("limn._interop").attr(name); }
 
@@ -312,11 +389,14 @@ void BindDrawing(py::module_* module) {
   BindPrimitive(module);
   BindLink(module);
   BindNode(module);
+  BindFace(module);
   BindAlignment(module);
   BindItems<Link>(module, "Links", "The links of a drawing, a sequence.",
                   [](const SceneDrawing& drawing) { return drawing.graph.links.size(); });
   BindItems<Node>(module, "Nodes", "The nodes of a drawing, a sequence.",
                   [](const SceneDrawing& drawing) { return drawing.graph.nodes.size(); });
+  BindItems<Face>(module, "Faces", "The faces of a drawing, a sequence.",
+                  [](const SceneDrawing& drawing) { return drawing.graph.faces.size(); });
   py::class_<SceneDrawing, Owner>(*module, "Drawing",
                                   "A 3D drawing: curves in space (links) that meet at nodes.")
       .def_property_readonly(
@@ -324,6 +404,9 @@ void BindDrawing(py::module_* module) {
       .def_property_readonly(
           "nodes", [](Owner drawing) { return Items<Node>{std::move(drawing)}; },
           "Where they end or meet.")
+      .def_property_readonly(
+          "faces", [](Owner drawing) { return Items<Face>{std::move(drawing)}; },
+          "The surfaces between them, from limn.find_faces() or drawing_surfacer.")
       .def_property_readonly(
           "views", [](const SceneDrawing& drawing) { return drawing.metadata.view_names; },
           "Names of the images.")

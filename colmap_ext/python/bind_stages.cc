@@ -58,6 +58,7 @@ void BindStages(py::module_* module) {
   BindStage(module, "draw_scene", DrawOpenScene);
   BindStage(module, "refine", RefineSceneDrawing);
   BindStage(module, "regularize", RegularizeSceneDrawing);
+  BindStage(module, "find_faces", FindSceneFaces);
   BindStage(module, "edit", EditSceneDrawing);
   BindStage(module, "fuse", FuseSceneDrawing);
   BindStage(module, "align", AlignSceneDrawing);

@@ -24,6 +24,7 @@
 #include "limn/formats/write_drawing.h"
 #include "limn/pipeline/refit_edited.h"
 #include "limn/pipeline/sketch_views.h"
+#include "limn/surfaces/find_faces.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -146,6 +147,7 @@ OptionGroups OptionsOfAllStages() {
           .sketch = true,
           .drawing = true,
           .refinement = true,
+          .surfaces = true,
           .dense = true,
           .tiles = true};
 }
@@ -302,7 +304,8 @@ std::shared_ptr<SceneDrawing> RegularizeSceneDrawing(std::shared_ptr<const Scene
   const RunOptions& run = regular->made.options;
   LibraryConsole console(run.num_threads, monitor);
   const RegularityResult result = Regularize(GraphInScene(*drawing), drawing->views,
-                                             run.pipeline.regularity, console.context());
+                                             run.pipeline.regularity, run.pipeline.primitives,
+                                             console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
   SayRegularities(result.graph, result.moves, &console);
@@ -310,6 +313,28 @@ std::shared_ptr<SceneDrawing> RegularizeSceneDrawing(std::shared_ptr<const Scene
   regular->metadata.options_json = RegularityProvenance(run, drawing->metadata.options_json);
   regular->made.log = console.log();
   return regular;
+}
+
+std::shared_ptr<SceneDrawing> FindSceneFaces(std::shared_ptr<const SceneDrawing> drawing,
+                                             const OptionTexts& options, RunMonitor* monitor) {
+  RequireScene(*drawing, "find_faces");
+  auto faced = std::make_shared<SceneDrawing>(*drawing);
+  faced->made =
+      AddOptions(drawing->made, "find_faces", {.surfaces = true}, options, kOptionsOfSketch);
+  const RunOptions& run = faced->made.options;
+  LibraryConsole console(run.num_threads, monitor);
+  const Scene& scene = drawing->scene->scene;
+  if (!faced->curves) faced->curves = CurvesOf(drawing->scene, run, &console);
+  const SurfaceResult result =
+      FindFaces({drawing->views, *faced->curves, scene.view_set().hints.points},
+                GraphInScene(*drawing), run.pipeline.surfaces, console.context());
+  console.Report(result.summary);
+  SayLinksBehind(result.links_behind, &console);
+  CheckGraph(result.graph);
+  faced->graph = Moved(result.graph, scene.origin());
+  faced->metadata.options_json = SurfaceProvenance(run, drawing->metadata.options_json);
+  faced->made.log = console.log();
+  return faced;
 }
 
 std::shared_ptr<SceneDrawing> EditSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,

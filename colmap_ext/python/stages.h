@@ -105,6 +105,11 @@ std::shared_ptr<SceneDrawing> RegularizeSceneDrawing(std::shared_ptr<const Scene
                                                      const OptionTexts& options,
                                                      RunMonitor* monitor);
 
+// The drawing with the surfaces that its links bound, as of drawing_surfacer. Needs a drawing with
+// a scene.
+std::shared_ptr<SceneDrawing> FindSceneFaces(std::shared_ptr<const SceneDrawing> drawing,
+                                             const OptionTexts& options, RunMonitor* monitor);
+
 // The drawing with edits made by hand, as of drawing_editor: the option `edits` names their file.
 // Needs a drawing with a scene.
 std::shared_ptr<SceneDrawing> EditSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,

@@ -23,17 +23,17 @@ from collections.abc import Callable, Iterable
 from typing import Any, Optional, Union
 
 from limn import _limn
-from limn._limn import (Alignment, Camera, Curves, Drawing, Edges, ImageCurves, ImageEdges, Link, Links, Node, Nodes,
-                        Primitive, Scene, Sketch, SketchCurve)
+from limn._limn import (Alignment, Camera, Curves, Drawing, Edges, Face, Faces, ImageCurves, ImageEdges, Link, Links,
+                        Node, Nodes, Primitive, Scene, Sketch, SketchCurve)
 from limn._memory import scene_from_arrays, scene_from_reconstruction
 from limn._options import texts_of
 from limn.errors import Error, InputError, IoError, OptionError
 
 __all__ = [
-    "Alignment", "Camera", "Curves", "Drawing", "Edges", "Error", "ImageCurves", "ImageEdges", "InputError",
-    "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "Scene", "Sketch", "SketchCurve",
-    "align", "draw", "edit", "evaluate", "export", "extract_edges", "fuse", "link", "open", "read_drawing", "refine",
-    "regularize", "run", "sketch",
+    "Alignment", "Camera", "Curves", "Drawing", "Edges", "Error", "Face", "Faces", "ImageCurves", "ImageEdges",
+    "InputError", "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "Scene", "Sketch",
+    "SketchCurve", "align", "draw", "edit", "evaluate", "export", "extract_edges", "find_faces", "fuse", "link", "open",
+    "read_drawing", "refine", "regularize", "run", "sketch",
 ]
 
 __version__: str = _limn.__version__
@@ -121,6 +121,15 @@ def regularize(drawing: Drawing, *, progress: Progress = None, **options: Any) -
     nothing.
     """
     return _limn.regularize(drawing, texts_of(options), progress)
+
+
+def find_faces(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
+    """The drawing with the surfaces that its curves bound, as by drawing_surfacer: `faces` of the result.
+
+    Curves and nodes stay as they are. The drawing needs its scene: read_drawing(path, scene). Options: Surfaces. Writes
+    nothing.
+    """
+    return _limn.find_faces(drawing, texts_of(options), progress)
 
 
 def edit(drawing: Drawing, edits: Path, *, progress: Progress = None, **options: Any) -> Drawing:

@@ -184,7 +184,7 @@ class Drawings(unittest.TestCase):
             limn.align(self.drawing, "link one is long")
         with self.assertRaisesRegex(limn.InputError, "has no alignment"):
             limn.export(self.drawing, self.output / "aligned.obj", aligned=np.True_)
-        for stage in (limn.align, limn.refine, limn.regularize, limn.fuse):
+        for stage in (limn.align, limn.refine, limn.regularize, limn.find_faces, limn.fuse):
             with self.assertRaises(TypeError):
                 stage(None)
 
@@ -203,6 +203,36 @@ class Drawings(unittest.TestCase):
         regular.save(self.output / "regular.json")
         self.assertEqual(json.loads((self.output / "regular.json").read_text())["regularities"],
                          json.loads((folder / "drawing.json").read_text())["regularities"])
+
+    def test_find_faces(self):
+        path, folder = self.output / "faceless.json", self.output / "faced"
+        self.drawing.save(path)
+        faced = limn.find_faces(self.drawing, Surfaces={"min_width_px": 3})
+        self.assertEqual((len(self.drawing.faces), len(faced.links)), (0, len(self.drawing.links)))
+        self.assertTrue(faced.faces)
+        limn.run("drawing_surfacer", workspace_path=scenes.DAY, drawing_path=path, output_path=folder,
+                 Surfaces={"min_width_px": 3}, **scenes.small_options())
+        faced.save(self.output / "faced.json")
+        self.assertEqual((self.output / "faced.json").read_bytes(), (folder / "drawing.json").read_bytes())
+        for face in faced.faces:
+            corners = face.vertices[face.triangles]
+            self.assertEqual(corners.shape, (len(face.triangles), 3, 3))
+            areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
+            self.assertAlmostEqual(np.linalg.norm(areas, axis=1).sum(), face.area, places=9)
+            self.assertTrue(set(face.views) <= set(faced.views) and 0 < face.confidence <= 1)
+            for link, *places in (edge for loop in face.loops for edge in loop if edge[0] is not None):
+                self.assertTrue(0 <= min(places) and max(places) <= len(faced.links[link]) - 1)
+            if face.surface != "plane":
+                self.assertIsNone(face.normal)
+                continue
+            np.testing.assert_allclose(face.vertices @ face.normal, face.offset, atol=1e-9)
+            self.assertGreater(areas.sum(axis=0) @ face.normal, 0)
+        with self.assertRaises(ValueError):
+            faced.faces[0].triangles[0, 0] = 1
+        with self.assertRaisesRegex(limn.OptionError, "^Surfaces.min_views = 0: must be"):
+            limn.find_faces(self.drawing, Surfaces={"min_views": 0})
+        with self.assertRaisesRegex(limn.InputError, "find_faces: the drawing was read without its workspace"):
+            limn.find_faces(limn.read_drawing(path))
 
     def test_edit(self):
         path, folder = self.output / "unedited.json", self.output / "edited"
@@ -322,6 +352,7 @@ class Drawings(unittest.TestCase):
                 (limn.link, (drawing.scene,), ["output_path"]),
                 (limn.refine, (drawing,), ["output_path"]),
                 (limn.regularize, (drawing,), ["output_path"]),
+                (limn.find_faces, (drawing,), ["output_path"]),
                 (limn.edit, (drawing, unknown), ["output_path", "drawing_path"]),
                 (limn.fuse, (drawing,), ["output_path", "drawing_path", "sparse_spacing_px"]),
                 (limn.evaluate, (drawing, truth, 1), ["input_path", "workspace_path", "image_path", "model_index"]),
