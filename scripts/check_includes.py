@@ -20,7 +20,7 @@ LIMN_LAYERS = [
     ["topology"],
     ["edges", "linking", "sketch", "drawing", "refinement", "belief", "primitives", "kinds", "dense", "tiles",
      "alignment"],
-    ["regularity", "surfaces", "editing"],
+    ["regularity", "surfaces", "editing", "plans"],
     ["formats"],
     ["pictures", "evaluation", "viewer"],
     ["pipeline"],

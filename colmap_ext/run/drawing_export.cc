@@ -1,6 +1,7 @@
 #include "colmap_ext/run/drawing_export.h"
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "colmap_ext/import/new_model_folder.h"
@@ -10,6 +11,7 @@
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/to_views.h"
+#include "limn/formats/flat_drawing.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/util/errors.h"
 
@@ -28,13 +30,14 @@ std::string FormatName(const ExporterOptions& options) {
 Similarity3d FileFromModel(const ExporterOptions& options, const DrawingMetadata& metadata) {
   const Similarity3d by_options = {options.scale, ZUpFrom(options.up_axis),
                                    Eigen::Vector3d::Zero()};
-  if (!options.aligned) return by_options;
+  if (!options.IsAligned()) return by_options;
   return by_options * RequireAlignment(options.input_path, metadata).world_from_model;
 }
 
 // An aligned drawing is in meters, unless it is scaled further or the options say otherwise.
 LengthUnit UnitOf(const ExporterOptions& options, const DrawingMetadata& metadata) {
-  const bool in_meters = options.aligned && metadata.alignment->IsMetric() && options.scale == 1;
+  const bool in_meters =
+      options.IsAligned() && metadata.alignment->IsMetric() && options.scale == 1;
   const bool is_open = options.format.unit == LengthUnit::kNone;
   return in_meters && is_open ? LengthUnit::kMeter : options.format.unit;
 }
@@ -48,14 +51,64 @@ std::vector<GlbPoint> ReadCloud(const std::string& path, const Similarity3d& fil
   return cloud;
 }
 
-// What an SVG picture shows of the graph.
-SvgScene SceneOf(const ExporterOptions& options, const DrawingGraph& graph,
-                 const Similarity3d& file_from_model, Console* console) {
+// In the coordinates of the file, from those of the drawing after all else: where up is known.
+std::optional<Eigen::Vector3d> UpOf(const ExporterOptions& options,
+                                    const DrawingMetadata& metadata) {
+  if (metadata.alignment) {
+    return metadata.alignment->world_from_model.rotation.transpose() * Eigen::Vector3d::UnitZ();
+  }
+  if (options.up_axis != SignedAxis::kZ) return Eigen::Vector3d::UnitZ();
+  return std::nullopt;
+}
+
+bool IsPlan(const ExporterOptions& options) {
+  return FormatName(options) == "dxf" &&
+         (!options.svg.view.empty() || !options.svg.plan.section.empty());
+}
+
+// What an SVG picture or a plan shows of the graph.
+SvgScene SceneOf(const ExporterOptions& options, const SheetInput& input, Console* console) {
   SvgSource source = options.svg;
   source.style.junctions = options.junctions;
-  return source.IsSheet()
-             ? SceneOnSheet(source, graph, file_from_model)
-             : SceneInImage(source, options.workspace, graph, options.output_path, console);
+  return source.IsSheet() ? SceneOnSheet(source, input, console)
+                          : SceneInImage(source, options.workspace, input.graph, input.faces,
+                                         options.output_path, console);
+}
+
+// Makes the scene flat, for DXF.
+DrawingGraph PutPlan(SvgScene scene, DxfOptions* dxf) {
+  constexpr double kTextMm = 2.5;
+  const SvgSheet sheet = MakeSheet(scene.graph, scene.picture.sheet);
+  const bool with_hidden = scene.picture.style.hidden_parts == SvgHiddenParts::kDashed;
+  FlatDrawing flat = Flatten(scene.graph, sheet, scene.picture.is_hidden, with_hidden);
+  DxfPlan plan;
+  plan.hidden = std::move(flat.hidden);
+  plan.lengths = std::move(flat.lengths);
+  plan.text_height = kTextMm * sheet.mm();
+  if (scene.picture.style.section) {
+    plan.section = std::move(*scene.picture.style.section);
+    for (SectionLine& line : plan.section.lines) {
+      for (Eigen::Vector3d& point : line.points) point = FlatPlace(sheet, point);
+    }
+    for (Eigen::Vector3d& point : plan.section.points) point = FlatPlace(sheet, point);
+  }
+  dxf->plan = std::move(plan);
+  return std::move(flat.graph);
+}
+
+// Pictures of images are in the coordinates of the model, but lengths in meters if that is known.
+DimensionText TextOf(const DrawingMetadata& metadata, bool is_in_model, LengthUnit unit) {
+  const bool is_metric = metadata.alignment && metadata.alignment->IsMetric();
+  if (is_in_model && is_metric) {
+    return {metadata.alignment->world_from_model.scale, LengthUnit::kMeter};
+  }
+  return {1, unit};
+}
+
+std::vector<DrawingFace> TransformedFaces(std::vector<DrawingFace> faces,
+                                          const Similarity3d& similarity) {
+  for (DrawingFace& face : faces) face = Transformed(std::move(face), similarity);
+  return faces;
 }
 
 // The drawing that is asked for; says which one was found.
@@ -89,6 +142,7 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   DrawingMetadata& metadata = drawing.metadata;
   const Similarity3d file_from_model = FileFromModel(options, metadata);
   const auto& [scale, rotation, translation] = file_from_model;
+  const std::vector<DrawingFace> faces = TransformedFaces(drawing.graph.faces, file_from_model);
   DrawingGraph graph =
       Transformed(Selected(std::move(drawing.graph), options.selection.Selection()), scale,
                   rotation, translation);
@@ -99,10 +153,15 @@ size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* cons
   if (!options.cloud_path.empty()) {
     format.glb.cloud = ReadCloud(options.cloud_path, file_from_model);
   }
-  if (FormatName(options) == "svg") {
-    SvgScene scene = SceneOf(options, graph, file_from_model, console);
-    format.svg = std::move(scene.picture);
-    graph = std::move(scene.graph);
+  format.dxf.dimension_text = {1, format.unit};
+  const bool is_svg = FormatName(options) == "svg";
+  if (is_svg || IsPlan(options)) {
+    const SheetInput input = {graph, faces, file_from_model, UpOf(options, metadata),
+                              options.scale};
+    SvgScene scene = SceneOf(options, input, console);
+    scene.picture.style.dimension_text = TextOf(metadata, !options.svg.IsSheet(), format.unit);
+    format.svg = scene.picture;
+    graph = is_svg ? std::move(scene.graph) : PutPlan(std::move(scene), &format.dxf);
   }
   ThrowIfCancelled(console->context());
   for (const std::string& note : WriteDrawing(options.output_path, graph, metadata, format)) {
@@ -140,7 +199,7 @@ void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
                      {"m", LengthUnit::kMeter},
                      {"in", LengthUnit::kInch},
                      {"ft", LengthUnit::kFoot}},
-                    BasicOption("DXF and STEP: what one unit is after scaling"));
+                    BasicOption("DXF, STEP and dimensions: what one unit is after scaling"));
 }
 
 }  // namespace
@@ -184,6 +243,8 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("chains", &chains, "limap: links that are no lines, too, as chains of lines");
 }
 
+bool ExporterOptions::IsAligned() const { return aligned || !svg.plan.section.empty(); }
+
 void ExporterOptions::Check() const {
   if (input_path.empty() && workspace.workspace_path.empty()) {
     throw OptionError("--input_path or --workspace_path must be given");
@@ -192,14 +253,22 @@ void ExporterOptions::Check() const {
   if (!workspace.workspace_path.empty()) workspace.Check();
   selection.Selection();  // throws
   LIMN_CHECK_RANGE(scale, >= 1e-12, <= 1e12);
-  if (aligned && up_axis != SignedAxis::kZ) {
+  if (IsAligned() && up_axis != SignedAxis::kZ) {
     throw OptionError("up_axis: z is up in an aligned drawing");
   }
   const std::string name = FormatName(*this);
   if (!cloud_path.empty() && name != "glb") {
     throw OptionError("cloud_path: only .glb files hold a cloud");
   }
-  if (name == "svg") svg.Check(workspace);
+  if (name == "svg" || IsPlan(*this)) svg.Check(workspace);
+  if (IsPlan(*this) && !svg.IsSheet()) {
+    throw OptionError("view = " + svg.view +
+                      ": must be top, front, side, axonometric or face:<id>; "
+                      "only SVG pictures show images");
+  }
+  if (!svg.plan.section.empty() && name != "svg" && name != "dxf") {
+    throw OptionError("section: only in .svg and .dxf files");
+  }
   if (name == kLimapFormat && workspace.workspace_path.empty()) {
     throw OptionError("output_type = limap: the cameras of --workspace_path go with it");
   }

@@ -34,6 +34,8 @@ struct ExporterOptions {
   bool chains = false;
 
   void AddOptions(OptionParser* parser);
+  // Sections are horizontal in the aligned world.
+  bool IsAligned() const;
   // Throws OptionError.
   void Check() const;
 };

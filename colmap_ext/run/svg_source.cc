@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstring>
 #include <filesystem>
 
 #include "colmap_ext/run/fusion_results.h"
@@ -9,13 +11,22 @@
 #include "colmap_ext/run/world_shift.h"
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/ply_points_reader.h"
+#include "limn/formats/svg_path.h"
 #include "limn/geometry/point_spacing.h"
+#include "limn/plans/depth_range.h"
+#include "limn/plans/face_axes.h"
+#include "limn/plans/mesh_of_faces.h"
 #include "limn/util/errors.h"
+#include "limn/visibility/render_depth.h"
 
 namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kFaceView = "face:";
+// A type of what hides, beside the dense results.
+constexpr const char* kFacesType = "faces";
 
 struct NamedProjection {
   const char* name;
@@ -44,19 +55,91 @@ std::vector<Eigen::Vector3d> ReadCloud(const std::string& path) {
 
 // What a mesh or cloud hides on a sheet.
 IsHidden HiddenBy(const std::string& path, const Similarity3d& sheet_from_model,
-                  const OrthographicFrame& frame) {
+                  const DepthRange& range, const OrthographicFrame& frame) {
   const auto turn = [&](std::vector<Eigen::Vector3d>* points) {
     for (Eigen::Vector3d& point : *points) point = sheet_from_model * point;
   };
   if (IsMeshFile(path)) {
     TriangleMesh mesh = ReadMesh(path);
     turn(&mesh.vertices);
-    return HiddenOnSheet(RenderOrthographicDepth(mesh, frame));
+    return HiddenOnSheet(RenderOrthographicDepth(Clipped(mesh, range), frame));
   }
   std::vector<Eigen::Vector3d> points = ReadCloud(path);
   turn(&points);
   const double radius = kRadiusOfSpacing * PointSpacing(points);
+  std::erase_if(points, [&](const Eigen::Vector3d& point) { return !range.Has(point); });
   return HiddenOnSheet(SplatOrthographicDepth(points, frame, radius));
+}
+
+// Whether the faces of a drawing hide parts of it; says so.
+bool FacesHide(const SvgSource& source, const std::vector<DrawingFace>& faces, Console* console) {
+  if (source.dense.dense_type == kFacesType && faces.empty()) {
+    throw OptionError("dense_type = faces: the drawing has none; drawing_surfacer finds them");
+  }
+  if (source.hidden != SvgSource::Hidden::kAuto && faces.empty()) {
+    throw OptionError(
+        "hidden: nothing is known that hides: neither has the drawing faces (drawing_surfacer), "
+        "nor "
+        "are there dense results (--dense_path)");
+  }
+  console->Say(faces.empty() ? "no dense results and no faces: nothing is hidden"
+                             : "hidden parts: by " + std::to_string(faces.size()) + " faces");
+  return !faces.empty();
+}
+
+SvgOptions StyleOf(const SvgSource& source) {
+  SvgOptions style = source.style;
+  if (source.hidden == SvgSource::Hidden::kDashed) style.hidden_parts = SvgHiddenParts::kDashed;
+  return style;
+}
+
+IsHidden HiddenOn(const SvgSheet& sheet, const DepthRange& range, const SvgSource& source,
+                  const SheetInput& input, Console* console) {
+  if (source.show_hidden) return {};
+  const OrthographicFrame frame = DepthFrame(sheet);
+  const std::string& path = source.dense.dense_path;
+  if (!path.empty()) return HiddenBy(path, input.file_from_model, range, frame);
+  if (!FacesHide(source, input.faces, console)) return {};
+  const TriangleMesh mesh = Clipped(MeshOfFaces(input.faces), range);
+  return HiddenOnSheet(RenderOrthographicDepth(mesh, frame));
+}
+
+const DrawingFace& FaceOf(const SvgSource& source, const std::vector<DrawingFace>& faces) {
+  const auto id = static_cast<size_t>(*source.Face());
+  if (id >= faces.size()) {
+    throw OptionError("view = " + source.view + ": the drawing has " +
+                      std::to_string(faces.size()) + " faces, counted from 0");
+  }
+  if (faces[id].surface != FaceSurface::kPlane) {
+    throw OptionError("view = " + source.view + ": the face is not flat");
+  }
+  return faces[id];
+}
+
+DepthRange RangeAt(const DrawingFace& face, const PlanOptions& plan) {
+  DepthRange range = {-face.normal};
+  if (plan.depth_before >= 0) range.near = -face.offset - plan.depth_before;
+  if (plan.depth_behind >= 0) range.far = -face.offset + plan.depth_behind;
+  return range;
+}
+
+Section SectionAt(double height, const PlanOptions& plan, const SheetInput& input,
+                  Console* console) {
+  const double gap = plan.section_gap >= 0 ? plan.section_gap : UsualGap(input.graph.links);
+  Section section = CutAt(height, input.faces, input.graph.links, gap);
+  console->Say("section: " + std::to_string(section.lines.size()) + " lines of faces, " +
+               std::to_string(section.NumClosed()) + " closed (gaps up to " +
+               ShortNumber(gap, DecimalsFor(0.01 * std::max(gap, 1e-12))) + "); " +
+               std::to_string(section.points.size()) + " places where links are cut");
+  return section;
+}
+
+std::vector<Eigen::Vector3d> PlacesOf(const Section& section) {
+  std::vector<Eigen::Vector3d> places = section.points;
+  for (const SectionLine& line : section.lines) {
+    places.insert(places.end(), line.points.begin(), line.points.end());
+  }
+  return places;
 }
 
 ViewId FindView(const Scene& project, const std::string& name) {
@@ -64,7 +147,7 @@ ViewId FindView(const Scene& project, const std::string& name) {
     if (project.views()[v].name == name) return static_cast<ViewId>(v);
   }
   throw OptionError("view = " + name +
-                    ": must be top, front, side, axonometric or the name of an image");
+                    ": must be top, front, side, axonometric, face:<id> or the name of an image");
 }
 
 // As a reference from the folder of the picture.
@@ -79,17 +162,22 @@ std::string RelativeTo(const fs::path& picture, const fs::path& photo) {
 
 void SvgSource::AddOptions(OptionParser* parser) {
   parser->AddOption("view", &view,
-                    BasicOption("SVG: top, front, side or axonometric to scale, or the name of an "
-                                "image"));
+                    BasicOption("SVG and DXF: top, front, side, axonometric or face:<id> (along a "
+                                "face) to scale; SVG: or the name of an image. Empty: axonometric, "
+                                "in DXF the drawing in space"));
   parser->AddOption("dense_path", &dense.dense_path,
-                    BasicOption("SVG: what hides parts; for sheets a mesh or a cloud"));
+                    BasicOption("SVG, DXF plans: what hides parts; for sheets a mesh or a cloud"));
   parser->AddOption("dense_type", &dense.dense_type,
-                    {"auto", "depth_maps", "fused", "pmvs", "mesh"},
-                    "SVG of an image: which dense results, as in drawing_fuser");
-  parser->AddOption("hidden", &style.hidden_parts,
-                    {{"removed", SvgHiddenParts::kRemoved}, {"dashed", SvgHiddenParts::kDashed}},
-                    "SVG: hidden parts, where depths are known");
-  parser->AddOption("show_hidden", &show_hidden, "SVG: do not look for hidden parts");
+                    {"auto", "depth_maps", "fused", "pmvs", "mesh", kFacesType},
+                    "SVG of an image: which dense results, as in drawing_fuser; faces = the "
+                    "drawing's faces hide, as they do without dense results");
+  parser->AddOption(
+      "hidden", &hidden,
+      {{"auto", Hidden::kAuto}, {"removed", Hidden::kRemoved}, {"dashed", Hidden::kDashed}},
+      "SVG, DXF plans: hidden parts (dashed in DXF: on a layer); auto = removed, where faces or "
+      "depths are known");
+  parser->AddOption("show_hidden", &show_hidden, "SVG, DXF plans: do not look for hidden parts");
+  plan.AddOptions(parser);
   parser->AddOption("photo", &photo,
                     BasicOption("SVG of an image: the photograph beneath the drawing"));
   parser->AddOption("colors", &style.colors,
@@ -107,10 +195,30 @@ void SvgSource::AddOptions(OptionParser* parser) {
   parser->AddOption("elevation_deg", &sheet.elevation_deg, "SVG: axonometric, from how high");
 }
 
-bool SvgSource::IsSheet() const { return ProjectionOf(view) != nullptr; }
+bool SvgSource::IsSheet() const { return view.empty() || Face() || ProjectionOf(view) != nullptr; }
+
+std::optional<int> SvgSource::Face() const {
+  if (!view.starts_with(kFaceView)) return std::nullopt;
+  int face = -1;
+  const char* const begin = view.data() + std::strlen(kFaceView);
+  const char* const end = view.data() + view.size();
+  const auto [rest, error] = std::from_chars(begin, end, face);
+  const bool is_number = error == std::errc() && rest == end && face >= 0;
+  return is_number ? std::optional(face) : std::nullopt;
+}
 
 void SvgSource::Check(const LayoutOptions& workspace) const {
-  dense.Check();
+  if (dense.dense_type != kFacesType) dense.Check();
+  if (dense.dense_type == kFacesType && !dense.dense_path.empty()) {
+    throw OptionError("dense_type = faces: the drawing has them, not --dense_path");
+  }
+  plan.Check();
+  if (!plan.section.empty() && !view.empty() && view != "top") {
+    throw OptionError("section: is seen from the top, not with --view " + view);
+  }
+  if (!Face() && (plan.depth_before != -1 || plan.depth_behind != -1)) {
+    throw OptionError("depth_before, depth_behind: only with --view face:<id>");
+  }
   sheet.Check();
   style.Check();
   if (IsSheet() && photo) throw OptionError("photo = 1: a sheet has no photograph");
@@ -119,28 +227,46 @@ void SvgSource::Check(const LayoutOptions& workspace) const {
   }
 }
 
-SvgScene SceneOnSheet(const SvgSource& source, const DrawingGraph& graph,
-                      const Similarity3d& graph_from_model) {
-  SvgScene scene = {{}, graph};
+SvgScene SceneOnSheet(const SvgSource& source, const SheetInput& input, Console* console) {
+  SvgScene scene;
+  scene.picture.style = StyleOf(source);
   scene.picture.sheet = source.sheet;
-  scene.picture.sheet.projection = ProjectionOf(source.view)->projection;
-  scene.picture.style = source.style;
-  if (!source.show_hidden && !source.dense.dense_path.empty()) {
-    const OrthographicFrame frame = DepthFrame(MakeSheet(graph, scene.picture.sheet));
-    scene.picture.is_hidden = HiddenBy(source.dense.dense_path, graph_from_model, frame);
+  SheetOptions& sheet = scene.picture.sheet;
+  DepthRange range;
+  if (source.Face()) {
+    const DrawingFace& face = FaceOf(source, input.faces);
+    sheet.axes = AxesAlong(face, input.up);
+    range = RangeAt(face, source.plan);
+  } else {
+    const bool is_plan = source.plan.SectionHeight().has_value();
+    const std::string view = source.view.empty() ? (is_plan ? "top" : "axonometric") : source.view;
+    sheet.projection = ProjectionOf(view)->projection;
   }
+  scene.graph = input.graph;
+  if (const auto height = source.plan.SectionHeight()) {
+    range = {-Eigen::Vector3d::UnitZ(), -input.scale * *height};
+    scene.picture.style.section = SectionAt(input.scale * *height, source.plan, input, console);
+    if (!source.plan.section_below) scene.graph = {};
+    sheet.more_places = PlacesOf(*scene.picture.style.section);
+  }
+  scene.graph = Clipped(scene.graph, range);
+  if (scene.graph.links.empty() && sheet.more_places.empty()) {
+    throw InputError("nothing of the drawing is on the sheet");
+  }
+  scene.picture.is_hidden = HiddenOn(MakeSheet(scene.graph, sheet), range, source, input, console);
   return scene;
 }
 
 SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
-                      const DrawingGraph& graph, const std::string& output_path, Console* console) {
+                      const DrawingGraph& graph, const std::vector<DrawingFace>& faces,
+                      const std::string& output_path, Console* console) {
   RunOptions options;
   options.layout = workspace;
   const Scene project(ChooseLayout(options, console), options, console);
   const ViewId view = FindView(project, source.view);
   SvgScene scene = {{}, Moved(graph, -project.origin())};
   scene.picture.view = project.views()[view];
-  scene.picture.style = source.style;
+  scene.picture.style = StyleOf(source);
   if (source.photo && project.view_set().Window(view)) {
     throw OptionError("photo = 1: the view is a part of a panorama");
   }
@@ -150,8 +276,15 @@ SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
   if (source.show_hidden) return scene;
   FuserOptions fuser;
   fuser.paths = source.dense;
-  if (!LookForDenseProducts(fuser.paths, workspace.workspace_path, project.layout().dense_dir)) {
-    console->Say("no dense results: nothing is hidden");
+  const bool by_faces =
+      source.dense.dense_type == kFacesType ||
+      !LookForDenseProducts(fuser.paths, workspace.workspace_path, project.layout().dense_dir);
+  if (by_faces) {
+    if (!FacesHide(source, faces, console)) return scene;
+    TriangleMesh mesh = MeshOfFaces(faces);
+    for (Eigen::Vector3d& vertex : mesh.vertices) vertex -= project.origin();
+    const View& seen_in = project.views()[view];
+    scene.picture.is_hidden = HiddenInView(seen_in, RenderDepth(mesh, seen_in, /*scale=*/1));
     return scene;
   }
   const DenseInput dense = OpenDenseInput(project, fuser, workspace.workspace_path, console);

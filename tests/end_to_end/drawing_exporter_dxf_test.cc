@@ -262,6 +262,122 @@ TEST(DrawingExporterDxf, LayersByFace) {
                                                Pair("face_2", 3), Pair("no_face", 12)));
 }
 
+// A cube with two dimensions; in the world 2 m to the side, standing on z = 1.
+DrawingGraph MeasuredCube() {
+  DrawingGraph graph = UnitCube();
+  graph.dimensions = {{{0, 0, 0}, {1, 0, 0}, {0, -0.2, 0}}, {{0, 0, 0}, {0, 0, 1}, {-0.2, 0, 0}}};
+  return graph;
+}
+
+std::vector<json> EntitiesOn(const json& read, const std::string& layer) {
+  std::vector<json> found;
+  for (const json& entity : read.at("entities")) {
+    if (entity.at("layer") == layer) found.push_back(entity);
+  }
+  return found;
+}
+
+TEST(DrawingExporterDxf, DimensionsAreDimensions) {
+  const DrawingGraph graph = MeasuredCube();
+  const ExportedDrawing exported(graph);
+  exported.Export("d.dxf", {"--scale", "1000", "--unit", "mm"});
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  const std::vector<json> dimensions = EntitiesOn(read, "dimensions");
+  ASSERT_EQ(dimensions.size(), 2u);
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(dimensions[i].at("type"), "DIMENSION");
+    EXPECT_EQ(dimensions[i].at("id"), i);
+    EXPECT_EQ(dimensions[i].at("text"), "1000 mm");
+    EXPECT_EQ(dimensions[i].at("texts"), json({"1000 mm"}));
+    EXPECT_EQ(dimensions[i].at("picture").size(), 6u);
+    const DrawingDimension& dimension = graph.dimensions[i];
+    EXPECT_LT((ToPoint(dimensions[i].at("places")[0]) - 1000 * dimension.from).norm(), 1e-9);
+    EXPECT_LT((ToPoint(dimensions[i].at("places")[1]) - 1000 * dimension.to).norm(), 1e-9);
+    EXPECT_LT(
+        (ToPoint(dimensions[i].at("places")[2]) - 1000 * (dimension.to + dimension.shift)).norm(),
+        1e-9);
+  }
+  EXPECT_NEAR(dimensions[0].at("measured").get<double>(), 1000, 1e-6);
+}
+
+TEST(DrawingExporterDxf, AViewAlongAFaceIsFlat) {
+  const ExportedDrawing exported(MeasuredCube());
+  exported.Export("d.dxf", {"--view", "face:2", "--up_axis", "z", "--hidden", "dashed"});
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  // The edges behind are on the outline, where nothing is hidden; those between have no length.
+  EXPECT_EQ(EntitiesOn(read, "line").size(), 8u);
+  EXPECT_EQ(EntitiesOn(read, "hidden").size(), 0u);
+  for (const json& entity : EntitiesOn(read, "line")) {
+    EXPECT_NEAR(entity.at("length").get<double>(), 1, 0.01);
+    for (const json& point : entity.at("samples")) EXPECT_EQ(point[2], 0);
+  }
+  EXPECT_EQ(EntitiesOn(read, "dimensions").size(), 2u);
+  exported.Export("a.dxf", {"--view", "axonometric", "--hidden", "dashed"});
+  const json aslant = exported.Read("read_dxf.py", "a.dxf");
+  EXPECT_EQ(EntitiesOn(aslant, "line").size(), 9u);
+  EXPECT_EQ(EntitiesOn(aslant, "hidden").size(), 3u);
+  exported.Export("b.dxf", {"--view", "axonometric"});
+  EXPECT_EQ(EntitiesOn(exported.Read("read_dxf.py", "b.dxf"), "hidden").size(), 0u);
+}
+
+TEST(DrawingExporterDxf, DepthsAlongAFace) {
+  const ExportedDrawing exported(UnitCube());
+  const auto count = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> options = {"--view", "face:2", "--show_hidden", "1"};
+    options.insert(options.end(), more.begin(), more.end());
+    exported.Export("d.dxf", options);
+    return EntitiesOn(exported.Read("read_dxf.py", "d.dxf"), "line").size();
+  };
+  EXPECT_EQ(count({}), 8u);
+  EXPECT_EQ(count({"--depth_behind", "0.5"}), 4u);
+  EXPECT_EQ(count({"--depth_before", "0"}), 8u);
+}
+
+TEST(DrawingExporterDxf, ASectionIsAClosedLine) {
+  Alignment alignment;
+  alignment.world_from_model = {2, Eigen::Matrix3d::Identity(), {0, 0, 1}};
+  alignment.scale = ScaleSource::kLengths;
+  const ExportedDrawing exported(MeasuredCube(), alignment);
+  // The middle of the cube, in centimeters.
+  exported.Export("d.dxf", {"--section", "2", "--scale", "100", "--unit", "cm"});
+  const json read = exported.Read("read_dxf.py", "d.dxf");
+  ExpectSoundFile(read);
+  const std::vector<json> lines = EntitiesOn(read, "section");
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].at("closed"));
+  EXPECT_NEAR(lines[0].at("length").get<double>(), 800, 1e-9);
+  EXPECT_EQ(EntitiesOn(read, "section_points").size(), 4u);
+  EXPECT_EQ(EntitiesOn(read, "line").size(), 4u);
+  ASSERT_EQ(EntitiesOn(read, "dimensions").size(), 1u);  // the other one is cut
+  EXPECT_EQ(EntitiesOn(read, "dimensions")[0].at("text"), "200 cm");
+  exported.Export("c.dxf", {"--section", "2", "--section_below", "0"});
+  const json cut = exported.Read("read_dxf.py", "c.dxf");
+  EXPECT_EQ(EntitiesOn(cut, "section").size(), 1u);
+  EXPECT_EQ(EntitiesOn(cut, "line").size(), 0u);
+}
+
+TEST(DrawingExporterDxf, PlansRefused) {
+  const ExportedDrawing exported(HalfCylinderSide());
+  const auto expect_refused = [&](const std::vector<std::string>& more, const std::string& text) {
+    const LimnRun run = exported.TryExport("r.dxf", more);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err,
+                ::testing::AllOf(::testing::StartsWith("ERROR: "), ::testing::HasSubstr(text)));
+    EXPECT_FALSE(std::filesystem::exists(exported.Path("r.dxf")));
+  };
+  expect_refused({"--view", "face:0"}, "view = face:0: the face is not flat");
+  expect_refused({"--view", "face:7"}, "view = face:7: the drawing has 1 faces");
+  expect_refused({"--view", "face:x"}, "view = face:x");
+  expect_refused({"--view", "a.png"}, "only SVG pictures show images");
+  expect_refused({"--section", "1"}, "drawing_aligner");
+  expect_refused({"--section", "high"}, "section = high");
+  expect_refused({"--section", "1", "--view", "front"}, "section");
+  expect_refused({"--view", "top", "--depth_before", "1"}, "depth_before");
+  expect_refused({"--view", "face:0", "--depth_behind", "-2"}, "depth_behind");
+}
+
 TEST(DrawingExporterDxf, EmptyDrawing) {
   const ExportedDrawing exported(DrawingGraph{});
   exported.Export("d.dxf");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "end_to_end/exported_drawing.h"
+#include "support/face_drawing.h"
 
 namespace limn::testing {
 namespace {
@@ -73,6 +74,30 @@ TEST_F(SvgExport, PicturesOfImages) {
   EXPECT_THAT(picture, AllOf(HasSubstr("link_0"), HasSubstr("images/view_09.jpg")));
 }
 
+int CountLinks(const std::string& svg) {
+  int count = 0;
+  for (size_t at = svg.find("id=\"link_"); at != std::string::npos;
+       at = svg.find("id=\"link_", at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(SvgOfFaces, FacesHideWithoutDenseResults) {
+  const ExportedDrawing exported(UnitCube());
+  const auto export_to = [&](const std::vector<std::string>& more) {
+    exported.Export("a.svg", more);
+    return ReadTree(exported.dir().path()).at("a.svg");
+  };
+  EXPECT_EQ(CountLinks(export_to({})), 9);
+  EXPECT_EQ(CountLinks(export_to({"--hidden", "dashed"})), 12);
+  EXPECT_THAT(export_to({"--hidden", "dashed"}), HasSubstr("class=\"hidden\""));
+  EXPECT_EQ(CountLinks(export_to({"--show_hidden", "1"})), 12);
+  // A dense source goes before the faces, unless these are asked for.
+  EXPECT_EQ(CountLinks(export_to({"--dense_type", "faces"})), 9);
+  EXPECT_EQ(CountLinks(export_to({"--view", "face:2", "--depth_behind", "0.5"})), 4 + 4);
+}
+
 TEST_F(SvgExport, Refusals) {
   ExpectRefused({"--view", "view_09.jpg"}, "needs --workspace_path");
   ExpectRefused({"--view", "none.jpg", "--workspace_path", kDay}, "view = none.jpg");
@@ -80,6 +105,10 @@ TEST_F(SvgExport, Refusals) {
   ExpectRefused({"--view", "top", "--photo", "1"}, "photo = 1");
   ExpectRefused({"--view", "top", "--dense_path", "nowhere.ply"}, "nowhere.ply");
   ExpectRefused({"--sheet_scale", "-1"}, "scale");
+  ExpectRefused({"--view", "top", "--hidden", "removed"}, "neither has the drawing faces");
+  ExpectRefused({"--view", "top", "--hidden", "dashed"}, "--dense_path");
+  ExpectRefused({"--view", "top", "--dense_type", "faces"}, "drawing_surfacer");
+  ExpectRefused({"--dense_type", "faces", "--dense_path", kMesh}, "dense_type = faces");
 }
 
 }  // namespace

@@ -26,8 +26,9 @@ nlohmann::json LastLine(const LimnRun& run, const std::string& start) {
 
 }  // namespace
 
-ExportedDrawing::ExportedDrawing(const DrawingGraph& graph) {
-  WriteDrawing(Path("drawing.json"), graph, {{"a.png", "b.png"}, "{}"});
+ExportedDrawing::ExportedDrawing(const DrawingGraph& graph,
+                                 const std::optional<Alignment>& alignment) {
+  WriteDrawing(Path("drawing.json"), graph, {{"a.png", "b.png"}, "{}", alignment});
 }
 
 LimnRun ExportedDrawing::TryExport(const std::string& name,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include "colmap_ext/temp_dir.h"
 #include "end_to_end/run_limn.h"
+#include "limn/model/alignment.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn::testing {
@@ -16,7 +18,8 @@ namespace limn::testing {
 // programs that are not ours.
 class ExportedDrawing {
  public:
-  explicit ExportedDrawing(const DrawingGraph& graph);
+  explicit ExportedDrawing(const DrawingGraph& graph,
+                           const std::optional<Alignment>& alignment = std::nullopt);
 
   std::string Path(const std::string& name) const { return (dir_ / name).string(); }
 

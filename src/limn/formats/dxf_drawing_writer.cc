@@ -32,8 +32,13 @@ int UnitCode(LengthUnit unit) {
   return 0;
 }
 
-// Of points, primitives and faces; what an arc has between its samples matters for no view.
-Eigen::AlignedBox3d ExtentOf(const DrawingGraph& graph) {
+void Extend(const Polyline3d& points, Eigen::AlignedBox3d* extent) {
+  for (const Eigen::Vector3d& point : points) extent->extend(point);
+}
+
+// Of points, primitives, faces, dimensions and the plan; what an arc has between its samples
+// matters for no view.
+Eigen::AlignedBox3d ExtentOf(const DrawingGraph& graph, const DxfOptions& options) {
   constexpr int kSamples = 64;
   Eigen::AlignedBox3d extent;
   for (const DrawingLink& link : graph.links) {
@@ -46,7 +51,34 @@ Eigen::AlignedBox3d ExtentOf(const DrawingGraph& graph) {
   for (const DrawingFace& face : graph.faces) {
     for (const Eigen::Vector3d& vertex : face.vertices) extent.extend(vertex);
   }
+  for (const DrawingDimension& dimension : graph.dimensions) {
+    Extend({dimension.from, dimension.to, dimension.from + dimension.shift,
+            dimension.to + dimension.shift},
+           &extent);
+  }
+  if (options.plan) {
+    for (const Polyline3d& line : options.plan->hidden) Extend(line, &extent);
+    for (const SectionLine& line : options.plan->section.lines) Extend(line.points, &extent);
+    Extend(options.plan->section.points, &extent);
+  }
   return extent;
+}
+
+DxfDimensions DimensionsOf(const DrawingGraph& graph, const DxfOptions& options,
+                           const Eigen::AlignedBox3d& extent) {
+  constexpr double kHeightOfExtent = 0.01;
+  DxfDimensions dimensions;
+  dimensions.text_height =
+      options.plan ? options.plan->text_height : kHeightOfExtent * extent.diagonal().norm();
+  for (size_t i = 0; i < graph.dimensions.size(); ++i) {
+    const DrawingDimension& dimension = graph.dimensions[i];
+    if (dimension.from == dimension.to) continue;
+    const double length =
+        options.plan ? options.plan->lengths[i] : (dimension.to - dimension.from).norm();
+    dimensions.all.push_back(
+        {LinesOf(dimension), length, options.dimension_text.Of(length), static_cast<int>(i)});
+  }
+  return dimensions;
 }
 
 void PutHeader(const Eigen::AlignedBox3d& extent, LengthUnit unit, int next_handle,
@@ -85,17 +117,21 @@ void PutHeader(const Eigen::AlignedBox3d& extent, LengthUnit unit, int next_hand
 void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, LengthUnit unit,
                      std::ostream& out) {
   const DxfLayerPlan plan = PlanDxfLayers(graph, options);
-  const Eigen::AlignedBox3d extent = ExtentOf(graph);
+  const Eigen::AlignedBox3d extent = ExtentOf(graph, options);
+  const DxfDimensions dimensions = DimensionsOf(graph, options, extent);
   // The header says which handle is free after all others.
   std::ostringstream body;
   DxfWriter writer(body);
   int next_handle = 1;
   writer.BeginSection("CLASSES");
   writer.EndSection();
-  const DxfSpaces spaces = PutDxfTables(plan.layers, extent, &next_handle, &writer);
-  PutDxfBlocks(spaces, &next_handle, &writer);
+  const DxfSpaces spaces = PutDxfTables(plan.layers, extent, dimensions, &next_handle, &writer);
+  PutDxfBlocks(spaces, dimensions, &next_handle, &writer);
   writer.BeginSection("ENTITIES");
-  PutDxfEntities(graph, plan, spaces.model, &next_handle, &writer);
+  PutDxfEntities(graph, plan, options.plan, spaces.model, &next_handle, &writer);
+  for (size_t i = 0; i < dimensions.all.size(); ++i) {
+    PutDimension(dimensions.all[i], i, dimensions.text_height, spaces.model, &next_handle, &writer);
+  }
   writer.EndSection();
   PutDxfObjects(&next_handle, &writer);
   writer.Put(0, "EOF");

@@ -1,8 +1,13 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
+#include <vector>
 
+#include "limn/formats/dimension_lines.h"
+#include "limn/geometry/polyline.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/plans/section.h"
 #include "limn/util/length_unit.h"
 
 namespace limn {
@@ -23,10 +28,24 @@ enum class DxfLayers {
   kFace,
 };
 
+// What a flat drawing (flat_drawing.h) has besides its links, in its coordinates.
+struct DxfPlan {
+  // Hidden parts, on the layer "hidden".
+  std::vector<Polyline3d> hidden;
+  // On the layers "section" (closed or open polylines) and "section_points".
+  Section section;
+  // True lengths of the drawing's dimensions.
+  std::vector<double> lengths;
+  double text_height = 1;
+};
+
 struct DxfOptions {
   DxfLayers layers = DxfLayers::kClass;
   // Junctions as points, on a layer "junctions".
   bool junctions = true;
+  std::optional<DxfPlan> plan;
+  // Of dimensions.
+  DimensionText dimension_text;
 };
 
 // Writes a drawing as ASCII DXF of AutoCAD 2000 (AC1015): per link a LINE, ARC, CIRCLE, SPLINE of
@@ -34,7 +53,9 @@ struct DxfOptions {
 // coordinate system (arbitrary axis algorithm). Faces are polyface meshes of their triangles, on
 // the layer "faces" unless each has its own; edges between triangles are invisible. Every entity
 // has extended data of the application LIMN: the id of its link, or of its node for points, or of
-// its face (code 1071). Colors are those of the layers.
+// its face, or of its dimension or the line or point of the plan (code 1071). Dimensions are
+// DIMENSION entities, aligned, each with its block, on the layer "dimensions"; their text, which is
+// 1 % of the drawing high but in plans, is the true length. Colors are those of the layers.
 void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, LengthUnit unit,
                      std::ostream& out);
 

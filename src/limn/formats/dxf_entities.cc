@@ -1,25 +1,16 @@
 #include "limn/formats/dxf_entities.h"
 
 #include <cmath>
+#include <span>
 #include <variant>
 
 #include <Eigen/Geometry>
 
+#include "limn/formats/dxf_object_axes.h"
 #include "limn/formats/triangle_parts.h"
 
 namespace limn {
 namespace {
-
-// X and y axis of the object coordinate system of a plane, by the arbitrary axis algorithm of the
-// DXF reference; the rows of the matrix are the axes.
-Eigen::Matrix3d ObjectFromWorld(const Eigen::Vector3d& normal) {
-  const bool is_near_z = std::abs(normal.x()) < 1.0 / 64 && std::abs(normal.y()) < 1.0 / 64;
-  const Eigen::Vector3d reference = is_near_z ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d x_axis = reference.cross(normal).normalized();
-  Eigen::Matrix3d rows;
-  rows << x_axis.transpose(), normal.cross(x_axis).normalized().transpose(), normal.transpose();
-  return rows;
-}
 
 double DegreesWithinATurn(double rad) {
   const double degrees = std::fmod(rad * 180 / M_PI, 360.0);
@@ -37,7 +28,8 @@ class EntityWriter {
     if (link.primitive) {
       std::visit([this](const auto& shape) { Put(shape); }, link.primitive->shape);
     } else {
-      PutPolyline(link);
+      const bool closed = link.node0 == link.node1;
+      PutPolyline(std::span(link.points_in_world).first(link.size() - (closed ? 1 : 0)), closed);
     }
   }
 
@@ -48,12 +40,32 @@ class EntityWriter {
     PutPolyface(part);
   }
 
-  void PutJunction(const DrawingNode& node, NodeId id) {
-    layer_ = plan_.layers[plan_.of_junctions].name;
+  void PutPoint(const Eigen::Vector3d& position, int layer, int id) {
+    layer_ = plan_.layers[layer].name;
     id_ = id;
     Begin("POINT", "AcDbPoint", model_space_);
-    writer_.PutPoint(10, node.position_in_world);
+    writer_.PutPoint(10, position);
     PutId();
+  }
+
+  void PutLine(const Polyline3d& points, bool closed, int layer, int id) {
+    layer_ = plan_.layers[layer].name;
+    id_ = id;
+    PutPolyline(points, closed);
+  }
+
+  void PutPlan(const DxfPlan& plan) {
+    for (size_t i = 0; i < plan.hidden.size(); ++i) {
+      PutLine(plan.hidden[i], false, plan_.of_hidden, static_cast<int>(i));
+    }
+    const Section& section = plan.section;
+    for (size_t i = 0; i < section.lines.size(); ++i) {
+      PutLine(section.lines[i].points, section.lines[i].closed, plan_.of_section,
+              static_cast<int>(i));
+    }
+    for (size_t i = 0; i < section.points.size(); ++i) {
+      PutPoint(section.points[i], plan_.of_section_points, static_cast<int>(i));
+    }
   }
 
  private:
@@ -114,19 +126,17 @@ class EntityWriter {
     PutId();
   }
 
-  void PutPolyline(const DrawingLink& link) {
-    const bool closed = link.node0 == link.node1;
+  // A closed one returns to its first vertex by itself.
+  void PutPolyline(std::span<const Eigen::Vector3d> points, bool closed) {
     const int polyline = Begin("POLYLINE", "AcDb3dPolyline", model_space_);
     writer_.Put(66, 1);
     writer_.PutPoint(10, Eigen::Vector3d::Zero());
     writer_.Put(70, closed ? 8 + 1 : 8);
     PutId();
-    // A closed one returns to its first vertex by itself.
-    const size_t count = link.points_in_world.size() - (closed ? 1 : 0);
-    for (size_t i = 0; i < count; ++i) {
+    for (const Eigen::Vector3d& point : points) {
       Begin("VERTEX", "AcDbVertex", polyline);
       writer_.Put(100, "AcDb3dPolylineVertex");
-      writer_.PutPoint(10, link.points_in_world[i]);
+      writer_.PutPoint(10, point);
       writer_.Put(70, 32);
     }
     Begin("SEQEND", nullptr, polyline);
@@ -169,8 +179,9 @@ class EntityWriter {
 
 }  // namespace
 
-void PutDxfEntities(const DrawingGraph& graph, const DxfLayerPlan& plan, int model_space,
-                    int* next_handle, DxfWriter* writer) {
+void PutDxfEntities(const DrawingGraph& graph, const DxfLayerPlan& plan,
+                    const std::optional<DxfPlan>& flat_plan, int model_space, int* next_handle,
+                    DxfWriter* writer) {
   EntityWriter entities(plan, model_space, next_handle, writer);
   for (size_t id = 0; id < graph.links.size(); ++id) {
     entities.PutLink(graph.links[id], static_cast<LinkId>(id));
@@ -180,10 +191,12 @@ void PutDxfEntities(const DrawingGraph& graph, const DxfLayerPlan& plan, int mod
       entities.PutFace(part, static_cast<int>(id));
     }
   }
+  if (flat_plan) entities.PutPlan(*flat_plan);
   if (plan.of_junctions < 0) return;
   for (size_t id = 0; id < graph.nodes.size(); ++id) {
     if (graph.nodes[id].kind != NodeKind::kJunction) continue;
-    entities.PutJunction(graph.nodes[id], static_cast<NodeId>(id));
+    entities.PutPoint(graph.nodes[id].position_in_world, plan.of_junctions,
+                      static_cast<NodeId>(id));
   }
 }
 

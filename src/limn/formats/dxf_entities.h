@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "limn/formats/dxf_layers.h"
 #include "limn/formats/dxf_writer.h"
 #include "limn/model/drawing_graph.h"
@@ -9,7 +11,9 @@ namespace limn {
 constexpr const char* kDxfApplication = "LIMN";
 
 // Writes the entities of the model space with handles from `*next_handle` on.
-void PutDxfEntities(const DrawingGraph& graph, const DxfLayerPlan& plan, int model_space,
-                    int* next_handle, DxfWriter* writer);
+// Dimensions have functions of their own.
+void PutDxfEntities(const DrawingGraph& graph, const DxfLayerPlan& plan,
+                    const std::optional<DxfPlan>& flat_plan, int model_space, int* next_handle,
+                    DxfWriter* writer);
 
 }  // namespace limn

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "limn/formats/dxf_dimensions.h"
 #include "limn/formats/link_kind.h"
 #include "limn/model/drawing_paths.h"
 
@@ -131,6 +132,19 @@ DxfLayerPlan PlanDxfLayers(const DrawingGraph& graph, const DxfOptions& options)
   if (options.junctions && has_junctions) {
     plan.of_junctions = static_cast<int>(plan.layers.size());
     plan.layers.push_back({"junctions", kForeground});
+  }
+  const auto add_if = [&](bool is_needed, const char* name, int color) {
+    if (!is_needed) return -1;
+    plan.layers.push_back({name, color});
+    return static_cast<int>(plan.layers.size()) - 1;
+  };
+  add_if(!graph.dimensions.empty(), kDxfDimensionLayer, kForeground);
+  if (options.plan) {
+    constexpr int kLightGray = 9;
+    plan.of_hidden = add_if(!options.plan->hidden.empty(), "hidden", kLightGray);
+    const Section& section = options.plan->section;
+    plan.of_section = add_if(!section.lines.empty(), "section", kForeground);
+    plan.of_section_points = add_if(!section.points.empty(), "section_points", kForeground);
   }
   return plan;
 }

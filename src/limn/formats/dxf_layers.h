@@ -18,7 +18,11 @@ struct DxfLayerPlan {
   std::vector<DxfLayer> layers;
   std::vector<int> of_link;
   std::vector<int> of_face;
-  int of_junctions = -1;  // -1: not drawn
+  // -1: not drawn.
+  int of_junctions = -1;
+  int of_hidden = -1;
+  int of_section = -1;
+  int of_section_points = -1;
 };
 
 DxfLayerPlan PlanDxfLayers(const DrawingGraph& graph, const DxfOptions& options);

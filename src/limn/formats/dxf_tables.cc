@@ -1,6 +1,8 @@
 #include "limn/formats/dxf_tables.h"
 
 #include <algorithm>
+#include <functional>
+#include <string>
 
 #include "limn/formats/dxf_entities.h"
 
@@ -45,8 +47,8 @@ class TableWriter {
   void Layers(const std::vector<DxfLayer>& layers);
   void TextStyles();
   void Applications();
-  void DimensionStyles();
-  DxfSpaces BlockRecords();
+  void DimensionStyles(const DxfDimensions& dimensions);
+  DxfSpaces BlockRecords(size_t num_dimensions);
 
  private:
   int* next_handle_;
@@ -135,47 +137,74 @@ void TableWriter::Applications() {
   End();
 }
 
-void TableWriter::DimensionStyles() {
+void TableWriter::DimensionStyles(const DxfDimensions& dimensions) {
   Begin("DIMSTYLE", 1);
   writer_.Put(100, "AcDbDimStyleTable");
   writer_.Put(71, 0);
   Entry("DIMSTYLE", "AcDbDimStyleTableRecord", "Standard", 105);
   Flags(0);
+  if (!dimensions.all.empty()) {
+    // As PutDimensionPicture draws them, for programs that draw them anew.
+    const double height = dimensions.text_height;
+    writer_.Put(40, 1.0);
+    writer_.Put(41, height);         // arrows
+    writer_.Put(42, 0.0);            // from the places that are measured
+    writer_.Put(44, 0.5 * height);   // beyond the dimension line
+    writer_.Put(140, height);        // text
+    writer_.Put(142, 0.5 * height);  // oblique ticks
+    writer_.Put(147, 0.5 * height);  // between line and text
+    writer_.Put(73, 0);              // text is along the line,
+    writer_.Put(74, 0);
+    writer_.Put(77, 1);  // above it
+  }
   End();
 }
 
-DxfSpaces TableWriter::BlockRecords() {
+DxfSpaces TableWriter::BlockRecords(size_t num_dimensions) {
   DxfSpaces spaces;
-  Begin("BLOCK_RECORD", 2);
+  Begin("BLOCK_RECORD", 2 + num_dimensions);
   spaces.model = Entry("BLOCK_RECORD", "AcDbBlockTableRecord", kModelSpace);
   spaces.paper = Entry("BLOCK_RECORD", "AcDbBlockTableRecord", kPaperSpace);
+  for (size_t i = 0; i < num_dimensions; ++i) {
+    spaces.dimensions.push_back(
+        Entry("BLOCK_RECORD", "AcDbBlockTableRecord", DimensionBlockName(i)));
+  }
   End();
   return spaces;
 }
 
-void PutBlock(const char* name, int record, bool is_paper, int* next_handle, DxfWriter* writer) {
+struct Block {
+  std::string name;
+  int record = 0;
+  bool is_paper = false;
+  int flags = 0;
+  std::function<void()> put_content = [] {};
+};
+
+void PutBlock(const Block& block, int* next_handle, DxfWriter* writer) {
   const auto begin = [&](const char* type, const char* subclass) {
     writer->Put(0, type);
     writer->PutHandle(5, (*next_handle)++);
-    writer->PutHandle(330, record);
+    writer->PutHandle(330, block.record);
     writer->Put(100, "AcDbEntity");
-    if (is_paper) writer->Put(67, 1);
+    if (block.is_paper) writer->Put(67, 1);
     writer->Put(8, "0");
     writer->Put(100, subclass);
   };
   begin("BLOCK", "AcDbBlockBegin");
-  writer->Put(2, name);
-  writer->Put(70, 0);
+  writer->Put(2, block.name);
+  writer->Put(70, block.flags);
   writer->PutPoint(10, Eigen::Vector3d::Zero());
-  writer->Put(3, name);
+  writer->Put(3, block.name);
   writer->Put(1, "");
+  block.put_content();
   begin("ENDBLK", "AcDbBlockEnd");
 }
 
 }  // namespace
 
 DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::AlignedBox3d& extent,
-                       int* next_handle, DxfWriter* writer) {
+                       const DxfDimensions& dimensions, int* next_handle, DxfWriter* writer) {
   writer->BeginSection("TABLES");
   TableWriter tables(next_handle, writer);
   tables.Viewport(extent);
@@ -187,16 +216,27 @@ DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::Aligned
     tables.End();
   }
   tables.Applications();
-  tables.DimensionStyles();
-  const DxfSpaces spaces = tables.BlockRecords();
+  tables.DimensionStyles(dimensions);
+  const DxfSpaces spaces = tables.BlockRecords(dimensions.all.size());
   writer->EndSection();
   return spaces;
 }
 
-void PutDxfBlocks(const DxfSpaces& spaces, int* next_handle, DxfWriter* writer) {
+void PutDxfBlocks(const DxfSpaces& spaces, const DxfDimensions& dimensions, int* next_handle,
+                  DxfWriter* writer) {
+  constexpr int kAnonymous = 1;
   writer->BeginSection("BLOCKS");
-  PutBlock(kModelSpace, spaces.model, false, next_handle, writer);
-  PutBlock(kPaperSpace, spaces.paper, true, next_handle, writer);
+  PutBlock({kModelSpace, spaces.model}, next_handle, writer);
+  PutBlock({kPaperSpace, spaces.paper, /*is_paper=*/true}, next_handle, writer);
+  for (size_t i = 0; i < dimensions.all.size(); ++i) {
+    const int record = spaces.dimensions[i];
+    PutBlock({DimensionBlockName(i), record, false, kAnonymous,
+              [&] {
+                PutDimensionPicture(dimensions.all[i], dimensions.text_height, record, next_handle,
+                                    writer);
+              }},
+             next_handle, writer);
+  }
   writer->EndSection();
 }
 

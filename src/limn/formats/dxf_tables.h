@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/formats/dxf_dimensions.h"
 #include "limn/formats/dxf_layers.h"
 #include "limn/formats/dxf_writer.h"
 
@@ -13,16 +14,25 @@ namespace limn {
 struct DxfSpaces {
   int model = 0;
   int paper = 0;
+  // Of the pictures of dimensions.
+  std::vector<int> dimensions;
+};
+
+struct DxfDimensions {
+  std::vector<DxfDimension> all;
+  double text_height = 1;
 };
 
 // Writes the section TABLES: the entries that AutoCAD requires, the layers, and a top view of all
-// of `extent` (which may be empty). Uses handles from `*next_handle` on.
+// of `extent` (which may be empty), and the style of dimensions, if there are any. Uses handles
+// from `*next_handle` on.
 DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::AlignedBox3d& extent,
-                       int* next_handle, DxfWriter* writer);
+                       const DxfDimensions& dimensions, int* next_handle, DxfWriter* writer);
 
-// The sections BLOCKS and OBJECTS, with the empty blocks of the two spaces and the dictionary that
-// every file must have.
-void PutDxfBlocks(const DxfSpaces& spaces, int* next_handle, DxfWriter* writer);
+// The sections BLOCKS and OBJECTS, with the empty blocks of the two spaces, the pictures of
+// dimensions, and the dictionary that every file must have.
+void PutDxfBlocks(const DxfSpaces& spaces, const DxfDimensions& dimensions, int* next_handle,
+                  DxfWriter* writer);
 void PutDxfObjects(int* next_handle, DxfWriter* writer);
 
 }  // namespace limn

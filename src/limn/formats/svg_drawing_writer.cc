@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limn/formats/colors.h"
+#include "limn/formats/svg_dimensions.h"
 #include "limn/formats/svg_legend.h"
 #include "limn/formats/svg_link.h"
 #include "limn/util/errors.h"
@@ -17,6 +18,9 @@ namespace {
 
 // Places are rounded by no more than so many pixels.
 constexpr double kRoundingPx = 0.005;
+
+// Lines of a section, in widths of other lines.
+constexpr double kSectionWidths = 3;
 
 std::string HexColor(const Color& color) {
   constexpr char kDigits[] = "0123456789abcdef";
@@ -73,6 +77,12 @@ class SvgWriter {
     picture_.background(out_);
     const SvgSummary summary = PutLinks();
     if (options_.junctions) PutJunctions();
+    if (options_.section) PutSection(*options_.section);
+    if (!graph_.dimensions.empty()) {
+      WriteDimensions(graph_.dimensions,
+                      {picture_.place_of, picture_.px, picture_.decimals, options_.dimension_text},
+                      out_);
+    }
     picture_.legend(out_);
     out_ << "</svg>\n";
     return summary;
@@ -94,6 +104,16 @@ class SvgWriter {
          << "#legend{fill:none;stroke:#000;stroke-width:.75}\n"
             "#legend circle,#legend text{fill:#000;stroke:none}\n"
          << "#legend text{font:" << ShortNumber(kLegendTextPx, 2) << "px sans-serif}\n";
+    if (options_.section) {
+      out_ << "#section{fill:none;stroke:#000;stroke-width:"
+           << Pixels(kSectionWidths * options_.line_width_px)
+           << ";stroke-linejoin:miter}\n#section circle{fill:#000;stroke:none}\n";
+    }
+    if (!graph_.dimensions.empty()) {
+      out_ << "#dimensions{fill:none;stroke:#000;stroke-width:" << Pixels(0.75)
+           << "}\n#dimensions text{fill:#000;stroke:none;text-anchor:middle;font:"
+           << ShortNumber(kLegendTextPx, 2) << "px sans-serif}\n";
+    }
     if (options_.colors == SvgColors::kPrimitive) {
       PutRule(".line", "#0072b2");
       PutRule(".arc", "#d55e00");
@@ -172,6 +192,27 @@ class SvgWriter {
       out_ << "<circle id=\"node_" << id << "\" cx=\"" << ShortNumber(place->x(), picture_.decimals)
            << "\" cy=\"" << ShortNumber(place->y(), picture_.decimals) << "\" r=\""
            << Pixels(options_.junction_radius_px) << "\"/>\n";
+    }
+    out_ << "</g>\n";
+  }
+
+  void PutSection(const Section& section) {
+    out_ << "<g id=\"section\">\n";
+    for (const SectionLine& line : section.lines) {
+      SvgPath path(picture_.decimals);
+      for (const Eigen::Vector3d& point : line.points) {
+        const auto place = picture_.place_of(point);
+        if (place) path.empty() ? path.MoveTo(*place) : path.LineTo(*place);
+      }
+      out_ << "<path class=\"" << (line.closed ? "closed" : "open") << "\" d=\"" << path.text()
+           << (line.closed ? "z" : "") << "\"/>\n";
+    }
+    for (const Eigen::Vector3d& point : section.points) {
+      const auto place = picture_.place_of(point);
+      if (!place) continue;
+      out_ << "<circle cx=\"" << ShortNumber(place->x(), picture_.decimals) << "\" cy=\""
+           << ShortNumber(place->y(), picture_.decimals) << "\" r=\""
+           << Pixels(kSectionWidths * options_.line_width_px) << "\"/>\n";
     }
     out_ << "</g>\n";
   }

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
+#include "limn/formats/dimension_lines.h"
 #include "limn/formats/svg_hidden.h"
 #include "limn/formats/svg_sheet.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
+#include "limn/plans/section.h"
 
 namespace limn {
 
@@ -20,6 +23,9 @@ namespace limn {
 //                       unknown (only after drawing_fuser); kind-edge, kind-paint, kind-shadow or
 //                       kind-contour where known; tentative
 //   <g id="junctions">  <circle id="node_<id>"> per junction at which a link is visible
+//   <g id="section">    only with a section: a thick <path> per line in which faces are cut, with
+//                       class "closed" or "open", and a <circle> where a link is cut
+//   <g id="dimensions"> only if the drawing has some: see svg_dimensions.h
 //   <g id="legend">     only on sheets: scale bar and directions of the axes
 // The same drawing gives the same bytes.
 
@@ -49,6 +55,10 @@ struct SvgOptions {
   std::string photo;
   // Of the photograph, in [0, 1]; lower makes the lines stand out.
   double photo_opacity = 0.6;
+  // What is cut, over the links.
+  std::optional<Section> section;
+  // Of dimensions.
+  DimensionText dimension_text;
 
   // Throws OptionError.
   void Check() const;

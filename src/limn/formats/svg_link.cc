@@ -101,18 +101,13 @@ Polyline3d PointsFor(const View& view, const DrawingLink& link, const LinkPathOp
   return SampleShape(link.primitive->shape, tolerance);
 }
 
-LinkPath DrawShape(const SvgSheet& sheet, const CurveShape& shape, double length,
-                   const IsHidden& is_hidden, const LinkPathOptions& options) {
-  const auto point_at = [&](double t) { return PointAt(shape, t); };
-  const std::vector<ShownRun> runs =
-      FindRuns(point_at, SamplesOf(shape, length, sheet), is_hidden, options.min_run_px);
-  LinkPath path = EmptyPath(options);
-  for (const ShownRun& run : runs) {
-    AppendShape(sheet, shape, run.from, run.to, options.tolerance_px * sheet.px(),
-                run.hidden ? &path.hidden : &path.visible);
+void AppendRun(const SvgSheet& sheet, const Polyline3d& points, const ShownRun& run,
+               double tolerance, SvgPath* path) {
+  std::vector<Eigen::Vector2d> places;
+  for (const Eigen::Vector3d& point : CutPolyline(points, run.from, run.to)) {
+    places.push_back(sheet.ToSheet(point));
   }
-  SetEnds(runs, &path);
-  return path;
+  AppendFitted(places, tolerance, path);
 }
 
 }  // namespace
@@ -140,26 +135,34 @@ LinkPath DrawLink(const View& view, const DrawingLink& link, const IsHidden& is_
 
 LinkPath DrawLink(const SvgSheet& sheet, const DrawingLink& link, const IsHidden& is_hidden,
                   const LinkPathOptions& options) {
-  if (HasShape(link, options)) {
-    return DrawShape(sheet, link.primitive->shape, Length(link.points_in_world), is_hidden,
-                     options);
+  const LinkRuns runs = RunsOnSheet(sheet, link, is_hidden, options);
+  const double tolerance = options.tolerance_px * sheet.px();
+  LinkPath path = EmptyPath(options);
+  for (const ShownRun& run : runs.runs) {
+    SvgPath* const into = run.hidden ? &path.hidden : &path.visible;
+    if (runs.of_shape) {
+      AppendShape(sheet, link.primitive->shape, run.from, run.to, tolerance, into);
+    } else {
+      AppendRun(sheet, link.points_in_world, run, tolerance, into);
+    }
   }
+  SetEnds(runs.runs, &path);
+  return path;
+}
+
+LinkRuns RunsOnSheet(const SvgSheet& sheet, const DrawingLink& link, const IsHidden& is_hidden,
+                     const LinkPathOptions& options) {
   const Polyline3d& points = link.points_in_world;
+  if (HasShape(link, options)) {
+    const CurveShape& shape = link.primitive->shape;
+    const auto point_at = [&](double t) { return PointAt(shape, t); };
+    return {
+        FindRuns(point_at, SamplesOf(shape, Length(points), sheet), is_hidden, options.min_run_px),
+        true};
+  }
   const PolylineAt point_at(points);
   const auto footprint_at = [&](const Eigen::Vector3d&) { return sheet.px(); };
-  const std::vector<ShownRun> runs =
-      FindRuns(point_at, point_at.Samples(footprint_at), is_hidden, options.min_run_px);
-  LinkPath path = EmptyPath(options);
-  for (const ShownRun& run : runs) {
-    std::vector<Eigen::Vector2d> places;
-    for (const Eigen::Vector3d& point : CutPolyline(points, run.from, run.to)) {
-      places.push_back(sheet.ToSheet(point));
-    }
-    AppendFitted(places, options.tolerance_px * sheet.px(),
-                 run.hidden ? &path.hidden : &path.visible);
-  }
-  SetEnds(runs, &path);
-  return path;
+  return {FindRuns(point_at, point_at.Samples(footprint_at), is_hidden, options.min_run_px), false};
 }
 
 }  // namespace limn

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "limn/formats/svg_hidden.h"
@@ -28,6 +30,15 @@ struct LinkPath {
   // Whether the link's two ends are visible.
   bool end_is_open[2] = {true, true};
 };
+
+// The visible and hidden parts of a link on a sheet: of its shape, or, where that is not known or
+// not asked for, of its points by arc length.
+struct LinkRuns {
+  std::vector<ShownRun> runs;
+  bool of_shape = false;
+};
+LinkRuns RunsOnSheet(const SvgSheet& sheet, const DrawingLink& link, const IsHidden& is_hidden,
+                     const LinkPathOptions& options);
 
 // In a photograph, in stored pixels; the corner of the picture is (0, 0), the center of its
 // top-left pixel (0.5, 0.5). Lines and cubic curves within the tolerance.

@@ -51,13 +51,22 @@ Eigen::Matrix3d AxesOf(const SheetOptions& options) {
               std::cos(elevation) * z - std::sin(elevation) * level);
 }
 
-Eigen::AlignedBox2d BoxOf(const DrawingGraph& graph, const Eigen::Matrix3d& axes) {
+Eigen::AlignedBox2d BoxOf(const DrawingGraph& graph, const std::vector<Eigen::Vector3d>& places,
+                          const Eigen::Matrix3d& axes) {
   Eigen::AlignedBox2d box;
+  const auto extend = [&](const Eigen::Vector3d& point) {
+    box.extend(Eigen::Vector2d(axes.topRows<2>() * point));
+  };
   for (const DrawingLink& link : graph.links) {
-    for (const Eigen::Vector3d& point : link.points_in_world) {
-      box.extend(Eigen::Vector2d(axes.topRows<2>() * point));
+    for (const Eigen::Vector3d& point : link.points_in_world) extend(point);
+  }
+  for (const DrawingDimension& dimension : graph.dimensions) {
+    for (const Eigen::Vector3d& place : {dimension.from, dimension.to}) {
+      extend(place);
+      extend(place + dimension.shift);
     }
   }
+  for (const Eigen::Vector3d& place : places) extend(place);
   return box;
 }
 
@@ -89,10 +98,10 @@ void SheetOptions::Check() const {
 
 SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options) {
   options.Check();
-  if (graph.links.empty()) throw InputError("the drawing has no links");
   SvgSheet sheet;
-  sheet.axes = AxesOf(options);
-  const Eigen::AlignedBox2d box = BoxOf(graph, sheet.axes);
+  sheet.axes = options.axes ? *options.axes : AxesOf(options);
+  const Eigen::AlignedBox2d box = BoxOf(graph, options.more_places, sheet.axes);
+  if (box.isEmpty()) throw InputError("the drawing has no links");
   const Eigen::Vector2d extent = box.sizes();
   if (box.center().norm() > kFar * extent.norm()) sheet.origin = box.center().array().round();
   sheet.scale_denominator =

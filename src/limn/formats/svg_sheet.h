@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -19,6 +21,8 @@ enum class SvgProjection {
 
 struct SheetOptions {
   SvgProjection projection = SvgProjection::kTop;
+  // Unit rows right, down and forward of another projection, instead of these.
+  std::optional<Eigen::Matrix3d> axes;
   // Viewpoint of an axonometric projection: its direction about z, from +x toward +y, and above the
   // plane z = 0, in [-90, 90]. The default is isometric, from the front right: all three axes are
   // shortened to 0.816.
@@ -31,6 +35,8 @@ struct SheetOptions {
   double margin_mm = 10;
   // A scale bar and the directions of the axes below the drawing.
   bool legend = true;
+  // What must be on the sheet besides links and dimensions.
+  std::vector<Eigen::Vector3d> more_places;
 
   // Throws OptionError.
   void Check() const;
@@ -61,7 +67,7 @@ struct SvgSheet {
   }
 };
 
-// Throws OptionError, or InputError if the drawing has no links.
+// Throws OptionError, or InputError if there is nothing on the sheet.
 SvgSheet MakeSheet(const DrawingGraph& graph, const SheetOptions& options);
 
 // The part of the sheet with the drawing, for a depth image of what hides it: a depth pixel per

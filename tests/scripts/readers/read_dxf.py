@@ -60,6 +60,12 @@ def describe(entity):
     elif entity.dxftype() == "POLYLINE":
         record["is_3d"], record["closed"] = entity.is_3d_polyline, entity.is_closed
         record["points"] = [list(vertex.dxf.location) for vertex in entity.vertices]
+    if entity.dxftype() == "DIMENSION":
+        record["text"], record["measured"] = entity.dxf.text, entity.get_measurement()
+        record["places"] = [list(entity.dxf.defpoint2), list(entity.dxf.defpoint3), list(entity.dxf.defpoint)]
+        # What programs show.
+        record["picture"] = [part.dxftype() for part in entity.virtual_entities()]
+        record["texts"] = [part.dxf.text for part in entity.virtual_entities() if part.dxftype() == "TEXT"]
     if entity.dxftype() == "POINT":
         record["location"] = list(entity.dxf.location)
     return record
