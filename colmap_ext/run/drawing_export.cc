@@ -260,12 +260,12 @@ void ExporterOptions::Check() const {
   if (!cloud_path.empty() && name != "glb") {
     throw OptionError("cloud_path: only .glb files hold a cloud");
   }
-  if (name == "svg" || IsPlan(*this)) svg.Check(workspace);
   if (IsPlan(*this) && !svg.IsSheet()) {
     throw OptionError("view = " + svg.view +
                       ": must be top, front, side, axonometric or face:<id>; "
                       "only SVG pictures show images");
   }
+  if (name == "svg" || IsPlan(*this)) svg.Check(workspace);
   if (!svg.plan.section.empty() && name != "svg" && name != "dxf") {
     throw OptionError("section: only in .svg and .dxf files");
   }

@@ -21,6 +21,8 @@ constexpr double kRoundingPx = 0.005;
 
 // Lines of a section, in widths of other lines.
 constexpr double kSectionWidths = 3;
+// Radius of its marks, the same.
+constexpr double kSectionMarkWidths = 2;
 
 std::string HexColor(const Color& color) {
   constexpr char kDigits[] = "0123456789abcdef";
@@ -212,7 +214,7 @@ class SvgWriter {
       if (!place) continue;
       out_ << "<circle cx=\"" << ShortNumber(place->x(), picture_.decimals) << "\" cy=\""
            << ShortNumber(place->y(), picture_.decimals) << "\" r=\""
-           << Pixels(kSectionWidths * options_.line_width_px) << "\"/>\n";
+           << Pixels(kSectionMarkWidths * options_.line_width_px) << "\"/>\n";
     }
     out_ << "</g>\n";
   }

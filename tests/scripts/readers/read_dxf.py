@@ -61,7 +61,7 @@ def describe(entity):
         record["is_3d"], record["closed"] = entity.is_3d_polyline, entity.is_closed
         record["points"] = [list(vertex.dxf.location) for vertex in entity.vertices]
     if entity.dxftype() == "DIMENSION":
-        record["text"], record["measured"] = entity.dxf.text, entity.get_measurement()
+        record["text"], record["measured"] = entity.dxf.text, entity.dxf.actual_measurement
         record["places"] = [list(entity.dxf.defpoint2), list(entity.dxf.defpoint3), list(entity.dxf.defpoint)]
         # What programs show.
         record["picture"] = [part.dxftype() for part in entity.virtual_entities()]
