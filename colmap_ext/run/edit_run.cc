@@ -52,8 +52,6 @@ std::string EditProvenance(const EditsFile& file, const std::string& drawing_pro
   return json.dump();
 }
 
-bool HasTouched(const EditedDrawing& edited) { return std::ranges::count(edited.touched, 1) > 0; }
-
 void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Console* console) {
   const auto& outcomes = edited.outcomes;
   const auto count = [&](EditStatus status) {

@@ -25,9 +25,6 @@ void CheckEditorOptions(const RunOptions& options);
 // Provenance of a drawing that was edited.
 std::string EditProvenance(const EditsFile& file, const std::string& drawing_provenance);
 
-// Whether links are to be fitted to the images again.
-bool HasTouched(const EditedDrawing& edited);
-
 // Says how many edits were applied, and warns, with their index in the file, of those that were not
 // or only in part, and of what else has become of the drawing.
 void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Console* console);

@@ -18,6 +18,16 @@ constexpr double kMinCoveredShare = 0.5;
 // A place of a dimension within this distance of an end of its link is the end, px.
 constexpr double kEndPx = 2;
 
+// A place on a curve, or the end that is near there.
+Eigen::Vector3d SnapToEnds(const Eigen::Vector3d& place, double footprint,
+                           const Polyline3d& points) {
+  const Eigen::Vector3d& front = points.front();
+  const Eigen::Vector3d& back = points.back();
+  const Eigen::Vector3d& nearer =
+      (front - place).squaredNorm() <= (back - place).squaredNorm() ? front : back;
+  return (nearer - place).norm() <= kEndPx * footprint ? nearer : place;
+}
+
 std::string Count(size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -98,10 +108,11 @@ class Applier {
     if (!from) return no_from;
     const auto [to, no_to] = session_.FindPlace(edit.to);
     if (!to) return no_to;
-    if (from->point.position == to->point.position) {
+    const DrawingDimension dimension = {Position(*from), Position(*to), edit.shift};
+    if (dimension.from == dimension.to) {
       return {EditStatus::kNoSense, "both places are the same"};
     }
-    graph_->dimensions.push_back({from->point.position, to->point.position, edit.shift});
+    graph_->dimensions.push_back(dimension);
     is_new_.push_back(1);
     return {EditStatus::kApplied, "a dimension from link " + std::to_string(from->link) +
                                       " to link " + std::to_string(to->link)};
@@ -130,6 +141,11 @@ class Applier {
   std::vector<uint8_t> TakeNewDimensions() { return std::move(is_new_); }
 
  private:
+  Eigen::Vector3d Position(const LinkPlace& place) const {
+    return SnapToEnds(place.point.position, session_.FootprintAt(place.point.position),
+                      session_.link(place.link).points_in_world);
+  }
+
   EditSession session_;
   DrawingGraph* graph_;
   std::vector<uint8_t> is_new_;  // per dimension
@@ -149,21 +165,19 @@ Snapped Snap(const Eigen::Vector3d& place, double footprint, const DrawingGraph&
     const PolylinePoint on_link = ClosestPoint(points, place);
     const double distance = std::sqrt(on_link.squared_distance);
     if (distance >= best.distance) continue;
-    best = {static_cast<LinkId>(l), distance, on_link.position};
-    for (const Eigen::Vector3d& end : {points.front(), points.back()}) {
-      if ((end - on_link.position).norm() <= kEndPx * footprint) best.position = end;
-    }
+    best = {static_cast<LinkId>(l), distance, SnapToEnds(on_link.position, footprint, points)};
   }
   return best;
 }
 
 }  // namespace
 
+bool HasTouched(const EditedDrawing& edited) { return std::ranges::count(edited.touched, 1) > 0; }
+
 EditedDrawing ApplyEdits(const DrawingGraph& graph, const std::vector<View>& views,
                          const std::vector<Edit>& edits) {
   EditedDrawing edited;
   edited.graph = graph;
-  edited.num_dropped_faces = graph.faces.size();
   Applier applier(views, &edited.graph);
   EditSession& session = applier.session();
   for (session.edit = 0; session.edit < edits.size(); ++session.edit) {
@@ -177,6 +191,12 @@ EditedDrawing ApplyEdits(const DrawingGraph& graph, const std::vector<View>& vie
   session.editor().Compact();
   edited.new_dimension = applier.TakeNewDimensions();
   edited.gaps = std::move(session.gaps);
+  const bool is_changed = edited.graph.links.size() < graph.links.size() || HasTouched(edited);
+  if (is_changed) {
+    edited.num_dropped_faces = graph.faces.size();
+  } else {
+    edited.graph.faces = graph.faces;
+  }
   return edited;
 }
 

@@ -46,13 +46,17 @@ struct EditedDrawing {
   std::vector<uint8_t> new_dimension;
   std::vector<EditOutcome> outcomes;  // per edit
   std::vector<BridgedGap> gaps;
-  size_t num_dropped_faces = 0;
+  size_t num_dropped_faces = 0;  // all or none
 };
+
+// Whether links are to be fitted to the images again.
+bool HasTouched(const EditedDrawing& edited);
 
 // Applies edits in their order. An edit that does not fit the drawing changes nothing and is told
 // in its outcome. The graph passes Validate() before and after; links that are not touched keep
-// their shape, and all links their order. `views` are those that the drawing was made from, at
-// least one. Time: n log n in the length of all links in px, and the lengths of all references.
+// their shape, and all links their order. Faces stay if all links are there with their shapes.
+// `views` are those that the drawing was made from, at least one. Time: n log n in the length of
+// all links in px, and the lengths of all references.
 EditedDrawing ApplyEdits(const DrawingGraph& graph, const std::vector<View>& views,
                          const std::vector<Edit>& edits);
 

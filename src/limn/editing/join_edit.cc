@@ -1,5 +1,3 @@
-#include "limn/topology/join_ends.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,6 +5,7 @@
 #include <Eigen/LU>
 
 #include "limn/editing/edit_session.h"
+#include "limn/topology/join_ends.h"
 
 namespace limn {
 namespace {
@@ -19,6 +18,10 @@ constexpr double kMaxGapAngleRad = 45 * M_PI / 180;
 // distance, or as the second number, px.
 constexpr double kCornerReach = 2;
 constexpr double kMinCornerReachPx = 12;
+// A link whose ends meet at a corner is at least this long, px, and longer than their distance by
+// this factor: what is nearly straight encloses nothing.
+constexpr double kMinLoopPx = 16;
+constexpr double kMinLoopOverGap = 1.5;
 // Links between two nodes that become one go with them if they are no longer than this multiple of
 // the distance.
 constexpr double kMaxCollapse = 2;
@@ -38,13 +41,19 @@ bool ContinueEachOther(const EditSession& session, const LinkEnd& a, const LinkE
          LineAngleBetween(tip_a.outward, gap.stableNormalized()) <= kMaxGapAngleRad;
 }
 
+bool LiesBehind(const Eigen::Vector3d& place, const LinkTip& tip) {
+  return (place - tip.point).dot(tip.outward) < 0;
+}
+
 // Where the lines of two ends come nearest to each other, if that is near the ends, else halfway.
+// The ends of one link are not cut back, since they might meet in its middle.
 Eigen::Vector3d CornerOf(const EditSession& session, const LinkEnd& a, const LinkEnd& b) {
   const Eigen::Vector3d& end_a = EndPoint(session.link(a.link), a.end);
   const Eigen::Vector3d& end_b = EndPoint(session.link(b.link), b.end);
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const LinkTip& tip : {session.TipAt(a), session.TipAt(b)}) {
+  const LinkTip tips[2] = {session.TipAt(a), session.TipAt(b)};
+  for (const LinkTip& tip : tips) {
     const Eigen::Matrix3d across =
         Eigen::Matrix3d::Identity() - tip.outward * tip.outward.transpose();
     sum += across;
@@ -58,7 +67,22 @@ Eigen::Vector3d CornerOf(const EditSession& session, const LinkEnd& a, const Lin
   const double reach = std::max(kCornerReach * (end_b - end_a).norm(),
                                 kMinCornerReachPx * session.FootprintAt(middle));
   const double farther = std::max((corner - end_a).norm(), (corner - end_b).norm());
-  return farther <= reach ? corner : middle;
+  const bool cuts_back = LiesBehind(corner, tips[0]) || LiesBehind(corner, tips[1]);
+  return farther <= reach && !(a.link == b.link && cuts_back) ? corner : middle;
+}
+
+// Whether a link encloses something if both of its ends meet at a corner.
+bool MayMeetItself(const EditSession& session, LinkId id) {
+  const DrawingLink& link = session.link(id);
+  const double length = Length(link.points_in_world);
+  const double gap = (EndPoint(link, 1) - EndPoint(link, 0)).norm();
+  return length >= kMinLoopPx * session.FootprintAt(EndPoint(link, 0)) &&
+         length >= kMinLoopOverGap * gap;
+}
+
+EditOutcome TooShortToClose(LinkId id) {
+  return {EditStatus::kNoSense,
+          "link " + std::to_string(id) + " is too short to be closed over the gap"};
 }
 
 void EndAtNode(const LinkEnd& end, NodeId node, EditSession* session) {
@@ -76,8 +100,7 @@ EditOutcome MakeOneLink(const LinkEnd& a, const LinkEnd& b, EditSession* session
     const double footprint = session->FootprintAt(from);
     const double length = Length(editor.link(a.link).points_in_world);
     if (!MayClose(length / footprint, (to - from).norm() / footprint)) {
-      return {EditStatus::kNoSense,
-              "link " + std::to_string(a.link) + " is too short to be closed over the gap"};
+      return TooShortToClose(a.link);
     }
   }
   session->NoteGap(from, to);
@@ -120,6 +143,7 @@ EditOutcome MakeNode(const LinkEnd& a, const LinkEnd& b, EditSession* session) {
   GraphEditor& editor = session->editor();
   const bool is_free[2] = {editor.IsFree(a), editor.IsFree(b)};
   if (!is_free[0] && !is_free[1]) return MergeNodes(editor.NodeAt(a), editor.NodeAt(b), session);
+  if (a.link == b.link && !MayMeetItself(*session, a.link)) return TooShortToClose(a.link);
   if (is_free[0] && is_free[1]) {
     const NodeId node = editor.AddNode(CornerOf(*session, a, b));
     EndAtNode(a, node, session);

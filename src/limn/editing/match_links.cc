@@ -24,8 +24,9 @@ constexpr double kMinOwnShare = 0.6;
 constexpr double kMinReferenceShare = 0.5;
 // Links side by side whose mean distances from the reference differ by less are equally near, px.
 constexpr double kTiePx = 0.5;
-// Changed links are searched one by one; with more samples the index is built again.
-constexpr size_t kMaxChangedSamples = 4000;
+// Samples of changed links are searched one by one. With more than this factor times the root of
+// the samples in the index that is built again, which balances both costs.
+constexpr double kMaxChangedOverRoot = 30;
 // Share of the bulge of a reference between two of its points by which the curve may be off.
 constexpr double kBulgeShare = 0.5;
 
@@ -173,7 +174,8 @@ void LinkMatcher::Rebuild() {
 }
 
 void LinkMatcher::Update(LinkId id) {
-  if (changed_samples_.size() > kMaxChangedSamples) return Rebuild();
+  const auto num_changed = static_cast<double>(changed_samples_.size());
+  if (num_changed > kMaxChangedOverRoot * std::sqrt(samples_.size() + 1.0)) return Rebuild();
   is_changed_.resize(graph_.links.size(), 1);
   num_samples_.resize(graph_.links.size(), 0);
   is_changed_[id] = 1;

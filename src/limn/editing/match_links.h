@@ -45,7 +45,8 @@ class LinkMatcher {
   // O(n log n) in the length of all links in px.
   LinkMatcher(const DrawingGraph& graph, const std::vector<View>& views);
 
-  // To be called when a link was changed, added or removed.
+  // To be called when a link was changed, added or removed. Time: the root of the length of all
+  // links in px, in the mean.
   void Update(LinkId id);
 
   // Time: length of the reference in px, times log n.

@@ -187,12 +187,39 @@ TEST(ApplyEdits, NewDimensionsFollowTheLinks) {
   EXPECT_NEAR((stored.to - FrontalPoint(30, 39)).norm(), 0, 1e-9);
 }
 
-TEST(ApplyEdits, FacesAreDroppedAndCounted) {
+TEST(ApplyEdits, APlaceOfADimensionNearAnEndIsTheEnd) {
+  const LinkRef line = RefToLine(0, 40, 120, 40);
+  const EditedDrawing edited = Edited(
+      ThreeLines(),
+      {AddDimension{{line, FrontalPoint(1.5, 40)}, {line, FrontalPoint(117, 40)}, {0, 0, 0}}});
+  ASSERT_EQ(edited.graph.dimensions.size(), 1u);
+  EXPECT_EQ(edited.graph.dimensions[0].from, FrontalPoint(0, 40));
+  EXPECT_NEAR((edited.graph.dimensions[0].to - FrontalPoint(117, 40)).norm(), 0, 1e-9);
+  const EditOutcome both =
+      Refused(ThreeLines(),
+              AddDimension{{line, FrontalPoint(0.5, 40)}, {line, FrontalPoint(1, 40)}, {0, 0, 0}});
+  EXPECT_EQ(both.status, EditStatus::kNoSense);
+}
+
+TEST(ApplyEdits, FacesStayWithTheirLinksElseTheyAreDroppedAndCounted) {
   DrawingGraph graph = ThreeLines();
-  graph.faces.resize(2);
-  const EditedDrawing edited = Edited(graph, {});
-  EXPECT_THAT(edited.graph.faces, IsEmpty());
-  EXPECT_EQ(edited.num_dropped_faces, 2u);
+  DrawingFace face;
+  face.vertices = {FrontalPoint(0, 0), FrontalPoint(60, 0), FrontalPoint(60, 40)};
+  face.triangles = {{0, 1, 2}};
+  graph.faces = {face};
+  const LinkRef line = RefToLine(0, 40, 120, 40);
+  const AddDimension dimension = {
+      {line, line.points.front()}, {line, line.points.back()}, {0, 0, 0}};
+  const EditedDrawing same =
+      ApplyEdits(graph, testing::EditViews(), {SetLinkKind{{line}, LinkKind::kPaint}, dimension});
+  EXPECT_EQ(same.graph.faces.size(), 1u);
+  EXPECT_EQ(same.num_dropped_faces, 0u);
+  for (const Edit& edit :
+       std::vector<Edit>{DeleteLinks{{line}}, SplitLink{{line, line.points[7]}}}) {
+    const EditedDrawing edited = ApplyEdits(graph, testing::EditViews(), {edit});
+    EXPECT_THAT(edited.graph.faces, IsEmpty());
+    EXPECT_EQ(edited.num_dropped_faces, 1u);
+  }
 }
 
 TEST(ApplyEdits, EverythingMovesWithTheOrigin) {

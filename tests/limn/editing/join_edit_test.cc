@@ -110,6 +110,27 @@ TEST(JoinEdit, BothEndsOfALinkCloseIt) {
   EXPECT_TRUE(edited.graph.links[0].closed);
 }
 
+TEST(JoinEdit, EndsOfOneLinkMeetAtACorner) {
+  // Their lines meet in the middle of the link, behind both.
+  Polyline3d bent = DenseLine(30, 0, 0, 52);
+  const Polyline3d other_arm = DenseLine(0, 52, -30, 0);
+  bent.insert(bent.end(), other_arm.begin() + 1, other_arm.end());
+  const EditedDrawing edited = Edited(GraphOf({bent}), {JoinOf(RefTo(bent), 0, RefTo(bent), 1)});
+  ASSERT_EQ(edited.graph.links.size(), 1u);
+  EXPECT_TRUE(edited.graph.links[0].closed);
+  // Only what overshoots the middle between the ends is lost, 15 px of each arm.
+  EXPECT_NEAR(Length(edited.graph.links[0].points_in_world), 142 * kFrontalPx, 6 * kFrontalPx);
+}
+
+TEST(JoinEdit, ALinkThatEnclosesNothingIsNotClosed) {
+  Polyline3d bow = DenseLine(0, 0, 40, 0);
+  const Polyline3d other_half = DenseLine(40, 0, 70, 30);
+  bow.insert(bow.end(), other_half.begin() + 1, other_half.end());
+  const EditOutcome outcome = Refused(GraphOf({bow}), JoinOf(RefTo(bow), 0, RefTo(bow), 1));
+  EXPECT_EQ(outcome.status, EditStatus::kNoSense);
+  EXPECT_THAT(outcome.text, HasSubstr("too short to be closed"));
+}
+
 TEST(JoinEdit, GeometryDecidesWhichEndIsMeant) {
   // The second link is the other way round than when the edit was made.
   const DrawingGraph graph = GraphOf({DenseLine(0, 0, 60, 0), DenseLine(120, 0, 70, 0)});
