@@ -10,7 +10,6 @@ export function watchBoxes(canvas, marks, on) {
   const outline = make('div', { class: 'box', hidden: true });
   marks.append(outline);
   let start = null;
-  let numDown = 0;
 
   const rectangle = (x, y) => ({
     left: Math.min(x, start.x),
@@ -26,9 +25,8 @@ export function watchBoxes(canvas, marks, on) {
   canvas.addEventListener(
     'pointerdown',
     (event) => {
-      ++numDown;
       if (start) return stop(); // a second finger
-      if (numDown > 1 || event.button !== 0 || !on.isActive(event)) return;
+      if (!event.isPrimary || event.button !== 0 || !on.isActive(event)) return;
       start = { ...placeOf(event, canvas), id: event.pointerId };
       canvas.setPointerCapture(event.pointerId);
       on.hold(true);
@@ -48,7 +46,6 @@ export function watchBoxes(canvas, marks, on) {
     });
   });
   canvas.addEventListener('pointerup', (event) => {
-    numDown = Math.max(0, numDown - 1);
     if (event.pointerId !== start?.id) return;
     const { x, y } = placeOf(event, canvas);
     const isDrag = Math.hypot(x - start.x, y - start.y) >= TAP_PX;
@@ -57,7 +54,6 @@ export function watchBoxes(canvas, marks, on) {
     if (isDrag) on.box(drawn, toLeft, event.shiftKey);
   });
   canvas.addEventListener('pointercancel', () => {
-    numDown = Math.max(0, numDown - 1);
     if (start) stop();
   });
 }
