@@ -23,7 +23,8 @@ int RunDrawingRegularizer(int argc, const char* const* argv, const ConsoleMaker&
   const auto [given, provenance] =
       ReadStartingDrawing(project, options, drawing_path, RegularityProvenance);
   const RegularityResult result =
-      Regularize(given.graph, project.views(), options.pipeline.regularity, console->context());
+      Regularize(given.graph, project.views(), options.pipeline.regularity,
+                 options.pipeline.primitives, console->context());
   console->Report(result.summary);
   CheckGraph(result.graph);
   SayRegularities(result.graph, result.moves, console.get());

@@ -180,8 +180,10 @@ std::string RefinementProvenance(const RunOptions& options, const std::string& d
 
 std::string RegularityProvenance(const RunOptions& options, const std::string& drawing_provenance) {
   Json json = Json::parse(drawing_provenance);
+  const Json now = Json::parse(OptionsAsJson(options.pipeline));
   json["regularize"] = true;
-  json["Regularity"] = Json::parse(OptionsAsJson(options.pipeline))["Regularity"];
+  json["Regularity"] = now["Regularity"];
+  json["Primitives"] = now["Primitives"];
   return json.dump();
 }
 

@@ -82,7 +82,9 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
     AddGroup("DrawingRefinement", &pipeline.refinement, parser);
   }
   if (groups.refinement) AddGroup("Belief", &pipeline.belief, parser);
-  if (groups.refinement || groups.refit) AddGroup("Primitives", &pipeline.primitives, parser);
+  if (groups.refinement || groups.refit || groups.regularities) {
+    AddGroup("Primitives", &pipeline.primitives, parser);
+  }
   if (groups.refinement) {
     parser->AddOption("regularize", &pipeline.regularize,
                       "make directions, planes and circles regular where the images allow it");

@@ -202,8 +202,6 @@ void VisitFields(RegularityOptions& o, Visit&& visit) {
   visit("max_growth_px", o.max_growth_px,
         "a link's residual grows by at most this, RMS over the views, px");
   visit("min_length_px", o.min_length_px, "shorter links follow none, px");
-  visit("noise_px", o.noise_px, "standard deviation of drawn curves, px");
-  visit("correlation_px", o.correlation_px, "correlation length of their errors, px");
 }
 
 template <typename Visit>

@@ -61,7 +61,8 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
     graph = std::move(kinds.graph);
   }
   if (!options.regularize) return graph;
-  RegularityResult regular = Regularize(graph, views, options.regularity, context);
+  RegularityResult regular =
+      Regularize(graph, views, options.regularity, options.primitives, context);
   on_stage_end(regular.summary);
   return std::move(regular.graph);
 }

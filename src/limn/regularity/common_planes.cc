@@ -116,9 +116,7 @@ class PlaneFinder {
     return planes;
   }
 
-  // To name a plane that `count` lines and arcs are in takes the less, the more there are.
   Support SupportOf(const Plane& plane, size_t count) const {
-    const double name_cost = std::log(count_ / static_cast<double>(count));
     Support support;
     for (size_t i = 0; i < evidence_.lines.size(); ++i) {
       const LineEvidence& line = evidence_.lines[i];
@@ -126,12 +124,7 @@ class PlaneFinder {
       // Most lines are far from it.
       if (std::abs(plane.normal.dot(line.start) - plane.offset) > kFar) continue;
       const Deviation deviation = DeviationOf(line, plane);
-      const bool is_parallel =
-          class_of_[i] >= 0 &&
-          std::abs(plane.normal.dot(directions_[class_of_[i]].direction)) < kParallelSine;
-      const double saved =
-          is_parallel ? GainOfOffset(deviation) : GainOfBoth(deviation, line.Chord().norm());
-      const double gain = saved - name_cost;
+      const double gain = GainOfLine(static_cast<int>(i), deviation, plane) - NameCost(count);
       if (!(gain > 0) || deviation.shift_px > options_.max_shift_px) continue;
       support.gain += gain;
       support.lines.push_back(static_cast<int>(i));
@@ -140,10 +133,28 @@ class PlaneFinder {
       const ArcEvidence& arc = evidence_.arcs[i];
       if (arc.length_px < options_.min_length_px) continue;
       const Deviation deviation = DeviationOf(arc, plane);
-      const double gain = GainOfBoth(deviation, 2 * arc.arc.radius) - name_cost;
+      const double gain = GainOfBoth(deviation, 2 * arc.arc.radius) - NameCost(count);
       if (!(gain > 0) || deviation.shift_px > options_.max_shift_px) continue;
       support.gain += gain;
       support.arcs.push_back(static_cast<int>(i));
+    }
+    return support;
+  }
+
+  // By the lines and arcs that are in the plane; those that are so against their evidence count
+  // nothing.
+  Support SupportBy(const PlaneClass& members) const {
+    const Plane plane = {members.normal, members.offset};
+    const double name_cost = NameCost(std::max<size_t>(1, members.Size()));
+    Support support = {0, members.lines, members.arcs};
+    for (const int i : members.lines) {
+      const double gain = GainOfLine(i, DeviationOf(evidence_.lines[i], plane), plane);
+      support.gain += std::max(0.0, gain - name_cost);
+    }
+    for (const int i : members.arcs) {
+      const ArcEvidence& arc = evidence_.arcs[i];
+      const double gain = GainOfBoth(DeviationOf(arc, plane), 2 * arc.arc.radius);
+      support.gain += std::max(0.0, gain - name_cost);
     }
     return support;
   }
@@ -222,6 +233,17 @@ class PlaneFinder {
  private:
   static constexpr double kFar = 50;              // local units, about px
   static constexpr double kParallelSine = 0.005;  // to the plane
+
+  // To name a plane that `count` lines and arcs are in takes the less, the more there are.
+  double NameCost(size_t count) const { return std::log(count_ / static_cast<double>(count)); }
+
+  double GainOfLine(int i, const Deviation& deviation, const Plane& plane) const {
+    const bool is_parallel =
+        class_of_[i] >= 0 &&
+        std::abs(plane.normal.dot(directions_[class_of_[i]].direction)) < kParallelSine;
+    return is_parallel ? GainOfOffset(deviation)
+                       : GainOfBoth(deviation, evidence_.lines[i].Chord().norm());
+  }
 
   // Nats saved by being in the plane: an offset within the scene and a tilt over the extent of the
   // line or arc, each told to its accuracy.
@@ -337,6 +359,15 @@ std::vector<PlaneClass> FindCommonPlanes(const DrawingGraph& graph, const Drawin
                        finder.NormalClass(planes[p])});
   }
   return classes;
+}
+
+bool SavesItsNormal(const PlaneClass& plane, const DrawingGraph& graph,
+                    const DrawingEvidence& evidence, const std::vector<DirectionClass>& directions,
+                    const RegularityOptions& options) {
+  const PlaneFinder finder(graph, evidence, directions, options);
+  const Support support = finder.SupportBy(plane);
+  return finder.IsHeld(support) &&
+         support.gain > finder.OwnCost({plane.normal, plane.offset}, support);
 }
 
 }  // namespace limn

@@ -29,4 +29,10 @@ std::vector<PlaneClass> FindCommonPlanes(const DrawingGraph& graph, const Drawin
                                          const RegularityOptions& options,
                                          const RunContext& context);
 
+// Whether a plane, as it is and with the members that it has, saves what it takes itself and is
+// held by two directions.
+bool SavesItsNormal(const PlaneClass& plane, const DrawingGraph& graph,
+                    const DrawingEvidence& evidence, const std::vector<DirectionClass>& directions,
+                    const RegularityOptions& options);
+
 }  // namespace limn

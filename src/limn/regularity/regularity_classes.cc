@@ -88,25 +88,13 @@ void Leave(const std::set<Membership>& memberships, const DrawingEvidence& evide
   EmptySmall(classes);
 }
 
-bool IsLeft(RegularityKind kind, int index, const RegularityClasses& classes) {
-  switch (kind) {
-    case RegularityKind::kDirection:
-      return !classes.directions[index].lines.empty();
-    case RegularityKind::kPlane:
-      return classes.planes[index].Size() > 0;
-    case RegularityKind::kRadius:
-      return !classes.radii[index].arcs.empty();
-    default:
-      return !classes.axes[index].arcs.empty();
-  }
-}
-
 void Join(const std::set<Membership>& memberships, const DrawingEvidence& evidence,
           RegularityClasses* classes) {
   for (const Membership& of : memberships) {
     std::vector<int>& members = *MembersWith(of, evidence, classes);
     members.insert(std::lower_bound(members.begin(), members.end(), of.member), of.member);
   }
+  EmptySmall(classes);
 }
 
 void RemoveEmpty(RegularityClasses* classes) {

@@ -40,10 +40,7 @@ Memberships MembershipsOf(const RegularityClasses& classes, const DrawingEvidenc
 void Leave(const std::set<Membership>& memberships, const DrawingEvidence& evidence,
            RegularityClasses* classes);
 
-// Whether a regularity still has members.
-bool IsLeft(RegularityKind kind, int index, const RegularityClasses& classes);
-
-// Puts lines and arcs into regularities that they left.
+// Puts lines and arcs into regularities that they left, where enough follow them then.
 void Join(const std::set<Membership>& memberships, const DrawingEvidence& evidence,
           RegularityClasses* classes);
 

@@ -8,8 +8,6 @@ void RegularityOptions::Check() const {
   LIMN_CHECK_RANGE(max_shift_px, >= 0, <= 1000);
   LIMN_CHECK_RANGE(max_growth_px, >= 0, <= 1000);
   LIMN_CHECK_RANGE(min_length_px, >= 0, <= 1e5);
-  LIMN_CHECK_RANGE(noise_px, >= 1e-6, <= 1000);
-  LIMN_CHECK_RANGE(correlation_px, >= 1e-3, <= 1e5);
 }
 
 }  // namespace limn

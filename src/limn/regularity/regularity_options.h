@@ -10,10 +10,6 @@ struct RegularityOptions {
   double max_growth_px = 0.1;
   // Shorter links follow no regularity, px.
   double min_length_px = 20;
-  // Standard deviation of a drawn curve in the images, px, and correlation length of its errors,
-  // px, as those of PrimitiveOptions.
-  double noise_px = 0.3;
-  double correlation_px = 12;
 
   // Throws OptionError.
   void Check() const;

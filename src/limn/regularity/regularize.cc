@@ -68,9 +68,11 @@ StageSummary Summarize(const DrawingEvidence& evidence, size_t num_regular, size
 }  // namespace
 
 RegularityResult Regularize(const DrawingGraph& graph, const std::vector<View>& views,
-                            const RegularityOptions& options, const RunContext& context) {
+                            const RegularityOptions& options, const PrimitiveOptions& primitives,
+                            const RunContext& context) {
   options.Check();
-  const DrawingEvidence evidence = MeasureEvidence(graph, views, options, context);
+  primitives.Check();
+  const DrawingEvidence evidence = MeasureEvidence(graph, views, primitives, context);
   const SettledRegularities settled = SettleRegularities(
       graph, evidence, options, FindClasses(graph, evidence, options, context), context);
   RegularityResult result;

@@ -5,6 +5,7 @@
 
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
+#include "limn/primitives/primitive_options.h"
 #include "limn/regularity/regularity_options.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
@@ -26,12 +27,14 @@ struct RegularityResult {
 
 // Finds what the lines and arcs of a drawing have in common (ours; ALGORITHM.md 26): directions
 // that are parallel or perpendicular, planes, radii and axes; then fits all of them again under
-// these regularities. A link whose residual in the images would grow by more than max_growth_px is
-// let go. Points of links move with their shapes, curves of other shapes with the nodes that they
-// end at. Links without a primitive, tentative ones and outlines follow no regularity. The result
-// does not depend on the number of threads. Throws OptionError and Cancelled.
+// these regularities. A link whose residual in the images would grow by more than max_growth_px
+// leaves what strains it. `primitives` are the options of the fit of the primitives: its noise.
+// Points of links move with their shapes, curves of other shapes with the nodes that they end at.
+// Links without a primitive, tentative ones and outlines follow no regularity. The result does not
+// depend on the number of threads. Throws OptionError and Cancelled.
 RegularityResult Regularize(const DrawingGraph& graph, const std::vector<View>& views,
-                            const RegularityOptions& options, const RunContext& context);
+                            const RegularityOptions& options, const PrimitiveOptions& primitives,
+                            const RunContext& context);
 
 // What is regular in a drawing, in words: "directions of 212 links: 3, 2 of them at right angles,
 // ...".

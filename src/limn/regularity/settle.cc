@@ -5,6 +5,9 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
+#include <span>
+#include <utility>
 
 #include "limn/primitives/shape_fit.h"
 #include "limn/regularity/least_move.h"
@@ -12,6 +15,9 @@
 
 namespace limn {
 namespace {
+
+// How often what left is tried again: in company that left, too, it may have been opposed wrongly.
+constexpr int kTrials = 2;
 
 CurveShape ToWorld(const CurveShape& shape, const LocalUnit& unit) {
   return Transformed(shape, unit.length, Eigen::Matrix3d::Identity(), unit.origin);
@@ -76,12 +82,33 @@ class Settler {
     }
   }
 
-  // Takes back what the regularities as they are now do not strain.
+  // Ends planes that have a normal of their own and lost so much that they no longer save it. Those
+  // across a direction stay: it holds them. Whether there were any.
+  bool LeavePoorPlanes() {
+    std::set<int> poor;
+    for (size_t p = 0; p < classes_.planes.size(); ++p) {
+      const PlaneClass& plane = classes_.planes[p];
+      if (plane.Size() > 0 && plane.normal_class < 0 &&
+          !SavesItsNormal(plane, graph_, evidence_, classes_.directions, options_)) {
+        poor.insert(static_cast<int>(p));
+      }
+    }
+    std::set<Membership> leaving;
+    for (const auto& [link, memberships] : MembershipsOf(classes_, evidence_)) {
+      for (const Membership& of : memberships) {
+        if (of.kind == RegularityKind::kPlane && poor.contains(of.index)) leaving.insert(of);
+      }
+    }
+    Leave(leaving, evidence_, &classes_);
+    return !poor.empty();
+  }
+
+  // Takes back what the regularities as they are now do not strain. Those that lost too much are
+  // as they were last.
   std::set<Membership> TryAgain() {
     Memberships held = MembershipsOf(classes_, evidence_);
     std::set<Membership> offered;
     for (const Membership& of : ended_) {
-      if (!IsLeft(of.kind, of.index, classes_)) continue;
       std::vector<Membership>& with = held[of.link];
       with.push_back(of);
       if (Strain(with) <= options_.max_growth_px) {
@@ -91,6 +118,7 @@ class Settler {
       }
     }
     Join(offered, evidence_, &classes_);
+    for (const Membership& of : offered) ended_.erase(of);
     return offered;
   }
 
@@ -121,34 +149,42 @@ class Settler {
     return Growth(memberships.front().link, ToWorld(shape, evidence_.unit));
   }
 
-  // Links whose residual grows too much, of these the worst: others may be well without them.
+  // Links whose residual grows too much, of those that meet the worst: others may be well without.
   std::vector<LinkId> Opposed() const {
     constexpr double kAsBad = 0.5;  // share of the worst growth
-    std::vector<std::pair<double, LinkId>> growths;
-    double worst = 0;
+    std::map<LinkId, double> growths;
     for (size_t l = 0; l < shapes_.size(); ++l) {
       if (!shapes_[l]) continue;
       const double growth = Growth(static_cast<LinkId>(l), *shapes_[l]);
-      worst = std::max(worst, growth);
-      if (growth > options_.max_growth_px) growths.push_back({growth, static_cast<LinkId>(l)});
+      if (growth > options_.max_growth_px) growths[static_cast<LinkId>(l)] = growth;
     }
     std::vector<LinkId> opposed;
-    for (const auto& [growth, l] : growths) {
+    for (const auto& [l, growth] : growths) {
+      double worst = growth;
+      for (const LinkId other : LinksAt(l)) {
+        const auto found = growths.find(other);
+        if (found != growths.end()) worst = std::max(worst, found->second);
+      }
       if (growth >= kAsBad * worst) opposed.push_back(l);
     }
     return opposed;
   }
 
+  // A link and those that meet it.
+  std::set<LinkId> LinksAt(LinkId link) const {
+    std::set<LinkId> links = {link};
+    for (const NodeId node : {graph_.links[link].node0, graph_.links[link].node1}) {
+      for (const LinkEnd& at : graph_.nodes[node].incident) links.insert(at.link);
+    }
+    return links;
+  }
+
   // What strains its link most, of what a link and those that meet it follow.
   std::optional<Membership> Culprit(LinkId link, const Memberships& memberships,
                                     const std::set<Membership>& on_trial) const {
-    std::set<LinkId> near = {link};
-    for (const NodeId node : {graph_.links[link].node0, graph_.links[link].node1}) {
-      for (const LinkEnd& at : graph_.nodes[node].incident) near.insert(at.link);
-    }
     std::optional<Membership> culprit;
     std::pair<bool, double> most = {false, -std::numeric_limits<double>::infinity()};
-    for (const LinkId l : near) {
+    for (const LinkId l : LinksAt(link)) {
       const auto follows = memberships.find(l);
       if (follows == memberships.end()) continue;
       for (const Membership& of : follows->second) {
@@ -161,9 +197,15 @@ class Settler {
     return culprit;
   }
 
+  // These, and those of regularities that too few follow then.
   void End(const std::set<Membership>& memberships) {
+    const Memberships before = MembershipsOf(classes_, evidence_);
     Leave(memberships, evidence_, &classes_);
-    ended_.insert(memberships.begin(), memberships.end());
+    Memberships left = MembershipsOf(classes_, evidence_);
+    for (const auto& [link, of] : before) {
+      std::set_difference(of.begin(), of.end(), left[link].begin(), left[link].end(),
+                          std::inserter(ended_, ended_.end()));
+    }
   }
 
   const DrawingGraph& graph_;
@@ -183,8 +225,11 @@ SettledRegularities SettleRegularities(const DrawingGraph& graph, const DrawingE
   Settler settler(graph, evidence, options, std::move(classes));
   settler.LeaveWhatStrains();
   settler.FitUntilUnopposed({}, context);
-  const std::set<Membership> on_trial = settler.TryAgain();
-  settler.FitUntilUnopposed(on_trial, context);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    settler.LeavePoorPlanes();
+    settler.FitUntilUnopposed(settler.TryAgain(), context);
+  }
+  while (settler.LeavePoorPlanes()) settler.FitUntilUnopposed({}, context);
   return settler.Result();
 }
 

@@ -9,7 +9,6 @@
 #include "limn/geometry/median_point.h"
 #include "limn/model/link_selection.h"
 #include "limn/primitives/continuity.h"
-#include "limn/primitives/primitive_options.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -22,7 +21,7 @@ struct Weighted {
 };
 
 Weighted WeightOf(const LinkSample3d& sample, const LinkSamples& link, const LocalUnit& unit,
-                  const RegularityOptions& options) {
+                  const PrimitiveOptions& options) {
   const double step_px = link.length_px / static_cast<double>(link.samples.size() - 1);
   const double independent = std::min(1.0, step_px / options.correlation_px);
   return {unit.length * unit.length * sample.across.transpose() * sample.across,
@@ -33,7 +32,7 @@ Weighted WeightOf(const LinkSample3d& sample, const LinkSamples& link, const Loc
 constexpr double kHold = 1e-3;
 
 LineEvidence EvidenceOfLine(const LineSegment& line, const LinkSamples& samples,
-                            const LocalUnit& unit, const RegularityOptions& options) {
+                            const LocalUnit& unit, const PrimitiveOptions& options) {
   LineEvidence evidence;
   evidence.length_px = samples.length_px;
   const Eigen::Vector3d start = unit.FromWorld(line.start);
@@ -69,7 +68,7 @@ LineEvidence EvidenceOfLine(const LineSegment& line, const LinkSamples& samples,
 }
 
 ArcEvidence EvidenceOfArc(const CircularArc& arc, const LinkSamples& samples, const LocalUnit& unit,
-                          const RegularityOptions& options) {
+                          const PrimitiveOptions& options) {
   ArcEvidence evidence;
   evidence.length_px = samples.length_px;
   evidence.arc = arc;
@@ -115,15 +114,14 @@ LocalUnit UnitOf(const DrawingGraph& graph, const std::vector<LinkSamples>& samp
 }  // namespace
 
 DrawingEvidence MeasureEvidence(const DrawingGraph& graph, const std::vector<View>& views,
-                                const RegularityOptions& options, const RunContext& context) {
+                                const PrimitiveOptions& options, const RunContext& context) {
   DrawingEvidence evidence;
   evidence.samples.resize(graph.links.size());
   const std::vector<EndConditions> ends = EndsOfLinks(graph);
   ParallelFor(context, "measuring shapes", graph.links.size(), [&](size_t l) {
     if (!graph.links[l].primitive) return;
     evidence.samples[l] = SampleLink(graph.links[l], views);
-    DiscountEnds({ends[l][0].held, ends[l][1].held}, PrimitiveOptions().end_zone_px,
-                 &evidence.samples[l]);
+    DiscountEnds({ends[l][0].held, ends[l][1].held}, options.end_zone_px, &evidence.samples[l]);
   });
   evidence.unit = UnitOf(graph, evidence.samples);
   const LinkSelection selection;

@@ -9,7 +9,7 @@
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 #include "limn/primitives/link_samples.h"
-#include "limn/regularity/regularity_options.h"
+#include "limn/primitives/primitive_options.h"
 #include "limn/util/parallel.h"
 
 namespace limn {
@@ -65,8 +65,8 @@ struct DrawingEvidence {
 };
 
 // The evidence for the lines and arcs of a drawing, of links that are no outlines and not tentative
-// (LinkSelection's default). Time: samples times views.
+// (LinkSelection's default), in units of the noise of the primitives. Time: samples times views.
 DrawingEvidence MeasureEvidence(const DrawingGraph& graph, const std::vector<View>& views,
-                                const RegularityOptions& options, const RunContext& context);
+                                const PrimitiveOptions& options, const RunContext& context);
 
 }  // namespace limn

@@ -68,7 +68,8 @@ void AddBox(NoisyDrawing* drawing) {
 }
 
 RegularityResult Regularized(const DrawingGraph& graph, const RegularityOptions& options = {}) {
-  const RegularityResult result = Regularize(graph, testing::ViewsOfNoisyDrawing(), options, {});
+  const RegularityResult result =
+      Regularize(graph, testing::ViewsOfNoisyDrawing(), options, {}, {});
   EXPECT_THAT(Validate(result.graph), ::testing::IsEmpty());
   return result;
 }
@@ -199,7 +200,10 @@ TEST(Regularize, NoResidualGrows) {
 TEST(Regularize, OptionsAreChecked) {
   RegularityOptions options;
   options.max_growth_px = -1;
-  EXPECT_THROW(Regularize({}, testing::ViewsOfNoisyDrawing(), options, {}), OptionError);
+  EXPECT_THROW(Regularize({}, testing::ViewsOfNoisyDrawing(), options, {}, {}), OptionError);
+  PrimitiveOptions primitives;
+  primitives.noise_px = 0;
+  EXPECT_THROW(Regularize({}, testing::ViewsOfNoisyDrawing(), {}, primitives, {}), OptionError);
 }
 
 TEST(Regularize, AnEmptyDrawingStaysEmpty) {
