@@ -1,6 +1,7 @@
 #include "limn/regularity/regularize.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "limn/regularity/settle.h"
 #include "limn/util/median.h"
@@ -54,14 +55,27 @@ void Store(const RegularityClasses& classes, const DrawingEvidence& evidence, Dr
   }
 }
 
-StageSummary Summarize(const DrawingEvidence& evidence, size_t num_regular, size_t num_let_go) {
+// How far ends moved, in classes.
+StageSummary::Counts CountMoves(const std::vector<double>& moves_px) {
+  StageSummary::Counts counts = {{"ends: moved by .1 px or less", 0},
+                                 {"ends: moved by .1 to .5 px", 0},
+                                 {"ends: moved by more than .5 px", 0}};
+  for (const double px : moves_px) ++counts[px <= 0.1 ? 0 : px <= 0.5 ? 1 : 2].second;
+  return counts;
+}
+
+StageSummary Summarize(const DrawingEvidence& evidence, size_t num_regular, size_t num_let_go,
+                       const std::vector<double>& moves_px) {
   const size_t count = evidence.lines.size() + evidence.arcs.size();
   StageSummary summary;
   summary.stage = "regularities";
-  summary.in = {{"lines and arcs", static_cast<int64_t>(count)}};
-  summary.kept = {{"regular", static_cast<int64_t>(num_regular)}};
+  summary.in = {{"lines and arcs", static_cast<int64_t>(count)},
+                {"ends", static_cast<int64_t>(2 * count)}};
+  summary.kept = CountMoves(moves_px);
+  summary.kept.insert(summary.kept.begin(), {"regular", static_cast<int64_t>(num_regular)});
   summary.dropped = {{"follow none", static_cast<int64_t>(count - num_regular - num_let_go)},
-                     {"opposed by the images", static_cast<int64_t>(num_let_go)}};
+                     {"opposed by the images", static_cast<int64_t>(num_let_go)},
+                     {"ends: not moved", static_cast<int64_t>(2 * count - moves_px.size())}};
   return summary;
 }
 
@@ -80,13 +94,13 @@ RegularityResult Regularize(const DrawingGraph& graph, const std::vector<View>& 
   ApplyShapes(settled.shapes, evidence.samples, &result.graph);
   Store(settled.classes, evidence, &result.graph);
   std::vector<double> moves = MovesPx(graph, settled.shapes, evidence.samples);
+  result.summary = Summarize(evidence, MembershipsOf(settled.classes, evidence).size(),
+                             settled.let_go.size(), moves);
   result.moves.num_ends = static_cast<int>(moves.size());
   if (!moves.empty()) {
     result.moves.max_px = *std::max_element(moves.begin(), moves.end());
     result.moves.median_px = Median(std::move(moves));
   }
-  result.summary =
-      Summarize(evidence, MembershipsOf(settled.classes, evidence).size(), settled.let_go.size());
   return result;
 }
 

@@ -139,6 +139,13 @@ TEST(Regularize, ABoxGetsRightAngles) {
   EXPECT_LT(error_after, 0.8 * error_before);
   EXPECT_LT(result.moves.max_px, 1);
   EXPECT_GT(result.moves.num_ends, 12);
+  // The summary tells of the same ends.
+  int64_t num_moved = 0;
+  for (const auto& [what, count] : result.summary.kept) {
+    if (what.starts_with("ends: moved")) num_moved += count;
+  }
+  EXPECT_EQ(num_moved, result.moves.num_ends);
+  EXPECT_EQ(result.summary.dropped.back().second + num_moved, 2 * 12);
 }
 
 TEST(Regularize, WhatIsNearlyRegularStays) {
