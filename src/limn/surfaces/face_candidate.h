@@ -13,7 +13,7 @@
 namespace limn {
 
 // A place of a link: index of a point plus a fraction.
-struct LinkPlace {
+struct BorderPlace {
   LinkId link = -1;
   double position = 0;
 };
@@ -23,7 +23,7 @@ struct LinkPlace {
 struct CandidatePlace {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // either way
-  std::vector<LinkPlace> border;
+  std::vector<BorderPlace> border;
   int min_border = 1;  // fewer of them in an image tell nothing
 };
 
