@@ -147,6 +147,7 @@ std::string Provenance(const RunOptions& options) {
   Json json = Json::parse(OptionsAsJson(options.pipeline));
   json["max_image_size"] = options.view.max_image_size;
   json["box"] = options.box;
+  json["Surfaces"] = nullptr;  // faces are found later
   return json.dump();
 }
 
@@ -163,7 +164,6 @@ std::string DrawingProvenance(const RunOptions& options, const std::string& sket
   json["Primitives"] = nullptr;
   json["regularize"] = nullptr;
   json["Regularity"] = nullptr;
-  json["Surfaces"] = nullptr;
   return json.dump();
 }
 
