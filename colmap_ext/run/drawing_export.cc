@@ -238,7 +238,7 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
                     "DXF, GLB and SVG: junctions as points on their own layer");
   selection.AddOptions(parser);
   AddFormatOptions(&format, parser);
-  parser->AddOption("cloud_path", &cloud_path, BasicOption("GLB: a cloud to go with it, .ply"));
+  parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
   svg.AddOptions(parser);
   parser->AddOption("chains", &chains, "limap: links that are no lines, too, as chains of lines");
 }
