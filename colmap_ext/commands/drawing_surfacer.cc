@@ -12,11 +12,7 @@ int RunDrawingSurfacer(int argc, const char* const* argv, const ConsoleMaker& ma
   const auto parser = ParseRunOptions(
       "drawing_surfacer", "find the surfaces that the curves of a stored drawing bound",
       {.linking = true, .surfaces = true, .overwrites = true}, argc, argv, &options,
-      [&](OptionParser* more) {
-        more->AddOption("drawing_path", &drawing_path,
-                        BasicOption("drawing.json to start from, instead of the one in the "
-                                    "output folder"));
-      });
+      [&](OptionParser* more) { AddDrawingPath(&drawing_path, more); });
   if (!parser) return 0;
   const auto console = make_console(options.num_threads, /*speaks=*/true);
   const Project project(options, console.get());

@@ -3,7 +3,7 @@
 
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 // The folder that viewer_pages has written, and the one with node_modules.
@@ -39,7 +39,7 @@ export function readJson(name) {
   return JSON.parse(readFileSync(join(PAGES, name), 'utf8'));
 }
 
-// Opens a page and waits until it has been drawn. `troubles` collects errors, warnings and requests.
+// Opens a page, by its name there or its path, and waits until it has been drawn. `troubles` collects errors, warnings and requests.
 export async function open(browser, name, options = {}) {
   const context = await browser.newContext({
     viewport: { width: 1100, height: 700 },
@@ -48,7 +48,7 @@ export async function open(browser, name, options = {}) {
     ...options,
   });
   const page = await context.newPage();
-  const url = pathToFileURL(join(PAGES, name)).href;
+  const url = pathToFileURL(resolve(PAGES, name)).href;
   const troubles = [];
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type())) troubles.push(message.text());

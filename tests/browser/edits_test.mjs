@@ -9,6 +9,8 @@ import { canvasBox, canvasPixels, launch, lookThrough, open, readJson, rest } fr
 const expected = readJson('edit.json');
 const NUM_LINKS = expected.links.length;
 const CLEAR_PX = 3;
+// Of the photograph, per unit of drawing.json.
+const PX_PER_UNIT = 56;
 let browser;
 
 before(async () => (browser = await launch()));
@@ -421,6 +423,30 @@ test('a circle is opened, an end is not split', () =>
     assert.equal((await downloaded(page)).edits.length, 1);
   }));
 
+test('a link is split no nearer to its ends than drawing_editor does it', () =>
+  withPage(async (page) => {
+    // Of the photograph, 2 px; a pointer stands on whole pixels of the screen.
+    const ends = [placeOn(page, 2, 0), placeOn(page, 2, 8)];
+    const [from, to] = await Promise.all(ends);
+    const pxOfScreen = (to.x - from.x) / (8 * PX_PER_UNIT);
+    const numLeast = Math.round(2 * pxOfScreen);
+    await press(page, 'k');
+    for (const [vertex, sign] of [
+      [0, 1],
+      [8, -1],
+    ]) {
+      // prettier-ignore
+      await clickLink(page, 2, vertex, { dx: sign * (numLeast - 1) });
+      assert.match(await message(page), /an end of the curve/);
+    }
+    assert.equal((await live(page)).length, NUM_LINKS);
+    await clickLink(page, 2, 0, { dx: numLeast + 1 });
+    assert.equal((await live(page)).length, NUM_LINKS + 1);
+    const [{ at }] = (await downloaded(page)).edits;
+    const px = PX_PER_UNIT * distance(at, expected.links[2].model[0]);
+    assert.ok(px > 2 && px < 4, `${px} px`);
+  }));
+
 test('of two merged links the longer one is left', () =>
   withPage(async (page) => {
     await clickLink(page, 2, 4);
@@ -435,6 +461,35 @@ test('of two merged links the longer one is left', () =>
     edits[0].links.forEach((ref, i) => assertRef(ref, 2 + i));
     await press(page, 'Control+z');
     assert.ok((await live(page)).includes(3));
+  }));
+
+test('links that do not run along each other are not merged', () =>
+  withPage(async (page) => {
+    // Far apart, at a corner, on one line with a gap, at a corner on one line.
+    for (const [a, b] of [
+      [0, 2],
+      [4, 5],
+      [0, 1],
+      [4, 6],
+    ]) {
+      // prettier-ignore
+      await clickLink(page, a, 4);
+      await clickLink(page, b, 4, { shift: true });
+      await press(page, 'u');
+      assert.match(await message(page), /do not run along each other/);
+      assert.equal((await live(page)).length, NUM_LINKS);
+    }
+    assert.equal((await downloaded(page)).edits.length, 0);
+    // In a file such an edit stays, without a preview.
+    const links = [2, 0].map((id) => ({ id, closed: false, points: expected.links[id].model }));
+    const file = {
+      format: 'limn_edits',
+      format_version: 1,
+      edits: [{ edit: 'merge', links }],
+    };
+    await load(page, JSON.stringify(file));
+    assert.equal((await live(page)).length, NUM_LINKS);
+    assert.deepEqual(await downloaded(page), file);
   }));
 
 test('undo and redo have no end, and a new edit ends redoing', () =>

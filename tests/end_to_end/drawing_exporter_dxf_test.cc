@@ -358,6 +358,18 @@ TEST(DrawingExporterDxf, ASectionIsAClosedLine) {
   EXPECT_EQ(EntitiesOn(cut, "line").size(), 0u);
 }
 
+TEST(DrawingExporterDxf, ASectionWithoutFacesIsWarnedOf) {
+  Alignment alignment;
+  DrawingGraph graph = UnitCube();
+  const std::string warning = "WARNING: the drawing has no faces to cut";
+  const ExportedDrawing with_faces(graph, alignment);
+  EXPECT_THAT(with_faces.TryExport("d.dxf", {"--section", "0.5"}).out,
+              ::testing::Not(::testing::HasSubstr(warning)));
+  graph.faces.clear();
+  const ExportedDrawing without(graph, alignment);
+  EXPECT_THAT(without.TryExport("d.dxf", {"--section", "0.5"}).out, ::testing::HasSubstr(warning));
+}
+
 TEST(DrawingExporterDxf, PlansRefused) {
   const ExportedDrawing exported(HalfCylinderSide());
   const auto expect_refused = [&](const std::vector<std::string>& more, const std::string& text) {

@@ -32,9 +32,14 @@ class DrawingSurfacer : public ::testing::Test {
 
   // Of the scene's drawing, into a folder of the test's own.
   LimnRun Find(const std::string& output, const std::vector<std::string>& more = {}) const {
+    return Run("drawing_surfacer", output, more);
+  }
+
+  LimnRun Run(const std::string& command, const std::string& output,
+              const std::vector<std::string>& more) const {
     std::vector<std::string> arguments =
         scene_->Arguments({"--drawing_path", (*scene_ / "drawing.json").string()});
-    arguments[0] = "drawing_surfacer";
+    arguments[0] = command;
     *(std::ranges::find(arguments, "--output_path") + 1) = (dir_ / output).string();
     for (size_t i = 0; i + 1 < more.size(); i += 2) {
       const auto given = std::ranges::find(arguments, more[i]);
@@ -101,6 +106,20 @@ TEST_F(DrawingSurfacer, OptionsMatter) {
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.err, HasSubstr("--overwrite 1"));
   EXPECT_EQ(Find("default", {"--Surfaces.min_views", "3", "--overwrite", "1"}).exit_code, 0);
+}
+
+TEST_F(DrawingSurfacer, FacesEndWhereLinksMove) {
+  ASSERT_EQ(Find("found").exit_code, 0);
+  const size_t num_faces = Result("found").faces.size();
+  const std::string found = (dir_ / "found/drawing.json").string();
+  for (const std::string command : {"drawing_regularizer", "drawing_refiner"}) {
+    const LimnRun run = Run(command, command, {"--drawing_path", found});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_LT(Result(command).faces.size(), num_faces);
+    EXPECT_THAT(run.out, HasSubstr("WARNING: links have moved: of " + std::to_string(num_faces) +
+                                   " faces between them "));
+  }
+  EXPECT_TRUE(Result("drawing_refiner").faces.empty());
 }
 
 TEST_F(DrawingSurfacer, BadOptionsWriteNothing) {

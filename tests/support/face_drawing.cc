@@ -281,7 +281,7 @@ DrawingGraph HalfCylinderSide() {
   return drawing.graph();
 }
 
-DrawingGraph PentagonPatch() {
+DrawingGraph PentagonPatch(double sweep_rad) {
   FaceDrawing drawing;
   std::vector<FaceLoop> sides;
   for (int k = 0; k < 5; ++k) {
@@ -291,10 +291,10 @@ DrawingGraph PentagonPatch() {
     };
     const Eigen::Vector3d along = (corner(k + 1) - corner(k)).normalized();
     CircularArc arc;
-    arc.sweep_rad = std::numbers::pi / 2;
-    arc.radius = (corner(k + 1) - corner(k)).norm() / std::numbers::sqrt2;
+    arc.sweep_rad = sweep_rad;
+    arc.radius = (corner(k + 1) - corner(k)).norm() / (2 * std::sin(sweep_rad / 2));
     arc.center = (corner(k) + corner(k + 1)) / 2;
-    arc.center.z() -= arc.radius / std::numbers::sqrt2;
+    arc.center.z() -= arc.radius * std::cos(sweep_rad / 2);
     arc.x_axis = (corner(k) - arc.center).normalized();
     arc.y_axis = (along - along.dot(arc.x_axis) * arc.x_axis).normalized();
     sides.push_back({drawing.Whole(drawing.AddShape(arc))});

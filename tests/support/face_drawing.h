@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "limn/geometry/curve_shape.h"
@@ -50,7 +51,7 @@ DrawingGraph Cylinder(double top_radius = 1);
 // Two half circles of radius 1 in z = 0 and z = 2 and lines between their ends; one face.
 DrawingGraph HalfCylinderSide();
 // Five arcs that bulge upwards between the corners of a pentagon of radius 2; one face.
-DrawingGraph PentagonPatch();
+DrawingGraph PentagonPatch(double sweep_rad = std::numbers::pi / 2);
 // Two squares side by side, over one long line in y = 0, of which each takes a part.
 DrawingGraph TwoSquaresOnOneLine();
 

@@ -30,7 +30,27 @@ struct TrimmedCurve {
   double last = 0;
 };
 
-Eigen::Vector3d ProjectedOnto(const DrawingFace& plane, const Eigen::Vector3d& point) {
+// normal . x = offset.
+struct BorderPlane {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double offset = 0;
+};
+
+// As far from all planes of a border, which are nearly one.
+BorderPlane MeanPlane(const std::vector<DrawingFace>& faces, const std::vector<int>& planes) {
+  BorderPlane mean;
+  for (const int face : planes) {
+    const DrawingFace& plane = faces[face];
+    const double sign = plane.normal.dot(faces[planes.front()].normal) < 0 ? -1 : 1;
+    mean.normal += sign * plane.normal;
+    mean.offset += sign * plane.offset;
+  }
+  mean.offset /= mean.normal.norm();
+  mean.normal.normalize();
+  return mean;
+}
+
+Eigen::Vector3d ProjectedOnto(const BorderPlane& plane, const Eigen::Vector3d& point) {
   return point + (plane.offset - plane.normal.dot(point)) * plane.normal;
 }
 
@@ -40,7 +60,7 @@ TrimmedCurve LineBetween(const Eigen::Vector3d& start, const Eigen::Vector3d& en
 }
 
 // In the plane; none if it is far from parallel to it.
-std::optional<CircularArc> ProjectedArc(const DrawingFace& plane, const CircularArc& arc) {
+std::optional<CircularArc> ProjectedArc(const BorderPlane& plane, const CircularArc& arc) {
   constexpr double kLeastCosine = 0.98;
   const double cosine = arc.Normal().dot(plane.normal);
   if (std::abs(cosine) < kLeastCosine) return std::nullopt;
@@ -134,8 +154,9 @@ class EdgeMaker {
     builder_.Add(*edge, vertices_[vertex].Oriented(orientation));
   }
 
-  const DrawingFace* PlaneOf(const BorderEdge& border) const {
-    return border.planes.empty() ? nullptr : &graph_.faces[border.planes.front()];
+  std::optional<BorderPlane> PlaneOf(const BorderEdge& border) const {
+    if (border.planes.empty()) return std::nullopt;
+    return MeanPlane(graph_.faces, border.planes);
   }
 
   // Two planes meet in a straight line.
@@ -143,7 +164,8 @@ class EdgeMaker {
     constexpr double kMaxCosine = 0.98;
     if (border.start == border.end) return false;
     return std::ranges::any_of(border.planes, [&](int face) {
-      return std::abs(graph_.faces[face].normal.dot(PlaneOf(border)->normal)) < kMaxCosine;
+      const Eigen::Vector3d& first = graph_.faces[border.planes.front()].normal;
+      return std::abs(graph_.faces[face].normal.dot(first)) < kMaxCosine;
     });
   }
 
@@ -156,8 +178,9 @@ class EdgeMaker {
       shape = &graph_.links[border.link].primitive->shape;
     }
     if (shape && std::holds_alternative<LineSegment>(*shape)) return LineBetween(start, end);
+    if (border.of_points) return Polyline(border);
     if (shape && std::holds_alternative<CircularArc>(*shape)) {
-      const DrawingFace* plane = PlaneOf(border);
+      const std::optional<BorderPlane> plane = PlaneOf(border);
       const CircularArc& arc = std::get<CircularArc>(*shape);
       return ArcBetween(plane ? ProjectedArc(*plane, arc).value_or(arc) : arc, start, end,
                         border.start == border.end);
@@ -174,7 +197,7 @@ class EdgeMaker {
     const double to =
         border.to == last ? whole->LastParameter() : ParameterOn(whole, border.course.back());
     if (!(to - from > Precision::PConfusion())) return Polyline(border);
-    if (const DrawingFace* plane = PlaneOf(border)) {
+    if (const auto plane = PlaneOf(border)) {
       for (Eigen::Vector3d& point : shape.control_points) point = ProjectedOnto(*plane, point);
     }
     const auto spline = handle<Geom_BSplineCurve>::DownCast(GeomCurveOf(CurveShape(shape)));
@@ -185,7 +208,7 @@ class EdgeMaker {
 
   TrimmedCurve Polyline(const BorderEdge& border) const {
     std::vector<Eigen::Vector3d> points = border.course;
-    if (const DrawingFace* plane = PlaneOf(border)) {
+    if (const auto plane = PlaneOf(border)) {
       for (Eigen::Vector3d& point : points) point = ProjectedOnto(*plane, point);
     }
     points.front() = borders_.vertices[border.start];

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
-#include "limn/formats/step_curves.h"
+#include "limn/formats/step_border_loops.h"
+#include "limn/formats/step_border_vertices.h"
 #include "limn/geometry/polyline.h"
+#include "limn/geometry/polyline_position.h"
 #include "limn/util/union_find.h"
 
 namespace limn {
@@ -24,10 +24,7 @@ using LinkCuts = std::vector<std::vector<double>>;
 std::vector<double> DistinctCuts(const DrawingLink& link, std::vector<double> positions) {
   constexpr double kLeastShare = 1e-3;
   const std::vector<double> lengths = CumulativeLength(link.points_in_world);
-  const auto length_at = [&](double position) {
-    const int segment = std::min(static_cast<int>(position), link.size() - 2);
-    return lengths[segment] + (position - segment) * (lengths[segment + 1] - lengths[segment]);
-  };
+  const auto length_at = [&](double position) { return LengthAtPosition(lengths, position); };
   const double least = kLeastShare * lengths.back();
   std::sort(positions.begin(), positions.end());
   std::vector<double> cuts = {0};
@@ -57,27 +54,14 @@ LinkCuts CutsOf(const DrawingGraph& graph, const std::vector<StepSheet>& sheets)
   return cuts;
 }
 
-// On the primitive, where the link has one and the position is no node.
-Eigen::Vector3d PlaceOnCurve(const DrawingGraph& graph, int link_id, double position) {
-  const DrawingLink& link = graph.links[link_id];
-  if (position == 0) return PositionOfVertex(graph, graph.nodes[link.node0]);
-  if (position == link.size() - 1) return PositionOfVertex(graph, graph.nodes[link.node1]);
-  const int segment = std::min(static_cast<int>(position), link.size() - 2);
-  const double t = position - segment;
-  const Eigen::Vector3d point =
-      (1 - t) * link.points_in_world[segment] + t * link.points_in_world[segment + 1];
-  if (!link.primitive) return point;
-  if (const auto* arc = std::get_if<CircularArc>(&link.primitive->shape)) {
-    const Eigen::Vector3d normal = arc->Normal();
-    const Eigen::Vector3d from_center = point - arc->center;
-    const Eigen::Vector3d radial = from_center - normal.dot(from_center) * normal;
-    return arc->center + arc->radius * radial.normalized();
-  }
-  if (const auto* line = std::get_if<LineSegment>(&link.primitive->shape)) {
-    const Eigen::Vector3d along = (line->end - line->start).normalized();
-    return line->start + along.dot(point - line->start) * along;
-  }
-  return point;
+// Where an edge begins or ends on the points of its link, or its bridge.
+Eigen::Vector3d FirstPointOf(const DrawingGraph& graph, const FaceEdge& edge) {
+  if (edge.IsBridge()) return edge.bridge.front();
+  return PointAtPosition(graph.links[edge.link].points_in_world, edge.from);
+}
+Eigen::Vector3d LastPointOf(const DrawingGraph& graph, const FaceEdge& edge) {
+  if (edge.IsBridge()) return edge.bridge.back();
+  return PointAtPosition(graph.links[edge.link].points_in_world, edge.to);
 }
 
 double SizeOf(const DrawingGraph& graph, const StepSheet& sheet) {
@@ -98,7 +82,7 @@ class BorderBuilder {
   FaceBorders Build(const std::vector<StepSheet>& sheets) {
     cuts_ = CutsOf(graph_, sheets);
     for (const DrawingNode& node : graph_.nodes) {
-      places_.push_back(PositionOfVertex(graph_, node));
+      places_.push_back(PlaceOfNode(graph_, node));
     }
     PlaceCuts();
     std::vector<PlacedSheet> placed;
@@ -108,7 +92,7 @@ class BorderBuilder {
       if (!sheet.is_open) AddSheet(sheet);
     }
     DropUnusedVertices();
-    FitVerticesToPlanes();
+    FitVerticesToPlanes(graph_, &borders_);
     return std::move(borders_);
   }
 
@@ -171,8 +155,13 @@ class BorderBuilder {
     return placed;
   }
 
-  // Pairs of places that are one: where an edge ends and the next of the loop begins.
-  std::vector<std::pair<int, int>> JointsOf(const PlacedSheet& placed) const {
+  // Where an edge ends and the next of the loop begins: two places that are one.
+  struct Joint {
+    PlacedEdge before;
+    PlacedEdge after;
+  };
+
+  std::vector<Joint> JointsOf(const PlacedSheet& placed) const {
     std::vector<std::vector<PlacedEdge>> loops = placed.sides;
     if (graph_.faces[placed.sheet->face].surface != FaceSurface::kPlane) {
       loops = {{}};
@@ -180,19 +169,21 @@ class BorderBuilder {
         loops[0].insert(loops[0].end(), side.begin(), side.end());
       }
     }
-    std::vector<std::pair<int, int>> joints;
+    std::vector<Joint> joints;
     for (const auto& loop : loops) {
       for (size_t i = 0; i < loop.size(); ++i) {
-        joints.emplace_back(loop[i].end, loop[(i + 1) % loop.size()].start);
+        joints.push_back({loop[i], loop[(i + 1) % loop.size()]});
       }
     }
     return joints;
   }
 
-  // Borders of planes are projected onto them: only what is left along the plane is a gap.
-  double GapAt(int face_id, const std::pair<int, int>& joint) const {
+  // Between points: primitives may end elsewhere, but are moved. Borders of planes are projected
+  // onto them: only what is left along the plane is a gap.
+  double GapAt(int face_id, const Joint& joint) const {
     const DrawingFace& face = graph_.faces[face_id];
-    Eigen::Vector3d gap = places_[joint.second] - places_[joint.first];
+    Eigen::Vector3d gap =
+        FirstPointOf(graph_, *joint.after.edge) - LastPointOf(graph_, *joint.before.edge);
     if (face.surface == FaceSurface::kPlane) gap -= face.normal.dot(gap) * face.normal;
     return gap.norm();
   }
@@ -201,12 +192,12 @@ class BorderBuilder {
     UnionFind same(static_cast<int>(places_.size()));
     for (PlacedSheet& placed : sheets) {
       const double max_gap = max_gap_rel_ * SizeOf(graph_, *placed.sheet);
-      const auto joints = JointsOf(placed);
-      placed.is_open = std::any_of(joints.begin(), joints.end(), [&](const auto& joint) {
+      const std::vector<Joint> joints = JointsOf(placed);
+      placed.is_open = std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
         return GapAt(placed.sheet->face, joint) > max_gap;
       });
       if (placed.is_open) continue;
-      for (const auto& [end, start] : joints) same.Union(end, start);
+      for (const Joint& joint : joints) same.Union(joint.before.end, joint.after.start);
     }
     for (size_t p = 0; p < places_.size(); ++p) {
       vertex_of_place_.push_back(same.Find(static_cast<int>(p)));
@@ -216,23 +207,42 @@ class BorderBuilder {
   void AddSheet(const PlacedSheet& placed) {
     BorderSheet sheet;
     sheet.face = placed.sheet->face;
+    const bool is_plane = graph_.faces[sheet.face].surface == FaceSurface::kPlane;
     for (const auto& side : placed.sides) {
-      auto& steps = sheet.sides.emplace_back();
-      for (const PlacedEdge& edge : side) {
-        if (edge.edge->IsBridge()) {
-          AddBridge(edge, &steps);
-        } else {
-          AddPartsOfLink(*edge.edge, &steps);
-        }
-      }
+      std::vector<BorderStep> steps = StepsOf(side);
       if (steps.empty()) return;
-      if (graph_.faces[sheet.face].surface != FaceSurface::kPlane) continue;
-      for (const BorderStep& step : steps) {
-        std::vector<int>& planes = borders_.edges[step.edge].planes;
-        if (planes.empty() || planes.back() != sheet.face) planes.push_back(sheet.face);
+      if (is_plane) {
+        Mark(steps, *placed.sheet);
+        for (auto& loop : SimpleLoops(borders_.edges, steps))
+          sheet.sides.push_back(std::move(loop));
+      } else {
+        sheet.sides.push_back(std::move(steps));
       }
     }
     borders_.sheets.push_back(std::move(sheet));
+  }
+
+  std::vector<BorderStep> StepsOf(const std::vector<PlacedEdge>& side) {
+    std::vector<BorderStep> steps;
+    for (const PlacedEdge& edge : side) {
+      if (edge.edge->IsBridge()) {
+        AddBridge(edge, &steps);
+      } else {
+        AddPartsOfLink(*edge.edge, &steps);
+      }
+    }
+    return steps;
+  }
+
+  // As edges of a plane.
+  void Mark(const std::vector<BorderStep>& steps, const StepSheet& sheet) {
+    for (const BorderStep& step : steps) {
+      BorderEdge& edge = borders_.edges[step.edge];
+      if (sheet.of_points) edge.of_points = true;
+      if (edge.planes.empty() || edge.planes.back() != sheet.face) {
+        edge.planes.push_back(sheet.face);
+      }
+    }
   }
 
   void AddPartsOfLink(const FaceEdge& edge, std::vector<BorderStep>* steps) {
@@ -304,37 +314,6 @@ class BorderBuilder {
     for (BorderEdge& edge : borders_.edges) {
       rename(&edge.start);
       rename(&edge.end);
-    }
-  }
-
-  // To the nearest place on all planes of the faces there, but by no more than a part of the
-  // shortest edge; planes that are nearly one do not say where along them.
-  void FitVerticesToPlanes() {
-    constexpr double kLeastSine = 0.1, kMaxMoveShare = 0.2;
-    std::vector<std::set<int>> planes(borders_.vertices.size());
-    std::vector<double> least_length(borders_.vertices.size(), -1);
-    for (const BorderEdge& edge : borders_.edges) {
-      const double length = Length(edge.course);
-      for (const int vertex : {edge.start, edge.end}) {
-        planes[vertex].insert(edge.planes.begin(), edge.planes.end());
-        double& least = least_length[vertex];
-        least = least < 0 ? length : std::min(least, length);
-      }
-    }
-    for (size_t v = 0; v < planes.size(); ++v) {
-      if (planes[v].empty()) continue;
-      Eigen::MatrixXd normals(planes[v].size(), 3);
-      Eigen::VectorXd distances(planes[v].size());
-      int row = 0;
-      for (const int f : planes[v]) {
-        const DrawingFace& face = graph_.faces[f];
-        normals.row(row) = face.normal.transpose();
-        distances[row++] = face.offset - face.normal.dot(borders_.vertices[v]);
-      }
-      Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeThinV);
-      svd.setThreshold(kLeastSine);
-      const Eigen::Vector3d move = svd.solve(distances);
-      if (move.norm() <= kMaxMoveShare * least_length[v]) borders_.vertices[v] += move;
     }
   }
 

@@ -22,6 +22,8 @@ struct BorderEdge {
   std::vector<Eigen::Vector3d> course;
   // Faces that are planes and have this edge, ascending.
   std::vector<int> planes;
+  // Of a sheet whose curves are the points of links.
+  bool of_points = false;
 
   bool IsBridge() const { return link < 0; }
 };
@@ -44,9 +46,10 @@ struct FaceBorders {
 };
 
 // Cuts links wherever an edge of a sheet begins or ends; places nearer than 0.1 % of the link are
-// one. Vertices are moved to where the planes of their faces meet. Sheets whose border has gaps of
-// more than `max_gap_rel` of their size, of planes along them, are left out. Time n log n in edges
-// and points of borders.
+// one. Vertices are moved to where the planes of their faces meet. Loops of planes that pass a
+// vertex twice become several. Sheets whose border has gaps of more than `max_gap_rel` of their
+// size, of planes along them, are left out. Time n log n in edges and points of borders, n^2 in the
+// edges of a loop.
 FaceBorders MakeFaceBorders(const DrawingGraph& graph, const std::vector<StepSheet>& sheets,
                             double max_gap_rel);
 

@@ -49,11 +49,11 @@ Wire ReversedWire(Wire wire) {
   return wire;
 }
 
-// In its direction, without the last point.
+// In its direction.
 std::vector<Eigen::Vector3d> SamplesOf(const TopoDS_Edge& edge) {
   const BRepAdaptor_Curve curve(edge);
   std::vector<Eigen::Vector3d> samples;
-  for (int k = 0; k < kSamplesPerEdge; ++k) {
+  for (int k = 0; k <= kSamplesPerEdge; ++k) {
     double share = static_cast<double>(k) / kSamplesPerEdge;
     if (edge.Orientation() == TopAbs_REVERSED) share = 1 - share;
     const double range = curve.LastParameter() - curve.FirstParameter();
@@ -62,11 +62,12 @@ std::vector<Eigen::Vector3d> SamplesOf(const TopoDS_Edge& edge) {
   return samples;
 }
 
+// Without the last point, which is the first of the next edge.
 std::vector<Eigen::Vector3d> SamplesOf(const Wire& wire) {
   std::vector<Eigen::Vector3d> samples;
   for (const TopoDS_Edge& edge : wire) {
     const std::vector<Eigen::Vector3d> of_edge = SamplesOf(edge);
-    samples.insert(samples.end(), of_edge.begin(), of_edge.end());
+    samples.insert(samples.end(), of_edge.begin(), of_edge.end() - 1);
   }
   return samples;
 }
@@ -103,7 +104,7 @@ class FaceMaker {
 
   std::optional<TopoDS_Face> Make() {
     if (face_.surface == FaceSurface::kPlane) return Checked(MakePlane());
-    const double tolerance = 0.01 * max_gap_;
+    const double tolerance = 0.004 * max_gap_;
     const StepSurfaces surfaces = face_.surface == FaceSurface::kRuled
                                       ? RuledSurfaces(sides_, tolerance)
                                       : PatchSurfaces(sides_, tolerance);
@@ -139,9 +140,10 @@ class FaceMaker {
     for (const Eigen::Vector3d& point : SamplesOf(edge)) {
       distance = std::max(distance, plane.Distance(ToPnt(point)));
     }
-    if (distance > max_gap_) return false;
     constexpr double kMargin = 1.1;
-    BRep_Builder().UpdateEdge(edge, kMargin * distance + Precision::Confusion());
+    const double tolerance = kMargin * distance + Precision::Confusion();
+    if (tolerance > max_gap_) return false;
+    BRep_Builder().UpdateEdge(edge, tolerance);
     return true;
   }
 

@@ -13,16 +13,10 @@
 
 #include "limn/geometry/polygon_triangulation.h"
 #include "limn/geometry/polyline.h"
+#include "limn/geometry/polyline_position.h"
 
 namespace limn {
 namespace {
-
-Eigen::Vector3d PointOnLink(const DrawingLink& link, double position) {
-  const int segment = std::clamp(static_cast<int>(position), 0, link.size() - 2);
-  const double t = position - segment;
-  if (t == 0) return link.points_in_world[segment];
-  return (1 - t) * link.points_in_world[segment] + t * link.points_in_world[segment + 1];
-}
 
 // A place on a loop: an edge, and how far along it, as a position on its link or on its bridge.
 struct LoopPlace {
@@ -101,11 +95,11 @@ FaceEdge PartOfEdge(const FaceEdge& edge, double from, double to) {
   }
   DrawingLink as_link;
   as_link.points_in_world = edge.bridge;
-  part.bridge = {PointOnLink(as_link, from)};
+  part.bridge = {PointAtPosition(as_link.points_in_world, from)};
   for (int i = static_cast<int>(std::floor(from)) + 1; i < to; ++i) {
     part.bridge.push_back(edge.bridge[i]);
   }
-  part.bridge.push_back(PointOnLink(as_link, to));
+  part.bridge.push_back(PointAtPosition(as_link.points_in_world, to));
   return part;
 }
 
@@ -247,11 +241,11 @@ std::vector<Eigen::Vector3d> CourseOf(const DrawingGraph& graph, const FaceEdge&
   if (edge.IsBridge()) return edge.bridge;
   const DrawingLink& link = graph.links[edge.link];
   const auto [low, high] = std::minmax(edge.from, edge.to);
-  std::vector<Eigen::Vector3d> course = {PointOnLink(link, low)};
+  std::vector<Eigen::Vector3d> course = {PointAtPosition(link.points_in_world, low)};
   for (int i = static_cast<int>(std::floor(low)) + 1; i < high; ++i) {
     course.push_back(link.points_in_world[i]);
   }
-  course.push_back(PointOnLink(link, high));
+  course.push_back(PointAtPosition(link.points_in_world, high));
   if (edge.from > edge.to) std::reverse(course.begin(), course.end());
   return course;
 }

@@ -12,6 +12,8 @@ struct StepSheet {
   int face = -1;
   // Loops of a plane; otherwise the sides of one loop.
   std::vector<FaceLoop> sides;
+  // Its curves are the points of links.
+  bool of_points = false;
 };
 
 // The course of an edge with both its ends, on the points of its link or on its bridge.

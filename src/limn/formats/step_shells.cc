@@ -25,7 +25,7 @@
 namespace limn {
 namespace {
 
-constexpr double kMaxGapRel = 0.02;
+constexpr double kMaxGapRel = 0.05;
 
 struct MadeSheets {
   FaceBorders borders;
@@ -57,6 +57,30 @@ std::set<int> MakeFaces(const DrawingGraph& graph, const std::vector<StepSheet>&
   return failed;
 }
 
+// What to try after faces have failed: planes with the points of links for curves, then apart; not
+// the others.
+std::vector<StepSheet> TriedNext(const DrawingGraph& graph, std::vector<StepSheet> sheets,
+                                 const std::set<int>& failed, std::set<int>* apart) {
+  std::vector<StepSheet> next;
+  for (StepSheet& sheet : sheets) {
+    if (!failed.contains(sheet.face)) {
+      next.push_back(std::move(sheet));
+    } else if (apart->erase(sheet.face) > 0 ||
+               graph.faces[sheet.face].surface != FaceSurface::kPlane) {
+      continue;
+    } else if (!sheet.of_points) {
+      sheet.of_points = true;
+      next.push_back(std::move(sheet));
+    } else {
+      StepSheet alone = SheetApart(graph, sheet.face);
+      if (alone.sides.empty()) continue;
+      apart->insert(sheet.face);
+      next.push_back(std::move(alone));
+    }
+  }
+  return next;
+}
+
 // Edges carry the curves and tolerances of all faces: those of faces that fail must go, and
 // everything is made again without these faces, or with borders that are theirs alone.
 MadeSheets MakeSheets(const DrawingGraph& graph) {
@@ -71,15 +95,7 @@ MadeSheets MakeSheets(const DrawingGraph& graph) {
       made.apart = std::move(apart);
       return made;
     }
-    std::erase_if(sheets, [&](const StepSheet& sheet) { return failed.contains(sheet.face); });
-    for (const int face : failed) {
-      const bool was_apart = apart.erase(face) > 0;
-      if (was_apart || graph.faces[face].surface != FaceSurface::kPlane) continue;
-      StepSheet sheet = SheetApart(graph, face);
-      if (sheet.sides.empty()) continue;
-      sheets.push_back(std::move(sheet));
-      apart.insert(face);
-    }
+    sheets = TriedNext(graph, std::move(sheets), failed, &apart);
   }
 }
 

@@ -30,11 +30,12 @@ struct StepShells {
   double tolerance = 0;
 };
 
-// The faces of a drawing as shells: a connected set of faces each. Faces that meet share edges. If
-// the border that a face shares with others has gaps or leaves its surface by more than 2 % of its
-// size, or if OpenCASCADE has no valid face in it, a plane is a shell of its own, with the straight
-// border of its triangles; other faces, and planes for which this is not valid either, are left
-// out. Only for the writer of STEP files.
+// The faces of a drawing as shells: a connected set of faces each. Faces that meet share edges. No
+// face is made if its border has gaps or leaves its surface by more than 5 % of its size, or if
+// OpenCASCADE calls it invalid. Planes are then tried with the points of links in place of their
+// primitives, and after that as shells of their own, with the straight border of their triangles.
+// Other faces, and planes for which this is not valid either, are left out. Only for the writer of
+// STEP files.
 StepShells MakeStepShells(const DrawingGraph& graph);
 
 }  // namespace limn

@@ -40,8 +40,8 @@ struct ArrangementCell {
 };
 
 // Cuts strokes where they cross or touch each other, and where they cross themselves. Points nearer
-// than `tolerance` > 0 become one vertex, and where strokes coincide the first has the edge. Strokes
-// have at least two points. Time: pairs of segments that overlap in x.
+// than `tolerance` > 0 become one vertex, and where strokes coincide the first has the edge.
+// Strokes have at least two points. Time: pairs of segments that overlap in x.
 PlanarArrangement Arrange(const std::vector<Polyline2d>& strokes, double tolerance);
 
 // The cells between the edges marked 1; edges that bound none, on both sides the same, are left
@@ -49,8 +49,8 @@ PlanarArrangement Arrange(const std::vector<Polyline2d>& strokes, double toleran
 std::vector<ArrangementCell> FindCells(const PlanarArrangement& arrangement,
                                        std::vector<uint8_t> use_edge);
 
-// The runs of strokes along a loop: consecutive edges of a stroke are one run. Begins at a change of
-// stroke if there is one.
+// The runs of strokes along a loop: consecutive edges of a stroke are one run. Begins at a change
+// of stroke if there is one.
 std::vector<StrokeRun> RunsAlong(const PlanarArrangement& arrangement,
                                  const std::vector<HalfEdge>& loop);
 

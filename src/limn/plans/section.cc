@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/geometry/polygon2d.h"
+#include "limn/util/median.h"
 
 namespace limn {
 namespace {
@@ -273,10 +274,7 @@ double UsualGap(const std::vector<DrawingLink>& links) {
   for (const DrawingLink& link : links) {
     sigmas.insert(sigmas.end(), link.sigma.begin(), link.sigma.end());
   }
-  if (sigmas.empty()) return 0;
-  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
-  std::nth_element(sigmas.begin(), middle, sigmas.end());
-  return kGapSigmas * *middle;
+  return kGapSigmas * Median(std::move(sigmas));
 }
 
 }  // namespace limn

@@ -218,6 +218,7 @@ PrimitiveResult FitPrimitives(const DrawingGraph& graph, const std::vector<View>
   result.graph =
       Fitted(graph, std::vector<uint8_t>(graph.links.size(), 1), views, options, context);
   result.graph.regularities = {};
+  result.graph.faces.clear();
   result.summary = Summarize(result.graph);
   return result;
 }

@@ -1,7 +1,6 @@
 #include "limn/primitives/link_samples.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -37,7 +36,7 @@ std::optional<Eigen::Vector3d> AcrossGradient(const View& view, const Eigen::Vec
   const Eigen::Vector3d in_cam = view.cam_from_world * point;
   const double z = in_cam.z();
   const PinholeCamera& camera = view.camera;
-  const Eigen::Vector2d normal(-std::sin(*direction), std::cos(*direction));
+  const Eigen::Vector2d normal(-direction->y(), direction->x());
   const Eigen::Vector2d scaled(normal.x() * camera.fx / z, normal.y() * camera.fy / z);
   const Eigen::Vector3d gradient_in_cam(scaled.x(), scaled.y(),
                                         -(scaled.x() * in_cam.x() + scaled.y() * in_cam.y()) / z);

@@ -82,6 +82,7 @@ std::vector<std::optional<Vector3d>> PlacesOfNodes(const NewShapes& shapes,
 void ApplyShapes(const NewShapes& shapes, const std::vector<LinkSamples>& samples,
                  DrawingGraph* graph) {
   const std::vector<std::optional<Vector3d>> places = PlacesOfNodes(shapes, *graph);
+  std::vector<uint8_t> changed(graph->links.size(), 0);
   for (size_t l = 0; l < graph->links.size(); ++l) {
     DrawingLink& link = graph->links[l];
     if (!shapes[l] && !places[link.node0] && !places[link.node1]) continue;
@@ -90,9 +91,11 @@ void ApplyShapes(const NewShapes& shapes, const std::vector<LinkSamples>& sample
       const NodeId node = link.NodeAt(end);
       if (places[node]) moves[end] = *places[node] - graph->nodes[node].position_in_world;
     }
+    const Polyline3d before = link.points_in_world;
     MovePoints(moves[0], moves[1], &link.points_in_world);
     if (places[link.node0]) link.points_in_world.front() = *places[link.node0];
     if (places[link.node1]) link.points_in_world.back() = *places[link.node1];
+    changed[l] = link.points_in_world != before;
     if (!link.primitive) continue;
     CurveShape& shape = link.primitive->shape;
     shape = shapes[l] ? *shapes[l] : WithMovedEnds(shape, moves[0], moves[1]);
@@ -104,6 +107,7 @@ void ApplyShapes(const NewShapes& shapes, const std::vector<LinkSamples>& sample
   for (size_t n = 0; n < places.size(); ++n) {
     if (places[n]) graph->nodes[n].position_in_world = *places[n];
   }
+  DropFacesOf(changed, graph);
 }
 
 std::vector<double> MovesPx(const DrawingGraph& before, const NewShapes& shapes,

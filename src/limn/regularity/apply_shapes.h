@@ -11,8 +11,8 @@ namespace limn {
 // New shapes of some links, world units; the ends of several at one node coincide.
 using NewShapes = std::vector<std::optional<CurveShape>>;
 
-// Gives links their new shapes, and moves nodes, points and the shapes of other links along.
-// `samples` are per link.
+// Gives links their new shapes, and moves nodes, points and the shapes of other links along; drops
+// faces that links bound whose points moved. `samples` are per link.
 void ApplyShapes(const NewShapes& shapes, const std::vector<LinkSamples>& samples,
                  DrawingGraph* graph);
 

@@ -32,22 +32,25 @@ bool SeesMost(const FaceCandidate& candidate, const std::vector<PlaceSight>& sig
 }
 
 // Share of the places that enough views see.
-double SeenShare(const CellChoice& choice, const SurfaceOptions& options) {
-  const size_t num_places = choice.candidate.places.size();
+double SeenShare(const FaceCandidate& candidate, const PlaceSights& sights,
+                 const SurfaceOptions& options) {
+  const size_t num_places = candidate.places.size();
   int num_seen = 0;
   for (size_t p = 0; p < num_places; ++p) {
-    const auto num_views = std::ranges::count_if(choice.evidence.sights, [&](const auto& of_view) {
-      return of_view.second[p] == PlaceSight::kSeen;
-    });
+    const auto num_views = std::ranges::count_if(
+        sights, [&](const auto& of_view) { return of_view.second[p] == PlaceSight::kSeen; });
     num_seen += num_views >= options.min_views;
   }
   return num_places == 0 ? 0 : static_cast<double>(num_seen) / static_cast<double>(num_places);
 }
 
-bool IsSeen(const CellChoice& choice, const SurfaceOptions& options) {
-  const double share = SeenShare(choice, options);
-  return std::ssize(ViewsOf(choice)) >= options.min_views && share > 0 &&
-         share >= options.min_seen_share;
+bool IsSeen(const FaceCandidate& candidate, const PlaceSights& sights,
+            const SurfaceOptions& options) {
+  const auto num_views = std::ranges::count_if(
+      sights, [&](const auto& of_view) { return SeesMost(candidate, of_view.second); });
+  const double share = SeenShare(candidate, sights, options);
+  const double min_share = std::max(options.min_seen_share, candidate.min_seen_share);
+  return num_views >= options.min_views && share > 0 && share >= min_share;
 }
 
 class CellChooser {
@@ -67,7 +70,7 @@ class CellChooser {
     for (size_t c = 0; c < cells_.size(); ++c) {
       if (Balance(cells_[c].evidence, options_) < 0) {
         fates_[c] = CellFate::kSeenThrough;
-      } else if (!IsSeen(cells_[c], options_)) {
+      } else if (!IsSeen(cells_[c].candidate, cells_[c].evidence.sights, options_)) {
         fates_[c] = CellFate::kUnseen;
       }
     }
@@ -104,9 +107,12 @@ class CellChooser {
     });
     for (size_t c = 0; c < cells_.size(); ++c) {
       if (!IsFace(c) && fates_[c] != CellFate::kBehind) continue;
-      CellChoice unhidden = cells_[c];
-      for (auto& [view, sights] : unhidden.evidence.sights) sights = sights_by[view][c];
-      fates_[c] = IsSeen(unhidden, options_) ? CellFate::kFace : CellFate::kBehind;
+      PlaceSights unhidden;
+      for (const auto& [view, sights] : cells_[c].evidence.sights) {
+        unhidden[view] = sights_by[view][c];
+      }
+      fates_[c] =
+          IsSeen(cells_[c].candidate, unhidden, options_) ? CellFate::kFace : CellFate::kBehind;
     }
   }
 
@@ -234,7 +240,8 @@ std::vector<CellFate> ChooseCells(const std::vector<View>& views, const DrawingG
 double ConfidenceOf(const CellChoice& choice, const SurfaceOptions& options) {
   const double odds = std::exp(std::min(Balance(choice.evidence, options), 50.0));
   // A face that has spread from others was not seen itself.
-  return std::max(SeenShare(choice, options), 0.5) * odds / (1 + odds);
+  const double seen_share = SeenShare(choice.candidate, choice.evidence.sights, options);
+  return std::max(seen_share, 0.5) * odds / (1 + odds);
 }
 
 std::vector<ViewId> ViewsOf(const CellChoice& choice) {

@@ -36,6 +36,8 @@ struct FlatRegion {
 struct FaceCandidate {
   double footprint = 0;  // world units per px
   std::vector<CandidatePlace> places;
+  // Share of the places that must be seen, if more than that of the options.
+  double min_seen_share = 0;
   // Set if it is flat; otherwise a view may see only a part of it.
   std::optional<FlatRegion> flat = std::nullopt;
   std::vector<Eigen::Vector3d> vertices;

@@ -8,6 +8,8 @@
 
 #include "limn/belief/link_claims.h"
 #include "limn/geometry/box_index2d.h"
+#include "limn/geometry/polyline.h"
+#include "limn/geometry/polyline_position.h"
 #include "limn/model/link_selection.h"
 #include "limn/model/view_finder.h"
 #include "limn/support/view_edgels.h"
@@ -52,25 +54,23 @@ struct LinkSample {
 // The border around a place of a candidate.
 using Border = std::vector<LinkSample>;
 
-// The sample of a link's evidence at a position on it.
-int SampleAt(const DrawingLink& link, const ImageEvidence& evidence, double position) {
-  const std::vector<double> along = CumulativeLength(link.points_in_world);
-  const auto i = std::min(static_cast<size_t>(position), along.size() - 2);
-  const double share = position - static_cast<double>(i);
-  const double length = along[i] + share * (along[i + 1] - along[i]);
+// The sample of a link's evidence at a position on it; the link has these arc lengths.
+int SampleAt(const std::vector<double>& lengths, const ImageEvidence& evidence, double position) {
+  const double share = LengthAtPosition(lengths, position) / lengths.back();
   const auto size = static_cast<double>(evidence.samples.size());
-  return static_cast<int>(std::clamp(length / along.back() * size, 0.0, size - 1));
+  return static_cast<int>(std::clamp(share * size, 0.0, size - 1));
 }
 
-// Per place of a candidate.
-std::vector<Border> BordersOf(const FaceCandidate& candidate, const DrawingGraph& graph,
+// Per place of a candidate. `lengths` are the arc lengths of the points of every link.
+std::vector<Border> BordersOf(const FaceCandidate& candidate,
+                              const std::vector<std::vector<double>>& lengths,
                               const std::vector<ImageEvidence>& links) {
   std::vector<Border> borders;
   for (const CandidatePlace& place : candidate.places) {
     Border border;
     for (const auto& [link, position] : place.border) {
       if (links[link].samples.empty()) continue;
-      border.push_back({link, SampleAt(graph.links[link], links[link], position)});
+      border.push_back({link, SampleAt(lengths[link], links[link], position)});
     }
     borders.push_back(std::move(border));
   }
@@ -302,9 +302,13 @@ std::vector<FaceEvidence> FindFaceEvidence(const SurfaceImages& images, const Dr
   for (size_t l = 0; l < links.size(); ++l) {
     is_sure[l] = selection.Has(graph.links[l]) && links[l].evidence >= kSureEvidence;
   }
+  std::vector<std::vector<double>> lengths;
+  for (const DrawingLink& link : graph.links) {
+    lengths.push_back(CumulativeLength(link.points_in_world));
+  }
   std::vector<std::vector<Border>> borders(candidates.size());
   ParallelFor(context, "borders of faces", candidates.size(),
-              [&](size_t c) { borders[c] = BordersOf(candidates[c], graph, links); });
+              [&](size_t c) { borders[c] = BordersOf(candidates[c], lengths, links); });
   std::vector<std::vector<ViewEvidence>> per_view(images.views.size());
   ParallelFor(context, "faces in views", images.views.size(), [&](size_t v) {
     const ViewJudge judge(images, options, static_cast<ViewId>(v), links, is_sure);

@@ -19,14 +19,16 @@ enum class PlaceSight : uint8_t {
   kSeen,
 };
 
+// Per view, the places of a candidate.
+using PlaceSights = std::map<ViewId, std::vector<PlaceSight>>;
+
 struct FaceEvidence {
   // What is seen of curves and points behind it, the logarithm of how much likelier that is if
   // there is a surface: negative.
   double seen_through = 0;
   // The same of what is hidden behind it: positive.
   double hidden = 0;
-  // Per view, the candidate's places; without views that see none.
-  std::map<ViewId, std::vector<PlaceSight>> sights;
+  PlaceSights sights;  // without views that see none
 };
 
 // `curves[v]` belongs to `views[v]`, which the supporting views of links are ids of.

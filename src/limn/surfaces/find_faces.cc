@@ -8,6 +8,7 @@
 #include "limn/surfaces/choose_cells.h"
 #include "limn/surfaces/flat_candidates.h"
 #include "limn/surfaces/hidden_links.h"
+#include "limn/surfaces/patch_candidates.h"
 #include "limn/surfaces/ruled_candidates.h"
 #include "limn/util/sort_unique.h"
 
@@ -77,18 +78,26 @@ class FaceFinder {
                           {}});
       }
     }
-    for (RuledCandidate& ruled : FindRuledCandidates(links, graph_, options_)) {
-      cells_.push_back({-1, static_cast<int>(ruled_.size()), std::move(ruled.candidate), {}});
-      ruled_.push_back(std::move(ruled.face));
+    AddBent(FindRuledCandidates(links, graph_, options_));
+    AddBent(FindPatchCandidates(links, graph_, options_));
+  }
+
+  void AddBent(std::vector<BentCandidate> candidates) {
+    for (BentCandidate& bent : candidates) {
+      cells_.push_back({-1, static_cast<int>(bent_.size()), std::move(bent.candidate), {}});
+      bent_.push_back(std::move(bent.face));
     }
   }
 
   void FindEvidence() {
     std::vector<FaceCandidate> candidates;
-    for (const CellChoice& cell : cells_) candidates.push_back(cell.candidate);
+    for (CellChoice& cell : cells_) candidates.push_back(std::move(cell.candidate));
     std::vector<FaceEvidence> evidence =
         FindFaceEvidence(images_, graph_, candidates, options_, context_);
-    for (size_t c = 0; c < cells_.size(); ++c) cells_[c].evidence = std::move(evidence[c]);
+    for (size_t c = 0; c < cells_.size(); ++c) {
+      cells_[c].candidate = std::move(candidates[c]);
+      cells_[c].evidence = std::move(evidence[c]);
+    }
   }
 
   std::vector<DrawingFace> Faces() const {
@@ -106,9 +115,9 @@ class FaceFinder {
       }
       first += is_face.size();
     }
-    for (size_t r = 0; r < ruled_.size(); ++r) {
+    for (size_t r = 0; r < bent_.size(); ++r) {
       if (fates_[first + r] != CellFate::kFace) continue;
-      faces.push_back(ruled_[r]);
+      faces.push_back(bent_[r]);
       Describe({static_cast<int>(first + r)}, &faces.back());
     }
     return faces;
@@ -138,6 +147,7 @@ class FaceFinder {
         {"planes", std::ssize(planes_)},
         {"faces", std::ssize(faces)},
         {"ruled faces", std::ranges::count(faces, FaceSurface::kRuled, &DrawingFace::surface)},
+        {"patches", std::ranges::count(faces, FaceSurface::kPatch, &DrawingFace::surface)},
         {"faces with bridges", std::ranges::count_if(faces, &HasBridges)}};
     summary.dropped = {
         {"cells: seen through", num[static_cast<size_t>(CellFate::kSeenThrough)]},
@@ -152,7 +162,7 @@ class FaceFinder {
   const SurfaceOptions& options_;
   const RunContext& context_;
   std::vector<PlaneCells> planes_;
-  std::vector<DrawingFace> ruled_;
+  std::vector<DrawingFace> bent_;
   std::vector<CellChoice> cells_;
   std::vector<CellFate> fates_;
 };

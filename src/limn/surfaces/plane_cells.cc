@@ -13,12 +13,6 @@ namespace {
 // Points nearer than this become one, px.
 constexpr double kWeldPx = 0.25;
 
-double WidthOf(const Polygon2d& polygon) {
-  double perimeter = 0;
-  for (const Polyline2d& outline : polygon.outlines) perimeter += Perimeter(outline);
-  return perimeter > 0 ? 2 * polygon.Area() / perimeter : 0;
-}
-
 FaceEdge EdgeOf(const PlaneStrokes& strokes, const StrokeRun& run) {
   const PlaneStroke& stroke = strokes.strokes[run.stroke];
   if (stroke.link >= 0) {
@@ -54,15 +48,26 @@ DrawingFace FaceOf(const PlaneCells& plane, const ArrangementCell& cell) {
 
 }  // namespace
 
-PlaneCells FindPlaneCells(const FacePlane& plane, const std::vector<FaceLink>& links,
-                          const DrawingGraph& graph, const SurfaceOptions& options) {
+double WidthOf(const Polygon2d& polygon) {
+  double perimeter = 0;
+  for (const Polyline2d& outline : polygon.outlines) perimeter += Perimeter(outline);
+  return perimeter > 0 ? 2 * polygon.Area() / perimeter : 0;
+}
+
+PlaneCells CellsBetween(PlaneStrokes strokes) {
   PlaneCells result;
-  result.strokes = MakeStrokes(plane, links, graph, options);
+  result.strokes = std::move(strokes);
   std::vector<Polyline2d> lines;
   for (const PlaneStroke& stroke : result.strokes.strokes) lines.push_back(stroke.points);
   result.arrangement = Arrange(lines, kWeldPx * result.strokes.footprint);
   result.cells =
       FindCells(result.arrangement, std::vector<uint8_t>(result.arrangement.edges.size(), 1));
+  return result;
+}
+
+PlaneCells FindPlaneCells(const FacePlane& plane, const std::vector<FaceLink>& links,
+                          const DrawingGraph& graph, const SurfaceOptions& options) {
+  PlaneCells result = CellsBetween(MakeStrokes(plane, links, graph, options));
   const double min_width = options.min_width_px * result.strokes.footprint;
   std::erase_if(result.cells,
                 [&](const ArrangementCell& cell) { return WidthOf(cell.polygon) < min_width; });

@@ -16,9 +16,15 @@ struct PlaneCells {
   std::vector<ArrangementCell> cells;
 };
 
+// All cells between strokes.
+PlaneCells CellsBetween(PlaneStrokes strokes);
+
 // The cells of a plane that are wide enough.
 PlaneCells FindPlaneCells(const FacePlane& plane, const std::vector<FaceLink>& links,
                           const DrawingGraph& graph, const SurfaceOptions& options);
+
+// Twice the area by the perimeter.
+double WidthOf(const Polygon2d& polygon);
 
 // A face and the cells that it is made of.
 struct MadeFace {

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/geometry/polyline_position.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -27,12 +28,6 @@ PlaneFrame FrameOf(const FacePlane& plane, const Eigen::Vector3d& center) {
   frame.x_axis = plane.normal.unitOrthogonal();
   frame.y_axis = plane.normal.cross(frame.x_axis);
   return frame;
-}
-
-// The segment of a position on a stroke of at least two points, and the fraction along it.
-std::pair<size_t, double> Split(double position, size_t num_points) {
-  const size_t i = std::min(static_cast<size_t>(position), num_points - 2);
-  return {i, position - static_cast<double>(i)};
 }
 
 // An end of a link that meets no other in the plane, and how it would go on.
@@ -95,7 +90,7 @@ class StrokeMaker {
           !IsWithin(links_[l], extent)) {
         continue;
       }
-      result_.strokes.push_back(StrokeOf(links_[l]));
+      result_.strokes.push_back(MakeStroke(links_[l], graph_, result_.frame));
       link_of_.push_back(static_cast<int>(l));
       footprints.push_back(links_[l].footprint);
       Eigen::AlignedBox2d& box = boxes_.emplace_back();
@@ -108,26 +103,6 @@ class StrokeMaker {
     return std::ranges::all_of(link.samples, [&](const Eigen::Vector3d& sample) {
       return extent.contains(result_.frame.Flat(sample));
     });
-  }
-
-  // Every point that is kept is a point of the link.
-  PlaneStroke StrokeOf(const FaceLink& link) const {
-    const std::vector<Eigen::Vector3d>& points = graph_.links[link.link].points_in_world;
-    PlaneStroke stroke;
-    stroke.link = link.link;
-    Polyline3d& flat = stroke.course;
-    for (const Eigen::Vector3d& point : points) {
-      const Eigen::Vector2d place = result_.frame.Flat(point);
-      flat.emplace_back(place.x(), place.y(), 0);
-    }
-    size_t next = 0;
-    for (const Eigen::Vector3d& kept : Simplified(flat, kSimplifyPx * link.footprint)) {
-      while (flat[next] != kept) ++next;
-      stroke.points.push_back(kept.head<2>());
-      stroke.at.push_back(static_cast<double>(next));
-      if (next + 1 < flat.size()) ++next;
-    }
-    return stroke;
   }
 
   bool MeetsOther(size_t stroke, NodeId node) const {
@@ -248,13 +223,31 @@ class StrokeMaker {
 
 }  // namespace
 
+PlaneStroke MakeStroke(const FaceLink& link, const DrawingGraph& graph, const PlaneFrame& frame) {
+  PlaneStroke stroke;
+  stroke.link = link.link;
+  Polyline3d& flat = stroke.course;
+  for (const Eigen::Vector3d& point : graph.links[link.link].points_in_world) {
+    const Eigen::Vector2d place = frame.Flat(point);
+    flat.emplace_back(place.x(), place.y(), 0);
+  }
+  size_t next = 0;
+  for (const Eigen::Vector3d& kept : Simplified(flat, kSimplifyPx * link.footprint)) {
+    while (flat[next] != kept) ++next;
+    stroke.points.push_back(kept.head<2>());
+    stroke.at.push_back(static_cast<double>(next));
+    if (next + 1 < flat.size()) ++next;
+  }
+  return stroke;
+}
+
 Eigen::Vector2d PointOn(const PlaneStroke& stroke, double position) {
-  const auto [i, t] = Split(position, stroke.points.size());
+  const auto [i, t] = SegmentAt(position, stroke.points.size());
   return stroke.points[i] + t * (stroke.points[i + 1] - stroke.points[i]);
 }
 
 double PositionOnLink(const PlaneStroke& stroke, double position) {
-  const auto [i, t] = Split(position, stroke.points.size());
+  const auto [i, t] = SegmentAt(position, stroke.points.size());
   const double begin = stroke.at[i], end = stroke.at[i + 1];
   if (end - begin <= 1) return begin + t * (end - begin);
   const std::span part(stroke.course.begin() + static_cast<std::ptrdiff_t>(begin),

@@ -35,6 +35,9 @@ struct PlaneStroke {
   Polyline3d course = {};
 };
 
+// A link projected onto the plane of a frame. Every point that is kept is a point of the link.
+PlaneStroke MakeStroke(const FaceLink& link, const DrawingGraph& graph, const PlaneFrame& frame);
+
 // At a position: index of a point plus fraction.
 Eigen::Vector2d PointOn(const PlaneStroke& stroke, double position);
 // The position on the link of a position on its stroke: of the same place, as the points of a link

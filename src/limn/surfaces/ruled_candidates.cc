@@ -10,6 +10,8 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/geometry/polyline_position.h"
+
 namespace limn {
 namespace {
 
@@ -41,12 +43,6 @@ struct Rails {
   // Moves points of a near those of b, if they are copies of each other.
   std::optional<Eigen::Vector3d> shift;
 };
-
-Eigen::Vector3d PointOn(const std::vector<Eigen::Vector3d>& points, double position) {
-  const auto i = std::min(static_cast<size_t>(position), points.size() - 2);
-  const double t = position - static_cast<double>(i);
-  return (1 - t) * points[i] + t * points[i + 1];
-}
 
 // The position at a share of the length.
 double PositionAt(const std::vector<Eigen::Vector3d>& points, double share) {
@@ -206,7 +202,7 @@ std::vector<Ruling> RulingsOf(const Rails& rails, const DrawingGraph& graph) {
     const double share = static_cast<double>(i) / num;
     Ruling ruling = {PositionAt(a, share), 0};
     if (rails.closed) {
-      const auto at = ClosestPoint(b, PointOn(a, ruling.a) + *rails.shift);
+      const auto at = ClosestPoint(b, PointAtPosition(a, ruling.a) + *rails.shift);
       ruling.b = at.segment + at.t;
     } else {
       ruling.b = PositionAt(b, rails.b_is_reversed ? 1 - share : share);
@@ -214,11 +210,6 @@ std::vector<Ruling> RulingsOf(const Rails& rails, const DrawingGraph& graph) {
     rulings.push_back(ruling);
   }
   return rulings;
-}
-
-FaceEdge WholeLink(const DrawingGraph& graph, LinkId link, bool reversed) {
-  const double last = graph.links[link].size() - 1;
-  return reversed ? FaceEdge{link, last, 0, {}} : FaceEdge{link, 0, last, {}};
 }
 
 // From an end of a to the end of b beside it, or back.
@@ -252,17 +243,17 @@ void SetLoops(const Rails& rails, const DrawingGraph& graph, DrawingFace* face) 
   face->side_starts = {0, 1, 2, 3};
 }
 
-RuledCandidate MakeCandidate(const Rails& rails, const DrawingGraph& graph) {
+BentCandidate MakeCandidate(const Rails& rails, const DrawingGraph& graph) {
   const LinkId link_a = rails.a->link, link_b = rails.b->link;
   const auto& a = graph.links[link_a].points_in_world;
   const auto& b = graph.links[link_b].points_in_world;
   const std::vector<Ruling> rulings = RulingsOf(rails, graph);
-  RuledCandidate made;
+  BentCandidate made;
   FaceCandidate& candidate = made.candidate;
   candidate.footprint = std::max(rails.a->footprint, rails.b->footprint);
   for (const Ruling& ruling : rulings) {
-    candidate.vertices.push_back(PointOn(a, ruling.a));
-    candidate.vertices.push_back(PointOn(b, ruling.b));
+    candidate.vertices.push_back(PointAtPosition(a, ruling.a));
+    candidate.vertices.push_back(PointAtPosition(b, ruling.b));
   }
   const int last = static_cast<int>(rulings.size()) - 1;
   for (int i = 0; i < last; ++i) {
@@ -294,10 +285,10 @@ RuledCandidate MakeCandidate(const Rails& rails, const DrawingGraph& graph) {
 
 }  // namespace
 
-std::vector<RuledCandidate> FindRuledCandidates(const std::vector<FaceLink>& links,
-                                                const DrawingGraph& graph,
-                                                const SurfaceOptions& options) {
-  std::vector<RuledCandidate> candidates;
+std::vector<BentCandidate> FindRuledCandidates(const std::vector<FaceLink>& links,
+                                               const DrawingGraph& graph,
+                                               const SurfaceOptions& options) {
+  std::vector<BentCandidate> candidates;
   for (const Rails& rails : RailFinder(links, graph, options).Run()) {
     candidates.push_back(MakeCandidate(rails, graph));
   }

@@ -2,24 +2,17 @@
 
 #include <vector>
 
-#include "limn/model/faces.h"
-#include "limn/surfaces/face_candidate.h"
+#include "limn/surfaces/bent_candidate.h"
 #include "limn/surfaces/face_links.h"
 
 namespace limn {
-
-// A surface of straight lines between two bent links.
-struct RuledCandidate {
-  FaceCandidate candidate;
-  DrawingFace face;  // its loops, sides and triangles
-};
 
 // Ruled surfaces that bent links may bound (ours; ALGORITHM.md 27.5): between circles around one
 // axis of the same radius, neighbors along it, as on a cylinder; between arcs of which the same
 // holds and whose ends are beside each other; and between any two bent links whose ends two
 // straight links join, unless all four lie in a plane. Time: pairs of bent links.
-std::vector<RuledCandidate> FindRuledCandidates(const std::vector<FaceLink>& links,
-                                                const DrawingGraph& graph,
-                                                const SurfaceOptions& options);
+std::vector<BentCandidate> FindRuledCandidates(const std::vector<FaceLink>& links,
+                                               const DrawingGraph& graph,
+                                               const SurfaceOptions& options);
 
 }  // namespace limn

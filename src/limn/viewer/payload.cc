@@ -248,6 +248,7 @@ Json ToJson(const View& view, const Eigen::Vector3d& center) {
           {"cy", camera.cy},
           {"position", ToJson(Eigen::Vector3d(view.CenterInWorld() - center))},
           {"camFromWorld", RowsOf(view.cam_from_world.rotation.toRotationMatrix())},
+          {"region", {{"min", ToJson(view.region.min_px)}, {"max", ToJson(view.region.max_px)}}},
           {"thumbnail", nullptr}};
 }
 

@@ -12,7 +12,7 @@
 #include "limn/formats/picture_scene.h"
 #include "limn/formats/svg_drawing_writer.h"
 #include "limn/plans/face_axes.h"
-#include "limn/plans/mesh_of_faces.h"
+#include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"
 #include "support/face_drawing.h"
 
@@ -28,7 +28,7 @@ SvgSheet SheetOf(const DrawingGraph& graph, SvgProjection projection) {
 }
 
 IsHidden HiddenByFaces(const DrawingGraph& graph, const SvgSheet& sheet) {
-  return HiddenOnSheet(RenderOrthographicDepth(MeshOfFaces(graph.faces), DepthFrame(sheet)));
+  return HiddenOnSheet(RenderOrthographicDepth(MeshOf(graph.faces), DepthFrame(sheet)));
 }
 
 TEST(PlanFiles, ACubeFromTheFrontAndAboveShowsNineEdges) {
@@ -63,8 +63,7 @@ TEST(PlanFiles, InAPhotographToo) {
   rotation << right.transpose(), forward.cross(right).transpose(), forward.transpose();
   view.cam_from_world = {Eigen::Quaterniond(rotation), -rotation * center};
   view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
-  const IsHidden is_hidden =
-      HiddenInView(view, RenderDepth(MeshOfFaces(cube.faces), view, /*scale=*/1));
+  const IsHidden is_hidden = HiddenInView(view, RenderDepth(MeshOf(cube.faces), view, /*scale=*/1));
   std::ostringstream out;
   const SvgSummary summary = WriteDrawingSvg(cube, view, is_hidden, {}, out);
   EXPECT_EQ(summary.num_drawn, 9);

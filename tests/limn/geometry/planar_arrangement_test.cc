@@ -56,8 +56,8 @@ TEST(PlanarArrangement, WhatBoundsNothingIsLeftOut) {
 }
 
 TEST(PlanarArrangement, HolesAreOfTheSmallestCellAround) {
-  const std::vector<Polyline2d> strokes = {
-      Ring({0, 0}, 10, 4), Ring({0, 0}, 5, 4), Ring({1, 0}, 1, 4), Ring({-1, 0.5}, 0.5, 4)};
+  const std::vector<Polyline2d> strokes = {Ring({0, 0}, 10, 4), Ring({0, 0}, 5, 4),
+                                           Ring({1, 0}, 1, 4), Ring({-1, 0.5}, 0.5, 4)};
   const std::vector<ArrangementCell> cells = CellsBetween(strokes);
   ASSERT_EQ(cells.size(), 4u);
   for (const ArrangementCell& cell : cells) {

@@ -73,7 +73,8 @@ TEST(Triangulate, RoundHoleInAConcaveBorder) {
   for (int i = 0; i < 60; ++i) {
     round.emplace_back(1.5 + 0.4 * std::cos(-M_PI * i / 30), 0.5 + 0.4 * std::sin(-M_PI * i / 30));
   }
-  ExpectTriangulated({{{{0, 0}, {2, 0}, {2, 3}, {1.9, 3}, {1.8, 1}, {1, 1}, {1, 2}, {0, 2}}, round}});
+  ExpectTriangulated(
+      {{{{0, 0}, {2, 0}, {2, 3}, {1.9, 3}, {1.8, 1}, {1, 1}, {1, 2}, {0, 2}}, round}});
 }
 
 }  // namespace

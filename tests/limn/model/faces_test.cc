@@ -147,6 +147,20 @@ TEST(Faces, GoWithTheLinksThatBoundThem) {
   }
 }
 
+TEST(Faces, GoWithLinksThatChanged) {
+  DrawingGraph cube = testing::UnitCube();
+  const std::vector<DrawingFace> before = cube.faces;
+  std::vector<uint8_t> changed(cube.links.size(), 0);
+  DropFacesOf(changed, &cube);
+  EXPECT_EQ(cube.faces.size(), before.size());
+  changed[0] = 1;
+  DropFacesOf(changed, &cube);
+  EXPECT_EQ(cube.faces.size(), before.size() - 2);
+  EXPECT_TRUE(Validate(cube).empty());
+  DropFacesOf(changed, &cube);
+  EXPECT_EQ(cube.faces.size(), before.size() - 2);
+}
+
 TEST(Faces, BridgesKeepTheirPlace) {
   DrawingFace face = testing::PlateWithHole().faces[0];
   const std::vector<int> reversed = {9, 8, 7, 6, 5, 4, 3, 2, 1, 0};

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limn/plans/mesh_of_faces.h"
+#include "limn/visibility/face_surface.h"
 #include "support/face_drawing.h"
 
 namespace limn {
@@ -76,7 +76,7 @@ TEST(DepthRange, KeepsDimensionsInside) {
 }
 
 TEST(DepthRange, CutsFaces) {
-  const TriangleMesh mesh = MeshOfFaces(testing::UnitCube().faces);
+  const TriangleMesh mesh = MeshOf(testing::UnitCube().faces);
   EXPECT_NEAR(AreaOfAll(mesh), 6, 1e-12);
   EXPECT_NEAR(AreaOfAll(Clipped(mesh, {Eigen::Vector3d::UnitZ(), -1, 0.25})), 2, 1e-12);
   EXPECT_NEAR(AreaOfAll(Clipped(mesh, {Eigen::Vector3d::UnitZ(), 0.25, 0.5})), 1, 1e-12);

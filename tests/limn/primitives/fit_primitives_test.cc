@@ -205,6 +205,19 @@ TEST(FitPrimitives, WhatNoViewSeesGetsNone) {
   EXPECT_TRUE(FitPrimitives({}, Views(), {}, {}).graph.links.empty());
 }
 
+TEST(FitPrimitives, RegularitiesAndFacesEnd) {
+  Scene scene;
+  scene.AddCurve(LineCurve({0, 0, 0}, {0.5, 0, 0}), 0.5);
+  DrawingGraph graph = scene.graph();
+  graph.regularities.directions = {{Eigen::Vector3d::UnitX(), {}}};
+  DrawingFace face;
+  face.loops = {{{0, 0, 1, {}}}};
+  graph.faces = {face};
+  const PrimitiveResult result = Fit(graph);
+  EXPECT_TRUE(result.graph.regularities.IsEmpty());
+  EXPECT_TRUE(result.graph.faces.empty());
+}
+
 TEST(FitPrimitives, OptionsAreChecked) {
   PrimitiveOptions options;
   options.noise_px = 0;

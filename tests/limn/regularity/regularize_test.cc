@@ -204,6 +204,31 @@ TEST(Regularize, NoResidualGrows) {
   }
 }
 
+// A face whose border is a link and a bridge between its ends.
+DrawingFace FaceOf(const DrawingGraph& graph, LinkId id) {
+  const DrawingLink& link = graph.links[id];
+  const FaceEdge whole = {id, 0, static_cast<double>(link.size() - 1), {}};
+  const FaceEdge back = {-1, 0, 0, {link.points_in_world.back(), link.points_in_world.front()}};
+  DrawingFace face;
+  face.loops = {{whole, back}};
+  return face;
+}
+
+TEST(Regularize, FacesStayWithLinksThatStay) {
+  NoisyDrawing drawing;
+  AddBox(&drawing);
+  const Vector3d alone = Vector3d(1, 2, 3).normalized();
+  AddFreeLine(Vector3d(0.6, 0.6, 0), Vector3d(0.6, 0.6, 0) + 0.3 * alone, &drawing);
+  DrawingGraph before = Fitted(&drawing);
+  for (const LinkId id : {0, 12, 5}) before.faces.push_back(FaceOf(before, id));
+  const RegularityResult result = Regularized(before);
+  ASSERT_NE(result.graph.links[0].points_in_world, before.links[0].points_in_world);
+  ASSERT_NE(result.graph.links[5].points_in_world, before.links[5].points_in_world);
+  ASSERT_EQ(result.graph.links[12].points_in_world, before.links[12].points_in_world);
+  ASSERT_EQ(result.graph.faces.size(), 1u);
+  EXPECT_EQ(result.graph.faces[0].loops[0][0].link, 12);
+}
+
 TEST(Regularize, OptionsAreChecked) {
   RegularityOptions options;
   options.max_growth_px = -1;

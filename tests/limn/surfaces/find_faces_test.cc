@@ -71,6 +71,32 @@ TEST(FindFaces, ASquareInSight) {
   EXPECT_EQ(result.graph.links.size(), scene.graph.links.size());
 }
 
+// Over the square between bows that rise on all sides.
+BeliefScene DomeScene(double shown_share) {
+  BeliefScene scene;
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Vector3d from = SquareCorner(k, 0.5), to = SquareCorner(k + 1, 0.5);
+    Polyline3d bow;
+    for (int i = 0; i <= 20; ++i) {
+      const double t = i / 20.0;
+      bow.push_back(from + t * (to - from));
+      bow.back().z() += 0.6 * kHalf * t * (1 - t);
+    }
+    scene.Draw(bow);
+    const int num_shown = static_cast<int>(shown_share * 20);
+    for (int i = 0; i < num_shown; ++i) scene.Show(Segment(bow[i], bow[i + 1]));
+  }
+  return scene;
+}
+
+TEST(FindFaces, APatchMustBeSeenWhole) {
+  const SurfaceResult result = FacesOf(DomeScene(1));
+  ASSERT_EQ(result.graph.faces.size(), 1u);
+  EXPECT_EQ(result.graph.faces[0].surface, FaceSurface::kPatch);
+  EXPECT_EQ(result.graph.faces[0].views.size(), 16u);
+  EXPECT_EQ(NumFaces(DomeScene(0.6)), 0u);
+}
+
 // Of a section of a solid each view shows the near half of the border.
 TEST(FindFaces, NoViewShowsMoreThanHalfOfTheBorder) {
   EXPECT_EQ(NumFaces(SquareScene(1, [](size_t v, int k) { return v % 2 == 0 ? k < 2 : k >= 2; })),

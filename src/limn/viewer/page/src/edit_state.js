@@ -44,7 +44,6 @@ const APPLY = {
   merge(drawing, { links }) {
     if (links.includes(-1)) return;
     const [a, b] = links;
-    if (a === b) return;
     drawing.gone[drawing.linkLength[a] < drawing.linkLength[b] ? a : b] = GONE;
   },
   dimension(drawing, edit, preview) {

@@ -7,6 +7,8 @@ import { Vector3 } from 'three';
 import { canJoin, dimensioning, joining, splitting } from './edits.js';
 
 const NO_LINK = 'There is no curve here.';
+const AT_END =
+  'This is an end of the curve: it is cut only 2 px of the photographs or more from there.';
 
 // Curves that are deleted but shown are not to be edited.
 const live = (drawing, found) => (found && drawing.isLive(found.link) ? found : null);
@@ -30,7 +32,7 @@ export class SplitTool {
     const found = live(this.drawing, this.picking.link(x, y, radius));
     if (!found) return this.on.say(NO_LINK);
     const edit = splitting(this.drawing, found.link, found.position);
-    return edit ? this.on.edit(edit) : this.on.say('This is an end of the curve already.');
+    return edit ? this.on.edit(edit) : this.on.say(AT_END);
   }
 }
 

@@ -202,8 +202,9 @@ export class Editor {
 
   merge() {
     const links = this.liveSelected();
-    if (links.length === 2) this.perform(edits.merging(this.drawing, links));
-    else this.say('Select the two links to merge first.');
+    if (links.length !== 2) return this.say('Select the two links to merge first.');
+    const edit = edits.merging(this.drawing, links);
+    return edit ? this.perform(edit) : this.say('These two links do not run along each other.');
   }
 
   showSelection() {

@@ -2,17 +2,19 @@
 // them], ...}. What they do: edit_state.js; as text in a file: edits_file.js.
 
 import { LINK_KINDS } from './drawing.js';
+import { footprintAt } from './footprint.js';
 import { count, number } from './format.js';
 import { placeOf, refOf, shiftOf } from './link_refs.js';
 import { chained, cutApart, directionAtEnd, nearestOn } from './link_shapes.js';
+import { runAlongEachOther } from './side_by_side.js';
 
 // Ends continue each other that turn less than this from one to the other, over a gap that is small
 // (radii of the drawing) or leads on within the second angle.
 const MAX_TURN_DEG = 30;
 const MAX_GAP_DEG = 45;
 const SMALL_GAP = 1e-3;
-// No cut nearer to an end than this part of a link.
-const MIN_SHARE = 1e-3;
+// No cut nearer to an end than this, px of the photographs; as in src/limn/editing/split_edit.cc.
+const MIN_PART_PX = 2;
 
 const cosine = (degrees) => Math.cos((Math.PI / 180) * degrees);
 const refsOf = (drawing, links) => links.map((link) => refOf(drawing, link));
@@ -34,8 +36,8 @@ export function splitting(drawing, link, position, refs = refsOf(drawing, [link]
   const at = placeOf(drawing, position);
   if (link < 0) return { edit: 'split', links: [link], refs, at, makes: [] };
   const nearest = nearestOn(drawing, link, position);
-  const least = MIN_SHARE * drawing.linkLength[link];
-  const isAtEnd = nearest.along < least || nearest.along > drawing.linkLength[link] - least;
+  const rest = Math.min(nearest.along, drawing.linkLength[link] - nearest.along);
+  const isAtEnd = rest <= MIN_PART_PX * footprintAt(drawing.views, nearest.position);
   if (isAtEnd && !drawing.isClosed(link)) return null;
   const parts = cutApart(drawing, link, nearest);
   const [first, last] = drawing.linkNodes.subarray(2 * link, 2 * link + 2);
@@ -77,7 +79,10 @@ export function joining(drawing, links, ends, refs = refsOf(drawing, links)) {
   return { ...edit, makes: [drawing.append({ points, like: links[0], nodes })] };
 }
 
+// Null if drawing_editor would not merge them.
 export function merging(drawing, links, refs = refsOf(drawing, links)) {
+  const [a, b] = links;
+  if (!links.includes(-1) && (a === b || !runAlongEachOther(drawing, links))) return null;
   return { edit: 'merge', links, refs };
 }
 

@@ -157,7 +157,10 @@ const RESOLVE = {
     // The file goes on to say what it said, also of links that run the other way here.
     return { ...edit, refs: refs.map((ref, i) => turned(ref, at[i] !== ends[i].end)) };
   },
-  merge: (drawing, find, { links }) => make.merging(drawing, links.map(find), links),
+  merge(drawing, find, { links }) {
+    const edit = make.merging(drawing, links.map(find), links);
+    return edit ?? make.merging(drawing, [-1, -1], links);
+  },
   dimension(drawing, find, { from, to, shift }) {
     const refs = [from.link, to.link];
     const [start, end] = [from.at, to.at].map((place) => drawing.fromModel(place));

@@ -20,8 +20,9 @@ export function samplesOf(drawing, link, count) {
   return [...samples, drawing.point(end - 1)];
 }
 
-// The point of a link that is nearest to a place: {position, vertex, distance, along}; `vertex` begins
-// its segment, `along` is the length up to it.
+// The point of a link that is nearest to a place: {position, vertex, share, direction, distance,
+// along}; `vertex` begins its segment, which runs in `direction` and of which it has a share behind
+// it; `along` is the length up to it.
 export function nearestOn(drawing, link, place) {
   const [begin, end] = drawing.range(link);
   let best = { distance: Infinity };
@@ -39,10 +40,15 @@ export function nearestOn(drawing, link, place) {
     const distance = position.distanceTo(place);
     const length = Math.sqrt(square);
     if (distance < best.distance) {
-      best = { position: position.clone(), vertex, distance, along: done + within * length };
+      best = { position: position.clone(), vertex, share: within, distance };
+      best.along = done + within * length;
     }
     done += length;
   }
+  best.direction = drawing
+    .point(best.vertex + 1)
+    .sub(drawing.point(best.vertex))
+    .normalize();
   return best;
 }
 
