@@ -1,8 +1,48 @@
+#include <exception>
+#include <memory>
+#include <string>
+
 #include "colmap_ext/commands/commands.h"
 #include "colmap_ext/run/drawer_run.h"
 #include "colmap_ext/run/ranks.h"
+#include "colmap_ext/run/workspace_watch.h"
+#include "colmap_ext/workspace/error_line.h"
+#include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
+namespace {
+
+// `watch` may be null.
+void Draw(const DrawerOptions& options, const OptionParser& parser, WorkspaceWatch* watch,
+          Console* console) {
+  const Project project(options.run, console);
+  if (watch) watch->WatchImages(project, options.run.view.mask_path);
+  if (DrawProject(project, options, console)) parser.WriteIni(project.CurvesPath("project.ini"));
+}
+
+// Draws once, and then whenever the workspace has changed, until it is interrupted. Only errors of
+// the first run end it: later ones may come from files that somebody is writing.
+void DrawAndWatch(DrawerOptions options, const OptionParser& parser,
+                  const ConsoleMaker& make_console) {
+  WorkspaceWatch watch(ResolveLayout(options.run.layout).model_dir);
+  for (bool is_first = true;; is_first = false) {
+    const auto console = make_console(options.run.num_threads, true);
+    watch.Look();
+    try {
+      Draw(options, parser, &watch, console.get());
+      options.run.update = true;
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const std::exception& error) {
+      if (is_first) throw;
+      PrintErrorLine(std::string("ERROR: ") + error.what());
+    }
+    console->Say("Waiting for changes of model and images; Ctrl-C ends");
+    if (!watch.WaitForChange(console->context())) return;
+  }
+}
+
+}  // namespace
 
 int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console) {
   // The others begin when rank 0 knows that there is work and holds the lock.
@@ -14,12 +54,13 @@ int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& ma
     AsRankZero(false);
     return 0;
   }
+  if (options.watch) {
+    DrawAndWatch(options, *parser, make_console);
+    return 0;
+  }
   options.run.is_led = !leads;
   const auto console = make_console(options.run.num_threads, leads);
-  const Project project(options.run, console.get());
-  if (DrawProject(project, options, console.get())) {
-    parser->WriteIni(project.CurvesPath("project.ini"));
-  }
+  Draw(options, *parser, nullptr, console.get());
   return 0;
 }
 

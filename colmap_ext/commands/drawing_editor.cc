@@ -16,9 +16,7 @@ int RunDrawingEditor(int argc, const char* const* argv, const ConsoleMaker& make
       {.linking = true, .refit = true, .overwrites = true}, argc, argv, &options,
       [&](OptionParser* more) {
         more->AddOption("edits", &edits_path, BasicOption("edits.json, as made in drawing.html"));
-        more->AddOption("drawing_path", &drawing_path,
-                        BasicOption("drawing.json to start from, instead of the one in the "
-                                    "output folder"));
+        AddDrawingPath(&drawing_path, more);
       });
   if (!parser) return 0;
   const auto console = make_console(options.num_threads, /*speaks=*/true);

@@ -14,11 +14,7 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
   const auto parser = ParseRunOptions(
       "drawing_refiner", "fit the drawing that curve_drawer has stored to all images",
       {.linking = true, .refinement = true, .overwrites = true}, argc, argv, &options,
-      [&](OptionParser* more) {
-        more->AddOption("drawing_path", &drawing_path,
-                        BasicOption("drawing.json to start from, instead of the one in the "
-                                    "output folder"));
-      });
+      [&](OptionParser* more) { AddDrawingPath(&drawing_path, more); });
   if (!parser) return 0;
   const auto console = make_console(options.num_threads, /*speaks=*/true);
   const Project project(options, console.get());
@@ -39,6 +35,7 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
   WriteDrawingResults(project, views, graph, provenance, given.metadata.alignment, console.get());
   SayTrust(MeasureTrust(project.view_set(), views, image_curves.curves, graph), HasBox(provenance),
            console.get());
+  SayDroppedFaces(given.graph, graph, console.get());
   console->RepeatWarnings();
   return 0;
 }

@@ -11,11 +11,8 @@ int RunDrawingRegularizer(int argc, const char* const* argv, const ConsoleMaker&
   std::string drawing_path;
   const auto parser = ParseRunOptions(
       "drawing_regularizer", "make a stored drawing regular: parallel, at right angles, in planes",
-      {.regularities = true, .overwrites = true}, argc, argv, &options, [&](OptionParser* more) {
-        more->AddOption("drawing_path", &drawing_path,
-                        BasicOption("drawing.json to start from, instead of the one in the "
-                                    "output folder"));
-      });
+      {.regularities = true, .overwrites = true}, argc, argv, &options,
+      [&](OptionParser* more) { AddDrawingPath(&drawing_path, more); });
   if (!parser) return 0;
   const auto console = make_console(options.num_threads, /*speaks=*/true);
   const Project project(options, console.get());
@@ -28,6 +25,7 @@ int RunDrawingRegularizer(int argc, const char* const* argv, const ConsoleMaker&
   console->Report(result.summary);
   CheckGraph(result.graph);
   SayRegularities(result.graph, result.moves, console.get());
+  SayDroppedFaces(given.graph, result.graph, console.get());
   WriteDrawingResults(project, project.views(), result.graph, provenance, given.metadata.alignment,
                       console.get());
   console->RepeatWarnings();

@@ -288,6 +288,7 @@ std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDraw
   auto refined = MakeDrawing(drawing->scene, std::move(made), graph, judged.cameras, provenance);
   SayTrust(MeasureTrust(scene.view_set(), refined->views, *curves, graph), HasBox(provenance),
            &console);
+  SayDroppedFaces(drawing->graph, graph, &console);
   refined->metadata.alignment = drawing->metadata.alignment;
   refined->curves = curves;
   refined->made.log = console.log();
@@ -303,12 +304,13 @@ std::shared_ptr<SceneDrawing> RegularizeSceneDrawing(std::shared_ptr<const Scene
       AddOptions(drawing->made, "regularize", {.regularities = true}, options, kOptionsOfSketch);
   const RunOptions& run = regular->made.options;
   LibraryConsole console(run.num_threads, monitor);
-  const RegularityResult result = Regularize(GraphInScene(*drawing), drawing->views,
-                                             run.pipeline.regularity, run.pipeline.primitives,
-                                             console.context());
+  const RegularityResult result =
+      Regularize(GraphInScene(*drawing), drawing->views, run.pipeline.regularity,
+                 run.pipeline.primitives, console.context());
   console.Report(result.summary);
   CheckGraph(result.graph);
   SayRegularities(result.graph, result.moves, &console);
+  SayDroppedFaces(drawing->graph, result.graph, &console);
   regular->graph = Moved(result.graph, drawing->scene->scene.origin());
   regular->metadata.options_json = RegularityProvenance(run, drawing->metadata.options_json);
   regular->made.log = console.log();

@@ -88,6 +88,7 @@ void Console::Say(const std::string& line) {
 }
 
 void Console::RepeatWarnings() {
+  ReportCache();
   if (log_.warnings.empty()) return;
   Say("Warnings of this run (" + WithCommas(std::ssize(log_.warnings)) + "):");
   for (const std::string& warning : log_.warnings) Say("  " + warning);

@@ -47,7 +47,8 @@ class Console {
   // then the counts in, kept and dropped, the seconds since the last summary and the peak memory of
   // the program.
   void Report(const StageSummary& summary);
-  // Shows the warnings of the whole run again, if there are any: stages hide them.
+  // Shows what could not be stored since the last stage, and then the warnings of the whole run
+  // again, if there are any: stages hide them.
   void RepeatWarnings();
   // The cache that results are stored in from now on.
   void SetCache(std::shared_ptr<const ResultCache> cache);

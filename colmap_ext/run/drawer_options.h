@@ -13,6 +13,8 @@ struct DrawerOptions {
   RunOptions run;
   // Report what became of every edgel.
   bool account = false;
+  // Draw again whenever the workspace changes, until interrupted.
+  bool watch = false;
   // Write drawing.html with a report, judged by this truth if there is one.
   bool page = true;
   TruthInput truth;

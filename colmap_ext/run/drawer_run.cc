@@ -18,8 +18,8 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   CheckRunOutputs(project, run);
   CheckSceneViews(project);
   const SceneAligner aligner(project, run.layout, options.align, console);
-  const PipelineInput input{project.views(), project.view_set().hints, project.images(),
-                            SceneBox(project, run), project.cache()};
+  const PipelineInput input{project.views(),        project.view_set().hints, project.images(),
+                            SceneBox(project, run), project.cache(),          run.update};
   const std::vector<Tile> tiles = PlanSceneTiles(input, options, console);
   if (!run.shard.empty()) {
     DoShard(input, tiles, run, console);
@@ -35,13 +35,14 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   WriteRefinedModel(project, result->cameras, console);
   const std::vector<View>& views = ViewsOfDrawing(project, result->cameras);
   WriteDrawingResults(project, views, result->graph, Provenance(run),
-                      aligner.Align(views, result->graph, console), console);
+                      aligner.Align(views, result->graph, console), console, result->new_views);
   if (options.account) WriteAccount(project, *result, console);
   const Trust trust = MeasureTrust(project.view_set(), views, result->curves, result->graph);
   SayTrust(trust, !run.box.empty(), console);
   if (options.page) {
     WritePageWithReport(project, run, views, result->graph, trust, options.truth, console);
   }
+  result->keep();
   console->RepeatWarnings();
   return std::move(result->graph);
 }

@@ -27,13 +27,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A picture per photograph; one photograph per thread is in memory.
-void WritePictures(const Project& project, const std::string& folder, const RunContext& context,
-                   const std::function<Picture(ViewId)>& draw) {
-  ParallelFor(context, folder.c_str(), project.views().size(), [&](size_t v) {
-    WritePng(PicturePath(project.CurvesPath(folder), project.views()[v].name),
-             draw(static_cast<ViewId>(v)));
-  });
+// A picture per photograph; one photograph per thread is in memory. Those of other views than
+// `only` are kept if they are there.
+void WritePictures(const Project& project, const std::string& folder, const ViewSubset& only,
+                   const RunContext& context, const std::function<Picture(ViewId)>& draw) {
+  const auto path_of = [&](ViewId view) {
+    return PicturePath(project.CurvesPath(folder), project.views()[view].name);
+  };
+  std::vector<ViewId> views = IdsOf({}, project.views().size());
+  if (only) {
+    std::erase_if(views, [&](ViewId view) {
+      return !std::ranges::binary_search(*only, view) && std::filesystem::exists(path_of(view));
+    });
+  }
+  ParallelFor(context, folder.c_str(), views.size(),
+              [&](size_t i) { WritePng(path_of(views[i]), draw(views[i])); });
   ReleaseDecoded(project.view_set());
 }
 
@@ -89,7 +97,7 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
   } catch (const IoError&) {
     refuse("exists, and is no drawing of this version of limn");
   }
-  if (metadata.view_names != Metadata(project, "{}").view_names) {
+  if (!options.update && metadata.view_names != Metadata(project, "{}").view_names) {
     refuse("is a drawing of other images");
   }
   const Json old_options = Json::parse(metadata.options_json);
@@ -172,6 +180,7 @@ std::string RefinementProvenance(const RunOptions& options, const std::string& d
   const Json now = Json::parse(OptionsAsJson(options.pipeline));
   json["DrawingRefinement"] = now["DrawingRefinement"];
   json["Belief"] = now["Belief"];
+  json["Surfaces"] = nullptr;  // faces end as links move
   json["Primitives"] = now["Primitives"];
   json["regularize"] = now["regularize"];
   json["Regularity"] = now["Regularity"];
@@ -214,6 +223,12 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
   return std::move(*stored);
 }
 
+void AddDrawingPath(std::string* drawing_path, OptionParser* parser) {
+  parser->AddOption("drawing_path", drawing_path,
+                    BasicOption("drawing.json to start from, instead of the one in the output "
+                                "folder"));
+}
+
 StartingDrawing ReadStartingDrawing(
     const Project& project, const RunOptions& options, const std::string& drawing_path,
     const std::function<std::string(const RunOptions&, const std::string&)>& provenance_of) {
@@ -243,6 +258,13 @@ void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Co
   console->Say("regularities: " + DescribeRegularities(graph) + text);
 }
 
+void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Console* console) {
+  if (after.faces.size() >= before.faces.size()) return;
+  console->Say("WARNING: links have moved: of " + std::to_string(before.faces.size()) +
+               " faces between them there are " + std::to_string(after.faces.size()) +
+               " left; run drawing_surfacer again");
+}
+
 void SayLinksBehind(const std::vector<LinkId>& links, Console* console) {
   if (links.empty()) return;
   constexpr size_t kMaxNamed = 20;
@@ -270,7 +292,8 @@ DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path) {
 
 void WriteDrawingResults(const Project& project, const std::vector<View>& views,
                          const DrawingGraph& graph, const std::string& provenance,
-                         const std::optional<Alignment>& alignment, Console* console) {
+                         const std::optional<Alignment>& alignment, Console* console,
+                         const ViewSubset& pictures) {
   DrawingMetadata metadata = Metadata(project, provenance);
   metadata.alignment = alignment;
   const DrawingGraph in_model = Moved(graph, project.origin());
@@ -281,7 +304,7 @@ void WriteDrawingResults(const Project& project, const std::vector<View>& views,
   }
   WriteTracks(project.CurvesPath("tracks.txt"), graph, {},
               InWholeImages(project.view_set(), views));
-  WritePictures(project, "overlays", console->context(), [&](ViewId v) {
+  WritePictures(project, "overlays", pictures, console->context(), [&](ViewId v) {
     return DrawOverlay(project.images().read(v), views[v], v, graph);
   });
   SayPrimitives(graph, console);
@@ -296,7 +319,7 @@ void WriteAccount(const Project& project, const PipelineResult& result, Console*
                     console->context());
   WriteFileAtomically(project.CurvesPath("account.csv"),
                       [&](std::ostream& out) { WriteAccountCsv(project.views(), fates, out); });
-  WritePictures(project, "account", console->context(), [&](ViewId v) {
+  WritePictures(project, "account", std::nullopt, console->context(), [&](ViewId v) {
     return DrawAccount(project.images().read(v), result.curves[v], fates[v]);
   });
   console->Say("Written: " + project.CurvesPath("account.csv") + ", " +

@@ -11,6 +11,7 @@
 #include "limn/model/curve3d.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/view_subset.h"
 #include "limn/pipeline/pipeline.h"
 #include "limn/regularity/regularize.h"
 
@@ -79,8 +80,14 @@ DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path);
 // Says what is regular in a drawing, and how far ends of links moved for it.
 void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Console* console);
 
+// Warns if a drawing has fewer faces than the one that it was made from.
+void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Console* console);
+
 // Says which links faces hide from most of their views.
 void SayLinksBehind(const std::vector<LinkId>& links, Console* console);
+
+// The option --drawing_path of commands that go on with a stored drawing (ReadStartingDrawing).
+void AddDrawingPath(std::string* drawing_path, OptionParser* parser);
 
 // A stored drawing that a command goes on with, and the provenance of what it makes of it.
 struct StartingDrawing {
@@ -99,10 +106,12 @@ DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);
 
 // Writes drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.
 // `views` are the project's views with the cameras that the drawing fits. An alignment is stored in
-// drawing.json; all positions are the model's.
+// drawing.json; all positions are the model's. Overlays of other views than `pictures` are kept if
+// they are there.
 void WriteDrawingResults(const Project& project, const std::vector<View>& views,
                          const DrawingGraph& graph, const std::string& provenance,
-                         const std::optional<Alignment>& alignment, Console* console);
+                         const std::optional<Alignment>& alignment, Console* console,
+                         const ViewSubset& pictures = std::nullopt);
 
 // Writes <curves>/account.csv and <curves>/account/<image name>.png: what became of every edgel
 // (see edgel_account.h and DrawAccount).

@@ -38,6 +38,8 @@ struct RunOptions {
   bool is_led = false;
   // Replace results made with other options, from other images or not by limn.
   bool overwrite = false;
+  // Bring the drawing that is there up to date (limn/pipeline/update_scene.h).
+  bool update = false;
 
   // Throws OptionError.
   void Check() const;

@@ -15,8 +15,8 @@
 #include "limn/geometry/point_spacing.h"
 #include "limn/plans/depth_range.h"
 #include "limn/plans/face_axes.h"
-#include "limn/plans/mesh_of_faces.h"
 #include "limn/util/errors.h"
+#include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"
 
 namespace limn::colmap_ext {
@@ -100,7 +100,7 @@ IsHidden HiddenOn(const SvgSheet& sheet, const DepthRange& range, const SvgSourc
   const std::string& path = source.dense.dense_path;
   if (!path.empty()) return HiddenBy(path, input.file_from_model, range, frame);
   if (!FacesHide(source, input.faces, console)) return {};
-  const TriangleMesh mesh = Clipped(MeshOfFaces(input.faces), range);
+  const TriangleMesh mesh = Clipped(MeshOf(input.faces), range);
   return HiddenOnSheet(RenderOrthographicDepth(mesh, frame));
 }
 
@@ -131,6 +131,9 @@ Section SectionAt(double height, const PlanOptions& plan, const SheetInput& inpu
                std::to_string(section.NumClosed()) + " closed (gaps up to " +
                ShortNumber(gap, DecimalsFor(0.01 * std::max(gap, 1e-12))) + "); " +
                std::to_string(section.points.size()) + " places where links are cut");
+  if (input.faces.empty()) {
+    console->Say("WARNING: the drawing has no faces to cut: run drawing_surfacer first");
+  }
   return section;
 }
 
@@ -281,7 +284,7 @@ SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
       !LookForDenseProducts(fuser.paths, workspace.workspace_path, project.layout().dense_dir);
   if (by_faces) {
     if (!FacesHide(source, faces, console)) return scene;
-    TriangleMesh mesh = MeshOfFaces(faces);
+    TriangleMesh mesh = MeshOf(faces);
     for (Eigen::Vector3d& vertex : mesh.vertices) vertex -= project.origin();
     const View& seen_in = project.views()[view];
     scene.picture.is_hidden = HiddenInView(seen_in, RenderDepth(mesh, seen_in, /*scale=*/1));

@@ -27,7 +27,12 @@ std::vector<fs::path> MakeFolders(const fs::path& folder) {
        at = at.parent_path()) {
     missing.push_back(at);
   }
-  fs::create_directories(folder, error);
+  // Another process may remove a folder between a failed attempt to make it and the look at it.
+  constexpr int kMaxAttempts = 100;
+  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+    fs::create_directories(folder, error);
+    if (error != std::errc::file_exists) break;
+  }
   if (error) throw IoError(folder.string(), "cannot create the folder: " + error.message());
   return missing;
 }

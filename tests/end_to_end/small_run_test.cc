@@ -117,7 +117,9 @@ TEST_F(SmallRun, StepByStepGivesTheSameDrawing) {
   Run("curve_drawer", "steps");
   Run("drawing_refiner", "steps");
   EXPECT_GT(fs::remove_all(Output("steps", "curves/cache/edges")), 8u);
-  EXPECT_EQ(ReadTree(dir_ / "steps"), Results(dir_ / "automatic"));
+  // For updates, which only the main job does.
+  EXPECT_EQ(fs::remove_all(Output("automatic", "curves/cache/scene")), 2u);
+  EXPECT_TRUE(ReadTree(dir_ / "steps") == Results(dir_ / "automatic"));
 }
 
 TEST_F(SmallRun, RefinedCamerasAreAModelOfTheirOwn) {

@@ -120,8 +120,8 @@ def change_stage_file(chooser, path):
     at = 16
     size, = struct.unpack_from('<Q', data, at)
     at += 8 + size
-    packed_size, = struct.unpack_from('<Q', data, at + 8)
-    payload = zlib.decompress(data[at + 16:at + 16 + packed_size])
+    payload_size, = struct.unpack_from('<Q', data, at)
+    payload = data[at + 8:at + 8 + payload_size]
     kind = chooser.choice(['word', 'word', 'word', 'cut', 'doubled', 'noise'])
     if kind == 'word':
         payload = change_word(chooser, payload)
@@ -131,9 +131,8 @@ def change_stage_file(chooser, path):
         payload += payload
     else:
         payload = bytes(chooser.randrange(256) if chooser.random() < 0.001 else byte for byte in payload)
-    packed = zlib.compress(payload, 1)
     claimed = chooser.choice([len(payload)] * 9 + [2**40])
-    data = data[:at] + struct.pack('<QQ', claimed, len(packed)) + packed
+    data = data[:at] + struct.pack('<Q', claimed) + payload
     path.write_bytes(data + struct.pack('<I', zlib.crc32(data)))
     return f'{path.name}: {kind} of its payload'
 

@@ -287,6 +287,8 @@ class Case:
             changes_the_cache = self.kind == 'stored' and option != '--Tiles.max_views'
             if option in names and not changes_the_cache and self.chance(probability):
                 self.options[option] = value
+        if '--update' in names and self.kind in ('stored', 'images') and self.chance(0.5):
+            self.options['--update'] = '1'
 
     def set_options_of_truth_extractor(self):
         self.set_options_of_project()

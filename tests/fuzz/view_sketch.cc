@@ -9,7 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string path = limn::fuzz::ScratchPath();
   limn::WriteStageFile(path, limn::StageKind::kViewSketch, "", limn::fuzz::Text(data, size));
   return limn::fuzz::ExpectReadOrRefused([&] {
-    auto sketch = limn::ReadViewSketch(path, 0, limn::fuzz::SketchedCurves(), "");
+    const std::vector<limn::ImageCurves> curves = limn::fuzz::SketchedCurves();
+    auto sketch = limn::ReadViewSketch(path, 0, limn::PointersTo(curves), "");
     limn::fuzz::DrawAndAccount({std::move(sketch->curves)}, 0, sketch->fates);
   });
 }

@@ -54,7 +54,7 @@ void CountCopies(const TopologyInput& input, ViewId view, const CurveSight& sigh
     const Eigen::Vector2d place = sight.position_px + shift * sight.Across();
     if (!input.views[view].region.Contains(place)) continue;
     ++counts->copies;
-    const auto match = input.edgels[view]->edgels.Best(place, sight.direction_rad, input.gate);
+    const auto match = input.edgels[view]->edgels.Best(place, sight.direction, input.gate);
     if (match) Count(match->normal_residual_px, input.gate.normal_px, &counts->copies_hit);
   }
 }
@@ -88,8 +88,7 @@ LinkSight SightOf(const TopologyInput& input, ViewId view,
     if (!sight) continue;
     contained[k] = 1;
     ++counts->contained;
-    matches[k] =
-        input.edgels[view]->edgels.Best(sight->position_px, sight->direction_rad, input.gate);
+    matches[k] = input.edgels[view]->edgels.Best(sight->position_px, sight->direction, input.gate);
     if (k % stride == 0) CountCopies(input, view, *sight, counts);
   }
   LinkSight shown = {view, ShownHits(contained, matches)};

@@ -153,7 +153,7 @@ class Crossings {
     const CurveSight& here = *near.sights[sample];
     const CurveSight& there = *far.sights[other.sample];
     return (here.position_px - there.position_px).norm() <= kCrossingPx &&
-           std::abs(std::cos(here.direction_rad - there.direction_rad)) <= kMaxCosine &&
+           std::abs(here.direction.dot(there.direction)) <= kMaxCosine &&
            Distance(far, other.sample) - Distance(near, sample) >
                kMinBehindPx * links_[near.link].footprint &&
            ContinuesOnBothSides(far, other.sample) && IsMissing(near, sample);

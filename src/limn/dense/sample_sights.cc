@@ -132,7 +132,7 @@ SampleSight LookAtSample(const View& view, const DepthImage& image, const Eigen:
   const auto direction = ProjectedDirection(view, position, tangent);
   if (result.sight != Sight::kVisible || !direction) return result;
   // Left of the direction, where y points down.
-  const Eigen::Vector2d left(std::sin(*direction), -std::cos(*direction));
+  const Eigen::Vector2d left(direction->y(), -direction->x());
   const double offset_px = std::max(options.side_offset_px, 2 * look.cell_px());
   look.LookAside(*pixel, left, offset_px, &result.sides[0], &result.normals[0]);
   look.LookAside(*pixel, -left, offset_px, &result.sides[1], &result.normals[1]);

@@ -15,6 +15,9 @@ namespace limn {
 namespace {
 
 constexpr int kRounds = 3;
+// In all rounds but the last, every so many-th sample moves to its edgels, and smoothing moves the
+// others.
+constexpr int kFirstStep = 2;
 constexpr int kGaussNewtonSteps = 3;
 // Standard deviation of the weak pull to the start of a step, px. It decides only what the edgels
 // leave open.
@@ -42,10 +45,14 @@ class CurveRetriangulation {
     samples_.footprint.resize(curve_.size());
     support_ = curve_.support;
     for (int round = 0; round < kRounds; ++round) {
-      for (int s = 0; s < samples_.NumSamples(); ++s) MoveToEdgels(s);
+      // In the end all samples.
+      const int step = round + 1 < kRounds ? kFirstStep : 1;
+      for (int s = 0; s < samples_.NumSamples(); ++s) {
+        s % step == 0 ? MoveToEdgels(s) : LeaveToSmoothing(s);
+      }
       samples_.position = SmoothCurve(samples_, curve_.closed, options_.bending_sigma_px);
       UpdateTangents();
-      UpdateSupport();
+      UpdateSupport(step);
     }
     const std::vector<ViewId> near = finder_.NearAnyOf(samples_.position);
     std::vector<uint8_t> supported;
@@ -71,6 +78,11 @@ class CurveRetriangulation {
     samples_.information[s] = fit.Information();
   }
 
+  void LeaveToSmoothing(int s) {
+    samples_.footprint[s] = samples_.footprint[s - 1];
+    samples_.information[s].setZero();
+  }
+
   void UpdateTangents() {
     for (int s = 0; s < samples_.NumSamples(); ++s) {
       const Eigen::Vector3d tangent =
@@ -80,12 +92,18 @@ class CurveRetriangulation {
   }
 
   // Chooses the best edgels at the new positions, in all views that support any sample of the
-  // curve. The primary view keeps the sample's own edgel while it shows any within the gate.
-  void UpdateSupport() {
+  // curve. The primary view keeps the sample's own edgel while it shows any within the gate. Of
+  // every `step`-th sample; the others keep theirs.
+  void UpdateSupport(int step) {
     std::set<ViewId> views;
     for (const EdgelRef& ref : support_.edgels) views.insert(ref.view);
+    const SupportLists before = std::move(support_);
     support_ = {};
     for (int s = 0; s < samples_.NumSamples(); ++s) {
+      if (s % step != 0) {
+        support_.Append({before.Of(s).begin(), before.Of(s).end()});
+        continue;
+      }
       std::vector<EdgelRef> of_sample;
       for (const ViewId v : views) {
         const auto ref =

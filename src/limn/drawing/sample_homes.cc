@@ -42,7 +42,7 @@ double SampleHomes::ReprojectedDistancePx(int sample, int vertex) const {
     const auto direction = ProjectedDirection(view, position, samples_.tangent[sample]);
     if (!direction) continue;
     const EdgelLine line(view.camera.Project(view.cam_from_world * position),
-                         {std::sin(*direction), -std::cos(*direction)});
+                         {direction->y(), -direction->x()});
     const auto residual = ResidualToEdgel(view, line, samples_.position[vertex]);
     if (residual) distances.push_back(std::abs(residual->residual_px));
   }

@@ -33,7 +33,7 @@ std::optional<Edgel> ProjectSample(const View& view, const CurveSamples& samples
   if (!direction) return std::nullopt;
   Edgel edgel;
   edgel.position_px = *pixel;
-  edgel.tangent_rad = *direction;
+  edgel.tangent_rad = std::atan2(direction->y(), direction->x());
   return edgel;
 }
 
@@ -65,7 +65,7 @@ bool CurveVisibility::Shows(ViewId view, int sample) const {
   const auto& supporting = curves_[samples_.CurveOf(sample)].supporting_views;
   if (!std::binary_search(supporting.begin(), supporting.end(), view)) return false;
   const auto seen = ProjectSample(views_[view], samples_, sample);
-  return seen && edgels_[view]->edgels.Best(seen->position_px, seen->tangent_rad, gate_);
+  return seen && edgels_[view]->edgels.Best(seen->position_px, seen->Tangent(), gate_);
 }
 
 // The views that contain the sample, within the viewing angle, nearest first.

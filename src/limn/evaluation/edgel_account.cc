@@ -5,7 +5,6 @@
 #include <cmath>
 #include <ostream>
 
-#include "limn/geometry/epipolar.h"
 #include "limn/support/edgel_index.h"
 #include "limn/support/edgel_residual.h"
 
@@ -13,7 +12,7 @@ namespace limn {
 namespace {
 
 constexpr double kReachPx = 1.5;
-constexpr double kMaxAngleRad = 20 * M_PI / 180;
+const double kMinCosine = std::cos(20 * M_PI / 180);
 constexpr double kStepPx = 1;
 
 // Mark the edgels of one view that a piece of a link projects onto.
@@ -29,7 +28,7 @@ void ExplainAlong(const View& view, const Eigen::Vector3d& from, const Eigen::Ve
     index.ForEachWithin(pixel, kReachPx, [&](EdgelId id) {
       EdgelFate& fate = (*fates)[id];
       if (fate == EdgelFate::kDrawn) return;
-      if (UndirectedAngle(*direction, edge_map.edgels[id].tangent_rad) > kMaxAngleRad) return;
+      if (std::abs(direction->dot(edge_map.edgels[id].Tangent())) < kMinCosine) return;
       fate = EdgelFate::kExplained;
     });
   }

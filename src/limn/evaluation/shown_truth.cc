@@ -21,8 +21,8 @@ bool IsShown(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, con
   const auto pixel = view.Project(point);
   if (!pixel) return false;
   if (!direction.isZero()) {
-    const auto angle = ProjectedDirection(view, point, direction);
-    return angle && edgels.Best(*pixel, *angle, gate);
+    const auto along = ProjectedDirection(view, point, direction);
+    return along && edgels.Best(*pixel, *along, gate);
   }
   return edgels.AnyWithin(*pixel, gate.normal_px);
 }

@@ -25,16 +25,17 @@ std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
                                                  const std::string& identity) {
   const std::optional<std::string> payload = ReadStageFile(path, StageKind::kCurveSketch, identity);
   if (!payload) return std::nullopt;
-  ByteReader in(path + " (unpacked)", *payload);
+  ByteReader in(path, *payload);
   StoredCurveSketch stored;
   stored.metadata.options_json = in.GetString();
   in.Check(ParseJson(path, stored.metadata.options_json).is_object(), "the options are no object");
   const size_t num_views = in.GetCount(sizeof(uint64_t));
   for (size_t i = 0; i < num_views; ++i) stored.metadata.view_names.push_back(in.GetString());
   in.Check(num_views == curves.size(), "made from another number of views");
+  const CurvesOfViews of_views = PointersTo(curves);
   const size_t num_curves = in.GetCount(kCurve3dBytes);
   for (size_t i = 0; i < num_curves; ++i) {
-    stored.sketch.curves.push_back(GetCurve3d(&in, curves));
+    stored.sketch.curves.push_back(GetCurve3d(&in, of_views));
   }
   in.ExpectEnd();
   return stored;

@@ -135,7 +135,7 @@ void WriteImageCurves(const std::string& path, const ImageCurves& curves,
 std::optional<ImageCurves> ReadImageCurves(const std::string& path, const std::string& identity) {
   const std::optional<std::string> payload = ReadStageFile(path, StageKind::kImageCurves, identity);
   if (!payload) return std::nullopt;
-  ByteReader in(path + " (unpacked)", *payload);
+  ByteReader in(path, *payload);
   ImageCurves curves;
   curves.edge_map = GetEdgeMap(&in);
   const size_t num_edgels = curves.edge_map.edgels.size();

@@ -11,15 +11,16 @@ enum class StageKind : uint32_t {
   kImageCurves = 1,
   kCurveSketch = 2,
   kViewSketch = 3,
-  kDrawing = 4
+  kDrawing = 4,
+  kSceneRecord = 5
 };
 
 // Writes the result of a stage, all numbers little-endian:
 //   char[8] "limnfile" | u32 format version | u32 kind | u64 n, char[n] identity |
-//   u64 size of the payload | u64 m, byte[m] payload (zlib; image curves
-//   stored without compression) | u32 crc32 of all bytes before
-// `identity`, chosen by the caller, represents everything that the payload depends on (options,
-// input). The same input gives the same bytes. Throws IoError.
+//   u64 m, byte[m] payload | u32 crc32 of all bytes before
+// Nothing is packed: numbers of edgels and samples hardly shrink, and to pack some of them takes
+// longer than to make them. `identity`, chosen by the caller, represents everything that the
+// payload depends on (options, input). The same input gives the same bytes. Throws IoError.
 void WriteStageFile(const std::string& path, StageKind kind, std::string_view identity,
                     std::string_view payload);
 

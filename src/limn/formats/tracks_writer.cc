@@ -27,7 +27,8 @@ Pixel StoredPixel(const View& view, const Eigen::Vector3d& point_in_world) {
 
 class RunBuilder {
  public:
-  explicit RunBuilder(const View& view) : view_(view) {}
+  explicit RunBuilder(const View& view)
+      : view_(view), is_convex_(!view.lens && view.region.cell_px == 0) {}
 
   std::vector<std::vector<Eigen::Vector2d>> Build(const std::vector<Eigen::Vector3d>& points) {
     if (points.empty()) return {};
@@ -45,8 +46,11 @@ class RunBuilder {
   Pixel AddSegment(const Eigen::Vector3d& from, const Pixel& from_pixel,
                    const Eigen::Vector3d& to) {
     const Pixel to_pixel = StoredPixel(view_, to);
+    if (!from_pixel && !to_pixel && AreBeyondOneSide(from, to)) return to_pixel;
     int num_steps = kBlindSteps;
-    if (from_pixel && to_pixel) {
+    if (from_pixel && to_pixel && is_convex_) {
+      num_steps = 1;
+    } else if (from_pixel && to_pixel) {
       const double length = (*to_pixel - *from_pixel).norm();
       num_steps = std::clamp(static_cast<int>(std::ceil(length / kStepPx)), 1, kMaxSteps);
     }
@@ -62,6 +66,25 @@ class RunBuilder {
       previous_pixel = next_pixel;
     }
     return to_pixel;
+  }
+
+  // Whether both are behind the camera or beyond one border of the image, and hence all between.
+  bool AreBeyondOneSide(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    return (Clearances(from).array().max(Clearances(to).array()) < 0).any();
+  }
+
+  // How far a point is in front of the camera, and within each border, times depth: linear in it.
+  Eigen::Matrix<double, 5, 1> Clearances(const Eigen::Vector3d& point_in_world) const {
+    const Eigen::Vector3d in_cam = view_.cam_from_world * point_in_world;
+    const PinholeCamera& camera = view_.camera;
+    const double x = camera.fx * in_cam.x() + camera.cx * in_cam.z();
+    const double y = camera.fy * in_cam.y() + camera.cy * in_cam.z();
+    const ImageRegion& region = view_.region;
+    Eigen::Matrix<double, 5, 1> clearances;
+    clearances << in_cam.z(), x - region.min_px.x() * in_cam.z(),
+        region.max_px.x() * in_cam.z() - x, y - region.min_px.y() * in_cam.z(),
+        region.max_px.y() * in_cam.z() - y;
+    return clearances;
   }
 
   void AddStep(const Eigen::Vector3d& from, const Pixel& from_pixel, const Eigen::Vector3d& to,
@@ -86,6 +109,7 @@ class RunBuilder {
   }
 
   const View& view_;
+  bool is_convex_;  // what the image covers: between two visible points all is visible
   std::vector<std::vector<Eigen::Vector2d>> runs_;
 };
 

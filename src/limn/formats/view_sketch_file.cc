@@ -1,6 +1,5 @@
 #include "limn/formats/view_sketch_file.h"
 
-#include "limn/formats/curve3d_bytes.h"
 #include "limn/formats/stage_file.h"
 #include "limn/util/byte_stream.h"
 
@@ -17,11 +16,10 @@ void WriteViewSketch(const std::string& path, const ViewSketch& sketch,
 }
 
 std::optional<ViewSketch> ReadViewSketch(const std::string& path, ViewId view,
-                                         const std::vector<ImageCurves>& curves,
-                                         const std::string& identity) {
+                                         const CurvesOfViews& curves, const std::string& identity) {
   const std::optional<std::string> payload = ReadStageFile(path, StageKind::kViewSketch, identity);
   if (!payload) return std::nullopt;
-  ByteReader in(path + " (unpacked)", *payload);
+  ByteReader in(path, *payload);
   ViewSketch sketch;
   const size_t num_curves = in.GetCount(kCurve3dBytes);
   sketch.curves.reserve(num_curves);
@@ -30,7 +28,7 @@ std::optional<ViewSketch> ReadViewSketch(const std::string& path, ViewId view,
     in.Check(sketch.curves.back().anchor.view == view, "a curve of another view");
   }
   const size_t num_edgels = in.GetCount(1);
-  in.Check(num_edgels == curves[view].edge_map.edgels.size(), "not one fate per edgel");
+  in.Check(num_edgels == curves[view]->edge_map.edgels.size(), "not one fate per edgel");
   sketch.fates.reserve(num_edgels);
   for (size_t i = 0; i < num_edgels; ++i) {
     const uint8_t fate = in.Get<uint8_t>();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/formats/curve3d_bytes.h"
 #include "limn/model/view_sketch.h"
 
 namespace limn {
@@ -13,11 +14,10 @@ void WriteViewSketch(const std::string& path, const ViewSketch& sketch,
                      const std::string& identity);
 
 // Nothing if the file was made from other input or by another version of Limn, and must be made
-// again. An empty `identity` accepts any. `view` was sketched, and `curves` are the image curves of
-// all views. Everything read is checked (anchors in the view, ids in range, a fate for each of its
+// again. An empty `identity` accepts any. `view` was sketched. Views are numbered as when it was
+// written. Everything read is checked (anchors in the view, ids in range, a fate for each of its
 // edgels, numbers finite except unknown sigmas); throws IoError.
 std::optional<ViewSketch> ReadViewSketch(const std::string& path, ViewId view,
-                                         const std::vector<ImageCurves>& curves,
-                                         const std::string& identity);
+                                         const CurvesOfViews& curves, const std::string& identity);
 
 }  // namespace limn

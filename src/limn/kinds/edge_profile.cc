@@ -71,8 +71,7 @@ std::array<float, kNumPlaces> Slopes(const Profile& profile) {
 }  // namespace
 
 std::optional<EdgeProfile> MeasureProfile(const Image& image, const Eigen::Vector2d& place_px,
-                                          double direction_rad) {
-  const Eigen::Vector2d along(std::cos(direction_rad), std::sin(direction_rad));
+                                          const Eigen::Vector2d& along) {
   const std::optional<Profile> profile = MeanProfile(image, place_px, along);
   if (!profile) return std::nullopt;
   const std::array<float, kNumPlaces> slopes = Slopes(*profile);

@@ -27,6 +27,6 @@ struct EdgeProfile {
 // 23.1). Nothing if the image does not contain all of it, if it is masked, or if there is no step
 // of 2 gray levels within 1 px of the curve.
 std::optional<EdgeProfile> MeasureProfile(const Image& image, const Eigen::Vector2d& place_px,
-                                          double direction_rad);
+                                          const Eigen::Vector2d& along);
 
 }  // namespace limn

@@ -53,13 +53,10 @@ std::vector<ProfilePlace> PlacesOf(const DrawingLink& link, double footprint) {
 std::optional<CurveSight> SeeStored(const View& view, const ProfilePlace& place) {
   std::optional<CurveSight> sight = See(view, place.position_in_world, place.tangent);
   if (!sight || !view.lens) return sight;
-  const Eigen::Vector2d arm = kTangentArmPx * Eigen::Vector2d(std::cos(sight->direction_rad),
-                                                              std::sin(sight->direction_rad));
   const auto center = view.StoredFromVirtual(sight->position_px);
-  const auto ahead = view.StoredFromVirtual(sight->position_px + arm);
+  const auto ahead = view.StoredFromVirtual(sight->position_px + kTangentArmPx * sight->direction);
   if (!center || !ahead) return std::nullopt;
-  const Eigen::Vector2d along = *ahead - *center;
-  return CurveSight{*center, std::atan2(along.y(), along.x())};
+  return CurveSight{*center, (*ahead - *center).normalized()};
 }
 
 }  // namespace
@@ -89,7 +86,7 @@ std::vector<LinkProfile> MeasureProfiles(const View& view, const Image& image,
       const ProfilePlace& place = plan.places[link][p];
       const auto sight = SeeStored(view, place);
       if (!sight) continue;
-      const auto profile = MeasureProfile(image, sight->position_px, sight->direction_rad);
+      const auto profile = MeasureProfile(image, sight->position_px, sight->direction);
       if (!profile) continue;
       const double depth = (view.cam_from_world * place.position_in_world).z();
       profiles.push_back({link, static_cast<int>(p), static_cast<float>(depth), *profile});

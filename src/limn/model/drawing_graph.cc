@@ -280,4 +280,14 @@ void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph) {
   *graph = std::move(kept);
 }
 
+void DropFacesOf(const std::vector<uint8_t>& changed, DrawingGraph* graph) {
+  const auto is_changed = [&](const FaceEdge& edge) {
+    return !edge.IsBridge() && changed[edge.link];
+  };
+  std::erase_if(graph->faces, [&](const DrawingFace& face) {
+    return std::ranges::any_of(
+        face.loops, [&](const FaceLoop& loop) { return std::ranges::any_of(loop, is_changed); });
+  });
+}
+
 }  // namespace limn

@@ -173,7 +173,7 @@ struct DrawingGraph {
   std::vector<DrawingNode> nodes;
   std::vector<DrawingLink> links;
   Regularities regularities = {};
-  // Surfaces between the links. Whoever changes links drops those that they bound.
+  // Surfaces between the links. Whoever changes links drops those that they bound (DropFacesOf).
   std::vector<DrawingFace> faces = {};
   std::vector<DrawingDimension> dimensions = {};
 };
@@ -192,5 +192,8 @@ void RebuildIncidence(DrawingGraph* graph);
 // Removes links marked 0, nodes without links and faces that these links bound; the others keep
 // their order. Rebuilds the incidence.
 void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph);
+
+// Drops the faces that links bound which are marked 1: these have a new shape.
+void DropFacesOf(const std::vector<uint8_t>& changed, DrawingGraph* graph);
 
 }  // namespace limn

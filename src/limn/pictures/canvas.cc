@@ -1,6 +1,7 @@
 #include "limn/pictures/canvas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string_view>
@@ -35,9 +36,7 @@ cv::Scalar ScalarOf(const Color& color) {
   return {1. * color.red, 1. * color.green, 1. * color.blue};
 }
 
-uint8_t ToByte(double value) {
-  return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-}
+uint8_t ToByte(double value) { return static_cast<uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5); }
 
 }  // namespace
 
@@ -48,14 +47,16 @@ Canvas::Canvas(int width, int height, int scale)
 
 Canvas::Canvas(const Image& photo, double brightness, int scale)
     : Canvas(photo.width, photo.height, scale) {
+  uint8_t* to = picture_.rgb.data();
+  const int second = photo.channels == 3 ? 1 : 0;
   for (int y = 0; y < picture_.height; ++y) {
-    for (int x = 0; x < picture_.width; ++x) {
-      const size_t pixel = static_cast<size_t>(y / scale) * photo.width + x / scale;
-      for (int c = 0; c < 3; ++c) {
-        const float value = photo.data[pixel * photo.channels + (photo.channels == 3 ? c : 0)];
-        picture_.rgb[3 * (static_cast<size_t>(y) * picture_.width + x) + c] =
-            ToByte(brightness * value);
-      }
+    const float* from =
+        photo.data.data() + static_cast<size_t>(y / scale) * photo.width * photo.channels;
+    for (int x = 0; x < photo.width; ++x, from += photo.channels) {
+      const std::array<uint8_t, 3> color = {ToByte(brightness * from[0]),
+                                            ToByte(brightness * from[second]),
+                                            ToByte(brightness * from[2 * second])};
+      for (int copy = 0; copy < scale; ++copy) to = std::copy(color.begin(), color.end(), to);
     }
   }
 }

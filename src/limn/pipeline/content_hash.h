@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -31,6 +32,13 @@ class ContentHash {
     std::memcpy(raw, &number, sizeof(T));
     Add({raw, sizeof(T)});
   }
+
+  // Eight bytes at once, for many numbers: not the same as their bytes.
+  void AddWord(uint64_t word) {
+    state_ = (state_ ^ word) * 0x100000001b3ULL;
+    state_ ^= state_ >> 32;  // a product carries upwards only
+  }
+  void AddWord(double number) { AddWord(std::bit_cast<uint64_t>(number)); }
 
   // With their count.
   template <typename T>

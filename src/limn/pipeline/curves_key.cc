@@ -23,14 +23,12 @@ void AddView(const View& view, ContentHash* hash) {
 }
 
 void AddEdgel(const Edgel& edgel, ContentHash* hash) {
-  hash->AddNumber(edgel.position_px.x());
-  hash->AddNumber(edgel.position_px.y());
-  hash->AddNumber(edgel.tangent_rad);
-  hash->AddNumber(edgel.strength);
-  hash->AddNumber(edgel.position_sigma_px);
-  hash->AddNumber(edgel.stored_px.x());
-  hash->AddNumber(edgel.stored_px.y());
-  for (int i = 0; i < 4; ++i) hash->AddNumber(edgel.stored_from_virtual(i / 2, i % 2));
+  for (int i = 0; i < 2; ++i) hash->AddWord(edgel.position_px[i]);
+  hash->AddWord(edgel.tangent_rad);
+  hash->AddWord(edgel.strength);
+  hash->AddWord(edgel.position_sigma_px);
+  for (int i = 0; i < 2; ++i) hash->AddWord(edgel.stored_px[i]);
+  for (int i = 0; i < 4; ++i) hash->AddWord(edgel.stored_from_virtual(i / 2, i % 2));
 }
 
 }  // namespace

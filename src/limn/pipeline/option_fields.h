@@ -2,6 +2,7 @@
 
 #include "limn/dense/dense_options.h"
 #include "limn/pipeline/pipeline_options.h"
+#include "limn/pipeline/surface_fields.h"
 #include "limn/pipeline/topology_fields.h"
 #include "limn/util/option_help.h"
 
@@ -202,26 +203,6 @@ void VisitFields(RegularityOptions& o, Visit&& visit) {
   visit("max_growth_px", o.max_growth_px,
         "a link's residual grows by at most this, RMS over the views, px");
   visit("min_length_px", o.min_length_px, "shorter links follow none, px");
-}
-
-template <typename Visit>
-void VisitFields(SurfaceOptions& o, Visit&& visit) {
-  visit("min_length_px", o.min_length_px, "shorter links bound no face, px");
-  visit("plane_tolerance_px", o.plane_tolerance_px,
-        "the links of a face are within this of its plane, px");
-  visit("max_bridge_px", o.max_bridge_px,
-        "ends and links nearer than this are joined where a face asks for it, px");
-  visit("max_extension_px", o.max_extension_px,
-        "links go straight on to another by at most this, px");
-  visit("max_extension_share", o.max_extension_share,
-        "links go straight on to another by at most this share of their length");
-  visit("min_width_px", o.min_width_px, "narrower faces are left out, px");
-  visit("min_shown_share", o.min_shown_share,
-        "share of the border around a place that a view must show to see the place");
-  visit("min_views", o.min_views, "views that must see a place of a face");
-  visit("min_seen_share", o.min_seen_share, "share of the places of a face that must be seen");
-  visit("prior_evidence", o.prior_evidence,
-        "evidence of occlusion that every face begins with, natural logarithm");
 }
 
 template <typename Visit>

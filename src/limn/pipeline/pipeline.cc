@@ -5,6 +5,7 @@
 #include "limn/belief/link_judge.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/pipeline/sketch_views.h"
+#include "limn/pipeline/update_scene.h"
 #include "limn/regularity/regularize.h"
 
 namespace limn {
@@ -22,15 +23,46 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
   return {std::move(sketch), std::move(drawing)};
 }
 
-UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& options,
-                             const RunContext& context, const StageObserver& on_stage_end) {
+namespace {
+
+CurvesResult ExtractAll(const PipelineInput& input, const PipelineOptions& options,
+                        const RunContext& context, const StageObserver& on_stage_end) {
   options.Check();
   CurvesResult image_curves = ExtractCurves({input.views, input.images, input.cache}, options.edges,
                                             options.linking, context);
   on_stage_end(image_curves.summary);
-  DrawnCurves drawn =
-      DrawCurves({input.views, input.hints, image_curves.curves, input.box, input.cache}, options,
-                 context, on_stage_end);
+  return image_curves;
+}
+
+DrawnCurves DrawExtracted(const PipelineInput& input, const CurvesResult& image_curves,
+                          const PipelineOptions& options, const RunContext& context,
+                          const StageObserver& on_stage_end) {
+  return DrawCurves({input.views, input.hints, image_curves.curves, input.box, input.cache},
+                    options, context, on_stage_end);
+}
+
+// If the drawing of an earlier run can be brought up to date; else says why not.
+std::optional<PipelineResult> Update(const PipelineInput& input, CurvesResult* image_curves,
+                                     const PipelineOptions& options, const RunContext& context,
+                                     const StageObserver& on_stage_end) {
+  std::string why_not;
+  std::optional<PipelineResult> result =
+      UpdateScene(input, &image_curves->curves, options, context, on_stage_end, &why_not);
+  if (!result) {
+    StageSummary summary;
+    summary.stage = "update";
+    summary.warnings = {"drawn from nothing: " + why_not};
+    on_stage_end(summary);
+  }
+  return result;
+}
+
+}  // namespace
+
+UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& options,
+                             const RunContext& context, const StageObserver& on_stage_end) {
+  CurvesResult image_curves = ExtractAll(input, options, context, on_stage_end);
+  DrawnCurves drawn = DrawExtracted(input, image_curves, options, context, on_stage_end);
   return {std::move(image_curves), std::move(drawn)};
 }
 
@@ -69,8 +101,13 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
 
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end) {
-  auto [image_curves, drawn] = DrawUnrefined(input, options, context, on_stage_end);
-  auto& [sketch, drawing] = drawn;
+  CurvesResult image_curves = ExtractAll(input, options, context, on_stage_end);
+  if (input.update) {
+    if (auto updated = Update(input, &image_curves, options, context, on_stage_end)) {
+      return *std::move(updated);
+    }
+  }
+  auto [sketch, drawing] = DrawExtracted(input, image_curves, options, context, on_stage_end);
   // What follows is done by this process alone.
   RunContext alone = context;
   alone.team = nullptr;
@@ -82,9 +119,15 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
   DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, input.images.read, options,
                                      alone, on_stage_end);
   if (input.images.release) input.images.release();
-  return {std::move(image_curves.curves), std::move(sketch.sketch),
-          std::move(sketch.fates),        std::move(graph),
-          std::move(judged.cameras),      std::move(drawing.fates)};
+  auto keep = KeeperOf(input, image_curves.curves, sketch.plans, graph, options, context);
+  return {std::move(image_curves.curves),
+          std::move(sketch.sketch),
+          std::move(sketch.fates),
+          std::move(graph),
+          std::move(judged.cameras),
+          std::move(drawing.fates),
+          std::nullopt,
+          std::move(keep)};
 }
 
 }  // namespace limn

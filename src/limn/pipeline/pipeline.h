@@ -25,6 +25,8 @@ struct PipelineInput {
   std::optional<Eigen::AlignedBox3d> box;
   // Image curves and sketches of earlier runs, where new ones are stored. Never null.
   ResultCache* cache;
+  // Bring the drawing that was kept last up to date instead, if possible (update_scene.h).
+  bool update = false;
 };
 
 struct PipelineResult {
@@ -35,6 +37,11 @@ struct PipelineResult {
   // The cameras that the drawing fits; only with RefinementOptions::refine_poses.
   std::optional<RefinedCameras> cameras;
   SampleFates sample_fates;
+  // Of a drawing that was brought up to date, the views that are new or changed.
+  ViewSubset new_views = std::nullopt;
+  // Keeps the drawing for updates. To be called when all results are written, so that a run that is
+  // stopped before is not taken for done.
+  std::function<void()> keep = [] {};
 };
 
 // Called at the end of every stage.

@@ -6,10 +6,11 @@
 namespace limn {
 namespace {
 
-constexpr const char* kFolders[kNumCachedKinds] = {"edges", "fragments", "sketch", "drawing"};
+constexpr const char* kFolders[kNumCachedKinds] = {"edges", "fragments", "sketch", "drawing",
+                                                   "scene"};
 constexpr const char* kWhats[kNumCachedKinds] = {"edge maps", "image curves", "sketches",
-                                                 "drawings"};
-constexpr const char* kItems[kNumCachedKinds] = {"images", "images", "views", "tiles"};
+                                                 "drawings", "drawings"};
+constexpr const char* kItems[kNumCachedKinds] = {"images", "images", "views", "tiles", "scenes"};
 
 // Which is first must not depend on the threads.
 void KeepFirst(const std::string& text, std::string* first) {

@@ -11,9 +11,9 @@
 
 namespace limn {
 
-// Results stored between runs: per view, and drawings per tile.
-enum class CachedKind { kEdges, kFragments, kSketch, kDrawing };
-constexpr int kNumCachedKinds = static_cast<int>(CachedKind::kDrawing) + 1;
+// Results stored between runs: per view, drawings per tile, and that of the scene.
+enum class CachedKind { kEdges, kFragments, kSketch, kDrawing, kScene };
+constexpr int kNumCachedKinds = static_cast<int>(CachedKind::kScene) + 1;
 
 // How a stage used the stored results of one kind.
 struct CacheUse {
@@ -62,6 +62,15 @@ class ResultCache {
       CountDamaged(kind, error.what());
       return std::nullopt;
     }
+  }
+
+  // The same, not counted. Throws IoError if the file is damaged.
+  template <typename Result>
+  std::optional<Result> Read(
+      CachedKind kind, const std::string& name,
+      const std::function<std::optional<Result>(const std::string&)>& read) const {
+    const std::string path = PathOf(kind, name);
+    return Exists(path) ? read(path) : std::nullopt;
   }
 
   // `write(path)` writes a file and throws IoError if it cannot.

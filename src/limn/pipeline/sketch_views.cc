@@ -1,7 +1,8 @@
 #include "limn/pipeline/sketch_views.h"
 
-#include <string>
-#include <vector>
+#include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "limn/formats/view_sketch_file.h"
 #include "limn/pipeline/content_hash.h"
@@ -18,49 +19,118 @@ std::string CommonKey(SketchMode mode, const SketchInput& input, const SketchOpt
          BoxKey(input.box) + "\nview ";
 }
 
-// Sketches hold ids of views, so these count too.
-std::string PlanKey(ViewId view, const ViewPlan& plan, const std::vector<std::string>& view_keys) {
+std::string PlanKey(const SketchIdentity& identity, ViewId view, const ViewPlan& plan,
+                    const std::vector<std::string>& view_keys) {
   ContentHash hash;
-  const auto add_view = [&](ViewId id) {
-    hash.AddNumber(id);
-    hash.AddText(view_keys[id]);
-  };
-  hash.AddNumber(view_keys.size());
-  add_view(view);
+  hash.AddNumber(identity.views.size());
+  for (const ViewId id : identity.views) hash.AddText(view_keys[id]);
+  hash.AddNumber(identity.PlaceOf(view));
   hash.AddNumber(plan.min_depth);
   hash.AddNumber(plan.max_depth);
   for (const std::vector<ViewId>* others : {&plan.second_views, &plan.confirmation_views}) {
     hash.AddNumber(others->size());
-    for (const ViewId id : *others) add_view(id);
+    for (const ViewId id : *others) hash.AddNumber(identity.PlaceOf(id));
   }
   return hash.Hex();
 }
 
+class SketchStore {
+ public:
+  SketchStore(SketchMode mode, const SketchInput& input, const SketchOptions& options,
+              ResultCache* cache, const RunContext& context, std::string part)
+      : mode_(mode),
+        input_(input),
+        options_(options),
+        cache_(*cache),
+        part_(std::move(part)),
+        view_keys_(ViewKeys(input.views, input.curves, context)) {}
+
+  std::optional<ViewSketch> Load(ViewId view, const ViewPlan& plan) const {
+    const SketchIdentity identity = IdentityOf(view, plan);
+    CurvesOfViews curves;
+    for (const ViewId id : identity.views) curves.push_back(&input_.curves[id]);
+    auto sketch =
+        cache_.Find<ViewSketch>(CachedKind::kSketch, NameOf(view), [&](const std::string& path) {
+          return ReadViewSketch(path, identity.PlaceOf(view), curves, identity.key);
+        });
+    if (sketch) RenumberViews(identity.views, &sketch->curves);
+    return sketch;
+  }
+
+  void Save(ViewId view, const ViewPlan& plan, ViewSketch sketch) const {
+    const SketchIdentity identity = IdentityOf(view, plan);
+    RenumberViews(PlacesIn(identity.views, input_.views.size()), &sketch.curves);
+    cache_.Store(CachedKind::kSketch, NameOf(view),
+                 [&](const std::string& path) { WriteViewSketch(path, sketch, identity.key); });
+  }
+
+ private:
+  SketchIdentity IdentityOf(ViewId view, const ViewPlan& plan) const {
+    return IdentityOfSketch(mode_, input_, options_, view, plan, view_keys_);
+  }
+  std::string NameOf(ViewId view) const {
+    const std::string& name = input_.views[view].name;
+    return part_.empty() ? name : part_ + "/" + name;
+  }
+
+  SketchMode mode_;
+  const SketchInput& input_;
+  const SketchOptions& options_;
+  ResultCache& cache_;
+  std::string part_;
+  std::vector<std::string> view_keys_;
+};
+
 }  // namespace
+
+ViewId SketchIdentity::PlaceOf(ViewId view) const {
+  return static_cast<ViewId>(std::ranges::lower_bound(views, view) - views.begin());
+}
+
+SketchIdentity IdentityOfSketch(SketchMode mode, const SketchInput& input,
+                                const SketchOptions& options, ViewId view, const ViewPlan& plan,
+                                const std::vector<std::string>& view_keys) {
+  SketchIdentity identity = {PartnersIn(plan), ""};
+  identity.views.insert(std::ranges::lower_bound(identity.views, view), view);
+  identity.key = CommonKey(mode, input, options) + PlanKey(identity, view, plan, view_keys);
+  return identity;
+}
+
+std::vector<ViewId> PlacesIn(const std::vector<ViewId>& views, size_t num_views) {
+  std::vector<ViewId> places(num_views, -1);
+  for (size_t i = 0; i < views.size(); ++i) places[views[i]] = static_cast<ViewId>(i);
+  return places;
+}
+
+void RenumberViews(const std::vector<ViewId>& new_ids, std::vector<Curve3D>* curves) {
+  for (Curve3D& curve : *curves) {
+    curve.anchor.view = new_ids[curve.anchor.view];
+    SupportLists support;
+    std::vector<EdgelRef> of_sample;
+    support.edgels.reserve(curve.support.edgels.size());
+    support.offsets.reserve(curve.support.offsets.size());
+    for (size_t i = 0; i < curve.size(); ++i) {
+      of_sample.clear();
+      for (const EdgelRef& ref : curve.support.Of(i)) {
+        if (new_ids[ref.view] >= 0) of_sample.push_back({new_ids[ref.view], ref.edgel});
+      }
+      support.Append(of_sample);
+    }
+    curve.support = std::move(support);
+  }
+}
 
 SketchResult SketchViews(SketchMode mode, const SketchInput& input, const SketchOptions& options,
                          ResultCache* cache, const RunContext& context, const std::string& part) {
   if (!cache->IsOn() || mode == SketchMode::kOriginal) {
     return BuildSketch(mode, input, options, context);
   }
-  const std::string common_key = CommonKey(mode, input, options);
-  const std::vector<std::string> view_keys = ViewKeys(input.views, input.curves, context);
-  const auto key = [&](ViewId v, const ViewPlan& plan) {
-    return common_key + PlanKey(v, plan, view_keys);
-  };
-  const auto name = [&](ViewId v) {
-    return part.empty() ? input.views[v].name : part + "/" + input.views[v].name;
-  };
+  const SketchStore kept(mode, input, options, cache, context, part);
   ViewSketchStore store;
   store.expect = [&](size_t num_views) { cache->Expect(CachedKind::kSketch, num_views); };
-  store.load = [&](ViewId v, const ViewPlan& plan) {
-    return cache->Find<ViewSketch>(CachedKind::kSketch, name(v), [&](const std::string& path) {
-      return ReadViewSketch(path, v, input.curves, key(v, plan));
-    });
-  };
+  store.load = [&](ViewId v, const ViewPlan& plan) { return kept.Load(v, plan); };
   store.save = [&](ViewId v, const ViewPlan& plan, const ViewSketch& sketch) {
-    cache->Store(CachedKind::kSketch, name(v),
-                 [&](const std::string& path) { WriteViewSketch(path, sketch, key(v, plan)); });
+    kept.Save(v, plan, sketch);
   };
   return BuildSketch(mode, input, options, context, &store);
 }

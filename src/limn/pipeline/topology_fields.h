@@ -20,8 +20,7 @@ void VisitFields(TopologyOptions& o, Visit&& visit) {
         "else views with edgels of its own, beyond chance, as a share of its views");
   visit("min_own_views", o.min_own_views, "lower limit of that number");
   visit("max_own_views", o.max_own_views, "upper limit of that number");
-  visit("min_link_length_px", o.min_link_length_px,
-        BasicOption("shorter loose links are dropped, px"));
+  visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
   visit("max_continuation_gap_px", o.max_continuation_gap_px,
         "longest gap when a curve is followed on in the images, px");
   visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");

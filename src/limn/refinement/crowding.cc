@@ -23,8 +23,8 @@ bool Crowding::At(const ImagePlace& place, double distance_px) const {
   bool crowded = false;
   index_.ForEachWithin(place.pixel, distance_px, [&](EdgelId id) {
     const ImagePlace& other = places_[id];
-    crowded |= other.link != place.link &&
-               std::abs(std::cos(other.direction_rad - place.direction_rad)) > kMinCosine;
+    crowded |=
+        other.link != place.link && std::abs(other.direction.dot(place.direction)) > kMinCosine;
   });
   return crowded;
 }

@@ -12,7 +12,7 @@ namespace limn {
 struct ImagePlace {
   int link = -1;
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  double direction_rad = 0;  // undirected
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  // unit, undirected
 };
 
 // Finds where reprojected links run side by side in one view, so near that the image may show one

@@ -64,7 +64,7 @@ std::vector<ImagePlace> PlacesIn(ViewId id, const View& view, const ControlGraph
     if (!std::binary_search(link.views.begin(), link.views.end(), id)) continue;
     for (const LinkSample& sample : link.samples) {
       if (const auto seen = See(view, sample.position, sample.tangent)) {
-        places.push_back({static_cast<int>(l), seen->position_px, seen->direction_rad});
+        places.push_back({static_cast<int>(l), seen->position_px, seen->direction});
       }
     }
   }
@@ -113,7 +113,7 @@ void AddView(const TopologyInput& input, const RefinementOptions& options, ViewI
     answer.sight = See(input.views[view], sample.position, sample.tangent);
     if (!answer.sight) continue;
     answer.match = input.edgels[view]->edgels.Best(answer.sight->position_px,
-                                                   answer.sight->direction_rad, input.gate);
+                                                   answer.sight->direction, input.gate);
   }
   int num_asked = 0;
   int num_found = 0;
@@ -125,12 +125,13 @@ void AddView(const TopologyInput& input, const RefinementOptions& options, ViewI
     const auto& [sight, match] = answers[k];
     if (!match || num_found < options.min_window_support * num_asked) return;
     const Edgel& edgel = input.curves[view].edge_map.edgels[match->edgel];
-    const ImagePlace place = {link, sight->position_px, sight->direction_rad};
-    EdgelPull pull = {{view, match->edgel}, edgel};
+    const ImagePlace place = {link, sight->position_px, sight->direction};
+    const EdgelRef ref{view, match->edgel};
+    EdgelPull pull = {ref, input.LineOf(ref)};
     pull.weight = Share(edgel, answers, k, options.correlation_px) / ResidualVariance(edgel);
     pull.residual_px = match->normal_residual_px;
     // All views of an edge in the same light agree on its brighter side.
-    pull.bright_left = std::cos(edgel.tangent_rad - place.direction_rad) > 0;
+    pull.bright_left = edgel.Tangent().dot(place.direction) > 0;
     pull.crowded = crowding.At(place, kResolvedPx);
     (*samples)[k].pulls.push_back(pull);
   });

@@ -10,16 +10,6 @@
 
 namespace limn {
 
-// A depth of a sample and its change along the fragment.
-struct DepthPlace {
-  float inverse_depth = 0;
-  float slope_per_px = 0;
-};
-
-inline DepthPlace PlaceOf(double inverse_depth, double slope_per_px) {
-  return {static_cast<float>(inverse_depth), static_cast<float>(slope_per_px)};
-}
-
 // The crossings of one sample, sorted by inverse depth so that those that accept a place are found
 // quickly, several at once. A crossing accepts the places within its gates: a distance across the
 // curve and an angle to it.

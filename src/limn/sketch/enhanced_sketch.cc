@@ -11,7 +11,8 @@ class PairedDepths {
   explicit PairedDepths(const PrimaryView& primary) : primary_(primary) {
     const SketchInput& input = primary.input;
     for (const ViewId second : primary.plan.second_views) {
-      chords_.emplace_back(input.views[primary.id], input.views[second], input.curves[second]);
+      chords_.emplace_back(input.views[primary.id], input.views[second],
+                           *primary.edgels.chords[second]);
     }
   }
 

@@ -1,66 +1,91 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "limn/model/curve_fragment.h"
 #include "limn/model/view.h"
+#include "limn/sketch/fragment_chords.h"
 
 namespace limn {
 
-// Where an epipolar line meets a curve fragment, interpolated on the fragment.
+// Where an epipolar line meets a chord.
 struct LineCrossing {
-  int fragment = -1;
-  // Place on the fragment in vertices: vertex floor(parameter) plus the fraction to the next one.
-  double parameter = 0;
+  int chord = -1;
+  // Share of the chord before the crossing.
+  double fraction = 0;
   Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
   // Unit tangent, interpolated between the two edgels.
   Eigen::Vector2d tangent = Eigen::Vector2d::Zero();
 };
 
-// The chords (edgel to next edgel) of the fragments of one view, sorted by their epipolar planes
-// with a primary view: a plane is the angle around the baseline at which both views see it. Finding
-// what a line meets is then a single look-up, however long the line is.
+// Inverse depths, 1 / world units along the optical axis; from < to.
+struct InverseDepthRange {
+  double from = 0;
+  double to = 0;
+};
+
+// The chords of one view sorted by their epipolar planes with a primary view. A plane is where it
+// is around the baseline, which both views see; a point in it is where its ray to the other camera
+// is between the directions of the baseline. Finding what a part of a line meets is then a single
+// look-up, however long the line is.
 class EpipolarChords {
  public:
-  // Time and memory: linear in the chords, plus the planes that chords near the epipole span.
-  EpipolarChords(const View& primary, const View& other, const ImageCurves& curves_of_other);
+  // `chords_of_other` must outlive the result. Time and memory: linear in the chords, plus the
+  // planes that chords near the epipole span.
+  EpipolarChords(const View& primary, const View& other, const FragmentChords& chords_of_other);
 
-  // Appends the crossings of the other view's fragments with the half plane of a primary pixel,
-  // bounded by the baseline, ascending by fragment and place on it. There are none if the views
-  // share a center. Expected time: crossings found.
+  const FragmentChords& chords() const { return chords_; }
+
+  // Appends the crossings of chords with the half plane of a primary pixel, bounded by the
+  // baseline, ascending by chord. There are none if the views share a center. Expected time: chords
+  // on the line.
   void Find(const Eigen::Vector2d& primary_px, std::vector<LineCrossing>* crossings) const;
 
+  // Those of chords of which a part is seen at an inverse depth, of the primary view, in any of the
+  // ranges.
+  void Find(const Eigen::Vector2d& primary_px, std::span<const InverseDepthRange> ranges,
+            std::vector<LineCrossing>* crossings) const;
+
  private:
-  struct Chord {
-    int fragment;
-    int vertex;
-    Eigen::Vector2f begin;
-    Eigen::Vector2f end;
-    Eigen::Vector2f tangent_begin;
-    Eigen::Vector2f tangent_end;  // within 90 degrees of the other
+  // Where an end of a chord is seen.
+  struct Sight {
+    // Grows with the angle around the baseline; from -2 to 2.
+    float plane;
+    // Cotangent of the angle to the baseline: linear in the inverse depth along a primary ray.
+    float along;
   };
-  // A chord between two planes; `begin_rad` and `end_rad` are less than pi apart.
-  struct Span {
-    float begin_rad;
-    float end_rad;
-    int chord;
+  // Chords between two planes that are less than 2 apart, as arrays of their parts, padded for
+  // batches.
+  struct Spans {
+    std::vector<float> begin_plane;
+    std::vector<float> end_plane;
+    std::vector<float> low_along;
+    std::vector<float> high_along;
+    std::vector<int> chord;
   };
-  // Pixels to their offset from the baseline, in two directions across it.
-  using OffsetFromPixel = Eigen::Matrix<double, 2, 3>;
+  // The half plane of a primary pixel, and how inverse depths in it are seen.
+  struct Line;
 
-  void CollectChords(const ImageCurves& curves);
-  std::vector<Span> FindSpans(const ImageCurves& curves) const;
-  void SortIntoBins(const std::vector<Span>& spans);
-  void SortChordsAsInBins();
-  int Bin(float plane_rad) const;
+  Line LineOf(const Eigen::Vector2d& primary_px) const;
+  std::vector<Sight> FindSights() const;
+  void SortIntoBins(const std::vector<Sight>& sights);
+  // Calls visit(sight of the begin, sight of the end, chord) for all chords, twice where planes
+  // jump by a turn.
+  template <typename Visit>
+  void ForEachSpan(const std::vector<Sight>& sights, const Visit& visit) const;
+  int Bin(float plane) const;
+  LineCrossing Cross(const Line& line, int chord) const;
 
-  OffsetFromPixel offset_from_primary_ = OffsetFromPixel::Zero();
-  OffsetFromPixel offset_from_other_ = OffsetFromPixel::Zero();
-  std::vector<Chord> chords_;
-  float low_rad_ = 0;
-  float bins_per_rad_ = 0;
+  const FragmentChords& chords_;
+  double baseline_ = 0;
+  // Pixels to directions in the world: across the baseline in the first two rows, along it in the
+  // third.
+  Eigen::Matrix3d frame_from_primary_ = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d frame_from_other_ = Eigen::Matrix3d::Zero();
+  float low_plane_ = 0;
+  float bins_per_plane_ = 0;
   std::vector<int> bin_begin_;
-  std::vector<Span> spans_;  // by bin
+  Spans spans_;  // by bin
 };
 
 }  // namespace limn

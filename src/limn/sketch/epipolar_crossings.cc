@@ -18,28 +18,64 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }  // namespace
 
 CrossingFinder::CrossingFinder(const View& primary, const View& other,
-                               const ImageCurves& curves_of_other)
+                               const FragmentChords& chords_of_other)
     : relative_(MakeRelativeProjection(primary.camera, primary.cam_from_world, other.camera,
                                        other.cam_from_world)),
-      chords_(primary, other, curves_of_other) {}
+      chords_(primary, other, chords_of_other) {}
 
-void CrossingFinder::Find(const FragmentRays& fragment, size_t vertex, double min_inverse_depth,
-                          double max_inverse_depth, int rank,
+CrossingFinder::SeenVertex CrossingFinder::See(const FragmentRays& fragment, size_t vertex,
+                                               const InverseDepthRange& range) const {
+  SeenVertex seen;
+  seen.at_infinity = relative_.infinite_homography * fragment.positions_px[vertex].homogeneous();
+  seen.in_front = range;
+  auto& [far, near] = seen.in_front;
+  const double a = seen.at_infinity.z();
+  const double e = relative_.epipole.z();
+  const double margin = kMinRelativeDepth * (std::abs(a) + std::abs(e) * near);
+  // a + w e >= margin
+  if (e > 0) far = std::max(far, (margin - a) / e);
+  if (e < 0) near = std::min(near, (margin - a) / e);
+  if (e == 0 && a < margin) near = far;
+  return seen;
+}
+
+void CrossingFinder::Find(const FragmentRays& fragment, size_t vertex,
+                          const InverseDepthRange& range, int rank,
                           std::vector<EpipolarCrossing>* crossings) {
-  // With w the inverse depth, the sample projects to (a + w e) up to scale.
-  const Eigen::Vector3d a =
-      relative_.infinite_homography * fragment.positions_px[vertex].homogeneous();
-  const Eigen::Vector3d& e = relative_.epipole;
-  double near = max_inverse_depth;
-  double far = min_inverse_depth;
-  const double margin = kMinRelativeDepth * (std::abs(a.z()) + std::abs(e.z()) * near);
-  // a.z + w e.z >= margin
-  if (e.z() > 0) far = std::max(far, (margin - a.z()) / e.z());
-  if (e.z() < 0) near = std::min(near, (margin - a.z()) / e.z());
-  if (e.z() == 0 && a.z() < margin) return;
-  if (!(far < near)) return;
+  const SeenVertex seen = See(fragment, vertex, range);
+  if (!(seen.in_front.from < seen.in_front.to)) return;
   on_line_.clear();
-  chords_.Find(fragment.positions_px[vertex], &on_line_);
+  chords_.Find(fragment.positions_px[vertex], {&seen.in_front, 1}, &on_line_);
+  Append(fragment, vertex, seen, rank, crossings);
+}
+
+void CrossingFinder::FindNear(const FragmentRays& fragment, size_t vertex,
+                              const InverseDepthRange& range, std::span<const DepthPlace> places,
+                              int rank, std::vector<EpipolarCrossing>* crossings) {
+  const SeenVertex seen = See(fragment, vertex, range);
+  const auto& [far, near] = seen.in_front;
+  if (!(far < near)) return;
+  const Eigen::Vector3d& e = relative_.epipole;
+  ranges_.clear();
+  for (const DepthPlace& place : places) {
+    const double w = place.inverse_depth;
+    if (!(w >= far && w <= near)) continue;
+    const Eigen::Vector3d projected = seen.at_infinity + w * e;
+    const Eigen::Vector2d pixel = projected.hnormalized();
+    const double speed = (e.head<2>() - pixel * e.z()).norm() / projected.z();
+    ranges_.push_back({std::max(far, w - kNearPx / speed), std::min(near, w + kNearPx / speed)});
+  }
+  if (ranges_.empty()) return;
+  on_line_.clear();
+  chords_.Find(fragment.positions_px[vertex], ranges_, &on_line_);
+  Append(fragment, vertex, seen, rank, crossings);
+}
+
+void CrossingFinder::Append(const FragmentRays& fragment, size_t vertex, const SeenVertex& seen,
+                            int rank, std::vector<EpipolarCrossing>* crossings) const {
+  const Eigen::Vector3d& a = seen.at_infinity;
+  const Eigen::Vector3d& e = relative_.epipole;
+  const auto& [far, near] = seen.in_front;
   const Eigen::Vector3d step = relative_.infinite_homography.leftCols<2>() *
                                fragment.tangents_px[vertex];  // of a, per px along the fragment
   for (const LineCrossing& crossing : on_line_) {

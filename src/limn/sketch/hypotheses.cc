@@ -93,12 +93,12 @@ class PairGeometry {
 };
 
 std::optional<HypothesisSample> Triangulate(const FragmentRays& fragment, int vertex,
-                                            const LineCrossing& crossing,
+                                            const LineCrossing& crossing, int second_vertex,
                                             const Eigen::Vector2d& epipolar_direction,
                                             const PairGeometry& pair) {
   HypothesisSample sample;
   sample.vertex = vertex;
-  sample.second_parameter = crossing.parameter;
+  sample.second_parameter = second_vertex + crossing.fraction;
   sample.depth = pair.Depth(fragment.positions_px[vertex], crossing.position_px);
   const auto tangent = TangentFromPlanes(
       fragment.normals[vertex], pair.SecondPlaneNormal(crossing.position_px, crossing.tangent));
@@ -246,10 +246,11 @@ std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const 
     crossings.clear();
     chords_of_second.Find(pixel, &crossings);
     for (const LineCrossing& crossing : crossings) {
-      const auto sample =
-          Triangulate(fragment, static_cast<int>(vertex), crossing, (to - from) / length, pair);
+      const FragmentPlace place = chords_of_second.chords().PlaceOf(crossing.chord);
+      const auto sample = Triangulate(fragment, static_cast<int>(vertex), crossing, place.index,
+                                      (to - from) / length, pair);
       const bool in_range = sample && sample->depth >= near && sample->depth <= far;
-      if (in_range) runs.Add(crossing.fragment, *sample);
+      if (in_range) runs.Add(place.fragment, *sample);
     }
   }
   std::vector<CurveHypothesis> hypotheses = runs.Take();

@@ -161,7 +161,9 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
                              const ViewSketchStore* store,
                              const std::function<DepthFinder(const PrimaryView&)>& make_finder) {
   options.Check();
-  const auto plans = SelectViews(input.views, input.hints, options.view_selection, context);
+  std::vector<ViewPlan> plans =
+      input.plans ? *input.plans
+                  : SelectViews(input.views, input.hints, options.view_selection, context);
   const std::vector<ViewId> ids = IdsOf(input.only, input.views.size());
   std::vector<ViewId> primaries;
   for (const ViewId v : ids) {
@@ -195,6 +197,7 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
               std::back_inserter(result.sketch.curves));
     result.fates[v] = std::move(by_view[v]->fates);
   }
+  result.plans = std::move(plans);
   result.summary = Summarize(stage, result, input.curves, ids);
   return result;
 }

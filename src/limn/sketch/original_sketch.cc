@@ -138,7 +138,7 @@ class PairMatcher {
         min_sine_(std::sin(options.original_min_epipolar_angle_deg * kDeg)),
         confirmation_(primary, plan.confirmation_views, input.views, edgels.masks) {
     for (const ViewId second : plan.second_views) {
-      chords_.emplace_back(input.views[primary], input.views[second], input.curves[second]);
+      chords_.emplace_back(input.views[primary], input.views[second], *edgels.chords[second]);
     }
   }
 

@@ -29,12 +29,16 @@ struct SketchInput {
   // Only these views are sketched, if they are primary; of the others only those in their plans
   // need curves. The original sketch uses all views.
   ViewSubset only = std::nullopt;
+  // One per view, if they are chosen already; null: SelectViews chooses.
+  const std::vector<ViewPlan>* plans = nullptr;
 };
 
 struct SketchResult {
   CurveSketch sketch;
   // Empty for the original sketch, which judges whole curves.
   EdgelFates fates;
+  // Per view, the plan that was used; empty for the original sketch.
+  std::vector<ViewPlan> plans;
   StageSummary summary;
 };
 

@@ -11,6 +11,7 @@ void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const S
     if (!std::binary_search(ids.begin(), ids.end(), v)) {
       edgels->views[v].reset();
       edgels->masks[v].reset();
+      edgels->chords[v].reset();
     } else if (!edgels->views[v]) {
       missing.push_back(v);
     }
@@ -23,6 +24,7 @@ void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const S
     edgels->views[v] = std::make_unique<ViewEdgels>(curves);
     edgels->masks[v] = std::make_unique<OrientationMask>(curves.edge_map, LinkedEdgels(curves),
                                                          input.views[v].region, gate);
+    edgels->chords[v] = std::make_unique<FragmentChords>(curves);
   });
 }
 

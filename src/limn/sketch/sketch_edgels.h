@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "limn/sketch/fragment_chords.h"
 #include "limn/sketch/sketch.h"
 #include "limn/support/orientation_mask.h"
 #include "limn/support/view_edgels.h"
@@ -12,10 +13,11 @@ namespace limn {
 // The edges of the views that a sketch is working on, so that its memory does not grow with the
 // scene. Per view; null for other views.
 struct SketchEdgels {
-  explicit SketchEdgels(size_t num_views) : views(num_views), masks(num_views) {}
+  explicit SketchEdgels(size_t num_views) : views(num_views), masks(num_views), chords(num_views) {}
 
   std::vector<std::unique_ptr<ViewEdgels>> views;
   std::vector<std::unique_ptr<OrientationMask>> masks;
+  std::vector<std::unique_ptr<FragmentChords>> chords;
 };
 
 // Releases all views but these (ascending) and adds those that are missing. The image curves must

@@ -257,7 +257,7 @@ void CollectSupport(const std::vector<View>& views, const std::vector<ImageCurve
     for (const ViewId v : candidate_views) {
       const auto sight = See(views[v], curve->points_in_world[s], curve->tangents_in_world[s]);
       if (!sight) continue;
-      const auto match = edgels[v]->edgels.Best(sight->position_px, sight->direction_rad, gate);
+      const auto match = edgels[v]->edgels.Best(sight->position_px, sight->direction, gate);
       if (match) of_sample.push_back({v, match->edgel});
     }
     std::sort(of_sample.begin(), of_sample.end());

@@ -12,6 +12,10 @@ namespace {
 
 // Candidates before they are elected anew about the means of their voters.
 constexpr size_t kMaxPreliminaryModes = 16;
+// Depths are proposed by the crossings of so many views, the first in the plan. F of the sketch,
+// mean of sample-mixed, room, midday, mixed, with 16: +.1 at one tau, +.2 at two, in 1.15 times the
+// time.
+constexpr int kSeedViews = 8;
 // Smallest number of voters.
 constexpr int kMinVoters = 2;
 // Modes this near to a better one, in px of the other views, are the same.
@@ -95,21 +99,14 @@ DepthElection::DepthElection(double focal_px, const SketchOptions& options)
 std::vector<DepthMode> DepthElection::Find(const std::vector<EpipolarCrossing>& crossings) {
   seeds_.clear();
   for (const EpipolarCrossing& crossing : crossings) {
+    if (crossing.view >= kSeedViews) break;
     seeds_.push_back({crossing.inverse_depth, crossing.slope_per_px});
   }
-  return Elect(crossings, seeds_);
+  return FindNear(crossings, seeds_);
 }
 
 std::vector<DepthMode> DepthElection::FindNear(const std::vector<EpipolarCrossing>& crossings,
-                                               const std::vector<DepthPlace>& proposals,
-                                               double min_score) {
-  std::vector<DepthMode> modes = Elect(crossings, proposals);
-  std::erase_if(modes, [&](const DepthMode& mode) { return mode.score < min_score; });
-  return modes;
-}
-
-std::vector<DepthMode> DepthElection::Elect(const std::vector<EpipolarCrossing>& crossings,
-                                            const std::vector<DepthPlace>& proposals) {
+                                               const std::vector<DepthPlace>& proposals) {
   if (crossings.empty()) return {};
   table_.Fill(crossings);
   weights_.clear();

@@ -26,10 +26,9 @@ class DepthElection {
   // those of one sample, grouped by view, of at most 64 views. Worst-case time: crossings squared.
   std::vector<DepthMode> Find(const std::vector<EpipolarCrossing>& crossings);
 
-  // The candidates near the proposed places with a score of at least `min_score`. Time: crossings
-  // times proposals.
+  // The candidates near the proposed places. Time: crossings times proposals.
   std::vector<DepthMode> FindNear(const std::vector<EpipolarCrossing>& crossings,
-                                  const std::vector<DepthPlace>& proposals, double min_score);
+                                  const std::vector<DepthPlace>& proposals);
 
  private:
   // Largest number of views: each has a bit.
@@ -41,8 +40,6 @@ class DepthElection {
     float distance = 1;  // squared, in gates
   };
 
-  std::vector<DepthMode> Elect(const std::vector<EpipolarCrossing>& crossings,
-                               const std::vector<DepthPlace>& proposals);
   std::optional<DepthMode> Vote(const std::vector<EpipolarCrossing>& crossings,
                                 const DepthPlace& place, double least_score);
   float TangencyWeight(const EpipolarCrossing& crossing) const;

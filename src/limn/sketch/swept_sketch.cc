@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <span>
 
 #include "limn/sketch/epipolar_crossings.h"
 #include "limn/sketch/local_sketch.h"
@@ -20,10 +21,11 @@ class SweptDepths {
   explicit SweptDepths(const PrimaryView& primary)
       : primary_(primary),
         view_(primary.input.views[primary.id]),
+        range_{1 / primary.plan.max_depth, 1 / primary.plan.min_depth},
         election_(view_.camera.MeanFocal(), primary.options) {
     for (const ViewId v : primary.plan.confirmation_views) {
       if (static_cast<int>(finders_.size()) == primary.options.max_sweep_views) break;
-      finders_.emplace_back(view_, primary.input.views[v], primary.input.curves[v]);
+      finders_.emplace_back(view_, primary.input.views[v], *primary.edgels.chords[v]);
     }
   }
 
@@ -45,51 +47,86 @@ class SweptDepths {
   }
 
  private:
-  // Candidates of every vertex: among all crossings at some vertices (anchors), near theirs at
-  // those between.
+  // A vertex that is searched among all crossings, and what it proposes to those beside it.
+  struct Anchor {
+    double arc_px = 0;
+    std::vector<FusedDepth> proposals;
+    // Below this a full list of candidates would have been cut off.
+    double min_score = 0;
+  };
+
+  // Candidates of every vertex: among all crossings at anchors, near theirs at those between.
   std::vector<std::vector<DepthMode>> Modes(const FragmentRays& fragment) {
     std::vector<std::vector<DepthMode>> modes(fragment.size());
     if (fragment.size() == 0) return modes;
+    std::vector<int> at;  // vertices of anchors
     const size_t first = std::min(kAnchorSpacing / 2, (fragment.size() - 1) / 2);
-    for (size_t anchor = first; anchor < fragment.size(); anchor += kAnchorSpacing) {
-      modes[anchor] = election_.Find(Crossings(fragment, anchor));
+    for (size_t i = first; i < fragment.size(); i += kAnchorSpacing) {
+      at.push_back(static_cast<int>(i));
+      modes[i] = election_.Find(Crossings(fragment, i));
     }
+    const std::vector<Anchor> anchors = Anchors(fragment, at, modes);
     for (size_t i = 0; i < fragment.size(); ++i) {
-      std::vector<size_t> anchors;
-      if (i >= first) anchors.push_back(i - (i - first) % kAnchorSpacing);
-      const size_t next = i < first ? first : anchors[0] + kAnchorSpacing;
-      if (next < fragment.size()) anchors.push_back(next);
-      if (anchors[0] != i) modes[i] = ModesNear(fragment, i, anchors, modes);
+      const auto next = std::ranges::lower_bound(at, static_cast<int>(i)) - at.begin();
+      const bool is_anchor = next < std::ssize(at) && at[next] == static_cast<int>(i);
+      if (is_anchor) continue;
+      const auto begin = anchors.begin() + std::max<std::ptrdiff_t>(0, next - 1);
+      const auto end = anchors.begin() + std::min(next + 1, std::ssize(at));
+      modes[i] = ModesNear(fragment, i, {begin, end});
     }
     return modes;
   }
 
+  // Anchors propose the candidate that is chosen along the fragment, or all if none is.
+  static std::vector<Anchor> Anchors(const FragmentRays& fragment, const std::vector<int>& at,
+                                     const std::vector<std::vector<DepthMode>>& modes) {
+    std::vector<std::vector<DepthMode>> candidates;
+    for (const int i : at) candidates.push_back(modes[i]);
+    const std::vector<int> chosen = ChooseModes(Subset(fragment, at), candidates);
+    std::vector<Anchor> anchors;
+    for (size_t k = 0; k < at.size(); ++k) {
+      Anchor& anchor = anchors.emplace_back();
+      anchor.arc_px = fragment.arc_px[at[k]];
+      const bool is_full = candidates[k].size() == DepthElection::kMaxModes;
+      if (is_full) anchor.min_score = candidates[k].back().score;
+      for (int m = 0; m < std::ssize(candidates[k]); ++m) {
+        if (chosen[k] < 0 || chosen[k] == m) anchor.proposals.push_back(candidates[k][m].depth);
+      }
+    }
+    return anchors;
+  }
+
   std::vector<DepthMode> ModesNear(const FragmentRays& fragment, size_t vertex,
-                                   const std::vector<size_t>& anchors,
-                                   const std::vector<std::vector<DepthMode>>& modes) {
+                                   std::span<const Anchor> anchors) {
     std::vector<DepthPlace> proposals;
-    // Lowest score at which a full candidate list would have been truncated, averaged over the
-    // anchors.
     double min_score = 0;
-    for (const size_t anchor : anchors) {
-      const double step_px = fragment.arc_px[vertex] - fragment.arc_px[anchor];
-      for (const auto& [score, depth] : modes[anchor]) {
+    for (const Anchor& anchor : anchors) {
+      const double step_px = fragment.arc_px[vertex] - anchor.arc_px;
+      for (const FusedDepth& depth : anchor.proposals) {
         proposals.push_back(
             PlaceOf(depth.inverse_depth + step_px * depth.slope_per_px, depth.slope_per_px));
       }
-      if (modes[anchor].size() == DepthElection::kMaxModes) {
-        min_score += modes[anchor].back().score / static_cast<double>(anchors.size());
-      }
+      min_score += anchor.min_score / static_cast<double>(anchors.size());
     }
-    return election_.FindNear(Crossings(fragment, vertex), proposals, min_score);
+    std::vector<DepthMode> modes =
+        election_.FindNear(CrossingsNear(fragment, vertex, proposals), proposals);
+    std::erase_if(modes, [&](const DepthMode& mode) { return mode.score < min_score; });
+    return modes;
   }
 
   const std::vector<EpipolarCrossing>& Crossings(const FragmentRays& fragment, size_t vertex) {
-    const double near = 1 / primary_.plan.min_depth;
-    const double far = 1 / primary_.plan.max_depth;
     crossings_.clear();
     for (size_t k = 0; k < finders_.size(); ++k) {
-      finders_[k].Find(fragment, vertex, far, near, static_cast<int>(k), &crossings_);
+      finders_[k].Find(fragment, vertex, range_, static_cast<int>(k), &crossings_);
+    }
+    return crossings_;
+  }
+
+  const std::vector<EpipolarCrossing>& CrossingsNear(const FragmentRays& fragment, size_t vertex,
+                                                     const std::vector<DepthPlace>& places) {
+    crossings_.clear();
+    for (size_t k = 0; k < finders_.size(); ++k) {
+      finders_[k].FindNear(fragment, vertex, range_, places, static_cast<int>(k), &crossings_);
     }
     return crossings_;
   }
@@ -135,6 +172,7 @@ class SweptDepths {
 
   const PrimaryView& primary_;
   const View& view_;
+  InverseDepthRange range_;
   std::vector<CrossingFinder> finders_;
   std::vector<EpipolarCrossing> crossings_;  // of the vertex looked at
   DepthElection election_;

@@ -23,6 +23,8 @@ constexpr double kMaxRelativeDepth = 100.0;
 // little.
 constexpr double kSecondSpreadDeg = 8.0;
 constexpr double kConfirmationSpreadDeg = 4.0;
+// An added view is sketched if that many, of all views alike, should be.
+constexpr double kAddedShare = 0.9;
 
 // How the depths of a view are sampled, ascending.
 std::vector<double> SampledDepths(double scale, const std::optional<DepthSpan>& span) {
@@ -139,7 +141,9 @@ class PlanBuilder {
     ViewId next = -1;
   };
 
-  Choice Build(ViewId primary, const std::optional<DepthSpan>& point_depths) const {
+  // `sketched` are the views that count as primary for its share; null: all may be.
+  Choice Build(ViewId primary, const std::optional<DepthSpan>& point_depths,
+               const std::vector<uint8_t>* sketched = nullptr) const {
     const SampledViewField field = Sample(primary, point_depths);
     const std::vector<int> counts = CountViews(field);
     ViewPlan plan;
@@ -156,7 +160,8 @@ class PlanBuilder {
                                    options_.max_second_views);
     plan.confirmation_views = PickSpread(candidates, &CandidateView::confirmation_score,
                                          kConfirmationSpreadDeg, options_.max_confirmation_views);
-    return {std::move(plan), PrimaryShare(counts, weights), NextAlike(primary, candidates)};
+    const double share = PrimaryShare(sketched ? CountViews(field, sketched) : counts, weights);
+    return {std::move(plan), share, NextAlike(primary, candidates)};
   }
 
  private:
@@ -187,9 +192,11 @@ class PlanBuilder {
   }
 
   // Per place, the views that contain it under an angle usable for confirmation.
-  std::vector<int> CountViews(const SampledViewField& field) const {
+  std::vector<int> CountViews(const SampledViewField& field,
+                              const std::vector<uint8_t>* only = nullptr) const {
     std::vector<int> counts(field.places.size(), 0);
     for (size_t n = 0; n < field.neighbors.size(); ++n) {
+      if (only && !(*only)[field.neighbors[n]]) continue;
       const double* angles = field.AnglesOf(n);
       for (size_t i = 0; i < counts.size(); ++i) {
         counts[i] += angles[i] >= options_.min_confirmation_angle_deg &&
@@ -353,6 +360,28 @@ std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHin
     choices[v] = builder.Build(static_cast<ViewId>(v), SpanOfPoints(point_depths[v], options));
   });
   return WithPrimaries(std::move(choices));
+}
+
+std::vector<ViewPlan> PlanAddedViews(const std::vector<View>& views, const SceneHints& hints,
+                                     const std::vector<ViewId>& added,
+                                     const std::vector<uint8_t>& is_sketched,
+                                     const ViewSelectionOptions& options,
+                                     const RunContext& context) {
+  options.Check();
+  CheckViews(views);
+  const auto point_depths = PointDepths(views, hints);
+  const PlanBuilder builder(views, options);
+  ViewPlan confirms_only;
+  confirms_only.is_primary = false;
+  std::vector<ViewPlan> plans(views.size(), confirms_only);
+  ParallelFor(context, "view selection", added.size(), [&](size_t i) {
+    const ViewId v = added[i];
+    PlanBuilder::Choice choice =
+        builder.Build(v, SpanOfPoints(point_depths[v], options), &is_sketched);
+    plans[v] = std::move(choice.plan);
+    plans[v].is_primary = choice.primary_share > kAddedShare;
+  });
+  return plans;
 }
 
 std::vector<ViewId> PartnersIn(const ViewPlan& plan) {

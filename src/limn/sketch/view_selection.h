@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,15 @@ void CheckViews(const std::vector<View>& views);
 // per view: some 500 projections for each of at most NeighborFinder::kMaxNeighbors others.
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
                                   const ViewSelectionOptions& options, const RunContext& context);
+
+// The plans of some views that join a scene whose other views are sketched already; those of the
+// others are empty, and not primary. A view is primary unless enough views that are sketched see
+// what it sees. Time as SelectViews, per view asked for.
+std::vector<ViewPlan> PlanAddedViews(const std::vector<View>& views, const SceneHints& hints,
+                                     const std::vector<ViewId>& added,
+                                     const std::vector<uint8_t>& is_sketched,
+                                     const ViewSelectionOptions& options,
+                                     const RunContext& context);
 
 // The views of a plan, ascending.
 std::vector<ViewId> PartnersIn(const ViewPlan& plan);

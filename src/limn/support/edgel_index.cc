@@ -6,8 +6,6 @@
 
 #include <Eigen/LU>
 
-#include "limn/geometry/epipolar.h"
-
 namespace limn {
 namespace {
 
@@ -16,6 +14,7 @@ constexpr double kCellPx = 4;
 constexpr int kTileCells = 8;
 
 double VirtualPerStored(const Edgel& edgel) {
+  if (edgel.stored_from_virtual == Eigen::Matrix2f::Identity()) return 1;
   const Eigen::Matrix2f inverse = edgel.stored_from_virtual.inverse();
   return std::max(inverse.col(0).norm(), inverse.col(1).norm());
 }
@@ -49,12 +48,13 @@ EdgelIndex::EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable)
     if (!usable[id]) continue;
     const Edgel& edgel = edge_map.edgels[id];
     const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
-    const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
+    const Eigen::Vector2d in_virtual = edgel.Tangent();
+    const Eigen::Vector2d tangent = (stored_from_virtual * in_virtual).normalized();
     const Eigen::Vector2d normal(tangent.y(), -tangent.x());
-    entries_[next[CellOf(edgel)]++] = {
-        edgel.position_px, (stored_from_virtual.transpose() * normal).cast<float>(),
-        (stored_from_virtual.transpose() * tangent).cast<float>(),
-        static_cast<float>(edgel.tangent_rad), static_cast<EdgelId>(id)};
+    entries_[next[CellOf(edgel)]++] = {edgel.position_px,
+                                       (stored_from_virtual.transpose() * normal).cast<float>(),
+                                       (stored_from_virtual.transpose() * tangent).cast<float>(),
+                                       in_virtual.cast<float>(), static_cast<EdgelId>(id)};
   }
 }
 
@@ -90,13 +90,16 @@ int EdgelIndex::CellOf(const Edgel& edgel) const {
 template <typename Visit>
 void EdgelIndex::VisitCells(const Eigen::Vector2d& position_px, double radius_px,
                             Visit&& visit) const {
-  const Eigen::Vector2d center = (position_px - origin_) / kCellPx;
-  const double radius = radius_px / kCellPx;
-  const int col_begin = std::max(0, static_cast<int>(std::floor(center.x() - radius)));
-  const int col_end = std::min(cols_ - 1, static_cast<int>(std::floor(center.x() + radius)));
-  const int row_begin = std::max(0, static_cast<int>(std::floor(center.y() - radius)));
-  const int row_end = std::min(rows_ - 1, static_cast<int>(std::floor(center.y() + radius)));
-  if (col_begin > col_end) return;
+  const Eigen::Vector2d low = (position_px - origin_).array() - radius_px;
+  const Eigen::Vector2d high = (position_px - origin_).array() + radius_px;
+  // Also false for what is not a number.
+  if (!(high.x() >= 0 && high.y() >= 0 && low.x() < cols_ * kCellPx && low.y() < rows_ * kCellPx)) {
+    return;
+  }
+  const int col_begin = static_cast<int>(std::max(0.0, low.x()) / kCellPx);
+  const int col_end = static_cast<int>(std::min(high.x() / kCellPx, cols_ - 1.0));
+  const int row_begin = static_cast<int>(std::max(0.0, low.y()) / kCellPx);
+  const int row_end = static_cast<int>(std::min(high.y() / kCellPx, rows_ - 1.0));
   for (int row = row_begin; row <= row_end; ++row) {
     for (int col = col_begin; col <= col_end;) {
       const int next_col = std::min(col_end + 1, (col / kTileCells + 1) * kTileCells);
@@ -112,21 +115,27 @@ void EdgelIndex::VisitCells(const Eigen::Vector2d& position_px, double radius_px
   }
 }
 
-std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px, double direction_rad,
+std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px,
+                                           const Eigen::Vector2d& direction,
                                            const SupportGate& gate) const {
   const double radius_px = std::hypot(gate.normal_px, gate.along_px) * max_scale_;
+  // From a right angle on every direction will do.
+  const double max_sine = gate.angle_rad < M_PI / 2 ? std::sin(gate.angle_rad) : 2;
+  const double per_squared_px = 1 / (gate.normal_px * gate.normal_px);
+  const double per_squared_sine = 1 / (max_sine * max_sine);
   EdgelMatch best;
   double best_cost = std::numeric_limits<double>::infinity();
   VisitCells(position_px, radius_px, [&](const Entry& edgel) {
     const Eigen::Vector2d offset = position_px - edgel.position_px;
     const double normal = edgel.across.x() * offset.x() + edgel.across.y() * offset.y();
     const double along = edgel.along.x() * offset.x() + edgel.along.y() * offset.y();
-    if (std::abs(normal) > gate.normal_px || std::abs(along) > gate.along_px) return;
-    const double angle = UndirectedAngle(direction_rad, edgel.tangent_rad);
-    if (angle > gate.angle_rad) return;
+    const double sine = edgel.tangent.x() * direction.y() - edgel.tangent.y() * direction.x();
+    // Bitwise: one branch for all three.
+    const bool is_in = (std::abs(normal) <= gate.normal_px) & (std::abs(along) <= gate.along_px) &
+                       (std::abs(sine) <= max_sine);
+    if (!is_in) return;
     const double cost =
-        (normal * normal + 0.25 * along * along) / (gate.normal_px * gate.normal_px) +
-        (angle * angle) / (gate.angle_rad * gate.angle_rad);
+        (normal * normal + 0.25 * along * along) * per_squared_px + sine * sine * per_squared_sine;
     if (cost < best_cost || (cost == best_cost && edgel.id < best.edgel)) {
       best_cost = cost;
       best = {edgel.id, normal};

@@ -29,15 +29,17 @@ struct EdgelMatch {
 // in tiles of 32 px, of which only those with edgels exist. Memory: about 60 bytes per edgel.
 class EdgelIndex {
  public:
+  // Has no edgels.
+  EdgelIndex() = default;
   // Indexes the edgels with usable[id].
   EdgelIndex(const EdgeMap& edge_map, const std::vector<bool>& usable);
 
-  // Returns the edgel within the gate with the smallest
-  //   (across^2 + along^2 / 4) / normal_px^2 + (angle / angle_rad)^2,
+  // Returns the edgel within the gate, for a unit direction of any sign, with the smallest
+  //   (across^2 + along^2 / 4) / normal_px^2 + (sin angle / sin angle_rad)^2,
   // where across and along are the parts of the offset in stored pixels; the smallest id on ties.
   // Constant expected time.
-  std::optional<EdgelMatch> Best(const Eigen::Vector2d& position_px, double direction_rad,
-                                 const SupportGate& gate) const;
+  std::optional<EdgelMatch> Best(const Eigen::Vector2d& position_px,
+                                 const Eigen::Vector2d& direction, const SupportGate& gate) const;
 
   // Calls `visit` for every edgel whose virtual position is within radius_px, by ascending cell.
   void ForEachWithin(const Eigen::Vector2d& position_px, double radius_px,
@@ -54,7 +56,7 @@ class EdgelIndex {
     // stored pixels.
     Eigen::Vector2f across;
     Eigen::Vector2f along;
-    float tangent_rad;
+    Eigen::Vector2f tangent;  // unit, virtual image
     EdgelId id;
   };
 

@@ -18,15 +18,17 @@ bool EdgelsRunAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                     const EdgelIndex& edgels, const SupportGate& gate) {
   const double length = (to - from).norm();
   const Eigen::Vector2d along = (to - from) / length;
-  const double direction = std::atan2(along.y(), along.x());
   const double margin = std::min(kRoundedPx, length / 3);
   const int count = std::max(2, static_cast<int>(std::ceil(length - 2 * margin)) + 1);
+  // Decided as soon as the rest cannot change the answer.
+  const double required = kMinCoveredShare * count;
   int covered = 0;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count && covered < required; ++i) {
+    if (covered + count - i < required) return false;
     const double at = margin + (length - 2 * margin) * i / (count - 1);
-    covered += edgels.Best(from + at * along, direction, gate).has_value();
+    covered += edgels.Best(from + at * along, along, gate).has_value();
   }
-  return covered >= kMinCoveredShare * count;
+  return covered >= required;
 }
 
 // Both ends in a view; nothing if one is outside the image or the segment is seen end on.

@@ -1,5 +1,7 @@
 #include "limn/support/view_edgels.h"
 
+#include "limn/support/edgel_residual.h"
+
 namespace limn {
 namespace {
 
@@ -14,10 +16,21 @@ std::vector<FragmentPlace> PlacesOfEdgels(const ImageCurves& curves) {
   return place_of;
 }
 
+std::vector<Eigen::Vector2f> AcrossEdgels(const EdgeMap& edge_map) {
+  std::vector<Eigen::Vector2f> across;
+  across.reserve(edge_map.edgels.size());
+  for (const Edgel& edgel : edge_map.edgels) {
+    across.push_back(EdgelLine(edgel).across.cast<float>());
+  }
+  return across;
+}
+
 }  // namespace
 
 ViewEdgels::ViewEdgels(const ImageCurves& curves)
-    : place_of(PlacesOfEdgels(curves)), edgels(curves.edge_map, LinkedEdgels(curves)) {}
+    : place_of(PlacesOfEdgels(curves)),
+      across(AcrossEdgels(curves.edge_map)),
+      edgels(curves.edge_map, LinkedEdgels(curves)) {}
 
 std::vector<std::unique_ptr<ViewEdgels>> BuildViewEdgels(const std::vector<ImageCurves>& curves,
                                                          const RunContext& context) {

@@ -21,6 +21,8 @@ struct ViewEdgels {
   explicit ViewEdgels(const ImageCurves& curves);
 
   std::vector<FragmentPlace> place_of;  // per edgel
+  // Per edgel what EdgelLine::across is: asked for so often that it is not made anew.
+  std::vector<Eigen::Vector2f> across;
   EdgelIndex edgels;
 };
 

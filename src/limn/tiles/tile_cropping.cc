@@ -109,18 +109,26 @@ bool IsInside(const Eigen::AlignedBox3d& core, const DrawingLink& link) {
   return core.contains((link.points_in_world[middle] + link.points_in_world[middle + 1]) / 2);
 }
 
-}  // namespace
-
-void CropDrawing(const Eigen::AlignedBox3d& core, DrawingGraph* graph) {
+void KeepSide(const Eigen::AlignedBox3d& box, bool inside, DrawingGraph* graph) {
   std::vector<std::vector<int>> crossings;
-  for (DrawingLink& link : graph->links) crossings.push_back(AddCrossings(core, &link));
+  for (DrawingLink& link : graph->links) crossings.push_back(AddCrossings(box, &link));
   GraphEditor editor(graph);
   for (size_t l = 0; l < crossings.size(); ++l) {
     CutAtBorder(static_cast<LinkId>(l), crossings[l], &editor);
   }
   std::vector<uint8_t> keep;
-  for (const DrawingLink& link : graph->links) keep.push_back(IsInside(core, link));
+  for (const DrawingLink& link : graph->links) keep.push_back(IsInside(box, link) == inside);
   editor.Keep(keep);
+}
+
+}  // namespace
+
+void CropDrawing(const Eigen::AlignedBox3d& core, DrawingGraph* graph) {
+  KeepSide(core, /*inside=*/true, graph);
+}
+
+void CutOut(const Eigen::AlignedBox3d& hole, DrawingGraph* graph) {
+  KeepSide(hole, /*inside=*/false, graph);
 }
 
 bool IsOnBorder(const Eigen::AlignedBox3d& core, const Eigen::Vector3d& point) {

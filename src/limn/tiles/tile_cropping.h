@@ -10,7 +10,10 @@ namespace limn {
 // border. Linear in the number of points.
 void CropDrawing(const Eigen::AlignedBox3d& core, DrawingGraph* graph);
 
-// Returns whether a point made by CropDrawing lies exactly on the border.
+// Removes everything inside a box, as CropDrawing does what is outside.
+void CutOut(const Eigen::AlignedBox3d& hole, DrawingGraph* graph);
+
+// Returns whether a point made by CropDrawing or CutOut lies exactly on the border.
 bool IsOnBorder(const Eigen::AlignedBox3d& core, const Eigen::Vector3d& point);
 
 }  // namespace limn

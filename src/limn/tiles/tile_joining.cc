@@ -58,9 +58,10 @@ class TileJoiner {
 
   void Add(TileDrawing tile) {
     CropDrawing(tile.core, &tile.graph);
+    for (const Eigen::AlignedBox3d& hole : tile.holes) CutOut(hole, &tile.graph);
     const auto first_link = static_cast<LinkId>(graph_.links.size());
     for (const DrawingNode& node : tile.graph.nodes) {
-      if (node.Degree() != 1 || !IsOnBorder(tile.core, node.position_in_world)) continue;
+      if (node.Degree() != 1 || !IsCut(tile, node.position_in_world)) continue;
       AddCutEnd(node, tile.graph, first_link);
     }
     Append(std::move(tile.graph), &graph_);
@@ -94,6 +95,11 @@ class TileJoiner {
 
  private:
   using Pair = std::tuple<double, int, int>;  // gap, px, and two cut ends
+
+  static bool IsCut(const TileDrawing& tile, const Eigen::Vector3d& end) {
+    return IsOnBorder(tile.core, end) ||
+           std::ranges::any_of(tile.holes, [&](const auto& hole) { return IsOnBorder(hole, end); });
+  }
 
   void AddCutEnd(const DrawingNode& node, const DrawingGraph& tile, LinkId first_link) {
     const LinkEnd end = node.incident.front();

@@ -26,11 +26,6 @@ constexpr int kNumPlanes = 41;
 // A point seen by this many selected views is covered.
 constexpr int kEnoughViews = 20;
 
-Eigen::AlignedBox3d AllSpace() {
-  const double infinity = std::numeric_limits<double>::infinity();
-  return {Eigen::Vector3d::Constant(-infinity), Eigen::Vector3d::Constant(infinity)};
-}
-
 class TilePlanner {
  public:
   TilePlanner(const std::vector<View>& views, const SceneHints& hints, const TileOptions& options)
@@ -229,6 +224,11 @@ class TilePlanner {
 };
 
 }  // namespace
+
+Eigen::AlignedBox3d AllSpace() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {Eigen::Vector3d::Constant(-infinity), Eigen::Vector3d::Constant(infinity)};
+}
 
 std::vector<Tile> PlanTiles(const std::vector<View>& views, const SceneHints& hints,
                             const std::optional<Eigen::AlignedBox3d>& box,

@@ -18,6 +18,9 @@ struct Tile {
   std::vector<ViewId> views;  // ascending
 };
 
+// The core of a scene in one tile.
+Eigen::AlignedBox3d AllSpace();
+
 // Cuts space by planes across the longest extent of the points in `box` (if there is one), near
 // where the views are halved and few points of the sparse model lie, until no tile has more than
 // max_views views (ALGORITHM.md 19.1). The cores fill space without overlap. Where more views see

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
 #include <span>
 
 #include <Eigen/Eigenvalues>
@@ -30,10 +30,13 @@ constexpr double kAlongPx = 2.5;
 constexpr double kMaxAcrossPx = 3 * kConsensusAcrossPx;
 // Samples within this distance along the curve agree, px.
 constexpr double kAgreeAlongPx = 1.5;
+// By how much samples may move, px, and turn before they meet neighbors that were not listed.
+constexpr double kSlackPx = 2;
+const double kMinListedCosine = std::cos(35 * kDeg);
 // Samples that one thread handles at a time.
 constexpr size_t kChunk = 256;
-// Successive samples up to this far from the first, px, and up to this many share a look-up.
-constexpr double kGroupPx = 5;
+// Successive climbers up to this far from the first, px, and up to this many share a look-up.
+constexpr double kGroupPx = 6;
 constexpr size_t kGroupSize = 8;
 
 struct Place {
@@ -50,30 +53,84 @@ struct Neighbor {
   Eigen::Vector3d tangent;  // in the direction of the other's
 };
 
+// The samples that may be neighbors of each climber of a chunk.
+struct Lists {
+  std::vector<int> samples;
+  std::vector<size_t> end;  // per climber
+};
+
 class Climb {
  public:
   Climb(const SampleSet& samples, const ReprojectedMetric& metric)
       : samples_(samples),
         metric_(metric),
-        consensus_{samples.position, samples.tangent, std::vector<int>(samples.NumSamples())} {}
+        consensus_{samples.position, samples.tangent, std::vector<int>(samples.NumSamples())},
+        settled_(samples.NumSamples(), 0) {}
 
   Consensus Run(const RunContext& context) {
-    std::vector<int> climbing(samples_.NumSamples());
-    std::iota(climbing.begin(), climbing.end(), 0);
-    const std::vector<int> all = climbing;
+    ChooseClimbers();
+    ListNeighbors(context);
     std::vector<Place> next(samples_.NumSamples());
     for (int round = 0; round < kConsensusRounds; ++round) {
-      ForEachOf(climbing, kSearchPx, context,
-                [&](int s, const std::vector<Neighbor>& near) { next[s] = Mean(s, near); });
-      std::erase_if(climbing, [&](int s) { return !Move(s, next[s]); });
+      const auto is_climbing = [&](int s) { return !settled_[s]; };
+      ForEachClimber(is_climbing, kSearchPx, context,
+                     [&](int s, const std::vector<Neighbor>& near) { next[s] = Mean(s, near); });
+      for (const int s : climbers_) {
+        if (!settled_[s]) settled_[s] = !Move(s, next[s]);
+      }
+      MoveBetweenClimbers();
     }
-    ForEachOf(all, kAgreeAlongPx, context, [&](int s, const std::vector<Neighbor>& near) {
+    const auto all = [](int) { return true; };
+    ForEachClimber(all, kAgreeAlongPx, context, [&](int s, const std::vector<Neighbor>& near) {
       consensus_.num_views[s] = CountViews(near);
+    });
+    ForEachBetween([&](int s) {
+      consensus_.num_views[s] = std::min(consensus_.num_views[s - 1], consensus_.num_views[s + 1]);
     });
     return std::move(consensus_);
   }
 
  private:
+  // Every second sample of a curve, and its last.
+  void ChooseClimbers() {
+    for (int c = 0; c < samples_.NumCurves(); ++c) {
+      const int end = samples_.curve_begin[c + 1];
+      for (int s = samples_.curve_begin[c]; s < end; s += 2) climbers_.push_back(s);
+      if (samples_.Size(c) % 2 == 0) climbers_.push_back(end - 1);
+    }
+  }
+
+  // Calls visit(sample) for those that do not climb. Both neighbors on the curve do.
+  template <typename Visit>
+  void ForEachBetween(const Visit& visit) const {
+    for (int c = 0; c < samples_.NumCurves(); ++c) {
+      const int end = samples_.curve_begin[c + 1];
+      for (int s = samples_.curve_begin[c] + 1; s + 1 < end; s += 2) visit(s);
+    }
+  }
+
+  // Onto the cubic curve through the two beside them that has their tangents, where its chord comes
+  // nearest to the sample.
+  void MoveBetweenClimbers() {
+    ForEachBetween([&](int s) {
+      const Eigen::Vector3d& from = consensus_.position[s - 1];
+      const Eigen::Vector3d chord = consensus_.position[s + 1] - from;
+      const double length = chord.norm();
+      if (!(length > 0)) return;
+      const auto speed = [&](int at) -> Eigen::Vector3d {
+        const Eigen::Vector3d& tangent = consensus_.tangent[at];
+        return std::copysign(length, tangent.dot(chord)) * tangent;
+      };
+      const double share = (samples_.position[s] - from).dot(chord) / (length * length);
+      const double t = std::clamp(share, 0.0, 1.0);
+      const double u = 1 - t;
+      consensus_.position[s] =
+          from + t * t * (3 - 2 * t) * chord + t * u * (u * speed(s - 1) - t * speed(s + 1));
+      const Eigen::Vector3d tangent = consensus_.tangent[s - 1] + consensus_.tangent[s + 1];
+      if (!tangent.isZero(0)) consensus_.tangent[s] = tangent.normalized();
+    });
+  }
+
   // Returns whether the sample moved by more than it may when it has settled.
   bool Move(int s, const Place& to) {
     const double moved = (to.position - consensus_.position[s]).norm();
@@ -82,26 +139,69 @@ class Climb {
     return moved > kSettledPx * samples_.footprint[s];
   }
 
-  // Calls visit(sample, neighbors up to max_along_px along the curve), each sample being its own
-  // neighbor.
+  // The climbers of a chunk.
+  std::span<const int> Chunk(size_t chunk) const {
+    const size_t begin = kChunk * chunk;
+    return std::span(climbers_).subspan(begin, std::min(kChunk, climbers_.size() - begin));
+  }
+
   template <typename Visit>
-  void ForEachOf(const std::vector<int>& chosen, double max_along_px, const RunContext& context,
-                 const Visit& visit) const {
+  void ForEachChunk(const RunContext& context, const Visit& visit) const {
+    ParallelFor(context, "consensus", lists_.size(), visit);
+  }
+
+  // Finds, per climber, the samples that may be its neighbors until it has moved by more than the
+  // slack: a wider search than that for neighbors, done once.
+  void ListNeighbors(const RunContext& context) {
+    lists_.resize((climbers_.size() + kChunk - 1) / kChunk);
     const SpatialIndex index(consensus_.position);
-    const size_t count = chosen.size();
-    ParallelFor(context, "consensus", (count + kChunk - 1) / kChunk, [&](size_t chunk) {
+    ForEachChunk(context, [&](size_t chunk) {
+      Lists& lists = lists_[chunk];
       std::vector<SpatialIndex::Neighbor> around;
-      std::vector<Neighbor> near;
-      std::span<const int> left(chosen.begin() + kChunk * chunk,
-                                chosen.begin() + std::min(count, kChunk * (chunk + 1)));
-      while (!left.empty()) {
+      for (std::span<const int> left = Chunk(chunk); !left.empty();) {
         const std::span<const int> group = left.first(GroupSize(left));
         left = left.subspan(group.size());
         FindAround(group, index, &around);
         for (const int s : group) {
-          FindNeighbors(s, around, max_along_px, &near);
-          visit(s, near);
+          ListNeighborsOf(s, around, &lists.samples);
+          lists.end.push_back(lists.samples.size());
         }
+      }
+    });
+  }
+
+  void ListNeighborsOf(int s, const std::vector<SpatialIndex::Neighbor>& around,
+                       std::vector<int>* listed) const {
+    const Eigen::Vector3d& position = consensus_.position[s];
+    const Eigen::Vector3d& tangent = consensus_.tangent[s];
+    const double footprint = samples_.footprint[s];
+    const double squared_radius = std::pow((kSearchPx + kSlackPx) * footprint, 2);
+    const double max_along = (kSearchPx + 0.5 * kSlackPx) * footprint;
+    for (const SpatialIndex::Neighbor& candidate : around) {
+      const Eigen::Vector3d apart = consensus_.position[candidate.index] - position;
+      if (apart.squaredNorm() > squared_radius) continue;
+      if (std::abs(apart.dot(tangent)) > max_along) continue;
+      if (std::abs(tangent.dot(consensus_.tangent[candidate.index])) < kMinListedCosine) continue;
+      listed->push_back(candidate.index);
+    }
+  }
+
+  // Calls visit(climber, neighbors up to max_along_px along the curve) for those that are wanted,
+  // each sample being its own neighbor.
+  template <typename Wanted, typename Visit>
+  void ForEachClimber(const Wanted& is_wanted, double max_along_px, const RunContext& context,
+                      const Visit& visit) const {
+    ForEachChunk(context, [&](size_t chunk) {
+      const Lists& lists = lists_[chunk];
+      const std::span<const int> climbers = Chunk(chunk);
+      std::vector<Neighbor> near;
+      size_t begin = 0;
+      for (size_t i = 0; i < climbers.size(); ++i) {
+        const std::span listed(lists.samples.data() + begin, lists.end[i] - begin);
+        begin = lists.end[i];
+        if (!is_wanted(climbers[i])) continue;
+        FindNeighbors(climbers[i], listed, max_along_px, &near);
+        visit(climbers[i], near);
       }
     });
   }
@@ -118,28 +218,27 @@ class Climb {
     return size;
   }
 
-  // Finds all samples within the search radius of any of a group, and a few more.
+  // Finds all samples within the search radius and the slack of any of a group, and a few more.
   void FindAround(std::span<const int> group, const SpatialIndex& index,
                   std::vector<SpatialIndex::Neighbor>* around) const {
     const Eigen::Vector3d center =
         0.5 * (consensus_.position[group.front()] + consensus_.position[group.back()]);
     double radius = 0;
     for (const int s : group) {
-      radius = std::max(
-          radius, (consensus_.position[s] - center).norm() + kSearchPx * samples_.footprint[s]);
+      radius = std::max(radius, (consensus_.position[s] - center).norm() +
+                                    (kSearchPx + kSlackPx) * samples_.footprint[s]);
     }
     index.FindWithin(center, radius, around);
   }
 
-  void FindNeighbors(int s, const std::vector<SpatialIndex::Neighbor>& around, double max_along_px,
+  void FindNeighbors(int s, std::span<const int> listed, double max_along_px,
                      std::vector<Neighbor>* near) const {
     const Eigen::Vector3d& position = consensus_.position[s];
     const Eigen::Vector3d& tangent = consensus_.tangent[s];
     const double footprint = samples_.footprint[s];
     const double squared_radius = std::pow(kSearchPx * footprint, 2);
     near->clear();
-    for (const SpatialIndex::Neighbor& candidate : around) {
-      const int other = candidate.index;
+    for (const int other : listed) {
       const Eigen::Vector3d apart = consensus_.position[other] - position;
       if (!(apart.squaredNorm() < squared_radius)) continue;
       const double along_px = apart.dot(tangent) / footprint;
@@ -189,6 +288,9 @@ class Climb {
   const SampleSet& samples_;
   const ReprojectedMetric& metric_;
   Consensus consensus_;
+  std::vector<int> climbers_;
+  std::vector<uint8_t> settled_;  // per sample
+  std::vector<Lists> lists_;      // per chunk of climbers
 };
 
 }  // namespace

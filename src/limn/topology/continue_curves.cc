@@ -78,13 +78,14 @@ Parabola GoOn(std::span<const Eigen::Vector3d> points, double footprint) {
 
 class Walker {
  public:
-  Walker(const TopologyInput& input, const TopologyOptions& options, const DrawingGraph& graph)
+  Walker(const TopologyInput& input, const TopologyOptions& options, const DrawingGraph& graph,
+         const RunContext& context)
       : input_(input),
         options_(options),
         graph_(graph),
         places_(CollectPlaces(graph)),
         index_(places_.position),
-        unclaimed_(UnclaimedEdgels(input, graph)) {}
+        unclaimed_(UnclaimedEdgels(input, graph, context)) {}
 
   std::vector<Step> Walk(const LinkEnd& end) const {
     State state = Begin(end);
@@ -222,13 +223,13 @@ class Walker {
     for (const Step& step : steps) {
       const auto sight = See(input_.views[v], step.position, step.direction);
       if (!sight) continue;
-      const auto& [pixel, angle] = *sight;
+      const auto& [pixel, direction] = *sight;
       ++num_visible;
-      num_covered += edgels.Best(pixel, angle, input_.gate).has_value();
-      num_own += unclaimed_[v].Best(pixel, angle, input_.gate).has_value();
+      num_covered += edgels.Best(pixel, direction, input_.gate).has_value();
+      num_own += unclaimed_[v].Best(pixel, direction, input_.gate).has_value();
       for (size_t c = 0; c < kChanceShiftsPx.size(); ++c) {
         const Eigen::Vector2d shifted = pixel + kChanceShiftsPx[c] * sight->Across();
-        num_of_copy[c] += edgels.Best(shifted, angle, input_.gate).has_value();
+        num_of_copy[c] += edgels.Best(shifted, direction, input_.gate).has_value();
       }
     }
     const auto is_enough = [&](int count) {
@@ -312,7 +313,7 @@ ContinuationCounts ContinueCurves(const TopologyInput& input, const TopologyOpti
   std::erase_if(ends, [&](const LinkEnd& end) { return editor->link(end.link).vertices.empty(); });
   if (ends.empty()) return counts;
   std::vector<std::vector<Step>> walks(ends.size());
-  const Walker walker(input, options, editor->graph());
+  const Walker walker(input, options, editor->graph(), context);
   ParallelFor(context, "continuation", ends.size(),
               [&](size_t i) { walks[i] = walker.Walk(ends[i]); });
   CutAtEarlier(&walks);

@@ -26,18 +26,19 @@ bool IsClaimed(const CurveFragment& fragment, int index, std::span<const LinkPoi
   return false;
 }
 
-std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph) {
+std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph,
+                                        const RunContext& context) {
   const EdgelClaims claims = CollectClaims(input, graph);
-  std::vector<EdgelIndex> result;
-  for (size_t v = 0; v < claims.size(); ++v) {
+  std::vector<EdgelIndex> result(claims.size());
+  ParallelFor(context, "unclaimed edgels", claims.size(), [&](size_t v) {
     std::vector<bool> unclaimed = LinkedEdgels(input.curves[v]);
     for (const CurveFragment& fragment : input.curves[v].fragments) {
       for (int i = 0; i < static_cast<int>(fragment.edgel_ids.size()); ++i) {
         if (IsClaimed(fragment, i, claims[v])) unclaimed[fragment.edgel_ids[i]] = false;
       }
     }
-    result.emplace_back(input.curves[v].edge_map, unclaimed);
-  }
+    result[v] = EdgelIndex(input.curves[v].edge_map, unclaimed);
+  });
   return result;
 }
 

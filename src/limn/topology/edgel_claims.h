@@ -7,6 +7,7 @@
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/topology/topology_input.h"
+#include "limn/util/parallel.h"
 
 namespace limn {
 
@@ -29,6 +30,7 @@ EdgelClaims CollectClaims(const TopologyInput& input, const DrawingGraph& graph)
 bool IsClaimed(const CurveFragment& fragment, int index, std::span<const LinkPoint> claims);
 
 // Per view, the edgels of fragments that are not claimed.
-std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph);
+std::vector<EdgelIndex> UnclaimedEdgels(const TopologyInput& input, const DrawingGraph& graph,
+                                        const RunContext& context);
 
 }  // namespace limn

@@ -57,12 +57,12 @@ struct Segment {
 class EdgeFinder {
  public:
   EdgeFinder(const TopologyInput& input, const TopologyOptions& options, GrowthEnd ends,
-             GraphEditor* editor)
+             const RunContext& context, GraphEditor* editor)
       : input_(input),
         options_(options),
         ends_(ends),
         editor_(editor),
-        unclaimed_(UnclaimedEdgels(input, editor->graph())),
+        unclaimed_(UnclaimedEdgels(input, editor->graph(), context)),
         joints_(CollectJoints(editor->graph(), input.views.size())),
         index_(Positions(joints_)) {}
 
@@ -252,12 +252,12 @@ class EdgeFinder {
 
 int64_t GrowEdges(const TopologyInput& input, const TopologyOptions& options, GrowthEnd ends,
                   const RunContext& context, GraphEditor* editor) {
-  return EdgeFinder(input, options, ends, editor).GrowAll(context);
+  return EdgeFinder(input, options, ends, context, editor).GrowAll(context);
 }
 
 int64_t AddShortEdges(const TopologyInput& input, const TopologyOptions& options,
                       const RunContext& context, GraphEditor* editor) {
-  return EdgeFinder(input, options, GrowthEnd::kJoint, editor).AddSegments(context);
+  return EdgeFinder(input, options, GrowthEnd::kJoint, context, editor).AddSegments(context);
 }
 
 }  // namespace limn

@@ -86,13 +86,10 @@ void AddPoint(const TopologyInput& input, const std::vector<ViewId>& near,
   for (const ViewId v : near) {
     const auto sight = See(input.views[v], point, tangent);
     if (!sight) continue;
-    const auto& [pixel, angle] = *sight;
+    const auto& [pixel, direction] = *sight;
     const Eigen::Vector3d ray = point - input.views[v].CenterInWorld();
-    all.push_back({v,
-                   pixel,
-                   {std::cos(angle), std::sin(angle)},
-                   (ray - ray.dot(tangent) * tangent).stableNormalized()});
-    const auto match = input.edgels[v]->edgels.Best(pixel, angle, input.gate);
+    all.push_back({v, pixel, direction, (ray - ray.dot(tangent) * tangent).stableNormalized()});
+    const auto match = input.edgels[v]->edgels.Best(pixel, direction, input.gate);
     (match ? supporting : others).push_back(all.back());
     if (!match) continue;
     const Eigen::Vector2d bright_left = input.EdgelOf({v, match->edgel}).Tangent();

@@ -26,14 +26,16 @@ struct TopologyInput {
   const Edgel& EdgelOf(const EdgelRef& ref) const {
     return curves[ref.view].edge_map.edgels[ref.edgel];
   }
+  EdgelLine LineOf(const EdgelRef& ref) const {
+    return {EdgelOf(ref).position_px, edgels[ref.view]->across[ref.edgel].cast<double>()};
+  }
   // The distance of a point from an edgel; empty if it is behind the camera.
   std::optional<EdgelResidual> Residual(const EdgelRef& ref, const Eigen::Vector3d& point) const {
-    return ResidualToEdgel(views[ref.view], EdgelOf(ref), point);
+    return ResidualToEdgel(views[ref.view], LineOf(ref), point);
   }
   // An edgel as what a point of a curve is drawn to.
   EdgelTarget TargetOf(const EdgelRef& ref) const {
-    const Edgel& edgel = EdgelOf(ref);
-    return {views[ref.view], edgel, ResidualVariance(edgel)};
+    return {views[ref.view], LineOf(ref), ResidualVariance(EdgelOf(ref))};
   }
   // What edgels say of the position of a point, world units: their inverse variances along the
   // gradients of their residuals.
@@ -53,7 +55,7 @@ struct TopologyInput {
                                   const Eigen::Vector3d& tangent, const SupportGate& within) const {
     const auto sight = See(views[view], point, tangent);
     if (!sight) return std::nullopt;
-    const auto match = edgels[view]->edgels.Best(sight->position_px, sight->direction_rad, within);
+    const auto match = edgels[view]->edgels.Best(sight->position_px, sight->direction, within);
     return match ? std::optional(EdgelRef{view, match->edgel}) : std::nullopt;
   }
 };

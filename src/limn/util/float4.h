@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <cstring>
 
+// Of functions that are also called in code for other instruction sets (float8.h).
+#define LIMN_INLINE_KERNEL inline __attribute__((always_inline))
+
 namespace limn {
 
 // Four floats as a vector type of GCC and Clang: SSE2 on every x86-64, so that results do not
@@ -31,7 +34,7 @@ inline bool Any4(Mask4 mask) {
   return (halves[0] | halves[1]) != 0;
 }
 // A bit per element of a comparison, the first one lowest.
-inline unsigned Bits4(Mask4 mask) {
+LIMN_INLINE_KERNEL unsigned Bits4(Mask4 mask) {
 #if defined(__SSE2__)
   return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Float4>(mask)));
 #else

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "limn/util/float4.h"
+
 namespace limn {
 
 // Eight floats as a vector type, like Float4 (float4.h): one register with AVX2, two with SSE2.
@@ -24,7 +26,6 @@ using Float8 = float __attribute__((vector_size(32), aligned(32)));
 // Result of a comparison: all bits of an element are set where it holds.
 using Mask8 = int32_t __attribute__((vector_size(32), aligned(32)));
 
-#define LIMN_INLINE_KERNEL inline __attribute__((always_inline))
 #if defined(__x86_64__)
 #define LIMN_FOR_AVX2 __attribute__((target("avx2")))
 inline bool HasAvx2() { return __builtin_cpu_supports("avx2") != 0; }
@@ -46,6 +47,13 @@ LIMN_INLINE_KERNEL bool Any8(const Mask8& mask) {
   uint64_t quarters[4];
   std::memcpy(quarters, &mask, sizeof(quarters));
   return ((quarters[0] | quarters[1]) | (quarters[2] | quarters[3])) != 0;
+}
+
+// A bit per element of a comparison, the first one lowest.
+LIMN_INLINE_KERNEL unsigned Bits8(const Mask8& mask) {
+  Mask4 halves[2];
+  std::memcpy(halves, &mask, sizeof(halves));
+  return Bits4(halves[0]) | Bits4(halves[1]) << 4;
 }
 
 }  // namespace limn

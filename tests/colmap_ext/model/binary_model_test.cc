@@ -217,7 +217,7 @@ TEST(BinaryModel, BadPointsAreLeftOutAndCounted) {
   ASSERT_EQ(back.points.size(), 1u);
   EXPECT_EQ(back.points[0].track.size(), 1u);
   EXPECT_THAT(back.warnings, ::testing::ElementsAre(HasSubstr("2 3D points left out"),
-                                                  HasSubstr("1 elements of point tracks")));
+                                                    HasSubstr("1 elements of point tracks")));
 }
 
 }  // namespace

@@ -179,15 +179,16 @@ TEST(ViewSketchFile, RoundTrip) {
   const ViewSketch written = SmallViewSketch();
   WriteViewSketch(folder.Path("a.bin"), written, "x");
   const std::vector<ImageCurves> curves = SketchedCurves();
-  const std::optional<ViewSketch> read = ReadViewSketch(folder.Path("a.bin"), 0, curves, "x");
+  const std::optional<ViewSketch> read =
+      ReadViewSketch(folder.Path("a.bin"), 0, PointersTo(curves), "x");
   ASSERT_TRUE(read);
   EXPECT_EQ(read->fates, written.fates);
   ASSERT_EQ(read->curves.size(), 2u);
   WriteViewSketch(folder.Path("b.bin"), *read, "x");
   EXPECT_EQ(TemporaryFolder::Read(folder.Path("a.bin")),
             TemporaryFolder::Read(folder.Path("b.bin")));
-  EXPECT_FALSE(ReadViewSketch(folder.Path("a.bin"), 0, curves, "y"));
-  EXPECT_THROW(ReadViewSketch(folder.Path("a.bin"), 1, curves, "x"), IoError);
+  EXPECT_FALSE(ReadViewSketch(folder.Path("a.bin"), 0, PointersTo(curves), "y"));
+  EXPECT_THROW(ReadViewSketch(folder.Path("a.bin"), 1, PointersTo(curves), "x"), IoError);
 }
 
 TEST(StageFile, OtherIdentityOrVersionMeansMakeItAnew) {
@@ -290,7 +291,8 @@ TEST(StageFile, IdsOutOfRangeAreRefused) {
     ViewSketch sketch = SmallViewSketch();
     spoil(&sketch);
     WriteViewSketch(folder.Path("v.bin"), sketch, "id");
-    EXPECT_THROW(ReadViewSketch(folder.Path("v.bin"), 0, SketchedCurves(), "id"), IoError);
+    const std::vector<ImageCurves> of_views = SketchedCurves();
+    EXPECT_THROW(ReadViewSketch(folder.Path("v.bin"), 0, PointersTo(of_views), "id"), IoError);
   };
   refuse_view([](ViewSketch* sketch) { sketch->fates[3] = EdgelFate(kNumEdgelFates); });
   refuse_view([](ViewSketch* sketch) { sketch->fates.pop_back(); });

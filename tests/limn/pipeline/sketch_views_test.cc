@@ -9,6 +9,7 @@
 #include "limn/formats/curve_sketch_file.h"
 #include "limn/formats/temporary_folder.h"
 #include "limn/formats/view_sketch_file.h"
+#include "limn/pipeline/curves_key.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
@@ -148,8 +149,14 @@ TEST_F(SketchViewsTest, DamagedOnesAreMadeAgain) {
 // A shared folder may hold anything, with the right checksum and identity.
 TEST_F(SketchViewsTest, ForeignIdsAreMadeAgain) {
   const std::string whole = Bytes(Sketch(Cache()).sketch);
+  const auto plans = SelectViews(views_, hints_, options_.view_selection, {});
+  const std::vector<std::string> keys = ViewKeys(views_, curves_, {});
   const auto spoil = [&](int view, const auto& change) {
-    ViewSketch sketch = *ReadViewSketch(Kept(view), view, curves_, "");
+    const SketchIdentity identity = IdentityOfSketch(
+        SketchMode::kSweep, {views_, curves_, hints_, box_}, options_, view, plans[view], keys);
+    CurvesOfViews curves;
+    for (const ViewId id : identity.views) curves.push_back(&curves_[id]);
+    ViewSketch sketch = *ReadViewSketch(Kept(view), identity.PlaceOf(view), curves, identity.key);
     change(&sketch);
     WriteViewSketch(Kept(view), sketch, IdentityOf(Kept(view)));
   };
@@ -200,6 +207,51 @@ TEST_F(SketchViewsTest, AFolderThatCannotBeMadeCostsTheCacheOnly) {
   EXPECT_EQ(use_.not_stored, 10);
   EXPECT_NE(use_.write_error.find(file), std::string::npos);
   EXPECT_TRUE(Bytes(result.sketch) == Bytes(Sketch("").sketch));
+}
+
+TEST_F(SketchViewsTest, ViewsThatASketchDoesNotNeedMayGo) {
+  // The first views look at each other only.
+  std::vector<ViewPlan> plans = SelectViews(views_, hints_, options_.view_selection, {});
+  const auto is_late = [](ViewId v) { return v == 0 || v > 6; };
+  for (ViewId v = 1; v <= 6; ++v) {
+    std::erase_if(plans[v].second_views, is_late);
+    std::erase_if(plans[v].confirmation_views, is_late);
+  }
+  const auto sketch = [&] {
+    ResultCache cache(Cache());
+    SketchResult result =
+        SketchViews(SketchMode::kSweep, {views_, curves_, hints_, box_, std::nullopt, &plans},
+                    options_, &cache, {});
+    use_ = cache.Use(CachedKind::kSketch);
+    return std::move(result.sketch.curves);
+  };
+  const std::vector<Curve3D> before = sketch();
+  for (const ViewId gone : {9, 0}) {
+    views_.erase(views_.begin() + gone);
+    curves_.erase(curves_.begin() + gone);
+    plans.erase(plans.begin() + gone);
+  }
+  plans[6].is_primary = plans[7].is_primary = false;
+  for (ViewPlan& plan : plans) {
+    for (ViewId& view : plan.second_views) --view;
+    for (ViewId& view : plan.confirmation_views) --view;
+  }
+  const std::vector<Curve3D> after = sketch();
+  EXPECT_EQ(use_.reused, 6);
+  EXPECT_EQ(use_.outdated, 0);
+  std::vector<Curve3D> expected;
+  for (const Curve3D& curve : before) {
+    if (!is_late(curve.anchor.view)) expected.push_back(curve);
+  }
+  ASSERT_EQ(after.size(), expected.size());
+  for (size_t c = 0; c < after.size(); ++c) {
+    EXPECT_EQ(after[c].anchor.view, expected[c].anchor.view - 1);
+    EXPECT_EQ(after[c].points_in_world, expected[c].points_in_world);
+    ASSERT_EQ(after[c].support.edgels.size(), expected[c].support.edgels.size());
+    for (size_t i = 0; i < after[c].support.edgels.size(); ++i) {
+      EXPECT_EQ(after[c].support.edgels[i].view, expected[c].support.edgels[i].view - 1);
+    }
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "limn/refinement/crowding.h"
 
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -7,22 +8,26 @@
 namespace limn {
 namespace {
 
+ImagePlace At(int link, const Eigen::Vector2d& pixel, double angle) {
+  return {link, pixel, {std::cos(angle), std::sin(angle)}};
+}
+
 TEST(Crowding, OnlyOtherParallelLinksCount) {
-  const Crowding crowding({{0, {10, 10}, 0}, {1, {10, 12}, 0.1}, {2, {10, 7.5}, 1.5}});
-  EXPECT_TRUE(crowding.At({0, {10, 10}, 0}, 3));
-  EXPECT_FALSE(crowding.At({0, {10, 10}, 0}, 1.9));
+  const Crowding crowding({At(0, {10, 10}, 0), At(1, {10, 12}, 0.1), At(2, {10, 7.5}, 1.5)});
+  EXPECT_TRUE(crowding.At(At(0, {10, 10}, 0), 3));
+  EXPECT_FALSE(crowding.At(At(0, {10, 10}, 0), 1.9));
   // Undirected.
-  EXPECT_TRUE(crowding.At({0, {10, 10}, M_PI}, 3));
+  EXPECT_TRUE(crowding.At(At(0, {10, 10}, M_PI), 3));
   // Link 2 is near, but crosses.
-  EXPECT_FALSE(crowding.At({1, {10, 6}, 0}, 3));
-  EXPECT_TRUE(crowding.At({1, {10, 6}, 1.5}, 3));
+  EXPECT_FALSE(crowding.At(At(1, {10, 6}, 0), 3));
+  EXPECT_TRUE(crowding.At(At(1, {10, 6}, 1.5), 3));
 }
 
 TEST(Crowding, FindsWhatComparingAllPairsFinds) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-40, 40);
   std::vector<ImagePlace> places;
-  for (int i = 0; i < 400; ++i) places.push_back({i % 7, {uniform(random), uniform(random)}, 0});
+  for (int i = 0; i < 400; ++i) places.push_back(At(i % 7, {uniform(random), uniform(random)}, 0));
   const Crowding crowding(places);
   int num_crowded = 0;
   for (const ImagePlace& place : places) {
@@ -37,7 +42,7 @@ TEST(Crowding, FindsWhatComparingAllPairsFinds) {
   EXPECT_LT(num_crowded, 350);
 }
 
-TEST(Crowding, NoPlacesCrowdNothing) { EXPECT_FALSE(Crowding({}).At({0, {1, 1}, 0}, 3)); }
+TEST(Crowding, NoPlacesCrowdNothing) { EXPECT_FALSE(Crowding({}).At(At(0, {1, 1}, 0), 3)); }
 
 }  // namespace
 }  // namespace limn

@@ -5,6 +5,7 @@
 #include <optional>
 #include <random>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limn/geometry/epipolar.h"
@@ -127,7 +128,8 @@ TEST_F(EpipolarChordsTest, EveryCrossingOfRandomLinesExactlyOnce) {
   AddRandomFragments(60);
   for (const Pair& pair : Pairs()) {
     SCOPED_TRACE(pair.name);
-    const EpipolarChords chords(pair.primary, pair.other, curves_);
+    const FragmentChords chords_of_other(curves_);
+    const EpipolarChords chords(pair.primary, pair.other, chords_of_other);
     std::mt19937 random(10);
     std::uniform_real_distribution<double> x(0, 639), y(0, 479);
     int num_lines = 0;
@@ -148,7 +150,8 @@ TEST_F(EpipolarChordsTest, EveryCrossingOfRandomLinesExactlyOnce) {
         EXPECT_NEAR(crossing.tangent.norm(), 1, 1e-9);
         const double at = along.dot(crossing.position_px - segment->from);
         if (at < 0 || at > length) continue;
-        found.push_back({crossing.fragment, static_cast<int>(crossing.parameter)});
+        const FragmentPlace place = chords_of_other.PlaceOf(crossing.chord);
+        found.push_back({place.fragment, place.index});
       }
       EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
       EXPECT_EQ(found, *expected) << "pixel " << pixel.transpose();
@@ -169,9 +172,15 @@ class UprightLinesTest : public EpipolarChordsTest {
   }
 
   std::vector<LineCrossing> OnColumn(double x) const {
+    const FragmentChords chords(curves_);
     std::vector<LineCrossing> crossings;
-    EpipolarChords(primary_, other_, curves_).Find({x, 100}, &crossings);
+    EpipolarChords(primary_, other_, chords).Find({x, 100}, &crossings);
     return crossings;
+  }
+
+  // The place of a crossing on its fragment, in vertices.
+  double Parameter(const LineCrossing& crossing) const {
+    return FragmentChords(curves_).PlaceOf(crossing.chord).index + crossing.fraction;
   }
 
   View primary_;
@@ -185,7 +194,7 @@ TEST_F(UprightLinesTest, LineThroughASharedVertexCrossesOnce) {
   for (int k = 1; k < 40; ++k) {
     const auto crossings = OnColumn(100.0 + k);
     ASSERT_EQ(crossings.size(), 1u) << "vertex " << k;
-    EXPECT_NEAR(crossings[0].parameter, k, 1e-4);
+    EXPECT_NEAR(Parameter(crossings[0]), k, 1e-4);
   }
 }
 
@@ -195,8 +204,8 @@ TEST_F(UprightLinesTest, PositionParameterAndTangentAreInterpolated) {
   curves_.edge_map.edgels[2].tangent_rad = 0.4 - M_PI;  // the same direction, stored backwards
   const auto crossings = OnColumn(11.5);
   ASSERT_EQ(crossings.size(), 1u);
-  EXPECT_EQ(crossings[0].fragment, 0);
-  EXPECT_NEAR(crossings[0].parameter, 1.5, 1e-4);
+  EXPECT_EQ(FragmentChords(curves_).PlaceOf(crossings[0].chord).fragment, 0);
+  EXPECT_NEAR(Parameter(crossings[0]), 1.5, 1e-4);
   EXPECT_NEAR((crossings[0].position_px - Vector2d(11.5, 10.25)).norm(), 0, 1e-4);
   EXPECT_NEAR(std::atan2(crossings[0].tangent.y(), crossings[0].tangent.x()), 0.3, 1e-4);
 }
@@ -208,14 +217,48 @@ TEST_F(UprightLinesTest, ClosedFragmentIsClosed) {
   AddFragment({{40, 10}, {42, 15}, {40, 20}, {38, 15}}, true);
   const auto closing = OnColumn(39);
   ASSERT_EQ(closing.size(), 2u);
-  EXPECT_NEAR(closing[0].parameter, 2.5, 1e-4);
-  EXPECT_NEAR(closing[1].parameter, 3.5, 1e-4);
+  EXPECT_NEAR(Parameter(closing[0]), 2.5, 1e-4);
+  EXPECT_NEAR(Parameter(closing[1]), 3.5, 1e-4);
+}
+
+// The inverse depth at which the column's ray passes through a pixel of the other view, one unit
+// above the first: the offset is focal length times inverse depth.
+TEST_F(UprightLinesTest, OnlyWhatIsSeenAtAnInverseDepthInARange) {
+  std::vector<double> rows = {150, 200, 250, 300};
+  for (const double row : rows) AddFragment({{90, row}, {110, row}}, false);
+  const FragmentChords chords(curves_);
+  const EpipolarChords pair(primary_, other_, chords);
+  const auto inverse_depth = [&](double row) { return (row - 100) / primary_.camera.fy; };
+  const auto rows_in = [&](const std::vector<InverseDepthRange>& ranges) {
+    std::vector<LineCrossing> crossings;
+    pair.Find({100, 100}, ranges, &crossings);
+    std::vector<double> found;
+    for (const LineCrossing& crossing : crossings) found.push_back(crossing.position_px.y());
+    return found;
+  };
+  const auto near = [](double row) { return ::testing::DoubleNear(row, 1e-3); };
+  EXPECT_THAT(rows_in({{inverse_depth(190), inverse_depth(260)}}),
+              ::testing::ElementsAre(near(200), near(250)));
+  EXPECT_THAT(
+      rows_in({{inverse_depth(290), inverse_depth(310)}, {inverse_depth(140), inverse_depth(160)}}),
+      ::testing::ElementsAre(near(150), near(300)));
+  EXPECT_TRUE(rows_in({{inverse_depth(210), inverse_depth(240)}}).empty());
+  EXPECT_TRUE(rows_in({}).empty());
+}
+
+// More chords on a line than are looked at together.
+TEST_F(UprightLinesTest, ManyChordsOnALine) {
+  for (int k = 0; k < 300; ++k) AddFragment({{90, 100.0 + k}, {110, 100.0 + k}}, false);
+  const auto crossings = OnColumn(100);
+  ASSERT_EQ(crossings.size(), 300u);
+  for (int k = 0; k < 300; ++k) EXPECT_NEAR(crossings[k].position_px.y(), 100 + k, 1e-3);
 }
 
 TEST_F(UprightLinesTest, CrossingsAreAppended) {
   AddFragment({{10, 10}, {20, 10}}, false);
   std::vector<LineCrossing> crossings(2);
-  EpipolarChords(primary_, other_, curves_).Find({15, 5}, &crossings);
+  const FragmentChords chords(curves_);
+  EpipolarChords(primary_, other_, chords).Find({15, 5}, &crossings);
   EXPECT_EQ(crossings.size(), 3u);
 }
 
@@ -224,7 +267,8 @@ TEST_F(UprightLinesTest, NoFragmentsNoCrossings) { EXPECT_TRUE(OnColumn(15).empt
 TEST_F(UprightLinesTest, OneCenterHasNoEpipolarLines) {
   AddFragment({{10, 10}, {20, 10}}, false);
   std::vector<LineCrossing> crossings;
-  EpipolarChords(primary_, primary_, curves_).Find({15, 5}, &crossings);
+  const FragmentChords chords(curves_);
+  EpipolarChords(primary_, primary_, chords).Find({15, 5}, &crossings);
   EXPECT_TRUE(crossings.empty());
 }
 

@@ -21,7 +21,8 @@ class HypothesesTest : public ::testing::Test {
                                     double min_depth = kMinDepth, double max_depth = kMaxDepth) {
     first_ = testing::ProjectCurves(primary_, curves);
     second_curves_ = testing::ProjectCurves(second_, curves);
-    const EpipolarChords chords(primary_, second_, second_curves_);
+    const FragmentChords chords_of_second(second_curves_);
+    const EpipolarChords chords(primary_, second_, chords_of_second);
     rays_ = MakeFragmentRays(primary_, first_, 0);
     return FindHypotheses(rays_, primary_, second_, chords, min_depth, max_depth, options_);
   }

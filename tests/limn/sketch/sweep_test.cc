@@ -19,8 +19,21 @@ class CrossingsTest : public ::testing::Test {
     const ImageCurves second = testing::ProjectCurves(second_, curves);
     rays_ = MakeFragmentRays(primary_, first_, 0);
     std::vector<EpipolarCrossing> crossings;
-    CrossingFinder(primary_, second_, second)
-        .Find(rays_, vertex, min_inverse_depth, max_inverse_depth, 3, &crossings);
+    const FragmentChords chords(second);
+    CrossingFinder(primary_, second_, chords)
+        .Find(rays_, vertex, {min_inverse_depth, max_inverse_depth}, 3, &crossings);
+    return crossings;
+  }
+
+  // Those of the same vertex near a place.
+  std::vector<EpipolarCrossing> FindNear(const std::vector<testing::SceneCurve>& curves,
+                                         size_t vertex, double inverse_depth) {
+    const ImageCurves second = testing::ProjectCurves(second_, curves);
+    const FragmentChords chords(second);
+    const DepthPlace place{static_cast<float>(inverse_depth), 0};
+    std::vector<EpipolarCrossing> crossings;
+    CrossingFinder(primary_, second_, chords)
+        .FindNear(rays_, vertex, {0.1, 1}, {&place, 1}, 3, &crossings);
     return crossings;
   }
 
@@ -75,6 +88,21 @@ TEST_F(CrossingsTest, NoneLeavesTheRange) {
   EXPECT_EQ(Find({line}, 50, 0.15, 0.25).size(), 1u);
   EXPECT_TRUE(Find({line}, 50, 0.25, 0.5).empty());
   EXPECT_TRUE(Find({line}, 50, 0.05, 0.15).empty());
+}
+
+TEST_F(CrossingsTest, NearAPlaceOnTheLine) {
+  const auto line = testing::Segment({0, 0, -0.7}, {0, 0, 0.7});
+  const auto all = Find({line}, 50);
+  ASSERT_EQ(all.size(), 1u);
+  const double px = 1 / all[0].px_per_inverse_depth;
+  const double within = (CrossingFinder::kNearPx - 1) * px,
+               beyond = (CrossingFinder::kNearPx + 2) * px;
+  for (const double side : {-1, 1}) {
+    const auto near = FindNear({line}, 50, all[0].inverse_depth + side * within);
+    ASSERT_EQ(near.size(), 1u);
+    EXPECT_EQ(near[0].inverse_depth, all[0].inverse_depth);
+    EXPECT_TRUE(FindNear({line}, 50, all[0].inverse_depth + side * beyond).empty());
+  }
 }
 
 std::vector<DepthMode> Elect(const std::vector<EpipolarCrossing>& crossings) {
@@ -134,14 +162,11 @@ TEST(AgreeingDepthsTest, OnlyWhatIsProposedIsElected) {
   DepthElection election(600, SketchOptions());
   EXPECT_EQ(election.Find(crossings).size(), 3u);
   const std::vector<DepthPlace> proposals = {{0.2005f, 0}, {0.3005f, 0}, {0.25f, 0}};
-  const auto modes = election.FindNear(crossings, proposals, 0);
+  const auto modes = election.FindNear(crossings, proposals);
   ASSERT_EQ(modes.size(), 2u);
   EXPECT_NEAR(modes[0].depth.inverse_depth, 0.3, 1e-7);
   EXPECT_NEAR(modes[1].depth.inverse_depth, 0.2, 1e-7);
-  const auto best = election.FindNear(crossings, proposals, modes[1].score + 0.01);
-  ASSERT_EQ(best.size(), 1u);
-  EXPECT_NEAR(best[0].depth.inverse_depth, 0.3, 1e-7);
-  EXPECT_TRUE(election.FindNear(crossings, {}, 0).empty());
+  EXPECT_TRUE(election.FindNear(crossings, {}).empty());
 }
 
 }  // namespace

@@ -385,5 +385,41 @@ TEST(ViewSelectionTest, BadOptionsThrow) {
   EXPECT_THROW(SelectViews(Turntable(5), kNoHints, options, {}), OptionError);
 }
 
+TEST(ViewSelectionTest, AddedViewsArePlannedAsAllAre) {
+  const std::vector<View> views = testing::DomeViews(12, 5);
+  const auto all = SelectViews(views, {}, {}, {});
+  const auto added = PlanAddedViews(views, {}, {3, 8}, std::vector<uint8_t>(12, 1), {}, {});
+  ASSERT_EQ(added.size(), views.size());
+  for (ViewId v = 0; v < 12; ++v) {
+    if (v != 3 && v != 8) {
+      EXPECT_FALSE(added[v].is_primary);
+      EXPECT_THAT(PartnersIn(added[v]), ::testing::IsEmpty());
+      continue;
+    }
+    EXPECT_TRUE(added[v].is_primary);
+    EXPECT_EQ(added[v].second_views, all[v].second_views);
+    EXPECT_EQ(added[v].confirmation_views, all[v].confirmation_views);
+    EXPECT_EQ(added[v].min_depth, all[v].min_depth);
+    EXPECT_EQ(added[v].max_depth, all[v].max_depth);
+  }
+}
+
+TEST(ViewSelectionTest, AnAddedViewOfWhatEnoughViewsSeeOnlyConfirms) {
+  ViewSelectionOptions options;
+  options.enough_primary_views = 5;
+  const std::vector<View> views = testing::DomeViews(30, 5);
+  std::vector<uint8_t> is_sketched(30, 1);
+  const auto is_primary = [&] {
+    return PlanAddedViews(views, {}, {3}, is_sketched, options, {})[3].is_primary;
+  };
+  EXPECT_FALSE(is_primary());
+  options.enough_primary_views = 29;
+  EXPECT_TRUE(is_primary());
+  // Views that are not sketched themselves do not count.
+  options.enough_primary_views = 5;
+  std::fill(is_sketched.begin() + 4, is_sketched.end(), 0);
+  EXPECT_TRUE(is_primary());
+}
+
 }  // namespace
 }  // namespace limn

@@ -28,6 +28,8 @@ Offset OffsetOf(const Edgel& edgel, const Eigen::Vector2d& position, double dire
           std::acos(std::min(1.0, std::abs(cosine))) / gate.angle_rad};
 }
 
+Eigen::Vector2d Direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
 class EdgelIndexTest : public ::testing::Test {
  protected:
   EdgelIndexTest() {
@@ -64,7 +66,7 @@ TEST_F(EdgelIndexTest, FindsAnEdgelWhereverOneIsInTheGate) {
         inside.insert(static_cast<EdgelId>(id));
       }
     }
-    const auto best = index.Best(queries_[q], directions_[q], gate);
+    const auto best = index.Best(queries_[q], Direction(directions_[q]), gate);
     ASSERT_EQ(best.has_value(), !inside.empty()) << "query " << q;
     if (!best) continue;
     ++num_found;
@@ -110,7 +112,7 @@ TEST_F(EdgelIndexTest, SmallestIdOnTies) {
   const std::vector<Edgel> twins(3, testing::MakeEdgel({50, 50}, 0.3));
   const EdgeMap edge_map = testing::MakeEdgeMap(view_, twins);
   const EdgelIndex index(edge_map, {false, true, true});
-  const auto best = index.Best({50.2, 50.1}, 0.3, SupportGate());
+  const auto best = index.Best({50.2, 50.1}, Direction(0.3), SupportGate());
   ASSERT_TRUE(best.has_value());
   EXPECT_EQ(best->edgel, 1);
 }
@@ -118,9 +120,9 @@ TEST_F(EdgelIndexTest, SmallestIdOnTies) {
 TEST_F(EdgelIndexTest, DirectionIsUndirected) {
   const EdgeMap edge_map = testing::MakeEdgeMap(view_, {testing::MakeEdgel({50, 50}, 3.1)});
   const EdgelIndex index(edge_map, {true});
-  EXPECT_TRUE(index.Best({50, 50}, 3.1 - M_PI, SupportGate()).has_value());
-  EXPECT_TRUE(index.Best({50, 50}, -3.1, SupportGate()).has_value());
-  EXPECT_FALSE(index.Best({50, 50}, 3.1 - M_PI / 2, SupportGate()).has_value());
+  EXPECT_TRUE(index.Best({50, 50}, Direction(3.1 - M_PI), SupportGate()).has_value());
+  EXPECT_TRUE(index.Best({50, 50}, Direction(-3.1), SupportGate()).has_value());
+  EXPECT_FALSE(index.Best({50, 50}, Direction(3.1 - M_PI / 2), SupportGate()).has_value());
 }
 
 TEST_F(EdgelIndexTest, GateIsInStoredPixels) {
@@ -133,17 +135,17 @@ TEST_F(EdgelIndexTest, GateIsInStoredPixels) {
         testing::MakeEdgeMap(view_, {edgel, testing::MakeEdgel({first, first}, 0)});
     const EdgelIndex index(edge_map, {true, true});
     for (const double side : {-1.0, 1.0}) {
-      const auto best = index.Best({50, 50 + side * 2.8}, 0, gate);
+      const auto best = index.Best({50, 50 + side * 2.8}, {1, 0}, gate);
       ASSERT_TRUE(best.has_value()) << first << " " << side;
       EXPECT_NEAR(std::abs(best->normal_residual_px), 1.4, 1e-6);
-      EXPECT_FALSE(index.Best({50, 50 + side * 3.2}, 0, gate).has_value());
+      EXPECT_FALSE(index.Best({50, 50 + side * 3.2}, {1, 0}, gate).has_value());
     }
   }
 }
 
 TEST_F(EdgelIndexTest, EmptyIndexFindsNothing) {
   const EdgelIndex index(edge_map_, std::vector<bool>(edge_map_.edgels.size(), false));
-  EXPECT_FALSE(index.Best({50, 50}, 0, SupportGate()).has_value());
+  EXPECT_FALSE(index.Best({50, 50}, {1, 0}, SupportGate()).has_value());
   index.ForEachWithin({50, 50}, 100, [](EdgelId id) { ADD_FAILURE() << id; });
 }
 

@@ -22,7 +22,8 @@ class PointFitTest : public ::testing::Test {
     }
     for (const View& view : views_) {
       const auto sight = See(view, Vector3d::Zero(), Vector3d::UnitX()).value();
-      edgels_.push_back(testing::MakeEdgel(sight.position_px, sight.direction_rad));
+      edgels_.push_back(testing::MakeEdgel(sight.position_px,
+                                           std::atan2(sight.direction.y(), sight.direction.x())));
     }
   }
 

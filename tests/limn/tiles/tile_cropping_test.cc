@@ -101,5 +101,22 @@ TEST(TileCropping, JunctionsKeepWhatIsInside) {
   EXPECT_EQ(num_junctions, 1);
 }
 
+TEST(TileCropping, WhatIsInAHoleGoes) {
+  DrawingGraph graph;
+  AddLink(testing::Segment({-1, 0, 0}, {1, 0, 0}).points, false, &graph);
+  AddLink(testing::Segment({-0.1, 0.1, 0}, {0.1, 0.1, 0}).points, false, &graph);
+  AddLink(testing::Segment({-1, 2, 0}, {1, 2, 0}).points, false, &graph);
+  const Eigen::AlignedBox3d hole(Eigen::Vector3d(-0.25, -1, -1), Eigen::Vector3d(0.5, 1, 1));
+  CutOut(hole, &graph);
+  EXPECT_THAT(Validate(graph), IsEmpty());
+  ASSERT_EQ(graph.links.size(), 3u);  // both sides of the first, and the last
+  EXPECT_NEAR(LengthOf(graph), 0.75 + 0.5 + 2, 1e-9);
+  int num_cut = 0;
+  for (const DrawingNode& node : graph.nodes) {
+    num_cut += IsOnBorder(hole, node.position_in_world);
+  }
+  EXPECT_EQ(num_cut, 2);
+}
+
 }  // namespace
 }  // namespace limn

@@ -153,5 +153,28 @@ TEST_F(TileJoiningTest, OneTileIsItself) {
   EXPECT_EQ(joined.graph.links[0].points_in_world, graph.links[0].points_in_world);
 }
 
+TEST_F(TileJoiningTest, AHoleIsFilledByAnotherTile) {
+  DrawingGraph old, drawn;
+  AddLink(testing::Segment({-1, 0, 0}, {1, 0, 0}).points, false, &old);
+  AddLink(testing::Segment({-1, 0.4, 0}, {1, 0.4, 0}).points, false, &old);
+  AddLink(testing::Segment({-0.6, 0.4 * kFootprint, 0}, {0.6, 0.4 * kFootprint, 0}).points, false,
+          &drawn);
+  for (DrawingLink& link : old.links) {
+    link.primitive =
+        LinkPrimitive{LineSegment{link.points_in_world.front(), link.points_in_world.back()}, 0, 0};
+  }
+  const Eigen::AlignedBox3d hole(Eigen::Vector3d(-0.3, -0.2, -0.2), Eigen::Vector3d(0.3, 0.2, 0.2));
+  const Eigen::AlignedBox3d space = Between(-kInfinity, kInfinity);
+  const JoinedTiles joined = JoinTiles({{space, old, {hole}}, {hole, drawn}}, views_);
+  EXPECT_THAT(Validate(joined.graph), IsEmpty());
+  EXPECT_EQ(joined.joined, 2);
+  EXPECT_EQ(joined.open_ends, 0);
+  ASSERT_THAT(joined.graph.links, SizeIs(2));
+  EXPECT_NEAR(LengthOf(joined.graph), 4, 0.01);
+  int num_untouched = 0;
+  for (const DrawingLink& link : joined.graph.links) num_untouched += link.primitive.has_value();
+  EXPECT_EQ(num_untouched, 1);
+}
+
 }  // namespace
 }  // namespace limn

@@ -34,7 +34,7 @@ class UnclaimedEdgelsTest : public ::testing::Test {
       graph.links[0].vertices.back().support = {{0, ids[place]}};
     }
     const auto support = BuildViewEdgels(curves_, {});
-    return Held(UnclaimedEdgels({views_, curves_, support, {}}, graph)[view], view);
+    return Held(UnclaimedEdgels({views_, curves_, support, {}}, graph, {})[view], view);
   }
 
   std::vector<int> Held(const EdgelIndex& index, ViewId view) const {

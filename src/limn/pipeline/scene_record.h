@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+#include "limn/pipeline/pipeline_options.h"
+#include "limn/pipeline/result_cache.h"
+
+namespace limn {
+
+struct RecordedView {
+  std::string name;
+  std::string key;  // ViewKey
+  int num_edgels = 0;
+};
+
+// A sketch in the cache. Its file counts views by their places in `views`: the view itself and
+// those in its plan, some of which may have gone since.
+struct RecordedSketch {
+  ViewId place = -1;  // of the view itself
+  std::string key;
+  std::vector<RecordedView> views;
+
+  const std::string& ViewName() const { return views[place].name; }
+};
+
+// What a drawing was made from, kept with it so that it can be brought up to date.
+struct SceneRecord {
+  std::vector<RecordedView> views;       // that the supporting views of links are places in
+  std::vector<RecordedSketch> sketches;  // of the primary views
+  // Of the last drawing that was made from nothing.
+  std::vector<RecordedView> drawn_views;
+  DrawingGraph graph;
+};
+
+// All else that the drawing depends on: options, box and versions.
+std::string RecordKey(const PipelineOptions& options,
+                      const std::optional<Eigen::AlignedBox3d>& box);
+
+void KeepRecord(const SceneRecord& record, const std::string& key, ResultCache* cache);
+
+// Nothing if there is none with this key. Throws IoError if the file is damaged.
+std::optional<SceneRecord> FindRecord(const std::string& key, const ResultCache& cache);
+
+}  // namespace limn
