@@ -25,8 +25,10 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
   parser->AddOption("mask_path", &view.mask_path, BasicOption("folder of masks, <image name>.png"));
   parser->AddOption("edges_path", &options->edges_path,
                     "folder of edges found elsewhere, <image name>.edg, .cem, .txt or .png");
-  parser->AddOption("max_image_size", &view.max_image_size,
-                    BasicOption("shrink images to this longer side, px, -1 = do not"));
+  parser->AddOption(
+      "max_image_size", &view.max_image_size,
+      BasicOption(
+          "shrink images to this longer side, panoramas to four times that, px, -1 = do not"));
   parser->AddOption("max_reprojection_px", &view.max_reprojection_px,
                     "leave out images that points of the model miss by more than this, 0 = none");
   parser->AddOption(

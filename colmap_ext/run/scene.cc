@@ -2,6 +2,8 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "colmap_ext/model/model_writer.h"
@@ -38,6 +40,29 @@ std::string TextOf(const Eigen::Vector3d& point) {
   return text;
 }
 
+// How many images are used smaller than they are, and what that costs. Empty = none.
+std::string ShrinkingNote(const ViewSet& set) {
+  std::set<std::string> names;
+  double stored_pixels = 0;
+  double used_pixels = 0;
+  for (size_t v = 0; v < set.views.size(); ++v) {
+    const auto id = static_cast<ViewId>(v);
+    const ImageSize stored = set.stored_sizes[v];
+    const ImageSize used = ShrunkSize(stored, set.MaxFileSize(id));
+    if (used == stored || !names.insert(set.ImageName(id)).second) continue;
+    stored_pixels += static_cast<double>(stored.NumPixels());
+    used_pixels += static_cast<double>(used.NumPixels());
+  }
+  if (names.empty()) return "";
+  char factor[40];
+  std::snprintf(factor, sizeof(factor), "%.1f", stored_pixels / used_pixels);
+  return std::to_string(names.size()) + " images are shrunk to " +
+         std::to_string(set.max_image_size) + " px" +
+         (set.HasPanoramas() ? " per quarter turn" : "") +
+         ", finer detail is not drawn: --max_image_size -1 uses all of their pixels, " + factor +
+         " times as many, and that much more time and memory";
+}
+
 }  // namespace
 
 Scene::Scene(WorkspaceLayout layout, const RunOptions& options, Console* console)
@@ -65,6 +90,7 @@ void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptio
                     ? ""
                     : " (in " + std::to_string(views().size()) + " views: panoramas in parts)") +
                ", " + std::to_string(view_set_.hints.points.size()) + " 3D points");
+  if (const std::string note = ShrinkingNote(view_set_); !note.empty()) console->Say(note);
   if (!origin_.isZero()) {
     console->Say("Coordinates are large: working around " + TextOf(origin_) +
                  ", all files keep the model's coordinates");

@@ -45,6 +45,11 @@ void CheckSizeFitsCamera(const std::string& path, ImageSize file, const Camera& 
                           ": not the images of this model? (raw and undistorted ones differ)");
 }
 
+// A panorama is four quarter turns wide.
+int MaxSizeOf(bool is_panorama, int max_image_size) {
+  return is_panorama && max_image_size > 0 ? 4 * max_image_size : max_image_size;
+}
+
 // What all images of one camera and one file size share.
 struct Optics {
   PinholeCamera camera;
@@ -63,7 +68,7 @@ Optics MakePartOptics(ImageSize size, int part, double margin_px) {
 
 // `part` is that of a panorama.
 Optics MakeOptics(const Camera& stored, ImageSize file, int part, const ViewOptions& options) {
-  const ImageSize size = ShrunkSize(file, options.max_image_size);
+  const ImageSize size = ShrunkSize(file, MaxSizeOf(stored.IsPanorama(), options.max_image_size));
   if (stored.IsPanorama()) return MakePartOptics(size, part, options.border_margin_px);
   const Intrinsics intrinsics =
       Rescaled(IntrinsicsOf(stored), size.width / static_cast<double>(stored.width),
@@ -371,7 +376,7 @@ Image Cut(const Image& image, const ImageWindow& window) {
 
 Image ReadPixels(const ViewSet& set, ViewId view) {
   const std::string& path = set.image_paths[view];
-  const auto decode = [&] { return set.photos.Read(path, set.max_image_size); };
+  const auto decode = [&] { return set.photos.Read(path, set.MaxFileSize(view)); };
   const ImageWindow* window = set.Window(view);
   if (!window) return decode();
   const auto whole = set.decoded->images.Get(path, IsLastPart(set, view), decode);
@@ -384,6 +389,10 @@ size_t ViewSet::CountImages(const std::vector<ViewId>& of_views) const {
   std::set<std::string> names;
   for (const ViewId view : of_views) names.insert(ImageName(view));
   return names.size();
+}
+
+int ViewSet::MaxFileSize(ViewId view) const {
+  return MaxSizeOf(Window(view) != nullptr, max_image_size);
 }
 
 std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views) {
@@ -426,7 +435,9 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   set.stored_sizes.resize(selected.size());
   std::vector<std::optional<JpegComplaint>> complaints(selected.size());
   ParallelFor(context, "image headers", selected.size(), [&](size_t i) {
-    CheckedImage checked = photos.Check(set.image_paths[i], options.max_image_size);
+    const bool is_panorama = model.CameraOf(model.images[selected[i]]).IsPanorama();
+    CheckedImage checked =
+        photos.Check(set.image_paths[i], MaxSizeOf(is_panorama, options.max_image_size));
     set.stored_sizes[i] = checked.size;
     complaints[i] = std::move(checked.complaint);
   });
@@ -490,7 +501,7 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
   const std::string& path = view_set.mask_paths[view];
   if (path.empty()) return {};
   const auto decode = [&] {
-    return ReadMask(path, view_set.stored_sizes[view], view_set.max_image_size);
+    return ReadMask(path, view_set.stored_sizes[view], view_set.MaxFileSize(view));
   };
   const ImageWindow* window = view_set.Window(view);
   if (!window) return decode();

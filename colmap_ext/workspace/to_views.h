@@ -25,8 +25,8 @@ struct ViewOptions {
   // Folder of masks, <mask_path>/<image name>.png as in COLMAP: pixels where they are 0 are not
   // used. An image without a mask is used entirely, with a warning. Empty = no masks.
   std::string mask_path;
-  // Longer side of the images in pixels; larger ones are shrunk by an area filter, which is faster
-  // and coarser. -1 = as stored.
+  // Longer side of the images in pixels, of panoramas that of a quarter of their width; larger ones
+  // are shrunk by an area filter, which is faster and coarser. -1 = as stored.
   int max_image_size = -1;
   // Width of the ignored strip along the image borders, pixels: lenses are worst there, and filters
   // reach beyond the image.
@@ -73,6 +73,8 @@ struct ViewSet {
   }
   // Distinct images among these views.
   size_t CountImages(const std::vector<ViewId>& of_views) const;
+  // The longer side, px, that the file of a view is shrunk to; -1 = as stored.
+  int MaxFileSize(ViewId view) const;
   // Null if the view is no part of a panorama.
   const ImageWindow* Window(ViewId view) const {
     return HasPanoramas() && windows[view] ? &*windows[view] : nullptr;

@@ -81,7 +81,10 @@ double ResidualPx(const std::string& path) {
 }
 
 TEST_F(SmallRun, AutomaticDrawerWritesEverything) {
-  Run("automatic_drawer", "out");
+  EXPECT_THAT(
+      Run("automatic_drawer", "out"),
+      HasSubstr("8 images are shrunk to 320 px, finer detail is not drawn: --max_image_size "
+                "-1 uses all of their pixels, 4.0 times as many"));
   for (const char* name :
        {"drawing.ply", "drawing.json", "drawing.obj", "curves/swept-sketch.bin",
         "curves/swept-sketch.ply", "curves/tracks.txt", "curves/overlays/view_03.jpg.png",

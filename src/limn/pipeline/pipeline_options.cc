@@ -48,6 +48,7 @@ QualityPreset PresetOf(Quality quality) {
       views.max_confirmation_views = 16;
       break;
     case Quality::kMedium:
+      preset.max_image_size = 2048;
       break;
     case Quality::kHigh:
       views.max_second_views = 20;

@@ -54,13 +54,13 @@ enum class Quality { kLow, kMedium, kHigh };
 // The options of a quality level. Options given explicitly override them.
 struct QualityPreset {
   PipelineOptions options;
-  // Longer side of the images, pixels; -1 = as stored.
+  // Longer side of the images, of a quarter turn of panoramas, pixels; -1 = as stored.
   int max_image_size = -1;
 };
 
-// medium: the defaults of all structs. low: images of at most 1,000 px, fewer views to pair and
-// confirm with; for a first look. high: more views to pair and confirm with; about twice the time
-// of medium.
+// medium: the defaults of all structs, images of at most 2,048 px. low: images of at most 1,000 px,
+// fewer views to pair and confirm with; for a first look. high: images as stored, more views to
+// pair and confirm with; about twice the time of medium, and more where it shrinks images.
 QualityPreset PresetOf(Quality quality);
 
 // The defaults of the method "paper": those of the paper and of its authors' program. Options given

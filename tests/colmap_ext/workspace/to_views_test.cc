@@ -585,6 +585,22 @@ TEST_F(PanoramaViewsTest, OfHalfTheSizeAreTheSameViews) {
   }
 }
 
+// A panorama shows six times as much as a photograph.
+TEST_F(PanoramaViewsTest, AreShrunkPerQuarterTurn) {
+  options_.border_margin_px = 0;
+  options_.max_image_size = kWidth / 4;
+  const ViewSet whole = Views();
+  EXPECT_EQ(whole.windows[0]->image_width, kWidth);
+  EXPECT_EQ(whole.views[12].camera.width, kWidth / 4) << "a photograph";
+  options_.max_image_size = kWidth / 8;
+  const ViewSet half = Views();
+  EXPECT_EQ(half.windows[0]->image_width, kWidth / 2);
+  EXPECT_EQ(half.windows[0]->image_height, kHeight / 2);
+  EXPECT_EQ(half.MaxFileSize(0), kWidth / 2);
+  EXPECT_EQ(half.MaxFileSize(12), kWidth / 8);
+  EXPECT_EQ(ReadViewImage(half, 0).width, half.views[0].camera.width);
+}
+
 TEST_F(PanoramaViewsTest, AreLeftOutAsAWhole) {
   model_.images[0].camera_id = 9;
   Write("c.png", cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar(9, 9, 9)));

@@ -55,7 +55,7 @@ TEST(PipelineOptions, PresetsAreValid) {
 
 TEST(PipelineOptions, MediumIsTheDefaults) {
   EXPECT_EQ(OptionsAsJson(PresetOf(Quality::kMedium).options), OptionsAsJson(PipelineOptions()));
-  EXPECT_EQ(PresetOf(Quality::kMedium).max_image_size, -1);
+  EXPECT_EQ(PresetOf(Quality::kMedium).max_image_size, 2048);
 }
 
 TEST(PipelineOptions, HigherQualityPairsMoreViews) {
