@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/edges/dense_texture.h"
 #include "limn/edges/edge_refinement.h"
 #include "limn/edges/edge_signal.h"
 #include "limn/edges/edgel_selection.h"
@@ -184,6 +185,7 @@ void EdgeDetectionOptions::Check() const {
   LIMN_CHECK_RANGE(isoluminant_noise_factor, > 0, <= 100);
   LIMN_CHECK_RANGE(isoluminant_min_strength, >= 0, <= 1e4);
   LIMN_CHECK_RANGE(isoluminant_distance_px, >= 0, <= 100);
+  LIMN_CHECK_RANGE(texture_density, >= 0, <= 1);
   LIMN_CHECK_RANGE(margin_px, >= 0, <= 1e5);
 }
 
@@ -208,6 +210,8 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   map.width = image.width;
   map.height = image.height;
   map.edgels = raster.Edgels();
+  map.texture = FindDenseTexture(raster.TextureSamples(), image.width, image.height,
+                                 options.texture_density);
   map.gradient_noise = signal.noise[0].Mean();
   return map;
 }

@@ -53,6 +53,10 @@ struct EdgeDetectionOptions {
   // within this distance, px, >= 0. Must exceed the lens's dispersion, or edges are doubled.
   double isoluminant_distance_px = 3.0;
 
+  // Edgels are those of texture, which are not linked, where short runs of mixed directions have
+  // at least this many per px^2, >= 0; 0 = none are (FindDenseTexture).
+  double texture_density = 0.15;
+
   // Border of the image without edgels, px, >= 0.
   double margin_px = 8.0;
 
@@ -69,7 +73,7 @@ struct EdgeDetectionOptions {
 // at the sub-pixel position by Newton steps on the logarithm of the gradient's profile along the
 // normal, which is a parabola for a blurred step, then shifted against the bias that smoothing
 // causes at curved edges. At most one edgel per pixel, none closer than 0.35 px to another. Weak
-// edgels must be part of a run: see min_run_px.
+// edgels must be part of a run: see min_run_px. Those of dense texture are told (EdgeMap::texture).
 //
 // With color, the gradient is the joint one of L, a and b (times 2.55, see LabChannels): the edge
 // is where its magnitude is largest along its direction. Strengths are its magnitude, which between

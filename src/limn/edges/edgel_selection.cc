@@ -98,16 +98,20 @@ void EdgelRaster::TryHold(int index) {
 void EdgelRaster::Compact() {
   std::vector<RefinedEdgel> edgels;
   std::vector<EdgelPlace> places;
+  std::vector<float> run_px;
   edgels.reserve(edgels_.size());
   places.reserve(edgels_.size());
+  run_px.reserve(edgels_.size());
   for (int& cell : index_of_pixel_) {
     if (cell < 0) continue;
     edgels.push_back(edgels_[cell]);
     places.push_back(places_[cell]);
+    run_px.push_back(run_px_[cell]);
     cell = static_cast<int>(edgels.size()) - 1;
   }
   edgels_ = std::move(edgels);
   places_ = std::move(places);
+  run_px_ = std::move(run_px);
 }
 
 bool EdgelRaster::HasParallelNear(const Vector2d& position, const Vector2d& direction,
@@ -160,12 +164,24 @@ void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
     box.low = box.low.cwiseMin(places_[cell].position);
     box.high = box.high.cwiseMax(places_[cell].position);
   }
+  run_px_.resize(edgels_.size());
   for (int& cell : index_of_pixel_) {
-    if (cell < 0 || edgels_[cell].significance >= strong_ratio) continue;
+    if (cell < 0) continue;
     const Box& box = box_of[runs.Find(cell)];
-    if ((box.high - box.low).norm() < min_run_px) cell = -1;
+    const double run_px = (box.high - box.low).norm();
+    run_px_[cell] = static_cast<float>(run_px);
+    if (edgels_[cell].significance < strong_ratio && run_px < min_run_px) cell = -1;
   }
   Compact();
+}
+
+std::vector<TextureSample> EdgelRaster::TextureSamples() const {
+  std::vector<TextureSample> samples;
+  samples.reserve(places_.size());
+  for (size_t i = 0; i < places_.size(); ++i) {
+    samples.push_back({places_[i].position, places_[i].tangent, run_px_[i]});
+  }
+  return samples;
 }
 
 std::vector<Edgel> EdgelRaster::Edgels() const {

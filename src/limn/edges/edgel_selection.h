@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "limn/edges/dense_texture.h"
 #include "limn/edges/edge_refinement.h"
 #include "limn/util/union_find.h"
 
@@ -35,6 +36,9 @@ class EdgelRaster {
   // tangent of either.
   void DropWeakShortRuns(double strong_ratio, double min_run_px);
 
+  // All edgels as the last call of DropWeakShortRuns left them, in the order of Edgels().
+  std::vector<TextureSample> TextureSamples() const;
+
   // All edgels in row-major order of the pixel that holds them.
   std::vector<Edgel> Edgels() const;
 
@@ -56,6 +60,7 @@ class EdgelRaster {
   // Includes some edgels without a pixel. Roughly in row-major order, for locality of look-ups.
   std::vector<RefinedEdgel> edgels_;
   std::vector<EdgelPlace> places_;  // of edgels_
+  std::vector<float> run_px_;       // of edgels_, as of the last call of DropWeakShortRuns
 };
 
 }  // namespace limn

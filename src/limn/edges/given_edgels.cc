@@ -17,6 +17,15 @@ size_t PixelOf(const EdgeMap& edge_map, const Edgel& edgel) {
   return static_cast<size_t>(y) * edge_map.width + x;
 }
 
+EdgelRaster RasterOf(const EdgeMap& edge_map) {
+  std::vector<RefinedEdgel> edgels;
+  edgels.reserve(edge_map.edgels.size());
+  for (const Edgel& edgel : edge_map.edgels) edgels.push_back({edgel});
+  EdgelRaster raster(edge_map.width, edge_map.height);
+  raster.AddStrongestFirst(edgels);
+  return raster;
+}
+
 }  // namespace
 
 void ResizeEdgeMap(int width, int height, EdgeMap* edge_map) {
@@ -40,13 +49,14 @@ void SetUnknownSigmas(EdgeMap* edge_map) {
   }
 }
 
-void ThinEdgels(EdgeMap* edge_map) {
-  std::vector<RefinedEdgel> edgels;
-  edgels.reserve(edge_map->edgels.size());
-  for (const Edgel& edgel : edge_map->edgels) edgels.push_back({edgel});
-  EdgelRaster raster(edge_map->width, edge_map->height);
-  raster.AddStrongestFirst(edgels);
-  edge_map->edgels = raster.Edgels();
+void ThinEdgels(EdgeMap* edge_map) { edge_map->edgels = RasterOf(*edge_map).Edgels(); }
+
+void MarkTexture(double min_density, EdgeMap* edge_map) {
+  if (min_density == 0) return;
+  EdgelRaster raster = RasterOf(*edge_map);
+  raster.DropWeakShortRuns(/*strong_ratio=*/0, /*min_run_px=*/0);  // drops none
+  edge_map->texture = FindDenseTexture(raster.TextureSamples(), edge_map->width,
+                                       edge_map->height, min_density);
 }
 
 std::vector<bool> OutsideCrowds(const EdgeMap& edge_map) {

@@ -31,6 +31,9 @@ void SetUnknownSigmas(EdgeMap* edge_map);
 // outside the image are dropped.
 void ThinEdgels(EdgeMap* edge_map);
 
+// Tells the texture of edgels that ThinEdgels made, as DetectEdges does.
+void MarkTexture(double min_density, EdgeMap* edge_map);
+
 // By edgel: whether it is one of the first 8 of its pixel. Curves from elsewhere may run over each
 // other, but what is given many times over must not take the time of the whole image.
 std::vector<bool> OutsideCrowds(const EdgeMap& edge_map);

@@ -66,6 +66,26 @@ void PutEdgeMap(const EdgeMap& map, ByteWriter* out) {
   out->Put<uint8_t>(as_stored);
   out->PutCount(map.edgels.size());
   for (const Edgel& edgel : map.edgels) PutEdgel(edgel, as_stored, out);
+  out->PutCount(map.texture.size());
+  for (const EdgelId id : map.texture) out->Put<int32_t>(id);
+}
+
+EdgelId GetEdgelId(ByteReader* in, size_t num_edgels) {
+  const EdgelId id = in->Get<int32_t>();
+  in->Check(id >= 0 && static_cast<size_t>(id) < num_edgels, "edgel id out of range");
+  return id;
+}
+
+std::vector<EdgelId> GetTexture(ByteReader* in, size_t num_edgels) {
+  const size_t count = in->GetCount(sizeof(int32_t));
+  std::vector<EdgelId> texture;
+  texture.reserve(count);
+  for (size_t i = 0; i < count; ++i) {
+    const EdgelId id = GetEdgelId(in, num_edgels);
+    in->Check(texture.empty() || texture.back() < id, "edgels of texture not ascending");
+    texture.push_back(id);
+  }
+  return texture;
 }
 
 EdgeMap GetEdgeMap(ByteReader* in) {
@@ -84,13 +104,8 @@ EdgeMap GetEdgeMap(ByteReader* in) {
     in->Check(IsNearImage(map.width, map.height, map.edgels.back().position_px),
               "edgel outside the image");
   }
+  map.texture = GetTexture(in, count);
   return map;
-}
-
-EdgelId GetEdgelId(ByteReader* in, size_t num_edgels) {
-  const EdgelId id = in->Get<int32_t>();
-  in->Check(id >= 0 && static_cast<size_t>(id) < num_edgels, "edgel id out of range");
-  return id;
 }
 
 CurveFragment GetFragment(ByteReader* in, size_t num_edgels) {

@@ -32,7 +32,26 @@ void KeepLongChains(std::vector<CurveFragment> chains, double min_length_px,
     result->curves.fragments.push_back(std::move(chain));
   }
   stats.fragments = static_cast<int64_t>(result->curves.fragments.size());
-  stats.edgels_unlinked = stats.edgels - in_chains;
+  stats.edgels_unlinked = stats.edgels - stats.edgels_in_texture - in_chains;
+}
+
+std::vector<EdgelLink> LinkOutsideTexture(const EdgeMap& map, const LinkingOptions& options,
+                                          int64_t* num_curvelets) {
+  if (map.texture.empty()) return BuildLinkGraph(map.edgels, options, num_curvelets);
+  std::vector<EdgelId> ids;
+  std::vector<Edgel> edgels;
+  auto next = map.texture.begin();
+  for (EdgelId id = 0; id < static_cast<EdgelId>(map.edgels.size()); ++id) {
+    if (next != map.texture.end() && *next == id) {
+      ++next;
+      continue;
+    }
+    ids.push_back(id);
+    edgels.push_back(map.edgels[id]);
+  }
+  std::vector<EdgelLink> links = BuildLinkGraph(edgels, options, num_curvelets);
+  for (EdgelLink& link : links) link = {ids[link.a], ids[link.b], link.votes};
+  return links;
 }
 
 Chaining ChainEdgels(const ImageCurves& curves, const LinkingOptions& options, const Image* image,
@@ -76,8 +95,10 @@ LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options, const 
   std::vector<Edgel>& edgels = result.curves.edge_map.edgels;
   LinkingStats& stats = result.stats;
   stats.edgels = static_cast<int64_t>(edgels.size());
+  stats.edgels_in_texture = static_cast<int64_t>(result.curves.edge_map.texture.size());
 
-  result.curves.link_graph = BuildLinkGraph(edgels, options, &stats.curvelets);
+  result.curves.link_graph =
+      LinkOutsideTexture(result.curves.edge_map, options, &stats.curvelets);
   stats.graph_links = static_cast<int64_t>(result.curves.link_graph.size());
   Chaining chaining = ChainEdgels(result.curves, options, image, &stats);
   SmoothChains smooth;

@@ -63,10 +63,12 @@ struct LinkingOptions {
   void Check() const;
 };
 
-// edgels = edgels_in_fragments + edgels_unlinked + edgels_in_short_chains.
+// edgels = edgels_in_fragments + edgels_in_texture + edgels_unlinked + edgels_in_short_chains.
 struct LinkingStats {
   int64_t edgels = 0;
   int64_t edgels_in_fragments = 0;
+  // EdgeMap::texture.
+  int64_t edgels_in_texture = 0;
   // In no chain of two edgels or more.
   int64_t edgels_unlinked = 0;
   // In chains shorter than min_length_px.
@@ -89,7 +91,7 @@ struct LinkingResult {
 
 // Groups the edgels of one image into curve fragments.
 //
-// 1. Around every edgel, curvelets: groups of neighbors that fit one circular arc within the
+// 1. Around every edgel outside dense texture, curvelets: groups of neighbors that fit one circular arc within the
 //    tolerances (Tamrakar and Kimia 2007; Guo, Kumar, Narayanan and Kimia, "A multi-stage approach
 //    to curve extraction", ECCV 2014). Consecutive edgels of a curvelet vote for a link.
 // 2. Every edgel keeps the link with the most votes ahead and the one behind, where both ends

@@ -13,6 +13,8 @@ struct EdgeMap {
   int width = 0;
   int height = 0;
   std::vector<Edgel> edgels;
+  // Edgels of dense texture, ascending: they are in no fragment (edges/dense_texture.h).
+  std::vector<EdgelId> texture;
   // Standard deviation of one component of the smoothed gradient due to noise, gray levels per
   // pixel.
   double gradient_noise = 0;

@@ -7,6 +7,7 @@ namespace limn {
 const char* EdgelFateName(EdgelFate fate) {
   static constexpr std::array<const char*, kNumEdgelFates> kNames = {
       "not linked",
+      "in dense texture",
       "view only confirms",
       "fragment too short",
       "no partner in another view",

@@ -8,6 +8,7 @@ namespace limn {
 // The last stage that an edgel reached as a sample of its own view's curves, or why it was dropped.
 enum class EdgelFate : uint8_t {
   kNotLinked,         // in no fragment
+  kTexture,           // one of dense texture, and therefore in no fragment
   kNotSketched,       // in a view that only confirms curves of other views
   kFragmentTooShort,  // in a fragment too short to be matched
   kNoPartner,         // no curve of another view fits it at any depth

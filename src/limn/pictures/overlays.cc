@@ -46,6 +46,8 @@ bool IsClear(ViewId view, const DrawingLink& link) {
 
 Color ColorOf(EdgelFate fate) {
   switch (fate) {
+    case EdgelFate::kTexture:
+      return {90, 70, 130};
     case EdgelFate::kNotLinked:
     case EdgelFate::kNotSketched:
       return {128, 128, 128};

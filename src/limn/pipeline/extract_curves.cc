@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "limn/edges/given_edgels.h"
 #include "limn/formats/image_curves_file.h"
 #include "limn/pipeline/pipeline_options.h"
 #include "limn/util/errors.h"
@@ -13,8 +14,8 @@ namespace {
 
 // To be raised whenever edge maps or fragments of the same photograph change, so that kept ones are
 // made again.
-constexpr int kEdgesVersion = 1;
-constexpr int kLinkingVersion = 1;
+constexpr int kEdgesVersion = 2;
+constexpr int kLinkingVersion = 2;
 
 // Of a file of edges: it is the photograph's.
 void CheckSize(const EdgeMap& map, const PinholeCamera& camera, const std::string& path) {
@@ -37,9 +38,8 @@ class Extractor {
     const std::string key = EdgeKey(id);
     if (auto found = Find(CachedKind::kEdges, view, key)) return std::move(found->edge_map);
     ImageCurves curves;
-    curves.edge_map = input_.images.given_edges
-                          ? std::move(input_.images.given_edges(id).curves.edge_map)
-                          : Detect(id);
+    curves.edge_map =
+        input_.images.given_edges ? std::move(Given(id).curves.edge_map) : Detect(id);
     Store(CachedKind::kEdges, view, key, curves);
     return std::move(curves.edge_map);
   }
@@ -59,10 +59,16 @@ class Extractor {
  private:
   EdgeMap Detect(ViewId id) const { return DetectEdges(input_.images.read(id), edge_options_); }
 
+  GivenEdges Given(ViewId id) const {
+    GivenEdges given = input_.images.given_edges(id);
+    if (!given.are_linked) MarkTexture(edge_options_.texture_density, &given.curves.edge_map);
+    return given;
+  }
+
   ImageCurves NewFragments(ViewId id, const std::string& edge_key, const LinkingOptions& linking) {
     std::optional<EdgeMap> edges;
     if (input_.images.given_edges) {
-      GivenEdges given = input_.images.given_edges(id);
+      GivenEdges given = Given(id);
       if (given.are_linked) return std::move(given.curves);
       edges = std::move(given.curves.edge_map);
     } else if (auto found = Find(CachedKind::kEdges, input_.views[id], edge_key)) {
@@ -97,7 +103,8 @@ class Extractor {
 // Where the edgels of a view are.
 struct ViewCounts {
   int64_t edgels = 0;
-  int64_t not_linked = 0;   // in no link of the link graph
+  int64_t in_texture = 0;
+  int64_t not_linked = 0;   // nor in a link of the link graph
   int64_t not_grouped = 0;  // linked, but in no fragment that is long enough
   int64_t outside_lens = 0;
   int64_t in_fragments = 0;
@@ -122,8 +129,10 @@ ViewCounts CountLinked(const ImageCurves& curves) {
     for (const EdgelId id : fragment.edgel_ids) linked[id] = true;
   }
   counts.edgels = static_cast<int64_t>(num_edgels);
-  counts.not_linked = std::count(linked.begin(), linked.end(), false);
-  counts.not_grouped = counts.edgels - counts.not_linked - CountEdgelsInFragments(curves);
+  counts.in_texture = static_cast<int64_t>(curves.edge_map.texture.size());
+  counts.not_linked = std::count(linked.begin(), linked.end(), false) - counts.in_texture;
+  counts.not_grouped =
+      counts.edgels - counts.in_texture - counts.not_linked - CountEdgelsInFragments(curves);
   return counts;
 }
 
@@ -131,6 +140,7 @@ StageSummary Summarize(const std::vector<ViewCounts>& views) {
   ViewCounts sum;
   for (const ViewCounts& view : views) {
     sum.edgels += view.edgels;
+    sum.in_texture += view.in_texture;
     sum.not_linked += view.not_linked;
     sum.not_grouped += view.not_grouped;
     sum.outside_lens += view.outside_lens;
@@ -141,7 +151,8 @@ StageSummary Summarize(const std::vector<ViewCounts>& views) {
   summary.stage = "image curves";
   summary.in = {{"views", static_cast<int64_t>(views.size())}, {"edgels", sum.edgels}};
   summary.kept = {{"edgels", sum.in_fragments}, {"fragments", sum.fragments}};
-  summary.dropped = {{"edgels: not linked to a neighbor", sum.not_linked},
+  summary.dropped = {{"edgels: in dense texture", sum.in_texture},
+                     {"edgels: not linked to a neighbor", sum.not_linked},
                      {"edgels: fragment too short", sum.not_grouped},
                      {"edgels: outside the lens model", sum.outside_lens}};
   return summary;

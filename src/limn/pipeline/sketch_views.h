@@ -10,7 +10,7 @@
 namespace limn {
 
 // To be incremented when the sketch of the same input changes, so that stored ones are made again.
-constexpr int kSketchVersion = 4;
+constexpr int kSketchVersion = 5;
 
 // BuildSketch with the cache (never null), which stores the sketch of every view: a stopped run
 // resumes, and after a change of images or cameras only the affected views are sketched again. The

@@ -15,13 +15,19 @@ constexpr double kWideViewsDeg = 30;
 // Views sketched between two changes of which edgels are held.
 constexpr size_t kBlock = 64;
 
+std::vector<EdgelFate> FatesOutsideFragments(const EdgeMap& edge_map) {
+  std::vector<EdgelFate> fates(edge_map.edgels.size(), EdgelFate::kNotLinked);
+  for (const EdgelId id : edge_map.texture) fates[id] = EdgelFate::kTexture;
+  return fates;
+}
+
 class ViewSketcher {
  public:
   ViewSketcher(const PrimaryView& primary, DepthFinder depths)
       : primary_(primary),
         depths_(std::move(depths)),
         support_views_(PartnersIn(primary.plan)),
-        fates_(Curves().edge_map.edgels.size(), EdgelFate::kNotLinked) {}
+        fates_(FatesOutsideFragments(Curves().edge_map)) {}
 
   void Reconstruct(int fragment_id) {
     const SketchOptions& options = primary_.options;
@@ -71,7 +77,7 @@ class ViewSketcher {
 };
 
 std::vector<EdgelFate> FatesOfUnsketched(const ImageCurves& curves) {
-  std::vector<EdgelFate> fates(curves.edge_map.edgels.size(), EdgelFate::kNotLinked);
+  std::vector<EdgelFate> fates = FatesOutsideFragments(curves.edge_map);
   for (const CurveFragment& fragment : curves.fragments) {
     for (const EdgelId id : fragment.edgel_ids) fates[id] = EdgelFate::kNotSketched;
   }
@@ -93,7 +99,7 @@ StageSummary Summarize(const char* stage, const SketchResult& result,
   }
   StageSummary summary;
   summary.stage = stage;
-  summary.in = {{"fragments", num_fragments}, {"edgels", total - count(EdgelFate::kNotLinked)}};
+  summary.in = {{"fragments", num_fragments}, {"edgels", total - count(EdgelFate::kNotLinked) - count(EdgelFate::kTexture)}};
   summary.kept = {{"edgels", count(EdgelFate::kSketched)},
                   {"curves", static_cast<int64_t>(result.sketch.curves.size())}};
   summary.dropped = {

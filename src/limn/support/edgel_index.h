@@ -49,33 +49,24 @@ class EdgelIndex {
   bool AnyWithin(const Eigen::Vector2d& position_px, double radius_px) const;
 
  private:
-  static constexpr int kLanes = 8;
-  // The parts of eight edgels that a look-up needs.
-  struct Batch {
-    // From the corner of the tile in the virtual image, and what single precision leaves of it.
-    float x[kLanes], y[kLanes];
-    float rest_x[kLanes], rest_y[kLanes];
+  // The part of an edgel that a look-up needs.
+  struct Entry {
+    Eigen::Vector2d position_px;
     // Rows that turn an offset in the virtual image into its parts across and along the edgel,
     // stored pixels.
-    float across_x[kLanes], across_y[kLanes];
-    float along_x[kLanes], along_y[kLanes];
-    float tangent_x[kLanes], tangent_y[kLanes];  // unit, virtual image
+    Eigen::Vector2f across;
+    Eigen::Vector2f along;
+    Eigen::Vector2f tangent;  // unit, virtual image
+    EdgelId id;
   };
-  struct Query;
-  struct Nearest;
-  struct Kernel;
 
   void MakeTiles(const EdgeMap& edge_map, const std::vector<bool>& usable);
   Eigen::Vector2i CellAt(const Eigen::Vector2d& position_px) const;  // column, row
   size_t TileOf(const Eigen::Vector2i& cell) const;
   // Index in cell_begin_ of the cell of an edgel whose tile exists.
   int CellOf(const Edgel& edgel) const;
-  // Calls `visit(tile, begin, end)` for ranges of entries, each of cells of one tile.
   template <typename Visit>
   void VisitCells(const Eigen::Vector2d& position_px, double radius_px, Visit&& visit) const;
-  Eigen::Vector2d CornerOf(size_t tile) const;
-  Eigen::Vector2d PositionOf(size_t tile, int entry) const;
-  void Fill(const Edgel& edgel, size_t tile, int entry);
 
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   int cols_ = 0;
@@ -83,9 +74,7 @@ class EdgelIndex {
   int tile_cols_ = 0;
   std::vector<int> first_cell_;  // per tile, row-major: its place in cell_begin_, -1 = no edgels
   std::vector<int> cell_begin_;  // tile by tile, cells of a tile row-major; one more than cells
-  // Of the edgels by cell, ascending ids within a cell: an entry is a lane of a batch.
-  std::vector<EdgelId> ids_;
-  std::vector<Batch> batches_;
+  std::vector<Entry> entries_;   // by cell, ascending ids within a cell
   double max_scale_ = 1;
 };
 

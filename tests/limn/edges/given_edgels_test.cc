@@ -61,6 +61,25 @@ TEST(GivenEdgels, TheStrongestOfAPixelStays) {
   EXPECT_EQ(map.edgels[2].position_px, Eigen::Vector2d(20, 9));
 }
 
+TEST(GivenEdgels, TextureIsThatOfDetection) {
+  EdgeMap map = EdgelsAt({});
+  map.width = map.height = 60;
+  for (int y = 10; y < 50; y += 2) {
+    for (int x = 10; x < 50; x += 2) {
+      map.edgels.push_back(OneEdgel({x + 0.3, y + 0.2}, 0).edgels[0]);
+      // Neighbors, also those two steps away, differ by more than 30 degrees, undirected.
+      map.edgels.back().tangent_rad = 0.8 * (x / 2) + 1.6 * (y / 2);
+    }
+  }
+  MarkTexture(0.15, &map);
+  EXPECT_GT(map.texture.size(), map.edgels.size() / 2);
+  map.texture.clear();
+  MarkTexture(0, &map);
+  EXPECT_TRUE(map.texture.empty());
+  MarkTexture(0.3, &map);
+  EXPECT_TRUE(map.texture.empty()) << "a quarter per pixel";
+}
+
 TEST(GivenEdgels, TheFirstEightOfAPixelAreNoCrowd) {
   EdgeMap map = EdgelsAt(std::vector<Eigen::Vector3d>(9, {10.2, 5, 1}));
   map.edgels.push_back(OneEdgel({11, 5}, 0).edgels[0]);

@@ -33,6 +33,7 @@ ImageCurves SmallImageCurves() {
     edgel.stored_from_virtual << 1, 0.5f, -0.25f, 2;
     curves.edge_map.edgels.push_back(edgel);
   }
+  curves.edge_map.texture = {4, 6};
   curves.fragments = {{{0, 1, 2, 3}, false}, {{9, 8, 7}, true}, {{}, false}};
   curves.link_graph = {{0, 1, 3}, {0, 2, 1}, {8, 9, 2}};
   return curves;
@@ -80,6 +81,7 @@ TEST(ImageCurvesFile, RoundTrip) {
   EXPECT_EQ(read->edge_map.height, 360);
   EXPECT_EQ(read->edge_map.gradient_noise, 0.75);
   EXPECT_EQ(read->edge_map.num_outside_lens, 2);
+  EXPECT_EQ(read->edge_map.texture, written.edge_map.texture);
   ASSERT_EQ(read->edge_map.edgels.size(), 10u);
   for (int i = 0; i < 10; ++i) {
     const Edgel& a = written.edge_map.edgels[i];
@@ -265,6 +267,8 @@ TEST(StageFile, IdsOutOfRangeAreRefused) {
   refuse_curves(
       [](ImageCurves* curves) { std::swap(curves->link_graph[0], curves->link_graph[1]); });
   refuse_curves([](ImageCurves* curves) { curves->edge_map.width = -1; });
+  refuse_curves([](ImageCurves* curves) { curves->edge_map.texture = {4, 10}; });
+  refuse_curves([](ImageCurves* curves) { curves->edge_map.texture = {4, 4}; });
   refuse_curves([](ImageCurves* curves) { curves->edge_map.edgels[3].position_px.x() = NAN; });
   refuse_curves([](ImageCurves* curves) { curves->edge_map.edgels[3].position_px.x() = 642; });
   const auto refuse_sketch = [&](const std::function<void(Curve3D*)>& spoil) {

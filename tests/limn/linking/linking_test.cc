@@ -47,7 +47,8 @@ void CheckInvariants(const LinkingResult& result) {
   const auto& edgels = result.curves.edge_map.edgels;
   EXPECT_EQ(stats.edgels, static_cast<int64_t>(edgels.size()));
   EXPECT_EQ(stats.edgels,
-            stats.edgels_in_fragments + stats.edgels_unlinked + stats.edgels_in_short_chains);
+            stats.edgels_in_fragments + stats.edgels_in_texture + stats.edgels_unlinked +
+                stats.edgels_in_short_chains);
   EXPECT_EQ(stats.fragments, static_cast<int64_t>(result.curves.fragments.size()));
   std::set<EdgelId> used;
   for (const CurveFragment& fragment : result.curves.fragments) {
@@ -229,6 +230,26 @@ TEST(LinkEdgels, BridgesAGapOfThreePixels) {
   EXPECT_EQ(bridged.stats.bridged_gaps, 1);
   options.max_bridge_px = 2;
   EXPECT_EQ(LinkEdgels(map, options).curves.fragments.size(), 2u);
+}
+
+TEST(LinkEdgels, TextureIsNotLinked) {
+  EdgeMap map;
+  AddLine(10, 60, 20, 0, &map);
+  const LinkingResult alone = LinkEdgels(map, {});
+  AddLine(10, 60, 40, 0, &map);
+  const auto num_of_line = static_cast<EdgelId>(alone.curves.edge_map.edgels.size());
+  // The first line is texture: ids of the second one stay.
+  for (EdgelId id = 0; id < num_of_line; ++id) map.texture.push_back(id);
+  const LinkingResult result = LinkEdgels(map, {});
+  CheckInvariants(result);
+  EXPECT_EQ(result.stats.edgels_in_texture, num_of_line);
+  ASSERT_EQ(result.curves.fragments.size(), 1u);
+  ASSERT_EQ(alone.curves.fragments.size(), 1u);
+  std::vector<EdgelId> ids = alone.curves.fragments[0].edgel_ids;
+  for (EdgelId& id : ids) id += num_of_line;
+  EXPECT_EQ(result.curves.fragments[0].edgel_ids, ids);
+  ASSERT_EQ(result.curves.link_graph.size(), alone.curves.link_graph.size());
+  EXPECT_EQ(result.curves.link_graph[3].a, alone.curves.link_graph[3].a + num_of_line);
 }
 
 TEST(LinkEdgels, OpposedPolarityIsNotLinked) {
