@@ -93,7 +93,8 @@ std::vector<EdgelId> FindDenseTexture(const std::vector<TextureSample>& edgels, 
     cell_of.push_back(sums.CellAt(edgel.position_px));
     const float x = static_cast<float>(edgel.tangent.x());
     const float y = static_cast<float>(edgel.tangent.y());
-    sums[cell_of.back()].Add({1, edgel.run_px < kShortRunPx ? 1.0F : 0.0F, x * x - y * y, 2 * x * y});
+    sums[cell_of.back()].Add(
+        {1, edgel.run_px < kShortRunPx ? 1.0F : 0.0F, x * x - y * y, 2 * x * y});
   }
   const std::vector<Directions> around = sums.Around();
   for (size_t i = 0; i < edgels.size(); ++i) {

@@ -210,8 +210,8 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   map.width = image.width;
   map.height = image.height;
   map.edgels = raster.Edgels();
-  map.texture = FindDenseTexture(raster.TextureSamples(), image.width, image.height,
-                                 options.texture_density);
+  map.texture =
+      FindDenseTexture(raster.TextureSamples(), image.width, image.height, options.texture_density);
   map.gradient_noise = signal.noise[0].Mean();
   return map;
 }

@@ -97,8 +97,7 @@ LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options, const 
   stats.edgels = static_cast<int64_t>(edgels.size());
   stats.edgels_in_texture = static_cast<int64_t>(result.curves.edge_map.texture.size());
 
-  result.curves.link_graph =
-      LinkOutsideTexture(result.curves.edge_map, options, &stats.curvelets);
+  result.curves.link_graph = LinkOutsideTexture(result.curves.edge_map, options, &stats.curvelets);
   stats.graph_links = static_cast<int64_t>(result.curves.link_graph.size());
   Chaining chaining = ChainEdgels(result.curves, options, image, &stats);
   SmoothChains smooth;

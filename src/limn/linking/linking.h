@@ -91,7 +91,8 @@ struct LinkingResult {
 
 // Groups the edgels of one image into curve fragments.
 //
-// 1. Around every edgel outside dense texture, curvelets: groups of neighbors that fit one circular arc within the
+// 1. Around every edgel outside dense texture, curvelets: groups of neighbors that fit one circular
+// arc within the
 //    tolerances (Tamrakar and Kimia 2007; Guo, Kumar, Narayanan and Kimia, "A multi-stage approach
 //    to curve extraction", ECCV 2014). Consecutive edgels of a curvelet vote for a link.
 // 2. Every edgel keeps the link with the most votes ahead and the one behind, where both ends

@@ -38,8 +38,7 @@ class Extractor {
     const std::string key = EdgeKey(id);
     if (auto found = Find(CachedKind::kEdges, view, key)) return std::move(found->edge_map);
     ImageCurves curves;
-    curves.edge_map =
-        input_.images.given_edges ? std::move(Given(id).curves.edge_map) : Detect(id);
+    curves.edge_map = input_.images.given_edges ? std::move(Given(id).curves.edge_map) : Detect(id);
     Store(CachedKind::kEdges, view, key, curves);
     return std::move(curves.edge_map);
   }

@@ -99,7 +99,8 @@ StageSummary Summarize(const char* stage, const SketchResult& result,
   }
   StageSummary summary;
   summary.stage = stage;
-  summary.in = {{"fragments", num_fragments}, {"edgels", total - count(EdgelFate::kNotLinked) - count(EdgelFate::kTexture)}};
+  summary.in = {{"fragments", num_fragments},
+                {"edgels", total - count(EdgelFate::kNotLinked) - count(EdgelFate::kTexture)}};
   summary.kept = {{"edgels", count(EdgelFate::kSketched)},
                   {"curves", static_cast<int64_t>(result.sketch.curves.size())}};
   summary.dropped = {

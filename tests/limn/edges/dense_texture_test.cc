@@ -23,9 +23,8 @@ class DenseTexture : public ::testing::Test {
       for (double x = low; x < high; x += 2) {
         for (int i = 0; i < count; ++i) {
           const double a = angle(random_);
-          edgels_.push_back({{x + place(random_), y + place(random_)},
-                             {std::cos(a), std::sin(a)},
-                             run_px});
+          edgels_.push_back(
+              {{x + place(random_), y + place(random_)}, {std::cos(a), std::sin(a)}, run_px});
         }
       }
     }

@@ -46,9 +46,8 @@ void CheckInvariants(const LinkingResult& result) {
   const LinkingStats& stats = result.stats;
   const auto& edgels = result.curves.edge_map.edgels;
   EXPECT_EQ(stats.edgels, static_cast<int64_t>(edgels.size()));
-  EXPECT_EQ(stats.edgels,
-            stats.edgels_in_fragments + stats.edgels_in_texture + stats.edgels_unlinked +
-                stats.edgels_in_short_chains);
+  EXPECT_EQ(stats.edgels, stats.edgels_in_fragments + stats.edgels_in_texture +
+                              stats.edgels_unlinked + stats.edgels_in_short_chains);
   EXPECT_EQ(stats.fragments, static_cast<int64_t>(result.curves.fragments.size()));
   std::set<EdgelId> used;
   for (const CurveFragment& fragment : result.curves.fragments) {
