@@ -59,7 +59,6 @@ QualityPreset PresetOf(Quality quality) {
 }
 
 void SetPaperDefaults(PipelineOptions* options) {
-  options->edges.texture_density = 0;
   options->sketch.averaging = "paper";
   options->sketch.min_supporting_views = 6;
   options->drawing.dense_link_views = 2;
