@@ -36,8 +36,8 @@ class ContentHash {
   // Eight bytes at once, for many numbers: not the same as their bytes.
   void AddWord(uint64_t word) {
     // A product carries upwards only.
-    state_ ^= word;
-    state_ = (state_ ^ state_ >> 32) * 0x9e3779b97f4a7c15ULL;
+    state_ = (state_ ^ word) * 0x9e3779b97f4a7c15ULL;
+    state_ = (state_ ^ state_ >> 32) * 0xd6e8feb86659fd93ULL;
     state_ ^= state_ >> 32;
   }
   void AddWord(double number) { AddWord(std::bit_cast<uint64_t>(number)); }
