@@ -28,8 +28,7 @@ Eigen::Vector3d RayTangent(const PinholeCamera& camera, const Eigen::Vector2d& t
 class PairGeometry {
  public:
   PairGeometry(const View& primary, const View& second)
-      : primary_(primary),
-        second_(second),
+      : second_(second),
         relative_(MakeRelativeProjection(primary.camera, primary.cam_from_world, second.camera,
                                          second.cam_from_world)) {
     const Rigid3d primary_from_second = primary.cam_from_world * Inverse(second.cam_from_world);
@@ -84,7 +83,6 @@ class PairGeometry {
   }
 
  private:
-  const View& primary_;
   const View& second_;
   RelativeProjection relative_;
   Eigen::Matrix3d rotation_;

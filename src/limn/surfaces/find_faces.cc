@@ -41,7 +41,7 @@ void TurnRound(DrawingFace* face) {
       std::ranges::reverse(edge.bridge);
     }
     // Rails are the first and third side.
-    if (!face->side_starts.empty()) std::ranges::rotate(loop, loop.begin() + 1);
+    if (!face->side_starts.empty()) std::rotate(loop.begin(), loop.begin() + 1, loop.end());
   }
 }
 
