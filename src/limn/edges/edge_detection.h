@@ -55,7 +55,7 @@ struct EdgeDetectionOptions {
 
   // Edgels are those of texture, which are not linked, where short runs of mixed directions have
   // at least this many per px^2, >= 0; 0 = none are (FindDenseTexture).
-  double texture_density = 0.15;
+  double texture_density = 0.18;
 
   // Border of the image without edgels, px, >= 0.
   double margin_px = 8.0;

@@ -30,7 +30,7 @@ class DenseTexture : public ::testing::Test {
     }
   }
 
-  std::vector<EdgelId> Find(double min_density = 0.15) const {
+  std::vector<EdgelId> Find(double min_density = 0.18) const {
     return FindDenseTexture(edgels_, kTexturePx, kTexturePx, min_density);
   }
 
