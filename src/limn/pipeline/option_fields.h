@@ -30,7 +30,7 @@ void VisitFields(EdgeDetectionOptions& o, Visit&& visit) {
   visit("isoluminant_distance_px", o.isoluminant_distance_px,
         "red and blue edgels within this of a similar main one are dropped, px");
   visit("texture_density", o.texture_density,
-        "short edgels per px^2 from which texture is not linked, 0 = link all");
+        "short edgels per px^2 from which texture is not linked, 0 = all are linked");
   visit("margin_px", o.margin_px, "unused border of the image, px");
 }
 

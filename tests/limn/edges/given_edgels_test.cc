@@ -71,7 +71,7 @@ TEST(GivenEdgels, TextureIsThatOfDetection) {
       map.edgels.back().tangent_rad = 0.8 * (x / 2) + 1.6 * (y / 2);
     }
   }
-  MarkTexture(0.18, &map);
+  MarkTexture(0.15, &map);
   EXPECT_GT(map.texture.size(), map.edgels.size() / 2);
   map.texture.clear();
   MarkTexture(0, &map);
