@@ -200,19 +200,19 @@ LinkMatch LinkMatcher::Match(const LinkRef& ref) const {
   const std::vector<RefSample> samples = SampleReference(ref, views_);
   std::map<LinkId, Candidate> by_link;
   for (size_t r = 0; r < samples.size(); ++r) {
-    const auto& [position, direction, footprint, bulge, half_step] = samples[r];
-    const double reach = kMatchPx * footprint + kBulgeShare * bulge;
+    const RefSample& at = samples[r];
+    const double reach = kMatchPx * at.footprint + kBulgeShare * at.bulge;
     std::map<LinkId, double> nearest;  // px
-    const double radius = std::hypot(reach, half_step + longest_half_step_);
-    ForEachWithin(position, radius, [&](const Sample& sample) {
-      const Eigen::Vector3d offset = position - sample.position;
+    const double radius = std::hypot(reach, at.half_step + longest_half_step_);
+    ForEachWithin(at.position, radius, [&](const Sample& sample) {
+      const Eigen::Vector3d offset = at.position - sample.position;
       const double along = offset.dot(sample.direction);
       const double across = (offset - along * sample.direction).norm();
-      if (!(across <= reach) || !(std::abs(along) <= half_step + sample.half_step)) return;
-      if (LineAngleBetween(direction, sample.direction) > kMaxAngleRad) return;
+      if (!(across <= reach) || !(std::abs(along) <= at.half_step + sample.half_step)) return;
+      if (LineAngleBetween(at.direction, sample.direction) > kMaxAngleRad) return;
       by_link[sample.link].own.push_back(sample.number);
-      const auto [found, is_new] = nearest.emplace(sample.link, across / footprint);
-      if (!is_new) found->second = std::min(found->second, across / footprint);
+      const auto [found, is_new] = nearest.emplace(sample.link, across / at.footprint);
+      if (!is_new) found->second = std::min(found->second, across / at.footprint);
     });
     for (const auto& [link, px] : nearest) {
       by_link[link].at.push_back(static_cast<int>(r));
