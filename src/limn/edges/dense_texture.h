@@ -9,18 +9,17 @@
 namespace limn {
 
 // What tells texture: where an edgel is, its direction, and how far its run extends
-// (EdgelRaster::DropWeakShortRuns).
+// (EdgelRaster).
 struct TextureSample {
   Eigen::Vector2d position_px;
   Eigen::Vector2d tangent;  // unit
   double run_px = 0;
 };
 
-// The indices, ascending, of edgels of stucco, gravel, foliage and the like: those in runs shorter
-// than 12 px where, in the 20 px around their cell of 4 px, such edgels are at least `min_density`
-// per px^2 and half of all, and directions are mixed: |mean exp(2 i angle)| < 0.45. What crosses
-// texture in longer runs is not texture. None if min_density is 0. Time: linear in edgels and
-// cells.
+// The indices, ascending, of edgels of leaves and the like: those in runs shorter than 12 px where,
+// in the 20 px around their cell of 4 px, such edgels are at least `min_density` per px^2 and half
+// of all, and directions are mixed: |mean exp(2 i angle)| < 0.45. What crosses texture in longer
+// runs is not texture. None if min_density is 0. Time: linear in edgels and cells.
 //
 // Such edgels match by chance in other views. Of those found with 0.18 per px^2, 1.0 % end in
 // drawings of midday (of all edgels 24 %), 0.2 % on the vase (21 %), 2.4 % on Herz-Jesu (25 %).

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "limn/edges/dense_texture.h"
 #include "limn/edges/edge_refinement.h"
 #include "limn/edges/edge_signal.h"
 #include "limn/edges/edgel_selection.h"
@@ -210,8 +209,7 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   map.width = image.width;
   map.height = image.height;
   map.edgels = raster.Edgels();
-  map.texture =
-      FindDenseTexture(raster.TextureSamples(), image.width, image.height, options.texture_density);
+  map.texture = raster.Texture(options.texture_density);
   map.gradient_noise = signal.noise[0].Mean();
   return map;
 }

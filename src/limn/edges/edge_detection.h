@@ -54,7 +54,7 @@ struct EdgeDetectionOptions {
   double isoluminant_distance_px = 3.0;
 
   // Edgels are those of texture, which are not linked, where short runs of mixed directions have
-  // at least this many per px^2, [0, 1]; 0 = none are (FindDenseTexture). 0.18 finds stucco and
+  // at least this many per px^2, [0, 1]; 0 = none are (FindDenseTexture). 0.18 finds
   // leaves. Measured, no better: ALGORITHM.md 2.12.
   double texture_density = 0;
 

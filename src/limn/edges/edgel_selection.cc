@@ -9,6 +9,8 @@
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
+#include "limn/edges/dense_texture.h"
+
 namespace limn {
 namespace {
 
@@ -98,20 +100,16 @@ void EdgelRaster::TryHold(int index) {
 void EdgelRaster::Compact() {
   std::vector<RefinedEdgel> edgels;
   std::vector<EdgelPlace> places;
-  std::vector<float> run_px;
   edgels.reserve(edgels_.size());
   places.reserve(edgels_.size());
-  run_px.reserve(edgels_.size());
   for (int& cell : index_of_pixel_) {
     if (cell < 0) continue;
     edgels.push_back(edgels_[cell]);
     places.push_back(places_[cell]);
-    run_px.push_back(run_px_[cell]);
     cell = static_cast<int>(edgels.size()) - 1;
   }
   edgels_ = std::move(edgels);
   places_ = std::move(places);
-  run_px_ = std::move(run_px);
 }
 
 bool EdgelRaster::HasParallelNear(const Vector2d& position, const Vector2d& direction,
@@ -151,7 +149,7 @@ UnionFind EdgelRaster::Runs() const {
   return runs;
 }
 
-void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
+std::vector<double> EdgelRaster::RunLengths() const {
   UnionFind runs = Runs();
   struct Box {
     Vector2d low = Vector2d::Constant(std::numeric_limits<double>::max());
@@ -164,24 +162,33 @@ void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
     box.low = box.low.cwiseMin(places_[cell].position);
     box.high = box.high.cwiseMax(places_[cell].position);
   }
-  run_px_.resize(edgels_.size());
-  for (int& cell : index_of_pixel_) {
+  std::vector<double> lengths(edgels_.size(), 0);
+  for (const int cell : index_of_pixel_) {
     if (cell < 0) continue;
     const Box& box = box_of[runs.Find(cell)];
-    const double run_px = (box.high - box.low).norm();
-    run_px_[cell] = static_cast<float>(run_px);
-    if (edgels_[cell].significance < strong_ratio && run_px < min_run_px) cell = -1;
+    lengths[cell] = (box.high - box.low).norm();
+  }
+  return lengths;
+}
+
+void EdgelRaster::DropWeakShortRuns(double strong_ratio, double min_run_px) {
+  const std::vector<double> run_px = RunLengths();
+  for (int& cell : index_of_pixel_) {
+    if (cell < 0) continue;
+    if (edgels_[cell].significance < strong_ratio && run_px[cell] < min_run_px) cell = -1;
   }
   Compact();
 }
 
-std::vector<TextureSample> EdgelRaster::TextureSamples() const {
+std::vector<EdgelId> EdgelRaster::Texture(double min_density) const {
+  if (min_density == 0) return {};
+  const std::vector<double> run_px = RunLengths();
   std::vector<TextureSample> samples;
-  samples.reserve(places_.size());
-  for (size_t i = 0; i < places_.size(); ++i) {
-    samples.push_back({places_[i].position, places_[i].tangent, run_px_[i]});
+  samples.reserve(edgels_.size());
+  for (const int cell : index_of_pixel_) {
+    if (cell >= 0) samples.push_back({places_[cell].position, places_[cell].tangent, run_px[cell]});
   }
-  return samples;
+  return FindDenseTexture(samples, width_, height_, min_density);
 }
 
 std::vector<Edgel> EdgelRaster::Edgels() const {

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "limn/edges/dense_texture.h"
 #include "limn/edges/edge_refinement.h"
 #include "limn/util/union_find.h"
 
@@ -36,8 +35,8 @@ class EdgelRaster {
   // tangent of either.
   void DropWeakShortRuns(double strong_ratio, double min_run_px);
 
-  // All edgels as the last call of DropWeakShortRuns left them, in the order of Edgels().
-  std::vector<TextureSample> TextureSamples() const;
+  // Those of dense texture, as indices into Edgels() (FindDenseTexture); none if min_density is 0.
+  std::vector<EdgelId> Texture(double min_density) const;
 
   // All edgels in row-major order of the pixel that holds them.
   std::vector<Edgel> Edgels() const;
@@ -53,6 +52,8 @@ class EdgelRaster {
   bool AnyInSquare(const Eigen::Vector2d& center, double radius_px, const Test& test) const;
   // The connected runs, as sets of indices of edgels.
   UnionFind Runs() const;
+  // Over how much the run of an edgel extends, px, by index; 0 for those without a pixel.
+  std::vector<double> RunLengths() const;
 
   int width_;
   int height_;
@@ -60,7 +61,6 @@ class EdgelRaster {
   // Includes some edgels without a pixel. Roughly in row-major order, for locality of look-ups.
   std::vector<RefinedEdgel> edgels_;
   std::vector<EdgelPlace> places_;  // of edgels_
-  std::vector<float> run_px_;       // of edgels_, as of the last call of DropWeakShortRuns
 };
 
 }  // namespace limn

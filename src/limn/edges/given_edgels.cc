@@ -52,11 +52,7 @@ void SetUnknownSigmas(EdgeMap* edge_map) {
 void ThinEdgels(EdgeMap* edge_map) { edge_map->edgels = RasterOf(*edge_map).Edgels(); }
 
 void MarkTexture(double min_density, EdgeMap* edge_map) {
-  if (min_density == 0) return;
-  EdgelRaster raster = RasterOf(*edge_map);
-  raster.DropWeakShortRuns(/*strong_ratio=*/0, /*min_run_px=*/0);  // drops none
-  edge_map->texture =
-      FindDenseTexture(raster.TextureSamples(), edge_map->width, edge_map->height, min_density);
+  edge_map->texture = RasterOf(*edge_map).Texture(min_density);
 }
 
 std::vector<bool> OutsideCrowds(const EdgeMap& edge_map) {

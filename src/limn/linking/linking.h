@@ -92,9 +92,9 @@ struct LinkingResult {
 // Groups the edgels of one image into curve fragments.
 //
 // 1. Around every edgel outside dense texture, curvelets: groups of neighbors that fit one circular
-// arc within the
-//    tolerances (Tamrakar and Kimia 2007; Guo, Kumar, Narayanan and Kimia, "A multi-stage approach
-//    to curve extraction", ECCV 2014). Consecutive edgels of a curvelet vote for a link.
+//    arc within the tolerances (Tamrakar and Kimia 2007; Guo, Kumar, Narayanan and Kimia, "A
+//    multi-stage approach to curve extraction", ECCV 2014). Consecutive edgels of a curvelet vote
+//    for a link.
 // 2. Every edgel keeps the link with the most votes ahead and the one behind, where both ends
 //    agree. Directed tangents must not oppose: a fragment has its bright side on one side
 //    throughout. With forks = hypotheses, forks are then decided again: see ResolveForks.
