@@ -26,6 +26,10 @@ struct DrawingCounts {
   CompletionCounts completion;
 };
 
+// Samples of the sketch are about a pixel apart in each view that sees an edge. Half of them say as
+// much (ALGORITHM.md 22.2).
+constexpr int kTracedStep = 2;
+
 DrawingGraph MergeSamples(const TopologyInput& images, const DrawingOptions& options,
                           const RunContext& context, SampleSet* samples, DrawingCounts* counts) {
   const CurveConsistency network = BuildCurveConsistency(
@@ -43,10 +47,9 @@ SampleFates FatesOf(const CurveSketch& sketch, const SampleSet& samples) {
   for (const Curve3D& curve : sketch.curves) {
     fates.emplace_back(curve.size(), EdgelFate::kLostSupport);
   }
-  for (int c = 0; c < samples.NumCurves(); ++c) {
-    const CurveOrigin& origin = samples.origins[c];
-    std::fill_n(fates[origin.sketch_curve].begin() + origin.begin, samples.Size(c),
-                EdgelFate::kDrawn);
+  for (int s = 0; s < samples.NumSamples(); ++s) {
+    const LinkMember run = samples.InSketch(s);
+    std::fill_n(fates[run.curve].begin() + run.begin, run.size(), EdgelFate::kDrawn);
   }
   return fates;
 }
@@ -54,11 +57,12 @@ SampleFates FatesOf(const CurveSketch& sketch, const SampleSet& samples) {
 DrawingGraph MakeLinks(const CurveSketch& sketch, const TopologyInput& images,
                        const DrawingOptions& options, const RunContext& context,
                        DrawingCounts* counts, SampleFates* fates) {
-  SampleSet samples =
-      options.IsPaper() ? TakeSamples(sketch, images)
-                        : Retriangulate(sketch, images, options, context, &counts->retriangulation);
+  const bool traced = options.method == "traced";
+  SampleSet samples = options.IsPaper() ? TakeSamples(sketch, images)
+                                        : Retriangulate(sketch, traced ? kTracedStep : 1, images,
+                                                        options, context, &counts->retriangulation);
   *fates = FatesOf(sketch, samples);
-  if (options.method != "traced") {
+  if (!traced) {
     return MergeSamples(images, options, context, &samples, counts);
   }
   DrawingGraph graph = TraceCurves(samples, options.topology, context, &counts->tracing);
@@ -130,7 +134,7 @@ StageSummary Summarize(const CurveSketch& sketch, const DrawingOptions& options,
                        const DrawingCounts& counts, const DrawingGraph& graph) {
   int64_t samples_in_links = 0;
   for (const DrawingLink& link : graph.links) {
-    for (const LinkMember& member : link.members) samples_in_links += member.end - member.begin;
+    for (const LinkMember& member : link.members) samples_in_links += member.size();
   }
   const auto num_junctions =
       std::count_if(graph.nodes.begin(), graph.nodes.end(),

@@ -22,7 +22,7 @@ constexpr int kGaussNewtonSteps = 3;
 // Standard deviation of the weak pull to the start of a step, px. It decides only what the edgels
 // leave open.
 constexpr double kPriorSigmaPx = 3;
-// Samples to either side between which the direction of a curve is measured.
+// Samples of the sketch to either side between which the direction of a curve is measured.
 constexpr int kTangentReach = 2;
 
 struct MovedCurve {
@@ -31,28 +31,24 @@ struct MovedCurve {
   std::vector<uint8_t> supported;  // per sample: by enough views
 };
 
-// Moves the samples of one curve of the sketch.
+// Moves every `step`-th sample of one curve of the sketch.
 class CurveRetriangulation {
  public:
-  CurveRetriangulation(const Curve3D& curve, const TopologyInput& images, const ViewFinder& finder,
-                       const DrawingOptions& options)
-      : curve_(curve), images_(images), finder_(finder), options_(options) {}
+  CurveRetriangulation(const Curve3D& curve, int step, const TopologyInput& images,
+                       const ViewFinder& finder, const DrawingOptions& options)
+      : curve_(curve), step_(step), images_(images), finder_(finder), options_(options) {}
 
   MovedCurve Run() {
-    samples_.position = curve_.points_in_world;
-    samples_.tangent = curve_.tangents_in_world;
-    samples_.information.resize(curve_.size());
-    samples_.footprint.resize(curve_.size());
-    support_ = curve_.support;
+    Take();
     for (int round = 0; round < kRounds; ++round) {
       // In the end all samples.
-      const int step = round + 1 < kRounds ? kFirstStep : 1;
+      const int moved_step = round + 1 < kRounds ? kFirstStep : 1;
       for (int s = 0; s < samples_.NumSamples(); ++s) {
-        s % step == 0 ? MoveToEdgels(s) : LeaveToSmoothing(s);
+        s % moved_step == 0 ? MoveToEdgels(s) : LeaveToSmoothing(s);
       }
-      samples_.position = SmoothCurve(samples_, curve_.closed, options_.bending_sigma_px);
+      samples_.position = SmoothCurve(samples_, curve_.closed, step_ * options_.bending_sigma_px);
       UpdateTangents();
-      UpdateSupport(step);
+      UpdateSupport(moved_step);
     }
     const std::vector<ViewId> near = finder_.NearAnyOf(samples_.position);
     std::vector<uint8_t> supported;
@@ -61,6 +57,16 @@ class CurveRetriangulation {
   }
 
  private:
+  void Take() {
+    for (size_t s = 0; s < curve_.size(); s += step_) {
+      samples_.position.push_back(curve_.points_in_world[s]);
+      samples_.tangent.push_back(curve_.tangents_in_world[s]);
+      support_.Append(curve_.support.Of(s));
+    }
+    samples_.information.resize(samples_.position.size());
+    samples_.footprint.resize(samples_.position.size());
+  }
+
   void MoveToEdgels(int s) {
     Eigen::Vector3d& position = samples_.position[s];
     std::vector<ViewId> views;
@@ -84,23 +90,23 @@ class CurveRetriangulation {
   }
 
   void UpdateTangents() {
+    const int reach = std::max(1, kTangentReach / step_);
     for (int s = 0; s < samples_.NumSamples(); ++s) {
-      const Eigen::Vector3d tangent =
-          DirectionAt(samples_.position, curve_.closed, s, kTangentReach);
+      const Eigen::Vector3d tangent = DirectionAt(samples_.position, curve_.closed, s, reach);
       if (!tangent.isZero(0)) samples_.tangent[s] = tangent;
     }
   }
 
   // Chooses the best edgels at the new positions, in all views that support any sample of the
   // curve. The primary view keeps the sample's own edgel while it shows any within the gate. Of
-  // every `step`-th sample; the others keep theirs.
-  void UpdateSupport(int step) {
+  // every `moved_step`-th sample; the others keep theirs.
+  void UpdateSupport(int moved_step) {
     std::set<ViewId> views;
     for (const EdgelRef& ref : support_.edgels) views.insert(ref.view);
     const SupportLists before = std::move(support_);
     support_ = {};
     for (int s = 0; s < samples_.NumSamples(); ++s) {
-      if (s % step != 0) {
+      if (s % moved_step != 0) {
         support_.Append({before.Of(s).begin(), before.Of(s).end()});
         continue;
       }
@@ -116,7 +122,7 @@ class CurveRetriangulation {
 
   // The anchor's edgel that the sample was made from.
   EdgelRef OwnEdgel(int s) const {
-    const auto support = curve_.support.Of(s);
+    const auto support = curve_.support.Of(step_ * s);
     return *std::ranges::find(support, curve_.anchor.view, &EdgelRef::view);
   }
 
@@ -131,6 +137,7 @@ class CurveRetriangulation {
   }
 
   const Curve3D& curve_;
+  const int step_;
   const TopologyInput& images_;
   const ViewFinder& finder_;
   const DrawingOptions& options_;
@@ -138,8 +145,8 @@ class CurveRetriangulation {
   SupportLists support_;
 };
 
-// Appends the supported pieces of a curve that are long enough. Returns the number of samples in
-// the others.
+// Appends the supported pieces of a curve that are long enough. Returns how many samples of the
+// sketch are in the others.
 int AppendPieces(const MovedCurve& curve, const CurveOrigin& whole, double min_length_px,
                  SampleSet* samples) {
   const int size = curve.samples.NumSamples();
@@ -150,21 +157,23 @@ int AppendPieces(const MovedCurve& curve, const CurveOrigin& whole, double min_l
   };
   int in_short_pieces = 0;
   ForEachRun(size, is_usable, [&](int begin, int end) {
+    CurveOrigin origin = whole;
+    origin.begin = whole.step * begin;
+    origin.end = std::min(whole.step * end, whole.end);
     // A curve has two samples, whatever the shortest length is.
     if (end - begin < 2 || LengthPx(curve.samples, begin, end) < min_length_px) {
-      in_short_pieces += end - begin;
+      in_short_pieces += origin.end - origin.begin;
       return;
     }
-    const bool closed = whole.closed && end - begin == size;
-    AppendCurve(curve.samples, curve.support, begin, end,
-                {whole.sketch_curve, begin, whole.primary_view, closed}, samples);
+    origin.closed = whole.closed && end - begin == size;
+    AppendCurve(curve.samples, curve.support, begin, end, origin, samples);
   });
   return in_short_pieces;
 }
 
 }  // namespace
 
-SampleSet Retriangulate(const CurveSketch& sketch, const TopologyInput& images,
+SampleSet Retriangulate(const CurveSketch& sketch, int step, const TopologyInput& images,
                         const DrawingOptions& options, const RunContext& context,
                         RetriangulationStats* stats) {
   SampleSet samples;
@@ -173,20 +182,24 @@ SampleSet Retriangulate(const CurveSketch& sketch, const TopologyInput& images,
     stats->samples_in += static_cast<int64_t>(curve.size());
     num_edgels += curve.support.edgels.size();
   }
-  Reserve(stats->samples_in, num_edgels, &samples);
+  Reserve(stats->samples_in / step + sketch.curves.size(), num_edgels / step, &samples);
   const ViewFinder finder(images.views);
   MapItemsInBlocks(
       context, "re-triangulation", sketch.curves.size(),
       [&](size_t c) {
-        return CurveRetriangulation(sketch.curves[c], images, finder, options).Run();
+        return CurveRetriangulation(sketch.curves[c], step, images, finder, options).Run();
       },
       [&](size_t c, const MovedCurve& moved) {
         const Curve3D& curve = sketch.curves[c];
+        const CurveOrigin whole = {static_cast<int>(c), 0,    curve.anchor.view,
+                                   curve.closed,        step, static_cast<int>(curve.size())};
         stats->piece_too_short +=
-            AppendPieces(moved, {static_cast<int>(c), 0, curve.anchor.view, curve.closed},
-                         options.min_linked_length_px, &samples);
+            AppendPieces(moved, whole, options.min_linked_length_px, &samples);
       });
-  stats->too_few_views = stats->samples_in - stats->piece_too_short - samples.NumSamples();
+  stats->too_few_views = stats->samples_in - stats->piece_too_short;
+  for (const CurveOrigin& origin : samples.origins) {
+    stats->too_few_views -= origin.end - origin.begin;
+  }
   return samples;
 }
 

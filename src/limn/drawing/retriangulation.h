@@ -6,18 +6,19 @@
 
 namespace limn {
 
+// In samples of the sketch, of which each that is moved stands for `step`.
 struct RetriangulationStats {
   int64_t samples_in = 0;
   int64_t too_few_views = 0;    // support lost when the sample moved
   int64_t piece_too_short = 0;  // in pieces between such samples that are too short
 };
 
-// Moves every sample of the sketch to where the tangent lines of all its supporting edgels agree
-// (ours; ALGORITHM.md 7): robust least squares of the distances in all views, across the curve
-// only. This alternates with smoothing along the curve, in which samples are weighted by their
-// inverse covariances, and with a new choice of supporting edgels. Curves are cut where support is
-// lost. Time: samples times views.
-SampleSet Retriangulate(const CurveSketch& sketch, const TopologyInput& images,
+// Moves every `step`-th sample of the sketch to where the tangent lines of all its supporting
+// edgels agree (ours; ALGORITHM.md 7): robust least squares of the distances in all views, across
+// the curve only. This alternates with smoothing along the curve, in which samples are weighted by
+// their inverse covariances, and with a new choice of supporting edgels. Curves are cut where
+// support is lost. bending_sigma_px is that of neighbors in the sketch. Time: samples times views.
+SampleSet Retriangulate(const CurveSketch& sketch, int step, const TopologyInput& images,
                         const DrawingOptions& options, const RunContext& context,
                         RetriangulationStats* stats);
 

@@ -51,6 +51,8 @@ struct LinkMember {
   int curve = -1;
   int begin = 0;  // samples [begin, end)
   int end = 0;
+
+  int size() const { return end - begin; }
 };
 
 // Where a curve lies relative to a dense surface (depth maps, cloud or mesh).

@@ -34,10 +34,10 @@ constexpr double kAgreeAlongPx = 1.5;
 constexpr double kSlackPx = 2;
 const double kMinListedCosine = std::cos(35 * kDeg);
 // Samples that one thread handles at a time.
-constexpr size_t kChunk = 256;
-// Successive climbers up to this far from the first, px, and up to this many share a look-up.
+constexpr int kChunk = 256;
+// Successive samples up to this far from the first, px, and up to this many share a look-up.
 constexpr double kGroupPx = 6;
-constexpr size_t kGroupSize = 8;
+constexpr int kGroupSize = 8;
 
 struct Place {
   Eigen::Vector3d position;
@@ -53,10 +53,16 @@ struct Neighbor {
   Eigen::Vector3d tangent;  // in the direction of the other's
 };
 
-// The samples that may be neighbors of each climber of a chunk.
+// The samples that may be neighbors of each sample of a chunk.
 struct Lists {
   std::vector<int> samples;
-  std::vector<size_t> end;  // per climber
+  std::vector<size_t> end;  // per sample of the chunk
+};
+
+// Sample ids [begin, end).
+struct IdRange {
+  int begin = 0;
+  int end = 0;
 };
 
 class Climb {
@@ -68,69 +74,24 @@ class Climb {
         settled_(samples.NumSamples(), 0) {}
 
   Consensus Run(const RunContext& context) {
-    ChooseClimbers();
     ListNeighbors(context);
     std::vector<Place> next(samples_.NumSamples());
     for (int round = 0; round < kConsensusRounds; ++round) {
       const auto is_climbing = [&](int s) { return !settled_[s]; };
-      ForEachClimber(is_climbing, kSearchPx, context,
-                     [&](int s, const std::vector<Neighbor>& near) { next[s] = Mean(s, near); });
-      for (const int s : climbers_) {
+      ForEachSample(is_climbing, kSearchPx, context,
+                    [&](int s, const std::vector<Neighbor>& near) { next[s] = Mean(s, near); });
+      for (int s = 0; s < samples_.NumSamples(); ++s) {
         if (!settled_[s]) settled_[s] = !Move(s, next[s]);
       }
-      MoveBetweenClimbers();
     }
     const auto all = [](int) { return true; };
-    ForEachClimber(all, kAgreeAlongPx, context, [&](int s, const std::vector<Neighbor>& near) {
+    ForEachSample(all, kAgreeAlongPx, context, [&](int s, const std::vector<Neighbor>& near) {
       consensus_.num_views[s] = CountViews(near);
-    });
-    ForEachBetween([&](int s) {
-      consensus_.num_views[s] = std::min(consensus_.num_views[s - 1], consensus_.num_views[s + 1]);
     });
     return std::move(consensus_);
   }
 
  private:
-  // Every second sample of a curve, and its last.
-  void ChooseClimbers() {
-    for (int c = 0; c < samples_.NumCurves(); ++c) {
-      const int end = samples_.curve_begin[c + 1];
-      for (int s = samples_.curve_begin[c]; s < end; s += 2) climbers_.push_back(s);
-      if (samples_.Size(c) % 2 == 0) climbers_.push_back(end - 1);
-    }
-  }
-
-  // Calls visit(sample) for those that do not climb. Both neighbors on the curve do.
-  template <typename Visit>
-  void ForEachBetween(const Visit& visit) const {
-    for (int c = 0; c < samples_.NumCurves(); ++c) {
-      const int end = samples_.curve_begin[c + 1];
-      for (int s = samples_.curve_begin[c] + 1; s + 1 < end; s += 2) visit(s);
-    }
-  }
-
-  // Onto the cubic curve through the two beside them that has their tangents, where its chord comes
-  // nearest to the sample.
-  void MoveBetweenClimbers() {
-    ForEachBetween([&](int s) {
-      const Eigen::Vector3d& from = consensus_.position[s - 1];
-      const Eigen::Vector3d chord = consensus_.position[s + 1] - from;
-      const double length = chord.norm();
-      if (!(length > 0)) return;
-      const auto speed = [&](int at) -> Eigen::Vector3d {
-        const Eigen::Vector3d& tangent = consensus_.tangent[at];
-        return std::copysign(length, tangent.dot(chord)) * tangent;
-      };
-      const double share = (samples_.position[s] - from).dot(chord) / (length * length);
-      const double t = std::clamp(share, 0.0, 1.0);
-      const double u = 1 - t;
-      consensus_.position[s] =
-          from + t * t * (3 - 2 * t) * chord + t * u * (u * speed(s - 1) - t * speed(s + 1));
-      const Eigen::Vector3d tangent = consensus_.tangent[s - 1] + consensus_.tangent[s + 1];
-      if (!tangent.isZero(0)) consensus_.tangent[s] = tangent.normalized();
-    });
-  }
-
   // Returns whether the sample moved by more than it may when it has settled.
   bool Move(int s, const Place& to) {
     const double moved = (to.position - consensus_.position[s]).norm();
@@ -139,10 +100,10 @@ class Climb {
     return moved > kSettledPx * samples_.footprint[s];
   }
 
-  // The climbers of a chunk.
-  std::span<const int> Chunk(size_t chunk) const {
-    const size_t begin = kChunk * chunk;
-    return std::span(climbers_).subspan(begin, std::min(kChunk, climbers_.size() - begin));
+  // The samples of a chunk.
+  IdRange Chunk(size_t chunk) const {
+    const int begin = kChunk * static_cast<int>(chunk);
+    return {begin, std::min(begin + kChunk, samples_.NumSamples())};
   }
 
   template <typename Visit>
@@ -150,22 +111,22 @@ class Climb {
     ParallelFor(context, "consensus", lists_.size(), visit);
   }
 
-  // Finds, per climber, the samples that may be its neighbors until it has moved by more than the
+  // Finds, per sample, those that may be its neighbors until it has moved by more than the
   // slack: a wider search than that for neighbors, done once.
   void ListNeighbors(const RunContext& context) {
-    lists_.resize((climbers_.size() + kChunk - 1) / kChunk);
+    lists_.resize((samples_.NumSamples() + kChunk - 1) / kChunk);
     const SpatialIndex index(consensus_.position);
     ForEachChunk(context, [&](size_t chunk) {
       Lists& lists = lists_[chunk];
       std::vector<SpatialIndex::Neighbor> around;
-      for (std::span<const int> left = Chunk(chunk); !left.empty();) {
-        const std::span<const int> group = left.first(GroupSize(left));
-        left = left.subspan(group.size());
+      for (IdRange left = Chunk(chunk); left.begin < left.end;) {
+        const IdRange group = {left.begin, EndOfGroup(left)};
         FindAround(group, index, &around);
-        for (const int s : group) {
+        for (int s = group.begin; s < group.end; ++s) {
           ListNeighborsOf(s, around, &lists.samples);
           lists.end.push_back(lists.samples.size());
         }
+        left.begin = group.end;
       }
     });
   }
@@ -186,45 +147,44 @@ class Climb {
     }
   }
 
-  // Calls visit(climber, neighbors up to max_along_px along the curve) for those that are wanted,
+  // Calls visit(sample, neighbors up to max_along_px along the curve) for those that are wanted,
   // each sample being its own neighbor.
   template <typename Wanted, typename Visit>
-  void ForEachClimber(const Wanted& is_wanted, double max_along_px, const RunContext& context,
-                      const Visit& visit) const {
+  void ForEachSample(const Wanted& is_wanted, double max_along_px, const RunContext& context,
+                     const Visit& visit) const {
     ForEachChunk(context, [&](size_t chunk) {
       const Lists& lists = lists_[chunk];
-      const std::span<const int> climbers = Chunk(chunk);
+      const IdRange chosen = Chunk(chunk);
       std::vector<Neighbor> near;
       size_t begin = 0;
-      for (size_t i = 0; i < climbers.size(); ++i) {
-        const std::span listed(lists.samples.data() + begin, lists.end[i] - begin);
-        begin = lists.end[i];
-        if (!is_wanted(climbers[i])) continue;
-        FindNeighbors(climbers[i], listed, max_along_px, &near);
-        visit(climbers[i], near);
+      for (int s = chosen.begin; s < chosen.end; ++s) {
+        const size_t end = lists.end[s - chosen.begin];
+        const std::span listed(lists.samples.data() + begin, end - begin);
+        begin = end;
+        if (!is_wanted(s)) continue;
+        FindNeighbors(s, listed, max_along_px, &near);
+        visit(s, near);
       }
     });
   }
 
-  // How many of the samples, from the first on, are near each other.
-  size_t GroupSize(std::span<const int> chosen) const {
-    const double reach = kGroupPx * samples_.footprint[chosen[0]];
-    const Eigen::Vector3d& first = consensus_.position[chosen[0]];
-    size_t size = 1;
-    while (size < std::min(kGroupSize, chosen.size()) &&
-           (consensus_.position[chosen[size]] - first).norm() < reach) {
-      ++size;
-    }
-    return size;
+  // One past the last of the samples that are, from the first on, near each other.
+  int EndOfGroup(const IdRange& chosen) const {
+    const double reach = kGroupPx * samples_.footprint[chosen.begin];
+    const Eigen::Vector3d& first = consensus_.position[chosen.begin];
+    const int last = std::min(chosen.begin + kGroupSize, chosen.end);
+    int end = chosen.begin + 1;
+    while (end < last && (consensus_.position[end] - first).norm() < reach) ++end;
+    return end;
   }
 
   // Finds all samples within the search radius and the slack of any of a group, and a few more.
-  void FindAround(std::span<const int> group, const SpatialIndex& index,
+  void FindAround(const IdRange& group, const SpatialIndex& index,
                   std::vector<SpatialIndex::Neighbor>* around) const {
     const Eigen::Vector3d center =
-        0.5 * (consensus_.position[group.front()] + consensus_.position[group.back()]);
+        0.5 * (consensus_.position[group.begin] + consensus_.position[group.end - 1]);
     double radius = 0;
-    for (const int s : group) {
+    for (int s = group.begin; s < group.end; ++s) {
       radius = std::max(radius, (consensus_.position[s] - center).norm() +
                                     (kSearchPx + kSlackPx) * samples_.footprint[s]);
     }
@@ -288,9 +248,8 @@ class Climb {
   const SampleSet& samples_;
   const ReprojectedMetric& metric_;
   Consensus consensus_;
-  std::vector<int> climbers_;
   std::vector<uint8_t> settled_;  // per sample
-  std::vector<Lists> lists_;      // per chunk of climbers
+  std::vector<Lists> lists_;      // per chunk
 };
 
 }  // namespace

@@ -23,14 +23,23 @@ Eigen::Vector3d DirectionAt(const std::vector<Eigen::Vector3d>& curve, bool clos
   return (curve[after] - curve[before]).normalized();
 }
 
+LinkMember SampleSet::InSketch(int id) const {
+  const CurveOrigin& origin = origins[curve_of[id]];
+  const int begin = origin.begin + origin.step * NameOf(id).sample;
+  return {origin.sketch_curve, begin, std::min(begin + origin.step, origin.end)};
+}
+
 void NameInSketch(const SampleSet& samples, LinkVertex* vertex) {
   std::vector<EdgelRef>& edgels = vertex->support;
-  for (SketchSample& sample : vertex->samples) {
-    const auto support = samples.support.Of(samples.IdOf(sample));
+  std::vector<SketchSample> in_sketch;
+  for (const SketchSample& sample : vertex->samples) {
+    const int id = samples.IdOf(sample);
+    const auto support = samples.support.Of(id);
     edgels.insert(edgels.end(), support.begin(), support.end());
-    const CurveOrigin& origin = samples.origins[sample.curve];
-    sample = {origin.sketch_curve, origin.begin + sample.sample};
+    const LinkMember run = samples.InSketch(id);
+    for (int s = run.begin; s < run.end; ++s) in_sketch.push_back({run.curve, s});
   }
+  vertex->samples = std::move(in_sketch);
   SortUnique(&edgels);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -45,6 +46,10 @@ struct CurveOrigin {
   int begin = 0;  // first sample
   ViewId primary_view = -1;
   bool closed = false;
+  // Every so many-th sample of the sketch was taken. It stands for those up to the next, too, none
+  // of which is at `end` or beyond.
+  int step = 1;
+  int end = std::numeric_limits<int>::max();
 };
 
 // The samples of all curves, back to back: sample ids run through curve 0, then curve 1, and so on.
@@ -60,10 +65,12 @@ struct SampleSet : SampleArrays {
   // Ids and names of samples, whose curves are those of this set.
   int IdOf(const SketchSample& name) const { return curve_begin[name.curve] + name.sample; }
   SketchSample NameOf(int id) const { return {curve_of[id], id - curve_begin[curve_of[id]]}; }
+  // The samples of the sketch that a sample stands for, as a run of one curve.
+  LinkMember InSketch(int id) const;
 };
 
 // Lists the edgels that support the samples of a vertex, and turns the samples' names in the set
-// into those in the sketch.
+// into those in the sketch that they stand for.
 void NameInSketch(const SampleSet& samples, LinkVertex* vertex);
 
 // Makes samples [begin, end) of a curve one of the set.

@@ -67,7 +67,11 @@ class CurveTracer {
   }
 
   int64_t NumUnclaimed() const {
-    return std::ranges::count_if(owner_, [](int owner) { return owner < 0; });
+    int64_t count = 0;
+    for (int s = 0; s < samples_.NumSamples(); ++s) {
+      if (owner_[s] < 0) count += samples_.InSketch(s).size();
+    }
+    return count;
   }
 
  private:

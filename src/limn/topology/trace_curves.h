@@ -13,7 +13,7 @@ struct TracingCounts {
   int64_t curves = 0;
   int64_t closed = 0;     // curves that came upon their own start
   int64_t meetings = 0;   // ends that came upon another curve, or upon their own interior
-  int64_t unclaimed = 0;  // samples that no curve stands for
+  int64_t unclaimed = 0;  // samples of the sketch that no curve stands for
 };
 
 // Traces the ridges of the consensus of all samples (ours; ALGORITHM.md 11.1 to 11.3). Curves start

@@ -42,6 +42,16 @@ struct Merged {
   }
 };
 
+TEST(FitLinksTest, SamplesAreNamedWithThoseThatTheyStandFor) {
+  Merged merged({testing::Row({0, 0, 0}, {1, 0, 0}, 3)});
+  merged.samples.origins[0] = {4, 30, 0, false, 2, 35};
+  merged.AddLink(0);
+  merged.Fit();
+  const std::vector<LinkVertex>& vertices = merged.graph.links[0].vertices;
+  EXPECT_EQ(vertices[1].samples, (std::vector<SketchSample>{{4, 32}, {4, 33}}));
+  EXPECT_EQ(vertices[2].samples, (std::vector<SketchSample>{{4, 34}}));
+}
+
 TEST(FitLinksTest, VerticesHaveWhatIsKnownOfAllTheirSamples) {
   Merged merged({testing::Row({0, 0, 0}, {1, 0, 0}, 10), testing::Row({3, 0.2, 0}, {1, 0, 0}, 2)});
   merged.samples.origins[0] = {4, 30, 0, false};

@@ -161,18 +161,20 @@ void ExpectWellFormed(const SampleSet& samples) {
 }
 
 Outcome Retriangulated(const OneCurveScene& scene, const std::vector<Curve3D>& sketch,
-                       const DrawingOptions& options = {}) {
+                       const DrawingOptions& options = {}, int step = 1) {
   Outcome outcome;
   const auto support = BuildViewEdgels(scene.curves, {});
   const TopologyInput images = {scene.views, scene.curves, support, options.Gate()};
-  outcome.samples = Retriangulate({sketch}, images, options, {}, &outcome.stats);
+  outcome.samples = Retriangulate({sketch}, step, images, options, {}, &outcome.stats);
   ExpectWellFormed(outcome.samples);
   int64_t samples_in = 0;
   for (const Curve3D& curve : sketch) samples_in += static_cast<int64_t>(curve.size());
   EXPECT_EQ(outcome.stats.samples_in, samples_in);
-  EXPECT_EQ(
-      outcome.samples.NumSamples() + outcome.stats.too_few_views + outcome.stats.piece_too_short,
-      samples_in);
+  int64_t samples_out = outcome.stats.too_few_views + outcome.stats.piece_too_short;
+  for (int s = 0; s < outcome.samples.NumSamples(); ++s) {
+    samples_out += outcome.samples.InSketch(s).size();
+  }
+  EXPECT_EQ(samples_out, samples_in);
   return outcome;
 }
 
@@ -591,6 +593,58 @@ TEST(RetriangulationTest, CurvesKeepTheirOrderAndTheirOrigins) {
   EXPECT_EQ(outcome.samples.origins[0].primary_view, 1);
   EXPECT_EQ(outcome.samples.origins[1].primary_view, 4);
   EXPECT_EQ(outcome.stats.too_few_views, 5);
+}
+
+// The first sample that a sample stands for, and one past the last.
+std::pair<int, int> InSketch(const SampleSet& samples, int s) {
+  const LinkMember run = samples.InSketch(s);
+  return {run.begin, run.end};
+}
+
+TEST(RetriangulationTest, EverySecondSampleStandsForTheNext) {
+  const OneCurveScene scene = FullScene(8, 0.2);
+  const Curve3D curve = SketchCurve(scene, WirePoints(-40, 40, 1));
+  const SampleSet samples = Retriangulated(scene, {curve}, {}, 2).samples;
+  ASSERT_EQ(Pieces(samples), (PieceList{{0, 41}}));
+  for (int s = 0; s < 41; ++s) {
+    EXPECT_NEAR(samples.position[s].y() / kPixel, -40 + 2 * s, 0.5);
+    EXPECT_EQ(InSketch(samples, s), (std::pair{2 * s, std::min(2 * s + 2, 81)}));
+    const auto own = std::ranges::find(samples.support.Of(s), kAnchor, &EdgelRef::view);
+    const auto before = std::ranges::find(curve.support.Of(2 * s), kAnchor, &EdgelRef::view);
+    EXPECT_EQ(own->edgel, before->edgel);
+  }
+}
+
+// Bending is that of neighbors in the sketch: a curve that is already thin needs twice as much.
+TEST(RetriangulationTest, ThinnedCurvesAreSmoothedAsMuch) {
+  const OneCurveScene scene = FullScene(8, 0.2);
+  const SampleSet samples =
+      Retriangulated(scene, {SketchCurve(scene, WirePoints(-40, 40, 1))}, {}, 2).samples;
+  DrawingOptions twice;
+  twice.bending_sigma_px *= 2;
+  const SampleSet thin =
+      Retriangulated(scene, {SketchCurve(scene, WirePoints(-40, 40, 2))}, twice).samples;
+  ASSERT_EQ(samples.NumSamples(), thin.NumSamples());
+  for (int s = 0; s < thin.NumSamples(); ++s) {
+    EXPECT_LT((samples.position[s] - thin.position[s]).norm() / kPixel, 0.05);
+  }
+}
+
+TEST(RetriangulationTest, PiecesOfThinnedCurvesAreCountedInTheSketch) {
+  // Samples 40 to 47, at 0 to 7 px, are in a gap.
+  const OneCurveScene scene = PartlySeen({Wire(-40, -1.5), Wire(8.5, 40)});
+  const Curve3D curve = SketchCurve(scene, WirePoints(-40, 40, 1));
+  const Outcome outcome = Retriangulated(scene, {curve}, {}, 2);
+  ASSERT_EQ(outcome.samples.NumCurves(), 2);
+  const CurveOrigin& second = outcome.samples.origins[1];
+  EXPECT_EQ(second.begin % 2, 0);
+  EXPECT_EQ(second.end, 81);
+  EXPECT_EQ(outcome.samples.origins[0].end + outcome.stats.too_few_views, second.begin);
+  DrawingOptions options;
+  options.min_linked_length_px = 35;  // the second piece has less
+  const Outcome first_only = Retriangulated(scene, {curve}, options, 2);
+  ASSERT_EQ(first_only.samples.NumCurves(), 1);
+  EXPECT_EQ(first_only.stats.piece_too_short, 81 - second.begin);
 }
 
 TEST(RetriangulationTest, NothingOfNothing) {
