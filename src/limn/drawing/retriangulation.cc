@@ -15,9 +15,6 @@ namespace limn {
 namespace {
 
 constexpr int kRounds = 3;
-// In all rounds but the last, every so many-th sample moves to its edgels, and smoothing moves the
-// others.
-constexpr int kFirstStep = 2;
 constexpr int kGaussNewtonSteps = 3;
 // Standard deviation of the weak pull to the start of a step, px. It decides only what the edgels
 // leave open.
@@ -41,14 +38,10 @@ class CurveRetriangulation {
   MovedCurve Run() {
     Take();
     for (int round = 0; round < kRounds; ++round) {
-      // In the end all samples.
-      const int moved_step = round + 1 < kRounds ? kFirstStep : 1;
-      for (int s = 0; s < samples_.NumSamples(); ++s) {
-        s % moved_step == 0 ? MoveToEdgels(s) : LeaveToSmoothing(s);
-      }
+      for (int s = 0; s < samples_.NumSamples(); ++s) MoveToEdgels(s);
       samples_.position = SmoothCurve(samples_, curve_.closed, step_ * options_.bending_sigma_px);
       UpdateTangents();
-      UpdateSupport(moved_step);
+      UpdateSupport();
     }
     const std::vector<ViewId> near = finder_.NearAnyOf(samples_.position);
     std::vector<uint8_t> supported;
@@ -84,11 +77,6 @@ class CurveRetriangulation {
     samples_.information[s] = fit.Information();
   }
 
-  void LeaveToSmoothing(int s) {
-    samples_.footprint[s] = samples_.footprint[s - 1];
-    samples_.information[s].setZero();
-  }
-
   void UpdateTangents() {
     const int reach = std::max(1, kTangentReach / step_);
     for (int s = 0; s < samples_.NumSamples(); ++s) {
@@ -98,18 +86,12 @@ class CurveRetriangulation {
   }
 
   // Chooses the best edgels at the new positions, in all views that support any sample of the
-  // curve. The primary view keeps the sample's own edgel while it shows any within the gate. Of
-  // every `moved_step`-th sample; the others keep theirs.
-  void UpdateSupport(int moved_step) {
+  // curve. The primary view keeps the sample's own edgel while it shows any within the gate.
+  void UpdateSupport() {
     std::set<ViewId> views;
     for (const EdgelRef& ref : support_.edgels) views.insert(ref.view);
-    const SupportLists before = std::move(support_);
     support_ = {};
     for (int s = 0; s < samples_.NumSamples(); ++s) {
-      if (s % moved_step != 0) {
-        support_.Append({before.Of(s).begin(), before.Of(s).end()});
-        continue;
-      }
       std::vector<EdgelRef> of_sample;
       for (const ViewId v : views) {
         const auto ref =
