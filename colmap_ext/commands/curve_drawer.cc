@@ -5,7 +5,7 @@
 #include "colmap_ext/run/results.h"
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/run/trust.h"
-#include "limn/drawing/drawing.h"
+#include "limn/pipeline/pipeline.h"
 
 namespace limn::colmap_ext {
 
@@ -27,9 +27,9 @@ int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_c
                                                     image_curves.curves, console->context());
   const std::string provenance = DrawingProvenance(options, stored.metadata.options_json);
   CheckReplaceable(project, options, "drawing.json", provenance);
-  const DrawingResult result = BuildDrawing(
-      {project.views(), image_curves.curves, stored.sketch, SceneBox(project, options)},
-      options.pipeline.drawing, console->context());
+  const DrawingResult result =
+      DrawSketch({project.views(), image_curves.curves, stored.sketch, SceneBox(project, options)},
+                 options.pipeline, console->context());
   console->Report(result.summary);
   CheckGraph(result.graph);
   WriteRefinedModel(project, std::nullopt, console.get());

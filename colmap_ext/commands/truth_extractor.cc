@@ -3,7 +3,7 @@
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/run/truth_run.h"
 #include "colmap_ext/workspace/output_check.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/formats/ply_curves_writer.h"
 
 namespace limn::colmap_ext {

@@ -10,8 +10,8 @@
 #include "colmap_ext/dense_files/patch_file.h"
 #include "colmap_ext/model/record_reading.h"
 #include "colmap_ext/workspace/pmvs_model.h"
+#include "limn/files/whole_file.h"
 #include "limn/formats/ply_points_reader.h"
-#include "limn/formats/whole_file.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
 

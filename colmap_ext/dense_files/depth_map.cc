@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "limn/formats/whole_file.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
 

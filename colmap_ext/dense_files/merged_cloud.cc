@@ -3,10 +3,10 @@
 #include <fstream>
 #include <system_error>
 
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
+#include "limn/files/whole_file.h"
 #include "limn/formats/ply_output.h"
 #include "limn/formats/ply_points_reader.h"
-#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

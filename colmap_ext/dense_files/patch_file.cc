@@ -7,7 +7,7 @@
 
 #include "colmap_ext/model/line_reader.h"
 #include "colmap_ext/workspace/pmvs_model.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "colmap_ext/dense_files/patch_file.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "colmap_ext/model/line_reader.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/import/calibration.h"
-#include "limn/formats/json_text.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/json_text.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

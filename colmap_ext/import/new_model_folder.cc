@@ -4,7 +4,7 @@
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/workspace/model_folder.h"
-#include "limn/formats/temporary_path.h"
+#include "limn/files/temporary_path.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

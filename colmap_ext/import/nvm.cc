@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "colmap_ext/import/measurement_distortion.h"
-#include "limn/formats/text_scanner.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/text_scanner.h"
+#include "limn/files/whole_file.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -3,8 +3,8 @@
 #include "colmap_ext/import/calibration.h"
 #include "colmap_ext/import/file_matching.h"
 #include "colmap_ext/model/projection_matrix.h"
-#include "limn/formats/text_scanner.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/text_scanner.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -8,7 +8,7 @@
 #include "colmap_ext/model/model_builder.h"
 #include "colmap_ext/model/model_files.h"
 #include "colmap_ext/model/record_reading.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "colmap_ext/model/image_name.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

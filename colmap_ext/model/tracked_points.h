@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "colmap_ext/model/model.h"
-#include "limn/formats/text_scanner.h"
+#include "limn/files/text_scanner.h"
 
 namespace limn::colmap_ext {
 

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "limn/formats/whole_file.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {

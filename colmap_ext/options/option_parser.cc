@@ -11,7 +11,7 @@
 #include <boost/program_options.hpp>
 
 #include "colmap_ext/options/ini_file.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "colmap_ext/run/interrupt.h"
-#include "limn/formats/temporary_path.h"
+#include "limn/files/temporary_path.h"
 
 namespace limn::colmap_ext {
 namespace {

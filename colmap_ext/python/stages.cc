@@ -231,8 +231,8 @@ std::shared_ptr<SceneDrawing> DrawSketch(std::shared_ptr<const SceneSketch> sket
   const SceneCurves& curves = *sketch->curves;
   const Scene& scene = curves.scene->scene;
   const DrawingResult result =
-      BuildDrawing({scene.views(), *curves.curves, *sketch->sketch, SceneBox(scene, run)},
-                   run.pipeline.drawing, console.context());
+      limn::DrawSketch({scene.views(), *curves.curves, *sketch->sketch, SceneBox(scene, run)},
+                       run.pipeline, console.context());
   console.Report(result.summary);
   auto drawing = MakeDrawing(curves.scene, std::move(made), result.graph, std::nullopt,
                              DrawingProvenance(run, Provenance(sketch->made.options)));

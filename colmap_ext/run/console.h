@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "limn/pipeline/result_cache.h"
+#include "limn/cache/result_cache.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
 

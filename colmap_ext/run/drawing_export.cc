@@ -11,8 +11,8 @@
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/to_views.h"
-#include "limn/formats/flat_drawing.h"
 #include "limn/formats/ply_points_reader.h"
+#include "limn/formats/svg/flat_drawing.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -4,7 +4,7 @@
 
 #include "colmap_ext/workspace/file_set.h"
 #include "colmap_ext/workspace/output_check.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/formats/cem_file.h"
 #include "limn/formats/edg_file.h"
 #include "limn/util/errors.h"

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/cache/content_hash.h"
+#include "limn/files/whole_file.h"
 #include "limn/formats/json_edits_reader.h"
-#include "limn/formats/whole_file.h"
-#include "limn/pipeline/content_hash.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -8,7 +8,7 @@
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/evaluation/kind_confusion.h"
 #include "limn/evaluation/report_writers.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/formats/json_kinds_reader.h"
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/read_curves.h"

@@ -17,7 +17,7 @@
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/pmvs_model.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"

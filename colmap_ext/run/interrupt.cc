@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "colmap_ext/workspace/error_line.h"
-#include "limn/formats/temporary_path.h"
+#include "limn/files/temporary_path.h"
 
 namespace limn::colmap_ext {
 namespace {

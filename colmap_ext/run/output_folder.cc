@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "colmap_ext/workspace/output_check.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -8,7 +8,7 @@
 #include "colmap_ext/run/run_options.h"
 #include "colmap_ext/workspace/layout.h"
 #include "colmap_ext/workspace/output_lock.h"
-#include "limn/pipeline/result_cache.h"
+#include "limn/cache/result_cache.h"
 
 namespace limn::colmap_ext {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "colmap_ext/run/project.h"
-#include "limn/formats/curve_sketch_file.h"
+#include "limn/cache/curve_sketch_file.h"
 #include "limn/model/alignment.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/curve_fragment.h"

@@ -79,7 +79,16 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
     AddGroup("ViewSelection", &pipeline.sketch.view_selection, parser);
     AddGroup("Sketch", &pipeline.sketch, parser);
   }
-  if (groups.drawing) AddGroup("Drawing", &pipeline.drawing, parser);
+  if (groups.drawing) {
+    std::vector<std::pair<std::string, DrawingMethod>> methods;
+    for (const DrawingMethod method : {DrawingMethod::kTraced, DrawingMethod::kPaper}) {
+      methods.push_back({DrawingMethodName(method), method});
+    }
+    parser->AddOption("Drawing.method", &pipeline.method, methods,
+                      "how samples become links; paper: as in the paper, and nothing else");
+    AddGroup("Drawing", &pipeline.drawing, parser);
+    AddGroup("Paper", &pipeline.paper, parser);
+  }
   if (groups.refinement || groups.refit) {
     AddGroup("DrawingRefinement", &pipeline.refinement, parser);
   }
@@ -163,9 +172,9 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
       options->Check();
       return parser;
     }
-    const bool is_paper = options->pipeline.drawing.IsPaper();
+    const DrawingMethod method = options->pipeline.method;
     *options = DefaultRunOptions(options->quality);
-    if (is_paper) SetPaperDefaults(&options->pipeline);
+    SetMethodDefaults(method, &options->pipeline);
   }
   return std::nullopt;
 }

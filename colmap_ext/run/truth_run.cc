@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "limn/files/whole_file.h"
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/read_curves.h"
-#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

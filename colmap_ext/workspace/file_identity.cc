@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "limn/formats/whole_file.h"
-#include "limn/pipeline/content_hash.h"
+#include "limn/cache/content_hash.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

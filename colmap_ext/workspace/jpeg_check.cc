@@ -12,7 +12,7 @@
 #include <jerror.h>
 
 #include "colmap_ext/workspace/image_header.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

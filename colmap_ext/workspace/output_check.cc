@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "colmap_ext/workspace/file_set.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

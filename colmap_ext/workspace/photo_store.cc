@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "colmap_ext/workspace/file_identity.h"
-#include "limn/pipeline/content_hash.h"
+#include "limn/cache/content_hash.h"
 
 namespace limn::colmap_ext {
 namespace {

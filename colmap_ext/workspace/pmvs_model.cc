@@ -14,7 +14,7 @@
 #include "colmap_ext/model/model_builder.h"
 #include "colmap_ext/model/tracked_points.h"
 #include "colmap_ext/workspace/image_reader.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -8,7 +8,7 @@
 
 #include "colmap_ext/model/image_name.h"
 #include "colmap_ext/workspace/duplicate_images.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 #include "limn/util/name_list.h"
 

@@ -15,7 +15,7 @@
 #include "colmap_ext/run/terminal_console.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/report_writers.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/model/view_subset.h"
 #include "limn/pipeline/tiled_scene.h"
 #include "support/synthetic_image.h"

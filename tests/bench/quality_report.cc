@@ -12,7 +12,7 @@
 #include "bench/report_tables.h"
 #include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/run/terminal_console.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::bench {

@@ -3,9 +3,9 @@
 #include "limn/belief/link_judge.h"
 #include "limn/drawing/drawing.h"
 #include "limn/kinds/classify_kinds.h"
+#include "limn/pipeline/build_sketch.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
-#include "limn/sketch/sketch.h"
 
 namespace limn::bench {
 namespace {

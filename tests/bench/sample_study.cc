@@ -3,7 +3,7 @@
 #include "colmap_ext/run/project.h"
 #include "limn/drawing/drawing.h"
 #include "limn/geometry/polyline.h"
-#include "limn/sketch/sketch.h"
+#include "limn/pipeline/build_sketch.h"
 #include "support/camera_errors.h"
 
 namespace limn::bench {

@@ -16,7 +16,7 @@
 #include "colmap_ext/run/project.h"
 #include "colmap_ext/run/terminal_console.h"
 #include "colmap_ext/temp_dir.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 
 namespace limn::bench {

@@ -16,7 +16,7 @@
 #include "browser/edit_scene.h"
 #include "browser/wire_scene.h"
 #include "end_to_end/run_limn.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/formats/read_curves.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/viewer/viewer_page.h"

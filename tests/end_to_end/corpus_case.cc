@@ -8,7 +8,7 @@
 
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/workspace/model_folder.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 
 namespace limn::testing {
 

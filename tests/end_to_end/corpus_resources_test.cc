@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "end_to_end/corpus_case.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 
 namespace limn::testing {
 namespace {

@@ -9,7 +9,7 @@
 #include "end_to_end/limn_process.h"
 #include "end_to_end/run_limn.h"
 #include "end_to_end/small_scene.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/geometry/polyline.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "end_to_end/run_limn.h"
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 
 namespace limn::testing {
 

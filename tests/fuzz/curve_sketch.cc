@@ -1,8 +1,8 @@
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/sketched_scene.h"
-#include "limn/formats/curve_sketch_file.h"
-#include "limn/formats/stage_file.h"
+#include "limn/cache/curve_sketch_file.h"
+#include "limn/cache/stage_file.h"
 
 // The bytes are the payload of a stage file that is whole.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

@@ -1,7 +1,7 @@
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
-#include "limn/formats/image_curves_file.h"
-#include "limn/formats/stage_file.h"
+#include "limn/cache/image_curves_file.h"
+#include "limn/cache/stage_file.h"
 
 // The bytes are the payload of a stage file that is whole.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

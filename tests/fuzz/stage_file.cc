@@ -1,7 +1,7 @@
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/sketched_scene.h"
-#include "limn/formats/curve_sketch_file.h"
+#include "limn/cache/curve_sketch_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const limn::fuzz::MemoryFile file(limn::fuzz::Text(data, size));

@@ -16,7 +16,7 @@
 
 #include "limn/formats/glb_drawing_writer.h"
 #include "limn/formats/picture_scene.h"
-#include "limn/formats/svg_drawing_writer.h"
+#include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/visibility/render_depth.h"
 
 namespace limn {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "limn/topology/samples.h"
+#include "limn/drawing/samples.h"
 
 namespace limn {
 

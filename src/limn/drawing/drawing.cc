@@ -1,18 +1,12 @@
 #include "limn/drawing/drawing.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "limn/drawing/curve_averaging.h"
-#include "limn/drawing/curve_consistency.h"
-#include "limn/drawing/link_fitting.h"
-#include "limn/drawing/merging.h"
+#include "limn/drawing/link_smoothing.h"
 #include "limn/drawing/retriangulation.h"
-#include "limn/drawing/sketch_samples.h"
+#include "limn/drawing/trace_curves.h"
 #include "limn/topology/edit_topology.h"
-#include "limn/topology/finish_links.h"
 #include "limn/topology/sample_fates.h"
-#include "limn/topology/trace_curves.h"
 
 namespace limn {
 namespace {
@@ -20,9 +14,6 @@ namespace {
 struct DrawingCounts {
   RetriangulationStats retriangulation;
   TracingCounts tracing;
-  int64_t clusters = 0;
-  AveragingResult averaging;
-  MergingCounts merging;
   CompletionCounts completion;
 };
 
@@ -30,69 +21,10 @@ struct DrawingCounts {
 // much (ALGORITHM.md 22.2).
 constexpr int kTracedStep = 2;
 
-DrawingGraph MergeSamples(const TopologyInput& images, const DrawingOptions& options,
-                          const RunContext& context, SampleSet* samples, DrawingCounts* counts) {
-  const CurveConsistency network = BuildCurveConsistency(
-      *samples, BuildLocalConsistency(*samples, images.curves, options, context), options, context);
-  counts->clusters = network.num_clusters;
-  counts->averaging = AverageCurves(network, options, context, samples);
-  DrawingGraph graph =
-      MergeCurves(*samples, network, images.views, options, context, &counts->merging);
-  FitLinks(*samples, network, options, &graph);
-  return graph;
-}
-
-SampleFates FatesOf(const CurveSketch& sketch, const SampleSet& samples) {
-  SampleFates fates;
-  for (const Curve3D& curve : sketch.curves) {
-    fates.emplace_back(curve.size(), EdgelFate::kLostSupport);
-  }
-  for (int s = 0; s < samples.NumSamples(); ++s) {
-    const LinkMember run = samples.InSketch(s);
-    std::fill_n(fates[run.curve].begin() + run.begin, run.size(), EdgelFate::kDrawn);
-  }
-  return fates;
-}
-
-DrawingGraph MakeLinks(const CurveSketch& sketch, const TopologyInput& images,
-                       const DrawingOptions& options, const RunContext& context,
-                       DrawingCounts* counts, SampleFates* fates) {
-  const bool traced = options.method == "traced";
-  SampleSet samples = options.IsPaper() ? TakeSamples(sketch, images)
-                                        : Retriangulate(sketch, traced ? kTracedStep : 1, images,
-                                                        options, context, &counts->retriangulation);
-  *fates = FatesOf(sketch, samples);
-  if (!traced) {
-    return MergeSamples(images, options, context, &samples, counts);
-  }
-  DrawingGraph graph = TraceCurves(samples, options.topology, context, &counts->tracing);
-  SmoothLinks(options.bending_sigma_px, &graph);
-  return graph;
-}
-
 using Counts = decltype(StageSummary::in);
 
 void Append(const Counts& more, Counts* counts) {
   counts->insert(counts->end(), more.begin(), more.end());
-}
-
-// What the method that made the links did.
-void SummarizeMerging(const DrawingCounts& counts, StageSummary* summary) {
-  const MergingCounts& merging = counts.merging;
-  Append({{"clusters", counts.clusters},
-          {counts.averaging.converged ? "averaging rounds until convergence"
-                                      : "averaging rounds without convergence",
-           counts.averaging.rounds},
-          {"largest movement in the last round, px/1000",
-           std::llround(1000 * counts.averaging.last_move_px)}},
-         &summary->in);
-  Append({{"runs released", merging.released},
-          {"elongations", merging.elongated},
-          {"branchings", merging.branched},
-          {"bridges", merging.bridged},
-          {"rejoinings", merging.rejoined},
-          {"multi-attachments", merging.multi_attached}},
-         &summary->kept);
 }
 
 void SummarizeTracing(const TracingCounts& tracing, StageSummary* summary) {
@@ -130,8 +62,17 @@ int64_t NumSamples(const CurveSketch& sketch) {
   return count;
 }
 
-StageSummary Summarize(const CurveSketch& sketch, const DrawingOptions& options,
-                       const DrawingCounts& counts, const DrawingGraph& graph) {
+void Summarize(const DrawingCounts& counts, StageSummary* summary) {
+  summary->dropped = {
+      {"samples: too few views after re-triangulation", counts.retriangulation.too_few_views},
+      {"samples: piece too short after re-triangulation", counts.retriangulation.piece_too_short}};
+  SummarizeTracing(counts.tracing, summary);
+  SummarizeCompletion(counts.completion, summary);
+}
+
+}  // namespace
+
+StageSummary SummarizeDrawing(const CurveSketch& sketch, const DrawingGraph& graph) {
   int64_t samples_in_links = 0;
   for (const DrawingLink& link : graph.links) {
     for (const LinkMember& member : link.members) samples_in_links += member.size();
@@ -147,22 +88,8 @@ StageSummary Summarize(const CurveSketch& sketch, const DrawingOptions& options,
                   {"links", static_cast<int64_t>(graph.links.size())},
                   {"nodes", static_cast<int64_t>(graph.nodes.size())},
                   {"junctions", num_junctions}};
-  if (!options.IsPaper()) {
-    summary.dropped = {
-        {"samples: too few views after re-triangulation", counts.retriangulation.too_few_views},
-        {"samples: piece too short after re-triangulation",
-         counts.retriangulation.piece_too_short}};
-  }
-  if (options.method == "traced") {
-    SummarizeTracing(counts.tracing, &summary);
-  } else {
-    SummarizeMerging(counts, &summary);
-  }
-  if (!options.IsPaper()) SummarizeCompletion(counts.completion, &summary);
   return summary;
 }
-
-}  // namespace
 
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context) {
@@ -171,15 +98,18 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
   const TopologyInput images = {input.views, input.curves, edgels, options.Gate(), input.box};
   DrawingCounts counts;
   DrawingResult result;
-  result.graph = MakeLinks(input.sketch, images, options, context, &counts, &result.fates);
-  UpdateFates(result.graph, EdgelFate::kNotTraced, &result.fates);
-  if (options.IsPaper()) {
-    FinishLinks(images, options.topology, &result.graph);
-  } else {
-    counts.completion = CompleteDrawing(images, input.sketch, options.topology, context,
-                                        &result.graph, &result.fates);
+  {
+    const SampleSet samples =
+        Retriangulate(input.sketch, kTracedStep, images, options, context, &counts.retriangulation);
+    result.fates = FatesOf(input.sketch, samples);
+    result.graph = TraceCurves(samples, options.topology, context, &counts.tracing);
   }
-  result.summary = Summarize(input.sketch, options, counts, result.graph);
+  SmoothLinks(options.bending_sigma_px, &result.graph);
+  UpdateFates(result.graph, EdgelFate::kNotTraced, &result.fates);
+  counts.completion = CompleteDrawing(images, input.sketch, options.topology, context,
+                                      &result.graph, &result.fates);
+  result.summary = SummarizeDrawing(input.sketch, result.graph);
+  Summarize(counts, &result.summary);
   return result;
 }
 

@@ -29,13 +29,13 @@ struct DrawingResult {
   StageSummary summary;
 };
 
-// The 3D drawing. Re-triangulates the samples of the sketch from all their edgels (ours;
-// ALGORITHM.md 7), traces links on their consensus (TraceCurves, ours), and completes the drawing
-// (CompleteDrawing, ours). The method "merged" builds the local and the curve-level consistency
-// network, averages the curves of each cluster, and merges them into links instead of tracing
-// (ECCV 2016, section 3; ALGORITHM.md 8 to 11). The method "paper" does only that, with the samples
-// as the sketch has them. The graph passes Validate().
+// The 3D drawing (ours). Re-triangulates the samples of the sketch from all their edgels
+// (Retriangulate, ALGORITHM.md 7), traces links on their consensus (TraceCurves), and completes the
+// drawing (CompleteDrawing). The graph passes Validate().
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context);
+
+// What any method says of its input and its finished graph.
+StageSummary SummarizeDrawing(const CurveSketch& sketch, const DrawingGraph& graph);
 
 }  // namespace limn

@@ -10,6 +10,7 @@
 #include "limn/support/point_fit.h"
 #include "limn/support/required_views.h"
 #include "limn/util/map_items.h"
+#include "limn/util/runs.h"
 
 namespace limn {
 namespace {
@@ -175,8 +176,7 @@ SampleSet Retriangulate(const CurveSketch& sketch, int step, const TopologyInput
         const Curve3D& curve = sketch.curves[c];
         const CurveOrigin whole = {static_cast<int>(c), 0,    curve.anchor.view,
                                    curve.closed,        step, static_cast<int>(curve.size())};
-        stats->piece_too_short +=
-            AppendPieces(moved, whole, options.min_linked_length_px, &samples);
+        stats->piece_too_short += AppendPieces(moved, whole, options.min_piece_length_px, &samples);
       });
   stats->too_few_views = stats->samples_in - stats->piece_too_short;
   for (const CurveOrigin& origin : samples.origins) {

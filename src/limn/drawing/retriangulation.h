@@ -1,7 +1,7 @@
 #pragma once
 
 #include "limn/drawing/drawing_options.h"
-#include "limn/topology/samples.h"
+#include "limn/drawing/samples.h"
 #include "limn/topology/topology_input.h"
 
 namespace limn {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <ostream>
 
+#include "limn/files/number_text.h"
+#include "limn/files/text_scanner.h"
+#include "limn/files/whole_file.h"
 #include "limn/formats/check_edgel.h"
-#include "limn/formats/number_text.h"
-#include "limn/formats/text_scanner.h"
-#include "limn/formats/whole_file.h"
 
 namespace limn {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "limn/formats/text_scanner.h"
+#include "limn/files/text_scanner.h"
 #include "limn/model/edge_map.h"
 
 namespace limn {

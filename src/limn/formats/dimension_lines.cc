@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/formats/svg_path.h"
+#include "limn/formats/svg/svg_path.h"
 
 namespace limn {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <ostream>
 
+#include "limn/files/number_text.h"
 #include "limn/formats/link_kind.h"
-#include "limn/formats/number_text.h"
 #include "limn/geometry/polyline.h"
 
 namespace limn {

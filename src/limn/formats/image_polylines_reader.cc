@@ -1,7 +1,7 @@
 #include "limn/formats/image_polylines_reader.h"
 
-#include "limn/formats/text_scanner.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/text_scanner.h"
+#include "limn/files/whole_file.h"
 #include "limn/model/edge_map.h"
 
 namespace limn {

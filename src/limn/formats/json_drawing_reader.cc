@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limn/files/json_text.h"
+#include "limn/files/whole_file.h"
 #include "limn/formats/json_faces.h"
-#include "limn/formats/json_text.h"
-#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "limn/formats/json_text.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/json_text.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
 #include "limn/util/printable.h"
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "limn/formats/json_text.h"
+#include "limn/files/json_text.h"
 #include "limn/util/errors.h"
 
 namespace limn {

@@ -5,9 +5,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "limn/formats/atomic_file.h"
-#include "limn/formats/text_scanner.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/atomic_file.h"
+#include "limn/files/text_scanner.h"
+#include "limn/files/whole_file.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
 

@@ -1,7 +1,7 @@
 #include "limn/formats/line3dpp_reader.h"
 
-#include "limn/formats/text_scanner.h"
-#include "limn/formats/whole_file.h"
+#include "limn/files/text_scanner.h"
+#include "limn/files/whole_file.h"
 
 namespace limn {
 namespace {

@@ -1,9 +1,9 @@
 #include "limn/formats/mesh_reader.h"
 
+#include "limn/files/whole_file.h"
 #include "limn/formats/obj_reader.h"
 #include "limn/formats/ply_header.h"
 #include "limn/formats/ply_values.h"
-#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "limn/files/whole_file.h"
 #include "limn/formats/curve_chains.h"
 #include "limn/formats/ply_header.h"
 #include "limn/formats/ply_values.h"
-#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {

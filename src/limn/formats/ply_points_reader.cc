@@ -7,8 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "limn/files/whole_file.h"
 #include "limn/formats/ply_header.h"
-#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {

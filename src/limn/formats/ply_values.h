@@ -8,8 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "limn/files/text_scanner.h"
 #include "limn/formats/ply_header.h"
-#include "limn/formats/text_scanner.h"
 
 namespace limn {
 

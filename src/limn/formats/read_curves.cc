@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
+#include "limn/files/whole_file.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/limap_structures.h"
 #include "limn/formats/line3dpp_reader.h"
 #include "limn/formats/obj_reader.h"
 #include "limn/formats/ply_curves_reader.h"
 #include "limn/formats/text_curves_reader.h"
-#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {

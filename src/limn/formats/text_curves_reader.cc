@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "limn/files/text_scanner.h"
+#include "limn/files/whole_file.h"
 #include "limn/formats/curve_chains.h"
-#include "limn/formats/text_scanner.h"
-#include "limn/formats/whole_file.h"
 #include "limn/util/errors.h"
 
 namespace limn {

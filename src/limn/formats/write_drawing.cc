@@ -4,13 +4,13 @@
 #include <cctype>
 #include <filesystem>
 
-#include "limn/formats/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/formats/graphml_drawing_writer.h"
 #include "limn/formats/json_drawing_writer.h"
 #include "limn/formats/ply_drawing_writer.h"
 #include "limn/formats/ply_faces_writer.h"
 #include "limn/formats/ply_sketch_writer.h"
-#include "limn/formats/step_drawing_writer.h"
+#include "limn/formats/step/step_drawing_writer.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/util/errors.h"
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "limn/formats/dxf_drawing_writer.h"
+#include "limn/formats/dxf/dxf_drawing_writer.h"
 #include "limn/formats/glb_drawing_writer.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/obj_drawing_writer.h"
-#include "limn/formats/svg_drawing_writer.h"
+#include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/link_selection.h"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "limn/cache/image_curves_file.h"
 #include "limn/edges/given_edgels.h"
-#include "limn/formats/image_curves_file.h"
 #include "limn/pipeline/pipeline_options.h"
 #include "limn/util/errors.h"
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/cache/result_cache.h"
 #include "limn/edges/edge_detection.h"
 #include "limn/linking/linking.h"
 #include "limn/model/curve_fragment.h"
@@ -11,7 +12,6 @@
 #include "limn/model/image.h"
 #include "limn/model/view.h"
 #include "limn/model/view_subset.h"
-#include "limn/pipeline/result_cache.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
 

@@ -124,8 +124,6 @@ void VisitFields(SketchOptions& o, Visit&& visit) {
 
 template <typename Visit>
 void VisitFields(DrawingOptions& o, Visit&& visit) {
-  visit("method", o.method,
-        "traced; merged: the paper's networks, averaging and merging; paper: nothing else");
   visit("max_support_distance_px", o.max_support_distance_px,
         "largest distance of a supporting edgel across the edge, px");
   visit("max_support_angle_deg", o.max_support_angle_deg, "and within this angle, deg");
@@ -137,25 +135,28 @@ void VisitFields(DrawingOptions& o, Visit&& visit) {
   visit("min_supporting_views", o.min_supporting_views,
         BasicOption("curves supported by fewer views are not drawn"));
   visit("max_supporting_views", o.max_supporting_views, "upper limit of that number");
-  visit("strong_link_views", o.strong_link_views,
-        "paper: views with shared edgels for a strong link");
-  visit("dense_link_views", o.dense_link_views, "paper: the same for a dense link");
-  visit("min_strong_links", o.min_strong_links, "method paper: strong links that link two curves");
-  visit("min_linked_length_px", o.min_linked_length_px,
-        "strongly linked length that links two curves, px");
-  visit("overlap_regularity_px", o.overlap_regularity_px,
-        "paper: shorter gaps in an overlap are filled, shorter overlaps removed, px");
-  visit("max_link_angle_deg", o.max_link_angle_deg, "paper: largest angle of merged curves, deg");
-  visit("averaging_tolerance_px", o.averaging_tolerance_px,
-        "paper: averaging stops when samples move less, px");
-  visit("max_averaging_rounds", o.max_averaging_rounds, "paper: or after this many rounds");
-  visit("merge_distance_px", o.merge_distance_px,
-        "paper: samples within this of a link belong to it, px");
-  visit("min_branch_length_px", o.min_branch_length_px,
-        "paper: shorter stubs are not branches, px");
-  visit("junction_distance_px", o.junction_distance_px,
-        "paper: ends within this meet in a node, px");
+  visit("min_piece_length_px", o.min_piece_length_px,
+        "shorter pieces are dropped after re-triangulation, px");
   VisitFields(o.topology, visit);
+}
+
+template <typename Visit>
+void VisitFields(PaperOptions& o, Visit&& visit) {
+  visit("max_support_distance_px", o.max_support_distance_px,
+        "largest distance of a supporting edgel across the edge, px");
+  visit("max_support_angle_deg", o.max_support_angle_deg, "and within this angle, deg");
+  visit("strong_link_views", o.strong_link_views, "views with shared edgels for a strong link");
+  visit("dense_link_views", o.dense_link_views, "the same for a dense link");
+  visit("min_strong_links", o.min_strong_links, "strong links that link two curves");
+  visit("overlap_regularity_px", o.overlap_regularity_px,
+        "shorter gaps in an overlap are filled, shorter overlaps removed, px");
+  visit("max_link_angle_deg", o.max_link_angle_deg, "largest angle of merged curves, deg");
+  visit("averaging_tolerance_px", o.averaging_tolerance_px,
+        "averaging stops when samples move less, px");
+  visit("max_averaging_rounds", o.max_averaging_rounds, "or after this many rounds");
+  visit("merge_distance_px", o.merge_distance_px, "samples within this of a link belong to it, px");
+  visit("min_branch_length_px", o.min_branch_length_px, "shorter stubs are not branches, px");
+  visit("junction_distance_px", o.junction_distance_px, "ends within this meet in a node, px");
 }
 
 template <typename Visit>
@@ -239,6 +240,7 @@ void VisitGroups(PipelineOptions& options, Visit&& visit) {
   visit("ViewSelection", options.sketch.view_selection);
   visit("Sketch", options.sketch);
   visit("Drawing", options.drawing);
+  visit("Paper", options.paper);
   visit("DrawingRefinement", options.refinement);
   visit("Belief", options.belief);
   visit("Primitives", options.primitives);

@@ -4,11 +4,18 @@
 
 #include "limn/belief/link_judge.h"
 #include "limn/kinds/classify_kinds.h"
+#include "limn/paper/paper_drawing.h"
 #include "limn/pipeline/sketch_views.h"
 #include "limn/pipeline/update_scene.h"
 #include "limn/regularity/regularize.h"
 
 namespace limn {
+
+DrawingResult DrawSketch(const DrawingInput& input, const PipelineOptions& options,
+                         const RunContext& context) {
+  return options.IsPaper() ? BuildPaperDrawing(input, options.paper, context)
+                           : BuildDrawing(input, options.drawing, context);
+}
 
 DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end) {
@@ -18,7 +25,7 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
   on_stage_end(sketch.summary);
 
   DrawingResult drawing =
-      BuildDrawing({scene.views, scene.curves, sketch.sketch, scene.box}, options.drawing, context);
+      DrawSketch({scene.views, scene.curves, sketch.sketch, scene.box}, options, context);
   on_stage_end(drawing.summary);
   return {std::move(sketch), std::move(drawing)};
 }
@@ -68,7 +75,7 @@ UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& 
 
 JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                              const RunContext& context, const StageObserver& on_stage_end) {
-  if (options.drawing.IsPaper()) return {input.graph, std::nullopt};
+  if (options.IsPaper()) return {input.graph, std::nullopt};
   RefinementResult refined =
       RefineDrawing(input, options.refinement, options.drawing.topology, context);
   on_stage_end(refined.summary);
@@ -83,7 +90,7 @@ DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const std::function<Image(ViewId)>& read_image,
                            const PipelineOptions& options, const RunContext& context,
                            const StageObserver& on_stage_end) {
-  if (options.drawing.IsPaper()) return graph;
+  if (options.IsPaper()) return graph;
   PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
   on_stage_end(primitives.summary);
   graph = std::move(primitives.graph);

@@ -8,11 +8,11 @@
 #include <Eigen/Geometry>
 
 #include "limn/drawing/drawing.h"
+#include "limn/pipeline/build_sketch.h"
 #include "limn/pipeline/extract_curves.h"
 #include "limn/pipeline/pipeline_options.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
-#include "limn/sketch/sketch.h"
 
 namespace limn {
 
@@ -57,6 +57,10 @@ struct CurvesScene {
   std::string part = "";  // see SketchViews
 };
 
+// The drawing of a sketch, by the method of the options. Throws OptionError and Cancelled.
+DrawingResult DrawSketch(const DrawingInput& input, const PipelineOptions& options,
+                         const RunContext& context);
+
 struct DrawnCurves {
   SketchResult sketch;
   DrawingResult drawing;
@@ -72,7 +76,7 @@ struct JudgedDrawing {
 };
 
 // Refines a drawing and judges its links (RefineDrawing, JudgeLinks). The paper's drawing stays as
-// it is (DrawingOptions::IsPaper).
+// it is (PipelineOptions::IsPaper).
 JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                              const RunContext& context, const StageObserver& on_stage_end);
 

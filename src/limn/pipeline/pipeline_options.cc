@@ -33,7 +33,7 @@ std::string FieldsAsText(const Options& options) {
 void PipelineOptions::Check() const {
   PipelineOptions copy = *this;
   VisitGroups(copy, [](const char* group, const auto& options) { CheckGroup(group, options); });
-  if (drawing.IsPaper() && refinement.refine_poses) {
+  if (IsPaper() && refinement.refine_poses) {
     throw OptionError("DrawingRefinement.refine_poses = 1: Drawing.method paper has no refinement");
   }
 }
@@ -58,30 +58,24 @@ QualityPreset PresetOf(Quality quality) {
   return preset;
 }
 
-void SetPaperDefaults(PipelineOptions* options) {
+void SetMethodDefaults(DrawingMethod method, PipelineOptions* options) {
+  options->method = method;
+  if (!options->IsPaper()) return;
   options->sketch.averaging = "paper";
   options->sketch.min_supporting_views = 6;
-  options->drawing.dense_link_views = 2;
-  options->drawing.max_averaging_rounds = 300;
 }
 
-const char* SketchModeName(SketchMode mode) {
-  switch (mode) {
-    case SketchMode::kOriginal:
-      return "original";
-    case SketchMode::kEnhanced:
-      return "enhanced";
-    case SketchMode::kSweep:
-      return "sweep";
-  }
-  return "";
+const char* DrawingMethodName(DrawingMethod method) {
+  return method == DrawingMethod::kPaper ? "paper" : "traced";
 }
 
 std::string OptionsAsJson(const PipelineOptions& options) {
   PipelineOptions copy = options;
   Json json = {{"mode", SketchModeName(options.mode)}, {"regularize", options.regularize}};
-  VisitGroups(copy,
-              [&](const char* group, const auto& fields) { json[group] = FieldsAsJson(fields); });
+  json["Drawing"]["method"] = DrawingMethodName(options.method);
+  VisitGroups(copy, [&](const char* group, const auto& fields) {
+    json[group].update(FieldsAsJson(fields));
+  });
   return json.dump();
 }
 

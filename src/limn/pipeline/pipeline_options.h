@@ -8,15 +8,20 @@
 #include "limn/edges/edge_detection.h"
 #include "limn/edges/ridge_detection.h"
 #include "limn/linking/linking.h"
+#include "limn/paper/paper_options.h"
+#include "limn/pipeline/build_sketch.h"
 #include "limn/primitives/primitive_options.h"
 #include "limn/refinement/refinement_options.h"
 #include "limn/regularity/regularity_options.h"
-#include "limn/sketch/sketch.h"
 #include "limn/surfaces/surface_options.h"
 #include "limn/tiles/tile_options.h"
 #include "limn/util/errors.h"
 
 namespace limn {
+
+// How samples of the sketch become links: traced on their consensus (ours), or as in the paper and
+// nothing else: no re-triangulation, completion, refinement or belief (ECCV 2016).
+enum class DrawingMethod { kTraced, kPaper };
 
 // The options of all stages from photographs to the drawing.
 struct PipelineOptions {
@@ -24,7 +29,9 @@ struct PipelineOptions {
   LinkingOptions linking;
   SketchMode mode = SketchMode::kSweep;
   SketchOptions sketch;
+  DrawingMethod method = DrawingMethod::kTraced;
   DrawingOptions drawing;
+  PaperOptions paper;
   RefinementOptions refinement;
   BeliefOptions belief;
   PrimitiveOptions primitives;
@@ -35,6 +42,7 @@ struct PipelineOptions {
   SurfaceOptions surfaces;
   TileOptions tiles;
 
+  bool IsPaper() const { return method == DrawingMethod::kPaper; }
   // Throws OptionError with group and option.
   void Check() const;
 };
@@ -63,11 +71,11 @@ struct QualityPreset {
 // pair and confirm with; about twice the time of medium, and more where it shrinks images.
 QualityPreset PresetOf(Quality quality);
 
-// The defaults of the method "paper": those of the paper and of its authors' program. Options given
-// explicitly override them.
-void SetPaperDefaults(PipelineOptions* options);
+// Sets options that other stages have in common to the defaults of the method: with "paper" those
+// of the paper and of its authors' program. Options given explicitly override them.
+void SetMethodDefaults(DrawingMethod method, PipelineOptions* options);
 
-const char* SketchModeName(SketchMode mode);
+const char* DrawingMethodName(DrawingMethod method);
 
 // All options as the text of a JSON object {"mode": name, "regularize": bool, group: {name:
 // value}}, for provenance.

@@ -4,10 +4,10 @@
 #include <sstream>
 #include <utility>
 
+#include "limn/cache/curves_key.h"
+#include "limn/cache/stage_file.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/json_drawing_writer.h"
-#include "limn/formats/stage_file.h"
-#include "limn/pipeline/curves_key.h"
 #include "limn/pipeline/sketch_views.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"

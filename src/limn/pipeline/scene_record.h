@@ -6,10 +6,10 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/cache/result_cache.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 #include "limn/pipeline/pipeline_options.h"
-#include "limn/pipeline/result_cache.h"
 
 namespace limn {
 

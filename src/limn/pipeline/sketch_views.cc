@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "limn/formats/view_sketch_file.h"
-#include "limn/pipeline/content_hash.h"
-#include "limn/pipeline/curves_key.h"
+#include "limn/cache/content_hash.h"
+#include "limn/cache/curves_key.h"
+#include "limn/cache/view_sketch_file.h"
 #include "limn/pipeline/pipeline_options.h"
 
 namespace limn {

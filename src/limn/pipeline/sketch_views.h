@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "limn/cache/result_cache.h"
 #include "limn/model/curve3d.h"
-#include "limn/pipeline/result_cache.h"
-#include "limn/sketch/sketch.h"
+#include "limn/pipeline/build_sketch.h"
 
 namespace limn {
 

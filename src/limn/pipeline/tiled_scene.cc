@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "limn/cache/content_hash.h"
+#include "limn/cache/curves_key.h"
+#include "limn/cache/stage_file.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/json_drawing_writer.h"
-#include "limn/formats/stage_file.h"
 #include "limn/kinds/classify_kinds.h"
-#include "limn/pipeline/content_hash.h"
-#include "limn/pipeline/curves_key.h"
 #include "limn/pipeline/sketch_views.h"
 #include "limn/tiles/tile_joining.h"
 #include "limn/util/errors.h"

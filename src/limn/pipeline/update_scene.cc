@@ -7,12 +7,12 @@
 #include <set>
 #include <utility>
 
-#include "limn/formats/view_sketch_file.h"
+#include "limn/cache/curves_key.h"
+#include "limn/cache/view_sketch_file.h"
 #include "limn/geometry/polyline.h"
 #include "limn/kinds/classify_kinds.h"
 #include "limn/model/footprint.h"
 #include "limn/model/scene_subset.h"
-#include "limn/pipeline/curves_key.h"
 #include "limn/pipeline/scene_record.h"
 #include "limn/pipeline/sketch_views.h"
 #include "limn/support/edgel_index.h"
@@ -456,7 +456,7 @@ std::string WhyNeverUpdated(const PipelineOptions& options) {
     return "mode = " + std::string(SketchModeName(options.mode)) +
            ": this sketch is not made view by view";
   }
-  if (options.drawing.IsPaper()) return "Drawing.method = paper: keeps its drawings together";
+  if (options.IsPaper()) return "Drawing.method = paper: keeps its drawings together";
   if (options.refinement.refine_poses) {
     return "DrawingRefinement.refine_poses = 1: takes all views together";
   }

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "limn/geometry/epipolar.h"
-#include "limn/sketch/hypotheses.h"
+#include "limn/sketch/fragment_rays.h"
+#include "limn/sketch/sketch_options.h"
 #include "limn/support/orientation_mask.h"
 
 namespace limn {

@@ -6,7 +6,7 @@
 #include "limn/geometry/epipolar.h"
 #include "limn/model/view.h"
 #include "limn/sketch/epipolar_chords.h"
-#include "limn/sketch/hypotheses.h"
+#include "limn/sketch/fragment_rays.h"
 
 namespace limn {
 

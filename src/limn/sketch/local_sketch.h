@@ -5,7 +5,7 @@
 
 #include "limn/model/edgel_fate.h"
 #include "limn/sketch/confirmation.h"
-#include "limn/sketch/depth_fusion.h"
+#include "limn/sketch/depth_modes.h"
 #include "limn/sketch/sketch.h"
 #include "limn/sketch/sketch_edgels.h"
 

@@ -42,9 +42,6 @@ struct SketchResult {
   StageSummary summary;
 };
 
-// How a sketch is made.
-enum class SketchMode { kOriginal, kEnhanced, kSweep };
-
 // Keeps the sketches of views between runs. The sketch of a view depends on mode, options and box,
 // on its plan, and on cameras, poses, regions and image curves of the view and of the views in its
 // plan. `load` and `save` are called from several threads.
@@ -56,29 +53,11 @@ struct ViewSketchStore {
   std::function<void(ViewId, const ViewPlan&, const ViewSketch&)> save;
 };
 
-// The 3D curve sketch (Fabbri and Kimia, CVPR 2010), the paper's baseline (i): for every pair of
-// primary and second view, image curves that overlap epipolarly are matched, triangulated, and kept
-// when the whole curve has enough edge support in the confirmation views. Portions tangent to
-// epipolar lines are cut away. Duplicates are the rule: one curve per pair of views.
-SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& options,
-                                 const RunContext& context);
-
-// The enhanced curve sketch (ECCV 2016, section 2), the paper's baseline (ii): local support sample
-// by sample, weights near epipolar tangency, and robust averaging in inverse depth of all
-// reconstructions of the same edgel of the primary view. Views in the store are not sketched again.
-SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
-                                 const RunContext& context, const ViewSketchStore* store = nullptr);
-
 // The swept sketch (ours; ALGORITHM.md 6.3): as the enhanced one, but every edgel of the primary
 // view gets its depth from the image curves that its epipolar lines cross in all confirmation views
 // at once: depths and slopes on which several views agree are chosen jointly along the fragment. No
 // pair of curves must correspond over a stretch. The store is used as in the enhanced sketch.
 SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& options,
                               const RunContext& context, const ViewSketchStore* store = nullptr);
-
-// Calls one of the above. The original sketch uses no store, since it compares the curves of all
-// views.
-SketchResult BuildSketch(SketchMode mode, const SketchInput& input, const SketchOptions& options,
-                         const RunContext& context, const ViewSketchStore* store = nullptr);
 
 }  // namespace limn

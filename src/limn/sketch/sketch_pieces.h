@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "limn/sketch/depth_fusion.h"
+#include "limn/sketch/depth_modes.h"
 #include "limn/sketch/sketch.h"
 #include "limn/support/view_edgels.h"
 

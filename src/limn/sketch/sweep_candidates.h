@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "limn/sketch/crossing_table.h"
-#include "limn/sketch/depth_fusion.h"
+#include "limn/sketch/depth_modes.h"
 #include "limn/sketch/epipolar_crossings.h"
 
 namespace limn {

@@ -8,8 +8,8 @@
 
 #include "limn/topology/edgel_claims.h"
 #include "limn/topology/link_geometry.h"
-#include "limn/topology/samples.h"
 #include "limn/util/angles.h"
+#include "limn/util/runs.h"
 #include "limn/util/sort_unique.h"
 
 namespace limn {

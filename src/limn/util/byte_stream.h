@@ -60,6 +60,12 @@ class ByteReader {
     CopyTo(&value, sizeof(T), what);
     return value;
   }
+  // A byte that must be 0 or 1.
+  bool GetFlag() {
+    const uint8_t flag = Get<uint8_t>("a flag");
+    Check(flag <= 1, "a flag is neither 0 nor 1");
+    return flag == 1;
+  }
   // A count of items of at least `item_bytes` each, checked to fit in the remaining bytes, so that
   // reserving memory is safe.
   size_t GetCount(size_t item_bytes);

@@ -11,7 +11,7 @@
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/model_folder.h"
-#include "limn/formats/temporary_path.h"
+#include "limn/files/temporary_path.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -11,7 +11,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "colmap_ext/python/run_free.h"
-#include "limn/formats/temporary_path.h"
+#include "limn/files/temporary_path.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/drawing/drawing_options.h"
-#include "limn/topology/sample_curves.h"
+#include "limn/drawing/sample_curves.h"
 
 namespace limn {
 namespace {

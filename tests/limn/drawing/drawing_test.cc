@@ -8,7 +8,7 @@
 
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/model/footprint.h"
-#include "limn/sketch/sketch.h"
+#include "limn/pipeline/build_sketch.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 

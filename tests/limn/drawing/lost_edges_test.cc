@@ -7,7 +7,7 @@
 
 #include "limn/drawing/drawing.h"
 #include "limn/geometry/polyline.h"
-#include "limn/sketch/sketch.h"
+#include "limn/pipeline/build_sketch.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {

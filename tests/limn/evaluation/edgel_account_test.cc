@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/drawing/drawing.h"
-#include "limn/sketch/sketch.h"
+#include "limn/pipeline/build_sketch.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {

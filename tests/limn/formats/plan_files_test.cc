@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limn/formats/flat_drawing.h"
 #include "limn/formats/picture_scene.h"
-#include "limn/formats/svg_drawing_writer.h"
+#include "limn/formats/svg/flat_drawing.h"
+#include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/plans/face_axes.h"
 #include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "limn/pipeline/curves_key.h"
+#include "limn/cache/curves_key.h"
 #include "support/synthetic_image.h"
 
 namespace limn {

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/formats/curve_sketch_file.h"
+#include "limn/cache/curve_sketch_file.h"
+#include "limn/cache/curves_key.h"
+#include "limn/cache/view_sketch_file.h"
 #include "limn/formats/temporary_folder.h"
-#include "limn/formats/view_sketch_file.h"
-#include "limn/pipeline/curves_key.h"
 #include "limn/util/byte_stream.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"

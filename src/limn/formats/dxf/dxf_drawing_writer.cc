@@ -1,0 +1,144 @@
+#include "limn/formats/dxf/dxf_drawing_writer.h"
+
+#include <ostream>
+#include <sstream>
+
+#include <Eigen/Geometry>
+
+#include "limn/formats/dxf/dxf_entities.h"
+#include "limn/formats/dxf/dxf_layers.h"
+#include "limn/formats/dxf/dxf_tables.h"
+#include "limn/formats/dxf/dxf_writer.h"
+
+namespace limn {
+namespace {
+
+// Of the header variable $INSUNITS.
+int UnitCode(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::kNone:
+      return 0;
+    case LengthUnit::kInch:
+      return 1;
+    case LengthUnit::kFoot:
+      return 2;
+    case LengthUnit::kMillimeter:
+      return 4;
+    case LengthUnit::kCentimeter:
+      return 5;
+    case LengthUnit::kMeter:
+      return 6;
+  }
+  return 0;
+}
+
+void Extend(const Polyline3d& points, Eigen::AlignedBox3d* extent) {
+  for (const Eigen::Vector3d& point : points) extent->extend(point);
+}
+
+// Of points, primitives, faces, dimensions and the plan; what an arc has between its samples
+// matters for no view.
+Eigen::AlignedBox3d ExtentOf(const DrawingGraph& graph, const DxfOptions& options) {
+  constexpr int kSamples = 64;
+  Eigen::AlignedBox3d extent;
+  for (const DrawingLink& link : graph.links) {
+    for (const Eigen::Vector3d& point : link.points_in_world) extent.extend(point);
+    if (!link.primitive) continue;
+    for (int k = 0; k <= kSamples; ++k) {
+      extent.extend(PointAt(link.primitive->shape, static_cast<double>(k) / kSamples));
+    }
+  }
+  for (const DrawingFace& face : graph.faces) {
+    for (const Eigen::Vector3d& vertex : face.vertices) extent.extend(vertex);
+  }
+  for (const DrawingDimension& dimension : graph.dimensions) {
+    Extend({dimension.from, dimension.to, dimension.from + dimension.shift,
+            dimension.to + dimension.shift},
+           &extent);
+  }
+  if (options.plan) {
+    for (const Polyline3d& line : options.plan->hidden) Extend(line, &extent);
+    for (const SectionLine& line : options.plan->section.lines) Extend(line.points, &extent);
+    Extend(options.plan->section.points, &extent);
+  }
+  return extent;
+}
+
+DxfDimensions DimensionsOf(const DrawingGraph& graph, const DxfOptions& options,
+                           const Eigen::AlignedBox3d& extent) {
+  constexpr double kHeightOfExtent = 0.01;
+  DxfDimensions dimensions;
+  dimensions.text_height =
+      options.plan ? options.plan->text_height : kHeightOfExtent * extent.diagonal().norm();
+  for (size_t i = 0; i < graph.dimensions.size(); ++i) {
+    const DrawingDimension& dimension = graph.dimensions[i];
+    if (dimension.from == dimension.to) continue;
+    const double length =
+        options.plan ? options.plan->lengths[i] : (dimension.to - dimension.from).norm();
+    dimensions.all.push_back(
+        {LinesOf(dimension), length, options.dimension_text.Of(length), static_cast<int>(i)});
+  }
+  return dimensions;
+}
+
+void PutHeader(const Eigen::AlignedBox3d& extent, LengthUnit unit, int next_handle,
+               DxfWriter* writer) {
+  constexpr double kNowhere = 1e20;  // how AutoCAD says that there is nothing
+  const bool empty = extent.isEmpty();
+  const bool imperial = unit == LengthUnit::kInch || unit == LengthUnit::kFoot;
+  const auto variable = [&](const char* name, int code, auto value) {
+    writer->Put(9, name);
+    writer->Put(code, value);
+  };
+  writer->BeginSection("HEADER");
+  variable("$ACADVER", 1, "AC1015");
+  variable("$DWGCODEPAGE", 3, "ANSI_1252");
+  writer->Put(9, "$INSBASE");
+  writer->PutPoint(10, Eigen::Vector3d::Zero());
+  writer->Put(9, "$EXTMIN");
+  writer->PutPoint(10, empty ? Eigen::Vector3d::Constant(kNowhere) : extent.min());
+  writer->Put(9, "$EXTMAX");
+  writer->PutPoint(10, empty ? Eigen::Vector3d::Constant(-kNowhere) : extent.max());
+  variable("$LUNITS", 70, 2);
+  variable("$LUPREC", 70, 6);
+  variable("$CLAYER", 8, "0");
+  // Points as small circles, 1 % of the window.
+  variable("$PDMODE", 70, 32);
+  variable("$PDSIZE", 40, -1.0);
+  variable("$MEASUREMENT", 70, imperial ? 0 : 1);
+  variable("$INSUNITS", 70, UnitCode(unit));
+  writer->Put(9, "$HANDSEED");
+  writer->PutHandle(5, next_handle);
+  writer->EndSection();
+}
+
+}  // namespace
+
+void WriteDrawingDxf(const DrawingGraph& graph, const DxfOptions& options, LengthUnit unit,
+                     std::ostream& out) {
+  const DxfLayerPlan plan = PlanDxfLayers(graph, options);
+  const Eigen::AlignedBox3d extent = ExtentOf(graph, options);
+  const DxfDimensions dimensions = DimensionsOf(graph, options, extent);
+  // The header says which handle is free after all others.
+  std::ostringstream body;
+  DxfWriter writer(body);
+  int next_handle = 1;
+  writer.BeginSection("CLASSES");
+  writer.EndSection();
+  const DxfSpaces spaces = PutDxfTables(plan.layers, extent, dimensions, &next_handle, &writer);
+  PutDxfBlocks(spaces, dimensions, &next_handle, &writer);
+  writer.BeginSection("ENTITIES");
+  PutDxfEntities(graph, plan, options.plan, spaces.model, &next_handle, &writer);
+  for (size_t i = 0; i < dimensions.all.size(); ++i) {
+    PutDimension(dimensions.all[i], i, dimensions.text_height, spaces.model, &next_handle, &writer);
+  }
+  writer.EndSection();
+  PutDxfObjects(&next_handle, &writer);
+  writer.Put(0, "EOF");
+
+  DxfWriter header(out);
+  PutHeader(extent, unit, next_handle, &header);
+  out << body.view();
+}
+
+}  // namespace limn

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "limn/formats/dxf/dxf_drawing_writer.h"
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+struct DxfLayer {
+  std::string name;
+  int color = 7;  // AutoCAD's color index
+};
+
+// The nonempty layers, and the layer of every link, of every face and of the junctions.
+struct DxfLayerPlan {
+  std::vector<DxfLayer> layers;
+  std::vector<int> of_link;
+  std::vector<int> of_face;
+  // -1: not drawn.
+  int of_junctions = -1;
+  int of_hidden = -1;
+  int of_section = -1;
+  int of_section_points = -1;
+};
+
+DxfLayerPlan PlanDxfLayers(const DrawingGraph& graph, const DxfOptions& options);
+
+}  // namespace limn

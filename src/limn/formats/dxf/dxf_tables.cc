@@ -1,0 +1,261 @@
+#include "limn/formats/dxf/dxf_tables.h"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+#include "limn/formats/dxf/dxf_entities.h"
+
+namespace limn {
+namespace {
+
+constexpr const char* kModelSpace = "*Model_Space";
+constexpr const char* kPaperSpace = "*Paper_Space";
+
+class TableWriter {
+ public:
+  TableWriter(int* next_handle, DxfWriter* writer) : next_handle_(next_handle), writer_(*writer) {}
+
+  void Begin(const char* name, size_t num_entries) {
+    table_ = (*next_handle_)++;
+    writer_.Put(0, "TABLE");
+    writer_.Put(2, name);
+    writer_.PutHandle(5, table_);
+    writer_.PutHandle(330, 0);
+    writer_.Put(100, "AcDbSymbolTable");
+    writer_.Put(70, static_cast<int>(num_entries));
+  }
+
+  void End() { writer_.Put(0, "ENDTAB"); }
+
+  // Returns the handle. `handle_code` is 5 but for dimension styles.
+  int Entry(const char* type, const char* subclass, const std::string& name, int handle_code = 5) {
+    const int handle = (*next_handle_)++;
+    writer_.Put(0, type);
+    writer_.PutHandle(handle_code, handle);
+    writer_.PutHandle(330, table_);
+    writer_.Put(100, "AcDbSymbolTableRecord");
+    writer_.Put(100, subclass);
+    writer_.Put(2, name);
+    return handle;
+  }
+
+  void Flags(int flags) { writer_.Put(70, flags); }
+
+  void Viewport(const Eigen::AlignedBox3d& extent);
+  void LineTypes();
+  void Layers(const std::vector<DxfLayer>& layers);
+  void TextStyles();
+  void Applications();
+  void DimensionStyles(const DxfDimensions& dimensions);
+  DxfSpaces BlockRecords(size_t num_dimensions);
+
+ private:
+  int* next_handle_;
+  DxfWriter& writer_;
+  int table_ = 0;
+};
+
+void TableWriter::Viewport(const Eigen::AlignedBox3d& extent) {
+  const bool empty = extent.isEmpty();
+  const Eigen::Vector3d center = empty ? Eigen::Vector3d(0, 0, 0) : extent.center().eval();
+  const Eigen::Vector3d size = empty ? Eigen::Vector3d(1, 1, 1) : extent.sizes().eval();
+  const double height = 1.1 * std::max({size.x(), size.y(), 1e-6 * size.z()});
+  Begin("VPORT", 1);
+  Entry("VPORT", "AcDbViewportTableRecord", "*Active");
+  Flags(0);
+  const auto pair = [&](int code, double x, double y) {
+    writer_.Put(code, x);
+    writer_.Put(code + 10, y);
+  };
+  pair(10, 0, 0);                    // lower left of the window
+  pair(11, 1, 1);                    // upper right
+  pair(12, center.x(), center.y());  // middle of the view
+  pair(13, 0, 0);                    // snap and grid
+  pair(14, 1, 1);
+  pair(15, 1, 1);
+  writer_.PutPoint(16, {0, 0, 1});           // looked at from
+  writer_.PutPoint(17, {0, 0, center.z()});  // looked at
+  writer_.Put(40, height);
+  writer_.Put(41, 1.0);  // width over height
+  writer_.Put(42, 50.0);
+  for (const int code : {43, 44, 50, 51}) writer_.Put(code, 0.0);
+  writer_.Put(71, 0);
+  writer_.Put(72, 1000);
+  writer_.Put(73, 1);
+  writer_.Put(74, 3);
+  for (const int code : {75, 76, 77, 78}) writer_.Put(code, 0);
+  End();
+}
+
+void TableWriter::LineTypes() {
+  Begin("LTYPE", 3);
+  for (const char* name : {"ByBlock", "ByLayer", "Continuous"}) {
+    Entry("LTYPE", "AcDbLinetypeTableRecord", name);
+    Flags(0);
+    writer_.Put(3, "");
+    writer_.Put(72, 65);
+    writer_.Put(73, 0);
+    writer_.Put(40, 0.0);
+  }
+  End();
+}
+
+void TableWriter::Layers(const std::vector<DxfLayer>& layers) {
+  Begin("LAYER", layers.size() + 1);
+  const auto put = [&](const DxfLayer& layer) {
+    Entry("LAYER", "AcDbLayerTableRecord", layer.name);
+    Flags(0);
+    writer_.Put(62, layer.color);
+    writer_.Put(6, "Continuous");
+  };
+  put({"0", 7});
+  for (const DxfLayer& layer : layers) put(layer);
+  End();
+}
+
+void TableWriter::TextStyles() {
+  Begin("STYLE", 1);
+  Entry("STYLE", "AcDbTextStyleTableRecord", "Standard");
+  Flags(0);
+  writer_.Put(40, 0.0);
+  writer_.Put(41, 1.0);
+  writer_.Put(50, 0.0);
+  writer_.Put(71, 0);
+  writer_.Put(42, 2.5);
+  writer_.Put(3, "txt");
+  writer_.Put(4, "");
+  End();
+}
+
+void TableWriter::Applications() {
+  Begin("APPID", 2);
+  for (const char* name : {"ACAD", kDxfApplication}) {
+    Entry("APPID", "AcDbRegAppTableRecord", name);
+    Flags(0);
+  }
+  End();
+}
+
+void TableWriter::DimensionStyles(const DxfDimensions& dimensions) {
+  Begin("DIMSTYLE", 1);
+  writer_.Put(100, "AcDbDimStyleTable");
+  writer_.Put(71, 0);
+  Entry("DIMSTYLE", "AcDbDimStyleTableRecord", "Standard", 105);
+  Flags(0);
+  if (!dimensions.all.empty()) {
+    // As PutDimensionPicture draws them, for programs that draw them anew.
+    const double height = dimensions.text_height;
+    writer_.Put(40, 1.0);
+    writer_.Put(41, height);         // arrows
+    writer_.Put(42, 0.0);            // from the places that are measured
+    writer_.Put(44, 0.5 * height);   // beyond the dimension line
+    writer_.Put(140, height);        // text
+    writer_.Put(142, 0.5 * height);  // oblique ticks
+    writer_.Put(147, 0.5 * height);  // between line and text
+    writer_.Put(73, 0);              // text is along the line,
+    writer_.Put(74, 0);
+    writer_.Put(77, 1);  // above it
+  }
+  End();
+}
+
+DxfSpaces TableWriter::BlockRecords(size_t num_dimensions) {
+  DxfSpaces spaces;
+  Begin("BLOCK_RECORD", 2 + num_dimensions);
+  spaces.model = Entry("BLOCK_RECORD", "AcDbBlockTableRecord", kModelSpace);
+  spaces.paper = Entry("BLOCK_RECORD", "AcDbBlockTableRecord", kPaperSpace);
+  for (size_t i = 0; i < num_dimensions; ++i) {
+    spaces.dimensions.push_back(
+        Entry("BLOCK_RECORD", "AcDbBlockTableRecord", DimensionBlockName(i)));
+  }
+  End();
+  return spaces;
+}
+
+struct Block {
+  std::string name;
+  int record = 0;
+  bool is_paper = false;
+  int flags = 0;
+  std::function<void()> put_content = [] {};
+};
+
+void PutBlock(const Block& block, int* next_handle, DxfWriter* writer) {
+  const auto begin = [&](const char* type, const char* subclass) {
+    writer->Put(0, type);
+    writer->PutHandle(5, (*next_handle)++);
+    writer->PutHandle(330, block.record);
+    writer->Put(100, "AcDbEntity");
+    if (block.is_paper) writer->Put(67, 1);
+    writer->Put(8, "0");
+    writer->Put(100, subclass);
+  };
+  begin("BLOCK", "AcDbBlockBegin");
+  writer->Put(2, block.name);
+  writer->Put(70, block.flags);
+  writer->PutPoint(10, Eigen::Vector3d::Zero());
+  writer->Put(3, block.name);
+  writer->Put(1, "");
+  block.put_content();
+  begin("ENDBLK", "AcDbBlockEnd");
+}
+
+}  // namespace
+
+DxfSpaces PutDxfTables(const std::vector<DxfLayer>& layers, const Eigen::AlignedBox3d& extent,
+                       const DxfDimensions& dimensions, int* next_handle, DxfWriter* writer) {
+  writer->BeginSection("TABLES");
+  TableWriter tables(next_handle, writer);
+  tables.Viewport(extent);
+  tables.LineTypes();
+  tables.Layers(layers);
+  tables.TextStyles();
+  for (const char* name : {"VIEW", "UCS"}) {
+    tables.Begin(name, 0);
+    tables.End();
+  }
+  tables.Applications();
+  tables.DimensionStyles(dimensions);
+  const DxfSpaces spaces = tables.BlockRecords(dimensions.all.size());
+  writer->EndSection();
+  return spaces;
+}
+
+void PutDxfBlocks(const DxfSpaces& spaces, const DxfDimensions& dimensions, int* next_handle,
+                  DxfWriter* writer) {
+  constexpr int kAnonymous = 1;
+  writer->BeginSection("BLOCKS");
+  PutBlock({kModelSpace, spaces.model}, next_handle, writer);
+  PutBlock({kPaperSpace, spaces.paper, /*is_paper=*/true}, next_handle, writer);
+  for (size_t i = 0; i < dimensions.all.size(); ++i) {
+    const int record = spaces.dimensions[i];
+    PutBlock({DimensionBlockName(i), record, false, kAnonymous,
+              [&] {
+                PutDimensionPicture(dimensions.all[i], dimensions.text_height, record, next_handle,
+                                    writer);
+              }},
+             next_handle, writer);
+  }
+  writer->EndSection();
+}
+
+void PutDxfObjects(int* next_handle, DxfWriter* writer) {
+  const int root = (*next_handle)++;
+  const int groups = (*next_handle)++;
+  const auto begin = [&](int handle, int owner) {
+    writer->Put(0, "DICTIONARY");
+    writer->PutHandle(5, handle);
+    writer->PutHandle(330, owner);
+    writer->Put(100, "AcDbDictionary");
+    writer->Put(281, 1);
+  };
+  writer->BeginSection("OBJECTS");
+  begin(root, 0);
+  writer->Put(3, "ACAD_GROUP");
+  writer->PutHandle(350, groups);
+  begin(groups, root);
+  writer->EndSection();
+}
+
+}  // namespace limn

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/formats/step/borders.h"
+
+namespace limn {
+
+// A loop that passes vertices twice, as where a hole touches the border, as several that do not;
+// the largest first. Only for the writer of STEP files. Time: steps times those of a loop.
+std::vector<std::vector<BorderStep>> SimpleLoops(const std::vector<BorderEdge>& edges,
+                                                 const std::vector<BorderStep>& steps);
+
+}  // namespace limn

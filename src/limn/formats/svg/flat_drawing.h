@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/formats/svg/svg_hidden.h"
+#include "limn/formats/svg/svg_sheet.h"
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// A drawing in parallel projection as one in the plane z = 0, to be measured and changed in CAD: x
+// to the right, y up, units those of the drawing.
+struct FlatDrawing {
+  // The visible parts of links, with their attributes. Lines, splines, and arcs that are seen from
+  // the front keep their shapes; other arcs are polylines. Dimensions keep their places.
+  DrawingGraph graph;
+  // The true lengths of its dimensions.
+  std::vector<double> lengths;
+  // What is hidden, if asked for.
+  std::vector<Polyline3d> hidden;
+};
+
+// What is shorter than a hundredth of a pixel of the sheet is left out, as lines seen from their
+// ends are. Parts are as in SVG pictures (FindRuns, up to 6 px). Without faces.
+FlatDrawing Flatten(const DrawingGraph& graph, const SvgSheet& sheet, const IsHidden& is_hidden,
+                    bool with_hidden);
+
+// A place in the coordinates of flat drawings.
+Eigen::Vector3d FlatPlace(const SvgSheet& sheet, const Eigen::Vector3d& point_in_world);
+
+}  // namespace limn

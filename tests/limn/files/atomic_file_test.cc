@@ -1,0 +1,197 @@
+#include "limn/files/atomic_file.h"
+
+#include <cerrno>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <iterator>
+#include <stdexcept>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "limn/files/temporary_path.h"
+#include "limn/formats/temporary_folder.h"
+#include "limn/util/errors.h"
+
+namespace limn {
+namespace {
+
+// In the folder of a file.
+int64_t NumFiles(const std::string& path) {
+  const std::filesystem::directory_iterator files(std::filesystem::path(path).parent_path());
+  return std::distance(begin(files), end(files));
+}
+
+void MakeFolder(const std::filesystem::path& path) { std::filesystem::create_directory(path); }
+
+TEST(WriteFileAtomically, MakesFoldersAndReplaces) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a/b/c.bin");
+  WriteFileAtomically(path, std::string("first\0one", 9));
+  EXPECT_EQ(TemporaryFolder::Read(path), std::string("first\0one", 9));
+  WriteFileAtomically(path, "second");
+  EXPECT_EQ(TemporaryFolder::Read(path), "second");
+  EXPECT_EQ(NumFiles(path), 1);
+}
+
+TEST(WriteFileAtomically, KeepsTheOldFileWhenWritingFails) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("kept.txt", "old");
+  EXPECT_THROW(WriteFileAtomically(path,
+                                   [](std::ostream& out) {
+                                     out << "half";
+                                     throw std::runtime_error("stop");
+                                   }),
+               std::runtime_error);
+  EXPECT_EQ(TemporaryFolder::Read(path), "old");
+  EXPECT_EQ(NumFiles(path), 1);
+}
+
+TEST(WriteFileAtomically, SaysWhichFileCannotBeWritten) {
+  const TemporaryFolder folder;
+  const std::string file = folder.Write("file", "");
+  try {
+    WriteFileAtomically(file + "/below", "x");
+    FAIL() << "a file took the place of a folder";
+  } catch (const IoError& error) {
+    EXPECT_NE(std::string(error.what()).find(file), std::string::npos);
+  }
+}
+
+TEST(WriteFileAtomically, TakesNamesAsLongAsTheyCanBe) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path(std::string(255, 'n'));
+  WriteFileAtomically(path, "x");
+  EXPECT_EQ(TemporaryFolder::Read(path), "x");
+}
+
+TEST(WriteFileAtomically, ADiskWithoutRoomIsNamedWithTheFile) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("file");
+  try {
+    // As a write to a full disk ends, which a test cannot have everywhere.
+    WriteFileAtomically(path, [](std::ostream& out) {
+      errno = ENOSPC;
+      out.setstate(std::ios::badbit);
+    });
+    FAIL() << "written without room";
+  } catch (const IoError& error) {
+    EXPECT_EQ(error.what(), path + ": cannot write: No space left on device");
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+// What writing there says, which must leave it as it is.
+std::string RefusalToWrite(const std::string& path) {
+  const auto before = std::filesystem::symlink_status(path);
+  std::string text;
+  try {
+    WriteFileAtomically(path, "x");
+  } catch (const IoError& error) {
+    text = error.what();
+  }
+  EXPECT_EQ(std::filesystem::symlink_status(path).type(), before.type()) << path;
+  return text;
+}
+
+TEST(WriteFileAtomically, PutsNoFileInThePlaceOfDevicesPipesAndFolders) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.Path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0666), 0);
+  std::filesystem::create_symlink("pipe", folder.Path("to-pipe"));
+  std::filesystem::create_symlink("/dev/null", folder.Path("to-null"));
+  std::filesystem::create_directory(folder.Path("folder"));
+  for (const std::string& path :
+       {pipe, folder.Path("to-pipe"), folder.Path("to-null"), std::string("/dev/null")}) {
+    EXPECT_EQ(RefusalToWrite(path),
+              path + ": cannot write: is a device or a pipe, or leads to one, and no file");
+  }
+  // Whatever standard output is.
+  EXPECT_NE(RefusalToWrite("/dev/stdout"), "");
+  EXPECT_NE(RefusalToWrite("/proc/self/fd/1"), "");
+  EXPECT_EQ(RefusalToWrite(folder.Path("folder")),
+            folder.Path("folder") + ": cannot write: is a folder, not a file");
+  EXPECT_EQ(NumFiles(pipe), 4);
+}
+
+TEST(CheckTakesFile, FindsLongNamesAndFilesInPlaceOfFolders) {
+  const TemporaryFolder folder;
+  CheckTakesFile(folder.Path("new/folder/" + std::string(255, 'n')));
+  EXPECT_THROW(CheckTakesFile(folder.Path("new/" + std::string(256, 'n'))), IoError);
+  const std::string file = folder.Write("file", "");
+  EXPECT_THROW(CheckTakesFile(file + "/new/below"), IoError);
+  EXPECT_FALSE(std::filesystem::exists(folder.Path("new")));
+}
+
+TEST(WriteFileAtomically, KeepsPermissions) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("secret", "old");
+  using std::filesystem::perms;
+  std::filesystem::permissions(path, perms::owner_read | perms::owner_write);
+  WriteFileAtomically(path, "new");
+  EXPECT_EQ(TemporaryFolder::Read(path), "new");
+  EXPECT_EQ(std::filesystem::status(path).permissions(), perms::owner_read | perms::owner_write);
+}
+
+TEST(AbandonWrites, RemovesTemporaryFilesOfOtherThreads) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("file");
+  // In a process of its own: afterwards no file can be written.
+  EXPECT_EXIT(
+      {
+        std::promise<void> begun;
+        std::thread writer([&] {
+          WriteFileAtomically(path, [&](std::ostream& out) {
+            out << "half" << std::flush;
+            begun.set_value();
+            std::this_thread::sleep_for(std::chrono::hours(1));
+          });
+        });
+        begun.get_future().wait();
+        if (NumFiles(path) != 1) _exit(2);
+        AbandonWrites();
+        _exit(NumFiles(path) == 0 ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+TEST(AbandonWrites, RemovesTemporaryFoldersAndKeepsThemFromAppearing) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("model.tmp");
+  EXPECT_EXIT(
+      {
+        const TemporaryPath temporary(path, &MakeFolder);
+        std::ofstream half(path + "/images.bin");
+        AbandonWrites();
+        std::thread([&] {
+          WriteFileAtomically(folder.Path("file"), "whole");
+          _exit(2);
+        }).detach();
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        _exit(NumFiles(path) == 0 ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+TEST(TemporaryPath, GoesAwayUnlessItIsRenamed) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("model");
+  const size_t num_before = NumRenamed();
+  for (const bool renames : {false, true}) {
+    TemporaryPath temporary(path + ".tmp", &MakeFolder);
+    WriteFileAtomically(path + ".tmp/inside", "no result yet");
+    EXPECT_EQ(NumRenamed(), num_before);
+    if (!renames) continue;
+    EXPECT_FALSE(temporary.RenameTo(path));
+  }
+  EXPECT_EQ(NumFiles(path), 1);
+  EXPECT_TRUE(std::filesystem::is_directory(path));
+  EXPECT_EQ(NumRenamed(), num_before + 1);
+}
+
+}  // namespace
+}  // namespace limn
