@@ -13,11 +13,11 @@
 #include <unistd.h>
 
 #include "colmap_ext/commands/commands.h"
+#include "colmap_ext/host/interrupt.h"
+#include "colmap_ext/host/ranks.h"
+#include "colmap_ext/host/terminal_console.h"
+#include "colmap_ext/host/version_line.h"
 #include "colmap_ext/options/command_help.h"
-#include "colmap_ext/run/interrupt.h"
-#include "colmap_ext/run/ranks.h"
-#include "colmap_ext/run/terminal_console.h"
-#include "colmap_ext/run/version_line.h"
 #include "colmap_ext/workspace/error_line.h"
 #include "colmap_ext/workspace/quiet_decoders.h"
 #include "limn/util/errors.h"

@@ -29,7 +29,8 @@ COLMAP_EXT_LAYERS = [
     ["options", "model"],
     ["workspace"],
     ["dense_files", "import"],
-    ["run"],
+    ["host"],
+    ["verbs"],
     ["commands", "adapter"],
     ["python"],
 ]
@@ -48,7 +49,7 @@ THIRD_PARTY = {
     "oneapi/tbb": ["src/limn/util/parallel.cc"],
     "boost/geometry/": ["src/limn/geometry/box_index2d.cc", "src/limn/geometry/triangle_index.cc"],
     "boost/program_options": ["colmap_ext/options/"],
-    "boost/mpi/": ["colmap_ext/run/ranks.cc"],
+    "boost/mpi/": ["colmap_ext/host/ranks.cc"],
     **{prefix: ["colmap_ext/adapter/"] for prefix in ("colmap/", "base/", "util/", "glog/")},
     "boost/sort/": ["src/limn/edges/edgel_selection.cc"],
     "pybind11/": ["colmap_ext/python/"],

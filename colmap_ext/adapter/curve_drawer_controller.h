@@ -5,7 +5,7 @@
 #include <string>
 
 #include "colmap_ext/adapter/colmap_versions.h"
-#include "colmap_ext/run/drawer_options.h"
+#include "colmap_ext/verbs/draw_options.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn::colmap_ext {

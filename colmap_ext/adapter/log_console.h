@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "colmap_ext/run/console.h"
+#include "colmap_ext/host/console.h"
 
 namespace limn::colmap_ext {
 

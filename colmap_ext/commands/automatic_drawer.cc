@@ -3,9 +3,9 @@
 #include <string>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/drawer_run.h"
-#include "colmap_ext/run/ranks.h"
-#include "colmap_ext/run/workspace_watch.h"
+#include "colmap_ext/host/ranks.h"
+#include "colmap_ext/verbs/draw.h"
+#include "colmap_ext/verbs/workspace_watch.h"
 #include "colmap_ext/workspace/error_line.h"
 #include "limn/util/errors.h"
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "colmap_ext/run/console.h"
+#include "colmap_ext/host/console.h"
 
 namespace limn::colmap_ext {
 

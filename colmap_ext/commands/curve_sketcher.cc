@@ -1,7 +1,7 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/project.h"
-#include "colmap_ext/run/results.h"
-#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/host/project.h"
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/verbs/drawing_results.h"
 #include "limn/pipeline/sketch_views.h"
 
 namespace limn::colmap_ext {

@@ -1,10 +1,10 @@
 #include <filesystem>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/alignment_run.h"
-#include "colmap_ext/run/project.h"
-#include "colmap_ext/run/results.h"
-#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/host/project.h"
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/verbs/align.h"
+#include "colmap_ext/verbs/drawing_results.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -1,8 +1,8 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/edit_run.h"
-#include "colmap_ext/run/project.h"
-#include "colmap_ext/run/results.h"
-#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/host/project.h"
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/verbs/drawing_results.h"
+#include "colmap_ext/verbs/edit.h"
 #include "limn/pipeline/refit_edited.h"
 
 namespace limn::colmap_ext {

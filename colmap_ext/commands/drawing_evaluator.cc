@@ -2,8 +2,8 @@
 #include <sstream>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/drawing_input.h"
-#include "colmap_ext/run/evaluation_run.h"
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/evaluate.h"
 #include "limn/evaluation/report_writers.h"
 
 namespace limn::colmap_ext {

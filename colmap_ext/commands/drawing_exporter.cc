@@ -1,7 +1,7 @@
 #include <iostream>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/drawing_export.h"
+#include "colmap_ext/verbs/export_drawing.h"
 
 namespace limn::colmap_ext {
 

@@ -1,11 +1,11 @@
 #include <optional>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/drawing_input.h"
-#include "colmap_ext/run/fusion_results.h"
-#include "colmap_ext/run/project.h"
-#include "colmap_ext/run/results.h"
-#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/host/project.h"
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/drawing_results.h"
+#include "colmap_ext/verbs/fuse.h"
 
 namespace limn::colmap_ext {
 

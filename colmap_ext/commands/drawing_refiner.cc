@@ -1,9 +1,9 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/project.h"
-#include "colmap_ext/run/refined_cameras.h"
-#include "colmap_ext/run/results.h"
-#include "colmap_ext/run/run_options.h"
-#include "colmap_ext/run/trust.h"
+#include "colmap_ext/host/project.h"
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/verbs/drawing_results.h"
+#include "colmap_ext/verbs/refined_cameras.h"
+#include "colmap_ext/verbs/trust.h"
 #include "limn/pipeline/pipeline.h"
 
 namespace limn::colmap_ext {

@@ -1,7 +1,7 @@
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/run/edge_results.h"
-#include "colmap_ext/run/project.h"
-#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/host/project.h"
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/verbs/edge_results.h"
 
 namespace limn::colmap_ext {
 

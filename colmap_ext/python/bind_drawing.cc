@@ -8,10 +8,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/python/arrays.h"
 #include "colmap_ext/python/bindings.h"
 #include "colmap_ext/python/run_free.h"
-#include "colmap_ext/run/world_shift.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/link_selection.h"

@@ -4,10 +4,10 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/python/arrays.h"
 #include "colmap_ext/python/bindings.h"
 #include "colmap_ext/python/run_free.h"
-#include "colmap_ext/run/world_shift.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/util/printable.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/host/run_options.h"
 
 namespace limn::colmap_ext {
 

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "colmap_ext/run/interrupt.h"
+#include "colmap_ext/host/interrupt.h"
 #include "limn/files/temporary_path.h"
 
 namespace limn::colmap_ext {

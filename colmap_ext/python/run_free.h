@@ -8,7 +8,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "colmap_ext/run/library_console.h"
+#include "colmap_ext/host/library_console.h"
 
 namespace limn::colmap_ext {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "colmap_ext/host/library_console.h"
+#include "colmap_ext/host/scene.h"
 #include "colmap_ext/python/option_texts.h"
-#include "colmap_ext/run/library_console.h"
-#include "colmap_ext/run/scene.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/model/curve3d.h"

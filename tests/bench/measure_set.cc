@@ -9,7 +9,7 @@
 #include "bench/scene.h"
 #include "bench/side_by_side.h"
 #include "bench/stopwatch.h"
-#include "colmap_ext/run/project.h"
+#include "colmap_ext/host/project.h"
 #include "limn/formats/read_curves.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/pictures/picture.h"

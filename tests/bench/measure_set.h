@@ -5,7 +5,7 @@
 
 #include "bench/data_sets.h"
 #include "bench/json.h"
-#include "colmap_ext/run/console.h"
+#include "colmap_ext/host/console.h"
 
 namespace limn::bench {
 

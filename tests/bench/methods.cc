@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "colmap_ext/run/run_options.h"
+#include "colmap_ext/host/run_options.h"
 #include "limn/drawing/drawing.h"
 #include "limn/model/link_selection.h"
 #include "limn/pipeline/pipeline.h"

@@ -7,8 +7,8 @@
 
 #include "bench/markdown.h"
 #include "bench/sample_study.h"
+#include "colmap_ext/host/terminal_console.h"
 #include "colmap_ext/options/option_parser.h"
-#include "colmap_ext/run/terminal_console.h"
 #include "limn/util/errors.h"
 #include "support/camera_errors.h"
 

@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "bench/sample_study.h"
+#include "colmap_ext/host/terminal_console.h"
 #include "colmap_ext/options/option_parser.h"
-#include "colmap_ext/run/terminal_console.h"
 #include "support/camera_errors.h"
 
 namespace limn::bench {

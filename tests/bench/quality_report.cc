@@ -10,8 +10,8 @@
 #include "bench/data_sets.h"
 #include "bench/measure_set.h"
 #include "bench/report_tables.h"
+#include "colmap_ext/host/terminal_console.h"
 #include "colmap_ext/options/option_parser.h"
-#include "colmap_ext/run/terminal_console.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 

@@ -1,6 +1,6 @@
 #include "bench/sample_study.h"
 
-#include "colmap_ext/run/project.h"
+#include "colmap_ext/host/project.h"
 #include "limn/drawing/drawing.h"
 #include "limn/geometry/polyline.h"
 #include "limn/pipeline/build_sketch.h"

@@ -6,7 +6,7 @@
 #include "bench/data_sets.h"
 #include "bench/measure.h"
 #include "bench/scene.h"
-#include "colmap_ext/run/console.h"
+#include "colmap_ext/host/console.h"
 #include "limn/refinement/refinement.h"
 
 namespace limn::bench {

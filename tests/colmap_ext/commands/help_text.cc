@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "colmap_ext/run/terminal_console.h"
+#include "colmap_ext/host/terminal_console.h"
 
 namespace limn::colmap_ext {
 

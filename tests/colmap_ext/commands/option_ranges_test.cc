@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "colmap_ext/commands/help_text.h"
-#include "colmap_ext/run/terminal_console.h"
+#include "colmap_ext/host/terminal_console.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

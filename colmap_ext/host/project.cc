@@ -1,0 +1,57 @@
+#include "colmap_ext/host/project.h"
+
+#include <utility>
+
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/workspace/model_folder.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// All that can be told before the images are read.
+WorkspaceLayout ChooseLayoutInMemory(const SparseModel& model, const RunOptions& options,
+                                     Console* console) {
+  WorkspaceLayout layout = LayoutInMemory(options.layout, model.images.size());
+  console->Say(layout.description);
+  if (options.pipeline.refinement.refine_poses) CheckTextNames(model);
+  return layout;
+}
+
+}  // namespace
+
+WorkspaceLayout ChooseLayout(const RunOptions& options, Console* console) {
+  WorkspaceLayout layout = ResolveLayout(options.layout);
+  console->Say(layout.description);
+  return layout;
+}
+
+Project::Project(const RunOptions& options, Console* console)
+    : Project(ChooseLayout(options, console), options, console) {}
+
+// Braces evaluate from left to right.
+Project::Project(SparseModel model, const RunOptions& options, Console* console)
+    : Project{ChooseLayoutInMemory(model, options, console), std::move(model), options, console} {}
+
+Project::Project(const WorkspaceLayout& layout, const RunOptions& options, Console* console)
+    : OutputFolder(layout.output, options, console), Scene(layout, options, console) {}
+
+Project::Project(const WorkspaceLayout& layout, SparseModel model, const RunOptions& options,
+                 Console* console)
+    : OutputFolder(layout.output, options, console),
+      Scene(model, layout.image_dir, {}, options, console),
+      given_model_(std::move(model)) {}
+
+SparseModel Project::ReadModel() const {
+  return given_model_ ? *given_model_ : colmap_ext::ReadModel(layout().model_dir);
+}
+
+CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
+                                  Console* console, const FragmentsObserver& on_fragments) {
+  CurvesResult result = ExtractCurves(
+      {project.views(), project.images(), project.cache(), std::nullopt, on_fragments},
+      options.pipeline.edges, options.pipeline.linking, console->context());
+  console->Report(result.summary);
+  return result;
+}
+
+}  // namespace limn::colmap_ext

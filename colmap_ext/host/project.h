@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "colmap_ext/host/console.h"
+#include "colmap_ext/host/output_folder.h"
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/host/scene.h"
+#include "colmap_ext/model/model.h"
+#include "limn/pipeline/extract_curves.h"
+
+namespace limn::colmap_ext {
+
+// A COLMAP project: what is read of it, and the folder that results are written to, locked.
+class Project : public OutputFolder, public Scene {
+ public:
+  // Finds the folders, says which, locks the output and reads. Throws what OutputFolder, Scene and
+  // ResolveLayout throw.
+  Project(const RunOptions& options, Console* console);
+  // The same with a model in memory, for which only image_path and output_path of the layout count.
+  Project(SparseModel model, const RunOptions& options, Console* console);
+
+  // The model in its own coordinates, which is read again: to keep it would cost memory. Throws
+  // IoError.
+  SparseModel ReadModel() const;
+
+ private:
+  Project(const WorkspaceLayout& layout, const RunOptions& options, Console* console);
+  Project(const WorkspaceLayout& layout, SparseModel model, const RunOptions& options,
+          Console* console);
+
+  std::optional<SparseModel> given_model_;
+};
+
+// ResolveLayout; says what was chosen.
+WorkspaceLayout ChooseLayout(const RunOptions& options, Console* console);
+
+// The image curves of all views, from the project's cache where possible; prints a summary.
+CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
+                                  Console* console, const FragmentsObserver& on_fragments = {});
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,145 @@
+#include "colmap_ext/host/scene.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "colmap_ext/host/world_shift.h"
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/model/scene_origin.h"
+#include "colmap_ext/workspace/file_identity.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "limn/sketch/view_selection.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+// To be raised whenever the same file of edges gives other edges.
+constexpr int kEdgeFilesVersion = 2;
+
+std::string ImageIdentity(const ViewSet& set, ViewId view) {
+  std::string identity = "image " + set.photos.Identity(set.image_paths[view]);
+  if (const ImageWindow* window = set.Window(view)) {
+    identity += "\npart " + std::to_string(window->x) + " " + std::to_string(window->y);
+  }
+  if (set.is_damaged[view]) identity += "\ndamaged";
+  const std::string& mask_path = set.mask_paths[view];
+  if (!mask_path.empty()) identity += "\nmask " + FileIdentity(mask_path);
+  const PinholeCamera& camera = set.views[view].camera;
+  return identity + "\nsize " + std::to_string(camera.width) + " " + std::to_string(camera.height);
+}
+
+std::string TextOf(const Eigen::Vector3d& point) {
+  char text[100];
+  std::snprintf(text, sizeof(text), "(%.10g, %.10g, %.10g)", point.x(), point.y(), point.z());
+  return text;
+}
+
+// How many images are used smaller than they are, and what that costs. Empty = none.
+std::string ShrinkingNote(const ViewSet& set) {
+  std::set<std::string> names;
+  double stored_pixels = 0;
+  double used_pixels = 0;
+  for (size_t v = 0; v < set.views.size(); ++v) {
+    const auto id = static_cast<ViewId>(v);
+    const ImageSize stored = set.stored_sizes[v];
+    const ImageSize used = ShrunkSize(stored, set.MaxFileSize(id));
+    if (used == stored || !names.insert(set.ImageName(id)).second) continue;
+    stored_pixels += static_cast<double>(stored.NumPixels());
+    used_pixels += static_cast<double>(used.NumPixels());
+  }
+  if (names.empty()) return "";
+  char factor[40];
+  std::snprintf(factor, sizeof(factor), "%.1f", stored_pixels / used_pixels);
+  return std::to_string(names.size()) + " images are shrunk to " +
+         std::to_string(set.max_image_size) + " px" +
+         (set.HasPanoramas() ? " per quarter turn" : "") +
+         ", finer detail is not drawn: --max_image_size -1 uses all of their pixels, " + factor +
+         " times as many, and that much more time and memory";
+}
+
+}  // namespace
+
+Scene::Scene(WorkspaceLayout layout, const RunOptions& options, Console* console)
+    : layout_(std::move(layout)) {
+  SparseModel model = ReadModel(layout_.model_dir);
+  if (options.pipeline.refinement.refine_poses) CheckTextNames(model);
+  SetModel(std::move(model), {}, options, console);
+}
+
+Scene::Scene(SparseModel model, const fs::path& image_dir, const PhotoStore& photos,
+             const RunOptions& options, Console* console) {
+  layout_.image_dir = image_dir;
+  SetModel(std::move(model), photos, options, console);
+}
+
+void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptions& options,
+                     Console* console) {
+  origin_ = SceneOrigin(model);
+  MoveModel(-origin_, &model);
+  view_set_ = ToViews(model, layout_.image_dir, options.view, console->context(), photos);
+  for (const std::string& warning : view_set_.warnings) console->Say("WARNING: " + warning);
+  const size_t num_images = view_set_.CountImages(IdsOf(std::nullopt, views().size()));
+  console->Say(std::to_string(num_images) + " images" +
+               (num_images == views().size()
+                    ? ""
+                    : " (in " + std::to_string(views().size()) + " views: panoramas in parts)") +
+               ", " + std::to_string(view_set_.hints.points.size()) + " 3D points");
+  if (const std::string note = ShrinkingNote(view_set_); !note.empty()) console->Say(note);
+  if (!origin_.isZero()) {
+    console->Say("Coordinates are large: working around " + TextOf(origin_) +
+                 ", all files keep the model's coordinates");
+  }
+  CheckPanoramas(options);
+  images_.read = [this](ViewId view) { return ReadViewImage(view_set_, view); };
+  images_.release = [this] { ReleaseDecoded(view_set_); };
+  images_.identity = [this](ViewId view) { return ImageIdentity(view_set_, view); };
+  if (!options.edges_path.empty()) UseEdges(options, console);
+}
+
+void Scene::CheckPanoramas(const RunOptions& options) const {
+  if (!view_set_.HasPanoramas()) return;
+  if (options.pipeline.refinement.refine_poses) {
+    throw OptionError(
+        "DrawingRefinement.refine_poses = 1: the model has EQUIRECTANGULAR images, whose parts "
+        "would move apart");
+  }
+  if (!options.edges_path.empty()) {
+    throw OptionError("edges_path = " + options.edges_path +
+                      ": the model has EQUIRECTANGULAR images, whose edges are found in parts");
+  }
+}
+
+void Scene::UseEdges(const RunOptions& options, Console* console) {
+  edge_files_ = FindEdgeFiles(options.edges_path, view_set_);
+  console->Say("Edges of all images from " + options.edges_path);
+  images_.given_edges = [this, maps = options.edge_maps](ViewId view) {
+    return ReadEdgeFile(edge_files_[view], view_set_, view, maps);
+  };
+  const std::string key = "\nedges, version " + std::to_string(kEdgeFilesVersion) + "\n" +
+                          OptionsAsText(options.edge_maps);
+  images_.identity = [this, key](ViewId view) {
+    return ImageIdentity(view_set_, view) + key + FileIdentity(edge_files_[view]);
+  };
+}
+
+std::optional<Eigen::AlignedBox3d> SceneBox(const Scene& scene, const RunOptions& options) {
+  return Moved(BoxFromNumbers(options.box), -scene.origin());
+}
+
+void CheckSceneViews(const Scene& scene) {
+  try {
+    CheckViews(scene.views());
+  } catch (const InputError& error) {
+    std::string reason = error.what();
+    for (const std::string& why : scene.view_set().left_out) reason += "; " + why;
+    throw InputError(reason);
+  }
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,124 @@
+#include "colmap_ext/host/terminal_console.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <unistd.h>
+
+#include "limn/util/errors.h"
+#include "limn/util/printable.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+constexpr double kSecondsBetweenLines = 2;
+constexpr double kSecondsBetweenRewrites = 0.1;
+// Before that the estimate of the time left is worth nothing.
+constexpr double kSecondsBeforeEstimate = 1;
+
+// "sketches of 3 of 30 views"
+std::string KeptOf(const CacheUse& use) {
+  return std::string(use.what) + " of " + WithCommas(use.NumKept()) + " of " +
+         WithCommas(use.total) + " " + use.items;
+}
+
+}  // namespace
+
+TerminalConsole::TerminalConsole(int num_threads, bool speaks)
+    : Console(num_threads),
+      speaks_(speaks),
+      is_terminal_(isatty(STDOUT_FILENO) == 1),
+      interrupts_([this]() -> std::string {
+        if (!speaks_) return "";
+        if (is_terminal_) std::printf("\r\033[K");
+        std::fflush(stdout);
+        return WhatIsKept();
+      }) {
+  mutable_context().progress = [this](const char* stage, size_t done, size_t total) {
+    ShowProgress(stage, done, total);
+  };
+  mutable_context().cancelled = &interrupts_.interrupted();
+}
+
+TerminalConsole::~TerminalConsole() { ClearProgressLine(); }
+
+std::string TerminalConsole::WhatIsKept() const {
+  const std::shared_ptr<const ResultCache> stored = cache();
+  if (!stored) return WhatIsWritten();
+  std::string kept;
+  for (int kind = 0; kind < kNumCachedKinds; ++kind) {
+    const CacheUse use = stored->Use(static_cast<CachedKind>(kind));
+    if (use.NumKept() > 0 && use.total > 0) kept += (kept.empty() ? "" : " and ") + KeptOf(use);
+  }
+  if (kept.empty())
+    return "Interrupted: nothing new is kept; run the same command again to start over";
+  return "Interrupted: " + kept + " are kept in " + stored->dir() +
+         "; run the same command again to go on";
+}
+
+void TerminalConsole::ShowProgress(const char* stage, size_t done, size_t total) {
+  if (!speaks_ || total == 0) return;
+  // Another stage, or the same one again from the start.
+  if (progress_stage_ != stage || done < progress_done_) {
+    progress_stage_ = stage;
+    progress_tenth_ = 0;
+    progress_start_ = last_shown_ = Clock::now();
+  }
+  progress_done_ = done;
+  const double seconds = SecondsSince(progress_start_);
+  const double share = static_cast<double>(done) / static_cast<double>(total);
+  const int tenth = static_cast<int>(10 * share);
+  const bool due =
+      is_terminal_ ? SecondsSince(last_shown_) >= kSecondsBetweenRewrites
+                   : tenth > progress_tenth_ && SecondsSince(last_shown_) >= kSecondsBetweenLines;
+  if (!due) return;
+  last_shown_ = Clock::now();
+  progress_tenth_ = tenth;
+  char line[160];
+  const int length =
+      std::snprintf(line, sizeof(line), "%s: %3.0f %%", stage, std::floor(100 * share));
+  if (seconds >= kSecondsBeforeEstimate && done > 0 && done < total) {
+    std::snprintf(line + length, sizeof(line) - length, ", about %.0f s left",
+                  std::ceil(seconds * (1 - share) / share));
+  }
+  if (is_terminal_) {
+    std::printf("\r\033[K%s", line);
+    has_progress_line_ = true;
+  } else {
+    std::printf("%s\n", line);
+  }
+  std::fflush(stdout);
+}
+
+void TerminalConsole::ClearProgressLine() {
+  if (has_progress_line_) std::printf("\r\033[K");
+  has_progress_line_ = false;
+  std::fflush(stdout);
+}
+
+void TerminalConsole::ShowLine(const std::string& line) {
+  ClearProgressLine();
+  if (speaks_) std::printf("%s\n", Printable(line).c_str());
+  std::fflush(stdout);
+}
+
+void TerminalConsole::ShowTable(const std::string& lines) {
+  ClearProgressLine();
+  if (speaks_ && (std::fputs(lines.c_str(), stdout) < 0 || std::fflush(stdout) != 0)) {
+    throw IoError("standard output", "the table could not be written");
+  }
+}
+
+void TerminalConsole::ShowStage(const RunLog::Stage& stage) {
+  ClearProgressLine();
+  for (const std::string& line : LinesOf(stage)) {
+    if (speaks_) std::printf("%s\n", Printable(line).c_str());
+  }
+  std::fflush(stdout);
+}
+
+std::unique_ptr<Console> MakeTerminalConsole(int num_threads, bool speaks) {
+  return std::make_unique<TerminalConsole>(num_threads, speaks);
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,304 @@
+#include "colmap_ext/verbs/align.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/fuse.h"
+#include "colmap_ext/workspace/pose_priors.h"
+#include "limn/alignment/geodetic.h"
+#include "limn/formats/write_drawing.h"
+#include "limn/util/angles.h"
+#include "limn/util/errors.h"
+#include "limn/util/name_list.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The database of a model may be so many folders above it: W/dense/0/sparse.
+constexpr int kMaxFoldersUp = 3;
+// Positions are told by name if they are off, by their accuracies, by so many typical residuals.
+constexpr double kFarTimesTypical = 5;
+
+// Empty if there is none.
+fs::path FindDatabase(const Scene& scene, const LayoutOptions& layout) {
+  std::vector<fs::path> folders;
+  if (!layout.workspace_path.empty()) folders.push_back(layout.workspace_path);
+  const fs::path& model = scene.layout().model_dir;
+  // A model in memory has no folder: its database may be near the images.
+  const fs::path& near = model.empty() ? scene.layout().image_dir : model;
+  fs::path folder = near.empty() ? fs::path() : fs::absolute(near).lexically_normal();
+  for (int up = 0; up <= kMaxFoldersUp && !folder.empty(); ++up) {
+    folders.push_back(folder);
+    folder = folder.parent_path();
+  }
+  std::error_code ignored;
+  for (const fs::path& candidate : folders) {
+    if (fs::is_regular_file(candidate / "database.db", ignored)) return candidate / "database.db";
+  }
+  return {};
+}
+
+void WarnOfLog(const fs::path& database, Console* console) {
+  const fs::path log = database.string() + "-wal";
+  std::error_code ignored;
+  if (!fs::exists(log, ignored) || fs::file_size(log, ignored) == 0) return;
+  console->Say("WARNING: " + log.string() +
+               ": its changes are not read; close the program that uses the database");
+}
+
+// Geographic positions in a local frame.
+void SetPositions(const std::vector<std::pair<ViewId, Eigen::Vector3d>>& geographic,
+                  std::vector<ViewPrior>* priors) {
+  std::vector<GeoPosition> positions;
+  for (const auto& [view, at] : geographic) positions.push_back({at.x(), at.y(), at.z()});
+  const std::vector<Eigen::Vector3d> local = LocalFromGeo(positions);
+  for (size_t i = 0; i < local.size(); ++i) (*priors)[geographic[i].first].position = local[i];
+}
+
+// The views that stand for images: of the parts of a panorama, which were taken at once, the first.
+std::vector<ViewId> ViewsOfImages(const ViewSet& set) {
+  std::vector<ViewId> views;
+  for (ViewId v = 0; v < static_cast<ViewId>(set.views.size()); ++v) {
+    if (v == 0 || set.ImageName(v) != set.ImageName(v - 1)) views.push_back(v);
+  }
+  return views;
+}
+
+PosePriors ReadPriorsOf(const std::vector<ViewId>& of_images, const ViewSet& set,
+                        const fs::path& database) {
+  std::set<std::string> names;
+  for (const ViewId v : of_images) names.insert(set.ImageName(v));
+  return ReadPosePriors(database, names);
+}
+
+std::optional<Eigen::Vector3d> GravityIn(const ViewSet& set, ViewId view, const PosePrior& prior) {
+  if (!prior.gravity || !set.Window(view)) return prior.gravity;
+  if (IsOrientationFlag(*prior.gravity)) return std::nullopt;  // in a part it would look measured
+  return set.view_from_image[view] * *prior.gravity;
+}
+
+std::vector<ViewPrior> PriorsOfViews(const PosePriors& stored, const std::vector<ViewId>& of_images,
+                                     const ViewSet& set) {
+  std::vector<ViewPrior> priors(set.views.size());
+  std::vector<std::pair<ViewId, Eigen::Vector3d>> geographic;
+  for (const ViewId v : of_images) {
+    const auto found = stored.find(set.ImageName(v));
+    if (found == stored.end()) continue;
+    const PosePrior& prior = found->second;
+    priors[v] = {prior.position, prior.position_sigma, GravityIn(set, v, prior)};
+    if (prior.is_geographic && prior.position) geographic.emplace_back(v, *prior.position);
+  }
+  SetPositions(geographic, &priors);
+  return priors;
+}
+
+std::string CountsOf(const std::vector<ViewPrior>& priors, size_t num_images) {
+  size_t num_positions = 0, num_gravities = 0, num_flags = 0;
+  for (const ViewPrior& prior : priors) {
+    num_positions += prior.position ? 1 : 0;
+    const bool is_measured = MeasuredGravity(prior);
+    num_gravities += is_measured ? 1 : 0;
+    num_flags += prior.gravity_in_cam && !is_measured ? 1 : 0;
+  }
+  const std::string flags =
+      num_flags == 0 ? "" : ", only the orientation flag of " + std::to_string(num_flags);
+  return "positions of " + std::to_string(num_positions) + " and gravity of " +
+         std::to_string(num_gravities) + " of " + std::to_string(num_images) + " images" + flags;
+}
+
+std::string Degrees(double angle_rad) { return ShortNumber(angle_rad / kDeg) + " degrees"; }
+std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
+
+std::string UpText(const AlignmentResult& result) {
+  switch (result.alignment.up) {
+    case UpSource::kGravity:
+      return "the gravity that " + std::to_string(result.gravity->num_views) +
+             " cameras measured, " + Degrees(result.gravity->deviation_rad) + " from each (median)";
+    case UpSource::kPositions:
+      return "positions of cameras, standard error " + Degrees(result.positions->up_error_rad);
+    case UpSource::kLines:
+      return "the lines, of which " + Percent(result.vertical->share) +
+             " are vertical or horizontal, within " + Degrees(result.vertical->deviation_rad) +
+             " (median)";
+    case UpSource::kCameras:
+      return "the way the cameras are held, which is rough";
+  }
+  return "";
+}
+
+std::string AxesText(const AlignmentResult& result) {
+  switch (result.alignment.axes) {
+    case AxesSource::kLines:
+      return "the main horizontal direction, which " + Percent(result.horizontal->share) +
+             " of the horizontal lines follow";
+    case AxesSource::kPositions:
+      return "east by the positions of cameras";
+    case AxesSource::kModel:
+      return "the axes of the model";
+  }
+  return "";
+}
+
+std::string ScaleText(const AlignmentResult& result) {
+  const double scale = result.alignment.world_from_model.scale;
+  const std::string unit = ShortNumber(scale) + " m per unit of the model, from ";
+  switch (result.alignment.scale) {
+    case ScaleSource::kNone:
+      return "unknown, the unit is the model's";
+    case ScaleSource::kLengths:
+      return unit + "known lengths";
+    case ScaleSource::kPositions:
+      return unit + "positions of cameras, standard error " +
+             Percent(result.positions->scale_error);
+  }
+  return "";
+}
+
+// Why gravity was not used that cameras measured.
+void SayGravity(const AlignmentResult& result, const std::vector<ViewPrior>& priors,
+                Console* console) {
+  const auto count = std::count_if(priors.begin(), priors.end(), MeasuredGravity);
+  if (count == 0 || result.alignment.up == UpSource::kGravity) return;
+  const std::string reason =
+      result.gravity
+          ? "is not used: it differs by " + Degrees(result.gravity->deviation_rad) + " (median)"
+          : "tells nothing: " + std::to_string(kMinGravities) + " that agree are needed";
+  console->Say("alignment: gravity of " + std::to_string(count) + " cameras " + reason);
+}
+
+// How well positions fit, or why they were not used.
+void SayPositions(const AlignmentResult& result, const ViewSet& set, Console* console) {
+  if (result.positioned.empty()) return;
+  if (!result.positions) {
+    console->Say("alignment: positions of " + std::to_string(result.positioned.size()) +
+                 " cameras tell nothing: " + std::to_string(kMinPositions) +
+                 " at different places are needed");
+    return;
+  }
+  const PositionFit& fit = *result.positions;
+  std::vector<NamedNumber> far;
+  const double limit = kFarTimesTypical * fit.typical_scaled_residual;
+  for (size_t i = 0; i < fit.residuals.size(); ++i) {
+    if (fit.scaled_residuals[i] > limit) {
+      far.push_back({set.ImageName(result.positioned[i]), fit.residuals[i]});
+    }
+  }
+  console->Say("alignment: positions fit the cameras within " + ShortNumber(fit.median_residual) +
+               " m (median); standard errors: up " + Degrees(fit.up_error_rad) + ", scale " +
+               Percent(fit.scale_error));
+  if (far.empty()) return;
+  console->Say("WARNING: positions far from their cameras: " + ListNumbers(far, "m"));
+}
+
+void SayLengths(const std::vector<KnownLength>& lengths, const AlignmentResult& result,
+                Console* console) {
+  for (size_t i = 0; i < lengths.size(); ++i) {
+    const double length = result.lengths->lengths[i];
+    char off[40];
+    std::snprintf(off, sizeof(off), "%+.2f %%", 100 * (length / lengths[i].meters - 1));
+    console->Say("alignment: " + lengths[i].text + ": " + ShortNumber(length) +
+                 " m in the drawing (" + off + ")");
+  }
+}
+
+}  // namespace
+
+void AlignOptions::AddOptions(bool of_drawing, OptionParser* parser) {
+  if (of_drawing) {
+    mode = Mode::kAuto;
+    parser->AddOption("known_length", &known_lengths,
+                      BasicOption("measured lengths, such as \"link 12 = 2.40 m\" or \"from 3 to 7 "
+                                  "= 2.40 m\" (nodes); several separated by ;"));
+  } else {
+    parser->AddOption("align", &mode, {{"none", Mode::kNone}, {"auto", Mode::kAuto}},
+                      "store up, horizontal axes and scale in drawing.json");
+  }
+  parser->AddOption("database_path", &database_path,
+                    {"COLMAP's database with gravity and positions of cameras, instead of the one "
+                     "found",
+                     /*is_basic=*/of_drawing});
+}
+
+void AlignOptions::Check() const {
+  ParseKnownLengths(known_lengths);
+  if (mode == Mode::kNone && !database_path.empty()) {
+    throw OptionError("database_path = " + database_path + ": needs --align auto");
+  }
+}
+
+SceneAligner::SceneAligner(const Scene& scene, const LayoutOptions& layout,
+                           const AlignOptions& options, Console* console)
+    : scene_(scene), is_asked_(options.mode == AlignOptions::Mode::kAuto) {
+  if (!is_asked_) return;
+  lengths_ = ParseKnownLengths(options.known_lengths);
+  const bool is_found = options.database_path.empty();
+  const fs::path database =
+      is_found ? FindDatabase(scene, layout) : fs::path(options.database_path);
+  if (database.empty()) {
+    console->Say("alignment: no database.db near the model");
+    return;
+  }
+  WarnOfLog(database, console);
+  const std::vector<ViewId> of_images = ViewsOfImages(scene.view_set());
+  try {
+    const PosePriors stored = ReadPriorsOf(of_images, scene.view_set(), database);
+    priors_ = PriorsOfViews(stored, of_images, scene.view_set());
+  } catch (const IoError& error) {
+    if (!is_found) throw;
+    console->Say(std::string("WARNING: alignment without a database: ") + error.what());
+    return;
+  }
+  console->Say("alignment: " + database.string() + " has " + CountsOf(priors_, of_images.size()));
+}
+
+std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
+                                             const DrawingGraph& graph, Console* console) const {
+  if (!is_asked_) return std::nullopt;
+  AlignmentResult result = AlignDrawing({views, graph, priors_, lengths_});
+  SayGravity(result, priors_, console);
+  SayPositions(result, scene_.view_set(), console);
+  SayLengths(lengths_, result, console);
+  console->Say("alignment: up from " + UpText(result));
+  console->Say("alignment: x and y from " + AxesText(result));
+  console->Say("alignment: scale " + ScaleText(result));
+  return After({1, Eigen::Matrix3d::Identity(), scene_.origin()}, result.alignment);
+}
+
+std::vector<std::string> DrawingsToAlign(const fs::path& folder, Console* console) {
+  std::vector<std::string> paths = {FindDrawing(folder, DrawingChoice::kNewest, "drawing_path")};
+  const fs::path plain = folder / "drawing.json", fused = folder / kFusedDrawing;
+  std::error_code ignored;
+  if (paths.front() != plain) {
+    if (fs::exists(plain, ignored)) paths.push_back(plain.string());
+  } else if (fs::exists(fused, ignored)) {
+    console->Say("WARNING: " + fused.string() + " is older than " + plain.string() +
+                 " and is not aligned: run drawing_fuser again");
+  }
+  return paths;
+}
+
+void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment) {
+  std::vector<DrawingFile> drawings;
+  for (const std::string& path : drawing_paths) drawings.push_back(ReadDrawingJson(path));
+  for (size_t i = 0; i < drawings.size(); ++i) {
+    const std::string& path = drawing_paths[i];
+    drawings[i].metadata.alignment = alignment;
+    std::error_code error;
+    const auto time = fs::last_write_time(path, error);
+    WriteDrawing(path, drawings[i].graph, drawings[i].metadata);
+    if (!error) fs::last_write_time(path, time, error);
+    if (error) throw IoError(path, "its time of change cannot be kept: " + error.message());
+  }
+}
+
+const Alignment& RequireAlignment(const std::string& path, const DrawingMetadata& metadata) {
+  if (metadata.alignment) return *metadata.alignment;
+  throw IoError(path, "has no alignment: run drawing_aligner, or draw with --align auto");
+}
+
+}  // namespace limn::colmap_ext

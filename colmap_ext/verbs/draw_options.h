@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/verbs/align.h"
+#include "colmap_ext/verbs/truth_input.h"
+
+namespace limn::colmap_ext {
+
+// The options of automatic_drawer.
+struct DrawerOptions {
+  RunOptions run;
+  // Report what became of every edgel.
+  bool account = false;
+  // Draw again whenever the workspace changes, until interrupted.
+  bool watch = false;
+  // Write drawing.html with a report, judged by this truth if there is one.
+  bool page = true;
+  TruthInput truth;
+  AlignOptions align;
+
+  // Throws OptionError.
+  void Check() const;
+  // Sets what follows from other options.
+  void SetDerived();
+};
+
+// Like ParseRunOptions.
+std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv,
+                                               DrawerOptions* options);
+
+}  // namespace limn::colmap_ext

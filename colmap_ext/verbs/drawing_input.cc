@@ -1,0 +1,75 @@
+#include "colmap_ext/verbs/drawing_input.h"
+
+#include <system_error>
+#include <vector>
+
+#include "colmap_ext/verbs/fuse.h"
+#include "colmap_ext/verbs/limap_model.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDrawing = "drawing.json";
+
+// Empty if the folder has none.
+fs::path DrawingIn(const fs::path& folder, DrawingChoice choice) {
+  std::error_code ignored;
+  const fs::path drawing = folder / kDrawing;
+  const fs::path fused = folder / kFusedDrawing;
+  const bool has_drawing = fs::exists(drawing, ignored);
+  if (choice == DrawingChoice::kNewest && fs::exists(fused, ignored) &&
+      (!has_drawing || fs::last_write_time(fused) >= fs::last_write_time(drawing))) {
+    return fused;
+  }
+  return has_drawing ? drawing : fs::path();
+}
+
+std::string FirstDrawing(const std::vector<fs::path>& folders, DrawingChoice choice,
+                         const std::string& path_option) {
+  std::string looked_in;
+  for (const fs::path& folder : folders) {
+    const fs::path found = DrawingIn(folder, choice);
+    if (!found.empty()) return found.string();
+    looked_in += (looked_in.empty() ? "" : " and ") + folder.string();
+  }
+  const std::string fused =
+      choice == DrawingChoice::kNewest ? std::string(" or ") + kFusedDrawing : "";
+  throw IoError(folders.front().string(), "no " + (kDrawing + fused) + " (looked in " + looked_in +
+                                              "): draw one first, or name one with --" +
+                                              path_option);
+}
+
+bool IsMereFolderOfResults(const LayoutOptions& workspace) {
+  return workspace.model_index < 0 && workspace.input_path.empty() &&
+         workspace.image_path.empty() && !HoldsSomeModel(workspace.workspace_path);
+}
+
+}  // namespace
+
+std::string FindDrawing(const fs::path& folder, DrawingChoice choice,
+                        const std::string& path_option) {
+  return FirstDrawing({folder}, choice, path_option);
+}
+
+std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
+                        const std::string& path_option) {
+  const fs::path folder = workspace.workspace_path;
+  if (std::error_code ignored; !fs::is_directory(folder, ignored)) {
+    throw IoError(folder.string(), "no such folder (workspace_path)");
+  }
+  if (IsMereFolderOfResults(workspace)) return FindDrawing(folder, choice, path_option);
+  std::vector<fs::path> folders = {ResolveLayout(workspace).output.drawing_dir};
+  if (folders.front() != folder) folders.push_back(folder);
+  return FirstDrawing(folders, choice, path_option);
+}
+
+DrawingFile ReadDrawing(const std::string& path, const std::vector<std::string>& view_names) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored) ? ReadLimapDrawing(path, view_names)
+                                         : ReadDrawingJson(path);
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,329 @@
+#include "colmap_ext/verbs/drawing_results.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "colmap_ext/host/world_shift.h"
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/refined_cameras.h"
+#include "colmap_ext/workspace/output_check.h"
+#include "limn/cache/curves_key.h"
+#include "limn/evaluation/edgel_account.h"
+#include "limn/files/atomic_file.h"
+#include "limn/formats/write_drawing.h"
+#include "limn/model/link_selection.h"
+#include "limn/pictures/overlays.h"
+#include "limn/primitives/fit_primitives.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A picture per photograph; one photograph per thread is in memory. Those of other views than
+// `only` are kept if they are there.
+void WritePictures(const Project& project, const std::string& folder, const ViewSubset& only,
+                   const RunContext& context, const std::function<Picture(ViewId)>& draw) {
+  const auto path_of = [&](ViewId view) {
+    return PicturePath(project.CurvesPath(folder), project.views()[view].name);
+  };
+  std::vector<ViewId> views = IdsOf({}, project.views().size());
+  if (only) {
+    std::erase_if(views, [&](ViewId view) {
+      return !std::ranges::binary_search(*only, view) && std::filesystem::exists(path_of(view));
+    });
+  }
+  ParallelFor(context, folder.c_str(), views.size(),
+              [&](size_t i) { WritePng(path_of(views[i]), draw(views[i])); });
+  ReleaseDecoded(project.view_set());
+}
+
+// Share of the length by primitive, how far they are, and how much shorter they tell the drawing.
+void SayPrimitives(const DrawingGraph& graph, Console* console) {
+  const PrimitiveStatistics primitives = Describe(graph);
+  double whole = 0;
+  for (const auto& kind : primitives.kinds) whole += kind.length;
+  if (primitives.numbers_after == 0) return;  // none yet
+  std::string line = "primitives, shares of the length:";
+  char text[120];
+  for (const auto& kind : primitives.kinds) {
+    std::snprintf(text, sizeof(text), " %s %.1f %%,", kind.name, 100 * kind.length / whole);
+    line += text;
+  }
+  std::snprintf(text, sizeof(text), " %.2f px from the links (at most %.2f), %zu numbers for %zu",
+                primitives.rms_px, primitives.max_px, primitives.numbers_after,
+                primitives.numbers_before);
+  console->Say(line + text);
+}
+
+// Each must take a file, and none may be a folder of another, as that of `a` for that of `a.png/b`.
+void CheckPicturePaths(const Project& project) {
+  std::set<std::string> names;
+  for (const View& view : project.views()) names.insert(PicturePath("", view.name));
+  for (const View& view : project.views()) {
+    for (const char* folder : {"overlays", "account"}) {
+      CheckTakesFile(PicturePath(project.CurvesPath(folder), view.name));
+    }
+    for (std::filesystem::path above = view.name; above.has_parent_path();) {
+      above = above.parent_path();
+      if (!names.contains(above.string())) continue;
+      throw InputError("image \"" + view.name +
+                       "\": the folder of its overlay would have the name "
+                       "of the overlay of another image: rename one of them");
+    }
+  }
+}
+
+}  // namespace
+
+void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
+                      const std::string& provenance) {
+  const std::string path = project.DrawingPath(name);
+  std::error_code ignored;
+  if (options.overwrite || !std::filesystem::exists(path, ignored)) return;
+  const auto refuse = [&](const std::string& what) {
+    throw IoError(path, what + ": --overwrite 1 replaces it, --output_path writes elsewhere");
+  };
+  DrawingMetadata metadata;
+  try {
+    metadata = ReadDrawingJson(path).metadata;
+  } catch (const IoError&) {
+    refuse("exists, and is no drawing of this version of limn");
+  }
+  if (!options.update && metadata.view_names != Metadata(project, "{}").view_names) {
+    refuse("is a drawing of other images");
+  }
+  const Json old_options = Json::parse(metadata.options_json);
+  const Json new_options = Json::parse(provenance);
+  if (old_options != new_options) {
+    const Json difference = Json::diff(old_options, new_options);
+    refuse("was drawn with other options (" + difference.front().value("path", "") + ")");
+  }
+}
+
+void CheckDrawingFiles(const Project& project, const RunOptions& options) {
+  for (const char* name : {"drawing.ply", "drawing.obj", "drawing.html"}) {
+    CheckResultFile(project.DrawingPath(name), options.overwrite);
+  }
+  for (const char* name : {"tracks.txt", "account.csv", "project.ini"}) {
+    CheckResultFile(project.CurvesPath(name), options.overwrite);
+  }
+  CheckPicturePaths(project);
+}
+
+void CheckSketchFiles(const Project& project, const RunOptions& options) {
+  for (const char* extension : {".bin", ".ply"}) {
+    CheckResultFile(project.CurvesPath(SketchFileName(options.pipeline.mode) + extension),
+                    options.overwrite);
+  }
+}
+
+void CheckRunOutputs(const Project& project, const RunOptions& options) {
+  CheckRefinedFolder(project, options);
+  CheckDrawingFiles(project, options);
+  CheckSketchFiles(project, options);
+  CheckReplaceable(project, options, "drawing.json", Provenance(options));
+}
+
+std::string SketchFileName(SketchMode mode) {
+  switch (mode) {
+    case SketchMode::kOriginal:
+      return "sketch";
+    case SketchMode::kEnhanced:
+      return "enhanced-sketch";
+    case SketchMode::kSweep:
+      return "swept-sketch";
+  }
+  return "";
+}
+
+void CheckGraph(const DrawingGraph& graph) {
+  const std::vector<std::string> broken = Validate(graph);
+  if (broken.empty()) return;
+  throw InputError("the drawing is not written, it breaks " + std::to_string(broken.size()) +
+                   " invariants; the first: " + broken.front());
+}
+
+std::string Provenance(const RunOptions& options) {
+  Json json = Json::parse(OptionsAsJson(options.pipeline));
+  json["max_image_size"] = options.view.max_image_size;
+  json["box"] = options.box;
+  json["Surfaces"] = nullptr;  // faces are found later
+  return json.dump();
+}
+
+bool HasBox(const std::string& provenance) {
+  const Json json = Json::parse(provenance);
+  return json.contains("box") && !json["box"].empty();
+}
+
+std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance) {
+  Json json = Json::parse(sketch_provenance);
+  json["Drawing"] = Json::parse(OptionsAsJson(options.pipeline))["Drawing"];
+  json["DrawingRefinement"] = nullptr;
+  json["Belief"] = nullptr;
+  json["Primitives"] = nullptr;
+  json["regularize"] = nullptr;
+  json["Regularity"] = nullptr;
+  return json.dump();
+}
+
+std::string RefinementProvenance(const RunOptions& options, const std::string& drawing_provenance) {
+  Json json = Json::parse(drawing_provenance);
+  const Json now = Json::parse(OptionsAsJson(options.pipeline));
+  json["DrawingRefinement"] = now["DrawingRefinement"];
+  json["Belief"] = now["Belief"];
+  json["Surfaces"] = nullptr;  // faces end as links move
+  json["Primitives"] = now["Primitives"];
+  json["regularize"] = now["regularize"];
+  json["Regularity"] = now["Regularity"];
+  return json.dump();
+}
+
+std::string RegularityProvenance(const RunOptions& options, const std::string& drawing_provenance) {
+  Json json = Json::parse(drawing_provenance);
+  const Json now = Json::parse(OptionsAsJson(options.pipeline));
+  json["regularize"] = true;
+  json["Regularity"] = now["Regularity"];
+  json["Primitives"] = now["Primitives"];
+  return json.dump();
+}
+
+std::string SurfaceProvenance(const RunOptions& options, const std::string& drawing_provenance) {
+  Json json = Json::parse(drawing_provenance);
+  json["Surfaces"] = Json::parse(OptionsAsJson(options.pipeline))["Surfaces"];
+  return json.dump();
+}
+
+void WriteSketchResults(const Project& project, const std::string& name,
+                        const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
+                        const std::string& provenance, const RunContext& context) {
+  WriteCurveSketch(project.CurvesPath(name + ".bin"), sketch, Metadata(project, provenance),
+                   CurvesKey(project.views(), curves, context));
+  WriteSketch(project.CurvesPath(name + ".ply"), Moved(sketch, project.origin()));
+}
+
+StoredCurveSketch ReadSketchResult(const Project& project, const std::string& name,
+                                   const std::vector<ImageCurves>& curves,
+                                   const RunContext& context) {
+  const std::string path = project.CurvesPath(name + ".bin");
+  auto stored = ReadCurveSketch(path, curves, CurvesKey(project.views(), curves, context));
+  if (!stored) {
+    throw IoError(path,
+                  "was made from other images, cameras or options of edges and linking, or "
+                  "by another version of limn: run curve_sketcher again");
+  }
+  return std::move(*stored);
+}
+
+void AddDrawingPath(std::string* drawing_path, OptionParser* parser) {
+  parser->AddOption("drawing_path", drawing_path,
+                    BasicOption("drawing.json to start from, instead of the one in the output "
+                                "folder"));
+}
+
+StartingDrawing ReadStartingDrawing(
+    const Project& project, const RunOptions& options, const std::string& drawing_path,
+    const std::function<std::string(const RunOptions&, const std::string&)>& provenance_of) {
+  const std::string path = !drawing_path.empty()
+                               ? drawing_path
+                               : FindDrawing(project.layout().output.drawing_dir,
+                                             DrawingChoice::kUnfused, "drawing_path");
+  StartingDrawing start = {ReadDrawingResult(project, path), ""};
+  start.provenance = provenance_of(options, start.file.metadata.options_json);
+  if (!drawing_path.empty()) {
+    CheckReplaceable(project, options, "drawing.json", start.provenance);
+  }
+  return start;
+}
+
+DrawingMetadata Metadata(const Scene& scene, const std::string& provenance) {
+  DrawingMetadata metadata;
+  for (const View& view : scene.views()) metadata.view_names.push_back(view.name);
+  metadata.options_json = provenance;
+  return metadata;
+}
+
+void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Console* console) {
+  char text[120];
+  std::snprintf(text, sizeof(text), "; %d ends moved, %.2f px (median; at most %.2f)",
+                moves.num_ends, moves.median_px, moves.max_px);
+  console->Say("regularities: " + DescribeRegularities(graph) + text);
+}
+
+void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Console* console) {
+  if (after.faces.size() >= before.faces.size()) return;
+  console->Say("WARNING: links have moved: of " + std::to_string(before.faces.size()) +
+               " faces between them there are " + std::to_string(after.faces.size()) +
+               " left; run drawing_surfacer again");
+}
+
+void SayLinksBehind(const std::vector<LinkId>& links, Console* console) {
+  if (links.empty()) return;
+  constexpr size_t kMaxNamed = 20;
+  std::string text;
+  for (size_t i = 0; i < std::min(links.size(), kMaxNamed); ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(links[i]);
+  }
+  if (links.size() > kMaxNamed) text += ", ...";
+  console->Say("links that faces hide from most of their views, probably false: " +
+               std::to_string(links.size()) + " (" + text + ")");
+}
+
+DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path) {
+  const std::vector<std::string> view_names = Metadata(scene, "{}").view_names;
+  DrawingFile drawing = ReadDrawing(path, view_names);
+  if (drawing.metadata.view_names == view_names) return drawing;
+  throw IoError(path, "is a drawing of other images than those of the model");
+}
+
+DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path) {
+  DrawingFile drawing = ReadDrawingOf(scene, path);
+  drawing.graph = Moved(std::move(drawing.graph), -scene.origin());
+  return drawing;
+}
+
+void WriteDrawingResults(const Project& project, const std::vector<View>& views,
+                         const DrawingGraph& graph, const std::string& provenance,
+                         const std::optional<Alignment>& alignment, Console* console,
+                         const ViewSubset& pictures) {
+  DrawingMetadata metadata = Metadata(project, provenance);
+  metadata.alignment = alignment;
+  const DrawingGraph in_model = Moved(graph, project.origin());
+  WriteDrawing(project.DrawingPath("drawing.json"), in_model, metadata);
+  const DrawingGraph selected = Selected(in_model, {});
+  for (const char* name : {"drawing.ply", "drawing.obj"}) {
+    WriteDrawing(project.DrawingPath(name), selected, metadata);
+  }
+  WriteTracks(project.CurvesPath("tracks.txt"), graph, {},
+              InWholeImages(project.view_set(), views));
+  WritePictures(project, "overlays", pictures, console->context(), [&](ViewId v) {
+    return DrawOverlay(project.images().read(v), views[v], v, graph);
+  });
+  SayPrimitives(graph, console);
+  console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +
+               project.CurvesPath("tracks.txt") + ", " + project.CurvesPath("overlays"));
+}
+
+void WriteAccount(const Project& project, const PipelineResult& result, Console* console) {
+  const EdgelFates fates =
+      AccountEdgels({ViewsOfDrawing(project, result.cameras), result.curves, result.sketch_fates,
+                     result.sketch, result.sample_fates, result.graph},
+                    console->context());
+  WriteFileAtomically(project.CurvesPath("account.csv"),
+                      [&](std::ostream& out) { WriteAccountCsv(project.views(), fates, out); });
+  WritePictures(project, "account", std::nullopt, console->context(), [&](ViewId v) {
+    return DrawAccount(project.images().read(v), result.curves[v], fates[v]);
+  });
+  console->Say("Written: " + project.CurvesPath("account.csv") + ", " +
+               project.CurvesPath("account"));
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,57 @@
+#include "colmap_ext/verbs/edge_results.h"
+
+#include <filesystem>
+
+#include "colmap_ext/workspace/file_set.h"
+#include "colmap_ext/workspace/output_check.h"
+#include "limn/files/atomic_file.h"
+#include "limn/formats/cem_file.h"
+#include "limn/formats/edg_file.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* FolderOf(EdgeFormat format) {
+  return format == EdgeFormat::kEdg ? "edges" : "fragments";
+}
+
+std::string PathOf(const Project& project, EdgeFormat format, const std::string& image_name) {
+  const char* extension = format == EdgeFormat::kEdg ? ".edg" : ".cem";
+  return (fs::path(project.CurvesPath(FolderOf(format))) / (image_name + extension)).string();
+}
+
+}  // namespace
+
+void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite) {
+  if (format == EdgeFormat::kNone) return;
+  const FileSet inputs(project.edge_files());
+  for (const View& view : project.views()) {
+    const std::string path = PathOf(project, format, view.name);
+    CheckResultFile(path, overwrite);
+    if (inputs.Contains(path)) {
+      throw IoError(path, "would be replaced, but is an input (edges_path)");
+    }
+  }
+}
+
+void WriteEdgResult(const Project& project, ViewId view, const EdgeMap& edge_map) {
+  WriteFileAtomically(PathOf(project, EdgeFormat::kEdg, project.views()[view].name),
+                      [&](std::ostream& out) { WriteEdg(edge_map, out); });
+}
+
+FragmentsObserver CemWriter(const Project& project) {
+  return [&project](ViewId view, const ImageCurves& curves) {
+    WriteFileAtomically(PathOf(project, EdgeFormat::kCem, project.views()[view].name),
+                        [&](std::ostream& out) { WriteCem(curves, out); });
+  };
+}
+
+void SayEdgeResults(const Project& project, EdgeFormat format, Console* console) {
+  if (format == EdgeFormat::kNone) return;
+  console->Say("Written: " + project.CurvesPath(FolderOf(format)));
+}
+
+}  // namespace limn::colmap_ext

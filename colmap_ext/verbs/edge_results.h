@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "colmap_ext/host/project.h"
+
+namespace limn::colmap_ext {
+
+// Edges and fragments in files for other programs, which --edges_path reads back exactly:
+// <curves>/edges/<image name>.edg and <curves>/fragments/<image name>.cem, in pixels of the images
+// as used.
+enum class EdgeFormat { kNone, kEdg, kCem };
+
+// To be called before the work: throws IoError if the files of a format would replace one that the
+// project takes its edges from, what is no file or, unless `overwrite`, was not made by limn.
+void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite);
+
+// Writes the file of a view, before ApplyLens. Thread-safe for different views.
+void WriteEdgResult(const Project& project, ViewId view, const EdgeMap& edge_map);
+
+// The same for fragments, as an observer of ExtractProjectCurves. The project must outlive it.
+FragmentsObserver CemWriter(const Project& project);
+
+// Prints where the files of a format are.
+void SayEdgeResults(const Project& project, EdgeFormat format, Console* console);
+
+}  // namespace limn::colmap_ext

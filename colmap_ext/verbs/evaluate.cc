@@ -1,0 +1,226 @@
+#include "colmap_ext/verbs/evaluate.h"
+
+#include "colmap_ext/host/run_options.h"
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/limap_model.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/output_check.h"
+#include "colmap_ext/workspace/to_views.h"
+#include "limn/evaluation/kind_confusion.h"
+#include "limn/evaluation/report_writers.h"
+#include "limn/files/atomic_file.h"
+#include "limn/formats/json_kinds_reader.h"
+#include "limn/formats/mesh_reader.h"
+#include "limn/formats/read_curves.h"
+#include "limn/pipeline/pipeline_options.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& context) {
+  if (options.views) return *options.views;
+  const WorkspaceLayout layout = ResolveLayout(options.layout);
+  return ToViews(ReadModel(layout.model_dir), layout.image_dir, {}, context).views;
+}
+
+// Without a path it is the drawing of the workspace.
+bool IsDrawingJson(const std::string& input_path) {
+  return input_path.empty() || input_path.ends_with(".json");
+}
+
+void CheckOutputs(const EvaluatorOptions& options) {
+  const TruthInput& truth = options.truth;
+  for (const std::string& path : {options.output_csv, options.output_json}) {
+    if (path.empty()) continue;
+    CheckNamedOutput(
+        path,
+        {options.input_path, truth.truth_path, truth.truth_edges_path, truth.junctions_path,
+         truth.dont_care_path, options.true_kinds_path, options.truth_mesh_path, options.mesh_path},
+        options.overwrite);
+  }
+}
+
+// At the middle one of the taus.
+KindConfusion KindsOf(const DrawingGraph& drawing, const EvaluatorOptions& options,
+                      const std::vector<View>& views) {
+  const std::vector<double>& taus = options.truth.evaluation.taus;
+  KindConfusionOptions of_kinds;
+  of_kinds.tau = taus[taus.size() / 2];
+  of_kinds.region = BoxFromNumbers(options.box);
+  const bool in_footprints = options.truth.unit == TruthInput::Unit::kFootprint;
+  return CompareKinds(drawing, ReadJsonKinds(options.true_kinds_path),
+                      in_footprints ? views : std::vector<View>(), of_kinds);
+}
+
+// What is evaluated: a drawing, or else curves.
+struct Judged {
+  std::optional<DrawingGraph> drawing;
+  CurveSet curves;
+};
+
+EvaluationReport JudgeCurves(const Judged& judged, const EvaluatorOptions& options,
+                             const std::vector<View>& views, const RunContext& context) {
+  TruthInput input = options.truth;
+  input.evaluation.region = BoxFromNumbers(options.box);
+  const Truth truth = ReadTruth(input);
+  EvaluationReport report = Evaluate(judged.curves, truth, input, views, context);
+  if (!options.true_kinds_path.empty()) report.kinds = KindsOf(*judged.drawing, options, views);
+  if (judged.drawing && !views.empty()) {
+    NormalizedErrorOptions of_sigmas;
+    of_sigmas.region = input.evaluation.region;
+    report.normalized_errors =
+        MeasureNormalizedErrors(*judged.drawing, truth.curves, truth.dont_care, views, of_sigmas);
+  }
+  return report;
+}
+
+FaceScores JudgeFaces(const std::vector<DrawingFace>& faces, const EvaluatorOptions& options,
+                      const std::vector<View>& views, const RunContext& context) {
+  FaceScoreOptions of_faces = options.faces;
+  of_faces.region = BoxFromNumbers(options.box);
+  const PartedSurface surface =
+      options.mesh_path.empty() ? SurfaceOf(faces) : SurfaceOf(ReadMesh(options.mesh_path));
+  return ScoreFaces(surface, ReadMesh(options.truth_mesh_path), views, of_faces, context);
+}
+
+EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const RunContext& context) {
+  std::vector<DrawingFace> faces;
+  if (judged.drawing) {
+    // Faces do not depend on which links are chosen.
+    faces = std::move(judged.drawing->faces);
+    judged.drawing->faces.clear();
+    judged.drawing = Selected(*std::move(judged.drawing), options.selection.Selection());
+    judged.curves = ToCurveSet(*judged.drawing);
+  }
+  const bool has_views = options.views || !options.layout.workspace_path.empty();
+  const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
+  EvaluationReport report = options.truth.IsGiven() ? JudgeCurves(judged, options, views, context)
+                                                    : CountCurves(judged.curves);
+  if (has_views) report.saw_teeth = MeasureSawTeeth(judged.curves.polylines, views);
+  if (!options.truth_mesh_path.empty()) report.faces = JudgeFaces(faces, options, views, context);
+  return report;
+}
+
+void AddFaceOptions(FaceScoreOptions* faces, OptionParser* parser) {
+  parser->AddOption("Faces.taus", &faces->taus,
+                    "distances at which a place of a surface counts as found, px");
+  parser->AddOption("Faces.max_angle_deg", &faces->max_angle_deg,
+                    "largest angle between the surfaces there");
+  parser->AddOption("Faces.min_views", &faces->min_views,
+                    "views that must see a place of the true surface");
+  parser->AddOption("Faces.min_grazing_deg", &faces->min_grazing_deg,
+                    "smallest angle between a surface and the ray of a view that sees it");
+  parser->AddOption("Faces.occlusion_px", &faces->occlusion_px,
+                    "how far behind the true surface a visible place may be, px");
+  parser->AddOption("Faces.spacing_px", &faces->spacing_px,
+                    "longest side of the triangles that surfaces are cut into, px");
+  parser->AddOption("Faces.max_bend_deg", &faces->max_bend_deg,
+                    "smooth regions of the true surface bend by less between triangles");
+  parser->AddOption("Faces.min_region_px", &faces->min_region_px,
+                    "side of the square that is as large as the smallest region that counts, px");
+}
+
+// Nothing of what is to be judged is missing.
+void CheckInputs(const EvaluatorOptions& options) {
+  const bool has_workspace = !options.layout.workspace_path.empty();
+  if (options.truth.truth_path.empty() && options.truth_mesh_path.empty()) {
+    throw OptionError("--truth_path or --truth_mesh_path must be given");
+  }
+  if (options.input_path.empty() && !has_workspace) {
+    throw OptionError("--input_path or --workspace_path must be given");
+  }
+  if (!options.true_kinds_path.empty() &&
+      (!IsDrawingJson(options.input_path) || !options.truth.IsGiven())) {
+    throw OptionError(
+        "true_kinds_path: only links of a drawing.json, compared with truth_path, "
+        "have kinds");
+  }
+  const bool in_footprints = options.truth.unit == TruthInput::Unit::kFootprint;
+  const bool needs_views =
+      !options.truth_mesh_path.empty() || (options.truth.IsGiven() && in_footprints);
+  if (needs_views && !has_workspace && !options.views) {
+    throw OptionError("--workspace_path must be given");
+  }
+  if (!options.mesh_path.empty() && options.truth_mesh_path.empty()) {
+    throw OptionError("mesh_path: needs truth_mesh_path");
+  }
+  if (!options.truth_mesh_path.empty() && options.mesh_path.empty() &&
+      !IsDrawingJson(options.input_path)) {
+    throw OptionError("truth_mesh_path: only a drawing.json or mesh_path has faces");
+  }
+}
+
+}  // namespace
+
+void EvaluatorOptions::AddOptions(OptionParser* parser) {
+  parser->AddOption("input_path", &input_path,
+                    BasicOption("curves or points to judge, instead of the newest drawing of the "
+                                "workspace"));
+  truth.AddOptions(/*are_basic=*/true, parser);
+  parser->AddOption("truth_mesh_path", &truth_mesh_path,
+                    BasicOption("true surface, .ply or .obj: judge the faces of the drawing; needs "
+                                "the workspace, truth_path may be left out"));
+  parser->AddOption("mesh_path", &mesh_path,
+                    BasicOption("surface to judge instead of the faces of the drawing"));
+  AddFaceOptions(&faces, parser);
+  selection.AddOptions(parser);
+  parser->AddOption("true_kinds_path", &true_kinds_path,
+                    BasicOption("true curves with their kinds, .json: also compare the kinds of "
+                                "the links of a drawing.json"));
+  parser->AddOption("box", &box, BasicOption("only what is inside counts: x0,x1,y0,y1,z0,z1"));
+  parser->AddOption(
+      "workspace_path", &layout.workspace_path,
+      BasicOption(
+          "COLMAP project, where the drawing is and whose pixels are the "
+          "unit footprint; with it saw-teeth and the normalized errors of a drawing.json are told "
+          "too"));
+  parser->AddOption("image_path", &layout.image_path, "its images");
+  parser->AddOption("model_index", &layout.model_index, "which of its models");
+  parser->AddOption("output_csv", &output_csv, BasicOption("also write the table to this file"));
+  parser->AddOption("output_json", &output_json,
+                    BasicOption("also write all figures to this file"));
+  parser->AddOption("overwrite", &overwrite, kOverwriteHelp);
+  parser->AddOption("num_threads", &num_threads, BasicOption("processor cores to use, -1 = all"));
+}
+
+void EvaluatorOptions::Check() const {
+  if (truth.IsGiven()) truth.Check();
+  CheckGroup("Faces", faces);
+  selection.Selection();  // throws
+  BoxFromNumbers(box);    // throws
+  LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);
+  if (!layout.workspace_path.empty()) layout.Check();
+  CheckInputs(*this);
+}
+
+EvaluationReport EvaluateFile(const EvaluatorOptions& options, const RunContext& context) {
+  CheckOutputs(options);
+  Judged judged;
+  if (options.IsOfMeshOnly()) return Judge(judged, options, context);
+  if (IsDrawingJson(options.input_path) || HoldsLimapDrawing(options.input_path)) {
+    judged.drawing = ReadDrawing(options.input_path).graph;
+  } else {
+    judged.curves = ReadCurves(options.input_path);
+  }
+  return Judge(std::move(judged), options, context);
+}
+
+EvaluationReport EvaluateDrawing(const DrawingGraph& graph, const EvaluatorOptions& options,
+                                 const RunContext& context) {
+  CheckOutputs(options);
+  return Judge({graph, {}}, options, context);
+}
+
+void WriteReportFiles(const EvaluationReport& report, const EvaluatorOptions& options) {
+  if (!options.output_csv.empty()) {
+    WriteFileAtomically(options.output_csv,
+                        [&](std::ostream& out) { WriteReportCsv(report, out); });
+  }
+  if (!options.output_json.empty()) {
+    WriteFileAtomically(options.output_json,
+                        [&](std::ostream& out) { WriteReportJson(report, out); });
+  }
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "colmap_ext/verbs/selection_options.h"
+#include "colmap_ext/verbs/truth_input.h"
+#include "colmap_ext/workspace/layout.h"
+#include "limn/evaluation/face_scores.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+
+namespace limn::colmap_ext {
+
+// The options of drawing_evaluator.
+struct EvaluatorOptions {
+  // Empty: the newest drawing of the workspace.
+  std::string input_path;
+  TruthInput truth;
+  // A true surface, to judge the faces of the drawing too, or those of a mesh instead; empty: none.
+  std::string truth_mesh_path, mesh_path;
+  FaceScoreOptions faces;
+  // Of a drawing.
+  SelectionOptions selection;
+  // Curves with their kinds, for a confusion table; empty: none.
+  std::string true_kinds_path;
+  std::vector<double> box;
+  LayoutOptions layout;
+  std::string output_csv, output_json;
+  // Replace outputs that are inputs, a drawing.json or not ours.
+  bool overwrite = false;
+  int num_threads = -1;
+  // Instead of a workspace, in the coordinates of its model. Not a user option.
+  std::optional<std::vector<View>> views;
+
+  void AddOptions(OptionParser* parser);
+  // Throws OptionError.
+  void Check() const;
+  // A mesh alone is judged: there are no curves to read.
+  bool IsOfMeshOnly() const { return !mesh_path.empty() && truth.truth_path.empty(); }
+};
+
+// Evaluates the input file, whose path must be given unless a mesh alone is judged. With a
+// workspace also measures saw-teeth and, of a drawing, the normalized errors; with true kinds
+// compares those of the links; with a true surface scores faces. Throws IoError, also if an output
+// must not be replaced, and InputError.
+EvaluationReport EvaluateFile(const EvaluatorOptions& options, const RunContext& context);
+
+// The same for a drawing that is in memory, with the kinds, box and truth of the options.
+EvaluationReport EvaluateDrawing(const DrawingGraph& graph, const EvaluatorOptions& options,
+                                 const RunContext& context);
+
+// Writes the report to the requested files. Throws IoError.
+void WriteReportFiles(const EvaluationReport& report, const EvaluatorOptions& options);
+
+}  // namespace limn::colmap_ext

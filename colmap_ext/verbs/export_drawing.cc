@@ -1,0 +1,295 @@
+#include "colmap_ext/verbs/export_drawing.h"
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "colmap_ext/import/new_model_folder.h"
+#include "colmap_ext/verbs/align.h"
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/limap_model.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/output_check.h"
+#include "colmap_ext/workspace/to_views.h"
+#include "limn/formats/ply_points_reader.h"
+#include "limn/formats/svg/flat_drawing.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// A model of LIMAP, in a folder: the format that goes with cameras.
+constexpr const char* kLimapFormat = "limap";
+
+std::string FormatName(const ExporterOptions& options) {
+  if (options.format.format == kLimapFormat) return kLimapFormat;
+  return DrawingFormatOf(options.output_path, options.format);
+}
+
+// From the coordinates of the model.
+Similarity3d FileFromModel(const ExporterOptions& options, const DrawingMetadata& metadata) {
+  const Similarity3d by_options = {options.scale, ZUpFrom(options.up_axis),
+                                   Eigen::Vector3d::Zero()};
+  if (!options.IsAligned()) return by_options;
+  return by_options * RequireAlignment(options.input_path, metadata).world_from_model;
+}
+
+// An aligned drawing is in meters, unless it is scaled further or the options say otherwise.
+LengthUnit UnitOf(const ExporterOptions& options, const DrawingMetadata& metadata) {
+  const bool in_meters =
+      options.IsAligned() && metadata.alignment->IsMetric() && options.scale == 1;
+  const bool is_open = options.format.unit == LengthUnit::kNone;
+  return in_meters && is_open ? LengthUnit::kMeter : options.format.unit;
+}
+
+std::vector<GlbPoint> ReadCloud(const std::string& path, const Similarity3d& file_from_model) {
+  std::vector<GlbPoint> cloud;
+  ReadPlyPoints(path, [&](const PlyPoint& point) {
+    const auto& [red, green, blue] = point.color;
+    cloud.push_back({file_from_model * point.position, {red, green, blue}});
+  });
+  return cloud;
+}
+
+// In the coordinates of the file, from those of the drawing after all else: where up is known.
+std::optional<Eigen::Vector3d> UpOf(const ExporterOptions& options,
+                                    const DrawingMetadata& metadata) {
+  if (metadata.alignment) {
+    return metadata.alignment->world_from_model.rotation.transpose() * Eigen::Vector3d::UnitZ();
+  }
+  if (options.up_axis != SignedAxis::kZ) return Eigen::Vector3d::UnitZ();
+  return std::nullopt;
+}
+
+bool IsPlan(const ExporterOptions& options) {
+  return FormatName(options) == "dxf" &&
+         (!options.svg.view.empty() || !options.svg.plan.section.empty());
+}
+
+// What an SVG picture or a plan shows of the graph.
+SvgScene SceneOf(const ExporterOptions& options, const SheetInput& input, Console* console) {
+  SvgSource source = options.svg;
+  source.style.junctions = options.junctions;
+  return source.IsSheet() ? SceneOnSheet(source, input, console)
+                          : SceneInImage(source, options.workspace, input.graph, input.faces,
+                                         options.output_path, console);
+}
+
+// Makes the scene flat, for DXF.
+DrawingGraph PutPlan(SvgScene scene, DxfOptions* dxf) {
+  constexpr double kTextMm = 2.5;
+  const SvgSheet sheet = MakeSheet(scene.graph, scene.picture.sheet);
+  const bool with_hidden = scene.picture.style.hidden_parts == SvgHiddenParts::kDashed;
+  FlatDrawing flat = Flatten(scene.graph, sheet, scene.picture.is_hidden, with_hidden);
+  DxfPlan plan;
+  plan.hidden = std::move(flat.hidden);
+  plan.lengths = std::move(flat.lengths);
+  plan.text_height = kTextMm * sheet.mm();
+  if (scene.picture.style.section) {
+    plan.section = std::move(*scene.picture.style.section);
+    for (SectionLine& line : plan.section.lines) {
+      for (Eigen::Vector3d& point : line.points) point = FlatPlace(sheet, point);
+    }
+    for (Eigen::Vector3d& point : plan.section.points) point = FlatPlace(sheet, point);
+  }
+  dxf->plan = std::move(plan);
+  return std::move(flat.graph);
+}
+
+// Pictures of images are in the coordinates of the model, but lengths in meters if that is known.
+DimensionText TextOf(const DrawingMetadata& metadata, bool is_in_model, LengthUnit unit) {
+  const bool is_metric = metadata.alignment && metadata.alignment->IsMetric();
+  if (is_in_model && is_metric) {
+    return {metadata.alignment->world_from_model.scale, LengthUnit::kMeter};
+  }
+  return {1, unit};
+}
+
+std::vector<DrawingFace> TransformedFaces(std::vector<DrawingFace> faces,
+                                          const Similarity3d& similarity) {
+  for (DrawingFace& face : faces) face = Transformed(std::move(face), similarity);
+  return faces;
+}
+
+// The drawing that is asked for; says which one was found.
+std::string InputPath(const ExporterOptions& options, Console* console) {
+  if (!options.input_path.empty()) return options.input_path;
+  const std::string found = FindDrawing(options.workspace, DrawingChoice::kNewest, "input_path");
+  console->Say("drawing: " + found);
+  return found;
+}
+
+size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console* console) {
+  drawing.graph = Selected(std::move(drawing.graph), options.selection.Selection());
+  const WorkspaceLayout layout = ResolveLayout(options.workspace);
+  SparseModel model = ReadModel(layout.model_dir);
+  const ViewSet views = ToViews(model, layout.image_dir, {}, console->context());
+  const size_t num_links = drawing.graph.links.size();
+  const LimapModel limap =
+      ToLimap(std::move(drawing), std::move(model), views.views, options.chains);
+  WriteNewModel(limap.model, options.output_path, ModelFlavor::kBinary,
+                [&](const std::filesystem::path& folder) {
+                  std::filesystem::create_directory(folder / "structures");
+                  WriteLimapStructures(limap.structures, folder / "structures");
+                });
+  console->Say(std::to_string(limap.structures.lines.size()) + " lines, " +
+               std::to_string(limap.structures.wireframe.size()) + " ends where lines meet");
+  return options.chains ? num_links : limap.structures.lines.size();
+}
+
+size_t Export(DrawingFile drawing, const ExporterOptions& options, Console* console) {
+  if (FormatName(options) == kLimapFormat) return ExportLimap(std::move(drawing), options, console);
+  DrawingMetadata& metadata = drawing.metadata;
+  const Similarity3d file_from_model = FileFromModel(options, metadata);
+  const auto& [scale, rotation, translation] = file_from_model;
+  const std::vector<DrawingFace> faces = TransformedFaces(drawing.graph.faces, file_from_model);
+  DrawingGraph graph =
+      Transformed(Selected(std::move(drawing.graph), options.selection.Selection()), scale,
+                  rotation, translation);
+  DrawingFormatOptions format = options.format;
+  format.unit = UnitOf(options, metadata);
+  if (metadata.alignment) metadata.alignment = After(file_from_model, *metadata.alignment);
+  format.dxf.junctions = format.glb.junctions = options.junctions;
+  if (!options.cloud_path.empty()) {
+    format.glb.cloud = ReadCloud(options.cloud_path, file_from_model);
+  }
+  format.dxf.dimension_text = {1, format.unit};
+  const bool is_svg = FormatName(options) == "svg";
+  if (is_svg || IsPlan(options)) {
+    const SheetInput input = {graph, faces, file_from_model, UpOf(options, metadata),
+                              options.scale};
+    SvgScene scene = SceneOf(options, input, console);
+    scene.picture.style.dimension_text = TextOf(metadata, !options.svg.IsSheet(), format.unit);
+    format.svg = scene.picture;
+    graph = is_svg ? std::move(scene.graph) : PutPlan(std::move(scene), &format.dxf);
+  }
+  ThrowIfCancelled(console->context());
+  for (const std::string& note : WriteDrawing(options.output_path, graph, metadata, format)) {
+    console->Say("WARNING: " + note);
+  }
+  return graph.links.size();
+}
+
+void CheckOutput(const ExporterOptions& options) {
+  if (FormatName(options) == kLimapFormat) {
+    CheckNewModelFolder(options.output_path);
+    return;
+  }
+  CheckNamedOutput(options.output_path,
+                   {options.input_path, options.cloud_path, options.svg.dense.dense_path},
+                   options.overwrite);
+}
+
+void AddFormatOptions(DrawingFormatOptions* format, OptionParser* parser) {
+  parser->AddOption("segments", &format->obj.segments,
+                    "OBJ: elements of two vertices, for MeshLab, which shows no polylines");
+  parser->AddOption(
+      "layers", &format->dxf.layers,
+      {{"class", DxfLayers::kClass},
+       {"kind", DxfLayers::kKind},
+       {"component", DxfLayers::kComponent},
+       {"single", DxfLayers::kSingle},
+       {"face", DxfLayers::kFace}},
+      "DXF: what makes a layer, the shape of the curve (class), the kind of edge, the connected "
+      "component or the face");
+  parser->AddOption("unit", &format->unit,
+                    {{"none", LengthUnit::kNone},
+                     {"mm", LengthUnit::kMillimeter},
+                     {"cm", LengthUnit::kCentimeter},
+                     {"m", LengthUnit::kMeter},
+                     {"in", LengthUnit::kInch},
+                     {"ft", LengthUnit::kFoot}},
+                    BasicOption("DXF, STEP and dimensions: what one unit is after scaling"));
+}
+
+}  // namespace
+
+void ExporterOptions::AddOptions(OptionParser* parser) {
+  std::vector<std::string> formats = DrawingFormats();
+  formats.insert(formats.begin(), kAutoFormat);
+  formats.push_back(kLimapFormat);
+  parser->AddOption("input_path", &input_path,
+                    BasicOption("a drawing.json or a model of LIMAP, instead of the newest drawing "
+                                "of the workspace"));
+  parser->AddOption("output_path", &output_path,
+                    BasicOption("the file to write; for limap a new folder"));
+  parser->AddOption("workspace_path", &workspace.workspace_path,
+                    BasicOption("COLMAP project: where the drawing is, the image of an SVG, the "
+                                "model for limap"));
+  parser->AddOption("image_path", &workspace.image_path, "images of the project");
+  parser->AddOption("model_index", &workspace.model_index, "which of its models");
+  parser->AddOption("overwrite", &overwrite, BasicOption(kOverwriteHelp));
+  parser->AddOption(
+      "output_type", &format.format, formats,
+      BasicOption("its format; auto = by its extension; faces = only these, as .ply"));
+  parser->AddOption("scale", &scale, BasicOption("what coordinates are multiplied by"));
+  parser->AddOption("up_axis", &up_axis,
+                    {{"x", SignedAxis::kX},
+                     {"y", SignedAxis::kY},
+                     {"z", SignedAxis::kZ},
+                     {"-x", SignedAxis::kMinusX},
+                     {"-y", SignedAxis::kMinusY},
+                     {"-z", SignedAxis::kMinusZ}},
+                    BasicOption("the axis of the model that points up, often -y; it becomes z"));
+  parser->AddOption("aligned", &aligned,
+                    BasicOption("in the world, as drawing_aligner or --align auto found it: z up, "
+                                "in meters if the scale is known"));
+  parser->AddOption("junctions", &junctions,
+                    "DXF, GLB and SVG: junctions as points on their own layer");
+  selection.AddOptions(parser);
+  AddFormatOptions(&format, parser);
+  parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
+  svg.AddOptions(parser);
+  parser->AddOption("chains", &chains, "limap: links that are no lines, too, as chains of lines");
+}
+
+bool ExporterOptions::IsAligned() const { return aligned || !svg.plan.section.empty(); }
+
+void ExporterOptions::Check() const {
+  if (input_path.empty() && workspace.workspace_path.empty()) {
+    throw OptionError("--input_path or --workspace_path must be given");
+  }
+  if (output_path.empty()) throw OptionError("--output_path must be given");
+  if (!workspace.workspace_path.empty()) workspace.Check();
+  selection.Selection();  // throws
+  LIMN_CHECK_RANGE(scale, >= 1e-12, <= 1e12);
+  if (IsAligned() && up_axis != SignedAxis::kZ) {
+    throw OptionError("up_axis: z is up in an aligned drawing");
+  }
+  const std::string name = FormatName(*this);
+  if (!cloud_path.empty() && name != "glb") {
+    throw OptionError("cloud_path: only .glb files hold a cloud");
+  }
+  if (IsPlan(*this) && !svg.IsSheet()) {
+    throw OptionError("view = " + svg.view +
+                      ": must be top, front, side, axonometric or face:<id>; "
+                      "only SVG pictures show images");
+  }
+  if (name == "svg" || IsPlan(*this)) svg.Check(workspace);
+  if (!svg.plan.section.empty() && name != "svg" && name != "dxf") {
+    throw OptionError("section: only in .svg and .dxf files");
+  }
+  if (name == kLimapFormat && workspace.workspace_path.empty()) {
+    throw OptionError("output_type = limap: the cameras of --workspace_path go with it");
+  }
+  const bool is_in_model = name == kLimapFormat || (name == "svg" && !svg.IsSheet());
+  if (is_in_model && (scale != 1 || up_axis != SignedAxis::kZ || aligned)) {
+    throw OptionError("scale, up_axis and aligned: " +
+                      std::string(name == "svg" ? "the picture of an image is in its pixels"
+                                                : "a model of LIMAP keeps its coordinates"));
+  }
+}
+
+size_t ExportDrawing(const ExporterOptions& options, Console* console) {
+  ExporterOptions of_file = options;
+  of_file.input_path = InputPath(options, console);
+  CheckOutput(of_file);
+  return Export(ReadDrawing(of_file.input_path), of_file, console);
+}
+
+size_t ExportDrawing(DrawingFile drawing, const ExporterOptions& options, Console* console) {
+  CheckOutput(options);
+  return Export(std::move(drawing), options, console);
+}
+
+}  // namespace limn::colmap_ext

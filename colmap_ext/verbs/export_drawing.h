@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "colmap_ext/host/console.h"
+#include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/verbs/selection_options.h"
+#include "colmap_ext/verbs/svg_source.h"
+#include "colmap_ext/workspace/layout.h"
+#include "limn/formats/write_drawing.h"
+#include "limn/model/drawing_transform.h"
+
+namespace limn::colmap_ext {
+
+// The options of drawing_exporter.
+struct ExporterOptions {
+  // The drawing; empty: the newest one of the workspace.
+  std::string input_path;
+  std::string output_path;
+  LayoutOptions workspace;
+  // Replace an output that is an input, a drawing.json or not ours.
+  bool overwrite = false;
+  bool junctions = true;
+  SelectionOptions selection;
+  std::string cloud_path;
+  DrawingFormatOptions format;
+  double scale = 1;
+  SignedAxis up_axis = SignedAxis::kZ;
+  // In the world, by the alignment of the drawing, and not in the coordinates of its model.
+  bool aligned = false;
+  SvgSource svg;
+  // LIMAP: links that are no lines, too.
+  bool chains = false;
+
+  void AddOptions(OptionParser* parser);
+  // Sections are horizontal in the aligned world.
+  bool IsAligned() const;
+  // Throws OptionError.
+  void Check() const;
+};
+
+// Reads the drawing and what is exported with it, aligned, rotated and scaled, and writes it.
+// Returns the number of links. Throws IoError, also if the output must not be replaced or the
+// drawing has no alignment that is asked for, InputError, and OptionError for a view that does not
+// exist.
+size_t ExportDrawing(const ExporterOptions& options, Console* console);
+// The same for a drawing that was read.
+size_t ExportDrawing(DrawingFile drawing, const ExporterOptions& options, Console* console);
+
+}  // namespace limn::colmap_ext

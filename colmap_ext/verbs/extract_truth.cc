@@ -1,0 +1,112 @@
+#include "colmap_ext/verbs/extract_truth.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "limn/files/whole_file.h"
+#include "limn/formats/mesh_reader.h"
+#include "limn/formats/read_curves.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+void SayAccount(const TruthAccount& account, int min_views, bool is_cloud, Console* console) {
+  char line[240];
+  std::snprintf(line, sizeof(line),
+                is_cloud
+                    ? "points: %.0f found, %.0f visible in %d or more images, %.0f shown by so "
+                      "many, %.0f written"
+                    : "length of curves in units of the model: %.6g found, %.6g visible in %d "
+                      "or more images, %.6g shown by so many, %.6g written",
+                account.found, account.visible, min_views, account.shown, account.kept);
+  console->Say(line);
+}
+
+}  // namespace
+
+void ExtractorOptions::AddOptions(OptionParser* parser) {
+  parser->AddOption("mesh_path", &mesh_path, BasicOption("surface, .ply or .obj: its sharp edges"));
+  parser->AddOption("cloud_path", &cloud_path,
+                    BasicOption("or a dense cloud, .ply or .txt: its points near image edges"));
+  parser->AddOption("min_dihedral_deg", &sharp_edges.min_dihedral_deg,
+                    BasicOption("smallest angle by which the surface bends at a sharp edge"));
+  parser->AddOption("min_corner_deg", &sharp_edges.min_corner_deg,
+                    "curves end where they turn by more");
+  parser->AddOption("min_views", &truth.min_views,
+                    BasicOption("number of views that must show what is kept"));
+  parser->AddOption("require_edges", &truth.require_edges,
+                    BasicOption("a view shows what has edgels along it; 0 = whatever is visible"));
+  parser->AddOption("max_distance_px", &truth.max_distance_px, "farthest edgel, px");
+  parser->AddOption("max_angle_deg", &truth.max_angle_deg,
+                    "largest difference in direction of an edgel");
+  parser->AddOption("occlusion_px", &truth.occlusion_px,
+                    "visible points may be this far behind the surface, pixel footprints");
+  parser->AddOption("max_gap_px", &truth.max_gap_px, "shorter gaps of curves are closed, px");
+  parser->AddOption("min_length_px", &truth.min_length_px, "shorter runs are dropped, px");
+  parser->AddOption("splat_px", &truth.splat_px,
+                    "a point of the cloud hides a disc of this radius, px");
+  parser->AddOption("max_chance", &truth.max_chance,
+                    "largest probability that the edgels near a point of the cloud are accidental");
+}
+
+void ExtractorOptions::Check() const {
+  if (mesh_path.empty() == cloud_path.empty()) {
+    throw OptionError("one of --mesh_path and --cloud_path must be given, and not both");
+  }
+  sharp_edges.Check();
+  truth.Check();
+}
+
+std::string TakeTruthPath(LayoutOptions* layout) {
+  std::string path = std::move(layout->output_path);
+  if (path.empty()) throw OptionError("--output_path must be given");
+  if (FileExtension(path) != ".ply" || path.ends_with(".gz")) {
+    throw OptionError("output_path = " + path + ": must be a file .ply");
+  }
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  layout->output_path = folder.empty() ? "." : folder.string();
+  return path;
+}
+
+TruthSource ReadTruthSource(const ExtractorOptions& options, Console* console) {
+  TruthSource source;
+  if (!options.cloud_path.empty()) {
+    CurveSet set = ReadCurves(options.cloud_path);
+    if (set.points.empty()) throw IoError(options.cloud_path, "has no points");
+    source.cloud = std::move(set.points);
+    return source;
+  }
+  source.mesh = ReadMesh(options.mesh_path);
+  const TriangleMesh& mesh = source.mesh;
+  console->Say(options.mesh_path + ": " + std::to_string(mesh.polygons.size()) + " faces, " +
+               std::to_string(mesh.vertices.size()) + " vertices");
+  if (mesh.num_degenerate > 0 || mesh.num_copies > 0) {
+    console->Say("WARNING: left out " + std::to_string(mesh.num_degenerate) +
+                 " faces without area and " + std::to_string(mesh.num_copies) + " copies of faces");
+  }
+  source.edges = FindSharpEdges(mesh, options.sharp_edges);
+  if (source.edges.empty()) {
+    throw IoError(options.mesh_path, "has no edge as sharp as min_dihedral_deg and no border");
+  }
+  return source;
+}
+
+ExtractedTruth ExtractProjectTruth(const Project& project, const RunOptions& run,
+                                   const TruthSource& source, const TruthOptions& options,
+                                   Console* console) {
+  CurvesResult image_curves;
+  if (options.require_edges) image_curves = ExtractProjectCurves(project, run, console);
+  const bool is_cloud = !source.cloud.empty();
+  ExtractedTruth truth = is_cloud
+                             ? ExtractTruthPoints(source.cloud, project.views(),
+                                                  image_curves.curves, options, console->context())
+                             : ExtractTruthCurves(source.edges, source.mesh, project.views(),
+                                                  image_curves.curves, options, console->context());
+  SayAccount(truth.account, options.min_views, is_cloud, console);
+  if (!(truth.account.kept > 0)) throw InputError("nothing of the truth is shown by the images");
+  return truth;
+}
+
+}  // namespace limn::colmap_ext

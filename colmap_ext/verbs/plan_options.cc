@@ -1,0 +1,46 @@
+#include "colmap_ext/verbs/plan_options.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+
+namespace {
+constexpr double kLargest = 1e9;
+}  // namespace
+
+void PlanOptions::AddOptions(OptionParser* parser) {
+  parser->AddOption("depth_before", &depth_before,
+                    "SVG and DXF along a face: up to how far in front of it, -1 = any distance");
+  parser->AddOption("depth_behind", &depth_behind,
+                    "SVG and DXF along a face: up to how far behind it, -1 = any distance");
+  parser->AddOption("section", &section,
+                    BasicOption("SVG and DXF: a plan, with faces cut at this height in the aligned "
+                                "world"));
+  parser->AddOption("section_below", &section_below, "SVG and DXF: in plans what is below, too");
+  parser->AddOption("section_gap", &section_gap,
+                    "SVG and DXF: in plans the largest gap between faces that is closed, -1 = "
+                    "about 4 px of the photographs");
+}
+
+void PlanOptions::Check() const {
+  LIMN_CHECK_RANGE_OR(depth_before, -1, >= 0, <= 1e9);
+  LIMN_CHECK_RANGE_OR(depth_behind, -1, >= 0, <= 1e9);
+  LIMN_CHECK_RANGE_OR(section_gap, -1, >= 0, <= 1e9);
+  SectionHeight();  // throws
+}
+
+std::optional<double> PlanOptions::SectionHeight() const {
+  if (section.empty()) return std::nullopt;
+  double height = 0;
+  const char* const end = section.data() + section.size();
+  const auto [rest, error] = std::from_chars(section.data(), end, height);
+  if (error != std::errc() || rest != end || !(std::abs(height) <= kLargest)) {
+    throw OptionError("section = " + section + ": must be a number from -1e9 to 1e9");
+  }
+  return height;
+}
+
+}  // namespace limn::colmap_ext

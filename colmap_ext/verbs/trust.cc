@@ -1,0 +1,155 @@
+#include "colmap_ext/verbs/trust.h"
+
+#include <algorithm>
+#include <string>
+
+#include "limn/evaluation/quantiles.h"
+#include "limn/evaluation/view_agreement.h"
+#include "limn/geometry/polyline.h"
+#include "limn/model/footprint.h"
+#include "limn/model/link_selection.h"
+#include "limn/model/view_subset.h"
+#include "limn/util/median.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// An image with fewer edgels says nothing.
+constexpr int64_t kMinEdgelsOfImage = 100;
+// Chance alone explains less than 1 % of the edges. A box leaves most of an image out.
+constexpr double kNextToNothing = 0.02;
+constexpr double kNextToNothingInBox = 0.0005;
+// An image that agrees less than this much of the median is named.
+constexpr double kMuchLess = 1.0 / 3;
+
+std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
+
+struct ImageAgreement {
+  std::string name;
+  ViewAgreement agreement;
+};
+
+// Parts of a panorama together. They are neighbors.
+std::vector<ImageAgreement> OfImages(const ViewSet& set,
+                                     const std::vector<ViewAgreement>& of_views) {
+  std::vector<ImageAgreement> images;
+  for (size_t v = 0; v < of_views.size(); ++v) {
+    const std::string& name = set.ImageName(static_cast<ViewId>(v));
+    if (images.empty() || images.back().name != name) images.push_back({name, {}});
+    ViewAgreement& sum = images.back().agreement;
+    const int64_t count = sum.num_edgels + of_views[v].num_edgels;
+    if (count == 0) continue;
+    const auto drawn = [](const ViewAgreement& a) {
+      return a.share * static_cast<double>(a.num_edgels);
+    };
+    sum = {count, (drawn(sum) + drawn(of_views[v])) / static_cast<double>(count)};
+  }
+  return images;
+}
+
+// Names of the images for which `select`, those that agree least first.
+template <typename Select>
+std::vector<NamedNumber> NamesOf(const std::vector<ImageAgreement>& images, const Select& select) {
+  std::vector<NamedNumber> names;
+  for (const auto& [name, agreement] : images) {
+    if (select(agreement)) names.push_back({name, 100 * agreement.share});
+  }
+  std::ranges::stable_sort(names, {}, &NamedNumber::number);
+  return names;
+}
+
+void AddAgreement(const std::vector<ImageAgreement>& images, Trust* trust) {
+  const auto has_edges = [](const ViewAgreement& image) {
+    return image.num_edgels >= kMinEdgelsOfImage;
+  };
+  std::vector<double> shares;
+  for (const ImageAgreement& image : images) {
+    if (has_edges(image.agreement)) shares.push_back(image.agreement.share);
+  }
+  const double median = Median(shares);
+  trust->explained = median;
+  trust->without_edges = NamesOf(images, [&](const auto& image) { return !has_edges(image); });
+  trust->agree_less = NamesOf(images, [&](const auto& image) {
+    return has_edges(image) && image.share < kMuchLess * median;
+  });
+}
+
+// The length of curves that many views see, and their expected errors in px.
+void AddCertainty(const ViewSet& set, const std::vector<View>& views, const DrawingGraph& graph,
+                  Trust* trust) {
+  const LinkSelection selection;
+  double length = 0, well_seen = 0, tentative = 0;
+  std::vector<WeightedValue> sigmas_px;
+  for (const DrawingLink& link : graph.links) {
+    const double of_link = Length(link.points_in_world);
+    if (link.tentative) tentative += of_link;
+    if (!selection.Has(link)) continue;
+    length += of_link;
+    if (set.CountImages(link.supporting_views) >= kManyImages) well_seen += of_link;
+    const double footprint = LinkFootprint(link, views);
+    if (!(footprint > 0)) continue;
+    for (const double sigma : link.sigma) {
+      sigmas_px.emplace_back(sigma / footprint, of_link / static_cast<double>(link.sigma.size()));
+    }
+  }
+  if (length > 0) trust->well_seen = well_seen / length;
+  if (length + tentative > 0) trust->tentative = tentative / (length + tentative);
+  trust->error_px = WeightedQuantile(sigmas_px, 0.5);
+  trust->error_90_px = WeightedQuantile(sigmas_px, 0.9);
+}
+
+void SayAgreement(const Trust& trust, bool has_box, Console* console) {
+  const auto count_of = [&](const std::vector<NamedNumber>& names) {
+    return "WARNING: " + std::to_string(names.size()) + " of " + std::to_string(trust.num_images) +
+           " images";
+  };
+  console->Say("The drawing explains " + Percent(*trust.explained) +
+               " of the edges of an image (median)");
+  if (!trust.without_edges.empty()) {
+    console->Say(count_of(trust.without_edges) +
+                 " have next to no edges: " + ListNumbers(trust.without_edges, "% of them drawn"));
+  }
+  if (*trust.explained < (has_box ? kNextToNothingInBox : kNextToNothing)) {
+    console->Say(
+        "WARNING: the drawing explains next to nothing of the images: do not trust it. Usual "
+        "causes: poses that "
+        "belong to other images, wrong focal lengths or lenses, axes of another convention, images "
+        "of other things or without edges, too few views or too different ones" +
+        std::string(has_box ? ", a box beside the scene" : ""));
+    return;
+  }
+  if (trust.agree_less.empty()) return;
+  console->Say(count_of(trust.agree_less) +
+               " agree much less with the drawing: " + ListNumbers(trust.agree_less, "%") +
+               ". Their poses are wrong, or they show other things");
+}
+
+}  // namespace
+
+Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
+                   const std::vector<ImageCurves>& curves, const DrawingGraph& graph) {
+  Trust trust;
+  trust.num_images = set.CountImages(IdsOf(std::nullopt, views.size()));
+  if (!curves.empty()) {
+    AddAgreement(OfImages(set, MeasureAgreement(views, curves, graph)), &trust);
+  }
+  AddCertainty(set, views, graph, &trust);
+  return trust;
+}
+
+void SayTrust(const Trust& trust, bool has_box, Console* console) {
+  if (trust.explained) SayAgreement(trust, has_box, console);
+  if (trust.tentative) {
+    console->Say(Percent(*trust.tentative) +
+                 " of the length found is doubtful, hence tentative and not exported");
+  }
+  if (!trust.error_px || !trust.error_90_px) return;
+  console->Say(Percent(*trust.well_seen) + " of the drawing's length is seen by " +
+               std::to_string(kManyImages) +
+               " or more images; expected error, if the cameras are "
+               "right: " +
+               ShortNumber(*trust.error_px) + " px (median), " + ShortNumber(*trust.error_90_px) +
+               " px (90 %)");
+}
+
+}  // namespace limn::colmap_ext

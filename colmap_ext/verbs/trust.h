@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "colmap_ext/host/console.h"
+#include "colmap_ext/workspace/to_views.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+#include "limn/util/name_list.h"
+
+namespace limn::colmap_ext {
+
+// Images that see a well-seen curve.
+constexpr size_t kManyImages = 5;
+
+// How far a drawing can be believed. Links that are tentative or contours count only in
+// `tentative`.
+struct Trust {
+  size_t num_images = 0;
+  // Share of the edges of an image that the drawing explains, median over images. Nothing if the
+  // edges are not known (a scene in tiles).
+  std::optional<double> explained;
+  // Images with next to no edges, and those that agree much less than the others, with the percent
+  // of their edges that are drawn; the least first.
+  std::vector<NamedNumber> without_edges, agree_less;
+  // Share of the length that kManyImages or more see.
+  std::optional<double> well_seen;
+  // Expected error if the cameras are right, median and 90 % of the length, px.
+  std::optional<double> error_px, error_90_px;
+  // Share of the length of what was found that is tentative. Wrong cameras raise it, and so do
+  // short baselines.
+  std::optional<double> tentative;
+};
+
+// `views` are those of the set with the cameras that the drawing fits; `curves` belong to them, or
+// are empty for a scene in tiles.
+Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
+                   const std::vector<ImageCurves>& curves, const DrawingGraph& graph);
+
+// Prints it. Warns of a drawing that explains next to nothing, of images that agree with it much
+// less than the others, and of those without edges. With a box, drawings may explain little.
+void SayTrust(const Trust& trust, bool has_box, Console* console);
+
+}  // namespace limn::colmap_ext

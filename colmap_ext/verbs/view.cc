@@ -1,0 +1,165 @@
+#include "colmap_ext/verbs/view.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "colmap_ext/dense_files/dense_cloud.h"
+#include "colmap_ext/dense_files/products.h"
+#include "colmap_ext/host/world_shift.h"
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "limn/files/atomic_file.h"
+#include "limn/files/json_text.h"
+#include "limn/files/whole_file.h"
+#include "limn/model/drawing_transform.h"
+#include "limn/pictures/thumbnail.h"
+#include "limn/util/errors.h"
+#include "limn/viewer/viewer_page.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+namespace fs = std::filesystem;
+using Points = std::vector<ViewerPoint>;
+
+// Which of `count` things stay when at most `budget` may: as many, evenly spread.
+class Thinning {
+ public:
+  Thinning(uint64_t count, int budget)
+      : count_(count), budget_(std::min<uint64_t>(count, static_cast<uint64_t>(budget))) {}
+
+  // To be asked once for each, in order.
+  bool Keeps() {
+    place_ += budget_;
+    if (place_ < count_) return false;
+    place_ -= count_;
+    return true;
+  }
+
+ private:
+  uint64_t count_, budget_, place_ = 0;
+};
+
+// In the model's coordinates, as its file holds them.
+Points SparsePoints(const Project& project, int budget) {
+  const SparseModel model = project.ReadModel();
+  Thinning thinning(model.points.size(), budget);
+  Points points;
+  for (const ModelPoint& point : model.points) {
+    if (thinning.Keeps()) points.push_back({point.position, point.color});
+  }
+  return points;
+}
+
+Points DensePoints(const Project& project, const std::vector<fs::path>& files, int budget) {
+  const size_t num_images = CountRegisteredImages(project.layout().model_dir);
+  const DenseCloud cloud = OpenClouds(files, project.views(), num_images);
+  Thinning thinning(cloud.num_points, budget);
+  Points points;
+  cloud.points([&](const DensePoint& point) {
+    if (thinning.Keeps()) points.push_back({point.position, point.color});
+  });
+  return points;
+}
+
+Points CloudOf(const Project& project, const std::string& workspace_path,
+               const ViewerOptions& options, Console* console) {
+  if (options.cloud == "none") return {};
+  if (options.cloud != "sparse") {
+    const std::vector<fs::path> files = FindDenseCloud(workspace_path, project.layout().dense_dir);
+    if (!files.empty()) {
+      console->Say("cloud: " + files.front().string());
+      return DensePoints(project, files, options.max_points);
+    }
+    if (options.cloud == "dense") {
+      throw IoError(workspace_path, "no dense cloud found (looked for fused.ply and pmvs/models)");
+    }
+  }
+  console->Say("cloud: the points of the model");
+  return SparsePoints(project, options.max_points);
+}
+
+std::vector<ViewerThumbnail> Thumbnails(const Project& project, int size, Console* console) {
+  std::vector<ViewerThumbnail> thumbnails(project.views().size());
+  ParallelFor(console->context(), "thumbnails", thumbnails.size(), [&](size_t v) {
+    const Image photo = project.images().read(static_cast<ViewId>(v));
+    Thumbnail made = MakeThumbnail(photo, project.views()[v], size);
+    thumbnails[v] = {made.min_px, made.max_px, std::move(made.jpeg)};
+  });
+  ReleaseDecoded(project.view_set());
+  return thumbnails;
+}
+
+void MoveToWorld(const Alignment& alignment, ViewerScene* scene) {
+  const Similarity3d& world_from_model = alignment.world_from_model;
+  const auto& [scale, rotation, translation] = world_from_model;
+  scene->graph = Transformed(std::move(scene->graph), scale, rotation, translation);
+  for (View& view : scene->views) {
+    view.cam_from_world = CamFromB(view.cam_from_world, world_from_model);
+  }
+  for (ViewerPoint& point : scene->cloud) point.position = world_from_model * point.position;
+  scene->shown_from_model = world_from_model;
+  if (alignment.IsMetric()) scene->unit = alignment.Unit();
+}
+
+}  // namespace
+
+void ViewerOptions::AddOptions(OptionParser* parser) {
+  parser->AddOption("drawing_path", &drawing_path,
+                    BasicOption("drawing to show, instead of the newer of drawing.json and "
+                                "drawing-fused.json in the output folder"));
+  parser->AddOption("report_path", &report_path,
+                    "JSON file with a report of the run, for the tab Report");
+  parser->AddOption("cloud", &cloud, {"auto", "sparse", "dense", "none"},
+                    BasicOption("which points to show; auto = dense if there are any"));
+  parser->AddOption("max_points", &max_points, BasicOption("thin the points to so many"));
+  parser->AddOption("thumbnail_size", &thumbnail_size,
+                    BasicOption("longer side of the photographs in the page, px"));
+  parser->AddOption("aligned", &aligned,
+                    BasicOption("show the world, as drawing_aligner or --align auto found it"));
+}
+
+void ViewerOptions::Check() const {
+  LIMN_CHECK_RANGE(max_points, >= 0, <= 10000000);
+  LIMN_CHECK_RANGE(thumbnail_size, >= 16, <= 4096);
+}
+
+std::string DrawingToView(const Project& project, const ViewerOptions& options) {
+  if (!options.drawing_path.empty()) return options.drawing_path;
+  return FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kNewest, "drawing_path");
+}
+
+std::string ReadReport(const ViewerOptions& options) {
+  if (options.report_path.empty()) return "";
+  const std::string report = ReadWholeFile(options.report_path, kMaxJsonBytes);
+  if (!report.empty() && !ParseJson(options.report_path, report).is_object()) {
+    throw IoError(options.report_path, "must be a JSON object");
+  }
+  return report;
+}
+
+void WriteViewerResult(const Project& project, const std::string& workspace_path,
+                       const std::vector<View>& views, const DrawingGraph& graph,
+                       const ViewerOptions& options, const std::string& report_json,
+                       const std::optional<Alignment>& shown, Console* console) {
+  ViewerScene scene;
+  const fs::path folder = fs::absolute(project.DrawingPath("")).lexically_normal();
+  scene.title = folder.parent_path().filename().string();
+  scene.graph = Moved(graph, project.origin());
+  scene.views = Moved(views, project.origin());
+  scene.cloud = CloudOf(project, workspace_path, options, console);
+  if (shown) MoveToWorld(*shown, &scene);
+  scene.thumbnails = Thumbnails(project, options.thumbnail_size, console);
+  scene.report_json = report_json;
+  const std::string path = project.DrawingPath(kViewerPage);
+  WriteFileAtomically(path, [&](std::ostream& out) { WriteViewerPage(scene, out); });
+  console->Say("wrote " + path + ": " + std::to_string(scene.graph.links.size()) + " links, " +
+               std::to_string(scene.views.size()) + " photographs, " +
+               std::to_string(scene.cloud.size()) + " points, " +
+               std::to_string((fs::file_size(path) + 500000) / 1000000) + " MB");
+}
+
+}  // namespace limn::colmap_ext

@@ -1,0 +1,44 @@
+#include "colmap_ext/verbs/trust.h"
+
+#include <gtest/gtest.h>
+
+#include "support/synthetic_scene.h"
+
+namespace limn::colmap_ext {
+namespace {
+
+// Twelve views of the origin, each four of one image.
+ViewSet ThreeImagesInParts() {
+  ViewSet set;
+  set.views = limn::testing::DomeViews(12, 5);
+  for (int v = 0; v < 12; ++v) {
+    set.windows.push_back(ImageWindow{v % 4, 0, 1, 1, 4, 1});
+    set.image_names.push_back(std::string(1, static_cast<char>('a' + v / 4)));
+  }
+  return set;
+}
+
+DrawingLink LinkSeenBy(std::vector<ViewId> views, double length) {
+  DrawingLink link;
+  link.points_in_world = {{0, 0, 0}, {length, 0, 0}};
+  link.sigma = {0.01, 0.01};
+  link.supporting_views = std::move(views);
+  return link;
+}
+
+TEST(MeasureTrust, CountsImagesNotTheirParts) {
+  ViewSet set = ThreeImagesInParts();
+  DrawingGraph graph;
+  graph.links = {LinkSeenBy({0, 1, 4, 5, 8, 9}, 0.75), LinkSeenBy({0, 4, 8}, 0.25)};
+  const Trust of_parts = MeasureTrust(set, set.views, {}, graph);
+  EXPECT_EQ(of_parts.num_images, 3u);
+  EXPECT_EQ(of_parts.well_seen.value(), 0);
+  set.windows.clear();
+  for (size_t v = 0; v < set.views.size(); ++v) set.views[v].name = std::to_string(v);
+  const Trust of_images = MeasureTrust(set, set.views, {}, graph);
+  EXPECT_EQ(of_images.num_images, 12u);
+  EXPECT_DOUBLE_EQ(of_images.well_seen.value(), 0.75);
+}
+
+}  // namespace
+}  // namespace limn::colmap_ext
