@@ -47,9 +47,9 @@ TEST(RunOptions, MethodPaperSetsDefaults) {
   const PipelineOptions& pipeline = options.pipeline;
   EXPECT_EQ(pipeline.sketch.averaging, "paper");
   EXPECT_EQ(pipeline.sketch.min_supporting_views, 4);
-  EXPECT_EQ(pipeline.drawing.strong_link_views, 3);
-  EXPECT_EQ(pipeline.drawing.dense_link_views, 2);
-  EXPECT_EQ(pipeline.drawing.min_strong_links, 5);
+  EXPECT_EQ(pipeline.paper.strong_link_views, 3);
+  EXPECT_EQ(pipeline.paper.dense_link_views, 2);
+  EXPECT_EQ(pipeline.paper.min_strong_links, 5);
   RunOptions of_file;
   ASSERT_TRUE(Parse({"--workspace_path", "w", "--project_path",
                      LIMN_SOURCE_DIR "/scripts/paper.ini", "--Sketch.min_supporting_views", "4"},
