@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "colmap_ext/temp_dir.h"
-#include "colmap_ext/verbs/draw_options.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -78,16 +77,6 @@ TEST(RunOptions, MarginOfViewsIsThatOfEdges) {
   RunOptions options;
   ASSERT_TRUE(Parse({"--workspace_path", "w", "--EdgeDetection.margin_px", "3"}, &options));
   EXPECT_EQ(options.view.border_margin_px, 3);
-}
-
-TEST(DrawerOptions, TheTruthCountsInTheBox) {
-  DrawerOptions options;
-  options.run.box = {0, 1, -2, 2, 3, 4};
-  options.run.pipeline.edges.margin_px = 3;
-  options.SetDerived();
-  ASSERT_TRUE(options.truth.evaluation.region);
-  EXPECT_EQ(options.truth.evaluation.region->min(), Eigen::Vector3d(0, -2, 3));
-  EXPECT_EQ(options.run.view.border_margin_px, 3);
 }
 
 TEST(RunOptions, CommandsHaveOnlyTheirGroups) {
