@@ -60,7 +60,7 @@ TEST(RunOptions, IniFileOfARunRepeatsIt) {
   const TempDir dir;
   RunOptions options;
   const auto parser = Parse({"--workspace_path", "w", "--quality", "high", "--box=0,1,-2,2,3,4",
-                             "--Drawing.merge_distance_px=1.25", "--max_image_size", "700"},
+                             "--Paper.merge_distance_px=1.25", "--max_image_size", "700"},
                             &options);
   ASSERT_TRUE(parser);
   const std::string ini = (dir / "project.ini").string();
