@@ -176,7 +176,7 @@ HEAD = """# Results
 
 Written by `scripts/reproduce_results.sh` at commit {commit}; do not edit. Precision P is the share of the drawn length that is within tau of the
 truth, recall R the share of the true length within tau of the drawing, F their harmonic mean, in percent, inside the box of the data set; px: pixel
-footprints. *P of samples* is the paper's definition read literally ([ALGORITHM.md](../src/limn/ALGORITHM.md), 21.1): copies of right curves do not
+footprints. *P of samples* is the paper's definition read literally ([precision and recall](../src/limn/algorithm/evaluation.md#precision-and-recall)): copies of right curves do not
 raise it. It depends on the density of points where either side has points instead of curves (PMVS; the truth of the vase). All methods begin with the
 same image curves:
 

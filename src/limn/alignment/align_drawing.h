@@ -28,7 +28,7 @@ struct AlignmentResult {
   std::optional<LengthFit> lengths;
 };
 
-// Up, horizontal axes, scale, floor and middle of a drawing (ALGORITHM.md, section 25). Throws
+// Up, horizontal axes, scale, floor and middle of a drawing (algorithm/alignment.md). Throws
 // OptionError for lengths that the drawing does not have. The same input gives the same result.
 AlignmentResult AlignDrawing(const AlignmentInput& input);
 

@@ -32,8 +32,8 @@ struct LinkSight {
   std::vector<SampleHit> hits;
 };
 
-// What the images say for a link (ALGORITHM.md 24.1). Means are over the samples; they, and the
-// evidence, are zero for a link without extent.
+// What the images say for a link (algorithm/belief.md#evidence). Means are over the samples; they,
+// and the evidence, are zero for a link without extent.
 struct ImageEvidence {
   std::vector<EvidenceSample> samples;
   double footprint = 0;           // world units per px

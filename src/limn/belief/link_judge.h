@@ -30,12 +30,12 @@ struct BeliefResult {
 };
 
 // Marks the links of a finished drawing that the images do not support as tentative, with a reason
-// (ours; ALGORITHM.md 24). A link is doubted because too few views show it to be fitted; because as
-// many views show it as accidents do, less evidence being asked of links that meet others or whose
-// place is well determined; because views see other links through it; or because better links
-// explain its edgels. Contours are not judged. Marks of earlier runs are replaced. Nothing is
-// removed, so the result passes Validate(). Throws OptionError and Cancelled. Time: length of all
-// links in px times views.
+// (ours; algorithm/belief.md). A link is doubted because too few views show it to be fitted;
+// because as many views show it as accidents do, less evidence being asked of links that meet
+// others or whose place is well determined; because views see other links through it; or because
+// better links explain its edgels. Contours are not judged. Marks of earlier runs are replaced.
+// Nothing is removed, so the result passes Validate(). Throws OptionError and Cancelled. Time:
+// length of all links in px times views.
 BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
                         const TopologyOptions& topology, const RunContext& context);
 

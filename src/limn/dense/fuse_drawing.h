@@ -30,7 +30,7 @@ struct FusionResult {
   StageSummary summary;
 };
 
-// Compares a drawing with dense results (ALGORITHM.md 20): visibility of its samples, classes of
+// Compares a drawing with dense results (algorithm/dense.md): visibility of its samples, classes of
 // its links, and the points it adds. Throws OptionError and Cancelled, and whatever the sources
 // throw. Time: samples times views, and one pass over the cloud.
 FusionResult FuseDrawing(const FusionInput& input, const DenseOptions& options,

@@ -4,9 +4,9 @@
 
 namespace limn {
 
-// Corrects the kind of a link by how it lies on a dense surface (ALGORITHM.md 23.4): where the
-// surface ends or folds, it is an edge; where it is flat, what looked like an edge is a shadow.
-// Outlines of smooth bodies and links behind the surface stay as they are.
+// Corrects the kind of a link by how it lies on a dense surface (algorithm/kinds.md#dense-data):
+// where the surface ends or folds, it is an edge; where it is flat, what looked like an edge is a
+// shadow. Outlines of smooth bodies and links behind the surface stay as they are.
 void UseSurfaceForKind(DrawingLink* link);
 
 }  // namespace limn

@@ -40,11 +40,11 @@ struct SampleSight {
   std::array<std::optional<Eigen::Vector3d>, 2> normals;
 };
 
-// Compares a sample with the depths in the nine cells around its projection (ALGORITHM.md 20.2). It
-// is visible if one of them is at its depth or if at least as many are behind it as in front, and
-// occluded if more, and at least three, are in front. The tolerance is that of the options plus the
-// gain in depth of a surface at 60 degrees. Sides are examined across the projected curve, at
-// side_offset_px or two cells, whichever is more.
+// Compares a sample with the depths in the nine cells around its projection
+// (algorithm/dense.md#samples-against-depths). It is visible if one of them is at its depth or if
+// at least as many are behind it as in front, and occluded if more, and at least three, are in
+// front. The tolerance is that of the options plus the gain in depth of a surface at 60 degrees.
+// Sides are examined across the projected curve, at side_offset_px or two cells, whichever is more.
 SampleSight LookAtSample(const View& view, const DepthImage& image, const Eigen::Vector3d& position,
                          const Eigen::Vector3d& tangent, const DenseOptions& options);
 

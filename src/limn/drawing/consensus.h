@@ -10,7 +10,7 @@
 namespace limn {
 
 // The length of an offset across a curve as the images see it, px: directions that they determine
-// less well count less (ALGORITHM.md 11.1).
+// less well count less (algorithm/drawing.md#consensus).
 class ReprojectedMetric {
  public:
   explicit ReprojectedMetric(const SampleArrays& samples);
@@ -47,8 +47,8 @@ struct Consensus {
 };
 
 // Every sample climbs, across its tangent only, to the ridge of the density of samples near it
-// (ours; ALGORITHM.md 11.1): the samples of one edge, whatever view they come from, end on one
-// curve. Time: O(n log n) in the number of samples, times the number of primary views.
+// (ours; algorithm/drawing.md#consensus): the samples of one edge, whatever view they come from,
+// end on one curve. Time: O(n log n) in the number of samples, times the number of primary views.
 Consensus FindConsensus(const SampleSet& samples, const ReprojectedMetric& metric,
                         const RunContext& context);
 

@@ -18,7 +18,7 @@ struct DrawingCounts {
 };
 
 // Samples of the sketch are about a pixel apart in each view that sees an edge. Half of them say as
-// much (ALGORITHM.md 22.2).
+// much (algorithm/drawing.md#what-was-measured).
 constexpr int kTracedStep = 2;
 
 using Counts = decltype(StageSummary::in);

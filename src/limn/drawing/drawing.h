@@ -30,8 +30,8 @@ struct DrawingResult {
 };
 
 // The 3D drawing (ours). Re-triangulates the samples of the sketch from all their edgels
-// (Retriangulate, ALGORITHM.md 7), traces links on their consensus (TraceCurves), and completes the
-// drawing (CompleteDrawing). The graph passes Validate().
+// (Retriangulate, algorithm/drawing.md#re-triangulation), traces links on their consensus
+// (TraceCurves), and completes the drawing (CompleteDrawing). The graph passes Validate().
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context);
 

@@ -4,8 +4,8 @@
 
 namespace limn {
 
-// Smooths links as samples are (ALGORITHM.md 7.2), then places nodes. Linear in the number of
-// points.
+// Smooths links as samples are (algorithm/drawing.md#smoothing), then places nodes. Linear in the
+// number of points.
 void SmoothLinks(double bending_sigma_px, DrawingGraph* graph);
 
 // Sets the sigmas of links whose points were moved by what is known of them, and moves nodes to the

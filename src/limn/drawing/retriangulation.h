@@ -14,10 +14,11 @@ struct RetriangulationStats {
 };
 
 // Moves every `step`-th sample of the sketch to where the tangent lines of all its supporting
-// edgels agree (ours; ALGORITHM.md 7): robust least squares of the distances in all views, across
-// the curve only. This alternates with smoothing along the curve, in which samples are weighted by
-// their inverse covariances, and with a new choice of supporting edgels. Curves are cut where
-// support is lost. bending_sigma_px is that of neighbors in the sketch. Time: samples times views.
+// edgels agree (ours; algorithm/drawing.md#re-triangulation): robust least squares of the distances
+// in all views, across the curve only. This alternates with smoothing along the curve, in which
+// samples are weighted by their inverse covariances, and with a new choice of supporting edgels.
+// Curves are cut where support is lost. bending_sigma_px is that of neighbors in the sketch. Time:
+// samples times views.
 SampleSet Retriangulate(const CurveSketch& sketch, int step, const TopologyInput& images,
                         const DrawingOptions& options, const RunContext& context,
                         RetriangulationStats* stats);

@@ -32,11 +32,11 @@ struct TracedCurves {
   std::vector<TracedCurve> curves;
 };
 
-// The drawing of traced curves (ALGORITHM.md 11.3): they are cut into links where others meet them,
-// and every meeting is a node. A meeting near the end of the curve that is met is at that end, and
-// if that end meets a curve, it is there. The points of a link are a px or two apart, also where
-// the samples left a gap. Points are not smoothed, sigmas are 0. The graph passes Validate(). O(n
-// log n) in the number of vertices.
+// The drawing of traced curves (algorithm/drawing.md#the-graph): they are cut into links where
+// others meet them, and every meeting is a node. A meeting near the end of the curve that is met is
+// at that end, and if that end meets a curve, it is there. The points of a link are a px or two
+// apart, also where the samples left a gap. Points are not smoothed, sigmas are 0. The graph passes
+// Validate(). O(n log n) in the number of vertices.
 DrawingGraph MakeTracedGraph(const SampleSet& samples, const Consensus& consensus,
                              const TracedCurves& traced);
 

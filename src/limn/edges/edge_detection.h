@@ -55,7 +55,7 @@ struct EdgeDetectionOptions {
 
   // Edgels are those of texture, which are not linked, where short runs of mixed directions have
   // at least this many per px^2, [0, 1]; 0 = none are (FindDenseTexture). 0.18 finds
-  // leaves. Measured, no better: ALGORITHM.md 2.12.
+  // leaves. Measured, no better: algorithm/edges.md#dense-texture.
   double texture_density = 0;
 
   // Border of the image without edgels, px, >= 0.

@@ -21,7 +21,7 @@ struct KindOfLink {
 // the steadier of their sides differs.
 double LightVariation(const std::vector<KindEvidence>& links);
 
-// Edge, paint or shadow (ALGORITHM.md 23.3); unknown without enough profiles.
+// Edge, paint or shadow (algorithm/kinds.md#classes); unknown without enough profiles.
 KindOfLink Classify(const KindEvidence& evidence, double light_variation);
 
 struct KindsInput {
@@ -37,8 +37,8 @@ struct KindsResult {
 };
 
 // Tells what kind of edge every link is, from what the images show on its two sides (ours;
-// ALGORITHM.md 23). Links that are known to be contours stay so. Reads every image that supports a
-// link once; at most one image per thread is in memory. Throws what read_image throws, and
+// algorithm/kinds.md). Links that are known to be contours stay so. Reads every image that supports
+// a link once; at most one image per thread is in memory. Throws what read_image throws, and
 // Cancelled.
 KindsResult ClassifyKinds(const KindsInput& input, const RunContext& context);
 

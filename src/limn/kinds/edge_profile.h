@@ -23,9 +23,9 @@ struct EdgeProfile {
 };
 
 // Measures the step across a curve at a place of the stored image, where its direction is
-// (cos t, sin t): the mean profile of 7 px along the curve, to 7 px on either side (ALGORITHM.md
-// 23.1). Nothing if the image does not contain all of it, if it is masked, or if there is no step
-// of 2 gray levels within 1 px of the curve.
+// (cos t, sin t): the mean profile of 7 px along the curve, to 7 px on either side
+// (algorithm/kinds.md#profiles). Nothing if the image does not contain all of it, if it is masked,
+// or if there is no step of 2 gray levels within 1 px of the curve.
 std::optional<EdgeProfile> MeasureProfile(const Image& image, const Eigen::Vector2d& place_px,
                                           const Eigen::Vector2d& along);
 

@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// What the images tell of the kind of a link (ALGORITHM.md 23.2). Colors are logarithms of linear
-// intensities. "Change" is that from the darker to the brighter side.
+// What the images tell of the kind of a link (algorithm/kinds.md#evidence). Colors are logarithms
+// of linear intensities. "Change" is that from the darker to the brighter side.
 struct KindEvidence {
   int num_profiles = 0;
   int num_views = 0;  // with profiles

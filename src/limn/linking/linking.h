@@ -29,7 +29,7 @@ struct LinkingOptions {
   double min_curvelet_px = 3;
 
   // Where chains fork: "best" keeps the mutually best links, "hypotheses" compares the ways to go
-  // on over up to 30 px. Measured, no better: ALGORITHM.md 22.2.
+  // on over up to 30 px. No better: algorithm/linking.md#what-was-measured.
   std::string forks = "best";
 
   // Fragments are joined over gaps up to this length where the continuation turns by no more than

@@ -14,8 +14,8 @@ struct CurveOverlap {
 };
 
 // The multiview curve-level consistency network (ECCV 2016, section 3; MCCN in the paper;
-// ALGORITHM.md 9). Curves with enough strong links between their samples are linked; their overlaps
-// are regularized along the curve.
+// algorithm/paper.md#curve-consistency-network). Curves with enough strong links between their
+// samples are linked; their overlaps are regularized along the curve.
 struct CurveConsistency {
   std::vector<std::vector<CurveOverlap>> overlaps;  // per curve, ascending by other
   int num_clusters = 0;                             // connected components
@@ -32,7 +32,7 @@ void RegularizeOverlap(const std::vector<double>& arc, double regularity_px,
                        std::vector<int>* partner);
 
 // The number of primary views, its own included, whose curves overlap a sample (its agreement,
-// ALGORITHM.md 9).
+// algorithm/paper.md#curve-consistency-network).
 int CountAgreeingViews(const SampleSet& samples, const CurveConsistency& network, int sample);
 
 }  // namespace limn

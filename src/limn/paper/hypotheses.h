@@ -9,11 +9,11 @@
 namespace limn {
 
 // All curve hypotheses of one primary fragment with one second view (curve sketch, CVPR 2010;
-// ALGORITHM.md 5.1). For every vertex the epipolar line, cut to the depth range, is intersected
-// with the fragments of the second view; position and tangent are interpolated at the intersection;
-// runs of intersections with one fragment become hypotheses. No hypothesis leaves the depth range.
-// Runs end at the first vertex of a closed fragment of the second view unless that view's fragments
-// are given as `seamless`. Expected time: curves on the epipolar lines.
+// algorithm/paper.md#hypotheses). For every vertex the epipolar line, cut to the depth range, is
+// intersected with the fragments of the second view; position and tangent are interpolated at the
+// intersection; runs of intersections with one fragment become hypotheses. No hypothesis leaves the
+// depth range. Runs end at the first vertex of a closed fragment of the second view unless that
+// view's fragments are given as `seamless`. Expected time: curves on the epipolar lines.
 std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const View& primary,
                                             const View& second,
                                             const EpipolarChords& chords_of_second,

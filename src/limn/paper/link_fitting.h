@@ -5,10 +5,10 @@
 
 namespace limn {
 
-// Fits merged links (see MergeCurves; ALGORITHM.md 11.6). Every vertex moves to the weighted mean
-// of the samples merged into it, across the curve. Vertices get their support, sigma and agreement
-// (see CountAgreeingViews); their samples are renumbered as in the sketch. Linear in the number of
-// samples.
+// Fits merged links (see MergeCurves; algorithm/paper.md#fit-of-merged-links). Every vertex moves
+// to the weighted mean of the samples merged into it, across the curve. Vertices get their support,
+// sigma and agreement (see CountAgreeingViews); their samples are renumbered as in the sketch.
+// Linear in the number of samples.
 void FitLinks(const SampleSet& samples, const CurveConsistency& network, DrawingGraph* graph);
 
 }  // namespace limn

@@ -17,10 +17,10 @@ struct SampleLink {
   int num_strong = 0;
 };
 
-// The multiview local consistency network (ECCV 2016, section 3; MLN in the paper; ALGORITHM.md 8).
-// Samples of curves from different primary views are linked if edgels support both. Per curve the
-// links of its samples, ascending by sample and other; a sample has at most one to each curve. Each
-// has at least dense_link_views votes.
+// The multiview local consistency network (ECCV 2016, section 3; MLN in the paper;
+// algorithm/paper.md#local-consistency-network). Samples of curves from different primary views are
+// linked if edgels support both. Per curve the links of its samples, ascending by sample and other;
+// a sample has at most one to each curve. Each has at least dense_link_views votes.
 using LocalConsistency = std::vector<std::vector<SampleLink>>;
 
 // Edgels of `num_views` views support the samples. Time: sum over edgels of the square of the

@@ -9,7 +9,8 @@
 
 namespace limn {
 
-// Number of applications of each merging primitive (ECCV 2016, section 3; ALGORITHM.md 11.5).
+// Number of applications of each merging primitive (ECCV 2016, section 3;
+// algorithm/paper.md#merging-primitives).
 struct MergingCounts {
   int64_t released = 0;   // a run that touches nothing: a link of its own
   int64_t elongated = 0;  // a run that continues a link beyond its free end

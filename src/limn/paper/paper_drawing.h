@@ -5,9 +5,10 @@
 
 namespace limn {
 
-// The paper's drawing (ECCV 2016, section 3; ALGORITHM.md 8 to 11): builds the local and the
-// curve-level consistency network of the sketch as it is, averages the curves of each cluster, and
-// merges them into links. Every sample ends up in a link. The graph passes Validate().
+// The paper's drawing (ECCV 2016, section 3; algorithm/paper.md): builds
+// the local and the curve-level consistency network of the sketch as it is, averages the curves of
+// each cluster, and merges them into links. Every sample ends up in a link. The graph passes
+// Validate().
 DrawingResult BuildPaperDrawing(const DrawingInput& input, const PaperOptions& options,
                                 const RunContext& context);
 

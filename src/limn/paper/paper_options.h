@@ -5,7 +5,7 @@
 namespace limn {
 
 // The paper's drawing (ECCV 2016, section 3). Defaults are the paper's and its authors' program's
-// (ALGORITHM.md 8 to 11).
+// (algorithm/paper.md).
 struct PaperOptions {
   // Edgels within this distance across the edge and this angle support a sample.
   double max_support_distance_px = 1.0;

@@ -12,7 +12,7 @@
 namespace limn {
 
 // Finds the vertices that stand for samples (their homes), and where curves meet links and
-// themselves (ALGORITHM.md 11.4). Holds references.
+// themselves (algorithm/paper.md#order-and-homes). Holds references.
 class SampleHomes {
  public:
   SampleHomes(const SampleSet& samples, const CurveConsistency& network,

@@ -10,9 +10,9 @@
 namespace limn {
 
 // Bringing a drawing up to date with views that came, went or changed since it was made
-// (ALGORITHM.md 19.3). Links, and views that are as they were, keep what was made of them; only
-// what the changes touch is made again, so the result differs a little from a drawing made from
-// nothing.
+// (algorithm/tiles.md#updates). Links, and views that are as they were, keep what was made of them;
+// only what the changes touch is made again, so the result differs a little from a drawing made
+// from nothing.
 
 // Throws OptionError for options whose drawings depend everywhere on all views.
 void CheckUpdatable(const PipelineOptions& options);

@@ -11,9 +11,9 @@ namespace limn {
 std::vector<EndConditions> EndsOfLinks(const DrawingGraph& graph);
 
 // Gives the ends of splines that continue another link, or themselves, a common direction
-// (ALGORITHM.md 18.3): that of the other link if it is a line or arc, else the mean of both. Links
-// whose directions differ by more than 20 degrees keep their own. `shapes` holds one entry per
-// link, null if it has none.
+// (algorithm/primitives.md#nodes): that of the other link if it is a line or arc, else the mean of
+// both. Links whose directions differ by more than 20 degrees keep their own. `shapes` holds one
+// entry per link, null if it has none.
 void ShareDirections(const DrawingGraph& graph, const std::vector<const CurveShape*>& shapes,
                      std::vector<EndConditions>* ends);
 

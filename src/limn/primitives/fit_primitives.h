@@ -17,10 +17,10 @@ struct PrimitiveResult {
   StageSummary summary;
 };
 
-// Explains every link by the simplest curve within max_residual_px (ours; ALGORITHM.md 18): a line,
-// a circular arc (a circle if the link returns to its start), or a cubic B-spline with as few knots
-// as needed. If several qualify, the Bayesian information criterion chooses, weighing squared
-// deviations over noise_px, one independent place per correlation_px, against the number of
+// Explains every link by the simplest curve within max_residual_px (ours; algorithm/primitives.md):
+// a line, a circular arc (a circle if the link returns to its start), or a cubic B-spline with as
+// few knots as needed. If several qualify, the Bayesian information criterion chooses, weighing
+// squared deviations over noise_px, one independent place per correlation_px, against the number of
 // parameters. Nodes move to where the shapes of their links, fitted freely, meet, and nearby points
 // of the links follow; then all shapes are fitted with their ends held there. Free ends move with
 // the fit. Splines leave a node in the direction of the link that continues them. A link that no

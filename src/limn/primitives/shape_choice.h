@@ -14,8 +14,8 @@ struct FittedShape {
   double criterion = 0;
 };
 
-// The simplest shape that explains a link (ALGORITHM.md 18.2); if none is within the tolerance, the
-// nearest spline.
+// The simplest shape that explains a link (algorithm/primitives.md#choice); if none is within the
+// tolerance, the nearest spline.
 FittedShape ChooseShape(const LinkSamples& link, const EndConditions& ends, bool closed,
                         const PrimitiveOptions& options);
 

@@ -52,8 +52,8 @@ struct ControlLink {
 // Three neighbors along a curve.
 using Bend = std::array<int, 3>;
 
-// The drawing as the unknowns of a fit (ALGORITHM.md 16.1), and their data. Links that meet at a
-// node share the control point there. Control point n < number of nodes is node n.
+// The drawing as the unknowns of a fit (algorithm/refinement.md#unknowns), and their data. Links
+// that meet at a node share the control point there. Control point n < number of nodes is node n.
 struct ControlGraph {
   std::vector<Eigen::Vector3d> position;
   std::vector<Eigen::Vector3d> start;    // position in the drawing

@@ -20,8 +20,8 @@ struct Component {
 std::vector<Component> FindComponents(const ControlGraph& control);
 
 // Adds the terms of a component to a least squares problem whose unknowns are the positions in
-// `control`, world units, and the corrections of the cameras, unless null (ALGORITHM.md 16.3 to
-// 16.5):
+// `control`, world units, and the corrections of the cameras, unless null
+// (algorithm/refinement.md#data-term):
 //   the pulls of the edgels (pull_cost.h);
 //   |change of direction|^2 / (bending_sigma^2 * length) for every bend, with a Cauchy loss next to
 //   corners;
@@ -41,9 +41,9 @@ double SquaredBend(const Bend& bend, const RefinementOptions& options, const Con
 // Moves the control points to minimize
 //   sum over pulls of weight * c^2 log(1 + (d / c)^2)
 // and the other terms above, where d is the distance to the tangent line of the edgel,
-// stored px, and c = robust_residual_px (pull_cost.h; ALGORITHM.md 16.3). Ceres solves each
-// component separately. On request the covariances are set to the diagonal blocks of the inverse
-// normal matrix at the minimum. Deterministic.
+// stored px, and c = robust_residual_px (pull_cost.h; algorithm/refinement.md#data-term). Ceres
+// solves each component separately. On request the covariances are set to the diagonal blocks of
+// the inverse normal matrix at the minimum. Deterministic.
 void FitCurves(const std::vector<View>& views, const RefinementOptions& options,
                const RunContext& context, bool with_covariances, ControlGraph* control);
 

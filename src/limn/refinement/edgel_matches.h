@@ -8,8 +8,9 @@
 namespace limn {
 
 // Gives every link new samples, with the edgels that pull at them: the best one within the gate in
-// every supporting view that shows the stretch of the link around the sample (ALGORITHM.md 16.2).
-// An edgel that another link fits clearly better is not used. Time: samples times views.
+// every supporting view that shows the stretch of the link around the sample
+// (algorithm/refinement.md#matches). An edgel that another link fits clearly better is not used.
+// Time: samples times views.
 void MatchEdgels(const TopologyInput& input, const RefinementOptions& options,
                  const RunContext& context, ControlGraph* control);
 

@@ -20,13 +20,14 @@ struct Gauge {
   double typical_move_px = 0;      // median over all cameras
 };
 
-// The similarity that best maps most refined cameras to the given ones (ALGORITHM.md 16.8), so that
-// place, orientation and scale, which images do not determine, stay as given. Least squares over
-// the centers of cameras and three points per camera, along its axes at the distance of the
-// `middle` of the scene: cameras are weighted by their effect on the image of the scene, and two of
-// them determine the similarity. Of four or more cameras, those that were moved far, in pixels and
-// compared with the others, do not count: they were wrong, and must not move the world. The scale
-// is 1 if all given centers coincide. Precondition: the same views in both, at least one.
+// The similarity that best maps most refined cameras to the given ones
+// (algorithm/refinement.md#gauge), so that place, orientation and scale, which images do not
+// determine, stay as given. Least squares over the centers of cameras and three points per camera,
+// along its axes at the distance of the `middle` of the scene: cameras are weighted by their effect
+// on the image of the scene, and two of them determine the similarity. Of four or more cameras,
+// those that were moved far, in pixels and compared with the others, do not count: they were wrong,
+// and must not move the world. The scale is 1 if all given centers coincide. Precondition: the same
+// views in both, at least one.
 Gauge FindGauge(const std::vector<View>& given, const std::vector<View>& refined,
                 const Eigen::Vector3d& middle);
 

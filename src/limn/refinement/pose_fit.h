@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// Moves cameras, control points and scene points together (ALGORITHM.md 16.7) to minimize the sum
-// of FitCurves, with
+// Moves cameras, control points and scene points together (algorithm/refinement.md#cameras) to
+// minimize the sum of FitCurves, with
 //   sum over pixels of points of Cauchy(distance to the projected point / 0.5 px), stored px,
 // and a weak hold of every camera at its given pose, with a standard deviation of 10 px in the
 // image of the scene. The holds determine place, orientation and scale of the whole, which images

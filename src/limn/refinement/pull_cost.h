@@ -16,8 +16,8 @@ struct LinePull {
   double scale;  // k below
 };
 
-// The data term of all fits (ALGORITHM.md 16.3): of curves with fixed cameras, and of curves, scene
-// points and cameras together.
+// The data term of all fits (algorithm/refinement.md#data-term): of curves with fixed cameras, and
+// of curves, scene points and cameras together.
 //
 // Distance. A place x, world units, is the weighted sum of control points: (1 - t) a + t b at t on
 // the segment from a to b. A view with given pose (R, s), motion (w, m) and logarithm l of the

@@ -46,15 +46,15 @@ struct RefinementResult {
   StageSummary summary;
 };
 
-// Fits the drawing to all images at once (ours; ALGORITHM.md 16). Each round matches every link
-// with the edgels near its reprojections, then moves control points along all links to bring the
-// reprojections onto the tangent lines of their edgels: robust least squares over all views. Links
-// that meet share the control point at their node. A penalty on bending, except across corners,
-// decides only what the edgels leave open. Only the supporting views of a link are used, and edgels
-// whose brighter side differs from nearly all others are left out, since they belong to the other
-// side of a thin bar. Views in which two links run so near to each other that their edges blur are
-// ignored where enough others remain (crowding.h). After half of the rounds, covered links are
-// removed and the topology is repaired (RepairTopology). Sigmas come from the inverse normal
+// Fits the drawing to all images at once (ours; algorithm/refinement.md). Each round matches every
+// link with the edgels near its reprojections, then moves control points along all links to bring
+// the reprojections onto the tangent lines of their edgels: robust least squares over all views.
+// Links that meet share the control point at their node. A penalty on bending, except across
+// corners, decides only what the edgels leave open. Only the supporting views of a link are used,
+// and edgels whose brighter side differs from nearly all others are left out, since they belong to
+// the other side of a thin bar. Views in which two links run so near to each other that their edges
+// blur are ignored where enough others remain (crowding.h). After half of the rounds, covered links
+// are removed and the topology is repaired (RepairTopology). Sigmas come from the inverse normal
 // matrix, scaled by how well the views agree (variance_factors.h). Links that too few views show
 // keep their shape, with sigmas of at least max_distance_px. With `refine_poses`, earlier rounds
 // move the cameras together with curves and points (pose_fit.h); place, orientation and scale of

@@ -7,8 +7,8 @@
 namespace limn {
 
 // Per control point the factor, at least 1, by which its variance exceeds that of the inverse
-// normal matrix, which trusts edgels and smoothing equally everywhere (ALGORITHM.md 16.6). The
-// product of
+// normal matrix, which trusts edgels and smoothing equally everywhere
+// (algorithm/refinement.md#covariances). The product of
 //   reduced chi-square of the views around the point: an edge has its own offset in every image
 //   (light, blur, another edge beside it), so that the views are the independent samples, each with
 //   the mean residual of its edgels within 6 px; two degrees of freedom go to the curve, and a

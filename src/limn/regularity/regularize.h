@@ -25,12 +25,12 @@ struct RegularityResult {
   StageSummary summary;
 };
 
-// Finds what the lines and arcs of a drawing have in common (ours; ALGORITHM.md 26): directions
-// that are parallel or perpendicular, planes, radii and axes; then fits all of them again under
-// these regularities. A link whose residual in the images would grow by more than max_growth_px
-// leaves what strains it. `primitives` are the options of the fit of the primitives: its noise.
-// Points of links move with their shapes, curves of other shapes with the nodes that they end at;
-// faces that links bound which moved are dropped.
+// Finds what the lines and arcs of a drawing have in common (ours; algorithm/regularity.md):
+// directions that are parallel or perpendicular, planes, radii and axes; then fits all of them
+// again under these regularities. A link whose residual in the images would grow by more than
+// max_growth_px leaves what strains it. `primitives` are the options of the fit of the primitives:
+// its noise. Points of links move with their shapes, curves of other shapes with the nodes that
+// they end at; faces that links bound which moved are dropped.
 // Links without a primitive, tentative ones and outlines follow no regularity. The result does not
 // depend on the number of threads. Throws OptionError and Cancelled.
 RegularityResult Regularize(const DrawingGraph& graph, const std::vector<View>& views,

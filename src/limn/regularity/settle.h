@@ -14,9 +14,9 @@ struct SettledRegularities {
 };
 
 // Fits lines and arcs under regularities, and ends memberships until no link's residual in the
-// images grows by more than max_growth_px (ours; ALGORITHM.md 26.4). Where links are opposed, what
-// strains a link most by itself goes first; in the end what the result would not strain is tried
-// once again. Time: a fit per round, about 20.
+// images grows by more than max_growth_px (ours; algorithm/regularity.md#what-leaves). Where links
+// are opposed, what strains a link most by itself goes first; in the end what the result would not
+// strain is tried once again. Time: a fit per round, about 20.
 SettledRegularities SettleRegularities(const DrawingGraph& graph, const DrawingEvidence& evidence,
                                        const RegularityOptions& options, RegularityClasses classes,
                                        const RunContext& context);

@@ -12,8 +12,8 @@
 
 namespace limn {
 
-// How the confirmation views see the samples of one hypothesis (ALGORITHM.md 5.2). Bit k of a mask
-// stands for the k-th confirmation view of the plan (at most 32).
+// How the confirmation views see the samples of one hypothesis (algorithm/sketch.md#confirmation).
+// Bit k of a mask stands for the k-th confirmation view of the plan (at most 32).
 struct HypothesisSupport {
   // Views whose image contains the sample.
   std::vector<uint32_t> contained;

@@ -53,10 +53,11 @@ struct ViewSketchStore {
   std::function<void(ViewId, const ViewPlan&, const ViewSketch&)> save;
 };
 
-// The swept sketch (ours; ALGORITHM.md 6.3): as the enhanced one, but every edgel of the primary
-// view gets its depth from the image curves that its epipolar lines cross in all confirmation views
-// at once: depths and slopes on which several views agree are chosen jointly along the fragment. No
-// pair of curves must correspond over a stretch. The store is used as in the enhanced sketch.
+// The swept sketch (ours; algorithm/sketch.md#swept-sketch): as the enhanced one, but every edgel
+// of the primary view gets its depth from the image curves that its epipolar lines cross in all
+// confirmation views at once: depths and slopes on which several views agree are chosen jointly
+// along the fragment. No pair of curves must correspond over a stretch. The store is used as in the
+// enhanced sketch.
 SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& options,
                               const RunContext& context, const ViewSketchStore* store = nullptr);
 

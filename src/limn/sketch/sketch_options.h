@@ -31,7 +31,8 @@ struct SketchOptions {
   double min_window_support = 0.7;
   // Confirmation views that must support a sample. Few, for any number of views: many true edges
   // are visible in no more, and the drawing later verifies whole links. Requiring a share of the
-  // views here, up to 6, lost more true curves than it removed false ones (ALGORITHM.md 22.2).
+  // views here, up to 6, lost more true curves than it removed false ones
+  // (algorithm/sketch.md#what-was-measured).
   int min_supporting_views = 3;
   // Epipolar tangency: a view whose epipolar line makes an angle below the first value with the
   // curve gets min_tangency_weight, one above the second full weight.

@@ -15,7 +15,7 @@ std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::ve
 
 // Fills gaps no longer than max_unsupported_gap_px, and epipolar-tangent (uncertain) stretches
 // between certain ends no longer than max_interpolated_gap_px, by inverse depths linear in arc
-// length, which are marked uncertain (ALGORITHM.md 6.4).
+// length, which are marked uncertain (algorithm/sketch.md#pieces).
 void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
                      std::vector<FusedDepth>* depths);
 

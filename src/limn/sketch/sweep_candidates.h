@@ -11,9 +11,9 @@
 namespace limn {
 
 // Elects the depths of a sample on which the image curves of several views agree
-// (ALGORITHM.md 6.3). Every view has one vote for a depth: its crossing with the nearest depth and
-// slope, weighted by tangency. Inverse depth and slope of a candidate are the means of its voters
-// by their weights.
+// (algorithm/sketch.md#swept-sketch). Every view has one vote for a depth: its crossing with the
+// nearest depth and slope, weighted by tangency. Inverse depth and slope of a candidate are the
+// means of its voters by their weights.
 class DepthElection {
  public:
   // Largest number of candidates.

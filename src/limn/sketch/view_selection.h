@@ -55,16 +55,17 @@ std::string WhyNothingIsTriangulated(const std::vector<View>& views);
 // edges.
 void CheckViews(const std::vector<View>& views);
 
-// Chooses depth range, second views and confirmation views of every view (ALGORITHM.md 4): samples
-// places on a grid of pixels and depths, keeps the depths that enough other views see under usable
-// angles, scores views by how much of that they see, and picks them greedily with spread in angle
-// and epipolar direction. The depths tried are those at the scale of the view's neighborhood
-// (view_neighbors.h; a small scene is one neighborhood) and those of the sparse model's points
-// where there are enough; points widen the depth range, too. Where more than enough_primary_views
-// views see the same places, about that many of them are primary, evenly spread over the order of
-// the views; in scenes whose neighbors are thinned, at least one in eight. At most max_second_views
-// + max_confirmation_views per view, so the stages after it are linear in the number of views. Time
-// per view: some 500 projections for each of at most NeighborFinder::kMaxNeighbors others.
+// Chooses depth range, second views and confirmation views of every view
+// (algorithm/sketch.md#view-selection): samples places on a grid of pixels and depths, keeps the
+// depths that enough other views see under usable angles, scores views by how much of that they
+// see, and picks them greedily with spread in angle and epipolar direction. The depths tried are
+// those at the scale of the view's neighborhood (view_neighbors.h; a small scene is one
+// neighborhood) and those of the sparse model's points where there are enough; points widen the
+// depth range, too. Where more than enough_primary_views views see the same places, about that many
+// of them are primary, evenly spread over the order of the views; in scenes whose neighbors are
+// thinned, at least one in eight. At most max_second_views + max_confirmation_views per view, so
+// the stages after it are linear in the number of views. Time per view: some 500 projections for
+// each of at most NeighborFinder::kMaxNeighbors others.
 std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHints& hints,
                                   const ViewSelectionOptions& options, const RunContext& context);
 

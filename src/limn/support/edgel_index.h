@@ -8,7 +8,7 @@
 
 namespace limn {
 
-// How near an edgel must be to a predicted edge to support it (ALGORITHM.md 1.4).
+// How near an edgel must be to a predicted edge to support it (algorithm/notation.md#support).
 struct SupportGate {
   // Largest distance across the edgel's direction, stored pixels.
   double normal_px = 1.5;

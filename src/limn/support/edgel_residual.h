@@ -10,7 +10,7 @@
 
 namespace limn {
 
-// The tangent line of an edgel, prepared for distance queries (ALGORITHM.md 1.5).
+// The tangent line of an edgel, prepared for distance queries (algorithm/notation.md#residual).
 struct EdgelLine {
   // NOLINTNEXTLINE(google-explicit-constructor): convenient for single queries.
   EdgelLine(const Edgel& edgel);

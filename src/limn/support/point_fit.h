@@ -17,7 +17,7 @@ struct EdgelTarget {
 };
 
 // A point of a curve that moves in the plane across it, towards edgels, by robust Gauss-Newton
-// steps (ALGORITHM.md 7.1).
+// steps (algorithm/drawing.md#position).
 class PointFit {
  public:
   // `prior_sigma`, world units, holds the point where it is. Residuals of more than `robust_px`

@@ -5,9 +5,9 @@
 
 namespace limn {
 
-// How many of the views that contain a sample must support it (ALGORITHM.md 1.6): a share of them,
-// since a fixed number cannot suit both 8 and 1,000 views, but at least min_views and at most
-// max_views.
+// How many of the views that contain a sample must support it
+// (algorithm/notation.md#required-views): a share of them, since a fixed number cannot suit both 8
+// and 1,000 views, but at least min_views and at most max_views.
 inline int NumRequiredViews(int num_containing, double share, int min_views, int max_views) {
   return std::clamp(static_cast<int>(std::lround(share * num_containing)), min_views, max_views);
 }

@@ -19,7 +19,7 @@ constexpr std::array<double, 6> kChanceShiftsPx = {-9, -7, -5, 5, 7, 9};
 // or .028: 0, 0.
 constexpr double kMinChance = 0.02;
 
-// Support of a straight edge in space by the images (ALGORITHM.md 1.7).
+// Support of a straight edge in space by the images (algorithm/notation.md#segments-and-chance).
 struct SegmentSupport {
   // Views in which edgels run along the segment.
   std::vector<ViewId> seen_in;

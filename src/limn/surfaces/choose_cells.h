@@ -27,11 +27,12 @@ enum class CellFate : uint8_t {
 
 constexpr int kNumCellFates = 5;
 
-// Which cells are faces (ours; ALGORITHM.md 27.4). What views see through is none. A cell is a face
-// if enough views see most of what they can judge of it, with the border around it, enough of its
-// places are seen by enough views, and other faces do not hide it from these; besides, if a face is
-// beside it in its plane and only paint, a shadow or a bridge is between them. Of faces on top of
-// each other the first stays. Time: views times triangles, squared number of cells.
+// Which cells are faces (ours; algorithm/surfaces.md#choice). What views see through is none. A
+// cell is a face if enough views see most of what they can judge of it, with the border around it,
+// enough of its places are seen by enough views, and other faces do not hide it from these;
+// besides, if a face is beside it in its plane and only paint, a shadow or a bridge is between
+// them. Of faces on top of each other the first stays. Time: views times triangles, squared number
+// of cells.
 std::vector<CellFate> ChooseCells(const std::vector<View>& views, const DrawingGraph& graph,
                                   const std::vector<PlaneCells>& planes,
                                   const std::vector<CellChoice>& cells,

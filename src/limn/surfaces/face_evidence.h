@@ -38,7 +38,7 @@ struct SurfaceImages {
   const std::vector<ScenePoint>& points;
 };
 
-// What the images say of the candidates (ours; ALGORITHM.md 27.3).
+// What the images say of the candidates (ours; algorithm/surfaces.md#evidence).
 //
 // Occlusion: a view that shows a curve behind a surface looks through it; if it shows the curve
 // elsewhere but not behind the surface, that is hidden there. Points of the model that views see

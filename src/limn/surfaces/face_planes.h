@@ -16,12 +16,12 @@ struct FacePlane {
   std::vector<int> members;  // indices of links, ascending
 };
 
-// Planes in which faces may lie (ours; ALGORITHM.md 27.1). Each grows from a bent link that is
-// flat, or from two links that meet or nearly meet, over all links that meet those it has and are
-// within plane_tolerance_px of it, fitted again as it grows. Planes of fewer than three links
-// remain only if a closed one is among them; the links of those that are all in one with more join
-// it, wherever they are. The plane with most length before that comes first. Time: hypotheses times
-// links of their planes, and squared number of planes.
+// Planes in which faces may lie (ours; algorithm/surfaces.md#planes). Each grows from a bent link
+// that is flat, or from two links that meet or nearly meet, over all links that meet those it has
+// and are within plane_tolerance_px of it, fitted again as it grows. Planes of fewer than three
+// links remain only if a closed one is among them; the links of those that are all in one with more
+// join it, wherever they are. The plane with most length before that comes first. Time: hypotheses
+// times links of their planes, and squared number of planes.
 std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links, const DrawingGraph& graph,
                                       const SurfaceOptions& options, const RunContext& context);
 

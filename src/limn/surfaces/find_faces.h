@@ -16,10 +16,10 @@ struct SurfaceResult {
   StageSummary summary;
 };
 
-// Finds the surfaces that the links of a drawing bound (ours; ALGORITHM.md 27) and replaces the
-// drawing's faces by them: regions of planes that links surround, where what the views show of the
-// border and of curves behind agrees with a surface. Links and nodes stay as they are. The result
-// does not depend on the number of threads. Throws OptionError and Cancelled.
+// Finds the surfaces that the links of a drawing bound (ours; algorithm/surfaces.md) and replaces
+// the drawing's faces by them: regions of planes that links surround, where what the views show of
+// the border and of curves behind agrees with a surface. Links and nodes stay as they are. The
+// result does not depend on the number of threads. Throws OptionError and Cancelled.
 SurfaceResult FindFaces(const SurfaceImages& images, const DrawingGraph& graph,
                         const SurfaceOptions& options, const RunContext& context);
 

@@ -5,8 +5,9 @@
 
 namespace limn {
 
-// A cell of a plane as a candidate (ours; ALGORITHM.md 27.3): about 24 places on a grid, each with
-// the border in 16 directions. A place is judged if links run there in half of them.
+// A cell of a plane as a candidate (ours; algorithm/surfaces.md#evidence): about 24 places on a
+// grid, each with the border in 16 directions. A place is judged if links run there in half of
+// them.
 FaceCandidate FlatCandidate(const PlaneCells& plane, const ArrangementCell& cell);
 
 }  // namespace limn

@@ -7,9 +7,10 @@
 
 namespace limn {
 
-// Patches that loops of links may bound (ours; ALGORITHM.md 27.5): those of FindBentLoops() that go
-// once around their mean normal. Heights over the plane across it are mean values of those of the
-// border. Places look at the border as those of flat faces do, in that plane.
+// Patches that loops of links may bound (ours; algorithm/surfaces.md#ruled-faces-and-patches):
+// those of FindBentLoops() that go once around their mean normal. Heights over the plane across it
+// are mean values of those of the border. Places look at the border as those of flat faces do, in
+// that plane.
 std::vector<BentCandidate> FindPatchCandidates(const std::vector<FaceLink>& links,
                                                const DrawingGraph& graph,
                                                const SurfaceOptions& options);

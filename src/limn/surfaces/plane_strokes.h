@@ -51,11 +51,12 @@ struct PlaneStrokes {
   std::vector<PlaneStroke> strokes;  // links ascending
 };
 
-// The strokes of a plane (ours; ALGORITHM.md 27.2): all links within plane_tolerance_px of it that
-// are in the rectangle around its members, widened by max_extension_px. An end that meets none of
-// these gets a bridge to the nearest within max_bridge_px, or straight on to the first that it
-// meets, and another to where two ends cross that both go straight on. Whether a bridge bounds
-// anything shows in the arrangement. Time: ends times links in the plane, and points in reach.
+// The strokes of a plane (ours; algorithm/surfaces.md#strokes-and-cells): all links within
+// plane_tolerance_px of it that are in the rectangle around its members, widened by
+// max_extension_px. An end that meets none of these gets a bridge to the nearest within
+// max_bridge_px, or straight on to the first that it meets, and another to where two ends cross
+// that both go straight on. Whether a bridge bounds anything shows in the arrangement. Time: ends
+// times links in the plane, and points in reach.
 PlaneStrokes MakeStrokes(const FacePlane& plane, const std::vector<FaceLink>& links,
                          const DrawingGraph& graph, const SurfaceOptions& options);
 

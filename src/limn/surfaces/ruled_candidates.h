@@ -7,10 +7,10 @@
 
 namespace limn {
 
-// Ruled surfaces that bent links may bound (ours; ALGORITHM.md 27.5): between circles around one
-// axis of the same radius, neighbors along it, as on a cylinder; between arcs of which the same
-// holds and whose ends are beside each other; and between any two bent links whose ends two
-// straight links join, unless all four lie in a plane. Time: pairs of bent links.
+// Ruled surfaces that bent links may bound (ours; algorithm/surfaces.md#ruled-faces-and-patches):
+// between circles around one axis of the same radius, neighbors along it, as on a cylinder; between
+// arcs of which the same holds and whose ends are beside each other; and between any two bent links
+// whose ends two straight links join, unless all four lie in a plane. Time: pairs of bent links.
 std::vector<BentCandidate> FindRuledCandidates(const std::vector<FaceLink>& links,
                                                const DrawingGraph& graph,
                                                const SurfaceOptions& options);

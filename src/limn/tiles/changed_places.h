@@ -29,10 +29,10 @@ struct ChangedPlace {
   Eigen::AlignedBox3d reach;  // what is drawn, so that curves near the border have surroundings
 };
 
-// Where the drawing has to be made again (ALGORITHM.md 19.3): along links that are lost, and where
-// new views show curves that it lacks, which few others have shown before: enough of all views
-// agree on them now, and not so many of the old ones that their drawing would be known to fail
-// there. Time: samples times log(new samples).
+// Where the drawing has to be made again (algorithm/tiles.md#updates): along links that are lost,
+// and where new views show curves that it lacks, which few others have shown before: enough of all
+// views agree on them now, and not so many of the old ones that their drawing would be known to
+// fail there. Time: samples times log(new samples).
 std::vector<ChangedPlace> FindChangedPlaces(const ChangedScene& scene);
 
 }  // namespace limn

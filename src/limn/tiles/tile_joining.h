@@ -26,11 +26,11 @@ struct JoinedTiles {
   int64_t stubs = 0;      // short links with such an end, removed
 };
 
-// Joins the drawings of all tiles, whose cores do not overlap but for holes (ALGORITHM.md 19.2).
-// Each is cut at the border of its core. Links of two tiles that continue each other there become
-// one: both tiles saw the same edgels and drew the same curve to a fraction of a px. Links lose
-// their members. Links that are changed lose their primitives. The result passes Validate(). Linear
-// in the number of points, per hole.
+// Joins the drawings of all tiles, whose cores do not overlap but for holes
+// (algorithm/tiles.md#joining). Each is cut at the border of its core. Links of two tiles that
+// continue each other there become one: both tiles saw the same edgels and drew the same curve to a
+// fraction of a px. Links lose their members. Links that are changed lose their primitives. The
+// result passes Validate(). Linear in the number of points, per hole.
 JoinedTiles JoinTiles(std::vector<TileDrawing> tiles, const std::vector<View>& views);
 
 }  // namespace limn

@@ -23,8 +23,8 @@ Eigen::AlignedBox3d AllSpace();
 
 // Cuts space by planes across the longest extent of the points in `box` (if there is one), near
 // where the views are halved and few points of the sparse model lie, until no tile has more than
-// max_views views (ALGORITHM.md 19.1). The cores fill space without overlap. Where more views see
-// one place, so that cutting does not help, max_views of them are chosen so that every point is
+// max_views views (algorithm/tiles.md#plan). The cores fill space without overlap. Where more views
+// see one place, so that cutting does not help, max_views of them are chosen so that every point is
 // seen by many. A view with hardly any of its points in a tile does not belong to it; a tile may
 // have no views. Returns one tile with all views if these are few enough or if there are hardly any
 // points. Throws OptionError. Time: length of all tracks times log(tiles), and max_views times the

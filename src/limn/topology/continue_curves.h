@@ -15,9 +15,10 @@ struct ContinuationCounts {
 };
 
 // Follows links on from their free ends, in space, while edgels go on along them in enough views,
-// beyond chance, and in some views edgels that no link has yet (ours; ALGORITHM.md 13.7). A link
-// ends where it comes upon another one that runs along it, and does not leave the box. Links need
-// vertices. Time: length of what is added, px, times views.
+// beyond chance, and in some views edgels that no link has yet (ours;
+// algorithm/topology.md#continuation). A link ends where it comes upon another one that runs along
+// it, and does not leave the box. Links need vertices. Time: length of what is added, px, times
+// views.
 ContinuationCounts ContinueCurves(const TopologyInput& input, const TopologyOptions& options,
                                   const RunContext& context, GraphEditor* editor);
 

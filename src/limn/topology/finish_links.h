@@ -8,7 +8,7 @@ namespace limn {
 
 // Derives members, supporting views and residuals of all links from their vertices, pairs
 // continuations at nodes, thins out points that nearly coincide, and drops the vertices
-// (ALGORITHM.md 15.5). Linear in the number of points and edgels.
+// (algorithm/topology.md#finishing). Linear in the number of points and edgels.
 void FinishLinks(const TopologyInput& input, const TopologyOptions& options, DrawingGraph* graph);
 
 }  // namespace limn

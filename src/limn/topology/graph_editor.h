@@ -11,11 +11,11 @@
 
 namespace limn {
 
-// Edits the topology of a drawing (ALGORITHM.md 13.1). All cutting and joining of links is done
-// here. After each edit the graph, apart from removed items, passes Validate: ends lie at their
-// nodes, and incidence, kinds of nodes and continuations are consistent. A link is closed exactly
-// when its two ends are alone at one node. Ids stay valid until Compact(); removed items leave gaps
-// (IsLink, IsNode).
+// Edits the topology of a drawing (algorithm/topology.md#edits-of-the-graph). All cutting and
+// joining of links is done here. After each edit the graph, apart from removed items, passes
+// Validate: ends lie at their nodes, and incidence, kinds of nodes and continuations are
+// consistent. A link is closed exactly when its two ends are alone at one node. Ids stay valid
+// until Compact(); removed items leave gaps (IsLink, IsNode).
 //
 // Edits that change the shape of a link drop its primitive, regularity and dense class. The parts
 // of a split link share its members, supporting views and kind; joined links unite theirs, are of

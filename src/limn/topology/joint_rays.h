@@ -18,8 +18,8 @@ struct JointDirection {
 // Collects, in every view that shows the joint, the straight edges that begin at its projection and
 // that none of its links explains (rays). Rays of two views define a direction in space. Returns
 // the direction that chance explains least, if rays of at least min_views views agree with it
-// (ALGORITHM.md 14.1, 14.2). Time: views times pairs of rays in the proposing views, of which there
-// are at most 24.
+// (algorithm/topology.md#rays). Time: views times pairs of rays in the proposing views, of which
+// there are at most 24.
 std::optional<JointDirection> FindJointDirection(const TopologyInput& input, const Joint& joint,
                                                  size_t min_views);
 

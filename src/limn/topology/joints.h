@@ -26,7 +26,8 @@ std::vector<Joint> CollectJoints(const DrawingGraph& graph, size_t num_views);
 // Returns whether a link leaves the joint within 20 degrees of the direction.
 bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction);
 
-// The gate near corners, where edges are rounded: wider than that of samples (ALGORITHM.md 1.4).
+// The gate near corners, where edges are rounded: wider than that of samples
+// (algorithm/notation.md#support).
 inline constexpr SupportGate kJointGate = {1.5, 1.5, 25 * M_PI / 180};
 
 // Edgels of the given views that support a point of an edge with this direction.

@@ -19,7 +19,7 @@ struct AxisLine {
 AxisLine FitLine(std::span<const Eigen::Vector3d> points);
 
 // The line along which a link leaves at an end: the principal axis of its last 12 px without the
-// outermost 2, which corners round (ALGORITHM.md 13.2).
+// outermost 2, which corners round (algorithm/topology.md#reach).
 struct LinkTip {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    // on the line, nearest to the end
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // unit; zero for a link without extent

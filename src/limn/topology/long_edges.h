@@ -13,10 +13,10 @@ struct LongEdgeCounts {
 };
 
 // Adds straight links between joints where one image curve runs from one to the other in several
-// views, and removes what they replace (ours; ALGORITHM.md 14.5). Along an edge that runs as the
-// cameras move, images do not determine the depth: the sketch has pieces of it at wrong depths. But
-// they do determine that of its ends, where other edges meet it. Time: see FindSpannedPairs; plus,
-// per pair, its length times the views.
+// views, and removes what they replace (ours; algorithm/topology.md#long-edges). Along an edge that
+// runs as the cameras move, images do not determine the depth: the sketch has pieces of it at wrong
+// depths. But they do determine that of its ends, where other edges meet it. Time: see
+// FindSpannedPairs; plus, per pair, its length times the views.
 LongEdgeCounts AddLongEdges(const TopologyInput& input, const RunContext& context,
                             GraphEditor* editor);
 

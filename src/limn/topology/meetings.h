@@ -13,7 +13,8 @@
 
 namespace limn {
 
-// How far from the tip of a link a place may be for the end to go there, px (ALGORITHM.md 13.2).
+// How far from the tip of a link a place may be for the end to go there, px
+// (algorithm/topology.md#reach).
 struct Reach {
   double gap_px = 0;        // ahead of the end
   double overshoot_px = 0;  // behind it: edges are rounded at corners
@@ -70,7 +71,7 @@ FragmentsByView FragmentsAround(const TopologyInput& input, const DrawingLink& l
 FragmentsByView FragmentsAtEnd(const TopologyInput& input, const DrawingLink& link, int end);
 
 // Returns whether, in at least `min_views` views, fragments of both stretches pass near the
-// projection of the point (ALGORITHM.md 13.3).
+// projection of the point (algorithm/topology.md#agreement-of-images).
 bool ImagesAgree(const TopologyInput& input, const Eigen::Vector3d& point, const FragmentsByView& a,
                  const FragmentsByView& b, int min_views);
 

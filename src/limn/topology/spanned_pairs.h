@@ -17,8 +17,8 @@ struct JointPair {
 };
 
 // Pairs of joints between which a straight stretch of one fragment runs in at least `min_views`
-// views, ascending (ALGORITHM.md 14.5). Time: joints times views, plus, per fragment, the square of
-// the number of joints on it.
+// views, ascending (algorithm/topology.md#long-edges). Time: joints times views, plus, per
+// fragment, the square of the number of joints on it.
 std::vector<JointPair> FindSpannedPairs(const TopologyInput& input,
                                         const std::vector<Joint>& joints, int min_views,
                                         const RunContext& context);

@@ -7,8 +7,8 @@
 namespace limn {
 
 // Splits links where they turn sharply between straight arms, so that the next fit does not round
-// the corner (ALGORITHM.md 17.5). Points must be about 1 px apart; loops and links without vertices
-// are left alone. Returns the number of cuts. Linear time.
+// the corner (algorithm/refinement.md#repairs-between-fits). Points must be about 1 px apart; loops
+// and links without vertices are left alone. Returns the number of cuts. Linear time.
 int64_t SplitAtCorners(GraphEditor* editor);
 
 }  // namespace limn

@@ -15,9 +15,9 @@ struct TidyCounts {
   int64_t samples_covered = 0;  // and in links that ran along others
 };
 
-// Tidies a drawing (ALGORITHM.md 15). Forks are cut, nodes dissolved and covered links removed
-// once; then dissolving nodes and removing short links repeat until nothing changes. Every link
-// must have vertices. O(n log n) in the number of points.
+// Tidies a drawing (algorithm/topology.md#tidying-and-finishing). Forks are cut, nodes dissolved
+// and covered links removed once; then dissolving nodes and removing short links repeat until
+// nothing changes. Every link must have vertices. O(n log n) in the number of points.
 TidyCounts Tidy(const TopologyOptions& options, GraphEditor* editor);
 
 // The steps of Tidy.

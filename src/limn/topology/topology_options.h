@@ -2,8 +2,9 @@
 
 namespace limn {
 
-// Limits for tracing and every edit of a drawing's topology, while it is built (ALGORITHM.md 11 to
-// 15) and between the fits of the refinement (17). Lengths are in px, that is, in footprints.
+// Limits for tracing and every edit of a drawing's topology, while it is built
+// (algorithm/drawing.md#tracing, algorithm/topology.md) and between the fits of the refinement.
+// Lengths are in px, that is, in footprints.
 struct TopologyOptions {
   // Tracing: curves start where samples of this many primary views agree, go on where at least the
   // second number do, and bridge gaps up to this length.

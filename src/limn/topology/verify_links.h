@@ -19,7 +19,7 @@ struct LinkVerdicts {
   std::vector<double> contour_confidence;  // per link; 0 where it is no contour
 };
 
-// Decides which links to keep (ours; ALGORITHM.md 12.1). A link must
+// Decides which links to keep (ours; algorithm/topology.md#rules). A link must
 // stand for samples of at least two primary views. Occluding contours
 // (occluding_contours.h) are told apart. A link is certain when enough primary views agree with it,
 // averaged over its length (primary_views_share). Any other link must explain edgels that no

@@ -27,7 +27,7 @@ class MergingScene : public DrawingScene {
   MergingCounts Merge(const DrawingOptions& options = {});
 
   // Writes <name>.svg, the curves and below them the links, into the folder that the environment
-  // variable LIMN_PICTURES names, if it does (src/limn/drawing/README.md).
+  // variable LIMN_PICTURES names, if it does (src/limn/paper/README.md).
   void WritePicture(const std::string& name);
 
  private:
