@@ -8,7 +8,7 @@
 
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/model/footprint.h"
-#include "limn/pipeline/build_sketch.h"
+#include "limn/sketch/sketch.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 
@@ -16,7 +16,7 @@ namespace limn {
 namespace {
 
 constexpr double kHalfSide = 0.8;
-constexpr int kNumViews = 16;
+constexpr int kNumCubeViews = 16;
 
 // A wire cube with a circle on its top face: 13 curves, 8 corners.
 std::vector<testing::SceneCurve> CubeWithCircle() {
@@ -32,7 +32,7 @@ RunContext Threads(int num_threads) {
 }
 
 const std::vector<View>& Views() {
-  static const std::vector<View> views = testing::DomeViews(kNumViews, 5);
+  static const std::vector<View> views = testing::DomeViews(kNumCubeViews, 5);
   return views;
 }
 
@@ -46,8 +46,8 @@ struct Sketched {
 Sketched Sketch(const std::vector<View>& views, double noise_px) {
   Sketched sketched = {views, testing::ProjectCurves(Views(), CubeWithCircle(), noise_px), {}};
   const SceneHints no_hints;
-  sketched.sketch = BuildEnhancedSketch({views, sketched.curves, no_hints, std::nullopt},
-                                        SketchOptions(), Threads(2))
+  sketched.sketch = BuildSweptSketch({views, sketched.curves, no_hints, std::nullopt},
+                                     SketchOptions(), Threads(2))
                         .sketch;
   return sketched;
 }
@@ -67,30 +67,15 @@ DrawingResult Draw(const Sketched& sketched, const DrawingOptions& options, int 
                       Threads(num_threads));
 }
 
-// Of each method.
-class DrawingTest : public ::testing::TestWithParam<std::string> {
- protected:
-  static DrawingOptions Options() {
-    DrawingOptions options;
-    options.method = GetParam();
-    return options;
-  }
-  static const DrawingResult& ExactDrawing() {
-    static std::map<std::string, DrawingResult> known;
-    const auto [drawn, is_new] = known.try_emplace(GetParam());
-    if (is_new) drawn->second = Draw(ExactSketch(), Options());
-    return drawn->second;
-  }
-  static const DrawingResult& NoisyDrawing() {
-    static std::map<std::string, DrawingResult> known;
-    const auto [drawn, is_new] = known.try_emplace(GetParam());
-    if (is_new) drawn->second = Draw(NoisySketch(), Options());
-    return drawn->second;
-  }
-};
+const DrawingResult& ExactDrawing() {
+  static const DrawingResult drawn = Draw(ExactSketch(), {});
+  return drawn;
+}
 
-INSTANTIATE_TEST_SUITE_P(Methods, DrawingTest, ::testing::Values("traced", "merged"),
-                         [](const auto& method) { return method.param; });
+const DrawingResult& NoisyDrawing() {
+  static const DrawingResult drawn = Draw(NoisySketch(), {});
+  return drawn;
+}
 
 int64_t Count(const StageSummary::Counts& counts, const std::string& name) {
   for (const auto& [unit, count] : counts) {
@@ -158,18 +143,18 @@ void ExpectSameShape(const DrawingGraph& a, const DrawingGraph& b) {
   }
 }
 
-TEST_P(DrawingTest, ExactCubeIsAValidGraph) {
+TEST(DrawingTest, ExactCubeIsAValidGraph) {
   EXPECT_TRUE(Validate(ExactDrawing().graph).empty()) << Validate(ExactDrawing().graph).front();
 }
 
-TEST_P(DrawingTest, ExactCubeHasItsCorners) { ExpectCubeCorners(ExactDrawing().graph, 2); }
+TEST(DrawingTest, ExactCubeHasItsCorners) { ExpectCubeCorners(ExactDrawing().graph, 2); }
 
-TEST_P(DrawingTest, ExactCubeHasOneLinkPerCurve) {
+TEST(DrawingTest, ExactCubeHasOneLinkPerCurve) {
   EXPECT_EQ(ExactDrawing().graph.links.size(), 13u);
   EXPECT_EQ(ExactDrawing().graph.nodes.size(), 9u);  // the corners and the circle's anchor
 }
 
-TEST_P(DrawingTest, CircleIsOneClosedLinkAtALoopAnchor) {
+TEST(DrawingTest, CircleIsOneClosedLinkAtALoopAnchor) {
   const DrawingGraph& graph = ExactDrawing().graph;
   int num_closed = 0;
   for (const DrawingLink& link : graph.links) {
@@ -182,21 +167,21 @@ TEST_P(DrawingTest, CircleIsOneClosedLinkAtALoopAnchor) {
   EXPECT_EQ(num_closed, 1);
 }
 
-TEST_P(DrawingTest, ExactCubeIsCompleteAndWithoutDuplicates) {
+TEST(DrawingTest, ExactCubeIsCompleteAndWithoutDuplicates) {
   const TauResult row = Evaluate(ExactDrawing().graph, 1);
   EXPECT_GE(row.recall.value(), 0.97);
   EXPECT_GE(row.precision.value(), 0.97);
   EXPECT_LE(row.duplicated.value(), 0.05);
 }
 
-TEST_P(DrawingTest, EverySampleIsAccountedFor) {
+TEST(DrawingTest, EverySampleIsAccountedFor) {
   ExpectSamplesAccountedFor(ExactDrawing().summary);
   ExpectSamplesAccountedFor(NoisyDrawing().summary);
 }
 
-TEST_P(DrawingTest, ScaledSceneGivesTheScaledGraph) {
+TEST(DrawingTest, ScaledSceneGivesTheScaledGraph) {
   static const Sketched sketched = Sketch(testing::Scaled(Views(), 1000), 0);
-  const DrawingGraph scaled = Draw(sketched, Options()).graph;
+  const DrawingGraph scaled = Draw(sketched, {}).graph;
   const DrawingGraph& graph = ExactDrawing().graph;
   ASSERT_NO_FATAL_FAILURE(ExpectSameShape(graph, scaled));
   double largest = 0;
@@ -210,8 +195,8 @@ TEST_P(DrawingTest, ScaledSceneGivesTheScaledGraph) {
   EXPECT_LT(largest, 1e-3);
 }
 
-TEST_P(DrawingTest, ResultDoesNotDependOnThreads) {
-  const DrawingResult one = Draw(NoisySketch(), Options(), 1);
+TEST(DrawingTest, ResultDoesNotDependOnThreads) {
+  const DrawingResult one = Draw(NoisySketch(), {}, 1);
   const DrawingGraph& two = NoisyDrawing().graph;
   EXPECT_EQ(one.summary.in, NoisyDrawing().summary.in);
   EXPECT_EQ(one.summary.kept, NoisyDrawing().summary.kept);
@@ -223,59 +208,24 @@ TEST_P(DrawingTest, ResultDoesNotDependOnThreads) {
   }
 }
 
-TEST_P(DrawingTest, NoisyCubeHasItsCorners) {
+TEST(DrawingTest, NoisyCubeHasItsCorners) {
   EXPECT_TRUE(Validate(NoisyDrawing().graph).empty()) << Validate(NoisyDrawing().graph).front();
   ExpectCubeCorners(NoisyDrawing().graph, 2);
 }
 
-TEST_P(DrawingTest, NoisyCubeIsComplete) {
+TEST(DrawingTest, NoisyCubeIsComplete) {
   const TauResult row = Evaluate(NoisyDrawing().graph, 1);
   EXPECT_GE(row.recall.value(), 0.95);
   EXPECT_LE(row.duplicated.value(), 0.05);
 }
 
-// The movement in the last round, px/1000; the number of rounds must be told, too.
-int64_t LastMovement(const StageSummary::Counts& in, bool converged) {
-  EXPECT_GE(Count(in, converged ? "averaging rounds until convergence"
-                                : "averaging rounds without convergence"),
-            1);
-  return Count(in, "largest movement in the last round, px/1000");
-}
-
-TEST(MergedDrawingTest, SummaryTellsWhetherAveragingConverged) {
-  const auto in_of = [](double tolerance_px, int max_rounds) {
-    DrawingOptions options;
-    options.method = "merged";
-    options.averaging_tolerance_px = tolerance_px;
-    options.max_averaging_rounds = max_rounds;
-    return Draw(NoisySketch(), options).summary.in;
-  };
-  EXPECT_LE(LastMovement(in_of(0.5, 50), true), 500);
-  EXPECT_GT(LastMovement(in_of(1e-9, 1), false), 0);
-}
-
-// Nothing that is not in the paper: no sample is dropped, nothing is grown or cut.
-TEST(PaperDrawingTest, EverySampleOfTheSketchIsInALink) {
-  DrawingOptions options;
-  options.method = "paper";
-  const DrawingResult result = Draw(NoisySketch(), options);
-  EXPECT_EQ(Count(result.summary.kept, "samples"), Count(result.summary.in, "samples"));
-  EXPECT_TRUE(result.summary.dropped.empty());
-  EXPECT_TRUE(Validate(result.graph).empty());
-  int64_t in_links = 0;
-  for (const DrawingLink& link : result.graph.links) {
-    for (const LinkMember& member : link.members) in_links += member.end - member.begin;
-  }
-  EXPECT_EQ(in_links, Count(result.summary.in, "samples"));
-}
-
-TEST(TracedDrawingTest, SummaryTellsWhatWasTraced) {
+TEST(DrawingTest, SummaryTellsWhatWasTraced) {
   const StageSummary summary = Draw(ExactSketch(), {}).summary;
   EXPECT_GE(Count(summary.kept, "traced curves"), 13);
   EXPECT_EQ(Count(summary.kept, "traced curves that close"), 1);
 }
 
-TEST_P(DrawingTest, EverySampleHasTheFateOfTheSummary) {
+TEST(DrawingTest, EverySampleHasTheFateOfTheSummary) {
   for (const DrawingResult* result : {&ExactDrawing(), &NoisyDrawing()}) {
     std::map<EdgelFate, int64_t> count;
     for (const auto& of_curve : result->fates) {
@@ -286,31 +236,16 @@ TEST_P(DrawingTest, EverySampleHasTheFateOfTheSummary) {
     EXPECT_EQ(count[EdgelFate::kLostSupport],
               Count(summary.dropped, "samples: too few views after re-triangulation") +
                   Count(summary.dropped, "samples: piece too short after re-triangulation"));
-    EXPECT_EQ(count[EdgelFate::kNotTraced],
-              GetParam() == "merged" ? 0 : Count(summary.dropped, "samples: on no traced curve"));
+    EXPECT_EQ(count[EdgelFate::kNotTraced], Count(summary.dropped, "samples: on no traced curve"));
     EXPECT_EQ(count[EdgelFate::kDoubtfulLink],
               Count(summary.dropped, "samples: in links with too little support"));
   }
 }
 
-TEST_P(DrawingTest, EmptySketchGivesEmptyGraph) {
-  const DrawingResult result = Draw({Views(), ExactSketch().curves, {}}, Options());
+TEST(DrawingTest, EmptySketchGivesEmptyGraph) {
+  const DrawingResult result = Draw({Views(), ExactSketch().curves, {}}, {});
   EXPECT_TRUE(result.graph.links.empty());
   EXPECT_TRUE(result.graph.nodes.empty());
-}
-
-TEST(DrawingOptionsTest, MethodIsTracedMergedOrPaper) {
-  DrawingOptions options;
-  EXPECT_EQ(options.method, "traced");
-  for (const char* method : {"traced", "merged", "paper"}) {
-    options.method = method;
-    EXPECT_NO_THROW(options.Check());
-  }
-  for (const char* method : {"", "merge", "Paper"}) {
-    options.method = method;
-    EXPECT_THROW(options.Check(), OptionError);
-    EXPECT_THROW(Draw({Views(), ExactSketch().curves, {}}, options), OptionError);
-  }
 }
 
 TEST(DrawingOptionsTest, LimitsOfTracingAreChecked) {

@@ -7,7 +7,7 @@
 
 #include "limn/drawing/drawing.h"
 #include "limn/geometry/polyline.h"
-#include "limn/pipeline/build_sketch.h"
+#include "limn/sketch/sketch.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -24,11 +24,11 @@ Eigen::Vector3d Middle(const testing::SceneCurve& curve) {
   return 0.5 * (curve.points.front() + curve.points.back());
 }
 
-// The enhanced sketch of a wire cube, without what was reconstructed of its first edge.
+// The sketch of a wire cube, without what was reconstructed of its first edge.
 CurveSketch SketchWithoutFirstEdge(const std::vector<ImageCurves>& curves) {
   const SceneHints no_hints;
   CurveSketch sketch =
-      BuildEnhancedSketch({ViewsOfLostEdges(), curves, no_hints, std::nullopt}, SketchOptions(), {})
+      BuildSweptSketch({ViewsOfLostEdges(), curves, no_hints, std::nullopt}, SketchOptions(), {})
           .sketch;
   const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSideOfCube).front());
   std::erase_if(sketch.curves, [&](const Curve3D& curve) {

@@ -363,11 +363,11 @@ TEST(RetriangulationTest, ShortPiecesAreDroppedAndCounted) {
   const OneCurveScene scene = PartlySeen({Wire(-40, -31), Wire(-21, 40)});
   const Curve3D curve = SketchCurve(scene, WirePoints(-40, 40, 4));
   DrawingOptions options;
-  options.min_linked_length_px = 7.5;
+  options.min_piece_length_px = 7.5;
   const Outcome both = Retriangulated(scene, {curve}, options);
   EXPECT_EQ(Pieces(both.samples), (PieceList{{0, 3}, {5, 16}}));
   EXPECT_EQ(both.stats.piece_too_short, 0);
-  options.min_linked_length_px = 8.5;
+  options.min_piece_length_px = 8.5;
   const Outcome one = Retriangulated(scene, {curve}, options);
   EXPECT_EQ(Pieces(one.samples), (PieceList{{5, 16}}));
   EXPECT_EQ(one.stats.piece_too_short, 3);
@@ -377,7 +377,7 @@ TEST(RetriangulationTest, ShortPiecesAreDroppedAndCounted) {
 TEST(RetriangulationTest, NoPieceIsEmptyHoweverShortPiecesMayBe) {
   const OneCurveScene scene = PartlySeen({Wire(-40, -3), Wire(11, 37)});
   DrawingOptions options;
-  options.min_linked_length_px = 0;
+  options.min_piece_length_px = 0;
   const Outcome outcome =
       Retriangulated(scene, {SketchCurve(scene, WirePoints(-40, 40, 4))}, options);
   EXPECT_EQ(Pieces(outcome.samples), (PieceList{{0, 10}, {13, 7}}));
@@ -641,7 +641,7 @@ TEST(RetriangulationTest, PiecesOfThinnedCurvesAreCountedInTheSketch) {
   EXPECT_EQ(second.end, 81);
   EXPECT_EQ(outcome.samples.origins[0].end + outcome.stats.too_few_views, second.begin);
   DrawingOptions options;
-  options.min_linked_length_px = 35;  // the second piece has less
+  options.min_piece_length_px = 35;  // the second piece has less
   const Outcome first_only = Retriangulated(scene, {curve}, options, 2);
   ASSERT_EQ(first_only.samples.NumCurves(), 1);
   EXPECT_EQ(first_only.stats.piece_too_short, 81 - second.begin);

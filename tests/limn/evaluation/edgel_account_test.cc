@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/drawing/drawing.h"
-#include "limn/pipeline/build_sketch.h"
+#include "limn/sketch/sketch.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -16,7 +16,7 @@ struct WireCube {
   std::vector<View> views = testing::DomeViews(10, 5);
   std::vector<ImageCurves> curves = testing::ProjectCurves(views, testing::CubeEdges(0.8), 0.1);
   SceneHints hints;
-  SketchResult sketch = BuildEnhancedSketch({views, curves, hints, std::nullopt}, {}, {});
+  SketchResult sketch = BuildSweptSketch({views, curves, hints, std::nullopt}, {}, {});
   DrawingResult drawing = BuildDrawing({views, curves, sketch.sketch}, {}, {});
 
   EdgelFates Account(const DrawingGraph& graph, const SampleFates& fates) const {

@@ -158,7 +158,7 @@ class NetworkScene {
   }
 
   SampleSet samples;
-  DrawingOptions options;
+  PaperOptions options;
 
  private:
   std::vector<std::map<int, int>> votes_;  // per sample: by other sample
@@ -166,44 +166,9 @@ class NetworkScene {
 
 using Others = std::vector<int>;
 
-TEST(CurveConsistencyTest, StrongLinksOverMinLinkedLengthLinkTwoCurves) {
-  NetworkScene scene(2);
-  scene.options.strong_link_views = 4;
-  scene.options.overlap_regularity_px = 2;
-  scene.Link(0, 1, 20, 26, 4);  // 6 px
-  scene.options.min_linked_length_px = 5.9;
-  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others{1});
-  EXPECT_EQ(scene.Build().overlaps[0][0].partner, NetworkScene::PartnersOn(1, {{20, 26}}));
-  scene.options.min_linked_length_px = 6.1;
-  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others());
-}
-
-TEST(CurveConsistencyTest, StrongLengthIsInFootprints) {
-  NetworkScene scene(2);
-  scene.options.overlap_regularity_px = 2;
-  scene.samples.footprint.assign(scene.samples.position.size(), 0.5);
-  scene.Link(0, 1, 20, 26, 4);  // 12 px
-  scene.options.min_linked_length_px = 11.9;
-  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others{1});
-  scene.options.min_linked_length_px = 12.1;
-  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others());
-}
-
-TEST(CurveConsistencyTest, SamplesAtTheEndsStandForHalfAsMuch) {
-  NetworkScene scene(3);
-  scene.options.overlap_regularity_px = 2;
-  scene.Link(0, 1, 0, 6, 4);    // 5.5 px
-  scene.Link(0, 2, 54, 60, 4);  // 5.5 px
-  scene.options.min_linked_length_px = 5.4;
-  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), (Others{1, 2}));
-  scene.options.min_linked_length_px = 5.6;
-  EXPECT_EQ(NetworkScene::Others(scene.Build(), 0), Others());
-}
-
 TEST(CurveConsistencyTest, DenseLinksJoinTheOverlapButDoNotMakeOne) {
   NetworkScene scene(3);
   scene.options.strong_link_views = 4;
-  scene.options.min_linked_length_px = 5;
   scene.Link(0, 1, 10, 50, 3);
   scene.Link(0, 2, 10, 50, 3);
   scene.Link(0, 2, 30, 36, 4);
@@ -214,10 +179,8 @@ TEST(CurveConsistencyTest, DenseLinksJoinTheOverlapButDoNotMakeOne) {
 }
 
 // However short they are together.
-TEST(CurveConsistencyTest, InThePaperTheNumberOfStrongLinksCounts) {
+TEST(CurveConsistencyTest, TheNumberOfStrongLinksCounts) {
   NetworkScene scene(3);
-  scene.options.method = "paper";
-  scene.options.min_linked_length_px = 100;
   for (const int other : {1, 2}) scene.Link(0, other, 10, 50, 2);
   scene.Link(0, 1, 20, 24, 3);
   scene.Link(0, 2, 20, 25, 3);
@@ -263,15 +226,14 @@ TEST(CurveConsistencyTest, GapsAreFilledAndSpecklesRemoved) {
             NetworkScene::PartnersOn(1, {{10, 20}, {24, 40}, {50, 54}}));
 }
 
-TEST(CurveConsistencyTest, SpecklesAloneLinkNothing) {
+TEST(CurveConsistencyTest, SpecklesMakeAClusterButNoOverlap) {
   NetworkScene scene(2);
-  scene.options.min_linked_length_px = 4;
   scene.options.overlap_regularity_px = 9;
   scene.Link(0, 1, 10, 16, 4);
   scene.Link(0, 1, 40, 46, 4);
   const CurveConsistency network = scene.Build();
   EXPECT_EQ(NetworkScene::Others(network, 0), Others());
-  EXPECT_EQ(network.num_clusters, 2);
+  EXPECT_EQ(network.num_clusters, 1);
 }
 
 TEST(CurveConsistencyTest, OverlapsAscendByCurve) {

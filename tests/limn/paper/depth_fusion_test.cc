@@ -98,27 +98,6 @@ TEST(DepthFusionTest, ThePaperAveragesWhatIsNearAndKeepsASingleOne) {
   EXPECT_EQ(fused[2].inverse_depth, 0.3);
 }
 
-TEST(DepthFusionTest, SmoothCourseBeatsAccidentalSupport) {
-  // One vertex has a little more support for a wrong depth 50 px off.
-  std::vector<std::vector<DepthCandidate>> candidates(21, {Candidate(0.2, 8, 0)});
-  candidates[10].push_back(Candidate(0.25, 9, 1));
-  const auto fused = FuseDepths(StraightFragment(21), candidates, SketchOptions());
-  ASSERT_TRUE(fused[10].has_depth);
-  EXPECT_NEAR(fused[10].inverse_depth, 0.2, 1e-9);
-}
-
-TEST(DepthFusionTest, SlopeExplainsASlantedCurve) {
-  std::vector<std::vector<DepthCandidate>> candidates;
-  for (int i = 0; i < 30; ++i) {
-    DepthCandidate slanted = Candidate(0.2 + 0.003 * 2 * i, 6, 0);  // 6 px from one to the next
-    slanted.slope_per_px = 0.003;
-    DepthCandidate flat = Candidate(0.1, 5, 1);
-    candidates.push_back({slanted, flat});
-  }
-  const auto fused = FuseDepths(StraightFragment(30), candidates, SketchOptions());
-  for (int i = 0; i < 30; ++i) EXPECT_NEAR(fused[i].inverse_depth, 0.2 + 0.006 * i, 1e-9);
-}
-
 TEST(DepthFusionTest, NoCandidatesNoDepth) {
   std::vector<std::vector<DepthCandidate>> candidates(20, {Candidate(0.2, 8, 0)});
   candidates[7].clear();

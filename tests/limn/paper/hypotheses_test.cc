@@ -103,18 +103,5 @@ TEST_F(HypothesesTest, NoneLeavesTheDepthRange) {
   EXPECT_TRUE(Find({testing::Segment(from, to)}, 8, 12).empty());
 }
 
-TEST_F(HypothesesTest, SpacedVerticesKeepTheirDistance) {
-  Find({testing::Segment({0, 0, -0.7}, {0, 0, 0.7})});
-  const std::vector<int> vertices = SpacedVertices(rays_, 5);
-  EXPECT_EQ(vertices.front(), 0);
-  EXPECT_EQ(vertices.back(), static_cast<int>(rays_.size()) - 1);
-  for (size_t i = 1; i + 1 < vertices.size(); ++i) {
-    EXPECT_GE(rays_.arc_px[vertices[i]] - rays_.arc_px[vertices[i - 1]], 5);
-  }
-  const FragmentRays subset = Subset(rays_, vertices);
-  ASSERT_EQ(subset.size(), vertices.size());
-  EXPECT_EQ(subset.arc_px[2], rays_.arc_px[vertices[2]]);
-}
-
 }  // namespace
 }  // namespace limn

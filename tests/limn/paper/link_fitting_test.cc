@@ -37,7 +37,7 @@ struct Merged {
     GraphEditor(&graph).Add(std::move(link));
   }
   void Fit() {
-    FitLinks(samples, network, {}, &graph);
+    FitLinks(samples, network, &graph);
     testing::ExpectValid(graph);
   }
 };

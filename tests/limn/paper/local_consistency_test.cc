@@ -1,12 +1,9 @@
 #include "limn/paper/local_consistency.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>
-
-#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
@@ -14,32 +11,15 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kNumSceneViews = 8;
-constexpr int kRowLength = 40;
 
 struct Sample {
   std::vector<EdgelRef> support;
   Vector3d position = Vector3d::Zero();
-  Vector3d tangent = Vector3d::UnitX();
 };
 
-// Samples of curves and the edgels that support them. Every view has the same rows of edgels that
-// run along x: edgel `row * kRowLength + i` is at pixel (100 + i, 100 + row * row_distance_px).
+// Samples of curves and the edgels that support them.
 class Scene {
  public:
-  explicit Scene(double row_distance_px = 50) {
-    std::vector<Edgel> edgels;
-    for (int row = 0; row < 2; ++row) {
-      for (int i = 0; i < kRowLength; ++i) {
-        edgels.push_back(testing::MakeEdgel({100.0 + i, 100 + row * row_distance_px}, 0));
-      }
-    }
-    const View view = testing::LookAt({5, 0, 0}, Vector3d::Zero());
-    for (int v = 0; v < kNumSceneViews; ++v) {
-      curves.emplace_back();
-      curves.back().edge_map = testing::MakeEdgeMap(view, edgels);
-    }
-  }
-
   // Returns the id of its first sample.
   int AddCurve(ViewId anchor, const std::vector<Sample>& of_curve) {
     const int first = samples.NumSamples();
@@ -48,7 +28,7 @@ class Scene {
     for (const Sample& sample : of_curve) {
       samples.curve_of.push_back(curve);
       samples.position.push_back(sample.position);
-      samples.tangent.push_back(sample.tangent);
+      samples.tangent.push_back(Vector3d::UnitX());
       samples.information.push_back(Eigen::Matrix3d::Identity());
       samples.footprint.push_back(1);
       samples.support.Append(sample.support);
@@ -60,7 +40,7 @@ class Scene {
   LocalConsistency Build(int num_threads = 1) const {
     RunContext context;
     context.num_threads = num_threads;
-    return BuildLocalConsistency(samples, curves, options, context);
+    return BuildLocalConsistency(samples, kNumSceneViews, options, context);
   }
 
   // Votes by the other sample.
@@ -75,8 +55,7 @@ class Scene {
   }
 
   SampleSet samples;
-  std::vector<ImageCurves> curves;
-  DrawingOptions options;
+  PaperOptions options;
 };
 
 using Links = std::map<int, int>;
@@ -102,18 +81,13 @@ TEST(LocalConsistencyTest, VotesAreTheViewsThatShareAnEdgel) {
   EXPECT_EQ(scene.LinksOf(b), (Links{{a, 4}}));
 }
 
-// The paper links what shares edgels, whatever the direction and what else supports it.
-TEST(LocalConsistencyTest, ThePaperRejectsNoLinks) {
-  Scene scene(3);
-  scene.options.method = "paper";
-  // They share an edgel in three views, and have edgels side by side in four.
+// Whatever else supports them.
+TEST(LocalConsistencyTest, SamplesThatShareEdgelsAreLinked) {
+  Scene scene;
   const int a = scene.AddCurve(0, {{Joined(In({0, 1, 2}, 5), In({3, 4, 5, 6}, 5))}});
-  const int b = scene.AddCurve(
-      1, {{Joined(In({0, 1, 2}, 5), In({3, 4, 5, 6}, kRowLength + 5)), {}, Vector3d::UnitY()}});
+  const int b = scene.AddCurve(1, {{Joined(In({0, 1, 2}, 5), In({3, 4, 5, 6}, 45))}});
   EXPECT_EQ(scene.LinksOf(a), (Links{{b, 3}}));
   EXPECT_EQ(scene.LinksOf(b), (Links{{a, 3}}));
-  scene.options.method = "merged";
-  EXPECT_EQ(scene.LinksOf(a), Links());
 }
 
 TEST(LocalConsistencyTest, StrongLinksOfASampleAreCounted) {
@@ -181,101 +155,6 @@ TEST(LocalConsistencyTest, OfEqualVotesTheNearestIsTheLink) {
   const int c = scene.AddCurve(2, {near, far});
   const int d = scene.AddCurve(3, {far, near});
   EXPECT_EQ(scene.LinksOf(a), (Links{{b + 1, 3}, {c, 3}, {d + 1, 3}}));
-}
-
-// Samples at this angle to the first one.
-Links LinksAtAngle(double angle_deg, double max_angle_deg) {
-  Scene scene;
-  scene.options.max_link_angle_deg = max_angle_deg;
-  const double angle = angle_deg * M_PI / 180;
-  const int a = scene.AddCurve(0, {{In({0, 1, 2}, 5)}});
-  scene.AddCurve(1, {{In({0, 1, 2}, 5), Vector3d::Zero(), {std::cos(angle), 0, std::sin(angle)}}});
-  return scene.LinksOf(a);
-}
-
-TEST(LocalConsistencyTest, DirectionsDifferByAtMostMaxLinkAngle) {
-  for (const double max_angle_deg : {10.0, 25.0, 60.0}) {
-    for (const double sign : {-1.0, 1.0}) {
-      EXPECT_EQ(LinksAtAngle(sign * (max_angle_deg - 0.1), max_angle_deg), (Links{{1, 3}}));
-      EXPECT_EQ(LinksAtAngle(sign * (max_angle_deg + 0.1), max_angle_deg), Links());
-      // Curves have no sense of direction.
-      EXPECT_EQ(LinksAtAngle(180 + sign * (max_angle_deg - 0.1), max_angle_deg), (Links{{1, 3}}));
-      EXPECT_EQ(LinksAtAngle(180 + sign * (max_angle_deg + 0.1), max_angle_deg), Links());
-    }
-  }
-}
-
-TEST(LocalConsistencyTest, SampleInAnotherDirectionDoesNotHideOneThatAgrees) {
-  Scene scene;
-  const int a = scene.AddCurve(0, {{In({0, 1, 2, 3}, 5)}});
-  const Sample across{In({0, 1, 2, 3}, 5), Vector3d::Zero(), Vector3d::UnitZ()};
-  const Sample along{In({0, 1, 2}, 5), {2, 0, 0}};
-  const int b = scene.AddCurve(1, {across, along});
-  EXPECT_EQ(scene.LinksOf(a), (Links{{b + 1, 3}}));
-}
-
-// Two samples on the same edgel in `num_shared` views, and on edgels of either row in `num_apart`
-// views.
-Links LinksOfTwoBars(const Scene& bars, int num_shared, int num_apart) {
-  Scene scene = bars;
-  std::vector<EdgelRef> a, b;
-  for (int v = 0; v < num_shared + num_apart; ++v) {
-    a.push_back({v, 5});
-    b.push_back({v, v < num_shared ? 5 : kRowLength + 5});
-  }
-  scene.AddCurve(0, {{a}});
-  scene.AddCurve(1, {{b}});
-  const Links links = scene.LinksOf(0);
-  EXPECT_EQ(scene.LinksOf(1).size(), links.size());
-  return links;
-}
-
-TEST(LocalConsistencyTest, EdgelsSideBySideInAsManyViewsAsAgreeLeaveTheLinkOut) {
-  for (const double apart_px : {-1.5, 1.5, 4.0}) {
-    const Scene bars(apart_px);
-    EXPECT_EQ(LinksOfTwoBars(bars, 3, 2), (Links{{1, 3}}));
-    EXPECT_EQ(LinksOfTwoBars(bars, 3, 3), Links());
-    EXPECT_EQ(LinksOfTwoBars(bars, 3, 5), Links());
-    EXPECT_EQ(LinksOfTwoBars(bars, 4, 3), (Links{{1, 4}}));
-    EXPECT_EQ(LinksOfTwoBars(bars, 4, 4), Links());
-  }
-}
-
-TEST(LocalConsistencyTest, EdgelsWithinAPixelAreNotSideBySide) {
-  EXPECT_EQ(LinksOfTwoBars(Scene(0.5), 3, 5), (Links{{1, 3}}));
-  EXPECT_EQ(LinksOfTwoBars(Scene(-0.5), 3, 5), (Links{{1, 3}}));
-}
-
-TEST(LocalConsistencyTest, SideBySideIsMeasuredInTheStoredImage) {
-  Scene scene(0.75);
-  EXPECT_EQ(LinksOfTwoBars(scene, 3, 5), (Links{{1, 3}}));
-  for (ImageCurves& of_view : scene.curves) {
-    for (Edgel& edgel : of_view.edge_map.edgels) edgel.stored_from_virtual *= 2;
-  }
-  EXPECT_EQ(LinksOfTwoBars(scene, 3, 5), Links());
-}
-
-TEST(LocalConsistencyTest, EdgelsAlongTheEdgeAreNotSideBySide) {
-  Scene scene;
-  const int a = scene.AddCurve(0, {{In({0, 1, 2, 3, 4, 5}, 5)}});
-  const int b = scene.AddCurve(1, {{Joined(In({0, 1, 2}, 5), In({3, 4, 5}, 15))}});
-  EXPECT_EQ(scene.LinksOf(a), (Links{{b, 3}}));
-}
-
-TEST(LocalConsistencyTest, ViewsOfOneSampleAloneAreNotCompared) {
-  const EdgelId other_row = kRowLength + 5;
-  Scene scene(3);
-  // Both in views 0, 4, 6 (the same edgel) and 3, 7 (side by side).
-  const int a = scene.AddCurve(0, {{In({0, 1, 3, 4, 6, 7}, 5)}});
-  const int b = scene.AddCurve(1, {{Joined(In({0, 4, 6}, 5), In({2, 3, 5, 7}, other_row))}});
-  EXPECT_EQ(scene.LinksOf(a), (Links{{b, 3}}));
-  EXPECT_EQ(scene.LinksOf(b), (Links{{a, 3}}));
-  // Again 0, 4, 6, but three side by side: 2, 5, 7.
-  Scene apart(3);
-  const int c = apart.AddCurve(0, {{In({0, 1, 2, 4, 5, 6, 7}, 5)}});
-  const int d = apart.AddCurve(1, {{Joined(In({0, 4, 6}, 5), In({2, 3, 5, 7}, other_row))}});
-  EXPECT_EQ(apart.LinksOf(c), Links());
-  EXPECT_EQ(apart.LinksOf(d), Links());
 }
 
 TEST(LocalConsistencyTest, LinksAscendByCurveAndEveryCurveHasItsPlace) {

@@ -113,7 +113,7 @@ class MergingPrimitivesTest : public ::testing::TestWithParam<std::tuple<bool, b
     return degrees;
   }
 
-  const DrawingOptions options_;
+  const PaperOptions options_;
   SampleSet samples_;
   DrawingGraph graph_;
   std::optional<MergingPrimitives> primitives_;

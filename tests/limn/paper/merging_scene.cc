@@ -103,13 +103,13 @@ void MergingScene::WritePicture(const std::string& name) {
   out << "</svg>\n";
 }
 
-MergingCounts MergingScene::Merge(const DrawingOptions& options) {
+MergingCounts MergingScene::Merge(const PaperOptions& options) {
   Make();
   const SampleSet samples = MakeSampleSet();
   const CurveConsistency network = MakeNetwork(samples);
   MergingCounts counts;
   DrawingGraph graph = MergeCurves(samples, network, views(), options, {}, &counts);
-  FitLinks(samples, network, options, &graph);
+  FitLinks(samples, network, &graph);
   SetGraph(std::move(graph));
   return counts;
 }

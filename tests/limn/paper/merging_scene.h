@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "limn/drawing/drawing_options.h"
 #include "limn/drawing/samples.h"
 #include "limn/paper/merging.h"
 #include "limn/topology/drawing_scene.h"
@@ -24,7 +23,7 @@ class MergingScene : public DrawingScene {
   // All others are in cluster 0.
   void PutIntoCluster(int curve, int cluster) { cluster_of_[curve] = cluster; }
 
-  MergingCounts Merge(const DrawingOptions& options = {});
+  MergingCounts Merge(const PaperOptions& options = {});
 
   // Writes <name>.svg, the curves and below them the links, into the folder that the environment
   // variable LIMN_PICTURES names, if it does (src/limn/paper/README.md).

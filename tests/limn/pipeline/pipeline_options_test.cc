@@ -87,7 +87,7 @@ TEST(PipelineOptions, CheckNamesGroupAndOption) {
 
 TEST(PipelineOptions, ThePaperHasNoRefinementOfPoses) {
   PipelineOptions options;
-  options.drawing.method = "paper";
+  options.method = DrawingMethod::kPaper;
   EXPECT_NO_THROW(options.Check());
   options.refinement.refine_poses = true;
   EXPECT_THROW(options.Check(), OptionError);

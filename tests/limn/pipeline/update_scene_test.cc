@@ -254,7 +254,7 @@ TEST_F(UpdateSceneTest, SomeDrawingsAreNeverUpdated) {
   regular.regularize = true;
   expect_refused(regular);
   PipelineOptions paper = options_;
-  paper.drawing.method = "paper";
+  paper.method = DrawingMethod::kPaper;
   expect_refused(paper);
   PipelineOptions original = options_;
   original.mode = SketchMode::kOriginal;
