@@ -15,7 +15,6 @@ namespace {
 constexpr double kCrossingPx = 1.2;
 constexpr double kMaxCosine = 0.8;
 // Links are one behind the other if they are this far apart along the line of sight, footprints.
-// F on midday, mixed, day with 30 and 100: the same to .1.
 constexpr double kMinBehindPx = 60;
 // The farther link must be shown along this share of the samples on either side, and the nearer one
 // along no more than that share of the samples next to the crossing, where edges are blurred.

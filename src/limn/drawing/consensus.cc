@@ -16,8 +16,7 @@
 namespace limn {
 namespace {
 
-// The constants were chosen on day, room, midday and mixed
-// (algorithm/drawing.md#what-was-measured).
+// How the constants were chosen: algorithm/drawing.md#what-was-measured.
 constexpr int kConsensusRounds = 5;
 // A sample that moves by less has settled, px.
 constexpr double kSettledPx = 0.02;

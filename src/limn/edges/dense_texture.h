@@ -21,8 +21,7 @@ struct TextureSample {
 // of all, and directions are mixed: |mean exp(2 i angle)| < 0.45. What crosses texture in longer
 // runs is not texture. None if min_density is 0. Time: linear in edgels and cells.
 //
-// Such edgels match by chance in other views. Of those found with 0.18 per px^2, 1.0 % end in
-// drawings of midday (of all edgels 24 %), 0.2 % on the vase (21 %), 2.4 % on Herz-Jesu (25 %).
+// Such edgels match by chance in other views.
 std::vector<EdgelId> FindDenseTexture(const std::vector<TextureSample>& edgels, int width,
                                       int height, double min_density);
 

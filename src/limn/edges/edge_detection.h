@@ -19,12 +19,11 @@ struct EdgeDetectionOptions {
 
   // Finer scale, for edges that rise enough above the noise there, px, 0.8 to 5; not used if it is
   // 0 or not below sigma_px. It separates strands down to about 2 times this. sigma_px then adds
-  // the other edges. Without it F on midday, mixed light, room: -2.2, -1.1, -6.8.
+  // the other edges.
   double fine_sigma_px = 1.0;
 
   // Weakest edge at the finer scale, in multiples of the gradient noise there, (0, 100], and in
-  // gray levels per px, >= 0. At 8 times the noise the direction of an edgel errs by 6 degrees. F
-  // on midday, mixed light, room with 5: -2.9, -2.5, +.1.
+  // gray levels per px, >= 0. At 8 times the noise the direction of an edgel errs by 6 degrees.
   double fine_noise_factor = 8;
   double fine_min_strength = 1;
 
@@ -54,8 +53,8 @@ struct EdgeDetectionOptions {
   double isoluminant_distance_px = 3.0;
 
   // Edgels are those of texture, which are not linked, where short runs of mixed directions have
-  // at least this many per px^2, [0, 1]; 0 = none are (FindDenseTexture). 0.18 finds
-  // leaves. Measured, no better: algorithm/edges.md#dense-texture.
+  // at least this many per px^2, [0, 1]; 0 = none are (FindDenseTexture). 0.18 finds leaves.
+  // Off: drawings are no better with it (algorithm/edges.md#what-was-measured).
   double texture_density = 0;
 
   // Border of the image without edgels, px, >= 0.

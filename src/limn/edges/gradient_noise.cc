@@ -11,8 +11,8 @@ namespace limn {
 namespace {
 
 constexpr int kBlockPx = 32;
-// Quantile of gradient magnitudes in a block, and of blocks; the latter is this much below the
-// center of the blocks' scatter in pure noise (measured).
+// Quantile of gradient magnitudes in a block, and of blocks; in simulated noise the latter is this
+// much below the center of the blocks' scatter.
 constexpr double kPixelQuantile = 0.3;
 constexpr double kGradientBlockQuantile = 0.15;
 constexpr double kGradientBlockBias = 0.93;

@@ -13,9 +13,8 @@ namespace limn {
 namespace {
 
 constexpr int kMinProfiles = 3;
-// Weights and limits were fitted on room and the sample sets
-// (algorithm/kinds.md#what-was-measured). A step that is blurrier than sharp ones by this factor is
-// soft.
+// Weights and limits were fitted: algorithm/kinds.md#what-was-measured. A step that is blurrier
+// than sharp ones by this factor is soft.
 constexpr double kSoftRatio = 1.4;
 constexpr double kSoftSlope = 6.7;
 constexpr double kSoftOffset = -1.94;

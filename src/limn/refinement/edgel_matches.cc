@@ -15,8 +15,7 @@ namespace {
 constexpr double kSampleSpacingPx = 1.5;
 // Of a segment: only one that the fit has thrown far away is longer.
 constexpr double kMaxSegmentSamples = 1000;
-// Image edges nearer to each other than this displace each other or merge, px. Chosen on midday,
-// mixed light, vase and day: F -.3 to +.4 with 2, -.7 to +.3 with 4.
+// Image edges nearer to each other than this displace each other or merge, px.
 constexpr double kResolvedPx = 3;
 // An edgel is given up if another link passes nearer to it by more than this, px.
 constexpr double kClearlyBetterPx = 0.1;

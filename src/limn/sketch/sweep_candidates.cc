@@ -12,9 +12,8 @@ namespace {
 
 // Candidates before they are elected anew about the means of their voters.
 constexpr size_t kMaxPreliminaryModes = 16;
-// Depths are proposed by the crossings of so many views, the first in the plan. F of the sketch,
-// mean of sample-mixed, room, midday, mixed, with 16: +.1 at one tau, +.2 at two, in 1.15 times the
-// time.
+// Depths are proposed by the crossings of this many views, the first in the plan. More take more
+// time and gain little.
 constexpr int kSeedViews = 8;
 // Smallest number of voters.
 constexpr int kMinVoters = 2;

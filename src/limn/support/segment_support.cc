@@ -8,7 +8,7 @@
 namespace limn {
 namespace {
 
-// F on day, room with .49: -.2, 0; .875: -.1, +.1.
+// Share of the length along which edgels must run, and the length at either end that corners round.
 constexpr double kMinCoveredShare = 0.7;
 constexpr double kRoundedPx = 1.5;
 // Shorter projections are not tested.

@@ -12,11 +12,10 @@
 
 namespace limn {
 
-// Chance is measured on copies of a curve, shifted sideways in the image by these distances, px. F
-// on day, room with .7 times these: -.1, +.2; 1.4: 0, +.1.
+// Chance is measured on copies of a curve, shifted sideways in the image by these distances, px:
+// beyond the edge itself, within what surrounds it.
 constexpr std::array<double, 6> kChanceShiftsPx = {-9, -7, -5, 5, 7, 9};
-// Lower limit of the chance, since the copies sample little of the images. F on day, room with .014
-// or .028: 0, 0.
+// Lower limit of the chance, since the copies sample little of the images.
 constexpr double kMinChance = 0.02;
 
 // Support of a straight edge in space by the images (algorithm/notation.md#segments-and-chance).
@@ -47,9 +46,8 @@ bool ShowsSegment(const View& view, const Eigen::Vector3d& from, const Eigen::Ve
 // Hoeffding's bound on the natural logarithm of the probability that k or more of n views show by
 // accident what each of them shows with probability p; 0 if k does not exceed the expected number.
 // Neighboring views are not independent trials, since accidents persist while the camera moves. So
-// more than kIndependentViews views count as that many with the same share k / n: chosen on 100
-// views of the sample scene (14: fewer junctions; 20 to 30: F at 1 px -.1 to -1.1), checked on 50
-// and 25 views, day, lamp, evening, midday and vase.
+// more than kIndependentViews views count as that many with the same share k / n. Fewer find fewer
+// junctions, more believe accidents (algorithm/notation.md#what-was-measured).
 constexpr int kIndependentViews = 18;
 double LogChance(double k, double n, double p);
 

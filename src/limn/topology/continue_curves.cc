@@ -18,8 +18,8 @@
 namespace limn {
 namespace {
 
-// The constants were chosen on day, room and midday (algorithm/topology.md#what-was-measured). A
-// step finds edgels within this gate.
+// A step finds edgels within this gate. How the constants were chosen:
+// algorithm/topology.md#what-was-measured.
 constexpr SupportGate kStepGate = {1.5, 1.0, 20 * kDeg};
 // Longest continuation, steps of one px.
 constexpr int kMaxSteps = 400;

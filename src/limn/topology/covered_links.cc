@@ -12,8 +12,7 @@ namespace limn {
 namespace {
 
 // Links within this distance lie side by side, px; up to the second distance if the point's
-// covariance allows it. Former limits of the drawing (1.4) and the refinement (1). F on day, room
-// with .7 times both: 0, 0; 1.4: -.1, 0.
+// covariance allows it.
 constexpr double kBesidePx = 1;
 constexpr double kMaxUncertainPx = 1.4;
 constexpr double kMaxChiSquared = 9;

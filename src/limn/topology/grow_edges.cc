@@ -17,8 +17,7 @@
 namespace limn {
 namespace {
 
-// Growth, px: step, start, longest gap without edgels, longest and shortest link. F on day, room
-// with a gap of 2.1: +.2, -.1; 4.2: 0, 0; a shortest link of 2.8 or 5.6: 0, 0.
+// Growth, px: step, start, longest gap without edgels, longest and shortest link.
 constexpr double kStepPx = 1;
 constexpr double kBeginPx = 2;
 constexpr double kMaxGapPx = 3;
@@ -28,20 +27,17 @@ constexpr double kMinLengthPx = 4;
 constexpr int kFitSteps = 4;
 // Weight of the old direction in the fit, px^2: it decides where nothing is seen.
 constexpr double kOldDirectionWeight = 4;
-// An edge ends at a joint within this distance of its end, px, and of its line. F on day, room with
-// .7 times both: 0, 0; 1.4: 0, +.1.
+// An edge ends at a joint within this distance of its end, px, and of its line.
 constexpr double kSnapPx = 4;
 constexpr double kMaxEdgeMissPx = 2;
 // Joints nearer to each other than this are taken for one, px.
 constexpr double kMinSegmentPx = 3;
 // Largest chance that the images show a grown edge by accident, and the same for all segments from
-// one joint together. A segment between two joints is more plausible to begin with. F on day, room
-// with 1e-3 for grown edges: +.4, +.3, with 2 % and 0 % fewer junctions found; 1e-1: -.4, 0, with 6
-// % and 2 % more; 1e-2 for segments: +.1, +.1; 1: -.1, 0.
+// one joint together. A segment between two joints is more plausible to begin with. A smaller
+// chance for grown edges finds fewer junctions.
 constexpr double kMaxChance = 1e-2;
 constexpr double kMaxSegmentChance = 1e-1;
-// Views in which edgels must run along an edge. F on day, room with 3: 0, -.3; 5: 0, +.2, with 3 %
-// fewer junctions found on day.
+// Views in which edgels must run along an edge. More find fewer junctions.
 constexpr int kMinViews = 4;
 
 // A straight edge, from one joint to another if it has two. The most certain ones sort first.

@@ -14,21 +14,17 @@
 namespace limn {
 namespace {
 
-// Edgels at these distances from the joint make rays, px. Nearer ones are rounded and mixed. F on
-// day, room with kMaxRayPx 7: +.5, +.2; 14: -.6, -.1.
+// Edgels at these distances from the joint make rays, px. Nearer ones are rounded and mixed.
 constexpr int kMinRayPx = 2;
 constexpr int kMaxRayPx = 10;
-// Number of pixels of a ray that must have edgels. F on day, room with 2: 0, +.1; 4: -.4, 0.
+// Number of pixels of a ray that must have edgels.
 constexpr int kMinCoveredPx = 3;
-// Largest distance, px, and angle of edgels from a ray. F on day, room with 17 degrees: -.1, +.1;
-// 35: -.3, +.1.
+// Largest distance, px, and angle of edgels from a ray.
 constexpr double kMaxMissPx = 1.0;
 constexpr double kMaxTurnRad = 25 * kDeg;
-// A ray agrees with directions within this angle. F on day, room with 8 degrees: +.5, 0; 17: -.2,
-// +.2.
+// A ray agrees with directions within this angle.
 constexpr double kRayWidthRad = 12 * kDeg;
-// A link at the joint explains directions within this angle. F on day, room with 14 or 28 degrees,
-// also for kTakenRad of joints.cc: -.1, 0.
+// A link at the joint explains directions within this angle.
 constexpr double kExplainedRad = 20 * kDeg;
 // Length of the step in space, px, whose projection gives the direction in the image. A projection
 // shorter than the second value is seen end on.
@@ -41,8 +37,7 @@ constexpr double kMinNumRays = 0.3;
 // At most this many views, evenly spread, propose directions; all views vote.
 constexpr size_t kProposingViews = 24;
 // Number of directions that rays of this width can tell apart, and the largest expected number of
-// false alarms among them. It may exceed one, since the whole edge is tested later. F on day, room
-// with 1 false alarm: -.1, +.1; 100: +.1, 0.
+// false alarms among them. It may exceed one, since the whole edge is tested later.
 constexpr double kNumDirections = 130;
 constexpr double kMaxFalseAlarms = 10;
 

@@ -13,8 +13,8 @@
 namespace limn {
 namespace {
 
-// The tip of a link lies between these distances from its end, px. F on day, room with .7 times
-// both: +.2, -.1; 1.4: -.2, 0, with junction precision -4.4, -.8.
+// The tip of a link lies between these distances from its end, px: fits and detectors round what is
+// nearer, and longer tips make more false junctions.
 constexpr double kTipSkipPx = 2;
 constexpr double kTipLengthPx = 12;
 // A bend is measured on tips of so many points or more.

@@ -8,17 +8,15 @@
 namespace limn {
 namespace {
 
-// Overshoot allowed, as a share of the gap. F on day, room with .35: 0, -.1; .7: 0, +.1.
+// Overshoot allowed, as a share of the gap.
 constexpr double kOvershootShare = 0.5;
-// Shares of overshoot and miss allowed to fitted links: with the default options 3 and 1.5 px, as
-// the refinement had them before. F on day, room with a miss of 1.05 px: 0, 0; 2.5: 0, +.1.
+// Shares of overshoot and miss allowed to fitted links, which are more accurate: 3 and 1.5 px with
+// the default options.
 constexpr double kFittedOvershoot = 0.5;
 constexpr double kFittedMiss = 0.375;
-// Fragments must pass this near to a projected meeting, px. F on day, room with 4.2: 0, +.2; 8.4:
-// 0, -.1, with junction precision -3.5, -2.8.
+// Fragments must pass this near to a projected meeting, px. Farther: more false junctions.
 constexpr double kNearPx = 6;
-// Length of the stretch around a place whose fragments are used, to either side, px. F on day, room
-// with 8.4: -.1, 0; 16.8: 0, 0.
+// Length of the stretch around a place whose fragments are used, to either side, px.
 constexpr double kEndStretchPx = 12;
 
 void CollectFragments(const TopologyInput& input, const LinkVertex& vertex,

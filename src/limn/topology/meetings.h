@@ -36,8 +36,7 @@ struct Reach {
                            double turn_rad = 0) const;
 };
 
-// Gaps up to this need no support in the images. F on day, room with 2.1 px: 0, 0; 4.2: -.1, 0,
-// with junction precision -2.5, -1.0.
+// Gaps up to this need no support in the images. Wider: more false junctions.
 constexpr double kSmallGapPx = 3;
 
 struct MeetingCounts {

@@ -9,8 +9,7 @@
 namespace limn {
 namespace {
 
-// The thresholds were chosen on midday, mixed light, vase and day. Support is narrow if its viewing
-// directions span less than this share of the span of all views.
+// Support is narrow if its viewing directions span less than this share of the span of all views.
 constexpr double kNarrowShare = 0.5;
 // Views within this angle of a supporting one show where the outline moved, by at most this far,
 // virtual px.

@@ -25,8 +25,8 @@ constexpr double kMaxBehindPx = 2;
 constexpr double kMaxBesidePx = 1.5;
 // Smallest angle between the run and the link.
 constexpr double kMinAngleRad = 25 * kDeg;
-// Places of a link within this length, px, are one, and so many views must show it. F on day, room,
-// midday with 3 views: 0, 0, +.8, with .1 more links per true curve on day.
+// Places of a link within this length, px, are one, and this many views must show it. Fewer views
+// cut more links without need.
 constexpr double kClusterPx = 2;
 constexpr int kMinSideViews = 4;
 // Nodes are not made nearer than this to the ends of a link, px.
