@@ -1,7 +1,7 @@
 #pragma once
 
-// COLMAP's library, and all that differs between its versions 3.8 to 4.1. What a version has is
-// asked of its classes: no version number is compared.
+// COLMAP's library, and everything that differs between versions 3.8 and 4.1. The code asks
+// COLMAP's classes what they have instead of comparing version numbers.
 
 #if __has_include(<colmap/scene/reconstruction.h>)
 #include <colmap/scene/reconstruction.h>

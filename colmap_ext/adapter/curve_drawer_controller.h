@@ -18,11 +18,11 @@ struct CurveDrawerOptions {
   std::string image_path;
   // Folder for drawing.json and all that automatic_drawer writes beside it.
   std::string output_path;
-  // The options of automatic_drawer but for its paths, at medium quality. For another:
+  // The options of automatic_drawer except its paths, at medium quality. For another quality:
   // drawer.run = DefaultRunOptions(Quality::kHigh).
   DrawerOptions drawer;
-  // Add the drawing to the reconstruction as 3D points with tracks, this many pixels apart, seen by
-  // the images that support the curves. 0 = do not. Not for refined poses, which the
+  // Adds the drawing to the reconstruction as 3D points with tracks, this many pixels apart, seen
+  // by the images that support the curves. 0 = off. Not with refined poses, which the
   // reconstruction does not have.
   double point_spacing_px = 0;
 
@@ -31,8 +31,8 @@ struct CurveDrawerOptions {
 };
 
 // Draws a reconstruction as one stage of a program that links COLMAP: what `limn automatic_drawer`
-// makes of its files, to the last bit. The progress is logged by LOG(INFO). A stop takes effect at
-// the next report of progress, and a pause holds the work there; results for the cache are kept.
+// makes from its files, bit for bit. Progress is logged with LOG(INFO). A stop takes effect at the
+// next report of progress, and a pause holds the work there; results for the cache are kept.
 //
 // Run by a ControllerThread or any thread; up to COLMAP 3.9 it is a Thread itself.
 class CurveDrawerController : public ColmapController {
@@ -41,11 +41,11 @@ class CurveDrawerController : public ColmapController {
   CurveDrawerController(CurveDrawerOptions options,
                         std::shared_ptr<colmap::Reconstruction> reconstruction);
 
-  // Throws nothing: what went wrong is logged by LOG(ERROR), and told by Error().
+  // Throws nothing: errors are logged with LOG(ERROR) and returned by Error().
   void Run() override;
 
-  // The drawing in the coordinates of the reconstruction. Nothing before the end of the run, and if
-  // it failed or was stopped.
+  // The drawing in the coordinates of the reconstruction. Empty before the end of the run, and if
+  // the run failed or was stopped.
   const std::optional<DrawingGraph>& Drawing() const { return drawing_; }
   // Why there is no drawing; empty if it was stopped, or only made a shard.
   const std::string& Error() const { return error_; }

@@ -9,10 +9,11 @@
 
 namespace limn::colmap_ext {
 
-// Speaks by LOG(INFO), as COLMAP does; progress at most every other second.
+// Writes to LOG(INFO), as COLMAP does; progress at most every two seconds.
 class LogConsole : public Console {
  public:
-  // `is_stopped` is asked at every report of progress whether the run is to stop, and may block.
+  // `is_stopped` is called at every progress report and may block; the run stops when it returns
+  // true.
   LogConsole(int num_threads, std::function<bool()> is_stopped);
 
   void ShowTable(const std::string& lines) override { ShowLine(lines); }

@@ -8,8 +8,8 @@
 namespace limn::colmap_ext {
 
 // One function per command: declare options, parse, read, call, write. `argv` begins with the name
-// of the command; what it says goes to the console that it makes. Returns the exit code. Exceptions
-// are turned into one line and exit code 1 by main.cc.
+// of the command; output goes to the console that it makes. Returns the exit code. Exceptions are
+// turned into one line and exit code 1 by main.cc.
 int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console);
 int RunCurveLinker(int argc, const char* const* argv, const ConsoleMaker& make_console);
@@ -33,10 +33,10 @@ struct Command {
   const char* summary;
 };
 
-// In the order in which a project needs them; the main job is first.
+// In the order in which a project needs them, the main job first.
 std::span<const Command> Commands();
 
-// Null if there is no command of this name.
+// Null if no command has this name.
 const Command* FindCommand(std::string_view name);
 
 }  // namespace limn::colmap_ext

@@ -18,7 +18,7 @@ struct CloudPoint {
 
 // The points of the curves for meshers: every sample once for each known face beside it, with that
 // face's normal. Samples without a known face are left out, since a mesher would put a surface
-// there. (More points on the faces to the sides made the sample scene's mesh worse.)
+// there. (Additional points on the faces beside the curve made the sample scene's mesh worse.)
 std::vector<CloudPoint> PointsForMeshing(const std::vector<CurvePoint>& points);
 
 // Writes a folder for COLMAP's meshers: fused-with-curves.ply, the points of `fused` followed by

@@ -27,8 +27,8 @@ struct RunLog {
   std::vector<std::string> warnings;
 };
 
-// Who a run speaks to. Keeps its log; what is shown of it is up to the kinds of consoles: that of
-// the terminal (terminal_console.h) prints, that of programs that use Limn as a library
+// Receives the messages, progress and results of a run, and keeps its log. What is shown depends on
+// the console: the terminal's (terminal_console.h) prints, that of programs using Limn as a library
 // (library_console.h) does not.
 class Console {
  public:
@@ -41,16 +41,16 @@ class Console {
 
   // Shows a line. Lines that begin with "WARNING: " are added to the log.
   void Say(const std::string& line);
-  // Shows lines that are the result of a run. Throws IoError if that is not possible.
+  // Shows the lines that are the result of a run. Throws IoError if they cannot be written.
   virtual void ShowTable(const std::string& lines) = 0;
-  // Shows what the stage reused from the cache, recomputed and could not store, one line each;
-  // then the counts in, kept and dropped, the seconds since the last summary and the peak memory of
-  // the program.
+  // Shows what the stage reused from the cache, recomputed or could not store, one line each; then
+  // its counts of items in, kept and dropped, the seconds since the last summary and the program's
+  // peak memory.
   void Report(const StageSummary& summary);
-  // Shows what could not be stored since the last stage, and then the warnings of the whole run
-  // again, if there are any: stages hide them.
+  // Shows what could not be stored since the last stage, then repeats the warnings of the whole
+  // run, which the output of the stages may have scrolled away.
   void RepeatWarnings();
-  // The cache that results are stored in from now on.
+  // Sets the cache whose use is reported from now on.
   void SetCache(std::shared_ptr<const ResultCache> cache);
 
   const RunLog& log() const { return log_; }
@@ -82,7 +82,7 @@ class Console {
 // What to show of a stage: what came in, what was kept and dropped, warnings.
 std::vector<std::string> LinesOf(const RunLog::Stage& stage);
 
-// Makes the console of a command. One that does not speak shows nothing.
+// Makes the console of a command. A quiet one shows nothing.
 using ConsoleMaker = std::function<std::unique_ptr<Console>(int num_threads, bool speaks)>;
 
 }  // namespace limn::colmap_ext

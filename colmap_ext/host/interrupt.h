@@ -24,7 +24,7 @@ class InterruptsBlocked {
   sigset_t before_;
 };
 
-// The last words of a command that writes all of its results at the end.
+// The line printed on interruption by a command that writes all of its results at the end.
 std::string WhatIsWritten();
 
 // Ends the run on SIGINT and SIGTERM. Stages are asked to stop and have a second to do so; then, or
@@ -33,8 +33,8 @@ std::string WhatIsWritten();
 class InterruptWatch {
  public:
   // Handles both signals, also for threads that start later. `last_words` returns the line to print
-  // on interruption, or nothing; it is called at most once, from any thread, and after it no file
-  // appears any more. At most one InterruptWatch may exist.
+  // on interruption, or nothing; it is called at most once, from any thread, and no file appears
+  // after it. At most one InterruptWatch may exist.
   explicit InterruptWatch(std::function<std::string()> last_words = WhatIsWritten);
   // Prints the last words if the run ends because it was interrupted.
   ~InterruptWatch();

@@ -35,8 +35,8 @@ class RunMonitor {
   bool is_new_ = false;
 };
 
-// The console of programs that use Limn as a library: prints nothing and takes no signals. Its log
-// has the warnings and stages.
+// The console of programs that use Limn as a library: prints nothing and handles no signals. Its
+// log has the warnings and stages.
 class LibraryConsole : public Console {
  public:
   // The monitor must outlive the console.

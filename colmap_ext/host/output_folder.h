@@ -12,12 +12,12 @@
 
 namespace limn::colmap_ext {
 
-// Where a run writes, locked.
+// The locked folder that a run writes to.
 class OutputFolder {
  public:
-  // Writes only the lock file, which keeps other commands (for a shard: all but other shards) out
-  // of the folder during the lifetime of this. Removes temporary files of a killed run, unless
-  // other shards may be running. Throws IoError.
+  // Writes only the lock file, which keeps other commands (for a shard: all except other shards)
+  // out of the folder during the lifetime of this object. Removes temporary files of a killed run,
+  // unless other shards may be running. Throws IoError.
   OutputFolder(const OutputLayout& output, const RunOptions& options, Console* console);
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

@@ -11,16 +11,16 @@
 
 namespace limn::colmap_ext {
 
-// A COLMAP project: what is read of it, and the folder that results are written to, locked.
+// A COLMAP project: what is read from it, and the locked folder that results are written to.
 class Project : public OutputFolder, public Scene {
  public:
-  // Finds the folders, says which, locks the output and reads. Throws what OutputFolder, Scene and
-  // ResolveLayout throw.
+  // Finds the folders, reports them, locks the output and reads the scene. Throws what
+  // OutputFolder, Scene and ResolveLayout throw.
   Project(const RunOptions& options, Console* console);
   // The same with a model in memory, for which only image_path and output_path of the layout count.
   Project(SparseModel model, const RunOptions& options, Console* console);
 
-  // The model in its own coordinates, which is read again: to keep it would cost memory. Throws
+  // The model in its own coordinates, read again, since keeping it would cost memory. Throws
   // IoError.
   SparseModel ReadModel() const;
 
@@ -32,7 +32,7 @@ class Project : public OutputFolder, public Scene {
   std::optional<SparseModel> given_model_;
 };
 
-// ResolveLayout; says what was chosen.
+// ResolveLayout, and reports what was chosen.
 WorkspaceLayout ChooseLayout(const RunOptions& options, Console* console);
 
 // The image curves of all views, from the project's cache where possible; prints a summary.

@@ -24,23 +24,23 @@ class MpiSession {
 int Rank();
 int NumRanks();
 
-// Waits until all ranks have called it, each with what went wrong in its part of the work, or
-// nothing. If something did, rank 0 throws std::runtime_error with the first such text, its rank
-// and host, and the others wait for AbortRanks: one line is said, however many ranks met the same.
-// A process on its own throws its text.
+// Waits until all ranks have called it, each with the error in its part of the work, or an empty
+// text. After an error, rank 0 throws std::runtime_error with the first text, its rank and host,
+// and the others wait for AbortRanks, so that one line is printed however many ranks failed. A
+// process on its own throws its own text.
 void MeetAllRanks(const std::string& error);
 
 // Broadcasts rank 0's value to every rank.
 bool AsRankZero(bool value);
 
-// All ranks as a team that exchanges results.
+// All ranks, as a team that exchanges results.
 class RankTeam : public Team {
  public:
   int Rank() const override;
   int Size() const override;
   std::vector<std::string> Exchange(const std::string& mine) override;
 
-  // Bytes sent by all ranks together, to each of the others.
+  // Bytes sent by all ranks together to each of the others.
   size_t bytes_exchanged() const { return bytes_exchanged_; }
 
  private:

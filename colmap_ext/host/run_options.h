@@ -34,22 +34,22 @@ struct RunOptions {
   // Compute only this part of the views, "i/n", for the cache; empty = everything.
   std::string shard;
   ShardStage shard_stage = ShardStage::kSketches;
-  // Another process holds the lock of the output folder for this one. Not a user option.
+  // Another process holds the lock on the output folder for this one. Not a user option.
   bool is_led = false;
   // Replace results made with other options, from other images or not by limn.
   bool overwrite = false;
-  // Bring the drawing that is there up to date (limn/pipeline/update_scene.h).
+  // Bring the existing drawing up to date (limn/pipeline/update_scene.h).
   bool update = false;
 
   // Throws OptionError.
   void Check() const;
-  // The same without the paths, for a model in memory.
+  // The same except for the paths, for a model in memory.
   void CheckValues() const;
   // Sets what follows from other options.
   void SetDerived();
 };
 
-// The options of a command at a level of quality, if no others are given.
+// The default options of a command at a quality level.
 RunOptions DefaultRunOptions(Quality quality);
 
 // The option groups of a command, in addition to paths and selection.
@@ -58,7 +58,7 @@ struct OptionGroups {
   bool sketch = false;
   bool drawing = false;
   bool refinement = false;
-  // What of the refinement applies to some links of a finished drawing.
+  // The options of the refinement that apply to refitting some links of a finished drawing.
   bool refit = false;
   bool regularities = false;
   bool surfaces = false;

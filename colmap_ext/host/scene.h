@@ -16,20 +16,20 @@
 
 namespace limn::colmap_ext {
 
-// What a run reads: views and photographs. Writes nothing.
+// The input of a run: views and photographs. Writes nothing.
 class Scene {
  public:
-  // Reads the model and the headers of all images, finds their files of edges if there is a folder
-  // of such, and says what was found. Throws OptionError, IoError and InputError.
+  // Reads the model and the headers of all images, finds their edge files if a folder of them is
+  // given, and reports what was found. Throws OptionError, IoError and InputError.
   Scene(WorkspaceLayout layout, const RunOptions& options, Console* console);
-  // The same for a model that is no files, with photographs in the folder or in memory. Throws
+  // The same for a model in memory, with photographs in the folder or in memory. Throws
   // OptionError, IoError and InputError.
   Scene(SparseModel model, const std::filesystem::path& image_dir, const PhotoStore& photos,
         const RunOptions& options, Console* console);
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  // Of a model that was given only the folder of images.
+  // For a model in memory, only the folder of images is set.
   const WorkspaceLayout& layout() const { return layout_; }
   const ViewSet& view_set() const { return view_set_; }
   const std::vector<View>& views() const { return view_set_.views; }
@@ -37,13 +37,13 @@ class Scene {
   // Subtracted from all positions of the model (see SceneOrigin): views, hints and everything
   // computed from them are relative to it. Files store the model's coordinates.
   const Eigen::Vector3d& origin() const { return origin_; }
-  // The files of edges of all views, to be used instead of detected ones; empty = detect them.
+  // The edge files of all views, used instead of detection; empty = detect edges.
   const std::vector<std::string>& edge_files() const { return edge_files_; }
 
  private:
   void SetModel(SparseModel model, const PhotoStore& photos, const RunOptions& options,
                 Console* console);
-  // Throws OptionError for what cannot be done with them.
+  // Throws OptionError for options that do not work with panoramas.
   void CheckPanoramas(const RunOptions& options) const;
   void UseEdges(const RunOptions& options, Console* console);
 

@@ -21,10 +21,10 @@ class TerminalConsole : public Console {
   void ShowTable(const std::string& lines) override;
 
  private:
-  // Without the control characters in it.
+  // Removes control characters.
   void ShowLine(const std::string& line) override;
   void ShowStage(const RunLog::Stage& stage) override;
-  // The line that says what an interrupted run leaves behind.
+  // The line printed on interruption: what the run leaves behind.
   std::string WhatIsKept() const;
   void ShowProgress(const char* stage, size_t done, size_t total);
   void ClearProgressLine();
@@ -37,7 +37,7 @@ class TerminalConsole : public Console {
   int progress_tenth_ = 0;
   Clock::time_point progress_start_;
   Clock::time_point last_shown_;
-  // Last: its thread asks what is kept.
+  // Declared last: its thread calls WhatIsKept().
   InterruptWatch interrupts_;
 };
 

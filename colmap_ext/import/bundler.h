@@ -16,7 +16,7 @@ namespace limn::colmap_ext {
 // Pixel centers: half, that is, the center of the image is w/2 pixels from its left border.
 // COLMAP's own exporter drops the principal point and one of the focal lengths.
 
-// Whether the path is a file that begins like a Bundler file, or a folder with *.out.
+// Whether the path is a file that begins like a Bundler file, or a folder containing *.out.
 bool HoldsBundler(const std::filesystem::path& path);
 
 // Throws IoError with the line: unsupported version, inconsistent counts, missing or non-finite

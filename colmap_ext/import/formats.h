@@ -17,7 +17,7 @@ struct ImportFormat {
 
 const std::vector<ImportFormat>& ImportFormats();
 
-// Null if there is no format of this name.
+// Null if no format has this name.
 const ImportFormat* FindImportFormat(const std::string& name);
 
 // The one format that recognizes the path. Throws IoError if none or several do.

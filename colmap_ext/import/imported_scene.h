@@ -48,8 +48,9 @@ struct SparseModelOptions {
   double share_cameras_px = 1e-7;
 };
 
-// The model of a scene; image ids start at 1. Throws IoError with the place of the image for what
-// ReadModel rejects, too: duplicate names, focal lengths that are not positive, non-finite numbers.
+// The model of a scene; image ids start at 1. Throws IoError with the place of the image for
+// everything that ReadModel rejects: duplicate names, focal lengths that are not positive,
+// non-finite numbers.
 SparseModel ToSparseModel(ImportedScene scene, const SparseModelOptions& options);
 
 }  // namespace limn::colmap_ext

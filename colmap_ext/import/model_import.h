@@ -26,7 +26,7 @@ struct ImporterOptions {
   void Check() const;
 };
 
-// Reads cameras in the given format, or in the one recognized from the path. Adds what the user
+// Reads cameras in the given format, or in the one recognized from the path. Appends what the user
 // should know to `notes`, one line each. Throws IoError.
 SparseModel ImportModel(const ImporterOptions& options, std::vector<std::string>* notes);
 

@@ -10,11 +10,11 @@ namespace limn::colmap_ext {
 //
 // The principal point is the center of the image. VisualSFM's measurements are relative to it;
 // COLMAP's exporter writes them relative to the corner of the image. A file without negative
-// measurements is taken for the latter, with a note to the user.
+// measurements is assumed to come from the exporter, with a note to the user.
 //
 // A camera without distortion becomes SIMPLE_PINHOLE. VisualSFM's distortion maps in the opposite
-// direction of COLMAP's (see measurement_distortion.h); it becomes FULL_OPENCV, with an error below
-// 0.001 px everywhere in the image, or is an error.
+// direction from COLMAP's (see measurement_distortion.h); it becomes FULL_OPENCV, with an error
+// below 0.001 px everywhere in the image, or is an error.
 //
 // Pixel centers: half, that is, the center of the image is w/2 pixels from its left border.
 

@@ -7,7 +7,8 @@
 
 namespace limn::colmap_ext {
 
-// COLMAP's camera models, 3.8 to 4.1. Ids and names never changed meaning between releases.
+// COLMAP's camera models, 3.8 to 4.1. Ids and names have never changed their meaning between
+// releases.
 enum class CameraModelId : int32_t {
   kSimplePinhole = 0,
   kPinhole = 1,
@@ -42,7 +43,7 @@ struct CameraModel {
 const CameraModel* FindCameraModel(int32_t id);
 const CameraModel* FindCameraModel(std::string_view name);
 
-// All models, comma-separated, for messages.
+// All model names, comma-separated, for messages.
 std::string SupportedCameraModels();
 
 // A camera as stored in cameras.bin or cameras.txt. Lengths in pixels; COLMAP's convention: the
@@ -54,7 +55,7 @@ struct Camera {
   uint64_t height = 0;
   std::vector<double> params;
 
-  // Images of all directions, which have no intrinsics (model/panorama.h).
+  // Panoramas have no intrinsics (model/panorama.h).
   bool IsPanorama() const { return model == CameraModelId::kEquirectangular; }
 };
 

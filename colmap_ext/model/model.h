@@ -73,7 +73,7 @@ struct SparseModel {
   const Camera& CameraOf(const ModelImage& image) const;
 };
 
-// An id that no point has, nor any after it.
+// An id above those of all points.
 uint64_t NextPointId(const SparseModel& model);
 
 // Whether the folder contains cameras and images, in binary or text format.

@@ -22,7 +22,7 @@ void WritePointsText(const SparseModel& model, std::ostream& out);
 struct ModelFile {
   const char* name;
   void (*write)(const SparseModel& model, std::ostream& out);
-  bool is_of_rigs = false;  // only there if the model has rigs
+  bool is_of_rigs = false;  // written only if the model has rigs
 };
 constexpr ModelFile kBinaryModelFiles[] = {{"cameras.bin", WriteCamerasBinary},
                                            {"images.bin", WriteImagesBinary},
@@ -38,9 +38,9 @@ constexpr ModelFile kTextModelFiles[] = {{"cameras.txt", WriteCamerasText},
 // Throws InputError if images.txt could not be read back because of the name of an image.
 void CheckTextNames(const SparseModel& model);
 
-// Write these files, each of them atomically, into a folder, which is made if it is missing. Rigs
-// and frames that are there are removed first: they would replace the new poses. Throw IoError, as
-// text also what CheckTextNames throws, which is before anything is changed.
+// Write these files, each atomically, into a folder, which is created if missing. Existing files of
+// rigs and frames are removed first: they would replace the new poses. Throw IoError; the text
+// writer also throws what CheckTextNames throws, before anything is changed.
 void WriteModelBinary(const SparseModel& model, const std::filesystem::path& folder);
 void WriteModelText(const SparseModel& model, const std::filesystem::path& folder);
 

@@ -11,8 +11,8 @@
 
 namespace limn::colmap_ext {
 
-// A rectangle of an image of all directions. Columns are counted on over its left and right border,
-// which are the same place.
+// A rectangle of a panorama. Columns continue across its left and right border, which are the same
+// place.
 struct ImageWindow {
   int x = 0;  // may be negative
   int y = 0;
@@ -28,7 +28,7 @@ struct ImageWindow {
   Eigen::Vector2d WindowFromImage(const Eigen::Vector2d& image_px) const;
 };
 
-// The rows of the window, of pixels of so many interleaved channels.
+// The rows of the window, as pixels of `channels` interleaved channels.
 template <typename T>
 std::vector<T> CutPixels(const std::vector<T>& pixels, const ImageWindow& window, int channels);
 
@@ -45,8 +45,8 @@ constexpr int kNumPanoramaParts = 12;
 
 // Four parts around the horizon, up to 30 degrees from it, and four above and below each, up to 80
 // degrees: the places above and below the camera, where the image is stretched six times and more,
-// are in no part. Parts do not overlap, but for a margin of so many pixels around each that filters
-// may reach into. A pixel of the pinhole image is as large as one of the image at the horizon.
+// are in no part. Parts overlap only by a margin of `margin_px` pixels around each, which filters
+// may reach into. A pixel of the pinhole image is as large as one of the panorama at the horizon.
 std::vector<PanoramaPart> PanoramaParts(int width, int height, int margin_px);
 
 template <typename T>

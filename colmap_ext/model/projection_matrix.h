@@ -8,8 +8,8 @@ namespace limn::colmap_ext {
 
 using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 
-// P = s K [R | t], decomposed for any factor s, also a negative one. P and -P project alike: a
-// matrix of a camera looking backwards cannot be told from one looking forwards.
+// P = s K [R | t], decomposed for any factor s, negative ones included. P and -P project alike, so
+// a camera that looks backwards cannot be distinguished from one that looks forwards.
 struct DecomposedProjection {
   // Upper triangular: (0, 0) and (1, 1) are positive focal lengths, (2, 2) is 1; (0, 1) is skew.
   Eigen::Matrix3d intrinsics;

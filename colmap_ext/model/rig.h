@@ -85,10 +85,10 @@ Rigid3d ComposedPose(const SparseModel& model, const MountedImage& mounted);
 // counted in a warning, as are images in two frames.
 void ApplyRigs(SparseModel* model);
 
-// The opposite, for images (indices) whose poses were changed one by one: poses of frames, and of
-// the sensors in their rigs, in the least-squares sense: of angles, then of the centers of cameras.
-// Then poses of all mounted images are the composed ones. Reference sensors, and what none of these
-// images tells, stay. Time: sparse linear least squares, a few times.
+// The opposite, for images (indices) whose poses were changed one by one: fits the poses of frames,
+// and of the sensors in their rigs, by least squares, first of angles, then of camera centers.
+// Afterwards the poses of all mounted images are the composed ones. Reference sensors, and whatever
+// none of these images determines, stay. Time: a few sparse linear least-squares problems.
 void FitRigs(const std::set<size_t>& images, SparseModel* model);
 
 }  // namespace limn::colmap_ext

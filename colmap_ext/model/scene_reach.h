@@ -8,12 +8,12 @@
 
 namespace limn::colmap_ext {
 
-// How far from the middle of a scene its cameras and points may be. What is 100,000 times as far
-// away as most others is a mistake, which would spoil every measure of the whole scene.
+// How far from the middle of a scene its cameras and points may be. Anything 100,000 times as far
+// away as most others is a mistake that would spoil every measure of the scene.
 class SceneReach {
  public:
-  // Of these images of the model and of its points, by medians: less than half of either may be
-  // wrong. Linear time.
+  // From the medians of these images of the model and of its points: fewer than half of either may
+  // be wrong. Linear time.
   SceneReach(const SparseModel& model, const std::vector<int>& images);
 
   bool Contains(const Eigen::Vector3d& place) const;

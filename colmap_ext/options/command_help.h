@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// What is known of an option, for texts that are made of it.
+// Everything about an option that its help texts are made of.
 struct OptionDescription {
   std::string name;
   std::string text;  // of the help

@@ -39,10 +39,10 @@ class OptionParser {
   void AddOption(const std::string& name, std::vector<double>* value, const OptionHelp& help);
   // Texts separated by semicolons; the option may also be given several times.
   void AddOption(const std::string& name, std::vector<std::string>* value, const OptionHelp& help);
-  // One of a list of words, which the help text lists.
+  // One of a list of words, which the help text shows.
   void AddOption(const std::string& name, std::string* value, std::vector<std::string> allowed,
                  const OptionHelp& help);
-  // An enum by its words.
+  // An enum, by the names of its values.
   template <typename Enum>
   void AddOption(const std::string& name, Enum* value,
                  const std::vector<std::pair<std::string, Enum>>& words, const OptionHelp& help);

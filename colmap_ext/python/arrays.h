@@ -8,8 +8,8 @@
 
 namespace limn::colmap_ext {
 
-// Read-only numpy arrays over memory that `owner` keeps; nothing is copied. `stride` is the number
-// of bytes from one row to the next.
+// Read-only numpy arrays over memory that `owner` keeps alive; nothing is copied. `stride` is the
+// number of bytes from one row to the next.
 template <typename Number>
 pybind11::array_t<Number> ArrayOver(const Number* data, size_t rows, size_t cols, size_t stride,
                                     std::shared_ptr<const void> owner) {

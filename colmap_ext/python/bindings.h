@@ -18,14 +18,14 @@ void BindStages(pybind11::module_* module);
 pybind11::list WarningsOf(const RunLog& log);
 pybind11::list StagesOf(const RunLog& log);
 
-// A line to be read, as the program would print it; bytes of paths that are no text become what
-// os.fsencode makes them of again.
+// A line as the program would print it. Bytes of paths that are not valid text become escapes that
+// os.fsencode turns back into the same bytes.
 pybind11::str LineOf(const std::string& text);
 
 // The index of Python's item i of n; negative ones count from the end. Raises IndexError.
 size_t IndexOf(pybind11::ssize_t i, size_t n);
 
-// Over a sequence that has __getitem__.
+// An iterator over any sequence with __getitem__.
 pybind11::iterator IterateSequence(const pybind11::object& sequence);
 
 // The view of this name. Raises KeyError.

@@ -18,8 +18,8 @@
 
 namespace limn::colmap_ext {
 
-// Collects cameras, images and photographs that are in memory, for OpenMemory. All functions throw
-// InputError, in the words of the readers of files.
+// Collects cameras, images and photographs in memory, for OpenMemory. All functions throw
+// InputError, with the same messages as the file readers.
 class MemoryModel {
  public:
   // Records as in COLMAP's files: all cameras, then all images, then all points.
@@ -37,7 +37,7 @@ class MemoryModel {
 
   void AddPhoto(const std::string& name, PhotoPixels pixels);
 
-  // Of the views where there are some, else of the records. To be called once.
+  // From the views if any were added, else from the records. Call it once.
   SparseModel TakeModel(PixelCenters pixel_centers);
   PhotoStore TakePhotos() { return PhotoStore(std::move(photos_)); }
 

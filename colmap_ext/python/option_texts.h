@@ -12,18 +12,19 @@ namespace limn::colmap_ext {
 // Options by name ("max_image_size", "Drawing.method"), with their values as on the command line.
 using OptionTexts = std::map<std::string, std::string>;
 
-// Throws OptionError if one of these options is given: the commands have it, `function` has no use
-// for it.
+// Throws OptionError if one of these options is given: the commands have it, but it does not apply
+// to `function`.
 void RefuseOptions(const std::string& function, const OptionTexts& options,
                    std::initializer_list<const char*> unused);
 
-// Those of `more` and the others of `texts`.
+// The options of both; those of `more` win.
 OptionTexts Merged(OptionTexts texts, const OptionTexts& more);
 
 // A command line. The texts of argv live as long as this.
 class CommandLine {
  public:
-  // Throws OptionError if a name could be no option, or asks for help; or if a text has zero bytes.
+  // Throws OptionError for names that cannot be options, for requests for help, and for texts with
+  // NUL bytes.
   CommandLine(const std::string& command, const OptionTexts& options);
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;

@@ -12,13 +12,14 @@
 
 namespace limn::colmap_ext {
 
-// Runs `work` on a thread of its own without Python's lock. Meanwhile the calling thread, which
-// holds the lock, wakes twenty times a second, looks for signals (Ctrl-C, in the main thread) and
-// calls progress(stage, done, total) with the latest state, unless `progress` is None. If one of
-// these raises, or the interpreter ends, which raises SystemExit, the work is asked to stop, and
-// the exception propagates: a work that does not stop within a second and a half is left to end
-// alone, with its result dropped. Otherwise what `work` throws propagates. `work` must not touch
-// Python, and must own what it uses. Throws std::runtime_error in a process that `progress` forked.
+// Runs `work` on a thread of its own without holding the GIL. Meanwhile the calling thread, which
+// holds it, wakes twenty times a second, checks for signals (Ctrl-C, in the main thread) and calls
+// progress(stage, done, total) with the latest state, unless `progress` is None. If one of these
+// raises, or the interpreter exits, which raises SystemExit, the work is asked to stop and the
+// exception propagates; work that does not stop within a second and a half is abandoned and its
+// result dropped. Otherwise whatever `work` throws propagates. `work` must not touch Python
+// objects, and must own what it uses. Throws std::runtime_error in a process that `progress`
+// forked.
 void RunWithoutLock(const pybind11::object& progress,
                     std::function<void(RunMonitor* monitor)> work);
 
@@ -33,10 +34,9 @@ auto RunFree(const pybind11::object& progress, Work work) {
   return std::move(**result);
 }
 
-// To be called once by a module with such functions. The end of the interpreter then waits for all
-// runs of other threads and for work that was left to end alone; a second Ctrl-C ends the process
-// at once, without files that are half written. A forked process does not wait for the runs of its
-// parent.
+// Call it once in a module with such functions. The interpreter then waits on exit for the runs of
+// other threads and for abandoned work; a second Ctrl-C ends the process at once, leaving no
+// half-written files. A forked process does not wait for the runs of its parent.
 void WatchInterpreter();
 
 }  // namespace limn::colmap_ext

@@ -17,10 +17,10 @@
 namespace limn::colmap_ext {
 
 // The stages on a scene in memory. Only ExportDrawing, SaveDrawing, EvaluateAsJson with options
-// that name its outputs, RunCommand and DrawInFolder write files. Options that a command has, but a
-// stage has no use for, such as its output_path, are refused (OptionError). A result keeps what it
-// was made of, with the options: those of a later stage are added to them, and must not change what
-// was made before (OptionError).
+// that name its outputs, RunCommand and DrawInFolder write files. Options of a command that do not
+// apply to a stage, such as output_path, are refused (OptionError). A result keeps what it was made
+// from, and the options; a later stage adds its own, and may not change those of the stages before
+// it (OptionError).
 
 // What a stage was made with.
 struct MadeWith {

@@ -16,7 +16,7 @@ void DoShard(const PipelineInput& input, const std::vector<Tile>& tiles, const R
 
 // With several ranks: each stores the results of its shard; all of them are in the cache on return.
 // The original sketch is not made here. Throws what DoShard throws; if a file cannot be read or
-// written, rank 0 does when all ranks have done what they can.
+// written, rank 0 throws once all ranks have done what they can.
 void FillCacheByRanks(const PipelineInput& input, const std::vector<Tile>& tiles,
                       const PipelineOptions& options, Console* console);
 

@@ -11,8 +11,8 @@ namespace limn::colmap_ext {
 
 // Which drawing of a folder a command reads if no path is given.
 enum class DrawingChoice {
-  kUnfused,  // drawing.json: to go on with it
-  kNewest,   // that, or drawing-fused.json, which has more, unless it is older: to use it
+  kUnfused,  // drawing.json: to continue from it
+  kNewest,   // that, or drawing-fused.json, which has more, unless it is older: to read from it
 };
 
 // The path of the drawing in an output folder. Throws IoError if there is none; it names what was
@@ -21,8 +21,8 @@ std::string FindDrawing(const std::filesystem::path& folder, DrawingChoice choic
                         const std::string& path_option);
 
 // The same in the output folder of a workspace, else in the workspace itself, which may be an
-// output folder without a model if neither one of its models nor images are asked for. Throws what
-// ResolveLayout throws of other workspaces.
+// output folder without a model unless a model or images are asked for. Throws what ResolveLayout
+// throws for other workspaces.
 std::string FindDrawing(const LayoutOptions& workspace, DrawingChoice choice,
                         const std::string& path_option);
 

@@ -17,8 +17,7 @@
 
 namespace limn::colmap_ext {
 
-// The options that a result depends on, as the text of a JSON object: no paths, no number of
-// threads.
+// The options that a result depends on, as the text of a JSON object: no paths, no thread count.
 std::string Provenance(const RunOptions& options);
 
 // Provenance of a drawing made with `options` from a sketch with provenance `sketch_provenance`,
@@ -34,17 +33,17 @@ std::string RegularityProvenance(const RunOptions& options, const std::string& d
 // Provenance of a drawing whose faces were found, with `options`.
 std::string SurfaceProvenance(const RunOptions& options, const std::string& drawing_provenance);
 
-// Whether what has this provenance was made in a box.
+// Whether a result with this provenance was made in a box.
 bool HasBox(const std::string& provenance);
 
-// To be called before work starts. Throws IoError if the output folder has a drawing (.json) of
-// this name that was made with other options than `provenance` or from images of other names,
-// unless the options allow overwriting: running again might not bring it back.
+// Call it before the work. Throws IoError if the output folder has a drawing (.json) of this name
+// that was made with options other than `provenance` or from other images, unless the options allow
+// overwriting: another run might not bring it back.
 void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
                       const std::string& provenance);
 
-// To be called before work starts: throws IoError if the drawing and what goes with it would
-// replace what is no file or was not made by limn (see CheckResultFile).
+// Call it before the work: throws IoError if the drawing and its companion files would replace
+// something that is not a regular file or that limn did not write (see CheckResultFile).
 void CheckDrawingFiles(const Project& project, const RunOptions& options);
 // The same for the files of the sketch.
 void CheckSketchFiles(const Project& project, const RunOptions& options);
@@ -55,7 +54,7 @@ void CheckRunOutputs(const Project& project, const RunOptions& options);
 // Name of a sketch's files in the folder of curves, without extension.
 std::string SketchFileName(SketchMode mode);
 
-// Throws InputError if the graph violates an invariant. To be called before anything is written.
+// Throws InputError if the graph violates an invariant. Call it before anything is written.
 void CheckGraph(const DrawingGraph& graph);
 
 // Writes <curves>/<name>.bin, relative to the project's origin, and .ply, in the model's
@@ -77,19 +76,19 @@ DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path);
 // The same; the returned graph is relative to the scene's origin.
 DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path);
 
-// Says what is regular in a drawing, and how far ends of links moved for it.
+// Reports the regularities of a drawing, and how far the ends of links moved for them.
 void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Console* console);
 
-// Warns if a drawing has fewer faces than the one that it was made from.
+// Warns if a drawing has fewer faces than the one it was made from.
 void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Console* console);
 
-// Says which links faces hide from most of their views.
+// Reports which links are hidden by faces from most of their views.
 void SayLinksBehind(const std::vector<LinkId>& links, Console* console);
 
-// The option --drawing_path of commands that go on with a stored drawing (ReadStartingDrawing).
+// The option --drawing_path of commands that start from a stored drawing (ReadStartingDrawing).
 void AddDrawingPath(std::string* drawing_path, OptionParser* parser);
 
-// A stored drawing that a command goes on with, and the provenance of what it makes of it.
+// A stored drawing that a command starts from, and the provenance of its result.
 struct StartingDrawing {
   DrawingFile file;
   std::string provenance;
@@ -101,13 +100,13 @@ StartingDrawing ReadStartingDrawing(
     const Project& project, const RunOptions& options, const std::string& drawing_path,
     const std::function<std::string(const RunOptions&, const std::string&)>& provenance_of);
 
-// The names of the scene's views, and the provenance of what was made of them.
+// The names of the scene's views, and the provenance of a result made from them.
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);
 
 // Writes drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.
 // `views` are the project's views with the cameras that the drawing fits. An alignment is stored in
-// drawing.json; all positions are the model's. Overlays of other views than `pictures` are kept if
-// they are there.
+// drawing.json; all positions are the model's. Existing overlays of views other than `pictures` are
+// kept.
 void WriteDrawingResults(const Project& project, const std::vector<View>& views,
                          const DrawingGraph& graph, const std::string& provenance,
                          const std::optional<Alignment>& alignment, Console* console,

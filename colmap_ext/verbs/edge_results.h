@@ -12,8 +12,9 @@ namespace limn::colmap_ext {
 // as used.
 enum class EdgeFormat { kNone, kEdg, kCem };
 
-// To be called before the work: throws IoError if the files of a format would replace one that the
-// project takes its edges from, what is no file or, unless `overwrite`, was not made by limn.
+// Call it before the work: throws IoError if the files of a format would replace a file that the
+// project reads edges from, something that is not a regular file or, unless `overwrite`, a file
+// that limn did not write.
 void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite);
 
 // Writes the file of a view, before ApplyLens. Thread-safe for different views.

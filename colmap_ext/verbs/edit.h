@@ -10,7 +10,7 @@
 
 namespace limn::colmap_ext {
 
-// Edits of a drawing that were made by hand, in the model's coordinates.
+// Edits made by hand to a drawing, in the model's coordinates.
 struct EditsFile {
   std::vector<Edit> edits;
   std::string content_hash;
@@ -19,14 +19,14 @@ struct EditsFile {
 // Reads an edits.json (json_edits_reader.h). Throws OptionError if the path is empty, and IoError.
 EditsFile ReadEdits(const std::string& path);
 
-// Throws OptionError for options that make no sense for edits.
+// Throws OptionError for options that do not apply to edits.
 void CheckEditorOptions(const RunOptions& options);
 
 // Provenance of a drawing that was edited.
 std::string EditProvenance(const EditsFile& file, const std::string& drawing_provenance);
 
-// Says how many edits were applied, and warns, with their index in the file, of those that were not
-// or only in part, and of what else has become of the drawing.
+// Reports how many edits were applied. Warns, with their index in the file, about those that were
+// not or only partly applied, and about other changes to the drawing.
 void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Console* console);
 
 }  // namespace limn::colmap_ext

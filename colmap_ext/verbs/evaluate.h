@@ -28,7 +28,7 @@ struct EvaluatorOptions {
   std::vector<double> box;
   LayoutOptions layout;
   std::string output_csv, output_json;
-  // Replace outputs that are inputs, a drawing.json or not ours.
+  // Replace outputs that are also inputs, a drawing.json or files that limn did not write.
   bool overwrite = false;
   int num_threads = -1;
   // Instead of a workspace, in the coordinates of its model. Not a user option.

@@ -19,7 +19,7 @@ struct ExporterOptions {
   std::string input_path;
   std::string output_path;
   LayoutOptions workspace;
-  // Replace an output that is an input, a drawing.json or not ours.
+  // Replace an output that is also an input, a drawing.json or a file that limn did not write.
   bool overwrite = false;
   bool junctions = true;
   SelectionOptions selection;
@@ -27,10 +27,10 @@ struct ExporterOptions {
   DrawingFormatOptions format;
   double scale = 1;
   SignedAxis up_axis = SignedAxis::kZ;
-  // In the world, by the alignment of the drawing, and not in the coordinates of its model.
+  // In world coordinates, by the alignment of the drawing, instead of the model's.
   bool aligned = false;
   SvgSource svg;
-  // LIMAP: links that are no lines, too.
+  // LIMAP: include links that are not straight.
   bool chains = false;
 
   void AddOptions(OptionParser* parser);

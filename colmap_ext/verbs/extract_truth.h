@@ -37,7 +37,8 @@ struct TruthSource {
 // Throws IoError.
 TruthSource ReadTruthSource(const ExtractorOptions& options, Console* console);
 
-// What the photographs show of the source; prints how much. Throws InputError if that is nothing.
+// The part of the source that the photographs show; reports how much that is. Throws InputError if
+// it is nothing.
 ExtractedTruth ExtractProjectTruth(const Project& project, const RunOptions& run,
                                    const TruthSource& source, const TruthOptions& options,
                                    Console* console);

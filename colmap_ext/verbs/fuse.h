@@ -32,8 +32,9 @@ constexpr const char* kFusedDrawing = "drawing-fused.json";
 std::string FusionProvenance(const RunOptions& options, const FuserOptions& fuser,
                              const std::string& drawing_provenance);
 
-// To be called before work starts: throws IoError if the results would replace what is no file or
-// was not made by limn. Clouds and models bear no mark: they are ours beside a drawing-fused.json.
+// Call it before the work: throws IoError if the results would replace something that is not a
+// regular file or that limn did not write. Clouds and models carry no mark; they count as ours
+// beside a drawing-fused.json.
 void CheckFusionFiles(const Project& project, const RunOptions& options);
 
 // The opened dense results.
@@ -53,7 +54,7 @@ struct DenseInput {
 DenseInput OpenDenseInput(const Scene& scene, const FuserOptions& options,
                           const std::string& workspace_path, Console* console);
 
-// Prints the length of the drawing by class, and what it adds to the dense results.
+// Reports the length of the drawing by class, and what it adds to the dense results.
 void SayLengths(const FusionResult& result, const DenseOptions& options, Console* console);
 
 // Colors every point from the photograph of the first of its views.

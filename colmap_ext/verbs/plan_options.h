@@ -7,15 +7,15 @@
 
 namespace limn::colmap_ext {
 
-// What of a drawing is on a sheet, in units of the exported file: pictures along a face, and
+// Which part of a drawing a sheet shows, in units of the exported file: pictures along a face, and
 // sections.
 struct PlanOptions {
-  // How far from the face of --view face:<id> in front of it and behind it; -1: any distance.
+  // Depth shown in front of and behind the face of --view face:<id>; -1: unlimited.
   double depth_before = -1;
   double depth_behind = -1;
   // The height of a horizontal section in the aligned world, a number; empty: none.
   std::string section;
-  // What is below the section, too.
+  // Also draw what is below the section.
   bool section_below = true;
   // Gaps between faces that are closed; -1: UsualGap.
   double section_gap = -1;

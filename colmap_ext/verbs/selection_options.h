@@ -7,7 +7,7 @@
 
 namespace limn::colmap_ext {
 
-// The options by which a command uses some links of a drawing only.
+// The options by which a command selects links of a drawing.
 struct SelectionOptions {
   std::string kinds = "default";
   bool tentative = false;

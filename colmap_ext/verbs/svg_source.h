@@ -15,10 +15,10 @@
 
 namespace limn::colmap_ext {
 
-// The view of a drawing in an SVG picture or on a DXF plan, and what hides it.
+// How an SVG picture or a DXF plan views a drawing, and what hides parts of it.
 struct SvgSource {
   enum class Hidden {
-    kAuto,  // removed, if something is known that hides
+    kAuto,  // removed, if anything is known to hide them
     kRemoved,
     kDashed,
   };
@@ -44,7 +44,7 @@ struct SvgSource {
   void Check(const LayoutOptions& workspace) const;
 };
 
-// A picture of a graph, and the graph in its coordinates, as far as it is shown.
+// A picture of a graph, and the visible part of the graph in its coordinates.
 struct SvgScene {
   SvgPicture picture;
   DrawingGraph graph;
@@ -59,17 +59,17 @@ struct SheetInput {
   Similarity3d file_from_model;
   // Unit vector, if known.
   std::optional<Eigen::Vector3d> up;
-  // Units of the file in a unit of the world.
+  // File units per world unit.
   double scale = 1;
 };
 
-// Says what hides, and what the section has. Throws IoError, OptionError for a face that there is
-// not or that is not flat, and for hidden parts that nothing is known of, and InputError if there
-// is nothing on the sheet.
+// Reports what hides parts of the drawing, and what the section contains. Throws IoError;
+// OptionError if the face does not exist or is not flat, or if hidden parts are asked for and
+// nothing is known to hide them; and InputError if the sheet would be empty.
 SvgScene SceneOnSheet(const SvgSource& source, const SheetInput& input, Console* console);
 
-// In an image: the graph and the faces in the model's coordinates, as the workspace has it with its
-// dense results. Throws the same, and OptionError for an image that the model does not have.
+// The same in an image: graph and faces are in the model's coordinates, as are the workspace's
+// dense results. Also throws OptionError for an image that the model does not have.
 SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
                       const DrawingGraph& graph, const std::vector<DrawingFace>& faces,
                       const std::string& output_path, Console* console);

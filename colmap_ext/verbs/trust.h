@@ -15,22 +15,20 @@ namespace limn::colmap_ext {
 // Images that see a well-seen curve.
 constexpr size_t kManyImages = 5;
 
-// How far a drawing can be believed. Links that are tentative or contours count only in
-// `tentative`.
+// How far a drawing can be trusted. Tentative links and contours count only in `tentative`.
 struct Trust {
   size_t num_images = 0;
   // Share of the edges of an image that the drawing explains, median over images. Nothing if the
   // edges are not known (a scene in tiles).
   std::optional<double> explained;
-  // Images with next to no edges, and those that agree much less than the others, with the percent
-  // of their edges that are drawn; the least first.
+  // Images with hardly any edges, and those that agree much less than the others, with the
+  // percentage of their edges that are drawn, least first.
   std::vector<NamedNumber> without_edges, agree_less;
   // Share of the length that kManyImages or more see.
   std::optional<double> well_seen;
   // Expected error if the cameras are right, median and 90 % of the length, px.
   std::optional<double> error_px, error_90_px;
-  // Share of the length of what was found that is tentative. Wrong cameras raise it, and so do
-  // short baselines.
+  // Share of the drawn length that is tentative. Wrong cameras raise it, and so do short baselines.
   std::optional<double> tentative;
 };
 
@@ -39,8 +37,8 @@ struct Trust {
 Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
                    const std::vector<ImageCurves>& curves, const DrawingGraph& graph);
 
-// Prints it. Warns of a drawing that explains next to nothing, of images that agree with it much
-// less than the others, and of those without edges. With a box, drawings may explain little.
+// Reports it. Warns if the drawing explains hardly anything, if images agree with it much less than
+// the others, and about images without edges. With a box, a drawing may explain little.
 void SayTrust(const Trust& trust, bool has_box, Console* console);
 
 }  // namespace limn::colmap_ext

@@ -21,7 +21,7 @@ struct ViewerOptions {
   std::string cloud = "auto";
   int max_points = 200000;
   int thumbnail_size = 320;
-  // Show the world, by the alignment of the drawing, and not the coordinates of its model.
+  // Show world coordinates, by the alignment of the drawing, instead of the model's.
   bool aligned = false;
 
   void AddOptions(OptionParser* parser);

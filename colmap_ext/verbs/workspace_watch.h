@@ -11,14 +11,13 @@
 
 namespace limn::colmap_ext {
 
-// The files that a drawing is made from, as they were at a moment: those of the model's folder, and
-// the images and masks that are drawn.
+// A snapshot of the files that a drawing is made from: those of the model's folder, and the images
+// and masks.
 class WorkspaceWatch {
  public:
   explicit WorkspaceWatch(std::filesystem::path model_dir);
 
-  // Takes the files to be seen as they are. To be called before they are read, so that no change is
-  // missed.
+  // Takes the snapshot. Call it before the files are read, so that no change is missed.
   void Look();
   // Watches the images of this project from now on.
   void WatchImages(const Project& project, const std::filesystem::path& mask_dir);

@@ -13,7 +13,7 @@ struct Misfit {
   double px = 0;  // see MedianReprojectionErrors
 };
 
-// What the points of the sparse model tell of the cameras.
+// What the points of the sparse model say about the cameras.
 struct CameraCheck {
   std::vector<Misfit> misfits;  // worst first
   int num_images = 0;
@@ -22,8 +22,8 @@ struct CameraCheck {
 };
 
 // Compares the camera of every image, the parts of a panorama together, with the points that it
-// sees: those that they miss by more than `max_px` in the median are misfits. Images that see too
-// few points are neither.
+// sees: cameras whose points are off by more than `max_px` in the median are misfits. Images that
+// see too few points are neither.
 CameraCheck CheckCameras(const ViewSet& set, double max_px);
 
 // "2 of 24 images by more than 2 px: b.jpg (52 px), a.jpg (3 px); the other 22: 0.12 px".

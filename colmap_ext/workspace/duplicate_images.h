@@ -12,12 +12,12 @@ namespace limn::colmap_ext {
 // Positions in the list of images.
 struct DuplicateImage {
   int duplicate = 0;
-  int of = 0;  // is before it, and no duplicate itself
+  int of = 0;  // comes before it, and is not a duplicate itself
 };
 
-// Images that tell nothing new, ascending: files of the same bytes, and pictures that are nearly
-// the same (by two gray levels on average) from nearly the same pose (by a quarter of a pixel at
-// the median depth of the points that are seen; without points the same pose). `images` are indices
+// Images that add nothing, ascending: files with the same bytes, and pictures that are nearly the
+// same (by two gray levels on average) from nearly the same pose (by a quarter of a pixel at the
+// median depth of the points that are seen; without points the same pose). `images` are indices
 // into model.images, `paths` their files. Files of equal size are read, pictures of equal poses
 // decoded; the rest costs n log n. Throws IoError.
 std::vector<DuplicateImage> FindDuplicateImages(const SparseModel& model,

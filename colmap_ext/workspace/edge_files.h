@@ -15,9 +15,9 @@ namespace limn::colmap_ext {
 
 // The file of each view in a folder: the only one of the names `<image name>.<extension>` and
 // `<image name without its extension>.<extension>`, folders included, with an extension that
-// ReadEdgeFile knows. The photographs of the views, which may lie in the same folder, are no such
-// files. Throws IoError if there is no such folder, an image has no file or several, or a file is
-// that of several images.
+// ReadEdgeFile knows. The photographs themselves, which may be in the same folder, do not count.
+// Throws IoError if there is no such folder, an image has no file or several, or a file is that of
+// several images.
 std::vector<std::string> FindEdgeFiles(const std::string& folder, const ViewSet& set);
 
 // The edges of a view, at the size of the view, without those in masked pixels. By extension:

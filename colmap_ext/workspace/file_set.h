@@ -7,10 +7,10 @@
 
 namespace limn::colmap_ext {
 
-// Files that exist, by what they are, not by their names: links to a file are that file.
+// Existing files by identity, not by name: a link to a file counts as that file.
 class FileSet {
  public:
-  // Names of what does not exist are left out.
+  // Paths that do not exist are left out.
   explicit FileSet(const std::vector<std::string>& paths);
 
   // False if there is no such file. Logarithmic time.

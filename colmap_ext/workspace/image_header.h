@@ -13,7 +13,7 @@ namespace limn::colmap_ext {
 std::optional<ImageSize> ReadSizeFromHeader(std::istream& in);
 std::optional<ImageSize> ReadSizeFromHeader(const std::filesystem::path& path);
 
-// What decoders of different needs read.
+// The formats whose decoders have different needs.
 enum class ImageFormat { kJpeg, kJpeg2000, kTiff, kWebp, kOther };
 
 // By the first two bytes.

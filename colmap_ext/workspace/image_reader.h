@@ -30,7 +30,7 @@ struct CheckedImage {
   std::optional<JpegComplaint> complaint;
 };
 
-// All that is checked before a photograph is used; reads the whole file. Throws IoError as
+// Everything that is checked before a photograph is used; reads the whole file. Throws IoError as
 // ReadImageSize, CheckDecodable and CheckJpeg do, and if it does not fit in memory.
 CheckedImage CheckImage(const std::filesystem::path& path, int max_image_size);
 
@@ -49,7 +49,7 @@ struct PhotoPixels {
   std::variant<std::vector<uint8_t>, std::vector<uint16_t>, std::vector<float>> values;
 };
 
-// What ReadImage makes of a file with these pixels.
+// The image that ReadImage would make from a file with these pixels.
 Image ImageFromPixels(const PhotoPixels& pixels, int max_image_size = -1);
 
 // Decodes a mask and shrinks it likewise: nonzero where the file is nonzero in the whole area of a

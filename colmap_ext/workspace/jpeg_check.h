@@ -10,8 +10,8 @@ namespace limn::colmap_ext {
 // What the decoder finds wrong with a JPEG file whose header it can read.
 struct JpegComplaint {
   std::string text;
-  // The codes of pixels are wrong. Where that begins is unknown: codes depend on those before them,
-  // and the decoder takes garbage for codes until it meets one that is impossible.
+  // The entropy-coded data are wrong. Where the damage begins is unknown: each code depends on
+  // those before it, and the decoder accepts garbage until it meets an impossible code.
   bool is_damage = false;
 };
 
@@ -30,9 +30,9 @@ struct JpegPixels {
 };
 
 // Decodes a JPEG file at 1 / reduction (1, 2, 4 or 8) of its size: the pixels that OpenCV decodes,
-// but nothing is printed; CheckJpeg has told all. Nothing for files of other formats, and for other
-// colors than gray and those that become RGB. Throws IoError if the file cannot be decoded, and
-// std::bad_alloc.
+// but without printing anything: CheckJpeg reports problems. Nothing for files of other formats,
+// and for color spaces other than gray and those that convert to RGB. Throws IoError if the file
+// cannot be decoded, and std::bad_alloc.
 std::optional<JpegPixels> DecodeJpeg(const std::filesystem::path& path, int reduction);
 
 }  // namespace limn::colmap_ext

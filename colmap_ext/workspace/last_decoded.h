@@ -24,7 +24,7 @@ class LastDecoded {
     return pixels;
   }
 
-  // Threads outlive a loop: to be called at its end, or every thread keeps its image.
+  // Threads outlive a loop: call this at its end, or every thread keeps its image.
   void Clear() {
     const std::lock_guard lock(mutex_);
     entries_.clear();

@@ -24,7 +24,7 @@ struct LayoutOptions {
   void Check() const;
 };
 
-// Where results go (not created here).
+// Where results go. The folders are not created here.
 struct OutputLayout {
   // drawing.ply and the like; beside fused.ply in a dense workspace.
   std::filesystem::path drawing_dir;

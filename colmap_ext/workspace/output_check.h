@@ -11,12 +11,13 @@ namespace limn::colmap_ext {
 void CheckWritable(const std::filesystem::path& folder);
 
 // Throws IoError if the folder of curves, or its cache, is a symbolic link to a folder that holds
-// something, but no result of limn: results may be kept on another disk, but a link that somebody
-// else has put there must not lead them among other files.
+// something other than results of limn: results may be kept on another disk, but a link that limn
+// did not expect must not mix them with other files.
 void CheckLinkedCurves(const std::filesystem::path& curves_dir);
 
-// To be called before the work, too, for every file that will be written. Throws IoError if what is
-// there is no file (see CheckTakesFile) or, unless `overwrite`, was not made by limn.
+// Also to be called before the work, for every file that will be written. Throws IoError if the
+// path is not a regular file (see CheckTakesFile) or, unless `overwrite`, a file that limn did not
+// write.
 void CheckResultFile(const std::string& path, bool overwrite);
 
 // Help text of the option `overwrite` of commands whose output files are named by the user.

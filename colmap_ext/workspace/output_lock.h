@@ -19,7 +19,7 @@ class OutputLock {
   // cannot be acquired at once (a shared one: within a second), or where the file system has no
   // flock.
   OutputLock(const std::filesystem::path& folder, LockMode mode);
-  // Removes what was made if no other process holds the lock.
+  // Removes the files it created if no other process holds the lock.
   ~OutputLock();
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;

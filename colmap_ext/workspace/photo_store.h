@@ -13,8 +13,8 @@
 
 namespace limn::colmap_ext {
 
-// Where photographs come from: files, or memory for those paths that have pixels there. Copies
-// share the pixels. Thread-safe.
+// The source of photographs: files, or memory for the paths that have pixels there. Copies share
+// the pixels. Thread-safe.
 class PhotoStore {
  public:
   PhotoStore() = default;

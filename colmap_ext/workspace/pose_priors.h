@@ -10,7 +10,7 @@
 
 namespace limn::colmap_ext {
 
-// What a database.db of COLMAP knows of an image before reconstruction.
+// What a COLMAP database.db knows about an image before reconstruction.
 struct PosePrior {
   // Of the camera's center: latitude and longitude in degrees and altitude in meters (WGS84), or in
   // a frame with z up, taken to be in meters.
@@ -30,8 +30,8 @@ using PosePriors = std::map<std::string, PosePrior>;
 // (unless some are not on earth); with a rotation they are the pose of the camera in a frame with z
 // up. Images without priors are left out, and so are the priors of other sensors than cameras.
 // Positions without coordinate system are Cartesian, as to COLMAP. The file is opened read-only and
-// as immutable: neither it nor its folder is changed, and what is only in its write-ahead log is
-// not read.
+// as immutable: neither it nor its folder is changed, and entries that exist only in its
+// write-ahead log are not read.
 //
 // Throws IoError: no database, tables or columns missing, values of wrong size or impossible,
 // positions of both kinds.

@@ -6,8 +6,8 @@ namespace limn::colmap_ext {
 // them: once, before images are read.
 void HideLinesOfDecoders();
 
-// While one of these exists after that, nothing that is printed to standard error is seen, but for
-// lines of PrintErrorLine. For any number of threads at once.
+// While one of these exists after that, nothing printed to standard error is seen except the lines
+// of PrintErrorLine. Any number of threads may hold one.
 class QuietDecoders {
  public:
   QuietDecoders();

@@ -6,7 +6,7 @@
 
 namespace limn::colmap_ext {
 
-// What is made of an image that was decoded at 1 / reduction of its size.
+// How to shrink an image that was decoded at 1 / reduction of its size.
 struct Shrinking {
   ImageSize stored;
   int reduction = 1;

@@ -31,8 +31,8 @@ struct ViewOptions {
   // Width of the ignored strip along the image borders, pixels: lenses are worst there, and filters
   // reach beyond the image.
   double border_margin_px = 8;
-  // Images that the points of the sparse model miss by more than this, in the median, px of the
-  // images as used, are left out. 0 = keep all, and only warn.
+  // Images whose sparse points are off by more than this in the median, px of the images as used,
+  // are left out. 0 = keep all, and only warn.
   double max_reprojection_px = 0;
 
   bool operator==(const ViewOptions&) const = default;
@@ -54,18 +54,18 @@ struct ViewSet {
   std::vector<std::string> image_paths;
   std::vector<std::string> mask_paths;  // empty string = no mask
   std::vector<ImageSize> stored_sizes;  // of the files, before max_image_size
-  // Files whose pixels are not those of the photograph (CheckJpeg): masked entirely.
+  // Damaged files (CheckJpeg), which are masked entirely.
   std::vector<char> is_damaged;
-  // The part of the image, after max_image_size, that a view of a panorama is, how it is turned in
-  // it, and the name of that image. Empty if there are no panoramas.
+  // For a view of a panorama: its part of the image after max_image_size, its orientation there,
+  // and the name of the image. Empty if there are no panoramas.
   std::vector<std::optional<ImageWindow>> windows;
   std::vector<Eigen::Quaterniond> view_from_image;
   std::vector<std::string> image_names;
-  std::shared_ptr<DecodedPanoramas> decoded;  // what ReadViewImage and ReadViewMask keep of them
+  std::shared_ptr<DecodedPanoramas> decoded;  // panoramas kept by ReadViewImage and ReadViewMask
   int max_image_size = -1;
   PhotoStore photos;  // what is at image_paths
   std::vector<std::string> warnings;
-  std::vector<std::string> left_out;  // those of the warnings that say which images, and why
+  std::vector<std::string> left_out;  // the warnings that name images that were left out, and why
 
   bool HasPanoramas() const { return !windows.empty(); }
   const std::string& ImageName(ViewId view) const {
@@ -86,10 +86,10 @@ struct ViewSet {
 // principal point. An EQUIRECTANGULAR image gives a view per part (model/panorama.h), named <image
 // name>.part00 and so on. Intrinsics are rescaled to the size of the file, if its aspect is the
 // camera's within one pixel, and to max_image_size. Headers of all images, the codes of JPEG files
-// and masks are read, in parallel. Images that are damaged are views of nothing, with a warning.
-// Left out, with warnings, are duplicates (FindDuplicateImages), images and points far outside the
-// scene of the others (SceneReach) and, on request (max_reprojection_px), cameras that do not fit
-// the points. Photographs may be in memory: those that `photos` has at <image_dir>/<image name>.
+// and masks are read, in parallel. Views of damaged images show nothing, with a warning. Left out,
+// with warnings, are duplicates (FindDuplicateImages), images and points far outside the scene of
+// the others (SceneReach) and, on request (max_reprojection_px), cameras that do not fit the
+// points. Photographs may be in memory: those that `photos` has at <image_dir>/<image name>.
 //
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
 // the list is not registered, a mask has the wrong size. Throws InputError if no image is left.
