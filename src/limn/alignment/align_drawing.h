@@ -20,7 +20,7 @@ struct AlignmentInput {
 
 struct AlignmentResult {
   Alignment alignment;
-  // What was found on the way, also where something better was used.
+  // Intermediate results, set even where something better was used.
   std::optional<GravityUp> gravity;
   std::optional<PositionFit> positions;
   std::vector<ViewId> positioned;  // the views of its residuals

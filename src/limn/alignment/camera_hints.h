@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// What a camera knew of itself when it took a photograph.
+// What a camera recorded about its own pose when it took a photograph.
 struct ViewPrior {
   // In meters, z up: its center, and the standard deviation of that along each axis; 0 = unknown.
   std::optional<Eigen::Vector3d> position;
@@ -18,7 +18,7 @@ struct ViewPrior {
   std::optional<Eigen::Vector3d> gravity_in_cam;
 };
 
-// Gravity exactly along an axis of the camera, which is not measured: COLMAP makes it from the
+// Gravity exactly along an axis of the camera was not measured: COLMAP derives it from the
 // orientation flag of a photograph.
 bool IsOrientationFlag(const Eigen::Vector3d& gravity_in_cam);
 
@@ -27,22 +27,22 @@ bool MeasuredGravity(const ViewPrior& prior);
 
 struct GravityUp {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-  // Of the cameras' measurements from it, median.
+  // Median deviation of the cameras' measurements from it.
   double deviation_rad = 0;
   size_t num_views = 0;
 };
 
-// One or two measurements cannot be seen to be wrong.
+// With fewer measurements a wrong one cannot be recognized.
 constexpr size_t kMinGravities = 3;
 
-// The median of what gravity tells in all cameras that measured it; nothing if fewer than
+// The median direction from gravity over all cameras that measured it; nothing if fewer than
 // kMinGravities did, or if they cancel. `priors` has one per view, or is empty.
 std::optional<GravityUp> MeasuredUp(const std::vector<View>& views,
                                     const std::vector<ViewPrior>& priors);
 
-// Roughly up, as cameras are held: their x axes are mostly horizontal (the axis that gravity tells
-// to be, if it is known at least to a quarter turn), and their y axes mostly point down;
-// where these cancel, the cameras look down.
+// Roughly up, from how cameras are held: their x axes are mostly horizontal (or whichever axis
+// gravity says is, if it is known at least to a quarter turn), and their y axes mostly point down;
+// if these cancel, the cameras look down.
 Eigen::Vector3d UpOfCameras(const std::vector<View>& views, const std::vector<ViewPrior>& priors);
 
 }  // namespace limn

@@ -9,7 +9,7 @@ namespace limn {
 
 struct DominantDirection {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-  // How far the lines that follow it are from it: median, weighted.
+  // Weighted median deviation of the lines that follow it.
   double deviation_rad = 0;
   // Share of the weight of all lines that follow it.
   double share = 0;

@@ -6,7 +6,7 @@
 
 namespace limn {
 
-// A place as satellites tell it (WGS84).
+// A satellite position (WGS84).
 struct GeoPosition {
   double latitude_deg = 0;
   double longitude_deg = 0;

@@ -16,8 +16,8 @@ struct KnownLength {
   std::string text;  // as it was given
 };
 
-// Of texts such as "link 12 = 2.40 m" and "from 3 to 7 = 8 ft"; the units are mm, cm, m, in and ft.
-// Throws OptionError for the option `known_length`.
+// From texts such as "link 12 = 2.40 m" and "from 3 to 7 = 8 ft"; the units are mm, cm, m, in and
+// ft. Throws OptionError for the option `known_length`.
 std::vector<KnownLength> ParseKnownLengths(const std::vector<std::string>& texts);
 
 struct LengthFit {
@@ -25,8 +25,8 @@ struct LengthFit {
   std::vector<double> lengths;  // in the drawing, in meters by this scale
 };
 
-// The scale of least squares. The length of a link is that of its primitive, which does not follow
-// the noise of its points; of a spline and of a link without primitive that of its points. Throws
+// The least-squares scale. The length of a link is that of its primitive, which does not follow the
+// noise of its points; for a spline or a link without a primitive it is that of its points. Throws
 // OptionError if the drawing has no such link or node, or two nodes are at one place. Precondition:
 // there are lengths.
 LengthFit FitLengths(const DrawingGraph& graph, const std::vector<KnownLength>& lengths);

@@ -22,8 +22,8 @@ struct PositionFit {
   double median_residual = 0;
   // Times the square root of the pair's weight: comparable where pairs differ in accuracy.
   std::vector<double> scaled_residuals;
-  // Of these, the one that tells noise from wrong pairs: the median, but of few pairs a greater one
-  // (see FitPositions).
+  // The one of these that separates noise from wrong pairs: the median, or a larger one if there
+  // are few pairs (see FitPositions).
   double typical_scaled_residual = 0;
   // Standard errors: of the direction of the target's z axis, of the direction of its x axis around
   // z (pi where pairs on a line leave it open), and of the scale, relative.
@@ -32,16 +32,16 @@ struct PositionFit {
   double scale_error = 0;
 };
 
-// Three have too few residuals to tell how wrong the fit is.
+// With three pairs, too few residuals are left to judge the fit.
 constexpr size_t kMinPositions = 4;
 
-// The similarity that brings most sources to their targets: the best by its typical residual of
-// some that three pairs each give and of the one of least squares, then that of least squares of
-// the pairs within four standard deviations of it, iterated; residuals are compared by the
-// accuracies of their pairs. Typical is the median, but at least the seventh smallest: all pairs
-// but seven may be wrong if these are fewer than half. Of up to seven all count, and a wrong one
-// shows in the errors that are told. Nothing for fewer than kMinPositions pairs, or sources all at
-// one place. The same pairs give the same result. Linear time.
+// The similarity that brings most sources to their targets. It starts from the best, by typical
+// residual, among fits to random triples and the least-squares fit to all pairs, then repeats least
+// squares over the pairs within four standard deviations; residuals are scaled by the accuracies of
+// their pairs. The typical residual is the median, but at least the seventh smallest: all but seven
+// pairs may be wrong if these are fewer than half. Up to seven pairs all count, and a wrong one
+// shows in the reported errors. Nothing for fewer than kMinPositions pairs, or sources all at one
+// place. The same pairs give the same result. Linear time.
 std::optional<PositionFit> FitPositions(const std::vector<PointPair>& pairs);
 
 }  // namespace limn

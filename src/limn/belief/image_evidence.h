@@ -26,7 +26,7 @@ struct SampleHit {
   bool own = true;
 };
 
-// What one view shows of a link; ascending by sample.
+// What one view shows of a link; hits ascend by sample.
 struct LinkSight {
   ViewId view = -1;
   std::vector<SampleHit> hits;
@@ -40,10 +40,10 @@ struct ImageEvidence {
   std::vector<LinkSight> sights;  // of the views that may contain the link, ascending
   double containing_views = 0;
   double showing_views = 0;
-  // Negative logarithm of the probability that as many views show it by chance.
+  // Negative logarithm of the probability that this many views show it by chance.
   double evidence = 0;
 
-  // Share of the hits that are its own; 1 without any.
+  // Share of the hits that are its own; 1 if there are none.
   double OwnShare() const;
 };
 

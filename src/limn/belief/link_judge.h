@@ -20,7 +20,7 @@ struct BeliefInput {
   const std::vector<View>& views;
   const std::vector<ImageCurves>& curves;
   const DrawingGraph& graph;
-  // Per link whether it could be fitted to the images. Empty: unknown, as if all were.
+  // Per link, whether it could be fitted to the images. Empty: unknown, treated as if all were.
   const std::vector<uint8_t>& fitted;
 };
 
@@ -31,11 +31,11 @@ struct BeliefResult {
 
 // Marks the links of a finished drawing that the images do not support as tentative, with a reason
 // (ours; algorithm/belief.md). A link is doubted because too few views show it to be fitted;
-// because as many views show it as accidents do, less evidence being asked of links that meet
-// others or whose place is well determined; because views see other links through it; or because
-// better links explain its edgels. Contours are not judged. Marks of earlier runs are replaced.
-// Nothing is removed, so the result passes Validate(). Throws OptionError and Cancelled. Time:
-// length of all links in px times views.
+// because no more views show it than would by accident, with less evidence required of links that
+// meet others or are well located; because views see other links through it; or because better
+// links explain its edgels. Contours are not judged. Marks of earlier runs are replaced. Nothing is
+// removed, so the result passes Validate(). Throws OptionError and Cancelled. Time: length of all
+// links in px times views.
 BeliefResult JudgeLinks(const BeliefInput& input, const BeliefOptions& options,
                         const TopologyOptions& topology, const RunContext& context);
 

@@ -10,7 +10,7 @@
 
 namespace limn {
 
-// 64-bit FNV-1a hash of a stream of bytes, to tell contents apart; not cryptographic.
+// 64-bit FNV-1a hash of a stream of bytes, to detect changed content; not cryptographic.
 class ContentHash {
  public:
   void Add(std::string_view bytes) {
@@ -33,7 +33,7 @@ class ContentHash {
     Add({raw, sizeof(T)});
   }
 
-  // Eight bytes at once, for many numbers: not the same as their bytes.
+  // Eight bytes at once, for many numbers; differs from hashing the same bytes one by one.
   void AddWord(uint64_t word) {
     // A product carries upwards only.
     state_ = (state_ ^ word) * 0x9e3779b97f4a7c15ULL;

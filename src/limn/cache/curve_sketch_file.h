@@ -15,15 +15,14 @@ struct StoredCurveSketch {
   DrawingMetadata metadata;
 };
 
-// A curve sketch with its per-sample support on disk (see stage_file.h for the container and
+// Stores a curve sketch with its per-sample support (see stage_file.h for the container and
 // `identity`).
 void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
                       const DrawingMetadata& metadata, const std::string& identity);
 
-// Nothing if the file was made from other input or by another version of Limn, and must be made
-// again. An empty `identity` accepts any. `curves` are the image curves of all views. Everything
-// read is checked (anchors and ids in range, sizes agree, numbers finite except unknown sigmas);
-// throws IoError.
+// Nothing if the file is stale: made from other input or by another version of Limn. An empty
+// `identity` accepts any. `curves` are the image curves of all views. Everything read is checked
+// (anchors and ids in range, sizes agree, numbers finite except unknown sigmas); throws IoError.
 std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
                                                  const std::vector<ImageCurves>& curves,
                                                  const std::string& identity);

@@ -14,7 +14,7 @@ namespace limn {
 
 // Keys that differ if the inputs of a result differ; see ContentHash.
 
-// Of a box, or its absence.
+// The key of a box, or of its absence.
 std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box);
 
 // Name, camera, pose and region of a view, all of its edgels, and its fragments. Linear in the

@@ -34,8 +34,8 @@ struct CacheUse {
 };
 
 // Results of earlier runs in <dir>/<kind>/<name>.bin, valid if they were made from the same input.
-// Files that are damaged or cannot be written cost time but never fail the run; they are counted.
-// Thread-safe.
+// Files that are damaged or cannot be written cost time but never make the run fail; they are
+// counted. Thread-safe.
 class ResultCache {
  public:
   // An empty folder name stores nothing.
@@ -44,7 +44,7 @@ class ResultCache {
   const std::string& dir() const { return dir_; }
   bool IsOn() const { return !dir_.empty(); }
 
-  // To be called when a stage begins that needs `total` results of this kind; resets their counts.
+  // Call it when a stage begins that needs `total` results of this kind; resets their counts.
   void Expect(CachedKind kind, size_t total);
 
   // `read(path)` reads a file; it returns nothing if the file was made from other input, and throws

@@ -18,15 +18,15 @@ enum class StageKind : uint32_t {
 // Writes the result of a stage, all numbers little-endian:
 //   char[8] "limnfile" | u32 format version | u32 kind | u64 n, char[n] identity |
 //   u64 m, byte[m] payload | u32 crc32 of all bytes before
-// Nothing is packed: numbers of edgels and samples hardly shrink, and to pack some of them takes
-// longer than to make them. `identity`, chosen by the caller, represents everything that the
-// payload depends on (options, input). The same input gives the same bytes. Throws IoError.
+// The payload is not compressed: edgels and samples hardly shrink, and compressing some of them
+// takes longer than computing them. `identity`, chosen by the caller, represents everything that
+// the payload depends on (options, input). The same input gives the same bytes. Throws IoError.
 void WriteStageFile(const std::string& path, StageKind kind, std::string_view identity,
                     std::string_view payload);
 
-// The payload, or nothing if it must be made again because the file has another identity than
-// `identity` (empty: any is accepted) or another format version. Throws IoError if the file is
-// missing, truncated, damaged, or of another kind.
+// The payload, or nothing if the file is stale: its identity differs from `identity` (empty: any is
+// accepted), or its format version. Throws IoError if the file is missing, truncated, damaged, or
+// of another kind.
 std::optional<std::string> ReadStageFile(const std::string& path, StageKind kind,
                                          std::string_view identity);
 

@@ -9,14 +9,14 @@
 
 namespace limn {
 
-// The sketch of one view on disk (see stage_file.h for the container and `identity`).
+// Stores the sketch of one view (see stage_file.h for the container and `identity`).
 void WriteViewSketch(const std::string& path, const ViewSketch& sketch,
                      const std::string& identity);
 
-// Nothing if the file was made from other input or by another version of Limn, and must be made
-// again. An empty `identity` accepts any. `view` was sketched. Views are numbered as when it was
-// written. Everything read is checked (anchors in the view, ids in range, a fate for each of its
-// edgels, numbers finite except unknown sigmas); throws IoError.
+// Nothing if the file is stale: made from other input or by another version of Limn. An empty
+// `identity` accepts any. `view` was sketched. Views are numbered as when it was written.
+// Everything read is checked (anchors in the view, ids in range, a fate for each of its edgels,
+// numbers finite except unknown sigmas); throws IoError.
 std::optional<ViewSketch> ReadViewSketch(const std::string& path, ViewId view,
                                          const CurvesOfViews& curves, const std::string& identity);
 

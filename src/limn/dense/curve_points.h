@@ -17,8 +17,8 @@ struct CurvePoint {
   double footprint = 0;
   // Unit normals of the faces that meet here, left and right; zero = not known.
   std::array<Eigen::Vector3d, 2> normals = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  // The supporting views of its link that see it, ascending; all supporting views if no dense
-  // result tells.
+  // The supporting views of its link that see it, ascending; all supporting views if the dense
+  // results cannot tell.
   std::vector<ViewId> views;
   DenseClass sample_class = DenseClass::kUnknown;
   LinkId link = -1;

@@ -18,8 +18,8 @@ struct DenseOptions {
   // samples say so, and if they can judge at least min_judged_share of the samples.
   double max_occluded_share = 0.5;
   double min_judged_share = 0.3;
-  // But not if, averaged over its samples, this many of its supporting views see it. (Other views
-  // may support it by what stands in front of it.)
+  // Except if, averaged over its samples, this many of its supporting views see it. (Others may
+  // support it by edges of what stands in front of it.)
   double enough_visible_views = 3;
 
   void Check() const;

@@ -18,7 +18,7 @@ struct FusionInput {
   const std::vector<View>& views;
   const DrawingGraph& graph;
   DepthSource depths;
-  // Decides which samples have a dense point nearby; without it the depths do.
+  // Decides which samples have a dense point nearby; without it the depths decide.
   std::optional<DensePointStream> cloud;
 };
 

@@ -32,7 +32,7 @@ enum class Side : uint8_t {
 // One sample as one view sees it.
 struct SampleSight {
   Sight sight = Sight::kUnknown;
-  // Whether one of the nine cells around it agrees in depth within near_px, plus the change of a
+  // Whether one of the nine cells around it agrees in depth to within near_px plus the change of a
   // sloped surface over a cell.
   bool touches = false;
   std::array<Side, 2> sides = {Side::kUnknown, Side::kUnknown};  // left, right of the curve

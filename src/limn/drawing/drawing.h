@@ -35,7 +35,7 @@ struct DrawingResult {
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context);
 
-// What any method says of its input and its finished graph.
+// The summary of input and finished graph, common to all methods.
 StageSummary SummarizeDrawing(const CurveSketch& sketch, const DrawingGraph& graph);
 
 }  // namespace limn

@@ -8,8 +8,8 @@ namespace limn {
 // number of points.
 void SmoothLinks(double bending_sigma_px, DrawingGraph* graph);
 
-// Sets the sigmas of links whose points were moved by what is known of them, and moves nodes to the
-// mean of their ends.
+// Sets the sigmas of links whose points have moved from the information at their vertices, and
+// moves nodes to the mean of their ends.
 void PlaceNodes(DrawingGraph* graph);
 
 }  // namespace limn

@@ -6,7 +6,7 @@
 
 namespace limn {
 
-// In samples of the sketch, of which each that is moved stands for `step`.
+// Counts samples of the sketch; each sample that is moved stands for `step` of them.
 struct RetriangulationStats {
   int64_t samples_in = 0;
   int64_t too_few_views = 0;    // support lost when the sample moved

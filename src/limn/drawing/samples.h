@@ -37,8 +37,8 @@ struct CurveOrigin {
   int begin = 0;  // first sample
   ViewId primary_view = -1;
   bool closed = false;
-  // Every so many-th sample of the sketch was taken. It stands for those up to the next, too, none
-  // of which is at `end` or beyond.
+  // Every `step`-th sample of the sketch was taken. It also stands for those up to the next one
+  // taken; none is at `end` or beyond.
   int step = 1;
   int end = std::numeric_limits<int>::max();
 };
@@ -64,7 +64,7 @@ struct SampleSet : SampleArrays {
 // into those in the sketch that they stand for.
 void NameInSketch(const SampleSet& samples, LinkVertex* vertex);
 
-// Makes samples [begin, end) of a curve one of the set.
+// Appends samples [begin, end) of a curve to the set, as a curve.
 void AppendCurve(const SampleArrays& curve, const SupportLists& support, int begin, int end,
                  const CurveOrigin& origin, SampleSet* samples);
 

@@ -11,17 +11,17 @@ namespace limn {
 
 struct TracingCounts {
   int64_t curves = 0;
-  int64_t closed = 0;     // curves that came upon their own start
-  int64_t meetings = 0;   // ends that came upon another curve, or upon their own interior
+  int64_t closed = 0;     // curves that reached their own start
+  int64_t meetings = 0;   // ends that reached another curve, or their own interior
   int64_t unclaimed = 0;  // samples of the sketch that no curve stands for
 };
 
 // Traces the ridges of the consensus of all samples (ours; algorithm/drawing.md#consensus). Curves
 // start at the places where samples of most primary views agree and follow the ridge in both
-// directions. Where they come upon a curve, they end in a node on it; where upon their own start,
-// they close. A vertex has the samples that it stands for, by their names in the sketch, and their
-// edgels. Points are not smoothed, sigmas are 0. The graph passes Validate(). Time: O(n log n) in
-// the number of samples.
+// directions. Where they reach another curve, they end in a node on it; where they reach their own
+// start, they close. A vertex has the samples that it stands for, by their names in the sketch, and
+// their edgels. Points are not smoothed, sigmas are 0. The graph passes Validate(). Time: O(n log
+// n) in the number of samples.
 DrawingGraph TraceCurves(const SampleSet& samples, const TopologyOptions& options,
                          const RunContext& context, TracingCounts* counts);
 

@@ -21,8 +21,8 @@ struct TracedVertex {
 
 struct TracedCurve {
   std::vector<int> vertices;  // in order
-  // The vertex, of another curve or of its own, that the curve comes upon at its first and at its
-  // last end; -1 if the end is free. Ends of closed curves meet nothing.
+  // The vertex, of another curve or its own, that the curve meets at its first and at its last end;
+  // -1 if the end is free. Ends of closed curves meet nothing.
   std::array<int, 2> meets = {-1, -1};
   bool closed = false;
 };

@@ -13,8 +13,8 @@ namespace limn {
 double BrighterSide(const Image& image, const Edgel& edgel);
 
 // Turns edgels whose other side is the brighter one: by the sum of BrighterSide over the edgels
-// within 3 px that continue them, so that they agree along a curve where the photograph tells
-// little. Linear time.
+// within 3 px that continue them, so that they agree along a curve where the photograph shows
+// little difference. Linear time.
 void DirectByBrightness(const Image& image, std::vector<Edgel>* edgels);
 
 }  // namespace limn

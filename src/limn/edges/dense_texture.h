@@ -8,7 +8,7 @@
 
 namespace limn {
 
-// What tells texture: where an edgel is, its direction, and how far its run extends
+// An edgel as FindDenseTexture needs it: position, direction, and how far its run extends
 // (EdgelRaster).
 struct TextureSample {
   Eigen::Vector2d position_px;

@@ -52,9 +52,9 @@ struct EdgeDetectionOptions {
   // within this distance, px, >= 0. Must exceed the lens's dispersion, or edges are doubled.
   double isoluminant_distance_px = 3.0;
 
-  // Edgels are those of texture, which are not linked, where short runs of mixed directions have
-  // at least this many per px^2, [0, 1]; 0 = none are (FindDenseTexture). 0.18 finds leaves.
-  // Off: drawings are no better with it (algorithm/edges.md#what-was-measured).
+  // Edgels count as texture, and are not linked, where short runs of mixed directions have at least
+  // this many per px^2, [0, 1]; 0 = off (FindDenseTexture). 0.18 finds leaves. Off: drawings are no
+  // better with it (algorithm/edges.md#what-was-measured).
   double texture_density = 0;
 
   // Border of the image without edgels, px, >= 0.
@@ -73,11 +73,12 @@ struct EdgeDetectionOptions {
 // at the sub-pixel position by Newton steps on the logarithm of the gradient's profile along the
 // normal, which is a parabola for a blurred step, then shifted against the bias that smoothing
 // causes at curved edges. At most one edgel per pixel, none closer than 0.35 px to another. Weak
-// edgels must be part of a run: see min_run_px. Those of dense texture are told (EdgeMap::texture).
+// edgels must be part of a run: see min_run_px. Those of dense texture are listed in
+// EdgeMap::texture.
 //
 // With color, the gradient is the joint one of L, a and b (times 2.55, see LabChannels): the edge
-// is where its magnitude is largest along its direction. Strengths are its magnitude, which between
-// grays is about that of one channel. All else is the same.
+// is where its magnitude is largest along its direction. That magnitude is the strength; between
+// grays it is about that of one channel. Everything else is the same.
 //
 // Edges that rise enough above the noise of a finer scale are found there, as it separates
 // neighboring edges and hardly displaces corners; the main scale finds the others (after the

@@ -17,8 +17,8 @@ using ChannelValues = std::vector<float>;
 struct EdgeSignal {
   double sigma_px = 0;
   std::vector<PaddedPlane> planes;  // of every channel
-  // The joint one: its sense is that of the first channel, or see JointGradient. `smooth` is the
-  // first channel.
+  // The joint gradient, directed as that of the first channel, or see JointGradient. `smooth` is
+  // the first channel.
   GradientField gradient;
   std::vector<float> magnitude;
   std::vector<NoiseModel> noise;  // of every channel, by the level of the first one

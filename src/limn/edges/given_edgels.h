@@ -6,13 +6,14 @@
 
 namespace limn {
 
-// What edgels of other programs need before they take part like detected ones. Each function leaves
-// edgels of this program, found in the same image, as they are. Linear time.
+// Prepares edgels of other programs so that they can be used like detected ones. Each function
+// leaves edgels that Limn found in the same image as they are. Linear time.
 
-// Standard deviation of the position of edgels whose file does not tell it: that of a pixel.
+// Standard deviation of the position of edgels whose file does not give it: that of rounding to
+// pixels.
 constexpr float kUnknownSigmaPx = 0.29f;
 
-// Where a place of an image is in the same one `scale` times as large: the corners of the images
+// The position of a pixel in the same image `scale` times as large: the corners of the images
 // coincide, and centers of pixels have whole coordinates.
 inline Eigen::Vector2d ResizedPlace(const Eigen::Vector2d& px, const Eigen::Vector2d& scale) {
   const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5);
@@ -26,16 +27,16 @@ void ResizeEdgeMap(int width, int height, EdgeMap* edge_map);
 // Gives those with sigma 0 kUnknownSigmaPx.
 void SetUnknownSigmas(EdgeMap* edge_map);
 
-// Makes the edgels what linking takes for granted, those of an EdgelRaster: at most one per pixel
-// of the image, none within 0.35 px of another, in row-major order. The stronger stays; edgels
-// outside the image are dropped.
+// Gives the edgels the properties that linking assumes, those of an EdgelRaster: at most one per
+// pixel of the image, none within 0.35 px of another, in row-major order. The stronger stays;
+// edgels outside the image are dropped.
 void ThinEdgels(EdgeMap* edge_map);
 
-// Tells the texture of edgels that ThinEdgels made, as DetectEdges does.
+// Marks texture among edgels made by ThinEdgels, as DetectEdges does.
 void MarkTexture(double min_density, EdgeMap* edge_map);
 
-// By edgel: whether it is one of the first 8 of its pixel. Curves from elsewhere may run over each
-// other, but what is given many times over must not take the time of the whole image.
+// By edgel: whether it is one of the first 8 of its pixel. Given curves may run over each other,
+// but many copies must not cost as much time as the whole image.
 std::vector<bool> OutsideCrowds(const EdgeMap& edge_map);
 
 // By edgel: whether its pixel, or the nearest in the image, is nonzero in the mask: one byte per

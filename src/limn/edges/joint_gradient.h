@@ -17,8 +17,8 @@ using ChannelGradients = std::array<Eigen::Vector2d, kMaxChannels>;
 
 // The gradient of several channels together: of all directions, in this one (unit) the squared
 // slopes of the channels sum up to the most, magnitude^2. It is the first eigenvector of the sum of
-// the outer products of the gradients (Di Zenzo 1986), directed to where lightness, green against
-// red and yellow against blue rise, in this order of weight.
+// the outer products of the gradients (Di Zenzo 1986), directed to where lightness, then green
+// against red, then yellow against blue increase, in decreasing order of weight.
 struct JointGradient {
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
   double magnitude = 0;

@@ -6,7 +6,7 @@
 
 namespace limn {
 
-// Edges from a map of them, as learned and other detectors make.
+// Edges from a probability map, as learned detectors produce.
 struct RidgeOptions {
   // Weakest edge, as a share of the full range of the map, (0, 1].
   double min_probability = 0.1;
@@ -28,9 +28,9 @@ struct ProbabilityMap {
 // Edgels on the ridges of the smoothed map: maxima along the direction across which it is most
 // curved, to a fraction of a pixel. Wide and thin lines (up to some 6 px) have one ridge; plateaus
 // have none, and isolated pixels neither. The strength is the probability, or what of it a line a
-// pixel wide would need to have this ridge, if that is less; sigma is 0. A map does not tell which
-// side is brighter: tangents are directed to the right, or down. At most one edgel per pixel, in
-// row-major order. Time: linear in pixels.
+// pixel wide would need to have this ridge, if that is less; sigma is 0. A map does not show which
+// side is brighter: tangents point to the right, or down. At most one edgel per pixel, in row-major
+// order. Time: linear in pixels.
 EdgeMap DetectRidges(const ProbabilityMap& map, const RidgeOptions& options);
 
 }  // namespace limn

@@ -16,7 +16,7 @@ namespace limn {
 enum class EditStatus {
   kApplied,
   kPartly,     // to some of its links, or to a part of them
-  kNotFound,   // what it refers to is not in the drawing, or no longer as it was
+  kNotFound,   // what it refers to is not in the drawing, or has changed
   kAmbiguous,  // it may mean one of several links
   kNoSense,    // found, but there is nothing that could be done
 };
@@ -24,7 +24,7 @@ enum class EditStatus {
 struct EditOutcome {
   EditStatus status = EditStatus::kApplied;
   std::string text;  // what was done, or why not
-  // What the user should know of an edit that was applied; may be empty.
+  // A warning about an edit that was applied; may be empty.
   std::string warning = "";
 };
 
@@ -38,7 +38,7 @@ struct BridgedGap {
 
 struct EditedDrawing {
   DrawingGraph graph;
-  // Per link: its shape is new, so that it is to be fitted to the images again.
+  // Per link: its shape has changed, so it must be fitted to the images again.
   std::vector<uint8_t> touched;
   // Per link: its kind was set by hand.
   std::vector<uint8_t> kind_by_hand;
@@ -49,19 +49,19 @@ struct EditedDrawing {
   size_t num_dropped_faces = 0;  // all or none
 };
 
-// Whether links are to be fitted to the images again.
+// Whether any link must be fitted to the images again.
 bool HasTouched(const EditedDrawing& edited);
 
-// Applies edits in their order. An edit that does not fit the drawing changes nothing and is told
-// in its outcome. The graph passes Validate() before and after; links that are not touched keep
-// their shape, and all links their order. Faces stay if all links are there with their shapes.
-// `views` are those that the drawing was made from, at least one. Time: n log n in the length of
-// all links in px, and the lengths of all references.
+// Applies edits in their order. An edit that does not fit the drawing changes nothing, and its
+// outcome says so. The graph passes Validate() before and after; links that are not touched keep
+// their shape, and all links their order. Faces stay only if all links are still there with their
+// shapes. `views` are those that the drawing was made from, at least one. Time: n log n in the
+// length of all links in px, and the lengths of all references.
 EditedDrawing ApplyEdits(const DrawingGraph& graph, const std::vector<View>& views,
                          const std::vector<Edit>& edits);
 
-// Moves the places of dimensions onto the links, which were fitted anew: those of new dimensions to
-// the nearest link, others if that is a touched one. Within reach of an end they go to the end.
+// Moves the places of dimensions onto the refitted links: those of new dimensions to the nearest
+// link, others only if that link was touched. Within reach of an end they go to the end.
 void SnapDimensions(const std::vector<View>& views, EditedDrawing* edited);
 
 }  // namespace limn

@@ -24,14 +24,14 @@ struct LinkPlace {
   PolylinePoint point;
 };
 
-// What a reference means, or why there is no such thing.
+// What a reference means, or why it means nothing.
 template <typename Found>
 struct Search {
   std::optional<Found> found;
   EditOutcome problem;
 };
 
-// A drawing while edits are applied to it: what the edits share.
+// The state that edits share while they are applied to a drawing.
 class EditSession {
  public:
   EditSession(const std::vector<View>& views, DrawingGraph* graph);
@@ -42,17 +42,17 @@ class EditSession {
   // World units per px.
   double FootprintAt(const Eigen::Vector3d& place) const { return matcher_.FootprintAt(place); }
 
-  // The link that is all of the reference.
+  // The one link that the whole reference means.
   Search<LinkId> FindLink(const LinkRef& ref) const;
   Search<LinkPlace> FindPlace(const PlaceRef& ref) const;
   Search<LinkEnd> FindEnd(const EndRef& ref) const;
 
-  // A link has a new shape. One that has shrunk to a point is removed.
+  // Marks a link as changed. A link that has shrunk to a point is removed.
   void Touch(LinkId id);
   void TouchAllAt(NodeId id);
   void Remove(LinkId id);
   void SetKindByHand(LinkId id, LinkKind kind);
-  // What has become of the link `from` is also in `to`, kinds set by hand included.
+  // Records that part of the link `from` is now `to`; a kind set by hand carries over.
   void ShareKind(LinkId from, LinkId to);
   // Joins two ends (GraphEditor::Join). A kind set by hand stays.
   void Join(const LinkEnd& a, const LinkEnd& b);
@@ -76,7 +76,7 @@ class EditSession {
   LinkMatcher matcher_;
 };
 
-// One function per edit; the others are in apply_edits.cc.
+// One function per edit; the remaining edits are in apply_edits.cc.
 EditOutcome ApplySplit(const SplitLink& edit, EditSession* session);
 EditOutcome ApplyJoin(const JoinEnds& edit, EditSession* session);
 EditOutcome ApplyMerge(const MergeLinks& edit, EditSession* session);

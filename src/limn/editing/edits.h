@@ -11,13 +11,13 @@
 
 namespace limn {
 
-// What a user does to a drawing by hand. Edits refer to links by their geometry, so that they can
-// be applied again when the scene has been drawn anew; ids only decide between links that fit
-// equally well. World units.
+// Manual edits of a drawing. They refer to links by geometry, so that they can be applied again
+// after the scene has been redrawn; ids only decide between links that fit equally well. World
+// units.
 
 // A link as it was when the edit was made.
 struct LinkRef {
-  LinkId id = -1;  // -1: it had none
+  LinkId id = -1;  // -1: none
   bool closed = false;
   // At least two, evenly spaced by arc length, from its first to its last end.
   Polyline3d points;

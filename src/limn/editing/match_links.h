@@ -19,7 +19,7 @@ struct LinkMatch {
   // Links that lie along the reference with most of their length: the link itself, or the pieces
   // that it is in now. Ascending.
   std::vector<LinkId> along;
-  // Links that the reference is a part of: most of it lies along them, but they go on much farther.
+  // Links that contain the reference: most of it lies along them, but they extend much farther.
   std::vector<LinkId> longer;
   // Two links fit equally well, side by side, and the id does not tell which.
   std::vector<LinkId> tied;
@@ -29,24 +29,24 @@ struct LinkMatch {
   bool IsAmbiguous() const { return !tied.empty(); }
   // Exactly one link along the reference; nothing otherwise.
   std::optional<LinkId> Single() const;
-  // Why no link, or no single one, can be meant; for messages.
+  // Why no link, or no single link, matches; for messages.
   std::string Problem() const;
 };
 
-// Finds the links that references mean, by geometry: how near and how parallel they run, in px, and
-// how much of both curves does so. Of links side by side the nearest is meant; the id decides
-// between those that are equally near. `graph` and `views` must outlive it.
+// Matches references to links by geometry: how near and how parallel the two run, in px, and over
+// how much of both. Of links side by side the nearest matches; the id decides between equally near
+// ones. `graph` and `views` must outlive it.
 class LinkMatcher {
  public:
-  // How far from each other a link and a reference to it may run, px: scenes that are drawn anew
-  // from other photographs differ by one or two.
+  // Largest distance between a link and a reference to it, px: scenes redrawn from other
+  // photographs differ by one or two.
   static constexpr double kMatchPx = 3;
 
   // O(n log n) in the length of all links in px.
   LinkMatcher(const DrawingGraph& graph, const std::vector<View>& views);
 
-  // To be called when a link was changed, added or removed. Time: the root of the length of all
-  // links in px, in the mean.
+  // Call it when a link was changed, added or removed. Time: on average the square root of the
+  // length of all links in px.
   void Update(LinkId id);
 
   // Time: length of the reference in px, times log n.

@@ -8,7 +8,7 @@
 
 namespace limn {
 
-// How much of a true chain a link covers: lengths of the link, in units of the scene.
+// How much of a true chain a link covers: lengths of the link, world units.
 struct ChainCover {
   double length = 0;
   // Within arm_taus of the chain's start and of its end.

@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// What is right of one curve, and all of it.
+// The correct length of one curve, and its whole length.
 struct CurveShare {
   double right = 0;
   double total = 0;

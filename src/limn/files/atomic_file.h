@@ -15,9 +15,9 @@ void WriteFileAtomically(const std::string& path, const std::function<void(std::
 
 void WriteFileAtomically(const std::string& path, std::string_view bytes);
 
-// Throws IoError if no file can be written there because its name is too long or because of what
-// is there: a folder, a device, a pipe, or a link to one, or no folder above it. Called by
-// WriteFileAtomically, and before the work by those who know what they will write.
+// Throws IoError if no file can be written there: the name is too long, the path is a folder, a
+// device, a pipe or a link to one, or its parent is not a folder. Called by WriteFileAtomically,
+// and before long work by callers that know their output paths.
 void CheckTakesFile(const std::string& path);
 
 constexpr std::string_view kTemporarySuffix = ".limn-tmp";

@@ -10,8 +10,8 @@ namespace limn {
 // nested more than 100 deep (the JSON library writes and copies recursively).
 nlohmann::ordered_json ParseJson(const std::string& path, const std::string& text);
 
-// To be called in a handler of std::exception: throws IoError, with the file's name, for what the
-// JSON library and InputErrors complain of. Other exceptions go on.
+// Call it in a handler of std::exception: rethrows InputErrors and errors of the JSON library as
+// IoError with the file's name. Other exceptions propagate.
 [[noreturn]] void RethrowJsonError(const std::string& path);
 
 // A number as an int. Throws InputError if it is not one, instead of truncating.

@@ -7,11 +7,11 @@
 
 namespace limn {
 
-// What is written under another name until it is whole: a file, or a folder with all that is in it.
-// Removed at the end of its life, and by AbandonWrites, unless it has been renamed.
+// A file or folder that is written under a temporary name until it is complete. Removed by the
+// destructor, and by AbandonWrites, unless it has been renamed.
 class TemporaryPath {
  public:
-  // `make` makes it; what it throws passes through.
+  // `make` creates it; its exceptions propagate.
   TemporaryPath(std::filesystem::path path,
                 const std::function<void(const std::filesystem::path&)>& make);
   ~TemporaryPath();
@@ -28,11 +28,11 @@ class TemporaryPath {
   bool is_renamed_ = false;
 };
 
-// Removes all temporary paths of other threads, which from now on wait forever where they make,
-// rename or leave one: to be called right before the process exits without waiting for them.
+// Removes the temporary paths of all threads. From now on, other threads block forever when they
+// create, rename or destroy one: call it right before the process exits without waiting for them.
 void AbandonWrites();
 
-// How many temporary paths have been renamed, to what is in no temporary folder. Also after
+// How many temporary paths have been renamed to paths outside temporary folders. Also valid after
 // AbandonWrites.
 size_t NumRenamed();
 

@@ -6,14 +6,14 @@
 
 namespace limn {
 
-// Throws IoError if there is something else than a regular file: a folder, or a pipe or device,
-// which may never end or never begin. Whether there is anything at all is told when it is opened.
+// Throws IoError if the path exists but is not a regular file: a folder, or a pipe or device, which
+// might block forever. A missing file is reported when it is opened.
 void CheckIsFile(const std::string& path);
 
 // A stream of the bytes of a regular file. Throws IoError.
 std::ifstream OpenFile(const std::string& path);
 
-// How many bytes of a file are read at most.
+// Largest number of bytes read from a file.
 constexpr uint64_t kMaxListBytes = uint64_t{1} << 26;  // lists of names and options
 constexpr uint64_t kMaxJsonBytes = uint64_t{1} << 30;
 constexpr uint64_t kMaxBytes = uint64_t{1} << 32;

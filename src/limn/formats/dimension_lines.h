@@ -9,8 +9,8 @@
 
 namespace limn {
 
-// A dimension as it is drawn: a line between `from` and `to`, and lines to it from the places that
-// are measured, across it. World units.
+// A dimension as drawn: a line between `from` and `to`, and lines to it from the places that are
+// measured, across it. World units.
 struct DimensionLines {
   Eigen::Vector3d measured_from = Eigen::Vector3d::Zero();
   Eigen::Vector3d measured_to = Eigen::Vector3d::Zero();

@@ -15,7 +15,7 @@ struct DrawingMetadata {
   std::vector<std::string> view_names;
   // The options of the run, as the text of a JSON object.
   std::string options_json = "{}";
-  // Where the drawing is in the world, if somebody asked. The graph is in the model's coordinates.
+  // Where the drawing is in the world, if it was aligned. The graph is in the model's coordinates.
   std::optional<Alignment> alignment = std::nullopt;
 };
 

@@ -15,7 +15,7 @@ namespace limn {
 //               "axes_from": "lines"|"positions"|"model",
 //               "scale_from": "lengths"|"positions"|"none"}: world = scale * rotation * position +
 //               translation, z up; all positions below are the model's,
-//    where a user asked for lengths to be written "dimensions": [{"from", "to", "shift"}], each
+//    where there are any, "dimensions": [{"from", "to", "shift"}], each
 //               [x, y, z] (model/dimension.h),
 //    "nodes": [{"id", "position": [x, y, z], "kind": "end"|"junction"|"loop_anchor", "degree",
 //               "incident": [[link, end], ...], "continuations": [[[link, end], [link, end]],

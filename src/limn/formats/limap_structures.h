@@ -15,7 +15,7 @@ namespace limn {
 // points are those of the model; pixels are COLMAP's (the center of the top-left pixel is (0.5,
 // 0.5)), of images without distortion; lengths are those of the model.
 
-// "This segment or group has none in space."
+// "This segment or group has no counterpart in space."
 constexpr uint64_t kNoLimapId = ~uint64_t{0};
 
 // A segment of an image.
@@ -41,7 +41,7 @@ struct LimapIncidence {
   double weight = 1;
 };
 
-// What is told about an image. Its points and segments are called by their indices.
+// An image with its points and segments, which are referred to by index.
 struct LimapImage {
   struct Group {
     int32_t type = 0;
@@ -51,7 +51,7 @@ struct LimapImage {
   };
 
   uint32_t id = 0;
-  uint32_t num_points = 0;  // that the model has of this image
+  uint32_t num_points = 0;  // of this image in the model
   std::vector<LimapSegment> segments;
   std::vector<Group> groups;
   std::vector<LimapIncidence<uint32_t, uint32_t>> wireframe;

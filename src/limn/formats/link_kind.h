@@ -4,7 +4,7 @@
 
 namespace limn {
 
-// Names of kinds of links in files.
+// Names of link kinds in files.
 
 // "line", "arc", "circle", "spline", or "polyline" where the link has no primitive.
 inline const char* PrimitiveName(const DrawingLink& link) {
@@ -15,7 +15,7 @@ inline DenseClass ClassOf(const DrawingLink& link) {
   return link.dense ? link.dense->dense_class : DenseClass::kUnknown;
 }
 
-// Whether some links say what kind of edge they are.
+// Whether the kind of edge is known for any link.
 inline bool HasKinds(const DrawingGraph& graph) {
   for (const DrawingLink& link : graph.links) {
     if (link.kind != LinkKind::kUnknown || link.tentative) return true;

@@ -10,7 +10,7 @@ struct NamedNumber {
   double number = 0;
 };
 
-// A number for messages, three digits: "0.125", "52.1", "1.2e+06".
+// A number for messages, with three digits: "0.125", "52.1", "1.2e+06".
 std::string ShortNumber(double number);
 
 // For messages: "b.jpg, a.jpg and 7 more", in the given order, at most five.

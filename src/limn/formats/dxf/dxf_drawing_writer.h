@@ -28,7 +28,7 @@ enum class DxfLayers {
   kFace,
 };
 
-// What a flat drawing (flat_drawing.h) has besides its links, in its coordinates.
+// What a flat drawing (flat_drawing.h) shows besides its links, in its coordinates.
 struct DxfPlan {
   // Hidden parts, on the layer "hidden".
   std::vector<Polyline3d> hidden;

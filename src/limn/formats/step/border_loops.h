@@ -6,8 +6,8 @@
 
 namespace limn {
 
-// A loop that passes vertices twice, as where a hole touches the border, as several that do not;
-// the largest first. Only for the writer of STEP files. Time: steps times those of a loop.
+// Splits a loop that passes vertices twice, as where a hole touches the border, into loops that do
+// not, the largest first. Only for the writer of STEP files. Time: steps times those of a loop.
 std::vector<std::vector<BorderStep>> SimpleLoops(const std::vector<BorderEdge>& edges,
                                                  const std::vector<BorderStep>& steps);
 

@@ -10,7 +10,7 @@ namespace limn {
 // The borders of faces as a graph: faces that meet share edges, edges that meet share vertices.
 // Only for the writer of STEP files.
 
-// A part of a link between two places where something of a face begins or ends, or a bridge.
+// A part of a link between two places where borders of faces begin or end, or a bridge.
 struct BorderEdge {
   int link = -1;  // -1: a bridge
   // Positions on the link, ascending.

@@ -30,8 +30,8 @@ opencascade::handle<Geom_Curve> GeomCurveOf(const DrawingLink& link);
 // Where that curve begins (0) or ends (1).
 Eigen::Vector3d EndOfCurve(const DrawingLink& link, int end);
 
-// Where the links of a node meet. Ends without company, and where a closed link begins, are ends of
-// curves: a primitive need not go through these nodes.
+// The position where the links of a node meet. A single end, and the start of a closed link, is at
+// the end of its curve: a primitive need not pass through such nodes.
 Eigen::Vector3d PositionOfVertex(const DrawingGraph& graph, const DrawingNode& node);
 
 }  // namespace limn

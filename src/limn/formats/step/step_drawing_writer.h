@@ -18,11 +18,10 @@ struct StepFaceNotes {
 // taken for these): a connected edge set "path_<i>" per path (PathsOf), which readers turn into a
 // wire, with an edge "link_<id>", or "link_<id>_<kind>" where its kind is known, per link: a line,
 // a circle, a cubic B-spline, or a B-spline of degree 1 through the points of a link without a
-// primitive. Edges that meet at a node share its vertex.
-// Faces are products of their own, "solids" and "shells" (step_shells.h), with faces "face_<id>"
-// and edges named like those of links; links that bound them are not in the wireframe, but those of
-// faces that are apart or left out are. Throws InputError for a drawing without links, and if
-// OpenCASCADE rejects a curve.
+// primitive. Edges that meet at a node share its vertex. Faces are products of their own, "solids"
+// and "shells" (step_shells.h), with faces "face_<id>" and edges named like those of links; links
+// that bound them are not in the wireframe, but those of faces that are apart or left out are.
+// Throws InputError for a drawing without links, and if OpenCASCADE rejects a curve.
 StepFaceNotes WriteDrawingStep(const DrawingGraph& graph, LengthUnit unit, std::ostream& out);
 
 }  // namespace limn

@@ -8,8 +8,8 @@
 
 namespace limn {
 
-// A drawing in parallel projection as one in the plane z = 0, to be measured and changed in CAD: x
-// to the right, y up, units those of the drawing.
+// A drawing in parallel projection as one in the plane z = 0, for measuring and editing in CAD: x
+// to the right, y up, in the units of the drawing.
 struct FlatDrawing {
   // The visible parts of links, with their attributes. Lines, splines, and arcs that are seen from
   // the front keep their shapes; other arcs are polylines. Dimensions keep their places.
@@ -20,8 +20,8 @@ struct FlatDrawing {
   std::vector<Polyline3d> hidden;
 };
 
-// What is shorter than a hundredth of a pixel of the sheet is left out, as lines seen from their
-// ends are. Parts are as in SVG pictures (FindRuns, up to 6 px). Without faces.
+// Anything shorter than a hundredth of a pixel of the sheet is left out, such as lines seen end on.
+// Parts are as in SVG pictures (FindRuns, up to 6 px). Without faces.
 FlatDrawing Flatten(const DrawingGraph& graph, const SvgSheet& sheet, const IsHidden& is_hidden,
                     bool with_hidden);
 

@@ -11,7 +11,7 @@
 
 namespace limn {
 
-// How dimensions are seen in a picture.
+// How dimensions appear in a picture.
 struct DimensionPicture {
   // Nothing where a place is not in the picture.
   std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector3d&)> place_of;
@@ -21,8 +21,8 @@ struct DimensionPicture {
 };
 
 // Writes <g id="dimensions"> with a <g id="dimension_<i>"> each: its lines with oblique ticks, and
-// its length along them, readable from below or from the right. Those that are shorter than a
-// pixel in the picture, or not in it, are left out. Styled by the picture's style sheet.
+// its length along them, readable from below or from the right. Dimensions shorter than a pixel in
+// the picture, or outside it, are left out. Styled by the picture's style sheet.
 void WriteDimensions(const std::vector<DrawingDimension>& dimensions,
                      const DimensionPicture& picture, std::ostream& out);
 
