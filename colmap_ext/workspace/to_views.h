@@ -116,7 +116,7 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view);
 Image ReadViewImage(const ViewSet& view_set, ViewId view);
 
 // Frees what the two keep to read other parts of a panorama: up to one whole panorama and its mask
-// per thread. To be called after a loop over views.
+// per thread. Call it after a loop over views.
 void ReleaseDecoded(const ViewSet& view_set);
 
 }  // namespace limn::colmap_ext

@@ -43,7 +43,7 @@ using CurveShape = std::variant<LineSegment, CircularArc, CubicBSpline>;
 // "line", "arc", "circle" or "spline".
 const char* ShapeName(const CurveShape& shape);
 
-// Describes what is wrong with a shape; empty if nothing: non-finite numbers, a line without
+// Describes what is wrong with a shape; empty if it is valid: non-finite numbers, a line without
 // length, axes that are not orthonormal, a radius or sweep out of range, knots that decrease, are
 // not clamped, have the wrong number or allow a jump.
 std::string ValidateShape(const CurveShape& shape);
@@ -63,7 +63,7 @@ SplineBasis BasisAt(const std::vector<double>& knots, double t);
 // to its start.
 Polyline3d SampleShape(const CurveShape& shape, double tolerance);
 
-// Count of numbers that describe it in a file: 6 for a line, 11 for an arc, knots and control
+// Number of values that describe it in a file: 6 for a line, 11 for an arc, knots and control
 // points for a spline.
 size_t NumNumbers(const CurveShape& shape);
 

@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// A part of a stroke: from and to are index of a point plus fraction; from > to: against its
-// direction.
+// A part of a stroke: `from` and `to` are the index of a point plus a fraction; from > to runs
+// against the stroke's direction.
 struct StrokeRun {
   int stroke = -1;
   double from = 0;
@@ -22,7 +22,7 @@ struct ArrangementEdge {
   StrokeRun run;
 };
 
-// Where strokes in a plane run into one another: a planar graph.
+// The planar graph of strokes that are cut where they meet.
 struct PlanarArrangement {
   std::vector<Eigen::Vector2d> vertices;
   // No two between the same vertices.

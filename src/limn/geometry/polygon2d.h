@@ -31,7 +31,7 @@ struct OutlinePlace {
   int loop = -1;  // -1: none
   int corner = -1;
   double t = 0;
-  double distance = 0;  // from where it was looked for
+  double distance = 0;  // from the query
 };
 
 // A polygon with holes. All look-ups are linear in the number of corners.

@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// Splits edges that are longer than `max_length` > 0 at their middles, in both triangles, the
-// longest first, up to `max_vertices`. Triangles keep their sense. Time: splits times edges.
+// Splits edges longer than `max_length` > 0 at their middles, in both triangles, longest first, up
+// to `max_vertices` vertices. Triangles keep their orientation. Time: splits times edges.
 void RefineTriangles(double max_length, size_t max_vertices, Polyline2d* vertices,
                      std::vector<std::array<int, 3>>* triangles);
 

@@ -28,7 +28,7 @@ inline Similarity3d Inverse(const Similarity3d& b_from_a) {
   return {1 / b_from_a.scale, rotation, -(rotation * b_from_a.translation) / b_from_a.scale};
 }
 
-// The pose in b of a camera with a pose in a. Its own coordinates are scaled, too, so that it has
+// The pose in b of a camera with a pose in a. Its own coordinates are scaled too, so that it sees
 // the same pixels.
 inline Rigid3d CamFromB(const Rigid3d& cam_from_a, const Similarity3d& b_from_a) {
   const Eigen::Quaterniond rotation =

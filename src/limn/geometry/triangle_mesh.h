@@ -12,7 +12,7 @@ struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   // Per polygon its corners in order, at least three vertex indices. Orientations may differ.
   std::vector<std::vector<int>> polygons;
-  // All polygons cut into triangles.
+  // The triangulation of all polygons.
   std::vector<std::array<int, 3>> triangles;
   // Polygons that were dropped: those without area, and copies (same corners) of others.
   int num_degenerate = 0;

@@ -17,8 +17,8 @@ struct KindOfLink {
   double confidence = 0;
 };
 
-// How much the light of the scene changes between the views: the median over the links of how much
-// the steadier of their sides differs.
+// How much the light of the scene changes between views: the median over the links of the spread of
+// their steadier side.
 double LightVariation(const std::vector<KindEvidence>& links);
 
 // Edge, paint or shadow (algorithm/kinds.md#classes); unknown without enough profiles.
@@ -36,10 +36,10 @@ struct KindsResult {
   StageSummary summary;
 };
 
-// Tells what kind of edge every link is, from what the images show on its two sides (ours;
-// algorithm/kinds.md). Links that are known to be contours stay so. Reads every image that supports
-// a link once; at most one image per thread is in memory. Throws what read_image throws, and
-// Cancelled.
+// Classifies every link as a kind of edge, by what the images show on its two sides (ours;
+// algorithm/kinds.md). Links already known to be contours stay contours. Reads every image that
+// supports a link once; at most one image per thread is in memory. Throws what read_image throws,
+// and Cancelled.
 KindsResult ClassifyKinds(const KindsInput& input, const RunContext& context);
 
 }  // namespace limn

@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// What the images tell of the kind of a link (algorithm/kinds.md#evidence). Colors are logarithms
-// of linear intensities. "Change" is that from the darker to the brighter side.
+// What the images show about the kind of a link (algorithm/kinds.md#evidence). Colors are
+// logarithms of linear intensities. "Change" is that from the darker to the brighter side.
 struct KindEvidence {
   int num_profiles = 0;
   int num_views = 0;  // with profiles
@@ -26,7 +26,7 @@ struct KindEvidence {
   double unevenness = std::numeric_limits<double>::infinity();
 };
 
-// Per link, from the profiles of every view. Linear time but for the medians.
+// Per link, from the profiles of every view. Linear time, apart from the medians.
 std::vector<KindEvidence> GatherEvidence(
     size_t num_links, const std::vector<std::vector<LinkProfile>>& profiles_of_view);
 

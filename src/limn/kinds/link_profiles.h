@@ -22,7 +22,7 @@ struct LinkProfile {
   EdgeProfile profile;
 };
 
-// What is to be measured.
+// The places to measure.
 struct ProfilePlan {
   std::vector<std::vector<ProfilePlace>> places;   // per link: one every 6 px, at most 32
   std::vector<std::vector<LinkId>> links_of_view;  // at most 24 of a link's supporting views

@@ -15,10 +15,10 @@ class Continuation {
                const Chaining& chaining)
       : edgels_(edgels), colors_(colors), chaining_(chaining) {}
 
-  // The fragment hypothesis that the chain up to `from` goes on with the one from `to` on. The
-  // score is the length that the shorter one adds, px, times exp(-cost / 2). The cost is 0 where
-  // both are one parabola near the step, alike in contrast and in the colors on both sides. 0 if
-  // either edgel is kInvalidEdgel.
+  // Scores the fragment hypothesis that the chain up to `from` continues with the one that begins
+  // at `to`. The score is the length that the shorter one adds, px, times exp(-cost / 2). The cost
+  // is 0 where both are one parabola near the step, alike in contrast and in the colors on both
+  // sides. 0 if either edgel is kInvalidEdgel.
   double Score(EdgelId from, EdgelId to) const;
 
   // Whether `to` follows `from` on its chain, either way, within that length.
@@ -31,7 +31,7 @@ class Continuation {
     std::vector<double> at_px;
     double Length() const { return at_px.back(); }
   };
-  // What the edgels of an arm look like in the mean.
+  // The mean appearance of the edgels of an arm.
   struct Look {
     double log_strength = 0;
     SideColors colors = {Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};

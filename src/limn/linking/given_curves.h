@@ -20,11 +20,11 @@ ImageCurves CurvesOfPolylines(const std::vector<std::vector<Eigen::Vector2d>>& p
 // one.
 void TurnAround(CurveFragment* fragment, std::vector<Edgel>* edgels);
 
-// Makes fragments what linking promises, and leaves those of LinkEdgels (with bridges of at most 10
-// px) as they are: no edgel follows another in the same place, nor one more than 10 px away, where
-// the fragment is cut; every edgel is in at most one (a copy takes its place in the others) and
-// once there; a fragment has at least two, a closed one three; and tangents run along it: it takes
-// the direction of most of them, and the others are turned.
+// Gives fragments the properties that linking guarantees, and leaves those of LinkEdgels (with
+// bridges of at most 10 px) as they are. Consecutive edgels are at different places and at most 10
+// px apart: fragments are cut at longer gaps. An edgel is in at most one fragment, once: others get
+// a copy. A fragment has at least two edgels, a closed one three. Tangents run along the fragment:
+// it takes the direction of most of them, and the others are turned.
 void MakeConsistent(ImageCurves* curves);
 
 }  // namespace limn

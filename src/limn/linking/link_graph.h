@@ -22,7 +22,7 @@ struct Chaining {
   void BreakAfter(EdgelId from);
 };
 
-// A way to go on along the tangents of both edgels.
+// A link that continues along the tangents of both edgels.
 struct DirectedLink {
   EdgelId from = kInvalidEdgel;
   EdgelId to = kInvalidEdgel;
@@ -31,8 +31,8 @@ struct DirectedLink {
 
 std::vector<Eigen::Vector2d> TangentsOf(const std::vector<Edgel>& edgels);
 
-// Nothing for a link that is sideways for one of its edgels: it hints at a junction, but is no way
-// to go on.
+// Nothing for a link that runs sideways from one of its edgels: a hint of a junction, but not a
+// continuation.
 std::optional<DirectedLink> Direct(const std::vector<Edgel>& edgels,
                                    const std::vector<Eigen::Vector2d>& tangents,
                                    const EdgelLink& link);

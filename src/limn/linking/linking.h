@@ -28,8 +28,8 @@ struct LinkingOptions {
   // Shortest curvelet that links, first to last edgel, > 0. Larger: fewer chance links in noise.
   double min_curvelet_px = 3;
 
-  // Where chains fork: "best" keeps the mutually best links, "hypotheses" compares the ways to go
-  // on over up to 30 px. No better: algorithm/linking.md#what-was-measured.
+  // Where chains fork, "best" keeps the mutually best links; "hypotheses" compares the possible
+  // continuations over up to 30 px. No better: algorithm/linking.md#what-was-measured.
   std::string forks = "best";
 
   // Fragments are joined over gaps up to this length where the continuation turns by no more than

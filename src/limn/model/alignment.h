@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// What told an alignment which direction is up (limn/alignment/).
+// What determined the up direction of an alignment (limn/alignment/).
 enum class UpSource {
   kGravity,    // measured in the cameras
   kPositions,  // of the cameras
@@ -15,14 +15,14 @@ enum class UpSource {
   kCameras,    // how cameras are held, roughly
 };
 
-// What told it how to turn around the vertical.
+// What determined its rotation around the vertical.
 enum class AxesSource {
   kLines,      // the x or y axis is along the main horizontal direction of the drawing
   kPositions,  // x is east
   kModel,      // x is as near to the model's as it can be
 };
 
-// What told it the scale.
+// What determined its scale.
 enum class ScaleSource {
   kNone,       // nothing: the unit is the model's
   kLengths,    // known lengths
@@ -37,7 +37,7 @@ const char* SourceName(AxesSource source);
 const char* SourceName(ScaleSource source);
 
 // How a drawing in the coordinates of its model lies in the world: z is up, z = 0 its floor, and
-// lengths are in meters unless nothing told the scale.
+// lengths are in meters unless the scale is unknown.
 struct Alignment {
   Similarity3d world_from_model;
   UpSource up = UpSource::kCameras;
@@ -48,8 +48,8 @@ struct Alignment {
   const char* Unit() const { return IsMetric() ? "m" : "none"; }
 };
 
-// What is wrong with it, empty if nothing: numbers that are not finite, a scale that is not
-// positive, a matrix that is no rotation (by more than 1e-6).
+// What is wrong with it; empty if it is valid. Wrong are non-finite numbers, a scale that is not
+// positive, and a matrix that is not a rotation to 1e-6.
 std::string Validate(const Alignment& alignment);
 
 // The alignment of a drawing whose coordinates were changed by file_from_model.

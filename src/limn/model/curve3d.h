@@ -58,8 +58,8 @@ struct Curve3D {
   // Supporting edgels of each sample, the anchor's own edgel included.
   SupportLists support;
   bool closed = false;
-  // Total support of the curve as a whole (algorithm/paper.md#original-sketch), which the original
-  // sketch alone judges; else 0.
+  // Total support of the curve as a whole (algorithm/paper.md#original-sketch), which only the
+  // original sketch uses; else 0.
   double total_support = 0;
 
   size_t size() const { return points_in_world.size(); }

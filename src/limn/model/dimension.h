@@ -4,8 +4,8 @@
 
 namespace limn {
 
-// A length that a user asked to be written into the drawing: the distance of two places. World
-// units.
+// A length that the user asked to have written into the drawing: the distance between two places.
+// World units.
 struct DrawingDimension {
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
   Eigen::Vector3d to = Eigen::Vector3d::UnitX();

@@ -68,7 +68,7 @@ const char* DenseClassName(DenseClass dense_class);
 // What kind of edge a link is (limn/kinds/).
 enum class LinkKind : uint8_t {
   kUnknown,
-  kEdge,     // of things: a crease, or a border of a surface
+  kEdge,     // of an object: a crease, or the border of a surface
   kPaint,    // where the reflectance of a surface changes
   kShadow,   // border of a shadow, or shading
   kContour,  // outline of a smooth body, which lies elsewhere in other views
@@ -84,7 +84,7 @@ std::optional<LinkKind> LinkKindNamed(const std::string& name);
 enum class LinkDoubt : uint8_t {
   kNone,
   kFewViews,     // too few views to be fitted
-  kChance,       // no more views than accidents get
+  kChance,       // no more views than by chance
   kSeenThrough,  // other links are seen through it
   kExplained,    // better links explain its edgels
 };
@@ -155,7 +155,7 @@ struct DrawingLink {
   // Of most of its length.
   LinkKind kind = LinkKind::kUnknown;
   double kind_confidence = 0;  // 0 to 1; 0 if unknown
-  // Too little evidence: left out of exports unless asked for.
+  // Too little evidence (limn/belief/): left out of exports unless requested.
   bool tentative = false;
   // kNone unless tentative.
   LinkDoubt doubt = LinkDoubt::kNone;
@@ -175,7 +175,8 @@ struct DrawingGraph {
   std::vector<DrawingNode> nodes;
   std::vector<DrawingLink> links;
   Regularities regularities = {};
-  // Surfaces between the links. Whoever changes links drops those that they bound (DropFacesOf).
+  // Surfaces between the links. Code that changes links must drop the faces they bound
+  // (DropFacesOf).
   std::vector<DrawingFace> faces = {};
   std::vector<DrawingDimension> dimensions = {};
 };
@@ -195,7 +196,7 @@ void RebuildIncidence(DrawingGraph* graph);
 // their order. Rebuilds the incidence.
 void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph);
 
-// Drops the faces that links bound which are marked 1: these have a new shape.
+// Drops the faces bounded by links marked 1, whose shapes have changed.
 void DropFacesOf(const std::vector<uint8_t>& changed, DrawingGraph* graph);
 
 }  // namespace limn

@@ -20,8 +20,8 @@ struct Edgel {
   // Direction of the edge in the virtual image, in [-pi, pi], such that luminance rises along (sin
   // t, -cos t), the left side on screen when walking along (cos t, sin t).
   double tangent_rad = 0;
-  // Gradient magnitude at the edge, gray levels per pixel. Of edges from elsewhere what their file
-  // says, such as a probability; 1 of text. Not below 0.
+  // Gradient magnitude at the edge, gray levels per pixel. For given edges, what their file says,
+  // such as a probability; 1 for curves without edgels. Not below 0.
   float strength = 0;
   // Standard deviation of the position across the edge, stored pixels.
   float position_sigma_px = 0;
@@ -33,7 +33,7 @@ struct Edgel {
   Eigen::Vector2d Tangent() const { return {std::cos(tangent_rad), std::sin(tangent_rad)}; }
   // Unit normal along which luminance rises.
   Eigen::Vector2d Normal() const { return {std::sin(tangent_rad), -std::cos(tangent_rad)}; }
-  // Makes the other side the brighter one.
+  // Reverses the tangent, so that the other side is the brighter one.
   void Turn() { tangent_rad = std::remainder(tangent_rad + M_PI, 2 * M_PI); }
 };
 

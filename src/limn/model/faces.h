@@ -12,7 +12,7 @@
 
 namespace limn {
 
-// Surfaces that links of a drawing bound (limn/surfaces/). Positions in world units.
+// Surfaces bounded by links of a drawing (limn/surfaces/). Positions in world units.
 
 enum class FaceSurface : uint8_t {
   kPlane,  // of any number of loops: the outer border, then holes
@@ -26,7 +26,7 @@ const char* FaceSurfaceName(FaceSurface surface);
 // Nothing if there is no such surface.
 std::optional<FaceSurface> FaceSurfaceNamed(const std::string& name);
 
-// A part of a face's border: a part of a link, or a bridge, where no link was found.
+// A part of a face's border: a part of a link, or a bridge where no link was found.
 struct FaceEdge {
   int link = -1;
   // Where it begins and ends along the link: index of a point plus a fraction of the way to the
@@ -61,16 +61,16 @@ struct DrawingFace {
   std::vector<int> views;
 };
 
-// What is wrong with a face, empty if nothing: links or positions on them out of range (of
+// What is wrong with a face; empty if it is valid: links or positions on them out of range (of
 // num_points[link] points), bridges of fewer than two points, loops or sides that its surface
-// cannot have, numbers that are not finite, a normal that is no unit vector, triangles of vertices
-// that there are not, a confidence not from 0 to 1. Linear time.
+// cannot have, numbers that are not finite, a normal that is not a unit vector, triangles with
+// vertices that do not exist, a confidence outside [0, 1]. Linear time.
 std::string Validate(const DrawingFace& face, const std::vector<int>& num_points);
 
 // Under a change of coordinates.
 DrawingFace Transformed(DrawingFace face, const Similarity3d& similarity);
 
-// Gives links new ids; false, if a link of the face has none (-1).
+// Gives links new ids; false if a link of the face has none (-1).
 bool RenameLinks(const std::vector<int>& new_link, DrawingFace* face);
 
 // Of all triangles, square world units.

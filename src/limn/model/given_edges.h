@@ -4,7 +4,7 @@
 
 namespace limn {
 
-// Edges of an image that come from elsewhere, in pixels of the image as stored (after
+// Edges of an image that come from a file, in pixels of the image as stored (after
 // --max_image_size), before ApplyLens.
 struct GivenEdges {
   ImageCurves curves;

@@ -17,7 +17,8 @@ struct Image {
 };
 
 // RGB at a place, bilinear between the centers of pixels, which are at whole numbers; beyond the
-// border that of the border; gray as three same values. The image has pixels; masks are not asked.
+// border the color of the border; gray as three equal values. Precondition: the image is not empty.
+// Ignores masks.
 Eigen::Vector3f ColorAt(const Image& image, const Eigen::Vector2d& px);
 
 }  // namespace limn

@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// Which links of a drawing to use, by what is known of them. By default all but the outlines of
-// smooth bodies, which are no curves in space, and tentative links.
+// Which links of a drawing to use. By default all except tentative links and the outlines of smooth
+// bodies, which are not curves in space.
 struct LinkSelection {
   std::array<bool, kNumLinkKinds> kinds;  // by LinkKind
   bool tentative = false;

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// What links of a drawing have in common, exactly (limn/regularity/). Links refer to it by index.
+// What links of a drawing have exactly in common (limn/regularity/). Links refer to it by index.
 // Directions and normals are unit vectors, positions and lengths in world units.
 
 // Of straight links that are parallel.
@@ -51,8 +51,8 @@ struct LinkRegularity {
   std::vector<int> planes;  // ascending
 };
 
-// What is wrong with them, empty if nothing: indices out of range, numbers that are not finite,
-// vectors that are no unit vectors, radii that are not positive.
+// What is wrong with them; empty if they are valid: indices out of range, numbers that are not
+// finite, vectors that are not unit vectors, radii that are not positive.
 std::string Validate(const Regularities& regularities);
 std::string Validate(const LinkRegularity& link, const Regularities& regularities);
 

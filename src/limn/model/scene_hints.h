@@ -20,7 +20,7 @@ struct PointPixel {
 struct ScenePoint {
   Eigen::Vector3d position_in_world;
   std::vector<ViewId> views;  // ascending
-  // Where views see it, as far as known; ascending by view.
+  // Where views see it, if known; ascending by view.
   std::vector<PointPixel> pixels = {};
   // Order of the point in the COLMAP model file.
   int model_index = -1;

@@ -7,7 +7,7 @@
 
 namespace limn {
 
-// Some of the views of a scene as a scene of their own.
+// A subset of the views of a scene, as a scene of its own.
 struct SceneSubset {
   std::vector<ViewId> ids;  // per view, in the whole scene
   std::vector<View> views;

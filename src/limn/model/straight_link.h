@@ -6,8 +6,8 @@
 
 namespace limn {
 
-// The line that a straight link is: its primitive, or, before primitives are fitted, its chord if
-// the points are within 1 % of its length from it. Nothing for other links. Linear time.
+// The line that a straight link follows: its primitive, or, before primitives are fitted, its chord
+// if the points are within 1 % of its length from it. Nothing for other links. Linear time.
 std::optional<LineSegment> LineOf(const DrawingLink& link);
 
 }  // namespace limn

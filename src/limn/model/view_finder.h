@@ -14,8 +14,8 @@ class ViewFinder {
  public:
   explicit ViewFinder(const std::vector<View>& views);
 
-  // Every view whose image contains a point within `radius` of `center`, and some more that come
-  // near; ascending. Linear in the number of views, a few comparisons each.
+  // Every view whose image contains a point within `radius` of `center`, and a few that come close;
+  // ascending. Linear in the number of views, a few comparisons each.
   std::vector<ViewId> Near(const Eigen::Vector3d& center, double radius) const;
 
   // The same for the points of a curve; empty if it has none.

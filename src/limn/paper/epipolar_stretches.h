@@ -15,8 +15,8 @@ struct VertexStretch {
 };
 
 // The longest stretches of a fragment along which the curve makes at least the angle of `min_sine`
-// with the epipolar lines of `second` and crosses them in one sense, so that its epipolar angle is
-// monotone. Those shorter than `min_length_px` are left out. Those of a closed fragment run on
+// with the epipolar lines of `second` and crosses them in one direction, so that its epipolar angle
+// is monotone. Those shorter than `min_length_px` are left out. Those of a closed fragment run on
 // through its first vertex; only one without any break is cut there. Time O(vertices).
 std::vector<VertexStretch> EpipolarStretches(const FragmentRays& fragment, const View& primary,
                                              const View& second, double min_sine,

@@ -8,7 +8,7 @@
 
 namespace limn {
 
-// A sample and that of another curve with which it shares most edgels.
+// A sample, and the sample of another curve with which it shares the most edgels.
 struct SampleLink {
   int sample = -1;
   int other = -1;

@@ -36,7 +36,7 @@ class MergingPrimitives {
   // directions agree and the stub does not have the vertex `kept` (-1: none), where the run's other
   // end belongs. Else the run ends at a node: that of the link's end if it is near, or one that
   // splits the link. The nodes of several links become one. The vertices may be of the run's own
-  // link: a loop, closed without a stub where the run comes upon its other end. Returns false, and
+  // link: a loop, closed without a stub where the run reaches its other end. Returns false, and
   // does nothing, if `tip` is at no free end, or all vertices are near it along its own link.
   bool Attach(int tip, const std::vector<int>& touched, int kept);
 
@@ -50,7 +50,7 @@ class MergingPrimitives {
   // The sample has a home.
   LinkId LinkOf(int sample) const { return link_of_[HomeOf(sample)]; }
 
-  // Lists the samples, which all have homes, in their vertices. To be called once, in the end.
+  // Lists the samples, which all have homes, in their vertices. Call it once, at the end.
   void ListSamples();
 
   MergingCounts& counts() { return counts_; }

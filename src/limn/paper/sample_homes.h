@@ -11,8 +11,8 @@
 
 namespace limn {
 
-// Finds the vertices that stand for samples (their homes), and where curves meet links and
-// themselves (algorithm/paper.md#order-and-homes). Holds references.
+// Finds the vertices that stand for samples (their homes), and the places where curves meet links
+// or themselves (algorithm/paper.md#order-and-homes). Holds references.
 class SampleHomes {
  public:
   SampleHomes(const SampleSet& samples, const CurveConsistency& network,
@@ -26,8 +26,8 @@ class SampleHomes {
   // runs along itself in the same direction. `homes[k]` belongs to its sample k.
   void FindOwn(int curve, std::vector<int>* homes) const;
 
-  // The sample of an open curve's own interior that its first or last sample comes upon at an
-  // angle; -1 if there is none.
+  // The sample in an open curve's own interior that its first or last sample runs into at an angle;
+  // -1 if there is none.
   int FindAhead(int sample) const;
 
   // Per link that a curve touches where it leaves or rejoins links, one vertex, the home first: the

@@ -22,14 +22,14 @@ struct ImageSource {
   std::function<Image(ViewId)> read;
   // A key that differs if what the other functions return differs, for cached results.
   std::function<std::string(ViewId)> identity;
-  // Edges to use instead of those in the photograph; none = detect them.
+  // Edges to use instead of detecting them in the photograph; none = detect them.
   std::function<GivenEdges(ViewId)> given_edges = nullptr;
   // Called after a loop over views: frees what the other functions keep of an image to read more
   // of it. None = they keep nothing.
   std::function<void()> release = nullptr;
 };
 
-// Told of the fragments of a view, in stored pixels, before ApplyLens. Must be thread-safe.
+// Called with the fragments of a view, in stored pixels, before ApplyLens. Must be thread-safe.
 using FragmentsObserver = std::function<void(ViewId, const ImageCurves&)>;
 
 struct ExtractionInput {

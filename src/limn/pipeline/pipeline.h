@@ -16,7 +16,7 @@
 
 namespace limn {
 
-// Everything that a drawing is made from.
+// The input of a drawing.
 struct PipelineInput {
   const std::vector<View>& views;
   const SceneHints& hints;
@@ -25,7 +25,7 @@ struct PipelineInput {
   std::optional<Eigen::AlignedBox3d> box;
   // Image curves and sketches of earlier runs, where new ones are stored. Never null.
   ResultCache* cache;
-  // Bring the drawing that was kept last up to date instead, if possible (update_scene.h).
+  // Instead bring the drawing stored last up to date, if possible (update_scene.h).
   bool update = false;
 };
 
@@ -39,8 +39,8 @@ struct PipelineResult {
   SampleFates sample_fates;
   // Of a drawing that was brought up to date, the views that are new or changed.
   ViewSubset new_views = std::nullopt;
-  // Keeps the drawing for updates. To be called when all results are written, so that a run that is
-  // stopped before is not taken for done.
+  // Stores the drawing for updates. Call it once all results are written, so that an interrupted
+  // run does not count as done.
   std::function<void()> keep = [] {};
 };
 
@@ -80,9 +80,9 @@ struct JudgedDrawing {
 JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
                              const RunContext& context, const StageObserver& on_stage_end);
 
-// Fits primitives to the links, tells their kinds, the latter only when images can be read, and
-// makes them regular if the options say so (FitPrimitives, ClassifyKinds, Regularize). The paper's
-// drawing stays as it is.
+// Fits primitives to the links, finds their kinds if images can be read, and makes them regular if
+// the options say so (FitPrimitives, ClassifyKinds, Regularize). The paper's drawing stays as it
+// is.
 DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
                            const std::function<Image(ViewId)>& read_image,
                            const PipelineOptions& options, const RunContext& context,

@@ -19,8 +19,8 @@
 
 namespace limn {
 
-// How samples of the sketch become links: traced on their consensus (ours), or as in the paper and
-// nothing else: no re-triangulation, completion, refinement or belief (ECCV 2016).
+// How samples of the sketch become links: traced on their consensus (ours), or exactly as in the
+// paper, without re-triangulation, completion, refinement or belief (ECCV 2016).
 enum class DrawingMethod { kTraced, kPaper };
 
 // The options of all stages from photographs to the drawing.
@@ -38,7 +38,7 @@ struct PipelineOptions {
   // Make the drawing regular, by these options.
   bool regularize = false;
   RegularityOptions regularity;
-  // Of faces, which are found in finished drawings.
+  // For faces, which are found in finished drawings.
   SurfaceOptions surfaces;
   TileOptions tiles;
 
@@ -71,8 +71,8 @@ struct QualityPreset {
 // pair and confirm with; about twice the time of medium, and more where it shrinks images.
 QualityPreset PresetOf(Quality quality);
 
-// Sets options that other stages have in common to the defaults of the method: with "paper" those
-// of the paper and of its authors' program. Options given explicitly override them.
+// Sets options of other stages to the defaults of the method: for the paper's method, those of the
+// paper and of its authors' program. Options given explicitly override them.
 void SetMethodDefaults(DrawingMethod method, PipelineOptions* options);
 
 const char* DrawingMethodName(DrawingMethod method);

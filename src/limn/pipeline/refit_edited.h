@@ -20,11 +20,11 @@ struct RefitScene {
   std::function<Image(ViewId)> read_image;  // for the kinds of edges; may be empty
 };
 
-// Fits the links that edits have touched to the images again, and describes them anew: supporting
+// Refits the links that edits have touched to the images, and describes them again: supporting
 // views, sigmas, primitives, and kinds unless set by hand (RefitLinks, RefitPrimitives,
 // ClassifyKinds). The cameras, all other links and the nodes that these end at stay. Dimensions
-// follow the links (SnapDimensions). Warns, in the outcomes of the edits, of gaps that they closed
-// although the images do not show an edge there. Throws OptionError and Cancelled.
+// follow the links (SnapDimensions). Warns, in the outcomes of the edits, about gaps that they
+// closed where the images show no edge. Throws OptionError and Cancelled.
 StageSummary RefitEdited(const RefitScene& scene, const PipelineOptions& options,
                          const RunContext& context, EditedDrawing* edited);
 

@@ -29,22 +29,22 @@ struct RecordedSketch {
   const std::string& ViewName() const { return views[place].name; }
 };
 
-// What a drawing was made from, kept with it so that it can be brought up to date.
+// What a drawing was made from, stored with it so that it can be brought up to date.
 struct SceneRecord {
   std::vector<RecordedView> views;       // that the supporting views of links are places in
   std::vector<RecordedSketch> sketches;  // of the primary views
-  // Of the last drawing that was made from nothing.
+  // Of the last drawing made from scratch.
   std::vector<RecordedView> drawn_views;
   DrawingGraph graph;
 };
 
-// All else that the drawing depends on: options, box and versions.
+// Everything else that the drawing depends on: options, box and versions.
 std::string RecordKey(const PipelineOptions& options,
                       const std::optional<Eigen::AlignedBox3d>& box);
 
 void KeepRecord(const SceneRecord& record, const std::string& key, ResultCache* cache);
 
-// Nothing if there is none with this key. Throws IoError if the file is damaged.
+// Nothing if there is no record with this key. Throws IoError if the file is damaged.
 std::optional<SceneRecord> FindRecord(const std::string& key, const ResultCache& cache);
 
 }  // namespace limn

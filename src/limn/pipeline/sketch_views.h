@@ -9,7 +9,7 @@
 
 namespace limn {
 
-// To be incremented when the sketch of the same input changes, so that stored ones are made again.
+// Increment it when the sketch of the same input changes, so that stored ones are remade.
 constexpr int kSketchVersion = 5;
 
 // BuildSketch with the cache (never null), which stores the sketch of every view: a stopped run

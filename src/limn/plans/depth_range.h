@@ -21,7 +21,7 @@ struct DepthRange {
   }
 };
 
-// What is within the range of a drawing: links, cut where they leave it, and dimensions whose
+// The part of a drawing within the range: links, cut where they leave it, and dimensions whose
 // places are all inside; without faces, regularities and continuations. Parts of links have their
 // attributes and their mean sigma. Linear in points and pieces of splines.
 DrawingGraph Clipped(const DrawingGraph& graph, const DepthRange& range);

@@ -12,7 +12,8 @@ namespace limn {
 
 // Constraints on a shape at one of its ends.
 struct EndCondition {
-  // Whether it ends exactly at the first or last sample. Otherwise it ends where it fits best.
+  // Whether the shape ends exactly at the first or last sample. Otherwise it ends where it fits
+  // best.
   bool held = false;
   // Splines at held ends only: unit direction in which the spline leaves the end.
   std::optional<Eigen::Vector3d> direction = std::nullopt;

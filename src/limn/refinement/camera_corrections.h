@@ -10,7 +10,7 @@ namespace limn {
 
 // Differences between the refined and the given cameras.
 struct CameraCorrections {
-  // Those that change nothing.
+  // Corrections that change nothing.
   explicit CameraCorrections(const std::vector<View>& views);
 
   // Per view: x_in_cam = Exp(w) * (given x_in_cam) + m, as w (rad), m (world units).

@@ -59,11 +59,11 @@ struct ControlGraph {
   std::vector<Eigen::Vector3d> start;    // position in the drawing
   std::vector<Eigen::Vector3d> tangent;  // unit or zero, of any link through the point
   std::vector<double> footprint;         // world units per px (LinkFootprint)
-  // Whether links meet here in different directions, so that there is no direction along which to
-  // hold the point.
+  // Whether links meet here in different directions, so that no tangent defines how to hold the
+  // point.
   std::vector<uint8_t> corner;
   std::vector<std::optional<Eigen::Matrix3d>> covariance;  // world units squared, if fitted
-  // Points that must stay where they are, with their standard deviations, world units. Empty: none.
+  // Points that must stay in place, with their standard deviations, world units. Empty: none.
   std::vector<std::optional<double>> held;
   std::vector<ControlLink> links;  // as in the graph
   std::vector<Bend> bends;         // also through smooth nodes
@@ -84,7 +84,7 @@ void UpdateTangents(ControlGraph* control);
 // weighing more.
 void FollowEnds(const Eigen::Vector3d& first, const Eigen::Vector3d& last, Polyline3d* points);
 
-// The same for the control points of frozen links, whose nodes have moved since `before`.
+// The same for the control points of frozen links whose nodes have moved from `before`.
 void FollowNodes(const std::vector<Eigen::Vector3d>& before, ControlGraph* control);
 
 }  // namespace limn

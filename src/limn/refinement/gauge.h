@@ -11,7 +11,7 @@ namespace limn {
 // A camera that the refinement moved much farther than most.
 struct FarMove {
   ViewId view = -1;
-  double px = 0;  // in its image of the scene, relative to the cameras that keep their places
+  double px = 0;  // in its image of the scene, relative to the cameras that stay
 };
 
 struct Gauge {
@@ -21,12 +21,12 @@ struct Gauge {
 };
 
 // The similarity that best maps most refined cameras to the given ones
-// (algorithm/refinement.md#gauge), so that place, orientation and scale, which images do not
+// (algorithm/refinement.md#gauge), so that position, orientation and scale, which images do not
 // determine, stay as given. Least squares over the centers of cameras and three points per camera,
 // along its axes at the distance of the `middle` of the scene: cameras are weighted by their effect
 // on the image of the scene, and two of them determine the similarity. Of four or more cameras,
-// those that were moved far, in pixels and compared with the others, do not count: they were wrong,
-// and must not move the world. The scale is 1 if all given centers coincide. Precondition: the same
+// those that moved far, in pixels and compared with the others, do not count: they were wrong, and
+// must not move the world. The scale is 1 if all given centers coincide. Precondition: the same
 // views in both, at least one.
 Gauge FindGauge(const std::vector<View>& given, const std::vector<View>& refined,
                 const Eigen::Vector3d& middle);

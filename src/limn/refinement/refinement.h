@@ -57,7 +57,7 @@ struct RefinementResult {
 // are removed and the topology is repaired (RepairTopology). Sigmas come from the inverse normal
 // matrix, scaled by how well the views agree (variance_factors.h). Links that too few views show
 // keep their shape, with sigmas of at least max_distance_px. With `refine_poses`, earlier rounds
-// move the cameras together with curves and points (pose_fit.h); place, orientation and scale of
+// move the cameras together with curves and points (pose_fit.h); position, orientation and scale of
 // the whole are then restored to those of the given cameras (gauge.h). The result passes
 // Validate(). Throws OptionError and Cancelled. Time: rounds times length of all links in px times
 // views.
@@ -72,9 +72,9 @@ struct ShownPlace {
 
 struct RefitResult {
   DrawingGraph graph;
-  // Per link whether it was fitted: asked for, and enough views show it.
+  // Per link, whether it was fitted: requested, and shown by enough views.
   std::vector<uint8_t> fitted;
-  // Per link that was asked for, whether fitted or not: places along it, every 1.5 px.
+  // For each requested link, fitted or not: places along it, every 1.5 px.
   std::vector<std::vector<ShownPlace>> shown;
 };
 

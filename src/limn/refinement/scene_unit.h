@@ -7,10 +7,10 @@
 
 namespace limn {
 
-// A length in which pixel footprints of the drawing are near 1 / 1024, as in models that COLMAP
-// normalizes: the power of two next to 1024 times the median footprint of the links. 1 without
-// links. Ceres has absolute constants (the damping of its steps); products with powers of two are
-// exact.
+// A unit of length in which pixel footprints of the drawing are near 1 / 1024, as in models
+// normalized by COLMAP: the power of two next to 1024 times the median footprint of the links. 1
+// without links. Ceres has absolute constants (the damping of its steps); products with powers of
+// two are exact.
 double SceneUnit(const std::vector<View>& views, const DrawingGraph& graph);
 
 // The same scene with all lengths multiplied. The links of the graph have no vertices.

@@ -14,7 +14,7 @@ namespace limn {
 //   the mean residual of its edgels within 6 px; two degrees of freedom go to the curve, and a
 //   prior of four views says that the weights are right; and 1 + the largest squared change of
 //   direction within 6 px over its variance in the smoothing: where smoothing and edgels pull
-//   against each other, neither is to be believed.
+//   against each other, neither can be trusted.
 // A node has the largest factor of its links. Time: pulls.
 std::vector<double> VarianceFactors(const RefinementOptions& options, const ControlGraph& control);
 

@@ -12,7 +12,7 @@ namespace limn {
 using NewShapes = std::vector<std::optional<CurveShape>>;
 
 // Gives links their new shapes, and moves nodes, points and the shapes of other links along; drops
-// faces that links bound whose points moved. `samples` are per link.
+// the faces bounded by links whose points moved. `samples` are per link.
 void ApplyShapes(const NewShapes& shapes, const std::vector<LinkSamples>& samples,
                  DrawingGraph* graph);
 

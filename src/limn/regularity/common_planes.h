@@ -19,18 +19,18 @@ struct PlaneClass {
 };
 
 // The planes that lines and arcs share (ours). Hypotheses are the planes of arcs, of two lines that
-// meet at a node and of parallel neighbors. A line or arc is in a plane if that takes less to tell
-// than where it is off the plane, and moves it by no more than max_shift_px; a plane stays if it
-// saves more than it takes itself, is held by three lines or arcs of two directions, and is not
-// nearly one that saves more. A line may be in several. Time: hypotheses, about seven per line,
-// times lines.
+// meet at a node and of parallel neighbors. A line or arc is in a plane if describing it that way
+// takes less information than describing its offset, and moves it by no more than max_shift_px; a
+// plane stays if it saves more than its own description costs, is held by three lines or arcs of
+// two directions, and does not nearly coincide with one that saves more. A line may be in several.
+// Time: hypotheses, about seven per line, times lines.
 std::vector<PlaneClass> FindCommonPlanes(const DrawingGraph& graph, const DrawingEvidence& evidence,
                                          const std::vector<DirectionClass>& directions,
                                          const RegularityOptions& options,
                                          const RunContext& context);
 
-// Whether a plane, as it is and with the members that it has, saves what it takes itself and is
-// held by two directions.
+// Whether a plane with its present members saves more than its own description costs and is held by
+// two directions.
 bool SavesItsNormal(const PlaneClass& plane, const DrawingGraph& graph,
                     const DrawingEvidence& evidence, const std::vector<DirectionClass>& directions,
                     const RegularityOptions& options);

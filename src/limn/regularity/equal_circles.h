@@ -18,8 +18,8 @@ struct AxisClass {
   std::vector<int> arcs;
 };
 
-// Radii that arcs share (ours): arcs join if a common radius takes less to tell than one each, to
-// their accuracy, and moves none by more than max_shift_px. Time n^2.
+// Radii that arcs share (ours): arcs join if a common radius takes less information than one radius
+// each, to their accuracy, and moves none by more than max_shift_px. Time n^2.
 std::vector<RadiusClass> FindEqualRadii(const std::vector<ArcEvidence>& arcs,
                                         const RegularityOptions& options);
 

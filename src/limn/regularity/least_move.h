@@ -6,8 +6,8 @@
 
 namespace limn {
 
-// The shape of a line or arc that follows regularities as they are and is the least move, as its
-// evidence tells it, from what suits the images best; without regard to what meets it. All
+// The shape of a line or arc that follows the present regularities with the least move, in the
+// metric of its evidence, from what fits the images best; curves that meet it are ignored. All
 // memberships are of one link. Local units. To first order for arcs.
 CurveShape LeastMove(std::span<const Membership> memberships, const RegularityClasses& classes,
                      const DrawingEvidence& evidence);

@@ -19,7 +19,7 @@ struct DirectionClass {
   std::vector<int> orthogonal_to;  // other classes, ascending
 };
 
-// What it costs a line to have a direction, with the length that suits it best.
+// The cost of giving a line a direction, at the length that fits it best.
 struct DirectionCost {
   double chi_square = 0;  // units of noise
   double shift_px = 0;    // of its ends
@@ -27,15 +27,15 @@ struct DirectionCost {
 DirectionCost CostOfDirection(const LineEvidence& line, const Eigen::Vector3d& direction);
 
 // The directions that lines share (ours). A line is in a class if that describes it with less
-// information than a direction of its own, told to its accuracy, and moves its ends by no more than
-// max_shift_px; a class stays if it saves more than its own direction takes. The class that saves
+// information than a direction of its own, to its accuracy, and moves its ends by no more than
+// max_shift_px; a class stays if it saves more than its own direction costs. The class that saves
 // most comes first. A line is in one class at most. Time: the square of the number of lines, of
 // which the 1000 longest make hypotheses.
 std::vector<DirectionClass> FindParallelLines(const std::vector<LineEvidence>& lines,
                                               const RegularityOptions& options);
 
-// Tells which classes are perpendicular to each other: where that moves no line by more than
-// max_shift_px and is likelier than any other angle.
+// Finds the classes that are perpendicular to each other: a right angle must move no line by more
+// than max_shift_px and be likelier than any other angle.
 void FindOrthogonalClasses(const RegularityOptions& options, std::vector<DirectionClass>* classes);
 
 }  // namespace limn

@@ -20,7 +20,7 @@ struct RegularityClasses {
 
 enum class RegularityKind { kDirection, kPlane, kRadius, kAxis };
 
-// That a line or arc follows a regularity.
+// The fact that a line or arc follows a regularity.
 struct Membership {
   LinkId link = -1;
   RegularityKind kind = RegularityKind::kDirection;
@@ -34,13 +34,13 @@ struct Membership {
 using Memberships = std::map<LinkId, std::vector<Membership>>;
 Memberships MembershipsOf(const RegularityClasses& classes, const DrawingEvidence& evidence);
 
-// Ends what some lines and arcs follow, and what too few follow then: directions and circles of
-// fewer than two, planes of fewer than three. Those stay, without members and ties to others, so
-// that the indices of the rest hold.
+// Ends these memberships, and regularities that too few then follow: directions and circles of
+// fewer than two, planes of fewer than three. Those keep their index, without members or ties to
+// others, so that other indices stay valid.
 void Leave(const std::set<Membership>& memberships, const DrawingEvidence& evidence,
            RegularityClasses* classes);
 
-// Puts lines and arcs into regularities that they left, where enough follow them then.
+// Returns lines and arcs to regularities that they left, where enough then follow them.
 void Join(const std::set<Membership>& memberships, const DrawingEvidence& evidence,
           RegularityClasses* classes);
 

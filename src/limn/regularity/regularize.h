@@ -28,16 +28,16 @@ struct RegularityResult {
 // Finds what the lines and arcs of a drawing have in common (ours; algorithm/regularity.md):
 // directions that are parallel or perpendicular, planes, radii and axes; then fits all of them
 // again under these regularities. A link whose residual in the images would grow by more than
-// max_growth_px leaves what strains it. `primitives` are the options of the fit of the primitives:
-// its noise. Points of links move with their shapes, curves of other shapes with the nodes that
-// they end at; faces that links bound which moved are dropped.
-// Links without a primitive, tentative ones and outlines follow no regularity. The result does not
-// depend on the number of threads. Throws OptionError and Cancelled.
+// max_growth_px leaves the regularities that strain it. `primitives` are the options with which the
+// primitives were fitted, for their noise. Points of links move with their shapes, curves of other
+// shapes with the nodes that they end at; faces bounded by links that moved are dropped. Links
+// without a primitive, tentative ones and outlines follow no regularity. The result does not depend
+// on the number of threads. Throws OptionError and Cancelled.
 RegularityResult Regularize(const DrawingGraph& graph, const std::vector<View>& views,
                             const RegularityOptions& options, const PrimitiveOptions& primitives,
                             const RunContext& context);
 
-// What is regular in a drawing, in words: "directions of 212 links: 3, 2 of them at right angles,
+// The regularities of a drawing, in words: "directions of 212 links: 3, 2 of them at right angles,
 // ...".
 std::string DescribeRegularities(const DrawingGraph& graph);
 

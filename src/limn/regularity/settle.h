@@ -10,13 +10,13 @@ namespace limn {
 struct SettledRegularities {
   RegularityClasses classes;  // after the fit
   NewShapes shapes;           // that follow them
-  std::set<LinkId> let_go;    // follow none any more
+  std::set<LinkId> let_go;    // no longer follow any
 };
 
 // Fits lines and arcs under regularities, and ends memberships until no link's residual in the
 // images grows by more than max_growth_px (ours; algorithm/regularity.md#what-leaves). Where links
-// are opposed, what strains a link most by itself goes first; in the end what the result would not
-// strain is tried once again. Time: a fit per round, about 20.
+// resist, what strains a link most by itself goes first; at the end, regularities that would no
+// longer strain the result are tried again. Time: a fit per round, about 20.
 SettledRegularities SettleRegularities(const DrawingGraph& graph, const DrawingEvidence& evidence,
                                        const RegularityOptions& options, RegularityClasses classes,
                                        const RunContext& context);

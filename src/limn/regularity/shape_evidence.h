@@ -28,8 +28,8 @@ struct LocalUnit {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-// A quadratic approximation of what the images say of a shape:
-// (x - best)^T information (x - best) is the sum of squares, in units of the noise.
+// A quadratic approximation of what the images say about a shape: (x - best)^T information (x -
+// best) is the sum of squares, in units of the noise.
 struct ShapeEvidence {
   LinkId link = -1;
   double length_px = 0;

@@ -29,7 +29,7 @@ struct HypothesisSupport {
   std::vector<double> px_per_inverse_depth;
 };
 
-// Stands for the second view of a hypothesis that was not made with a single one.
+// The second view of a hypothesis that was not made with a single one.
 constexpr ViewId kNoView = -1;
 
 // The confirmation views of one primary view, prepared for queries.

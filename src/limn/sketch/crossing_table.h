@@ -50,7 +50,7 @@ class CrossingTable {
 
     int Cell(float inverse_depth) const {
       const float cell = (inverse_depth - low) * cells_per_unit;
-      // In this order NaN, of an infinite range, is a cell, too.
+      // In this order even NaN, from an infinite range, gives a valid cell.
       return static_cast<int>(std::max(0.f, std::min(static_cast<float>(last_cell), cell)));
     }
   };

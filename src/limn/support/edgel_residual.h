@@ -60,7 +60,7 @@ struct CurveSight {
 std::optional<CurveSight> See(const View& view, const Eigen::Vector3d& point_in_world,
                               const Eigen::Vector3d& tangent_in_world);
 
-// The rest is what is inlined: it is asked of every sample of every curve in every view.
+// Inlined, since these are called for every sample of every curve in every view.
 
 inline std::optional<EdgelResidual> ResidualToEdgel(const View& view, const EdgelLine& line,
                                                     const Eigen::Vector3d& point_in_world) {

@@ -21,7 +21,7 @@ struct ViewEdgels {
   explicit ViewEdgels(const ImageCurves& curves);
 
   std::vector<FragmentPlace> place_of;  // per edgel
-  // Per edgel what EdgelLine::across is: asked for so often that it is not made anew.
+  // Per edgel, its EdgelLine::across, stored because it is needed so often.
   std::vector<Eigen::Vector2f> across;
   EdgelIndex edgels;
 };

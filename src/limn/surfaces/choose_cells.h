@@ -27,18 +27,18 @@ enum class CellFate : uint8_t {
 
 constexpr int kNumCellFates = 5;
 
-// Which cells are faces (ours; algorithm/surfaces.md#choice). What views see through is none. A
-// cell is a face if enough views see most of what they can judge of it, with the border around it,
-// enough of its places are seen by enough views, and other faces do not hide it from these;
-// besides, if a face is beside it in its plane and only paint, a shadow or a bridge is between
-// them. Of faces on top of each other the first stays. Time: views times triangles, squared number
-// of cells.
+// Decides which cells are faces (ours; algorithm/surfaces.md#choice). A cell that views see through
+// is not a face. A cell is a face if enough views see most of what they can judge of it, with the
+// border around it, enough of its places are seen by enough views, and other faces do not hide it
+// from these; besides, if a face is beside it in its plane and only paint, a shadow or a bridge is
+// between them. Of faces on top of each other the first stays. Time: views times triangles, squared
+// number of cells.
 std::vector<CellFate> ChooseCells(const std::vector<View>& views, const DrawingGraph& graph,
                                   const std::vector<PlaneCells>& planes,
                                   const std::vector<CellChoice>& cells,
                                   const SurfaceOptions& options, const RunContext& context);
 
-// How sure it is that there is a surface, 0 to 1.
+// Confidence that the surface exists, 0 to 1.
 double ConfidenceOf(const CellChoice& choice, const SurfaceOptions& options);
 
 // Views that see at least half of the places that they can judge, or a quarter of those of a bent

@@ -23,10 +23,10 @@ enum class PlaceSight : uint8_t {
 using PlaceSights = std::map<ViewId, std::vector<PlaceSight>>;
 
 struct FaceEvidence {
-  // What is seen of curves and points behind it, the logarithm of how much likelier that is if
-  // there is a surface: negative.
+  // From curves and points seen behind it: the logarithm of how much likelier that is if the
+  // surface exists; negative.
   double seen_through = 0;
-  // The same of what is hidden behind it: positive.
+  // The same from what is hidden behind it; positive.
   double hidden = 0;
   PlaceSights sights;  // without views that see none
 };
@@ -38,11 +38,11 @@ struct SurfaceImages {
   const std::vector<ScenePoint>& points;
 };
 
-// What the images say of the candidates (ours; algorithm/surfaces.md#evidence).
+// What the images say about the candidates (ours; algorithm/surfaces.md#evidence).
 //
 // Occlusion: a view that shows a curve behind a surface looks through it; if it shows the curve
-// elsewhere but not behind the surface, that is hidden there. Points of the model that views see
-// through it count as curves do.
+// elsewhere but not behind the surface, the curve is hidden there. Points of the model seen through
+// the surface count as curves do.
 //
 // Borders: a view sees a place of a surface only if it sees most of the border around the place. Of
 // a disc inside a solid, each view shows the half of the border on its own side only.

@@ -29,12 +29,12 @@ struct FaceLink {
   bool IsStraight(double tolerance_px) const { return bend_px <= tolerance_px; }
 };
 
-// The links that may bound faces: not tentative, no outlines of smooth bodies, not too short.
+// The links that may bound faces: neither tentative, nor outlines of smooth bodies, nor too short.
 std::vector<FaceLink> MeasureFaceLinks(const DrawingGraph& graph, const std::vector<View>& views,
                                        const SurfaceOptions& options);
 
-// Whether all samples are within `tolerance_px` of the plane normal . x = offset. Ends at the first
-// that is not: constant time for most links of a drawing.
+// Whether all samples are within `tolerance_px` of the plane normal . x = offset. Stops at the
+// first sample outside: constant time for most links of a drawing.
 bool LiesIn(const FaceLink& link, const Eigen::Vector3d& normal, double offset,
             double tolerance_px);
 

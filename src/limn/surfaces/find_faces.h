@@ -17,9 +17,9 @@ struct SurfaceResult {
 };
 
 // Finds the surfaces that the links of a drawing bound (ours; algorithm/surfaces.md) and replaces
-// the drawing's faces by them: regions of planes that links surround, where what the views show of
-// the border and of curves behind agrees with a surface. Links and nodes stay as they are. The
-// result does not depend on the number of threads. Throws OptionError and Cancelled.
+// the drawing's faces by them: regions of planes surrounded by links, where the views' evidence
+// about the border and about curves behind agrees with a surface. Links and nodes stay as they are.
+// The result does not depend on the number of threads. Throws OptionError and Cancelled.
 SurfaceResult FindFaces(const SurfaceImages& images, const DrawingGraph& graph,
                         const SurfaceOptions& options, const RunContext& context);
 

@@ -23,7 +23,7 @@ PlaneCells CellsBetween(PlaneStrokes strokes);
 PlaneCells FindPlaneCells(const FacePlane& plane, const std::vector<FaceLink>& links,
                           const DrawingGraph& graph, const SurfaceOptions& options);
 
-// Twice the area by the perimeter.
+// Twice the area over the perimeter.
 double WidthOf(const Polygon2d& polygon);
 
 // A face and the cells that it is made of.

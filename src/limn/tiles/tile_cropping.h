@@ -10,7 +10,7 @@ namespace limn {
 // border. Linear in the number of points.
 void CropDrawing(const Eigen::AlignedBox3d& core, DrawingGraph* graph);
 
-// Removes everything inside a box, as CropDrawing does what is outside.
+// Removes everything inside a box, the opposite of CropDrawing.
 void CutOut(const Eigen::AlignedBox3d& hole, DrawingGraph* graph);
 
 // Returns whether a point made by CropDrawing or CutOut lies exactly on the border.

@@ -26,7 +26,7 @@ struct JoinedTiles {
   int64_t stubs = 0;      // short links with such an end, removed
 };
 
-// Joins the drawings of all tiles, whose cores do not overlap but for holes
+// Joins the drawings of all tiles, whose cores do not overlap except at holes
 // (algorithm/tiles.md#joining). Each is cut at the border of its core. Links of two tiles that
 // continue each other there become one: both tiles saw the same edgels and drew the same curve to a
 // fraction of a px. Links lose their members. Links that are changed lose their primitives. The

@@ -14,11 +14,10 @@ struct ContinuationCounts {
   int64_t length_px = 0;  // of what was added
 };
 
-// Follows links on from their free ends, in space, while edgels go on along them in enough views,
-// beyond chance, and in some views edgels that no link has yet (ours;
-// algorithm/topology.md#continuation). A link ends where it comes upon another one that runs along
-// it, and does not leave the box. Links need vertices. Time: length of what is added, px, times
-// views.
+// Extends links from their free ends, in space, as long as enough views show edgels along the way,
+// more than by chance, some of them edgels that no link has yet (ours;
+// algorithm/topology.md#continuation). A link stops where it runs into another one along it, and at
+// the box. Links need vertices. Time: length of what is added, px, times views.
 ContinuationCounts ContinueCurves(const TopologyInput& input, const TopologyOptions& options,
                                   const RunContext& context, GraphEditor* editor);
 

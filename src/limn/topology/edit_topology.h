@@ -22,12 +22,12 @@ struct CompletionCounts {
   TidyCounts tidy;
 };
 
-// Completes a traced or merged drawing (ours; algorithm/topology.md). Removes links
-// with too little support, sets the outlines of smooth bodies (LinkKind::kContour) apart, follows
-// links on from their free ends, joins ends across gaps, at corners, at nodes and to links, grows
-// edges that the sketch lacks, and tidies the result. Links need vertices; finished links
-// (FinishLinks) have none. `fates` has those of the samples that are in no link, kDrawn for the
-// others, before and after. The graph passes Validate() before and after.
+// Completes a traced drawing (ours; algorithm/topology.md). Removes links with too little support,
+// sets the outlines of smooth bodies (LinkKind::kContour) apart, extends links from their free
+// ends, joins ends across gaps, at corners, at nodes and to links, grows edges that the sketch
+// lacks, and tidies the result. Links need vertices; finished links (FinishLinks) have none.
+// `fates` has those of the samples that are in no link, kDrawn for the others, before and after.
+// The graph passes Validate() before and after.
 CompletionCounts CompleteDrawing(const TopologyInput& input, const CurveSketch& sketch,
                                  const TopologyOptions& options, const RunContext& context,
                                  DrawingGraph* graph, SampleFates* fates);
@@ -45,9 +45,9 @@ struct RepairCounts {
 // Repairs topological errors that a fit to the images reveals, so that the next fit can benefit
 // (ours; algorithm/refinement.md#repairs-between-fits). Draws long edges between joints anew, cuts
 // back free ends that run along other links, joins ends, moves them to the nodes and links that
-// they meet, splits links at corners, grows edges between the nodes, which now are where they
-// should be, and dissolves nodes at which one curve goes on. Links without vertices are left alone;
-// the others need a point about every px. The graph passes Validate() before and after.
+// they meet, splits links at corners, grows edges between the nodes, which are now in the right
+// places, and dissolves nodes where one curve continues. Links without vertices are left alone; the
+// others need a point about every px. The graph passes Validate() before and after.
 RepairCounts RepairTopology(const TopologyInput& input, const TopologyOptions& options,
                             const RunContext& context, DrawingGraph* graph);
 

@@ -18,12 +18,13 @@ namespace limn {
 // until Compact(); removed items leave gaps (IsLink, IsNode).
 //
 // Edits that change the shape of a link drop its primitive, regularity and dense class. The parts
-// of a split link share its members, supporting views and kind; joined links unite theirs, are of
-// the kind that more of their length is, weighted by confidence, and tentative if most of it is.
+// of a split link share its members, supporting views and kind; joined links unite theirs, take the
+// kind of most of their length, weighted by confidence, and are tentative if most of their length
+// is.
 class GraphEditor {
  public:
   // The graph must pass Validate. It is edited in place, and passes Validate again after Compact().
-  // Drops all faces, which are to be found again between the edited links.
+  // Drops all faces, which must be found again between the edited links.
   explicit GraphEditor(DrawingGraph* graph) : graph_(graph) { graph_->faces.clear(); }
 
   const DrawingGraph& graph() const { return *graph_; }
@@ -67,10 +68,10 @@ class GraphEditor {
   // that of `a`, which keeps its direction, and is removed. Joining the two ends of one link closes
   // it. If the two end points coincide, one of them is kept.
   void Join(const LinkEnd& a, const LinkEnd& b);
-  // The current name of an end whose link Join appended to another one.
+  // The present name of an end, whose link Join may have appended to another one.
   LinkEnd Now(LinkEnd end) const;
 
-  // Removes `other`, which shows the same curve as `id`: that gets its members and views.
+  // Removes `other`, which shows the same curve as `id`; `id` gets its members and views.
   void Unify(LinkId id, LinkId other);
 
   // Adds a point between two neighbors, `t` in (0, 1) from point `segment` to the next one, and
@@ -80,9 +81,9 @@ class GraphEditor {
   // Moves an interior point of a link.
   void MovePoint(LinkId id, int index, const Eigen::Vector3d& position);
 
-  // Which ends at a node continue each other; the pairs name ends that are there.
+  // Sets the pairs of ends at a node that continue each other.
   void SetContinuations(NodeId id, std::vector<std::pair<LinkEnd, LinkEnd>> pairs);
-  // By somebody who knows it.
+  // Sets the kind with full confidence: it is known, not estimated.
   void SetKind(LinkId id, LinkKind kind);
   // No longer tentative.
   void MakeFirm(LinkId id);

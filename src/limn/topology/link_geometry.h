@@ -24,8 +24,8 @@ struct LinkTip {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    // on the line, nearest to the end
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // unit; zero for a link without extent
   double footprint = 1;                               // at the end
-  // The direction at the end itself if the link bends on as it does between these distances; that
-  // of the line where this is not known.
+  // The direction at the end itself if the link keeps bending as it does between these distances;
+  // that of the line if this is unknown.
   Eigen::Vector3d bent_outward = Eigen::Vector3d::Zero();
 };
 LinkTip TipOf(const DrawingLink& link, int end, double footprint);
@@ -33,12 +33,12 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint);
 // Uses the footprint of the end's vertex. A link without vertices gets a tip without direction.
 LinkTip TipOf(const DrawingLink& link, int end);
 
-// By how much the way from one end into another one turns, rad; 0 where they go on as one smooth
-// curve. It is the turn from line to line, or, if that is less, between the ends themselves: where
-// both bend alike the lines differ by the bend between their middles.
+// How much the path from one end into another turns, rad; 0 where they continue as one smooth
+// curve. It is the turn from line to line or, if that is less, the turn between the ends
+// themselves: where both bend alike, the lines differ by the bend between their middles.
 double TurnBetween(const LinkTip& a, const LinkTip& b);
 
-// Of tips at one node the pairs, by index, that turn by less than this: smoothest first, each tip
+// The pairs of tips at one node, by index, that turn by less than this: smoothest first, each tip
 // at most once.
 std::vector<std::pair<size_t, size_t>> SmoothPairs(const std::vector<LinkTip>& tips,
                                                    double max_turn_rad);
@@ -66,7 +66,7 @@ double WeakInformation(double footprint);
 // of WeakInformation.
 double SigmaAcross(const Eigen::Matrix3d& information, double footprint);
 
-// The vertex of a point that is added beside this one: as accurate, but without support.
+// The vertex for a point added beside this one: as accurate, but without support.
 LinkVertex Bare(const LinkVertex& vertex);
 
 // Number of sketch samples that a link stands for.

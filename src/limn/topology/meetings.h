@@ -47,7 +47,7 @@ struct MeetingCounts {
   int64_t refused = 0;   // meetings in space that the images do not confirm, last pass
 };
 
-// What the steps that bring free ends together work with.
+// The shared state of the steps that bring free ends together.
 struct MeetingTask {
   const TopologyInput& input;
   const TopologyOptions& options;

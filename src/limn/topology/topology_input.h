@@ -33,11 +33,11 @@ struct TopologyInput {
   std::optional<EdgelResidual> Residual(const EdgelRef& ref, const Eigen::Vector3d& point) const {
     return ResidualToEdgel(views[ref.view], LineOf(ref), point);
   }
-  // An edgel as what a point of a curve is drawn to.
+  // An edgel as a target for a point of a curve.
   EdgelTarget TargetOf(const EdgelRef& ref) const {
     return {views[ref.view], LineOf(ref), ResidualVariance(EdgelOf(ref))};
   }
-  // What edgels say of the position of a point, world units: their inverse variances along the
+  // What edgels say about the position of a point, world units: their inverse variances along the
   // gradients of their residuals.
   Eigen::Matrix3d Information(const std::vector<EdgelRef>& refs,
                               const Eigen::Vector3d& point) const {

@@ -23,7 +23,7 @@ struct TopologyOptions {
   double max_own_views = 6;
   // Shorter loops and links with a free end are dropped.
   double min_link_length_px = 14;
-  // A link is followed on from a free end through gaps in the images up to this length.
+  // A link is extended from a free end across gaps in the images up to this length.
   double max_continuation_gap_px = 6;
   // Longest gap between an end and what it meets, and the largest sideways distance from its line.
   // Links that were fitted to the images get less: see Reach.

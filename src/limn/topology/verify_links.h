@@ -11,7 +11,7 @@
 
 namespace limn {
 
-// The verdict on the outline of a smooth body.
+// The verdict for the outline of a smooth body.
 constexpr uint8_t kIsContour = 2;
 
 struct LinkVerdicts {
@@ -21,7 +21,7 @@ struct LinkVerdicts {
 
 // Decides which links to keep (ours; algorithm/topology.md#rules). A link must
 // stand for samples of at least two primary views. Occluding contours
-// (occluding_contours.h) are told apart. A link is certain when enough primary views agree with it,
+// (occluding_contours.h) are set apart. A link is certain when enough primary views agree with it,
 // averaged over its length (primary_views_share). Any other link must explain edgels that no
 // certain link explains: it is kept if such edgels run along it in enough more views than edgels
 // run along copies of it shifted sideways, which measure chance (own_views_share). Time: points of

@@ -47,8 +47,8 @@ void CheckOption(bool ok, const char* name, double value, const char* constraint
 
 }  // namespace limn
 
-// For use inside `void XOptions::Check() const`. Every number has a range with two ends, and may be
-// bound to others besides:
+// For use inside `void XOptions::Check() const`. Every number has a range with two ends, and may
+// also depend on other options:
 //
 //   LIMN_CHECK_RANGE(max_gap_px, >= 0, <= 1000);
 //   LIMN_CHECK_RANGE_OR(fine_sigma_px, 0, >= 0.8, <= 5);    0 or in the range

@@ -24,7 +24,7 @@ struct RunContext {
 // reports progress.
 RunContext PartOf(const RunContext& context, size_t begin, size_t total);
 
-// Throws Cancelled if the run is to stop: for long serial loops, and inside long items.
+// Throws Cancelled if the run was asked to stop: for long serial loops, and inside long items.
 void ThrowIfCancelled(const RunContext& context);
 
 // Runs body(i) for i in [0, count), each index once, in any order. Throws Cancelled, without

@@ -2,7 +2,8 @@
 
 namespace limn {
 
-// Calls visit(begin, end) for every longest run [begin, end) of indices below `count` that are in.
+// Calls visit(begin, end) for every maximal run [begin, end) of indices below `count` for which
+// is_in holds.
 template <typename IsIn, typename Visit>
 void ForEachRun(int count, const IsIn& is_in, const Visit& visit) {
   for (int begin = 0, k = 0; k <= count; ++k) {

@@ -5,7 +5,7 @@
 
 namespace limn {
 
-// Sorts, and keeps one of each. O(n log n).
+// Sorts and removes duplicates. O(n log n).
 template <class Item>
 void SortUnique(std::vector<Item>* items) {
   std::sort(items->begin(), items->end());

@@ -34,7 +34,7 @@ struct ViewerScene {
   std::string title;
   // How the displayed coordinates come from those of drawing.json, in which edits are written.
   Similarity3d shown_from_model;
-  // What displayed lengths are in.
+  // The unit of displayed lengths.
   std::string unit = "model units";
   DrawingGraph graph;
   // The views that the links' supporting views are indices into.
