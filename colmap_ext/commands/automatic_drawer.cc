@@ -21,7 +21,7 @@ void Draw(const DrawerOptions& options, const OptionParser& parser, WorkspaceWat
 }
 
 // Draws once, and then whenever the workspace has changed, until it is interrupted. Only errors of
-// the first run end it: later ones may come from files that somebody is writing.
+// the first run end it: later ones may come from files that are being written.
 void DrawAndWatch(DrawerOptions options, const OptionParser& parser,
                   const ConsoleMaker& make_console) {
   WorkspaceWatch watch(ResolveLayout(options.run.layout).model_dir);

@@ -28,7 +28,7 @@ std::vector<ViewId> ViewsByModelIndex(const std::vector<View>& views, size_t num
   return by_index;
 }
 
-// The lists of a .vis file, one after the other.
+// Reads the lists of a .vis file in order.
 class VisibilityReader {
  public:
   VisibilityReader(const std::string& path, uint64_t num_points, std::vector<ViewId> views)
@@ -56,7 +56,7 @@ class VisibilityReader {
     return seen_by;
   }
 
-  // To be called after the last point.
+  // Call it after the last point.
   void CheckEnd() const { reader_.ExpectEnd(); }
 
  private:

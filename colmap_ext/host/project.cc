@@ -8,7 +8,7 @@
 namespace limn::colmap_ext {
 namespace {
 
-// All that can be told before the images are read.
+// Everything that can be checked before the images are read.
 WorkspaceLayout ChooseLayoutInMemory(const SparseModel& model, const RunOptions& options,
                                      Console* console) {
   WorkspaceLayout layout = LayoutInMemory(options.layout, model.images.size());

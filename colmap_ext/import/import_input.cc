@@ -70,7 +70,7 @@ bool NaturallyLess(const std::string& a, const std::string& b) {
       ++k;
     }
   }
-  // Equal but for leading zeros, or one the beginning of the other.
+  // Equal except for leading zeros, or one is the beginning of the other.
   return a.size() - i != b.size() - k ? a.size() - i < b.size() - k : a < b;
 }
 

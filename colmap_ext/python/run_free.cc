@@ -65,7 +65,7 @@ struct Interpreter {
 };
 
 Interpreter& ThisInterpreter() {
-  // Never destroyed: a process may end while runs go on.
+  // Never destroyed: a process may end while runs continue.
   static Interpreter* const interpreter = new Interpreter;
   return *interpreter;
 }

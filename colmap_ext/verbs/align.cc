@@ -19,9 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The database of a model may be so many folders above it: W/dense/0/sparse.
+// The database of a model may be this many folders above it: W/dense/0/sparse.
 constexpr int kMaxFoldersUp = 3;
-// Positions are told by name if they are off, by their accuracies, by so many typical residuals.
+// Positions are named if their residuals, scaled by their accuracies, exceed this many typical
+// ones.
 constexpr double kFarTimesTypical = 5;
 
 // Empty if there is none.

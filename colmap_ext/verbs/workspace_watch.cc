@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kStep{100};
 constexpr std::chrono::seconds kBetweenLooks{1};
-// So long after the last change whoever writes is taken to be done.
+// A writer counts as done this long after the last change.
 constexpr std::chrono::seconds kQuiet{2};
 
 bool IsCancelled(const RunContext& context) { return context.cancelled && *context.cancelled; }

@@ -88,7 +88,7 @@ std::vector<fs::path> FoldersOfModels(const fs::path& workspace) {
   return folders;
 }
 
-// Throws if some folder of the workspace would be a model but for a file.
+// Throws if some folder of the workspace lacks only one file to be a model.
 void CheckForIncompleteModels(const fs::path& workspace) {
   for (const fs::path& folder : FoldersOfModels(workspace)) {
     const std::string missing = MissingModelFile(folder);

@@ -57,7 +57,7 @@ WorkspaceLayout ResolveLayout(const LayoutOptions& options);
 // one in a workspace.
 bool HoldsSomeModel(const std::filesystem::path& workspace);
 
-// The layout for a model in memory with so many images: only image_path and output_path count.
+// The layout for a model in memory with this many images: only image_path and output_path count.
 // Throws OptionError if one is missing, IoError if there is no such folder of images.
 WorkspaceLayout LayoutInMemory(const LayoutOptions& options, size_t num_images);
 

@@ -57,7 +57,7 @@ class Database {
   sqlite3* handle_ = nullptr;
 };
 
-// The rows of a query, one after the other.
+// Iterates over the rows of a query.
 class Rows {
  public:
   Rows(const Database& database, const std::string& query) : database_(database) {
@@ -172,7 +172,7 @@ PosePriors ReadPriorTable(const Database& database, const std::set<std::string>&
   return priors;
 }
 
-// Of COLMAP before: positions of the photographs' EXIF data, or poses that somebody has stored.
+// From older COLMAP: positions from the photographs' EXIF data, or poses stored by a user.
 PosePriors ReadImageColumns(const Database& database, const std::set<std::string>& images) {
   Rows rows(database,
             "SELECT name, prior_qw, prior_qx, prior_qy, prior_qz, prior_tx, prior_ty, prior_tz "

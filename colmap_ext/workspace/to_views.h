@@ -103,8 +103,8 @@ Eigen::Vector2d ModelPixel(const View& view, const Camera& camera,
                            const Eigen::Vector2d& stored_px);
 
 // These views of the set (with refined cameras, maybe), with the names of their images, and stored
-// pixels of the whole images. Columns of a panorama go on over its left border: they run from -1/8
-// to 7/8 of its width. For tracks: the sizes of parts stay.
+// pixels of the whole images. Columns of a panorama continue across its left border: they run from
+// -1/8 to 7/8 of its width. For tracks: the sizes of parts stay.
 std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views);
 
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all

@@ -26,8 +26,8 @@ struct Truth {
 // Throws IoError.
 Truth ReadTruth(const DataSet& set);
 
-// What truth tells of a reconstruction: for every box the report of EvaluateCurves by the name of
-// the box; nothing without truth.
+// How a reconstruction compares with the truth: for every box the report of EvaluateCurves by the
+// name of the box; nothing without truth.
 Json MeasureAgainstTruth(const DataSet& set, const Truth& truth, const std::vector<View>& views,
                          const CurveSet& reconstruction, bool find_duplicates,
                          const RunContext& context);

@@ -10,7 +10,7 @@
 namespace limn::bench {
 namespace {
 
-// Calls the stage, tells what it cost, returns what it made.
+// Calls the stage, reports its cost, returns its result.
 template <typename Stage, typename ToCurves>
 auto Measure(const Stage& stage, const ToCurves& to_curves, const StageListener& on_stage_end) {
   const StageMeter meter;

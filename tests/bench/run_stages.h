@@ -16,7 +16,7 @@ using StageListener = std::function<void(const StageCost& cost, const CurveSet& 
 
 // The stages after the image curves as DrawScene runs them, each measured on its own; what the
 // listener does is not measured. Results of earlier stages stay in memory, as they do in DrawScene.
-// Kinds are told only with photographs: `read_image` may be empty.
+// Kinds are found only with photographs: `read_image` may be empty.
 void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_image,
                const PipelineOptions& options, const RunContext& context,
                const StageListener& on_stage_end);

@@ -31,7 +31,7 @@ class StageMeter {
 
 // The report of stages, which scripts/compare_commits.sh compares. Keys are only ever added:
 //   format    "limn stages 1"
-//   commit    what was measured, as git describes it; "" if it was not told
+//   commit    what was measured, as git describes it; "" if unknown
 //   threads   -1: all cores
 //   sets      [{name, num_views, unit, taus, stages}]
 //   stages    [{stage, seconds, cpu_seconds, peak_mb, truth}] in the order of their first run, last

@@ -19,7 +19,7 @@ constexpr double kStepM = 0.9;      // between neighboring cameras
 constexpr double kDistanceM = 11;   // of the cameras from the middle of the slab
 constexpr double kSlabDepthM = 3;   // along y
 constexpr double kSlabHeightM = 8;  // along z
-constexpr double kMarginM = 9;      // how far the slab goes on beyond the first and last camera
+constexpr double kMarginM = 9;      // how far the slab extends beyond the first and last camera
 constexpr double kReachM = 25;      // no view sees farther along the street
 constexpr double kVertexStepM = 0.01;
 constexpr double kFocalPx = 3200;
@@ -95,7 +95,7 @@ ImageCurves CurvesOf(const View& view, const std::vector<SceneCurve>& curves,
                                       static_cast<unsigned>(options.seed + view.model_index));
 }
 
-// How many curves a meter of street needs for so many edgels per view: measured on a short one.
+// How many curves a meter of street needs for this many edgels per view: measured on a short one.
 double CurvesPerMeter(const StreetOptions& options) {
   constexpr int kNumViews = 40;
   constexpr double kTrial = 20;

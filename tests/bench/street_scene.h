@@ -9,7 +9,7 @@ namespace limn::bench {
 
 struct StreetOptions {
   int num_views = 100;
-  // Per view in the mean; 150,000 is what dense photographs of 12 megapixels have.
+  // Per view on average; 150,000 is what dense photographs of 12 megapixels have.
   int num_edgels = 20000;
   // Of the edgels, across the edge.
   double noise_px = 0;
@@ -33,8 +33,8 @@ struct Street {
 // Cameras of 4000 x 3000 px walk along one side of a street, 0.9 m apart, and look at the other
 // side 11 m away, where smooth curves of 0.7 to 2.3 m float in a slab: each view shares what it
 // sees with some 30 others, whatever the length of the street. Edgels are those of the curves,
-// exact but for the noise; nothing hides anything; the hints are three points of each curve. Linear
-// in views times edgels.
+// exact except for the noise; nothing hides anything; the hints are three points of each curve.
+// Linear in views times edgels.
 Street MakeStreet(const StreetOptions& options);
 
 }  // namespace limn::bench

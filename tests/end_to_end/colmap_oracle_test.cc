@@ -99,7 +99,7 @@ TEST_F(ColmapOracle, PhotographsToDrawing) {
   EXPECT_GT(NumLinks("dense/0"), kFewestLinks);
   EXPECT_LT(NumLinks("dense/0"), kMostLinks);
 
-  // The same cameras, but for the six digits of PMVS and the JPEG files written again.
+  // The same cameras, except for the six digits of PMVS and the JPEG files written again.
   ASSERT_NO_FATAL_FAILURE(Undistort("for pmvs", "PMVS"));
   EXPECT_THAT(Draw("for pmvs").out, HasSubstr("for pmvs/pmvs/visualize"));
   EXPECT_NEAR(static_cast<double>(NumLinks("for pmvs/pmvs")),

@@ -45,7 +45,7 @@ double MeanDistanceOfEdges(const fs::path& mesh_path) {
   for (const auto& [a, b, c] : mesh.triangles) {
     const Eigen::Vector3d u = mesh.vertices[b] - mesh.vertices[a];
     const Eigen::Vector3d v = mesh.vertices[c] - mesh.vertices[a];
-    // Poisson's mesh goes on far beyond all points.
+    // Poisson's mesh extends far beyond all points.
     if (Region().exteriorDistance(mesh.vertices[a]) > 0.5) continue;
     const int steps =
         std::clamp(static_cast<int>(std::ceil(std::max(u.norm(), v.norm()) / 0.005)), 1, 100);

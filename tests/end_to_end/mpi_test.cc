@@ -61,7 +61,7 @@ class MpiRun : public ::testing::Test {
     }
   }
 
-  // Sends a signal to a rank as soon as so many files are in a folder of the cache.
+  // Sends a signal to a rank as soon as this many files are in a folder of the cache.
   OfRank SignalTo(int rank, const char* signal, const char* folder, int num_files) const {
     const std::string files = "ls " + (scene_ / "curves/cache" / folder).string() + "/*.bin";
     return {rank, "(until [ $(" + files + " 2> /dev/null | wc -l) -ge " +
@@ -69,7 +69,7 @@ class MpiRun : public ::testing::Test {
                       " ]; do kill -0 $$ || exit; sleep 0.01; done; kill -" + signal + " $$) &"};
   }
 
-  // What is there is right, and the next run goes on with it to the bytes of an undisturbed one.
+  // What is there is right, and the next run continues from it to the bytes of an undisturbed one.
   void ExpectNextRunGoesOn(Leftovers allowed) const {
     EXPECT_THAT(WrongFiles(scene_.output(), Whole(), allowed), IsEmpty());
     const bool is_begun = !ReadTree(scene_ / "curves/cache/fragments").empty();

@@ -293,7 +293,7 @@ TEST(OutputFolder, ACacheWithoutRoomDoesNotLoseTheRun) {
   EXPECT_TRUE(Results(scene.output()) == whole);
 }
 
-// A workspace that belongs to somebody else.
+// A workspace that belongs to another user.
 TEST(OutputFolder, AReadOnlyWorkspaceIsRefusedBeforeWorkStarts) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can become another user";
   const TempDir dir;

@@ -128,7 +128,7 @@ class PanoramaWorkspace {
   TempDir dir_;
 };
 
-// At so many footprints of the photographs, for both kinds alike.
+// At this many footprints of the photographs, for both kinds alike.
 TauResult Judge(const fs::path& drawing, double tau = 2) {
   EvaluationOptions options;
   options.taus = {tau};

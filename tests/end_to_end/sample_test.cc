@@ -45,7 +45,7 @@ constexpr double kMinLinesAsLines = 0.75;
 constexpr double kMinCirclesAsCircles = 0.75;
 constexpr double kMaxMedianDirectionDeg = 0.5;
 constexpr double kMaxMedianRadiusError = 0.02;
-// Squared errors over those that the sigmas tell are 1 in the mean, within this factor.
+// Squared errors over those predicted by the sigmas are 1 on average, within this factor.
 constexpr double kMaxVarianceFactor = 1.5;
 
 // One of the sample's sets of photographs.

@@ -43,7 +43,7 @@ WholeRun RunUndisturbed(const std::vector<std::string>& arguments, const fs::pat
 
 void Sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-// Signals a run so many seconds after it has taken the lock: it listens to signals by then.
+// Signals a run this many seconds after it has taken the lock, when it handles signals.
 LimnProcess::End StopAfter(double seconds, int signal, const std::vector<std::string>& arguments,
                            const fs::path& output) {
   const fs::path lock = output / "curves/.lock";
@@ -84,7 +84,7 @@ void ExpectInterruptsToStop(const std::vector<std::string>& arguments, const fs:
       ++num_told;
     }
     ++num_interrupted;
-    // Every third one goes on where the last one was stopped, which makes it shorter.
+    // Every third one continues where the last one was stopped, which makes it shorter.
     if (i % 3 != 0) fs::remove_all(output);
   }
   std::printf("%d of %d runs of %.1f s were interrupted, the longest stop took %.2f s\n",

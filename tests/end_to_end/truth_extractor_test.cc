@@ -70,7 +70,7 @@ Eigen::AlignedBox3d RegionOfInterest() {
   return {Eigen::Vector3d(-1.25, -0.95, 0.04), Eigen::Vector3d(1.25, 0.95, 1.05)};
 }
 
-// What surfaces can tell of the truth of the scene: paint is not in the mesh.
+// What surfaces can show of the scene's truth: paint is not in the mesh.
 CurveSet TruthOfSurfaces() {
   CurveSet edges;
   edges.polylines = FindSharpEdges(ReadMesh(kMesh), {});

@@ -142,7 +142,7 @@ TEST_F(UpdateTest, AWatchedWorkspaceIsDrawnWhenItChanges) {
   UseImage(3, "evening");
   wait_for_drawing();
   EXPECT_FALSE(ReadTree(out()).at("drawing.json") == before);
-  // Whoever writes a model may be halfway: that ends nothing.
+  // A model may be half written: that must not end the run.
   const fs::path model = workspace() / "sparse/images.bin";
   fs::rename(model, dir_ / "images.bin");
   std::this_thread::sleep_for(std::chrono::seconds(5));

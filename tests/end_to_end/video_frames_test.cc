@@ -34,7 +34,7 @@ using ::testing::StartsWith;
 constexpr int kNumFrames = 256;
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
-// Every so many frames show the scene; the others only a square that moves.
+// Every n-th frame shows the scene; the others only a square that moves.
 constexpr int kPictureStride = 22;
 
 using Quad = std::vector<Eigen::Vector3d>;

@@ -16,7 +16,7 @@ namespace limn::fuzz {
 const std::vector<View>& SketchedViews();
 const std::vector<ImageCurves>& SketchedCurves();
 
-// Draws from a sketch of the scene that was accepted, as a run goes on with it, and accounts for
+// Draws from a sketch of the scene that was accepted, as a run continues from it, and accounts for
 // the edgels. `fates` are those of a view, or empty.
 void DrawAndAccount(const CurveSketch& sketch, ViewId view, const std::vector<EdgelFate>& fates);
 

@@ -10,7 +10,7 @@
 namespace limn::testing {
 
 // The views, each turned and moved at random such that the projections of the points move by
-// `mean_px` in the mean over all views that see them. Precondition: some view sees some point.
+// `mean_px` on average over all views that see them. Precondition: some view sees some point.
 std::vector<View> PerturbCameras(const std::vector<View>& views,
                                  const std::vector<Eigen::Vector3d>& points, double mean_px,
                                  unsigned seed);
@@ -19,8 +19,8 @@ std::vector<View> PerturbCameras(const std::vector<View>& views,
 // best (least squares). Precondition: at least three centers, not on a line.
 Eigen::Affine3d WorldFromTruth(const std::vector<View>& views, const std::vector<View>& truth);
 
-// How far views are from the true ones, in the mean. Other than for `raw_px`, the world is first
-// moved, turned and scaled such that the camera centers fit best.
+// How far views are from the true ones, on average. Unlike for `raw_px`, the world is first moved,
+// turned and scaled such that the camera centers fit best.
 struct CameraErrors {
   double raw_px = 0;      // displacement of the points' projections as they are
   double aligned_px = 0;  // the same after alignment

@@ -18,7 +18,8 @@ class FaceDrawing {
   FaceEdge Whole(LinkId link, bool reversed = false) const;
   static FaceEdge Part(LinkId link, double from, double to);
   static FaceEdge Bridge(std::vector<Eigen::Vector3d> course);
-  // Whole links, each turned so that it goes on where the one before ends; the first one as it is.
+  // Whole links, each turned so that it continues where the one before ends; the first one as it
+  // is.
   FaceLoop Loop(const std::vector<LinkId>& links) const;
 
   // A plane from its outer border, counterclockwise, and its holes, clockwise.

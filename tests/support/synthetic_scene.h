@@ -44,7 +44,7 @@ inline Eigen::Vector3d FrontalPoint(double x_px, double y_px) {
 std::vector<View> Scaled(const std::vector<View>& views, double factor);
 
 // The projections of the curves: one fragment per curve in the same order, edgels about 1 px apart,
-// exact but for Gaussian noise of this standard deviation (px) across the edge. Throws
+// exact except for Gaussian noise of this standard deviation (px) across the edge. Throws
 // std::invalid_argument if a curve is not wholly inside the view's region.
 ImageCurves ProjectCurves(const View& view, const std::vector<SceneCurve>& curves,
                           double noise_px = 0, unsigned seed = 1);

@@ -29,7 +29,7 @@ class Claims {
         edgels_(input.edgels[view]->edgels),
         owner_(edge_map_.edgels.size(), kUnclaimed) {}
 
-  // To be called for all hits of a link before it claims any.
+  // Call it for all hits of a link before it claims any.
   bool IsOwn(int link, EdgelId edgel) const {
     const Edgel& at = edge_map_.edgels[edgel];
     bool own = true;

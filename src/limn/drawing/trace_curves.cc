@@ -29,7 +29,7 @@ constexpr double kClaimAcrossPx = 1.5;
 constexpr double kClaimAlongPx = 0.6;
 // Samples of this many vertices behind are not ahead, however a curve turns.
 constexpr int kRecentVertices = 8;
-// A curve whose end comes upon one of its first vertices is closed.
+// A curve whose end reaches one of its first vertices is closed.
 constexpr int kNearStart = 4;
 // Curves of fewer vertices are dropped.
 constexpr int kMinVertices = 6;
@@ -163,7 +163,7 @@ class CurveTracer {
     }
   }
 
-  // Appends vertices while the ridge goes on. Returns the vertex that it comes upon, or -1.
+  // Appends vertices while the ridge continues. Returns the vertex that it reaches, or -1.
   int Follow(TracedCurve* curve) {
     while (true) {
       const int last = curve->vertices.back();

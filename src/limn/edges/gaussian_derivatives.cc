@@ -11,7 +11,7 @@
 namespace limn {
 namespace {
 
-// Taps are padded to whole blocks of so many, with zeros.
+// Taps are padded with zeros to whole blocks of this size.
 constexpr int kBlock = 8;
 
 int GridHalfSize(double sigma_px) { return static_cast<int>(std::ceil(4 * sigma_px)); }

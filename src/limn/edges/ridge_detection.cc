@@ -58,7 +58,8 @@ Vector2d NearestNode(const Vector2d& px) {
   return {SubpixelDerivatives::NearestNode(px.x()), SubpixelDerivatives::NearestNode(px.y())};
 }
 
-// The edgel of the ridge that passes through a pixel, but for its strength, and the map there.
+// The edgel of the ridge that passes through a pixel, except its strength, and the value of the map
+// there.
 std::optional<std::pair<Edgel, double>> FindRidge(const SubpixelDerivatives& derivatives, int x,
                                                   int y, double sigma_px) {
   const Vector2d pixel(x, y);

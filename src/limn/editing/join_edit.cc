@@ -30,7 +30,7 @@ std::string Name(const LinkEnd& end) {
   return "end " + std::to_string(end.end) + " of link " + std::to_string(end.link);
 }
 
-// Whether one smooth curve could go on from one end into the other.
+// Whether one smooth curve could lead from one end into the other.
 bool ContinueEachOther(const EditSession& session, const LinkEnd& a, const LinkEnd& b) {
   const LinkTip tip_a = session.TipAt(a);
   const LinkTip tip_b = session.TipAt(b);

@@ -135,7 +135,7 @@ void Attach(NodeId node, std::vector<LinkId>* parts, EditSession* session) {
   session->PairAt(target);
 }
 
-// Makes the part of `other` beside the base vanish; parts that go on beyond it are appended.
+// Removes the part of `other` beside the base; parts that extend beyond it are appended.
 void TakeOver(LinkId base, LinkId other, const Beside& overlap, EditSession* session) {
   GraphEditor& editor = session->editor();
   const auto& [first, last, beyond] = overlap;

@@ -24,7 +24,7 @@ struct FaceScoreOptions {
   std::vector<double> taus = {0.5, 1, 2, 4, 8};
   // The other surface must also have this direction there; orientations do not matter.
   double max_angle_deg = 10;
-  // The truth counts where at least so many views see it.
+  // The truth counts where at least this many views see it.
   int min_views = 2;
   // A view does not see a surface at a smaller angle to its rays.
   double min_grazing_deg = 10;

@@ -23,7 +23,7 @@ int CutOfClosed(const std::vector<uint8_t>& flags) {
   const int count = static_cast<int>(flags.size());
   std::vector<CellRun> gaps = RunsOf(flags, 0);
   if (gaps.empty()) return 0;
-  // The gap over the end goes on at the start.
+  // A gap at the end continues at the start.
   if (gaps.size() > 1 && gaps.front().first == 0 && gaps.back().second == count) {
     gaps.back().second += LengthOf(gaps.front());
   }

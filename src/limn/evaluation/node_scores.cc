@@ -43,7 +43,7 @@ std::optional<double> Ratio(double part, double whole) {
   return part / whole;
 }
 
-// Whether the node's arms can be told from each other at this tau.
+// Whether the node's arms can be distinguished at this tau.
 bool IsResolved(const SampledScene& sampled, const TrueChains& chains, const TrueNode& node) {
   if (!sampled.scene.truth.nodes.empty()) return true;
   const double radius = RadiusAt(sampled, node.position_in_world);

@@ -12,7 +12,7 @@ void ScoreFreeEnds(const SampledScene& sampled, const TrueChains& chains, double
 
 // False junctions, degrees and arms. Where the truth has no nodes of its own, degrees and arms, and
 // what is joined, are judged only at true nodes all of whose arms are longer than junction_taus:
-// the edges of a mesh are too short to be told from each other.
+// the edges of a mesh are too short to be distinguished.
 void ScoreJunctions(const SampledScene& sampled, const TrueChains& chains, double true_length,
                     StructureScores* scores);
 

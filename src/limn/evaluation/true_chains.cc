@@ -200,7 +200,7 @@ class ChainFinder {
            piece.to - piece.from > 2 * tolerance_at_(EndPosition(end));
   }
 
-  // Per end the end of another piece that the chain goes on with, or -1.
+  // Per end, the end of another piece with which the chain continues, or -1.
   void FindContinuations() {
     continuation_.assign(NumEnds(), -1);
     std::set<int> own_junctions;

@@ -48,12 +48,12 @@ struct TrueChains {
 
 // Cuts the polylines of the truth where they turn by more than 40 degrees, where another one ends
 // on them and at the truth's own nodes, and joins the pieces to chains. Two ends that are nearer
-// than the tolerance are at one place; the chain goes on there if there are just two, the turn is
-// at most 40 degrees and the truth has no junction of its own there. A junction of the truth's own
-// that has fewer arms than its degree also gets the nearest chains that end in nothing within 16
-// tolerances and face it within 20 degrees, in directions of their own: a truth of what images show
-// has gaps there. `tolerance_at` is in world units. O(n log n) for tolerances of the size of the
-// details.
+// than the tolerance are at one place; the chain continues there if there are exactly two, the turn
+// is at most 40 degrees and the truth has no junction of its own there. A junction of the truth's
+// own that has fewer arms than its degree also gets the nearest chains that end in nothing within
+// 16 tolerances and face it within 20 degrees, in directions of their own: a truth of what images
+// show has gaps there. `tolerance_at` is in world units. O(n log n) for tolerances of the size of
+// the details.
 TrueChains FindTrueChains(const CurveSet& truth,
                           const std::function<double(const Eigen::Vector3d&)>& tolerance_at);
 

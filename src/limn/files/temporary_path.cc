@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The temporary paths of all writes that go on.
+// The temporary paths of all writes in progress.
 struct OpenWrites {
   std::mutex mutex;
   std::set<fs::path> paths;

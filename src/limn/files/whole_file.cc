@@ -64,7 +64,7 @@ std::string ReadBytes(const std::string& path, uint64_t max_bytes) {
   }
   int code = Z_OK;
   const char* reason = gzerror(file.get(), &code);
-  // A gzip file that breaks off ends like a whole one, but for this.
+  // Only this distinguishes a truncated gzip file from a whole one.
   if (code != Z_OK) throw IoError(path, "byte " + std::to_string(bytes.size()), reason);
   return bytes;
 }

@@ -23,8 +23,8 @@ constexpr double kLogStrength = 0.7;
 constexpr double kColorLevels = 30;
 constexpr double kMaxLookCost = 4;
 
-// A parabola in the frame at the step, but for an offset and a turn at it: y = c0 + c1 x + c2 x^2
-// (+ c3 + c4 x ahead of the step).
+// A parabola in the frame at the step, except for an offset and a turn at it: y = c0 + c1 x + c2
+// x^2 (+ c3 + c4 x ahead of the step).
 class BrokenParabola {
  public:
   void Add(double x, double y, bool ahead) {

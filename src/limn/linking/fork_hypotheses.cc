@@ -12,7 +12,7 @@ namespace {
 constexpr double kMinGainPx = 2;
 constexpr double kMinGainFactor = 1.3;
 
-// Another way to go on at a fork.
+// An alternative continuation at a fork.
 struct Alternative {
   DirectedLink link;
   double gain_px = 0;

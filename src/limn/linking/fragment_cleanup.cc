@@ -130,7 +130,7 @@ struct Bridge {
   }
 };
 
-// How bad it is to go on from the tail to the head; negative if they must not be joined.
+// The cost of continuing from the tail to the head; negative if they must not be joined.
 double BridgeCost(const ChainEnd& tail, const ChainEnd& head, const LinkingOptions& options) {
   const Vector2d gap = head.position - tail.position;
   const double length = gap.norm();

@@ -16,7 +16,7 @@ NodeId NodeOf(const DrawingGraph& graph, const LinkEnd& end) {
   return end.end == 0 ? link.node0 : link.node1;
 }
 
-// The link end that goes on from this one at its node.
+// The link end that continues this one at its node.
 std::optional<LinkEnd> Partner(const DrawingGraph& graph, const LinkEnd& end) {
   const DrawingNode& node = graph.nodes[NodeOf(graph, end)];
   for (const auto& [first, second] : node.continuations) {

@@ -30,7 +30,7 @@ std::string ProblemOf(const FaceEdge& edge, const std::vector<int>& num_points) 
   return is_on_link ? "" : "an edge is not on its link";
 }
 
-// Whether a surface can have so many loops, and sides of its only loop.
+// Whether a surface can have this many loops, and sides if it has only one.
 bool HasRightLoops(const DrawingFace& face) {
   const size_t num_sides = face.side_starts.size();
   switch (face.surface) {

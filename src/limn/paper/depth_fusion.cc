@@ -147,7 +147,7 @@ std::vector<FusedDepth> AverageDepths(const std::vector<std::vector<DepthCandida
   const double sigma = PairwiseSigma(candidates);
   std::vector<FusedDepth> fused;
   for (const auto& of_vertex : candidates) {
-    // A single one is its own mean, but for rounding.
+    // A single one is its own mean, up to rounding.
     const double gate =
         of_vertex.size() == 1 ? std::numeric_limits<double>::infinity() : kPaperSigmas * sigma;
     fused.push_back(MeanWithin(of_vertex, gate));

@@ -31,8 +31,8 @@ std::vector<int> CrossingSenses(const FragmentRays& fragment, const View& primar
   return senses;
 }
 
-// Where to begin: at the first vertex, unless a closed fragment goes on through it in one sense;
-// then where the sense first changes.
+// Where to begin: at the first vertex, unless a closed fragment passes it in one direction; then
+// where the sense first changes.
 int FirstVertex(const FragmentRays& fragment, const std::vector<int>& senses) {
   if (!fragment.closed || senses.front() != senses.back()) return 0;
   const auto change = std::adjacent_find(senses.begin(), senses.end(), std::not_equal_to<>());

@@ -41,7 +41,7 @@ struct Match {
 // fragment of its own.
 struct Stretch {
   int fragment = -1;
-  int begin = 0;  // vertex of the fragment; those of a closed one go on modulo its size
+  int begin = 0;  // vertex of the fragment, modulo its size in a closed one
   FragmentRays rays;
 };
 

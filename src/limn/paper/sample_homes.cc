@@ -16,7 +16,7 @@ namespace {
 constexpr double kSearchPx = 6;
 // A curve that returns to itself after less than this is no loop, px.
 constexpr double kMinLoopPx = 20;
-// Cosine of the largest angle between the direction of an end and what it comes upon.
+// Cosine of the largest angle between the direction of an end and the curve it runs into.
 constexpr double kMinAheadCosine = 0.5;
 // Vertices up to this many times as far as the nearest are touched, too.
 constexpr double kTouchRatio = 2;

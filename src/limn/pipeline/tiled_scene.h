@@ -33,8 +33,8 @@ std::function<CurvesResult(const SceneSubset&)> CurvesFromImages(const PipelineI
 void CheckTiled(const PipelineOptions& options);
 
 // Like DrawScene, but every tile is drawn and refined separately; then the tiles are joined
-// (JoinTiles), the primitives fitted and the kinds of edges told. Throws what DrawScene and
-// CheckTiled throw.
+// (JoinTiles), primitives are fitted and kinds of edges found. Throws what DrawScene and CheckTiled
+// throw.
 DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end);
 

@@ -65,7 +65,7 @@ std::vector<RecordedSketch> SketchesOf(const PipelineInput& input,
   return sketches;
 }
 
-// Which of the recorded views are among those of now, unchanged.
+// Which of the recorded views still exist, unchanged.
 class ViewMatches {
  public:
   explicit ViewMatches(const std::vector<RecordedView>& now) {
@@ -115,7 +115,7 @@ ViewChanges ChangesSince(const SceneRecord& record, const ViewMatches& matches, 
   return changes;
 }
 
-// Links of the record with the views of now, those that are left.
+// Links of the record with their remaining views, in present ids.
 void RenumberSupport(const std::vector<ViewId>& now, DrawingGraph* graph) {
   for (DrawingLink& link : graph->links) {
     std::vector<ViewId> left;
@@ -295,7 +295,7 @@ class SceneUpdater {
     return result;
   }
 
-  // Gives the links the views of now. Returns which of them lost too many.
+  // Gives the links present view ids. Returns which links lost too many views.
   std::vector<uint8_t> SupportNow(const ViewChanges& changes, DrawingGraph* graph) const {
     std::vector<size_t> before;
     for (const DrawingLink& link : graph->links) before.push_back(link.supporting_views.size());
@@ -417,7 +417,7 @@ class SceneUpdater {
     for (const DrawingLink& link : graph.links) changed.push_back(!link.primitive);
     graph = RefitPrimitives(graph, changed, input_.views, options_.primitives, context_);
     if (!input_.images.read) return graph;
-    // How light varies, and how sharp edges are, is told by all links.
+    // Light variation and sharpness are measured on all links.
     KindsResult kinds = ClassifyKinds({input_.views, input_.images.read, graph}, context_);
     if (input_.images.release) input_.images.release();
     for (size_t l = 0; l < graph.links.size(); ++l) {
@@ -446,7 +446,7 @@ class SceneUpdater {
   const PipelineOptions& options_;
   const RunContext& context_;
   const StageObserver& on_stage_end_;
-  std::vector<RecordedView> recorded_;  // the views of now
+  std::vector<RecordedView> recorded_;  // in present order
   ViewMatches matches_;
 };
 

@@ -25,10 +25,10 @@ struct Section {
 };
 
 // The cut at z = height. Lines of faces end to end are joined into one where their ends are nearest
-// to each other and not more than `gap` apart: where both lines go on straight to the place at
-// which they meet if that is as near, else by a straight piece. Lines shorter than the gap that
-// join nothing are left out. Faces in the plane of the cut give no lines, and links in it no
-// points. Time: triangles, points, and pairs of ends.
+// to each other and not more than `gap` apart: along straight extensions of both lines if these
+// meet as near, else by a straight piece. Lines shorter than the gap that join nothing are left
+// out. Faces in the plane of the cut give no lines, and links in it no points. Time: triangles,
+// points, and pairs of ends.
 Section CutAt(double height, const std::vector<DrawingFace>& faces,
               const std::vector<DrawingLink>& links, double gap);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSpacingPx = 2;
 constexpr int kMinSteps = 4;
-// Tangents are measured to so many samples before and after.
+// Tangents are measured over this many samples before and after.
 constexpr size_t kTangentReach = 3;
 // Weight of offsets along the curve: they only keep the ends in place.
 constexpr double kAlongWeight = 0.1;

@@ -19,7 +19,7 @@ constexpr double kMinCosine = 0.95;
 // Errors that all lines share, such as those of the cameras, px: no class is more accurate than
 // this makes its longest line.
 constexpr double kCommonErrorPx = 0.1;
-// Perpendicular classes are so within so many standard deviations.
+// Perpendicular classes are so within this many standard deviations.
 constexpr double kMaxDeviations = 4;
 
 // The direction as the chord of a line that best suits it.

@@ -16,7 +16,7 @@ void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const S
       missing.push_back(v);
     }
   }
-  RunContext quietly = context;  // a step of the sketch, whose progress is told
+  RunContext quietly = context;  // a step of the sketch, which reports its own progress
   quietly.progress = nullptr;
   ParallelFor(quietly, "indexing edgels", missing.size(), [&](size_t m) {
     const ViewId v = missing[m];

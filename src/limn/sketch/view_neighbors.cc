@@ -28,7 +28,7 @@ constexpr double kNearShare = 1.0 / 16;
 
 using Ring = std::vector<SpatialIndex::Neighbor>;
 
-// Every so many-th, so that no more than `max_size` remain.
+// Every n-th, so that at most `max_size` remain.
 template <typename T>
 void Thin(size_t max_size, std::vector<T>* items) {
   const size_t size = items->size();

@@ -16,7 +16,7 @@ namespace limn {
 namespace {
 
 constexpr size_t kMaxLinks = 6;
-// Below this turn (sine) one side goes on; above the other (cosine) a loop turns back.
+// Below this turn (sine) one side continues; beyond the other (cosine) a loop turns back.
 constexpr double kMinTurnSine = 0.17;
 constexpr double kMaxTurnCosine = -0.94;
 // Normals at corners differ by less than 60 degrees.
@@ -134,8 +134,8 @@ class LoopFinder {
     return nodes;
   }
 
-  // The normal of the surface at a corner, zero where one side goes on; nothing if no surface bends
-  // smoothly around it.
+  // The normal of the surface at a corner, zero where one side continues; nothing if no surface
+  // bends smoothly around it.
   std::optional<Eigen::Vector3d> CornerBetween(const LoopStep& from, const LoopStep& to) const {
     const Eigen::Vector3d in = DirectionOut(from);
     const Eigen::Vector3d out = DirectionIn(to);

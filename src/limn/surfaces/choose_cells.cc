@@ -14,8 +14,8 @@ namespace {
 
 // A place this far behind other faces is hidden, px.
 constexpr double kHiddenPx = 3;
-// Faces of two planes are copies if they are within so many tolerances of planes, and normals
-// within 20 degrees.
+// Faces of two planes are copies if they are within this many plane tolerances, and normals within
+// 20 degrees.
 constexpr double kCopyTolerances = 2;
 constexpr double kMinCopyCosine = 0.94;
 

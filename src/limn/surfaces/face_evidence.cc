@@ -20,7 +20,7 @@ namespace {
 
 // An edgel shows a link within these limits, those of the refinement.
 constexpr SupportGate kGate = {1.0, 1.0, 15 * M_PI / 180};
-// Only links with this evidence tell what is seen through others.
+// Only links with this evidence show what is seen through others.
 constexpr double kSureEvidence = 10;
 
 // A border is shown at a sample if it is at one of the samples so near.
@@ -37,8 +37,8 @@ constexpr double kMinSine = 0.1;
 // lies behind is hidden by something else.
 constexpr double kShownBehind = 0.02;
 constexpr double kShownInFront = 0.15;
-// Neighboring samples are shown or hidden together: so many count as one. One view's evidence of
-// one link is at most that of so many.
+// Neighboring samples are shown or hidden together: this many count as one. One view's evidence
+// from one link is at most that of this many.
 constexpr double kSamplesPerUnit = 7;
 constexpr double kMaxUnits = 3;
 constexpr int kMinSamples = 4;
@@ -92,7 +92,8 @@ struct ViewEvidence {
   std::vector<PlaceSight> sights;  // per place; empty if none is seen
 };
 
-// Adds how much likelier it is that so many of the samples behind a surface are shown if it is one.
+// Adds the log of the ratio of likelihoods, with and without a surface, that this many of the
+// samples behind it are shown.
 void AddOcclusion(double num_samples, double num_shown, ViewEvidence* evidence) {
   const double units = std::min(num_samples / kSamplesPerUnit, kMaxUnits);
   const double share = num_shown / num_samples;

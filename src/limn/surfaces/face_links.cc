@@ -14,7 +14,7 @@ namespace {
 constexpr double kSpacingPx = 4;
 constexpr size_t kMaxSamples = 50;
 
-// Evenly along the link; so many that planes are told from lines.
+// Evenly along the link; enough to distinguish planes from lines.
 Polyline3d SamplesOf(const DrawingLink& link, double footprint) {
   const double length = Length(link.points_in_world);
   const double spacing =

@@ -17,7 +17,7 @@ namespace {
 
 // Projected links are simplified to this, px.
 constexpr double kSimplifyPx = 0.1;
-// An end goes on in the direction of its last part, this long, px.
+// An end is extended in the direction of its last part, of this length, px.
 constexpr double kTangentPx = 12;
 // The nearest link is preferred to the first straight on if it is that much nearer.
 constexpr double kNearerShare = 0.7;
@@ -30,7 +30,7 @@ PlaneFrame FrameOf(const FacePlane& plane, const Eigen::Vector3d& center) {
   return frame;
 }
 
-// An end of a link that meets no other in the plane, and how it would go on.
+// An end of a link that meets no other in the plane, and how it would continue.
 struct OpenEnd {
   int stroke = -1;
   double footprint = 0;

@@ -47,7 +47,7 @@ constexpr int kMinOwnViews = 2;
 // A link runs along a walk if it is this near, px, and within this angle.
 constexpr double kAlongsidePx = 1;
 constexpr double kAlongsideRad = 30 * kDeg;
-// A walk may come upon its own link only after this many steps, and this many points from its end.
+// A walk may meet its own link only after this many steps, and this many points from its end.
 constexpr int kOwnSteps = 10;
 constexpr int kOwnPoints = 20;
 
@@ -66,8 +66,8 @@ void TrimGap(std::vector<Step>* steps) {
   while (!steps->empty() && !steps->back().is_supported) steps->pop_back();
 }
 
-// How a curve through some points, the latest one last, goes on from there, by arc length in px. A
-// bend has a prior, so that noise does not bend straight lines.
+// The continuation of a curve through some points, the latest one last, by arc length in px. A bend
+// has a prior, so that noise does not bend straight lines.
 Parabola GoOn(std::span<const Eigen::Vector3d> points, double footprint) {
   std::vector<double> arcs_px(points.size(), 0);
   for (size_t k = points.size() - 1; k-- > 0;) {

@@ -55,7 +55,7 @@ void AppendFrom(size_t begin, std::vector<T>* more, std::vector<T>* to) {
              std::make_move_iterator(more->end()));
 }
 
-// To be called when the shape of a link has changed.
+// Call it when the shape of a link has changed.
 void ForgetShape(DrawingLink* link) {
   link->primitive.reset();
   link->regularity.reset();

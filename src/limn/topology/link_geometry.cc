@@ -17,7 +17,7 @@ namespace {
 // nearer, and longer tips make more false junctions.
 constexpr double kTipSkipPx = 2;
 constexpr double kTipLengthPx = 12;
-// A bend is measured on tips of so many points or more.
+// A bend is measured on tips of at least this many points.
 constexpr size_t kMinBendPoints = 5;
 constexpr int kMaxProbes = 60;
 // Upper limit of a standard deviation, px.

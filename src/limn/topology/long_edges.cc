@@ -57,7 +57,7 @@ struct LongEdge {
   std::vector<ViewId> seen_in;
 };
 
-// Calls visit(EdgelId) for an edgel and those up to so many places from it on its fragment.
+// Calls visit(EdgelId) for an edgel and those up to this many places from it on its fragment.
 template <typename Visit>
 void ForEachNeighbor(const TopologyInput& input, const EdgelRef& ref, int reach, Visit&& visit) {
   const auto& [fragment, index] = input.edgels[ref.view]->place_of[ref.edgel];

@@ -6,8 +6,8 @@ namespace limn {
 // (algorithm/drawing.md#tracing, algorithm/topology.md) and between the fits of the refinement.
 // Lengths are in px, that is, in footprints.
 struct TopologyOptions {
-  // Tracing: curves start where samples of this many primary views agree, go on where at least the
-  // second number do, and bridge gaps up to this length.
+  // Tracing: curves start where samples of this many primary views agree, continue where at least
+  // the second number do, and bridge gaps up to this length.
   int min_seed_views = 2;
   int min_traced_views = 1;
   double max_tracing_gap_px = 6;

@@ -21,7 +21,7 @@ namespace {
 
 // What a parallel loop promises to its bodies: they run after it began and before it ends. oneTBB
 // is not built with the thread sanitizer, which would not see that and take every result for a
-// race; of the order between bodies it is told nothing. Nothing at all in other builds.
+// race; they say nothing about the order between bodies. Nothing at all in other builds.
 class LoopOrder {
  public:
   LoopOrder() { Release(&begin_); }

@@ -24,7 +24,7 @@ constexpr size_t kTextAlignment = 8;
 // make most of the page.
 constexpr double kCloudSteps = 1 << 15;
 
-// Values that are appended one after the other; positions become relative to a center.
+// Appends values in order; positions become relative to a center.
 struct Values {
   std::vector<float> numbers;
 

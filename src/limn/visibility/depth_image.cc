@@ -30,7 +30,7 @@ double FarthestAround(const DepthImage& image, const Eigen::Vector2d& at) {
   return farthest;
 }
 
-// Depths of neighboring cells belong to one surface when they differ by less than so many cells.
+// Depths of neighboring cells belong to one surface when they differ by less than this many cells.
 constexpr double kMaxStepCells = 4;
 
 std::optional<Eigen::Vector3d> PointAt(const View& view, const DepthImage& image, int column,

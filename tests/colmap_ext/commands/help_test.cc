@@ -1,4 +1,4 @@
-// What every command tells of its options.
+// What every command says about its options.
 
 #include <set>
 #include <string>

@@ -1,4 +1,4 @@
-// Every number that a command takes has a range with two ends, told before any work.
+// Every number that a command takes has a range with two ends, checked before any work.
 
 #include <charconv>
 #include <cmath>
@@ -102,7 +102,7 @@ std::optional<Range> RangeIn(const std::string& name, const std::string& error) 
   return range;
 }
 
-// The next number in that direction; int options are told apart by whole numbers.
+// The next number in that direction; int options are recognized by whole numbers.
 double Beyond(double value, int direction, Kind kind) {
   if (kind == Kind::kInt) return value + direction;
   return std::nextafter(value, direction * std::numeric_limits<double>::infinity());

@@ -44,7 +44,7 @@ enum class Repeats { kAll, kFirst };
 void ExpectSameAfterExport(const SparseModel& actual, const SparseModel& original,
                            const Eigen::Vector2d& shift_px, Repeats repeats);
 
-// The number in so many digits that it reads back the same.
+// The number with enough digits to read back the same.
 std::string Text(double value);
 // The elements row by row.
 std::string Text(const Eigen::MatrixXd& matrix);

@@ -402,8 +402,8 @@ TEST(RigFit, OfSensorsThatFireInTurnsIsExact) {
   }
 }
 
-// Then only the places of frames and sensors relative to each other are told, not which of the two
-// moved.
+// Then only the positions of frames and sensors relative to each other are determined, not which of
+// the two moved.
 TEST(RigFit, NeedsNoImageOfTheReference) {
   const SparseModel given = ModelOfSensorsInTurns(7);
   SparseModel model = WithOtherRig(given);

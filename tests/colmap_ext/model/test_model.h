@@ -16,8 +16,8 @@ Camera MakeCamera(CameraModelId model, uint32_t id);
 // without 2D points, and two points with tracks.
 SparseModel MakeModel();
 
-// Exactly equal but for rotations, which may differ by a few rounding errors. Reports differences
-// as test failures.
+// Exactly equal except for rotations, which may differ by a few rounding errors. Reports
+// differences as test failures.
 void ExpectSameModel(const SparseModel& actual, const SparseModel& expected);
 
 // Runs the `colmap` program with its output in a log file; true on exit code 0.

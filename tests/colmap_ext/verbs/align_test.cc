@@ -40,7 +40,7 @@ class LineConsole : public Console {
   std::string text_;
 };
 
-// Where a place is that is so many meters east, north and up of one in Switzerland.
+// The place this many meters east, north and up of one in Switzerland.
 Eigen::Vector3d GeographicAt(const Eigen::Vector3d& meters) {
   constexpr double kLatitude = 47, kLongitude = 8, kFlatness = 0.00669438, kRadius = 6378137;
   const double sine = std::sin(kLatitude * kDeg);

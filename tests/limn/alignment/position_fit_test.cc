@@ -40,8 +40,7 @@ TEST(PositionFit, FindsASimilarityAmongWrongPairs) {
   EXPECT_GT(fit->residuals[0], 30);
 }
 
-// The errors that are told are those that are made, up to this share, when so many of the pairs are
-// wrong.
+// The reported errors are the true ones, up to this share, when this many of the pairs are wrong.
 void ExpectErrorsAreTold(int count, int num_wrong, double noise, double tolerance) {
   double up2 = 0, told_up2 = 0, scale2 = 0, told_scale2 = 0;
   for (unsigned seed = 1; seed <= 400; ++seed) {

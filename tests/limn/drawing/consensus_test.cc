@@ -21,7 +21,7 @@ using testing::SampleNoise;
 
 constexpr int kNumViews = 8;
 // Samples within the standard deviation of the weights along the curve, at its end, where there are
-// some on one side only. A mean of so many has at least this error.
+// some on one side only. A mean of this many has at least this error.
 constexpr int kNumNear = kNumViews * 5 / 2;
 // What Gaussian errors of some hundred samples do not exceed.
 constexpr double kSigmas = 5;

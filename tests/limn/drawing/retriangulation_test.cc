@@ -125,7 +125,7 @@ Curve3D SketchCurve(const OneCurveScene& scene, const std::vector<Vector3d>& poi
   return curve;
 }
 
-// Moves every sample away from the anchor by so many pixel footprints.
+// Moves every sample away from the anchor by this many pixel footprints.
 void Deepen(const View& anchor, double pixels, Curve3D* curve) {
   for (Vector3d& point : curve->points_in_world) {
     point += pixels * kPixel * (point - anchor.CenterInWorld()).normalized();

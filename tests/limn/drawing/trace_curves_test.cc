@@ -53,7 +53,7 @@ Traced Trace(const SampleMaker& maker, const TopologyOptions& options = {}) {
   return traced;
 }
 
-// The links whose points are all near a curve, which they cover but for its ends.
+// The links whose points are all near a curve, which they cover except for its ends.
 int NumLinksAlong(const DrawingGraph& graph, const PxCurve& curve, double within_px) {
   return static_cast<int>(std::ranges::count_if(graph.links, [&](const DrawingLink& link) {
     const auto distance = [&](const Vector3d& point) {

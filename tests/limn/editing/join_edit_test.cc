@@ -72,7 +72,7 @@ TEST(JoinEdit, AFreeEndGoesToTheNodeOfOthersWhichStay) {
   EXPECT_EQ(DegreeAt(edited.graph, FrontalPoint(60, 0)), 3);
   EXPECT_THAT(edited.touched, ElementsAre(0, 0, 1));
   EXPECT_EQ(edited.graph.links[0].points_in_world, graph.links[0].points_in_world);
-  // The two lines still go on into each other.
+  // The two lines still continue each other.
   EXPECT_EQ(testing::ContinuationsAt(edited.graph, FrontalPoint(60, 0)).size(), 1u);
 }
 

@@ -19,7 +19,7 @@ CurveSet WriteAndRead(const CurveSet& set) {
 
 TEST(WriteCurvesPly, CurvesAndPointsComeBackToTheLastBit) {
   CurveSet set;
-  // The second goes on where the first ends, the third is closed.
+  // The second continues where the first ends, the third is closed.
   set.polylines = {{{0.1, 0, 0}, {1.0 / 3, 2, 0}},
                    {{1.0 / 3, 2, 0}, {4, 4, 4}, {5, 5, 1e-9}},
                    {{7, 0, 0}, {8, 0, 0}, {8, 1, 0}, {7, 0, 0}}};

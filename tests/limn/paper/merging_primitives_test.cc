@@ -227,7 +227,7 @@ TEST_P(MergingPrimitivesTest, LoopCloses) {
 }
 
 TEST_P(MergingPrimitivesTest, LoopClosesWithoutAStub) {
-  // It comes upon itself 5 px from its other end.
+  // It meets itself 5 px from its other end.
   Start({CircleOf(120, 20)});
   AddTarget(Range(0, 120));
   primitives_->Attach(RunBackwards() ? 0 : 119, {RunBackwards() ? 114 : 5}, -1);

@@ -174,7 +174,7 @@ TEST(PoseRefinement, PointsFarAwayDoNotMoveTheWorld) {
   EXPECT_LT(with, 1.2 * without);
 }
 
-// Without any curve the points alone tell of the cameras.
+// Without any curve the points alone determine the cameras.
 TEST(PoseRefinement, PointsAloneBringCamerasBack) {
   const std::vector<ScenePoint> points = WrongPoints();
   RefinementOptions options;

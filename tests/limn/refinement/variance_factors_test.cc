@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kNumSegments = 20;
 constexpr int kMiddle = kNumSegments / 2;
-// Control points are 3 px apart: so many segments are within 6 px of one.
+// Control points are 3 px apart: this many segments are within 6 px of one.
 constexpr int kNumNear = 4;
 // Views that say beforehand that the weights are right, and degrees of freedom that go to the
 // curve.

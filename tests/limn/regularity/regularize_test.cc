@@ -139,7 +139,7 @@ TEST(Regularize, ABoxGetsRightAngles) {
   EXPECT_LT(error_after, 0.8 * error_before);
   EXPECT_LT(result.moves.max_px, 1);
   EXPECT_GT(result.moves.num_ends, 12);
-  // The summary tells of the same ends.
+  // The summary reports the same ends.
   int64_t num_moved = 0;
   for (const auto& [what, count] : result.summary.kept) {
     if (what.starts_with("ends: moved")) num_moved += count;

@@ -100,7 +100,7 @@ TEST_F(ConfirmationTest, ACurveAlongTheEpipolarLinesCountsLittle) {
 }
 
 TEST_F(ConfirmationTest, MotionIsThatOfTheImage) {
-  // By how much a change of inverse depth moves the projections, in the mean.
+  // How much a change of inverse depth moves the projections, on average.
   const Eigen::Vector3d point = views_[0].cam_from_world * Eigen::Vector3d::Zero();
   const double step = 1e-6;
   double moved_px = 0;

@@ -285,7 +285,7 @@ TEST(ViewSelectionTest, StreetOfManyViewsNeedsNoPoints) {
   ExpectFacadePlans(views, SelectViews(views, kNoHints, ViewSelectionOptions(), {}), 11, 200, 2);
 }
 
-// What a view is matched with does not depend on how far the street goes on.
+// What a view is matched with does not depend on how long the street is.
 TEST(ViewSelectionTest, FarPartsOfAStreetDoNotMatter) {
   const std::vector<View> all = Street(500, 0.9, 11);
   const std::vector<View> half(all.begin(), all.begin() + 350);

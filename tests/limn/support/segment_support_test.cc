@@ -197,7 +197,7 @@ TEST(LogChanceTest, FallsWithTheViewsAndRisesWithTheBackground) {
   for (double p = 0.05; p < 0.4; p += 0.05) {
     EXPECT_LT(LogChance(6, 12, p), LogChance(6, 12, p + 0.05));
   }
-  // At the same share more views say more, up to so many as are independent.
+  // At the same share, more views are stronger evidence, up to the number that is independent.
   for (int n = 4; n < kIndependentViews; n += 2) {
     EXPECT_GT(LogChance(n / 2, n, 0.1), LogChance(n / 2 + 1, n + 2, 0.1));
   }

@@ -80,7 +80,7 @@ TEST(RepairTopologyTest, EndNearTheInsideOfALinkMakesATJunction) {
   ASSERT_EQ(scene.graph.links.size(), 3u);
   ASSERT_EQ(scene.graph.nodes.size(), 4u);
   EXPECT_EQ(scene.Node(12, 0).kind, NodeKind::kJunction);
-  // The cut link goes on in its other part, the new one does not.
+  // The cut link continues in its other part, the new one does not.
   EXPECT_EQ(testing::Continuations(scene.Node(12, 0)),
             (std::set<std::pair<LinkEnd, LinkEnd>>{{{0, 1}, {2, 0}}}));
 }

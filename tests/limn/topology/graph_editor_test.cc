@@ -146,7 +146,7 @@ TEST(SplitTest, OpenLinkIsCutInTwoThatShareThePoint) {
 }
 
 TEST(SplitTest, ContinuationsFollowTheSecondPart) {
-  // Links 0 and 1 go on in each other, and so do 2 and 0 at its other end.
+  // Links 0 and 1 continue each other, and so do 2 and 0 at its other end.
   DrawingGraph graph = GraphWithVertices({Row(0, 5), Row(5, 9), Row(-4, 0)});
   graph.nodes[NodeAtPlace(graph, {5, 0, 0})].continuations = {{{0, 1}, {1, 0}}};
   graph.nodes[NodeAtPlace(graph, {0, 0, 0})].continuations = {{{2, 1}, {0, 0}}};
@@ -409,7 +409,7 @@ TEST(DropOvershootTest, TwoPointsAreKept) {
 }
 
 // Links along the x axis from 0 to 3 and from 5 to 8, each in either direction, that become one.
-// At their far ends other links go on.
+// Other links continue at their far ends.
 class JoinTest : public ::testing::TestWithParam<std::tuple<int, int>> {
  protected:
   int end_a() const { return std::get<0>(GetParam()); }

@@ -159,7 +159,7 @@ TEST(JoinFittedEndsTest, FarNodesKeepTheirContinuations) {
   EXPECT_NEAR(scene.LengthPx(second.link), 40, 1e-6);
 }
 
-// A ring that lacks an arc of so many px; negative: its ends overlap.
+// A ring that lacks an arc of this many px; negative: its ends overlap.
 FrontalScene OpenRing(double radius_px, double gap_px) {
   FrontalScene scene;
   scene.Draw(testing::ArcFromOrigin(radius_px, 2 * M_PI - gap_px / radius_px));

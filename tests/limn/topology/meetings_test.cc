@@ -21,7 +21,7 @@ TEST(ReachTest, IsThatOfTheOptions) {
   EXPECT_EQ(drawn.gap_px, 20);
   EXPECT_EQ(drawn.overshoot_px, 10);
   EXPECT_EQ(drawn.miss_px, 8);
-  // Of fitted links less is left open, but for the gap.
+  // Fitted links get smaller limits, except for the gap.
   const Reach fitted = Reach::Fitted(options);
   EXPECT_EQ(fitted.gap_px, 20);
   EXPECT_EQ(fitted.overshoot_px, 5);

@@ -28,7 +28,7 @@ void ExpectTJunction(const FrontalScene& scene) {
   EXPECT_EQ(scene.graph.nodes.size(), 4u);
   ASSERT_EQ(scene.Degree(0, 0), 3);
   EXPECT_NEAR(scene.TotalPx(), 180, 1e-6);
-  // The two parts of the link that was cut go on in each other.
+  // The two parts of the link that was cut continue each other.
   EXPECT_EQ(testing::Continuations(scene.Node(0, 0)),
             (std::set<std::pair<LinkEnd, LinkEnd>>{{{0, 1}, {2, 0}}}));
 }

@@ -354,7 +354,7 @@ class CutForksTest : public DrawingSceneTest {
 };
 
 TEST_P(CutForksTest, StrandThatPartsSlowlyIsFreed) {
-  // The short one goes on into the trunk, the long one turns more.
+  // The short one continues into the trunk, the long one turns more.
   AddStar({{180, 40}, {15, 60}, {0, 30}});
   EXPECT_EQ(Cut(), 1);
   EXPECT_TRUE(IsAtNode(0));

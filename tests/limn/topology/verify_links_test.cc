@@ -22,7 +22,7 @@ struct Scene {
   CurveSketch sketch;
   DrawingGraph graph;
 
-  // A link along x, made by these primary views, with which so many agree.
+  // A link along x, made by these primary views, with which this many agree.
   void AddLink(const Eigen::Vector3d& offset, const std::vector<ViewId>& primaries, int agreeing) {
     AddLink(offset, primaries, agreeing, agreeing);
   }

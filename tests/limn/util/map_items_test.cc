@@ -130,7 +130,7 @@ TEST_P(TeamSizes, BlocksAreTakenInOrder) {
   for (const auto& of_rank : taken) EXPECT_EQ(of_rank, all);
 }
 
-// What is made is handed over before more is made, and progress tells of the whole loop.
+// Results are handed over before more are made, and progress covers the whole loop.
 TEST(MapItemsInBlocks, HoldsOneBlock) {
   constexpr size_t kCount = 10000;
   std::atomic<size_t> num_made = 0;

@@ -28,7 +28,7 @@ class TableWriter {
 
   void End() { writer_.Put(0, "ENDTAB"); }
 
-  // Returns the handle. `handle_code` is 5 but for dimension styles.
+  // Returns the handle. `handle_code` is 5 except for dimension styles.
   int Entry(const char* type, const char* subclass, const std::string& name, int handle_code = 5) {
     const int handle = (*next_handle_)++;
     writer_.Put(0, type);

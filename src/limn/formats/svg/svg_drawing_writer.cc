@@ -16,7 +16,7 @@
 namespace limn {
 namespace {
 
-// Places are rounded by no more than so many pixels.
+// Positions are rounded by at most this many pixels.
 constexpr double kRoundingPx = 0.005;
 
 // Lines of a section, in widths of other lines.

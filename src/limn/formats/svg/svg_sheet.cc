@@ -19,7 +19,7 @@ constexpr double kLeastPaperMm = 1;
 constexpr double kLargestPaperMm = 100'000;
 // Room for the legend below narrow drawings.
 constexpr double kLegendWidthMm = 60;
-// As for models: farther away than so many times its size, a drawing is moved to the origin.
+// As for models: a drawing farther from the origin than this many times its size is moved there.
 constexpr double kFar = 1000;
 
 double Radians(double degrees) { return degrees * M_PI / 180; }

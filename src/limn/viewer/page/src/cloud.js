@@ -1,4 +1,4 @@
-// The point cloud. While the picture moves only so many of its points are drawn as keep it fluid.
+// The point cloud. While the picture moves, only as many points are drawn as keep it fluid.
 
 import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from 'three';
 

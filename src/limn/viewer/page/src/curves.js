@@ -47,7 +47,7 @@ export class Curves {
     this.load();
   }
 
-  // To be called when the drawing has other links.
+  // Call it when the drawing has other links.
   load() {
     const { drawing } = this;
     this.numLoaded = drawing.numLinks;
@@ -65,7 +65,7 @@ export class Curves {
     this.showLinks();
   }
 
-  // To be called when it has changed which links are shown.
+  // Call it when the set of shown links has changed.
   showLinks() {
     const { drawing } = this;
     this.levels = new Map();

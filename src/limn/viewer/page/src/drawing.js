@@ -120,14 +120,14 @@ export class Drawing {
     this.radius = Math.max(0.5 * this.box.getSize(new Vector3()).length(), 1e-12);
   }
 
-  // To be called when kinds of links have changed.
+  // Call it when kinds of links have changed.
   sortKinds() {
     this.kindCategory = this.linkKind.map((kind, link) =>
       this.linkTentative[link] ? TENTATIVE : kind,
     );
   }
 
-  // Numbers of link ends at nodes, of links that there are. To be called when `gone` has changed.
+  // Numbers of ends of existing links at nodes. Call it when `gone` has changed.
   countDegrees() {
     this.degree = new Uint32Array(this.numNodes);
     this.linkNodes.forEach((node, end) => {

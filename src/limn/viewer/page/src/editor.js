@@ -98,7 +98,7 @@ export class Editor {
     if (this.history.redo()) this.afterTravel();
   }
 
-  // A tool must not go on with links that are no longer there.
+  // A tool must not continue with links that no longer exist.
   afterTravel() {
     this.pointing.start(this.pointing.name);
     this.show();

@@ -1,5 +1,5 @@
 // The size of a pixel at a place, the unit of the limits of edits: PixelFootprint of
-// src/limn/model/footprint.h, but for what masks and lenses take away inside photographs.
+// src/limn/model/footprint.h, except for what masks and lenses exclude inside photographs.
 
 import { project } from './optics.js';
 

@@ -7,7 +7,7 @@ import { joined, WideLines } from './wide_lines.js';
 
 const WIDTH_PX = 1.2;
 const SIZE_IN_RADII = 0.1;
-// Photographs are shown on pyramids that are at least so wide, px, and on so many of them.
+// Photographs are shown on pyramids at least this wide, px, and on at most this many.
 const LEAST_WIDTH_PX = 12;
 const MOST_PICTURES = 300;
 const UV = new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]);

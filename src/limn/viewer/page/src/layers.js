@@ -63,7 +63,7 @@ export class Layers {
     ];
   }
 
-  // To be called when nodes have other links.
+  // Call it when nodes have other links.
   showNodes() {
     const isJunction = (kind) => kind === JUNCTION;
     this.junctions.setPositions(positionsOf(this.drawing, isJunction));

@@ -86,7 +86,7 @@ export class LinksPanel {
     this.rank();
   }
 
-  // To be called when there are other links.
+  // Call it when the links have changed.
   rank() {
     const { drawing } = this;
     const links = Array.from({ length: drawing.numLinks }, (_, link) => link);

@@ -6,7 +6,7 @@ import { BoxTree } from './box_tree.js';
 
 // Segments that follow each other in a link share a box.
 const RUN = 8;
-// Of things within so many px of the nearest one to the pointer the one in front is meant.
+// Among things within this many px of the nearest one to the pointer, the one in front is picked.
 const SAME_PX = 1.5;
 const NEAR_CLIP = 1e-6;
 

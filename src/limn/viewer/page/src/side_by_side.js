@@ -60,7 +60,7 @@ export function runAlongEachOther(drawing, [a, b]) {
   if (last - first + 1 < MIN_POINTS || beside.length < 2) return false;
   if (distance > MAX_APART_PX * footprint * beside.length) return false;
   if (numParallel < MIN_PARALLEL_SHARE * beside.length) return false;
-  // What goes on beyond one end of the longer link at both ends is no part of it.
+  // A link that extends beyond one end of the longer link at both of its ends is not part of it.
   const least = MIN_REST_PX * footprint;
   const total = vertexes[vertexes.length - 1].along;
   const goesOn = vertexes[first].along >= least && total - vertexes[last].along >= least;

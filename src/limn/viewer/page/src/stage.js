@@ -36,7 +36,7 @@ export class Stage {
     this.resize();
   }
 
-  // A layer may have setFine(bool, eye) and adapt(pace), which is told -1 if coarse frames are slow
+  // A layer may have setFine(bool, eye) and adapt(pace), which gets -1 if coarse frames are slow
   // and 1 if they are fast.
   addLayer(layer) {
     this.layers.push(layer);

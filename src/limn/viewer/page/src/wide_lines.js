@@ -18,7 +18,7 @@ import {
   Vector2,
 } from 'three';
 
-// Vertices of the polylines are texels, rows of so many.
+// Vertices of the polylines are texels, in rows of this length.
 const ROW = 1024;
 const QUAD = [0, 1, 3, 0, 3, 2];
 
