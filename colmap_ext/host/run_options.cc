@@ -27,8 +27,7 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
                     "folder of edges found elsewhere, <image name>.edg, .cem, .txt or .png");
   parser->AddOption(
       "max_image_size", &view.max_image_size,
-      BasicOption(
-          "shrink images to this longer side, panoramas to four times that, px, -1 = do not"));
+      BasicOption("shrink images to this longer side, panoramas to four times that, px, -1 = off"));
   parser->AddOption("max_reprojection_px", &view.max_reprojection_px,
                     "leave out images that points of the model miss by more than this, 0 = none");
   parser->AddOption(
@@ -41,11 +40,13 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
         BasicOption("replace results made with other options, from other images or not by limn"));
   }
   if (groups.shards) {
-    parser->AddOption("shard", &options->shard,
-                      "i/n: only keep the results of part i of n of the images, for a run without");
-    parser->AddOption("shard_stage", &options->shard_stage,
-                      {{"curves", ShardStage::kCurves}, {"sketches", ShardStage::kSketches}},
-                      "where a shard ends; of a scene in tiles, sketches means their drawings");
+    parser->AddOption(
+        "shard", &options->shard,
+        "i/n: only store the results of part i of n of the images, for a later run without");
+    parser->AddOption(
+        "shard_stage", &options->shard_stage,
+        {{"curves", ShardStage::kCurves}, {"sketches", ShardStage::kSketches}},
+        "where a shard ends; in a scene in tiles, sketches means the tiles' drawings");
   }
   parser->AddOption("num_threads", &options->num_threads,
                     BasicOption("processor cores to use, -1 = all"));

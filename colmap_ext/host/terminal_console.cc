@@ -53,7 +53,7 @@ std::string TerminalConsole::WhatIsKept() const {
   if (kept.empty())
     return "Interrupted: nothing new is kept; run the same command again to start over";
   return "Interrupted: " + kept + " are kept in " + stored->dir() +
-         "; run the same command again to go on";
+         "; run the same command again to continue";
 }
 
 void TerminalConsole::ShowProgress(const char* stage, size_t done, size_t total) {

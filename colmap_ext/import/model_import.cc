@@ -52,7 +52,7 @@ void ImporterOptions::AddOptions(OptionParser* parser) {
   std::vector<std::string> types = {"auto"};
   for (const ImportFormat& format : ImportFormats()) types.emplace_back(format.name);
   parser->AddOption("input_path", &input_path,
-                    BasicOption("cameras: a file, or the folder of them"));
+                    BasicOption("cameras: a file, or a folder of files"));
   parser->AddOption("input_type", &input_type, types,
                     BasicOption("format of the cameras; auto = recognize it"));
   parser->AddOption("image_path", &image_path,

@@ -150,7 +150,7 @@ std::optional<ImportedImage> ReadFrame(const Json& frame, const Json& file, cons
 Json Parse(const std::string& path) {
   try {
     const Json file = ParseJson(path, ReadWholeFile(path, kMaxJsonBytes));
-    if (!file.at("frames").is_array()) throw IoError(path, "\"frames\" is no list");
+    if (!file.at("frames").is_array()) throw IoError(path, "\"frames\" is not a list");
     if (file.value("from_na", false)) {
       throw IoError(path, "\"from_na\" is true: the axes of NeuS2 are not read");
     }

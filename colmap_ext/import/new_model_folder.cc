@@ -33,7 +33,7 @@ fs::path Plain(const fs::path& folder) {
 void CheckNewModelFolder(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder, ignored)) return;
-  if (!fs::is_directory(folder, ignored)) throw IoError(folder.string(), "is no folder");
+  if (!fs::is_directory(folder, ignored)) throw IoError(folder.string(), "is not a folder");
   if (HoldsModel(folder)) {
     throw IoError(folder.string(), "holds a model already; it is not overwritten");
   }

@@ -153,7 +153,7 @@ SparseModel ReadColmapModel(const fs::path& folder) {
   if (IsFile(points)) {
     Read(flavor.points, points, &builder);
   } else {
-    builder.Warn(points.string() + " is missing: going on with the poses alone");
+    builder.Warn(points.string() + " is missing: continuing with the poses alone");
   }
   SparseModel model = builder.Finish();
   model.folder = folder;

@@ -260,7 +260,7 @@ void BindLink(py::module_* module) {
           "Whether there is little evidence for it.")
       .def_property_readonly(
           "doubt", [](const Link& link) { return std::string(LinkDoubtName(link.Get().doubt)); },
-          "Why it is tentative; empty if unknown or not.")
+          "Why it is tentative; empty if unknown or not tentative.")
       .def_property_readonly(
           "residual_px", [](const Link& link) { return link.Get().residual_px; },
           "Median distance from the edges of the images, px.")
@@ -296,16 +296,16 @@ void BindAlignment(py::module_* module) {
       .def_property_readonly(
           "translation", [](const Alignment& a) { return CopyOf(a.world_from_model.translation); },
           "3 translation, in the unit of the world.")
-      .def_property_readonly("unit", &Alignment::Unit, "'m', or 'none' if nothing told the scale.")
+      .def_property_readonly("unit", &Alignment::Unit, "'m', or 'none' if the scale is unknown.")
       .def_property_readonly(
           "up_from", [](const Alignment& a) { return SourceName(a.up); },
-          "What told z: 'gravity', 'positions', 'lines' or 'cameras'.")
+          "The source of z: 'gravity', 'positions', 'lines' or 'cameras'.")
       .def_property_readonly(
           "axes_from", [](const Alignment& a) { return SourceName(a.axes); },
-          "What told x and y: 'lines', 'positions' or 'model'.")
+          "The source of x and y: 'lines', 'positions' or 'model'.")
       .def_property_readonly(
           "scale_from", [](const Alignment& a) { return SourceName(a.scale); },
-          "What told the scale: 'none', 'lengths' or 'positions'.")
+          "The source of the scale: 'none', 'lengths' or 'positions'.")
       .def("__repr__", [](const Alignment& a) {
         return std::string("<limn.Alignment, up from ") + SourceName(a.up) + ", scale from " +
                SourceName(a.scale) + ">";
@@ -358,9 +358,9 @@ void BindFace(py::module_* module) {
             return ColumnsOver<int>(triangles, triangles.empty() ? nullptr : triangles[0].data(), 3,
                                     face.drawing);
           },
-          "T x 3 indices of vertices, counterclockwise seen from the side that is seen.")
+          "T x 3 indices of vertices, counterclockwise seen from the visible side.")
       .def_property_readonly("normal", NormalOf,
-                             "Plane: 3 unit vector towards the side that is seen; else None.")
+                             "Plane: 3 unit vector towards the visible side; else None.")
       .def_property_readonly("offset", OffsetOf, "Plane: normal . x on it; else None.")
       .def_property_readonly(
           "area", [](const Face& face) { return AreaOf(face.Get()); },
@@ -435,7 +435,7 @@ void BindDrawing(py::module_* module) {
           "The options it was made with.")
       .def_property_readonly(
           "warnings", [](const SceneDrawing& drawing) { return WarningsOf(drawing.made.log); },
-          "What to look at before it is trusted, as lines of text.")
+          "Warnings: what to check before trusting it, as lines of text.")
       .def_property_readonly(
           "stages", [](const SceneDrawing& drawing) { return StagesOf(drawing.made.log); },
           "The stages that made it: counts in, kept and dropped, and seconds.")

@@ -128,7 +128,7 @@ void BindScene(py::module_* module) {
           "A camera per image, in the order of the names.")
       .def_property_readonly(
           "warnings", [](const OpenScene& scene) { return WarningsOf(scene.made.log); },
-          "What was odd when the scene was read, as lines of text.")
+          "Warnings from reading the scene, as lines of text.")
       .def_property_readonly(
           "num_points",
           [](const OpenScene& scene) { return scene.scene.view_set().hints.points.size(); },

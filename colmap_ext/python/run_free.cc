@@ -120,7 +120,7 @@ std::exception_ptr WaitFor(FreeRun* run, const py::object& progress) {
       run->monitor.Cancel();
       deadline = Clock::now() + kGrace;
     }
-    if (run->is_forgotten) throw std::runtime_error("a run does not go on in a forked process");
+    if (run->is_forgotten) throw std::runtime_error("a run does not continue in a forked process");
   }
   return raised;
 }

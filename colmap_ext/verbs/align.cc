@@ -168,7 +168,7 @@ void SayGravity(const AlignmentResult& result, const std::vector<ViewPrior>& pri
   const std::string reason =
       result.gravity
           ? "is not used: it differs by " + Degrees(result.gravity->deviation_rad) + " (median)"
-          : "tells nothing: " + std::to_string(kMinGravities) + " that agree are needed";
+          : "is not used: " + std::to_string(kMinGravities) + " that agree are needed";
   console->Say("alignment: gravity of " + std::to_string(count) + " cameras " + reason);
 }
 
@@ -177,7 +177,7 @@ void SayPositions(const AlignmentResult& result, const ViewSet& set, Console* co
   if (result.positioned.empty()) return;
   if (!result.positions) {
     console->Say("alignment: positions of " + std::to_string(result.positioned.size()) +
-                 " cameras tell nothing: " + std::to_string(kMinPositions) +
+                 " cameras are not used: " + std::to_string(kMinPositions) +
                  " at different places are needed");
     return;
   }

@@ -58,7 +58,7 @@ std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv
                                     "draw only what new, changed and missing images "
                                     "touch"));
         more->AddOption("watch", &options->watch,
-                        BasicOption("go on: bring the drawing up to date whenever "
+                        BasicOption("keep running: bring the drawing up to date whenever "
                                     "the model or an image changes"));
         more->AddOption("account", &options->account,
                         BasicOption("report what became of every edgel"));

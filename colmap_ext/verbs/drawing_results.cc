@@ -95,7 +95,7 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
   try {
     metadata = ReadDrawingJson(path).metadata;
   } catch (const IoError&) {
-    refuse("exists, and is no drawing of this version of limn");
+    refuse("exists, and is not a drawing of this version of limn");
   }
   if (!options.update && metadata.view_names != Metadata(project, "{}").view_names) {
     refuse("is a drawing of other images");

@@ -222,7 +222,7 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   parser->AddOption(
       "output_type", &format.format, formats,
       BasicOption("its format; auto = by its extension; faces = only these, as .ply"));
-  parser->AddOption("scale", &scale, BasicOption("what coordinates are multiplied by"));
+  parser->AddOption("scale", &scale, BasicOption("factor on all coordinates"));
   parser->AddOption("up_axis", &up_axis,
                     {{"x", SignedAxis::kX},
                      {"y", SignedAxis::kY},
@@ -240,7 +240,8 @@ void ExporterOptions::AddOptions(OptionParser* parser) {
   AddFormatOptions(&format, parser);
   parser->AddOption("cloud_path", &cloud_path, "GLB: a cloud to go with it, .ply");
   svg.AddOptions(parser);
-  parser->AddOption("chains", &chains, "limap: links that are no lines, too, as chains of lines");
+  parser->AddOption("chains", &chains,
+                    "limap: also links that are not straight, as chains of lines");
 }
 
 bool ExporterOptions::IsAligned() const { return aligned || !svg.plan.section.empty(); }

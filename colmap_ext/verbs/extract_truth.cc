@@ -16,10 +16,10 @@ void SayAccount(const TruthAccount& account, int min_views, bool is_cloud, Conso
   char line[240];
   std::snprintf(line, sizeof(line),
                 is_cloud
-                    ? "points: %.0f found, %.0f visible in %d or more images, %.0f shown by so "
+                    ? "points: %.0f found, %.0f visible in %d or more images, %.0f shown by that "
                       "many, %.0f written"
                     : "length of curves in units of the model: %.6g found, %.6g visible in %d "
-                      "or more images, %.6g shown by so many, %.6g written",
+                      "or more images, %.6g shown by that many, %.6g written",
                 account.found, account.visible, min_views, account.shown, account.kept);
   console->Say(line);
 }

@@ -159,7 +159,7 @@ DenseInput OpenDenseInput(const Scene& scene, const FuserOptions& options,
                           const std::string& workspace_path, Console* console) {
   if (scene.view_set().HasPanoramas()) {
     throw InputError(scene.layout().model_dir.string() +
-                     " has EQUIRECTANGULAR images, of which there are no dense results");
+                     " has EQUIRECTANGULAR images, for which there are no dense results");
   }
   DenseInput dense;
   dense.products = FindDenseProducts(options.paths, workspace_path, scene.layout().dense_dir);

@@ -399,7 +399,7 @@ DrawingFile ReadLimapDrawing(const fs::path& folder, const std::vector<std::stri
   const fs::path lines = FindLimapLines(folder);
   if (lines.empty()) {
     throw IoError(folder.string(),
-                  "is no drawing: a folder without structures of LIMAP (lines3D.bin or .txt)");
+                  "is not a drawing: a folder without structures of LIMAP (lines3D.bin or .txt)");
   }
   const fs::path structures = fs::weakly_canonical(lines.parent_path());
   return FromLimap({ReadColmapModel(structures.parent_path()), ReadLimapStructures(structures)},

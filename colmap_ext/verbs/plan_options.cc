@@ -13,13 +13,13 @@ constexpr double kLargest = 1e9;
 
 void PlanOptions::AddOptions(OptionParser* parser) {
   parser->AddOption("depth_before", &depth_before,
-                    "SVG and DXF along a face: up to how far in front of it, -1 = any distance");
+                    "SVG and DXF along a face: depth shown in front of it, -1 = unlimited");
   parser->AddOption("depth_behind", &depth_behind,
-                    "SVG and DXF along a face: up to how far behind it, -1 = any distance");
+                    "SVG and DXF along a face: depth shown behind it, -1 = unlimited");
   parser->AddOption("section", &section,
                     BasicOption("SVG and DXF: a plan, with faces cut at this height in the aligned "
                                 "world"));
-  parser->AddOption("section_below", &section_below, "SVG and DXF: in plans what is below, too");
+  parser->AddOption("section_below", &section_below, "SVG and DXF: in plans also what is below");
   parser->AddOption("section_gap", &section_gap,
                     "SVG and DXF: in plans the largest gap between faces that is closed, -1 = "
                     "about 4 px of the photographs");

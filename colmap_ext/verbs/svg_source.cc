@@ -194,8 +194,10 @@ void SvgSource::AddOptions(OptionParser* parser) {
   parser->AddOption("sheet_scale", &sheet.sheet_scale,
                     BasicOption("SVG: n of 1:n for units of a meter, 0 = the largest that fits on "
                                 "A3"));
-  parser->AddOption("azimuth_deg", &sheet.azimuth_deg, "SVG: axonometric, from where");
-  parser->AddOption("elevation_deg", &sheet.elevation_deg, "SVG: axonometric, from how high");
+  parser->AddOption("azimuth_deg", &sheet.azimuth_deg,
+                    "SVG: axonometric, direction of the viewpoint about z, deg");
+  parser->AddOption("elevation_deg", &sheet.elevation_deg,
+                    "SVG: axonometric, height of the viewpoint, deg");
 }
 
 bool SvgSource::IsSheet() const { return view.empty() || Face() || ProjectionOf(view) != nullptr; }

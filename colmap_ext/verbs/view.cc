@@ -115,7 +115,7 @@ void ViewerOptions::AddOptions(OptionParser* parser) {
                     "JSON file with a report of the run, for the tab Report");
   parser->AddOption("cloud", &cloud, {"auto", "sparse", "dense", "none"},
                     BasicOption("which points to show; auto = dense if there are any"));
-  parser->AddOption("max_points", &max_points, BasicOption("thin the points to so many"));
+  parser->AddOption("max_points", &max_points, BasicOption("thin the points to at most this many"));
   parser->AddOption("thumbnail_size", &thumbnail_size,
                     BasicOption("longer side of the photographs in the page, px"));
   parser->AddOption("aligned", &aligned,

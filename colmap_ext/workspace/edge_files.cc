@@ -79,7 +79,7 @@ void CheckEdgeSize(const std::string& path, ImageSize edges, ImageSize stored, I
 float GrayLevel(const std::string& path, const Image& image, size_t pixel) {
   const float* values = image.data.data() + pixel * image.channels;
   if (!std::all_of(values, values + image.channels, [&](float v) { return v == values[0]; })) {
-    throw IoError(path, "is no map of edges: it has colors");
+    throw IoError(path, "is not a map of edges: it has colors");
   }
   return values[0];
 }
@@ -99,7 +99,8 @@ ProbabilityMap ReadProbabilityMap(const std::string& path, ImageSize stored, Ima
     num_bright += map.values.back() > 0.5f;
   }
   if (2 * num_bright > map.values.size()) {
-    throw IoError(path, "is no map of edges: most of it is bright; edges must be bright on dark");
+    throw IoError(path,
+                  "is not a map of edges: most of it is bright; edges must be bright on dark");
   }
   return map;
 }

@@ -123,7 +123,7 @@ void CheckWritable(const fs::path& folder) {
   }
   std::string reason;
   if (!fs::is_directory(existing, error)) {
-    reason = existing.string() + " is no folder";
+    reason = existing.string() + " is not a folder";
   } else if (access(existing.c_str(), W_OK | X_OK) != 0) {
     reason = existing.string() + ": " + std::strerror(errno);
   }

@@ -71,7 +71,7 @@ LockFile OpenLockFile(const fs::path& path) {
   struct stat opened;
   if (file < 0 || (fstat(file, &opened) == 0 && S_ISREG(opened.st_mode))) return {file};
   close(file);
-  throw IoError(path.string(), "is no regular file: remove it");
+  throw IoError(path.string(), "is not a regular file: remove it");
 }
 
 // 0, or why not.

@@ -60,7 +60,7 @@ std::string ImageFile(const fs::path& folder, size_t index) {
 Camera CameraFrom(const Eigen::Matrix3d& intrinsics, ImageSize size, const std::string& path) {
   if (std::abs(intrinsics(0, 1)) > kMaxSkew * intrinsics(0, 0)) {
     throw IoError(path, "the camera has skew (" + std::to_string(intrinsics(0, 1)) +
-                            " px): it is no pinhole camera of COLMAP");
+                            " px): it is not a pinhole camera of COLMAP");
   }
   const double cx = intrinsics(0, 2);
   const double cy = intrinsics(1, 2);

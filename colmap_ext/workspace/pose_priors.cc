@@ -132,7 +132,7 @@ void Check(const Database& database, const PosePriors& priors) {
     if (!prior.position) continue;
     const std::string place = "prior of image \"" + Printable(image) + "\"";
     if (prior.is_geographic && !IsOnEarth(*prior.position)) {
-      throw IoError(database.path(), place, "is no latitude, longitude and altitude");
+      throw IoError(database.path(), place, "is not a latitude, longitude and altitude");
     }
     if (!first) first = &prior;
     if (prior.is_geographic != first->is_geographic) {
@@ -205,11 +205,12 @@ PosePriors ReadImageColumns(const Database& database, const std::set<std::string
 
 PosePriors ReadPosePriors(const std::filesystem::path& path, const std::set<std::string>& images) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) throw IoError(path.string(), "is no file");
+  if (!std::filesystem::is_regular_file(path, ignored))
+    throw IoError(path.string(), "is not a file");
   const Database database(path);
   const bool has_table = HasColumn(database, "pose_priors", "position");
   if (!has_table && !HasColumn(database, "images", "prior_tx")) {
-    throw IoError(path.string(), "is no database of COLMAP: it has no table pose_priors");
+    throw IoError(path.string(), "is not a database of COLMAP: it has no table pose_priors");
   }
   PosePriors priors =
       has_table ? ReadPriorTable(database, images) : ReadImageColumns(database, images);

@@ -118,7 +118,8 @@ void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& ima
   const std::string others =
       count == 1 ? "" : " (and " + std::to_string(count - 1) + " other images)";
   std::error_code ignored;
-  if (fs::exists(*first, ignored)) throw IoError(*first, "is no image file but a folder or a pipe");
+  if (fs::exists(*first, ignored))
+    throw IoError(*first, "is a folder or a pipe, not an image file");
   const bool is_link = fs::is_symlink(*first, ignored);
   const std::string hint =
       HintForMissing(image_dir, fs::path(*first).lexically_relative(image_dir).string());

@@ -33,7 +33,7 @@ void AddOptions(Options* options, OptionParser* parser) {
   parser->AddOption("sets", &options->sets, "data sets with commas between; empty = all present");
   parser->AddOption("quick", &options->report.quick, "default options only, no sweep");
   parser->AddOption("max_image_size", &options->report.max_image_size,
-                    "shrink images to this longer side, px, -1 = do not");
+                    "shrink images to this longer side, px, -1 = off");
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }
 

@@ -43,7 +43,7 @@ void AddOptions(Options* options, OptionParser* parser) {
   parser->AddOption("repeat", &options->repeat, "runs of every stage");
   parser->AddOption("accuracy", &options->accuracy, "compare with the truth");
   parser->AddOption("max_image_size", &options->max_image_size,
-                    "shrink images to this longer side, px, -1 = do not");
+                    "shrink images to this longer side, px, -1 = off");
   parser->AddOption("num_threads", &options->num_threads, "-1 = all cores");
 }
 

@@ -123,7 +123,7 @@ TEST_F(BadInput, PipesAndFoldersInPlaceOfFiles) {
   }
   fs::remove(workspace_ / "images/view_03.jpg");
   fs::create_directory(workspace_ / "images/view_03.jpg");
-  ExpectRefused({}, HasSubstr("view_03.jpg: is no image file but a folder or a pipe"));
+  ExpectRefused({}, HasSubstr("view_03.jpg: is a folder or a pipe, not an image file"));
 }
 
 TEST_F(BadInput, ImageNamesWhoseOverlaysCannotBe) {

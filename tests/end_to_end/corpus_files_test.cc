@@ -77,7 +77,7 @@ const CorpusCase kCases[] = {
     {.name = "Case02_PointsMissing",
      .spoil = [](const W& w) { w.Remove("sparse/points3D.txt"); },
      .outcome = Outcome::kAccepted,
-     .said = {"WARNING: ", "points3D.txt is missing: going on with the poses alone"}},
+     .said = {"WARNING: ", "points3D.txt is missing: continuing with the poses alone"}},
     {.name = "Case02_CompleteTextBesideBinaryWithoutPoints",
      .spoil =
          [](const W& w) {
@@ -236,7 +236,7 @@ const CorpusCase kCases[] = {
      .as_nobody = true},
     {.name = "Case11_OutputIsAFile",
      .spoil = [](const W& w) { w.Write("results", "mine"); },
-     .said = {"results", "is no folder", "choose another --output_path"},
+     .said = {"results", "is not a folder", "choose another --output_path"},
      .arguments = {"--output_path", "{W}/results"}},
 };
 

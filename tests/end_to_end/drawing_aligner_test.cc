@@ -286,7 +286,7 @@ TEST_F(DrawingAligner, ErrorsNameTheOptionAndChangeNothing) {
   };
   fails({"--known_length", "link 12 = 2.40"}, "known_length = link 12 = 2.40: must be like");
   fails({"--known_length", "link 99999 = 2.40 m"}, "the drawing has no link 99999");
-  fails({"--database_path", "/nowhere/database.db"}, "/nowhere/database.db: is no file");
+  fails({"--database_path", "/nowhere/database.db"}, "/nowhere/database.db: is not a file");
   fails({"--drawing_path", "/nowhere/drawing.json"}, "/nowhere/drawing.json");
   fails({"--drawing_path", dir_.path().string()},
         ": is a folder, where no alignment can be stored");

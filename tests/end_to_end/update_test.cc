@@ -89,7 +89,7 @@ TEST_F(UpdateTest, ANewImageIsTakenIn) {
 
   const LimnRun update = RunLimn(Arguments(kNumImages, out(), {"--update", "1"}));
   ASSERT_EQ(update.exit_code, 0) << update.err;
-  EXPECT_THAT(update.out, Not(HasSubstr("drawn from nothing")));
+  EXPECT_THAT(update.out, Not(HasSubstr("drawn from scratch")));
   const auto after = ReadTree(out());
   EXPECT_EQ(after.count("curves/overlays/view_11.jpg.png"), 1u);
   EXPECT_TRUE(after.at("curves/overlays/view_02.jpg.png") ==
@@ -127,7 +127,7 @@ TEST_F(UpdateTest, WhatCannotBeUpdatedIsSaid) {
   EXPECT_FALSE(fs::exists(out()));
   const LimnRun first = RunLimn(Arguments(6, out(), {"--update", "1"}));
   EXPECT_EQ(first.exit_code, 0);
-  EXPECT_THAT(first.out, HasSubstr("drawn from nothing: there is no drawing"));
+  EXPECT_THAT(first.out, HasSubstr("drawn from scratch: there is no drawing"));
 }
 
 TEST_F(UpdateTest, AWatchedWorkspaceIsDrawnWhenItChanges) {

@@ -13,7 +13,7 @@ Units: px are pixels of the images as used (after max_image_size), and the cente
 coordinates in space are the model's.
 
 Long functions take `progress`, called as progress(stage, done, total) by the calling thread, at most 20 times a
-second. They release the interpreter's lock; in the main thread Ctrl-C stops them within two seconds. Errors are
+second. They release the GIL; in the main thread Ctrl-C stops them within two seconds. Errors are
 limn.Error; the text is the line that the program would print.
 """
 
@@ -85,8 +85,8 @@ def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = No
 
     Options are those of automatic_drawer on images and on the algorithms: box, quality, max_image_size, Drawing and so
     on; for a scene or a sketch those that come after it. Writes nothing, unless `output_path` names a folder: then a
-    project is drawn as by the command, with those of its options, too, that are about files (overwrite, page, account,
-    align, truth_path, ...). It takes up a stopped run, and writes drawing.json, drawing.html, overlays and so on there.
+    project is drawn as by the command, including its options about files (overwrite, page, account,
+    align, truth_path, ...). It resumes a stopped run, and writes drawing.json, drawing.html, overlays and so on there.
     With DrawingRefinement={"refine_poses": True} such a drawing has no cameras: they are in refined/.
     """
     if isinstance(source, Sketch):
@@ -117,7 +117,7 @@ def refine(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Dr
 def regularize(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
     """The drawing with exact right angles, parallel lines, planes and equal circles, as by drawing_regularizer.
 
-    Where the images allow them. The drawing needs its scene: read_drawing(path, scene). Options: Regularity. Writes
+    Regularities hold only where the images allow them. The drawing needs its scene: read_drawing(path, scene). Options: Regularity. Writes
     nothing.
     """
     return _limn.regularize(drawing, texts_of(options), progress)
@@ -135,7 +135,7 @@ def find_faces(drawing: Drawing, *, progress: Progress = None, **options: Any) -
 def edit(drawing: Drawing, edits: Path, *, progress: Progress = None, **options: Any) -> Drawing:
     """The drawing with edits made by hand (edits.json of drawing.html), as by drawing_editor.
 
-    The links that they touch are fitted to the images again; edits that do not fit the drawing are told in `warnings`
+    The links that they touch are fitted to the images again; edits that do not fit the drawing are listed in `warnings`
     of the result. The drawing needs its scene: read_drawing(path, scene). Options: DrawingRefinement, Primitives. Writes
     nothing.
     """

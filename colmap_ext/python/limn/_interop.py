@@ -23,7 +23,7 @@ def to_networkx(drawing: "Drawing") -> Any:
 
 
 def _colors(count: int) -> Any:
-    """Colors that tell neighbors apart: hues at steps of the golden angle. count x 3, 0 to 1."""
+    """Colors that differ between neighbors: hues at steps of the golden angle. count x 3, 0 to 1."""
     hue = np.arange(count) * 0.381966 % 1.0
     offsets = np.array([0.0, 1 / 3, 2 / 3])
     return np.clip(np.abs((hue[:, None] + offsets) % 1.0 * 6 - 3) - 1, 0, 1)

@@ -134,6 +134,6 @@ def scene_from_reconstruction(reconstruction: Any, image_path: Any = None, image
     if images is not None:
         for name in names:
             if name not in images:
-                raise InputError(f"images: there is none of the name \"{name}\"")
+                raise InputError(f"images: none has the name \"{name}\"")
             model.add_photo(name, _pixels(name, images[name]))
     return model.open("" if image_path is None else image_path, False, texts_of(options), progress)

@@ -2,7 +2,7 @@
 
 
 class Error(Exception):
-    """Anything that limn finds wrong."""
+    """Base class of all errors of limn."""
 
 
 class OptionError(Error, ValueError):

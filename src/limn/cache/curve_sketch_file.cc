@@ -28,7 +28,8 @@ std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
   ByteReader in(path, *payload);
   StoredCurveSketch stored;
   stored.metadata.options_json = in.GetString();
-  in.Check(ParseJson(path, stored.metadata.options_json).is_object(), "the options are no object");
+  in.Check(ParseJson(path, stored.metadata.options_json).is_object(),
+           "the options are not an object");
   const size_t num_views = in.GetCount(sizeof(uint64_t));
   for (size_t i = 0; i < num_views; ++i) stored.metadata.view_names.push_back(in.GetString());
   in.Check(num_views == curves.size(), "made from another number of views");

@@ -132,7 +132,7 @@ std::optional<LinkId> LinkMatch::Single() const {
 std::string LinkMatch::Problem() const {
   if (IsAmbiguous()) return LinkNames(tied) + " are equally near";
   if (along.size() > 1) return "it is in pieces now: " + LinkNames(along);
-  if (!longer.empty()) return LinkNames(longer) + " runs along it, but goes on much farther";
+  if (!longer.empty()) return LinkNames(longer) + " runs along it, but extends much farther";
   return "no link runs along it";
 }
 

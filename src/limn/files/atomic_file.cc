@@ -80,7 +80,7 @@ void CheckTakesFile(const std::string& path) {
   }
   const fs::path folder = NearestAbove(path);
   if (!fs::is_directory(folder, ignored)) {
-    throw IoError(path, "cannot write: " + folder.string() + " is no folder");
+    throw IoError(path, "cannot write: " + folder.string() + " is not a folder");
   }
   const fs::file_status there = fs::status(path, ignored);
   if (fs::is_directory(there)) throw IoError(path, "cannot write: is a folder, not a file");

@@ -55,7 +55,7 @@ int TextScanner::Count(const char* what) {
   constexpr double kMaxCount = 1e9;
   const double value = Number(what);
   if (!(value >= 0 && value <= kMaxCount && value == std::floor(value))) {
-    Fail(std::string(what) + " is no count");
+    Fail(std::string(what) + " is not a count");
   }
   return static_cast<int>(value);
 }

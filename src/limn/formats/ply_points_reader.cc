@@ -95,7 +95,7 @@ class PointReader {
         const auto [end, error] =
             std::from_chars(field.data(), field.data() + field.size(), values[p]);
         if (error != std::errc() || end != field.data() + field.size()) {
-          Fail("line", number, "\"" + field.substr(0, 40) + "\" is no number");
+          Fail("line", number, "\"" + field.substr(0, 40) + "\" is not a number");
         }
       }
       if (p == 0) continue;  // a blank line

@@ -141,7 +141,7 @@ std::string Broken(const CircularArc& arc) {
   const bool orthonormal = std::abs(arc.x_axis.norm() - 1) < kTolerance &&
                            std::abs(arc.y_axis.norm() - 1) < kTolerance &&
                            std::abs(arc.x_axis.dot(arc.y_axis)) < kTolerance;
-  return orthonormal ? "" : "the axes are no unit vectors at a right angle";
+  return orthonormal ? "" : "the axes are not unit vectors at a right angle";
 }
 
 std::string Broken(const CubicBSpline& spline) {

@@ -52,7 +52,7 @@ std::string Validate(const Alignment& alignment) {
   if (!(scale > 0)) return "the scale is not positive";
   const bool is_orthonormal =
       (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-6;
-  if (!is_orthonormal || rotation.determinant() < 0) return "the matrix is no rotation";
+  if (!is_orthonormal || rotation.determinant() < 0) return "the matrix is not a rotation";
   return "";
 }
 

@@ -24,7 +24,8 @@ std::string ProblemOf(const FaceEdge& edge, const std::vector<int>& num_points) 
     return AreFinite(edge.bridge) ? "" : "a point of a bridge is not finite";
   }
   if (!edge.bridge.empty()) return "an edge is both a link and a bridge";
-  if (edge.link >= static_cast<int>(num_points.size())) return "there is no link of an edge";
+  if (edge.link >= static_cast<int>(num_points.size()))
+    return "an edge is on a link that does not exist";
   const int n = num_points[edge.link];
   const bool is_on_link = IsOnLink(edge.from, n) && IsOnLink(edge.to, n) && edge.from != edge.to;
   return is_on_link ? "" : "an edge is not on its link";
@@ -97,7 +98,7 @@ std::string Validate(const DrawingFace& face, const std::vector<int>& num_points
   }
   if (!AreFinite(face.vertices)) return "a vertex is not finite";
   for (const auto& triangle : face.triangles) {
-    if (!AreOfVertices(triangle, face.vertices.size())) return "a corner is no vertex";
+    if (!AreOfVertices(triangle, face.vertices.size())) return "a corner is not a vertex";
   }
   if (!(face.confidence >= 0 && face.confidence <= 1)) return "its confidence is not from 0 to 1";
   return "";

@@ -53,7 +53,7 @@ struct DrawingFace {
   // Of a plane: unit, towards the side that is seen; normal . x = offset.
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double offset = 0;
-  // The surface in triangles, counterclockwise seen from the side that is seen.
+  // The surface in triangles, counterclockwise seen from the visible side.
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> triangles;
   double confidence = 0;  // 0 to 1

@@ -14,7 +14,7 @@ bool HasIndex(const Items& items, int index) {
 bool IsUnit(const Eigen::Vector3d& vector) { return std::abs(vector.norm() - 1) < 1e-6; }
 
 std::string ProblemOf(const CommonDirection& of, const Regularities& all) {
-  if (!IsUnit(of.direction)) return "a direction is no unit vector";
+  if (!IsUnit(of.direction)) return "a direction is not a unit vector";
   const bool are_known = std::all_of(of.orthogonal_to.begin(), of.orthogonal_to.end(),
                                      [&](int other) { return HasIndex(all.directions, other); });
   return are_known ? "" : "a direction is orthogonal to one that there is not";

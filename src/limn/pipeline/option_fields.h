@@ -183,7 +183,7 @@ void VisitFields(BeliefOptions& o, Visit&& visit) {
   visit("min_evidence", o.min_evidence,
         "evidence against chance that a link without neighbors needs, natural logarithm");
   visit("joined_end_evidence", o.joined_end_evidence,
-        "what an end that meets another link counts instead");
+        "by how much each end that meets another link lowers that");
   visit("min_contradicting_views", o.min_contradicting_views,
         "views that see others through a link before it is doubted");
   visit("min_own_share", o.min_own_share,

@@ -58,7 +58,7 @@ std::optional<PipelineResult> Update(const PipelineInput& input, CurvesResult* i
   if (!result) {
     StageSummary summary;
     summary.stage = "update";
-    summary.warnings = {"drawn from nothing: " + why_not};
+    summary.warnings = {"drawn from scratch: " + why_not};
     on_stage_end(summary);
   }
   return result;

@@ -12,11 +12,10 @@ void VisitFields(SurfaceOptions& o, Visit&& visit) {
   visit("plane_tolerance_px", o.plane_tolerance_px,
         "the links of a face are within this of its plane, px");
   visit("max_bridge_px", o.max_bridge_px,
-        "ends and links nearer than this are joined where a face asks for it, px");
+        "longest gap between links that is bridged where a face needs it, px");
   visit("max_extension_px", o.max_extension_px,
-        "links go straight on to another by at most this, px");
-  visit("max_extension_share", o.max_extension_share,
-        "links go straight on to another by at most this share of their length");
+        "longest straight extension of a link to another, px");
+  visit("max_extension_share", o.max_extension_share, "the same as a share of the link's length");
   visit("min_width_px", o.min_width_px, "narrower faces are left out, px");
   visit("min_shown_share", o.min_shown_share,
         "share of the border around a place that a view must show to see the place");

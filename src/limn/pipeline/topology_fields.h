@@ -22,7 +22,7 @@ void VisitFields(TopologyOptions& o, Visit&& visit) {
   visit("max_own_views", o.max_own_views, "upper limit of that number");
   visit("min_link_length_px", o.min_link_length_px, "shorter loose links are dropped, px");
   visit("max_continuation_gap_px", o.max_continuation_gap_px,
-        "longest gap when a curve is followed on in the images, px");
+        "longest gap when a curve is extended in the images, px");
   visit("max_junction_gap_px", o.max_junction_gap_px, "longest gap between ends that meet, px");
   visit("max_junction_miss_px", o.max_junction_miss_px,
         "largest sideways distance from their lines, px");

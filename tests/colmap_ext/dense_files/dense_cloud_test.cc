@@ -112,7 +112,7 @@ TEST(DenseCloud, DamagedCloudIsTold) {
   EXPECT_THAT(error_of(whole.substr(0, whole.size() - 4)), HasSubstr("line 15: too few numbers"));
   std::string bad = whole;
   bad.replace(bad.find("1 2 3"), 5, "1 x 3");
-  EXPECT_THAT(error_of(bad), HasSubstr("line 14: \"x\" is no number"));
+  EXPECT_THAT(error_of(bad), HasSubstr("line 14: \"x\" is not a number"));
   bad.replace(bad.find("1 x 3"), 5, "1 nan 3");
   EXPECT_THAT(error_of(bad), HasSubstr("line 14: number not finite"));
   EXPECT_THAT(error_of("ply\nformat ascii 1.0\nelement face 1\nend_header\n"),

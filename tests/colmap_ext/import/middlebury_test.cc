@@ -40,7 +40,7 @@ TEST_F(Middlebury, BadFilesAreRefused) {
               HasSubstr("known_par.txt: line 5: the file ends before the line of every image"));
   EXPECT_THAT(ErrorWith("2\n" + Lines()), HasSubstr("line 4: more lines than the 2 images"));
   EXPECT_THAT(ErrorWith("some\n" + Lines()), HasSubstr("line 1: number of images expected"));
-  EXPECT_THAT(ErrorWith("-1\n"), HasSubstr("line 1: number of images is no count"));
+  EXPECT_THAT(ErrorWith("-1\n"), HasSubstr("line 1: number of images is not a count"));
   EXPECT_THAT(ErrorWith("1\nnone.png" + std::string(kCalibration) + "1 0 0 0 1 0 0 0 1 0 0 5\n"),
               HasSubstr("line 2: image \"none.png\" is not in the image folder"));
   EXPECT_THAT(ErrorWith("1\nimg_1.png" + std::string(kCalibration) + "1 0 0 0 1 0 0 0 1 0 0 nan\n"),

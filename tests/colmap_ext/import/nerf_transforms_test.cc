@@ -161,7 +161,7 @@ TEST_F(NerfTransforms, BadFilesAreRefused) {
   file["from_na"] = true;
   EXPECT_THAT(ErrorWith(file), HasSubstr("the axes of NeuS2"));
   file["frames"] = 5;
-  EXPECT_THAT(ErrorWith(file), HasSubstr("\"frames\" is no list"));
+  EXPECT_THAT(ErrorWith(file), HasSubstr("\"frames\" is not a list"));
   EXPECT_THAT(ErrorWith(Json::object()), HasSubstr("frames"));
   const std::string text = File(known_).dump();
   EXPECT_THAT(Error(kNerfTransformsFormat,

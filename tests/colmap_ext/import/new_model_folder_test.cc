@@ -44,7 +44,7 @@ TEST(NewModelFolder, OthersAreLeftAlone) {
   dir.WriteFile("full/points3D.bin", "");
   EXPECT_THAT(error("full"), HasSubstr("full: the folder is not empty"));
   dir.WriteFile("file", "");
-  EXPECT_THAT(error("file"), HasSubstr("file: is no folder"));
+  EXPECT_THAT(error("file"), HasSubstr("file: is not a folder"));
   EXPECT_THAT(error("file/below"), HasSubstr("file"));
   EXPECT_FALSE(fs::exists(dir / "full.tmp"));
 }

@@ -180,7 +180,7 @@ class Memory(unittest.TestCase):
             with self.subTest(text=text), self.assertRaisesRegex(limn.InputError, text):
                 limn.Scene.from_arrays(*arrays)
         reconstruction = Reconstruction(scenes.DAY / "sparse")
-        with self.assertRaisesRegex(limn.InputError, '^images: there is none of the name "view_'):
+        with self.assertRaisesRegex(limn.InputError, '^images: none has the name "view_'):
             limn.Scene.from_reconstruction(reconstruction, images={})
         with self.assertRaisesRegex(limn.OptionError, "either image_path or images must be given"):
             limn.Scene.from_reconstruction(reconstruction)

@@ -123,7 +123,7 @@ class RunFree(unittest.TestCase):
 
     def test_a_run_does_not_go_on_in_a_forked_process(self):
         child = children.Child(self, FORKS_MEANWHILE)
-        self.assertEqual(child.wait(), (0, ["a run does not go on in a forked process", "7"]))
+        self.assertEqual(child.wait(), (0, ["a run does not continue in a forked process", "7"]))
 
 
 if __name__ == "__main__":

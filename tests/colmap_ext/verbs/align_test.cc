@@ -166,7 +166,7 @@ TEST_F(AlignmentRun, GravityThatIsNotUsedGetsAReason) {
   align();
   EXPECT_THAT(console_.text(),
               AllOf(HasSubstr("and gravity of 2 of 8 images, only the orientation flag of 6\n"),
-                    HasSubstr("gravity of 2 cameras tells nothing: 3 that agree are needed\n")));
+                    HasSubstr("gravity of 2 cameras is not used: 3 that agree are needed\n")));
 }
 
 TEST_F(AlignmentRun, FewPositionsAreNotCalledFar) {
@@ -180,7 +180,7 @@ TEST_F(AlignmentRun, FewPositionsAreNotCalledFar) {
   fs::remove(Database());
   WriteDatabase(Database(), DatabaseVersion::k4_1, priors);
   EXPECT_EQ(Align().scale, ScaleSource::kNone);
-  EXPECT_THAT(console_.text(), HasSubstr("positions of 3 cameras tell nothing: 4 at different"));
+  EXPECT_THAT(console_.text(), HasSubstr("positions of 3 cameras are not used: 4 at different"));
 }
 
 TEST_F(AlignmentRun, ChangesThatAreOnlyInTheLogAreTold) {

@@ -248,7 +248,7 @@ TEST(LimapModel, RoundTripThroughAFolder) {
   std::filesystem::remove(dir / "structures/lines3D.bin");
   EXPECT_FALSE(HoldsLimapDrawing(dir.path()));
   EXPECT_THAT([&] { ReadLimapDrawing(dir.path()); },
-              ThrowsMessage<IoError>(HasSubstr("is no drawing")));
+              ThrowsMessage<IoError>(HasSubstr("is not a drawing")));
 }
 
 TEST(LimapModel, EndsWithinTheirUncertaintyOfAPointMeetThere) {

@@ -27,7 +27,7 @@ TEST(CheckWritable, RefusesFilesAndDeadLinksInTheWay) {
   const std::string file = dir.WriteFile("file", "");
   std::filesystem::create_symlink("/nowhere/at/all", dir / "link");
   for (const std::string& path : {file, file + "/folder", (dir / "link").string()}) {
-    EXPECT_THAT(ErrorText<IoError>([&] { CheckWritable(path); }), HasSubstr("is no folder"));
+    EXPECT_THAT(ErrorText<IoError>([&] { CheckWritable(path); }), HasSubstr("is not a folder"));
   }
 }
 

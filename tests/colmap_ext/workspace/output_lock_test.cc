@@ -102,7 +102,7 @@ TEST(OutputLock, FollowsNoLink) {
 TEST(OutputLock, DoesNotWaitForAPipe) {
   const TempDir dir;
   ASSERT_EQ(mkfifo((dir / ".lock").c_str(), 0666), 0);
-  EXPECT_THAT(Refusal(dir.path(), LockMode::kExclusive), HasSubstr("is no regular file"));
+  EXPECT_THAT(Refusal(dir.path(), LockMode::kExclusive), HasSubstr("is not a regular file"));
 }
 
 TEST(OutputLock, TellsWhyTheFileCannotBeMade) {

@@ -97,12 +97,12 @@ TEST_F(PosePriorsTest, NamesWithSpecialCharactersAreFiles) {
 }
 
 TEST_F(PosePriorsTest, BadDatabasesAreNamed) {
-  EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": is no file"));
-  EXPECT_THAT(ErrorOf(dir_.path().string()), HasSubstr("is no file"));
+  EXPECT_THAT(ErrorOf(path_), StartsWith(path_ + ": is not a file"));
+  EXPECT_THAT(ErrorOf(dir_.path().string()), HasSubstr("is not a file"));
   EXPECT_THAT(ErrorOf(dir_.WriteFile("x.db", std::string(5000, 'x'))),
               HasSubstr("x.db: file is not a database"));
   EXPECT_THAT(ErrorOf(dir_.WriteFile("empty.db", "")),
-              HasSubstr("empty.db: is no database of COLMAP: it has no table pose_priors"));
+              HasSubstr("empty.db: is not a database of COLMAP: it has no table pose_priors"));
   RunSql(path_, "CREATE TABLE pose_priors (position BLOB);");
   EXPECT_THAT(ErrorOf(path_), AllOf(StartsWith(path_), HasSubstr("no such table: images")));
 }

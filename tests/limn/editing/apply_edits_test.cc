@@ -64,7 +64,7 @@ TEST(ApplyEdits, OfAReferenceMostOfWhichIsGoneTheRestIsDeleted) {
 TEST(ApplyEdits, ALinkThatGoesOnMuchFartherIsNotDeleted) {
   const EditOutcome outcome = Refused(ThreeLines(), DeleteLinks{{RefToLine(0, 40, 50, 40)}});
   EXPECT_EQ(outcome.status, EditStatus::kNotFound);
-  EXPECT_EQ(outcome.text, "link 2 runs along it, but goes on much farther");
+  EXPECT_EQ(outcome.text, "link 2 runs along it, but extends much farther");
 }
 
 TEST(ApplyEdits, TwinsAreAmbiguous) {

@@ -265,7 +265,7 @@ TEST(Line3dpp, DamagedFilesAreRefusedByLine) {
   expect_refused(name, "1 0 0 0 1 0 0.5 1 4 17 1.5 2 3", "the file ends before 2D segment");
   expect_refused(name, "1 0 0 0 1 0 0.5 0 4\n", "line 1: more numbers than announced");
   expect_refused(name, "1 0 0 nan 1 0 0.5 0\n", "line 1: coordinate not finite");
-  expect_refused(name, "0.5 0 0 0\n", "number of segments is no count");
+  expect_refused(name, "0.5 0 0 0\n", "number of segments is not a count");
   expect_refused("a.stl",
                  "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                  "vertex 0 1 0\n",

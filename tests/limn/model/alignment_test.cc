@@ -16,9 +16,9 @@ TEST(Alignment, IsValidIfItIsASimilarity) {
   EXPECT_EQ(Validate(alignment), "a number is not finite");
   alignment = {};
   alignment.world_from_model.rotation(0, 1) = 0.1;
-  EXPECT_EQ(Validate(alignment), "the matrix is no rotation");
+  EXPECT_EQ(Validate(alignment), "the matrix is not a rotation");
   alignment.world_from_model.rotation = -Eigen::Matrix3d::Identity();
-  EXPECT_EQ(Validate(alignment), "the matrix is no rotation");
+  EXPECT_EQ(Validate(alignment), "the matrix is not a rotation");
 }
 
 TEST(Alignment, FollowsADrawingThatIsMoved) {

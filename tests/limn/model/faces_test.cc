@@ -36,7 +36,7 @@ TEST(Faces, WhatIsWrongIsTold) {
   EXPECT_EQ(ProblemOfCube([](DrawingFace* f) { f->loops.emplace_back(); }),
             "face 0: a loop has no edges");
   EXPECT_EQ(ProblemOfCube([&](DrawingFace* f) { edge(f).link = 12; }),
-            "face 0: there is no link of an edge");
+            "face 0: an edge is on a link that does not exist");
   for (const auto& [from, to] : {std::pair(0.0, 1.5), {-0.1, 1.0}, {0.5, 0.5}, {kNan, 1.0}}) {
     EXPECT_EQ(ProblemOfCube([&](DrawingFace* f) {
                 edge(f).from = from;
@@ -62,7 +62,7 @@ TEST(Faces, WhatIsWrongIsTold) {
             "face 0: a vertex is not finite");
   for (const int corner : {-1, 4}) {
     EXPECT_EQ(ProblemOfCube([&](DrawingFace* f) { f->triangles[0][1] = corner; }),
-              "face 0: a corner is no vertex");
+              "face 0: a corner is not a vertex");
   }
   for (const double confidence : {-0.1, 1.1, kNan}) {
     EXPECT_EQ(ProblemOfCube([&](DrawingFace* f) { f->confidence = confidence; }),
