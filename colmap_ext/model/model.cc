@@ -79,7 +79,7 @@ void ReadRigsAndFrames(const fs::path& folder, const Flavor& flavor, SparseModel
   const fs::path frames_path = FileOf(folder, "frames", flavor);
   if (IsFile(rigs_path) != IsFile(frames_path)) {
     model->warnings.push_back((IsFile(rigs_path) ? frames_path : rigs_path).string() +
-                              " is missing: going on with the poses of the images file");
+                              " is missing: continuing with the poses of the images file");
   }
   if (!IsFile(rigs_path) || !IsFile(frames_path)) return;
   std::ifstream rigs = OpenFile(rigs_path.string());

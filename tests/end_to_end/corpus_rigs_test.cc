@@ -48,14 +48,14 @@ const CorpusCase kCases[] = {
     {.name = "Case28_RigsWithoutFrames",
      .spoil = [](const W& w) { w.Write("sparse/rigs.txt", kOneCamera); },
      .outcome = kAccepted,
-     .said = {"WARNING: ", "frames.txt is missing: going on with the poses of the images file"}},
+     .said = {"WARNING: ", "frames.txt is missing: continuing with the poses of the images file"}},
     {.name = "Case28_FramesWithoutRigs",
      .spoil =
          [](const W& w) {
            w.Write("sparse/frames.txt", Frames(w, {0, 0, 0}));
          },
      .outcome = kAccepted,
-     .said = {"WARNING: ", "rigs.txt is missing: going on with the poses of the images file"}},
+     .said = {"WARNING: ", "rigs.txt is missing: continuing with the poses of the images file"}},
     {.name = "Case28_ImagesInNoFrame",
      .spoil =
          [](const W& w) {
