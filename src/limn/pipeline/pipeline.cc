@@ -126,7 +126,7 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
   DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, input.images.read, options,
                                      alone, on_stage_end);
   if (input.images.release) input.images.release();
-  auto keep = KeeperOf(input, image_curves.curves, sketch.plans, graph, options, context);
+  auto keep = RecordWriter(input, image_curves.curves, sketch.plans, graph, options, context);
   return {std::move(image_curves.curves),
           std::move(sketch.sketch),
           std::move(sketch.fates),

@@ -74,13 +74,13 @@ class ViewMatches {
     }
   }
   // -1: gone or changed.
-  ViewId Now(const RecordedView& view) const {
+  ViewId PresentId(const RecordedView& view) const {
     const auto found = ids_.find({view.name, view.key});
     return found == ids_.end() ? -1 : found->second;
   }
-  std::vector<ViewId> Now(const std::vector<RecordedView>& views) const {
+  std::vector<ViewId> PresentIds(const std::vector<RecordedView>& views) const {
     std::vector<ViewId> ids;
-    for (const RecordedView& view : views) ids.push_back(Now(view));
+    for (const RecordedView& view : views) ids.push_back(PresentId(view));
     return ids;
   }
 
@@ -103,7 +103,7 @@ struct ViewChanges {
 
 ViewChanges ChangesSince(const SceneRecord& record, const ViewMatches& matches, size_t num_views) {
   ViewChanges changes;
-  changes.now = matches.Now(record.views);
+  changes.now = matches.PresentIds(record.views);
   changes.is_new.assign(num_views, 1);
   for (const ViewId id : changes.now) {
     if (id >= 0) changes.is_new[id] = 0;
@@ -257,7 +257,7 @@ class SceneUpdater {
 
  private:
   std::string WhyNot(const SceneRecord& record) const {
-    const std::vector<ViewId> drawn = matches_.Now(record.drawn_views);
+    const std::vector<ViewId> drawn = matches_.PresentIds(record.drawn_views);
     const auto num_gone = static_cast<size_t>(std::ranges::count(drawn, -1));
     const size_t num_new = input_.views.size() - (drawn.size() - num_gone);
     const size_t num_changes = std::max(num_new, num_gone);
@@ -266,9 +266,10 @@ class SceneUpdater {
       return std::to_string(num_changes) + " of " + std::to_string(num_views) +
              " images are new, changed or gone since everything was drawn";
     }
-    if (!AreAscending(matches_.Now(record.views))) return "the images are in another order";
+    if (!AreAscending(matches_.PresentIds(record.views))) return "the images are in another order";
     for (const RecordedSketch& sketch : record.sketches) {
-      if (!AreAscending(matches_.Now(sketch.views))) return "the images are in another order";
+      if (!AreAscending(matches_.PresentIds(sketch.views)))
+        return "the images are in another order";
     }
     return "";
   }
@@ -333,14 +334,14 @@ class SceneUpdater {
 
   // The view now; -1 if it is gone or changed.
   ViewId ViewOf(const RecordedSketch& sketch) const {
-    return matches_.Now(sketch.views[sketch.place]);
+    return matches_.PresentId(sketch.views[sketch.place]);
   }
 
   ViewSketch ReadSketch(const RecordedSketch& recorded) const {
     // Stand in for views that are gone.
     std::vector<ImageCurves> gone(recorded.views.size());
     CurvesOfViews curves;
-    const std::vector<ViewId> now = matches_.Now(recorded.views);
+    const std::vector<ViewId> now = matches_.PresentIds(recorded.views);
     for (size_t i = 0; i < now.size(); ++i) {
       if (now[i] < 0) gone[i].edge_map.edgels.resize(recorded.views[i].num_edgels);
       curves.push_back(now[i] < 0 ? &gone[i] : &curves_[now[i]]);
@@ -475,9 +476,10 @@ void CheckUpdatable(const PipelineOptions& options) {
   }
 }
 
-std::function<void()> KeeperOf(const PipelineInput& input, const std::vector<ImageCurves>& curves,
-                               const std::vector<ViewPlan>& plans, const DrawingGraph& graph,
-                               const PipelineOptions& options, const RunContext& context) {
+std::function<void()> RecordWriter(const PipelineInput& input,
+                                   const std::vector<ImageCurves>& curves,
+                                   const std::vector<ViewPlan>& plans, const DrawingGraph& graph,
+                                   const PipelineOptions& options, const RunContext& context) {
   if (!input.cache->IsOn() || !IsUpdatable(options)) return [] {};
   const std::vector<RecordedView> views =
       RecordOf(input.views, curves, ViewKeys(input.views, curves, context));

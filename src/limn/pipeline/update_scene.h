@@ -19,9 +19,10 @@ bool IsUpdatable(const PipelineOptions& options);
 
 // Returns the function that stores in the cache what an update needs to know about a finished
 // drawing (PipelineResult::keep). `plans` are those of the sketch.
-std::function<void()> KeeperOf(const PipelineInput& input, const std::vector<ImageCurves>& curves,
-                               const std::vector<ViewPlan>& plans, const DrawingGraph& graph,
-                               const PipelineOptions& options, const RunContext& context);
+std::function<void()> RecordWriter(const PipelineInput& input,
+                                   const std::vector<ImageCurves>& curves,
+                                   const std::vector<ViewPlan>& plans, const DrawingGraph& graph,
+                                   const PipelineOptions& options, const RunContext& context);
 
 // Brings the drawing stored last up to date. Nothing if none was made with these options, if too
 // much has changed, or if the sketch of a view is missing; `why_not` is then the reason. The result

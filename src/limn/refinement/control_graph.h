@@ -27,7 +27,7 @@ struct EdgelPull {
 
 // A place on a link, at t in [0, 1] on a segment, and the edgels that pull at it: at most one per
 // view, ascending by view.
-struct LinkSample {
+struct FitSample {
   int segment = 0;
   double t = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -43,8 +43,8 @@ struct ControlLink {
   std::vector<ViewId> views;  // in which its edgels are sought, ascending
   // Data within this length of either end is ignored, px, because edges are rounded at corners.
   std::array<double, 2> skip_px = {0, 0};
-  std::vector<LinkSample> samples;  // in order, as matched last (MatchEdgels)
-  bool frozen = false;              // its inner points are no unknowns but follow its nodes
+  std::vector<FitSample> samples;  // in order, as matched last (MatchEdgels)
+  bool frozen = false;             // its inner points are no unknowns but follow its nodes
 
   int NumSegments() const { return static_cast<int>(points.size()) - 1; }
 };

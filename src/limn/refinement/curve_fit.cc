@@ -107,7 +107,7 @@ void AddBend(const Bend& bend, const RefinementOptions& options, ControlGraph* c
 
 // All pulls of a sample share one block; if cameras move, each has its own, since their cameras
 // differ.
-void AddPulls(const std::vector<View>& views, const LinkSample& sample, const ControlLink& link,
+void AddPulls(const std::vector<View>& views, const FitSample& sample, const ControlLink& link,
               double robust_px, CameraCorrections* cameras, ControlGraph* control,
               ceres::Problem* problem) {
   const std::vector<double> weights = {1 - sample.t, sample.t};
@@ -205,7 +205,7 @@ void AddTerms(const std::vector<View>& views, const RefinementOptions& options,
   for (const int point : component.points) AddHold(point, control, problem);
   for (const int id : component.links) {
     const ControlLink& link = control->links[id];
-    for (const LinkSample& sample : link.samples) {
+    for (const FitSample& sample : link.samples) {
       AddPulls(views, sample, link, options.robust_residual_px, cameras, control, problem);
     }
   }

@@ -31,12 +31,12 @@ double SegmentPx(const ControlGraph& control, int from, int to) {
   return (control.position[to] - control.position[from]).norm() / footprint;
 }
 
-std::vector<LinkSample> MakeSamples(const ControlGraph& control, const ControlLink& link) {
+std::vector<FitSample> MakeSamples(const ControlGraph& control, const ControlLink& link) {
   std::vector<double> arc_px = {0};
   for (int s = 0; s < link.NumSegments(); ++s) {
     arc_px.push_back(arc_px.back() + SegmentPx(control, link.points[s], link.points[s + 1]));
   }
-  std::vector<LinkSample> samples;
+  std::vector<FitSample> samples;
   for (int s = 0; s < link.NumSegments(); ++s) {
     const Eigen::Vector3d& from = control.position[link.points[s]];
     const Eigen::Vector3d& to = control.position[link.points[s + 1]];
@@ -61,7 +61,7 @@ std::vector<ImagePlace> PlacesIn(ViewId id, const View& view, const ControlGraph
   for (size_t l = 0; l < control.links.size(); ++l) {
     const ControlLink& link = control.links[l];
     if (!std::binary_search(link.views.begin(), link.views.end(), id)) continue;
-    for (const LinkSample& sample : link.samples) {
+    for (const FitSample& sample : link.samples) {
       if (const auto seen = See(view, sample.position, sample.tangent)) {
         places.push_back({static_cast<int>(l), seen->position_px, seen->direction});
       }
@@ -73,7 +73,7 @@ std::vector<ImagePlace> PlacesIn(ViewId id, const View& view, const ControlGraph
 // Call visit(k) at every sample, with those within half a window counted: count(k, 1) when a sample
 // comes in, count(k, -1) when it is left behind.
 template <typename Count, typename Visit>
-void SlideWindow(const std::vector<LinkSample>& samples, double half_px, Count&& count,
+void SlideWindow(const std::vector<FitSample>& samples, double half_px, Count&& count,
                  Visit&& visit) {
   const int size = static_cast<int>(samples.size());
   int begin = 0;
@@ -105,9 +105,9 @@ double Share(const Edgel& edgel, const std::vector<Answer>& answers, int k, doub
 
 // Adds the edgels of a view to the samples of a link.
 void AddView(const TopologyInput& input, const RefinementOptions& options, ViewId view, int link,
-             const Crowding& crowding, std::vector<LinkSample>* samples) {
+             const Crowding& crowding, std::vector<FitSample>* samples) {
   std::vector<Answer> answers;
-  for (const LinkSample& sample : *samples) {
+  for (const FitSample& sample : *samples) {
     Answer& answer = answers.emplace_back();
     answer.sight = See(input.views[view], sample.position, sample.tangent);
     if (!answer.sight) continue;
@@ -138,7 +138,7 @@ void AddView(const TopologyInput& input, const RefinementOptions& options, ViewI
 
 // Where nearly all edgels around a sample agree on the brighter side, the others belong to another
 // edge nearby, such as the other side of a thin bar.
-void KeepOneSide(std::vector<LinkSample>* samples) {
+void KeepOneSide(std::vector<FitSample>* samples) {
   int num[2] = {0, 0};
   const auto count = [&](int k, int sign) {
     for (const EdgelPull& pull : (*samples)[k].pulls) num[pull.bright_left] += sign;
@@ -179,14 +179,14 @@ void KeepBest(const std::vector<ImageCurves>& curves, int min_views, ControlGrap
     return best[pull.ref.view][pull.ref.edgel];
   };
   for (const ControlLink& link : control->links) {
-    for (const LinkSample& sample : link.samples) {
+    for (const FitSample& sample : link.samples) {
       for (const EdgelPull& pull : sample.pulls) {
         best_of(pull) = std::min(best_of(pull), static_cast<float>(std::abs(pull.residual_px)));
       }
     }
   }
   for (ControlLink& link : control->links) {
-    for (LinkSample& sample : link.samples) {
+    for (FitSample& sample : link.samples) {
       std::erase_if(sample.pulls, [&](const EdgelPull& pull) {
         return std::abs(pull.residual_px) > best_of(pull) + kClearlyBetterPx;
       });
@@ -210,7 +210,7 @@ void MatchEdgels(const TopologyInput& input, const RefinementOptions& options,
       AddView(input, options, view, static_cast<int>(l), *crowding[view], &link.samples);
     }
     KeepOneSide(&link.samples);
-    for (LinkSample& sample : link.samples) {
+    for (FitSample& sample : link.samples) {
       KeepResolved(options.min_views, &sample.pulls);
       RequireViews(options.min_views, &sample.pulls);
     }

@@ -75,7 +75,7 @@ class PoseFit {
   void AddFootprints(const ControlGraph& control) {
     for (const ControlLink& link : control.links) {
       if (link.frozen) continue;
-      for (const LinkSample& sample : link.samples) {
+      for (const FitSample& sample : link.samples) {
         const Eigen::Vector3d& from = control.position[link.points[sample.segment]];
         for (const EdgelPull& pull : sample.pulls) AddFootprint(pull.ref.view, from);
       }

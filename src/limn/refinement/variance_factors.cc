@@ -21,9 +21,9 @@ struct ViewSums {
 };
 
 // Reduced chi-square of the views' mean residuals, at least 1.
-double ReducedChiSquare(std::span<const LinkSample> samples) {
+double ReducedChiSquare(std::span<const FitSample> samples) {
   std::map<ViewId, ViewSums> sums;
-  for (const LinkSample& sample : samples) {
+  for (const FitSample& sample : samples) {
     for (const EdgelPull& pull : sample.pulls) {
       ViewSums& of_view = sums[pull.ref.view];
       of_view.weight += pull.weight;
@@ -63,9 +63,9 @@ std::vector<double> VarianceFactors(const RefinementOptions& options, const Cont
       const int end = std::min(k + half_window, link.NumSegments());
       double bend = 0;
       for (int i = begin; i <= end; ++i) bend = std::max(bend, bends[link.points[i]]);
-      const std::span<const LinkSample> samples = {
-          std::ranges::lower_bound(link.samples, begin, {}, &LinkSample::segment),
-          std::ranges::lower_bound(link.samples, end, {}, &LinkSample::segment)};
+      const std::span<const FitSample> samples = {
+          std::ranges::lower_bound(link.samples, begin, {}, &FitSample::segment),
+          std::ranges::lower_bound(link.samples, end, {}, &FitSample::segment)};
       double& factor = factors[link.points[k]];
       factor = std::max(factor, ReducedChiSquare(samples) * (1 + bend));
     }

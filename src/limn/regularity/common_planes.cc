@@ -83,10 +83,10 @@ Deviation DeviationOf(const ArcEvidence& arc, const Plane& plane) {
   return deviation;
 }
 
-class PlaneFinder {
+class CommonPlaneFinder {
  public:
-  PlaneFinder(const DrawingGraph& graph, const DrawingEvidence& evidence,
-              const std::vector<DirectionClass>& directions, const RegularityOptions& options)
+  CommonPlaneFinder(const DrawingGraph& graph, const DrawingEvidence& evidence,
+                    const std::vector<DirectionClass>& directions, const RegularityOptions& options)
       : graph_(graph),
         evidence_(evidence),
         directions_(directions),
@@ -328,7 +328,7 @@ std::vector<PlaneClass> FindCommonPlanes(const DrawingGraph& graph, const Drawin
                                          const std::vector<DirectionClass>& directions,
                                          const RegularityOptions& options,
                                          const RunContext& context) {
-  const PlaneFinder finder(graph, evidence, directions, options);
+  const CommonPlaneFinder finder(graph, evidence, directions, options);
   std::vector<Plane> planes = finder.Hypotheses();
   std::vector<Support> supports(planes.size());
   ParallelFor(context, "finding planes", planes.size(), [&](size_t p) {
@@ -364,7 +364,7 @@ std::vector<PlaneClass> FindCommonPlanes(const DrawingGraph& graph, const Drawin
 bool SavesItsNormal(const PlaneClass& plane, const DrawingGraph& graph,
                     const DrawingEvidence& evidence, const std::vector<DirectionClass>& directions,
                     const RegularityOptions& options) {
-  const PlaneFinder finder(graph, evidence, directions, options);
+  const CommonPlaneFinder finder(graph, evidence, directions, options);
   const Support support = finder.SupportBy(plane);
   return finder.IsHeld(support) &&
          support.gain > finder.OwnCost({plane.normal, plane.offset}, support);

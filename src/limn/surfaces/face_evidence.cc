@@ -45,14 +45,14 @@ constexpr int kMinSamples = 4;
 // Points of the model may be wrong, and so may what matched them.
 constexpr double kUnitsPerPoint = 0.5;
 
-// A place of a link, by sample of its evidence.
-struct LinkSample {
+// A place of a link on a border, as a sample of its evidence.
+struct BorderSample {
   LinkId link = -1;
   int sample = -1;
 };
 
 // The border around a place of a candidate.
-using Border = std::vector<LinkSample>;
+using Border = std::vector<BorderSample>;
 
 // The sample of a link's evidence at a position on it; the link has these arc lengths.
 int SampleAt(const std::vector<double>& lengths, const ImageEvidence& evidence, double position) {

@@ -124,10 +124,10 @@ class GrownPlanes {
   std::vector<std::vector<int>> planes_of_;  // per link
 };
 
-class PlaneFinder {
+class FacePlaneFinder {
  public:
-  PlaneFinder(const std::vector<FaceLink>& links, const DrawingGraph& graph,
-              const SurfaceOptions& options)
+  FacePlaneFinder(const std::vector<FaceLink>& links, const DrawingGraph& graph,
+                  const SurfaceOptions& options)
       : links_(links),
         graph_(graph),
         options_(options),
@@ -212,7 +212,7 @@ class PlaneFinder {
 
 std::vector<FacePlane> FindFacePlanes(const std::vector<FaceLink>& links, const DrawingGraph& graph,
                                       const SurfaceOptions& options, const RunContext& context) {
-  const PlaneFinder finder(links, graph, options);
+  const FacePlaneFinder finder(links, graph, options);
   GrownPlanes found(links.size());
   for (const Hypothesis& hypothesis : finder.Hypotheses()) {
     ThrowIfCancelled(context);

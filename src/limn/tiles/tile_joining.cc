@@ -79,7 +79,7 @@ class TileJoiner {
     }
     for (size_t i = 0; i < cuts_.size(); ++i) {
       if (used[i]) continue;
-      const LinkId id = editor.Now(cuts_[i].end).link;
+      const LinkId id = editor.CurrentEnd(cuts_[i].end).link;
       if (!editor.IsLink(id)) continue;
       if (Length(editor.link(id).points_in_world) >= kMinOpenPx * cuts_[i].footprint) {
         ++result.open_ends;
@@ -136,7 +136,7 @@ class TileJoiner {
 
   // Returns false for the two ends of one link that is too short for a loop.
   static bool Join(const CutEnd& cut_a, const CutEnd& cut_b, double gap_px, GraphEditor* editor) {
-    const LinkEnd a = editor->Now(cut_a.end), b = editor->Now(cut_b.end);
+    const LinkEnd a = editor->CurrentEnd(cut_a.end), b = editor->CurrentEnd(cut_b.end);
     const double length = Length(editor->link(a.link).points_in_world);
     if (a.link == b.link && !MayClose(length / cut_a.footprint, gap_px)) return false;
     const Eigen::Vector3d middle = (cut_a.position + cut_b.position) / 2;

@@ -323,7 +323,7 @@ ContinuationCounts ContinueCurves(const TopologyInput& input, const TopologyOpti
     ++counts.ends;
     counts.length_px += length;
     const LinkId added = editor->Add(LinkOf(std::move(walks[i])));
-    editor->Join(editor->Now(ends[i]), {added, 0});
+    editor->Join(editor->CurrentEnd(ends[i]), {added, 0});
   }
   editor->Compact();
   return counts;

@@ -312,7 +312,7 @@ void GraphEditor::Join(const LinkEnd& a, const LinkEnd& b) {
   moved_[far] = a;
 }
 
-LinkEnd GraphEditor::Now(LinkEnd end) const {
+LinkEnd GraphEditor::CurrentEnd(LinkEnd end) const {
   for (auto it = moved_.find(end); it != moved_.end(); it = moved_.find(end)) end = it->second;
   return end;
 }

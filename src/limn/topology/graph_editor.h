@@ -69,7 +69,7 @@ class GraphEditor {
   // it. If the two end points coincide, one of them is kept.
   void Join(const LinkEnd& a, const LinkEnd& b);
   // The present name of an end, whose link Join may have appended to another one.
-  LinkEnd Now(LinkEnd end) const;
+  LinkEnd CurrentEnd(LinkEnd end) const;
 
   // Removes `other`, which shows the same curve as `id`; `id` gets its members and views.
   void Unify(LinkId id, LinkId other);

@@ -176,8 +176,8 @@ void JoinFacingEnds(const MeetingTask& task) {
   std::vector<uint8_t> used(free.ends.size(), 0);
   for (const auto& [gap_px, i, j] : candidates) {
     if (used[i] || used[j]) continue;
-    const LinkEnd a = task.editor->Now(free.ends[i]);
-    const LinkEnd b = task.editor->Now(free.ends[j]);
+    const LinkEnd a = task.editor->CurrentEnd(free.ends[i]);
+    const LinkEnd b = task.editor->CurrentEnd(free.ends[j]);
     if (a.link == b.link && !MayClose(LengthPx(task.editor->link(a.link)), gap_px)) continue;
     if (gap_px > kSmallGapPx &&
         !ImagesShowMeeting(task, 0.5 * (free.points[i] + free.points[j]), a, b)) {

@@ -51,7 +51,7 @@ class UpdateSceneTest : public ::testing::Test {
         RefineAndJudge({views_, curves_, drawn.drawing.graph}, options_, {}, ignore_);
     DrawingGraph graph =
         DescribeLinks(std::move(judged.graph), views_, images_.read, options_, {}, ignore_);
-    KeeperOf(Input(), curves_, drawn.sketch.plans, graph, options_, {})();
+    RecordWriter(Input(), curves_, drawn.sketch.plans, graph, options_, {})();
     return graph;
   }
 

@@ -64,25 +64,25 @@ class EdgelMatchesTest : public ::testing::Test {
     MatchEdgels({ViewsAround(), curves_, edgels, gate}, options_, {}, &control_);
   }
 
-  const std::vector<LinkSample>& MatchFirst() {
+  const std::vector<FitSample>& MatchFirst() {
     Match();
     return control_.links[0].samples;
   }
 
   // Of the first link.
-  Eigen::Vector3d PositionOf(const LinkSample& sample) const {
+  Eigen::Vector3d PositionOf(const FitSample& sample) const {
     const std::vector<int>& points = control_.links[0].points;
     return (1 - sample.t) * control_.position[points[sample.segment]] +
            sample.t * control_.position[points[sample.segment + 1]];
   }
 
-  static bool Pulls(ViewId view, const LinkSample& sample) {
+  static bool Pulls(ViewId view, const FitSample& sample) {
     return std::any_of(sample.pulls.begin(), sample.pulls.end(),
                        [&](const EdgelPull& pull) { return pull.ref.view == view; });
   }
-  static bool PullsAnywhere(ViewId view, const std::vector<LinkSample>& matches) {
+  static bool PullsAnywhere(ViewId view, const std::vector<FitSample>& matches) {
     return std::any_of(matches.begin(), matches.end(),
-                       [&](const LinkSample& sample) { return Pulls(view, sample); });
+                       [&](const FitSample& sample) { return Pulls(view, sample); });
   }
 
   // What one view shows instead.
@@ -104,9 +104,9 @@ class EdgelMatchesTest : public ::testing::Test {
 
 TEST_F(EdgelMatchesTest, EveryViewThatShowsTheLinkPullsOnce) {
   AddLink({0, 0, 0});
-  const std::vector<LinkSample> matches = MatchFirst();
+  const std::vector<FitSample> matches = MatchFirst();
   EXPECT_GT(matches.size(), 30u);
-  for (const LinkSample& sample : matches) {
+  for (const FitSample& sample : matches) {
     ASSERT_EQ(sample.pulls.size(), static_cast<size_t>(kNumMatchViews));
     for (int v = 0; v < kNumMatchViews; ++v) {
       EXPECT_EQ(sample.pulls[v].ref.view, v);
@@ -118,9 +118,9 @@ TEST_F(EdgelMatchesTest, EveryViewThatShowsTheLinkPullsOnce) {
 TEST_F(EdgelMatchesTest, TooFewViewsPullNot) {
   AddLink({0, 0, 0});
   graph_.links[0].supporting_views = {0, 3};
-  for (const LinkSample& sample : MatchFirst()) EXPECT_TRUE(sample.pulls.empty());
+  for (const FitSample& sample : MatchFirst()) EXPECT_TRUE(sample.pulls.empty());
   options_.min_views = 2;
-  for (const LinkSample& sample : MatchFirst()) EXPECT_EQ(sample.pulls.size(), 2u);
+  for (const FitSample& sample : MatchFirst()) EXPECT_EQ(sample.pulls.size(), 2u);
 }
 
 TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
@@ -129,7 +129,7 @@ TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
   Show(0, testing::Segment({-kOnePx, 0, 0}, {kOnePx, 0, 0}));
   // A stretch of 24 px shows the link in its middle.
   Show(1, testing::Segment({-12 * kOnePx, 0, 0}, {12 * kOnePx, 0, 0}));
-  const std::vector<LinkSample> matches = MatchFirst();
+  const std::vector<FitSample> matches = MatchFirst();
   EXPECT_FALSE(PullsAnywhere(0, matches));
   EXPECT_TRUE(Pulls(1, matches[matches.size() / 2]));
   EXPECT_FALSE(Pulls(1, matches.front()));
@@ -138,8 +138,8 @@ TEST_F(EdgelMatchesTest, AViewThatShowsADashOnlyIsNotHeard) {
 TEST_F(EdgelMatchesTest, TheOtherSideOfABarIsAnotherEdge) {
   AddLink({0, 0, 0});
   SwapSides(0);
-  const std::vector<LinkSample> matches = MatchFirst();
-  for (const LinkSample& sample : matches) {
+  const std::vector<FitSample> matches = MatchFirst();
+  for (const FitSample& sample : matches) {
     EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumMatchViews) - 1);
     EXPECT_FALSE(Pulls(0, sample));
   }
@@ -148,7 +148,7 @@ TEST_F(EdgelMatchesTest, TheOtherSideOfABarIsAnotherEdge) {
 TEST_F(EdgelMatchesTest, WhereViewsDoNotAgreeOnTheSideAllAreHeard) {
   AddLink({0, 0, 0});
   for (int v = 0; v < kNumMatchViews / 2; ++v) SwapSides(v);
-  for (const LinkSample& sample : MatchFirst()) {
+  for (const FitSample& sample : MatchFirst()) {
     EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumMatchViews));
   }
 }
@@ -159,8 +159,8 @@ TEST_F(EdgelMatchesTest, ViewsInWhichAnotherLinkRunsBesideAreNotHeard) {
   const Eigen::Vector3d ray = -ViewsAround()[0].CenterInWorld().normalized();
   const Eigen::Vector3d behind = 12 * kOnePx * ray;
   AddLink(behind);
-  const std::vector<LinkSample> matches = MatchFirst();
-  const LinkSample& sample = matches[matches.size() / 2];
+  const std::vector<FitSample> matches = MatchFirst();
+  const FitSample& sample = matches[matches.size() / 2];
   const Eigen::Vector3d position = PositionOf(sample);
   int num_apart = 0;
   for (int v = 0; v < kNumMatchViews; ++v) {
@@ -182,10 +182,10 @@ TEST_F(EdgelMatchesTest, AnEdgelBelongsToTheLinkThatFitsItBetter) {
   AddLink({0, 0, 0});
   AddLink({0, 0.6 * kOnePx, 0});
   Match();
-  for (const LinkSample& sample : control_.links[0].samples) {
+  for (const FitSample& sample : control_.links[0].samples) {
     EXPECT_EQ(sample.pulls.size(), static_cast<size_t>(kNumMatchViews));
   }
-  for (const LinkSample& sample : control_.links[1].samples) {
+  for (const FitSample& sample : control_.links[1].samples) {
     // Alike to a tenth of a pixel is the same.
     for (const EdgelPull& pull : sample.pulls) EXPECT_LE(std::abs(pull.residual_px), 0.1 + 1e-5);
   }
@@ -193,7 +193,7 @@ TEST_F(EdgelMatchesTest, AnEdgelBelongsToTheLinkThatFitsItBetter) {
 
 TEST_F(EdgelMatchesTest, WeightIsTheStepOverTheLengthOfAnErrorAndTheVariance) {
   AddLink({0, 0, 0});
-  const std::vector<LinkSample> matches = MatchFirst();
+  const std::vector<FitSample> matches = MatchFirst();
   for (size_t k = 0; k + 1 < matches.size(); ++k) {
     for (const EdgelPull& pull : matches[k].pulls) {
       const View& view = ViewsAround()[pull.ref.view];

@@ -31,7 +31,7 @@ struct Scene {
       if (k > 0 && k < kNumSegments) control.bends.push_back({k - 1, k, k + 1});
     }
     for (int s = 0; s < kNumSegments; ++s) {
-      LinkSample sample;
+      FitSample sample;
       sample.segment = s;
       sample.t = 0.5;
       for (size_t v = 0; v < residuals_px.size(); ++v) {
@@ -54,7 +54,7 @@ struct Scene {
     return (kPriorViews + chi_square) / (kPriorViews + freedoms);
   }
 
-  std::vector<LinkSample>& samples() { return control.links[0].samples; }
+  std::vector<FitSample>& samples() { return control.links[0].samples; }
 
   ControlGraph control;
 };

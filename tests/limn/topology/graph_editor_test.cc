@@ -420,9 +420,9 @@ class JoinTest : public ::testing::TestWithParam<std::tuple<int, int>> {
     editor.Join({0, end_a()}, {1, end_b()});
     ExpectSound(graph_, "join");
     EXPECT_FALSE(editor.IsLink(1));
-    EXPECT_EQ(editor.Now({1, 1 - end_b()}), (LinkEnd{0, end_a()}));
-    EXPECT_EQ(editor.Now({0, 1 - end_a()}), (LinkEnd{0, 1 - end_a()}));
-    EXPECT_EQ(editor.Now({2, 0}), (LinkEnd{2, 0}));
+    EXPECT_EQ(editor.CurrentEnd({1, 1 - end_b()}), (LinkEnd{0, end_a()}));
+    EXPECT_EQ(editor.CurrentEnd({0, 1 - end_a()}), (LinkEnd{0, 1 - end_a()}));
+    EXPECT_EQ(editor.CurrentEnd({2, 0}), (LinkEnd{2, 0}));
     editor.Compact();
   }
 
@@ -555,14 +555,14 @@ TEST(NowTest, ChainsOfJoinsEndInOneLink) {
     const std::pair<LinkEnd, LinkEnd> gaps[] = {
         {{0, 1}, {1, 1}}, {{1, 0}, {2, 0}}, {{3, 1}, {2, 1}}};
     for (const int gap : order) {
-      const LinkEnd a = editor.Now(gaps[gap].first);
-      const LinkEnd b = editor.Now(gaps[gap].second);
+      const LinkEnd a = editor.CurrentEnd(gaps[gap].first);
+      const LinkEnd b = editor.CurrentEnd(gaps[gap].second);
       ASSERT_NE(a.link, b.link);
       ASSERT_TRUE(editor.IsLink(a.link) && editor.IsLink(b.link));
       editor.Join(a, b);
       ExpectSound(graph, "join");
     }
-    const LinkEnd far[] = {editor.Now({0, 0}), editor.Now({3, 0})};
+    const LinkEnd far[] = {editor.CurrentEnd({0, 0}), editor.CurrentEnd({3, 0})};
     EXPECT_EQ(EndPoint(graph.links[far[0].link], far[0].end), Vector3d(0, 0, 0));
     EXPECT_EQ(EndPoint(graph.links[far[1].link], far[1].end), Vector3d(18, 0, 0));
     editor.Compact();

@@ -229,7 +229,7 @@ class RandomEdits {
       return name + " to a loop";
     }
     EXPECT_FALSE(editor_.IsLink(b.link));
-    const LinkEnd now = editor_.Now({b.link, 1 - b.end});
+    const LinkEnd now = editor_.CurrentEnd({b.link, 1 - b.end});
     EXPECT_EQ(EndPoint(editor_.link(now.link), now.end), far);
     return name;
   }
