@@ -9,13 +9,14 @@
 #include <unsupported/Eigen/AutoDiff>
 
 #include "colmap_ext/model/distortion.h"
+#include "limn/util/angles.h"
 
 namespace limn::colmap_ext {
 namespace {
 
 using Dual = Eigen::AutoDiffScalar<Eigen::Vector2d>;
 
-constexpr double kMaxAngleRad = 75 * std::numbers::pi / 180;
+constexpr double kMaxAngleRad = 75 * kDeg;
 constexpr int kNumAngles = 301;  // every quarter of a degree
 constexpr int kNumDirections = 32;
 constexpr int kMaxIterations = 50;

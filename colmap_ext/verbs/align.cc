@@ -112,19 +112,20 @@ std::string CountsOf(const std::vector<ViewPrior>& priors, size_t num_images) {
          std::to_string(num_gravities) + " of " + std::to_string(num_images) + " images" + flags;
 }
 
-std::string Degrees(double angle_rad) { return ShortNumber(angle_rad / kDeg) + " degrees"; }
+std::string DegreesText(double angle_rad) { return ShortNumber(Degrees(angle_rad)) + " degrees"; }
 std::string Percent(double share) { return ShortNumber(100 * share) + " %"; }
 
 std::string UpText(const AlignmentResult& result) {
   switch (result.alignment.up) {
     case UpSource::kGravity:
       return "the gravity that " + std::to_string(result.gravity->num_views) +
-             " cameras measured, " + Degrees(result.gravity->deviation_rad) + " from each (median)";
+             " cameras measured, " + DegreesText(result.gravity->deviation_rad) +
+             " from each (median)";
     case UpSource::kPositions:
-      return "positions of cameras, standard error " + Degrees(result.positions->up_error_rad);
+      return "positions of cameras, standard error " + DegreesText(result.positions->up_error_rad);
     case UpSource::kLines:
       return "the lines, of which " + Percent(result.vertical->share) +
-             " are vertical or horizontal, within " + Degrees(result.vertical->deviation_rad) +
+             " are vertical or horizontal, within " + DegreesText(result.vertical->deviation_rad) +
              " (median)";
     case UpSource::kCameras:
       return "the way the cameras are held, which is rough";
@@ -190,7 +191,7 @@ void SayPositions(const AlignmentResult& result, const ViewSet& set, Console* co
     }
   }
   console->Say("alignment: positions fit the cameras within " + ShortNumber(fit.median_residual) +
-               " m (median); standard errors: up " + Degrees(fit.up_error_rad) + ", scale " +
+               " m (median); standard errors: up " + DegreesText(fit.up_error_rad) + ", scale " +
                Percent(fit.scale_error));
   if (far.empty()) return;
   console->Say("WARNING: positions far from their cameras: " + ListNumbers(far, "m"));

@@ -9,6 +9,7 @@
 #include "bench/sample_study.h"
 #include "colmap_ext/host/terminal_console.h"
 #include "colmap_ext/options/option_parser.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/camera_errors.h"
 
@@ -38,7 +39,7 @@ std::vector<View> WithWrongViews(std::vector<View> views, unsigned seed) {
     const Eigen::Vector3d axis =
         Eigen::Vector3d(gauss(random), gauss(random), gauss(random)).normalized();
     Rigid3d turn;
-    turn.rotation = Eigen::AngleAxisd(kWrongDeg * M_PI / 180, axis);
+    turn.rotation = Eigen::AngleAxisd(kWrongDeg * kDeg, axis);
     views[order[i]].cam_from_world = turn * views[order[i]].cam_from_world;
   }
   return views;

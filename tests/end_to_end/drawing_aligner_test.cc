@@ -15,6 +15,8 @@
 #include "limn/alignment/known_lengths.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/write_drawing.h"
+#include "limn/geometry/angle_between.h"
+#include "limn/util/angles.h"
 #include "limn/viewer/viewer_page.h"
 
 namespace limn::testing {
@@ -68,7 +70,7 @@ std::string DrawingAligner::said_;
 std::map<std::string, std::string> DrawingAligner::before_;
 
 double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / M_PI;
+  return Degrees(AngleBetween(a, b));
 }
 
 TEST_F(DrawingAligner, AutomaticDrawerFindsUpByTheLines) {

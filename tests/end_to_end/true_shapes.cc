@@ -10,13 +10,15 @@
 #include <Eigen/Geometry>
 
 #include "limn/formats/read_curves.h"
+#include "limn/geometry/angle_between.h"
 #include "limn/geometry/polyline.h"
 #include "limn/geometry/spatial_index.h"
+#include "limn/util/angles.h"
 
 namespace limn::testing {
 namespace {
 
-const double kCornerCosine = std::cos(25 * M_PI / 180);
+const double kCornerCosine = std::cos(25 * kDeg);
 // The shares of a link that must be near the truth, and near one true curve.
 constexpr double kMinNearShare = 0.9;
 constexpr double kMinOneCurveShare = 0.8;
@@ -126,7 +128,7 @@ class Follower {
 };
 
 double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::acos(std::min(1.0, std::abs(a.dot(b)))) * 180 / M_PI;
+  return Degrees(LineAngleBetween(a, b));
 }
 
 }  // namespace

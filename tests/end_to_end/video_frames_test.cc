@@ -19,6 +19,7 @@
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/model/curve_set.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_image.h"
 #include "support/synthetic_scene.h"
 
@@ -59,7 +60,7 @@ std::vector<Polyline3d> TrueCurves() {
 
 // Along an arc of 130 degrees, not all at one height. The principal point is off the middle.
 View Frame(int index) {
-  const double angle = (-65 + 130.0 * index / (kNumFrames - 1)) * M_PI / 180 - 1;
+  const double angle = (-65 + 130.0 * index / (kNumFrames - 1)) * kDeg - 1;
   const double height = 3.2 + 0.6 * std::sin(0.05 * index);
   View view = LookAt({3 * std::cos(angle), 3 * std::sin(angle), height}, {0, 0, 0.2});
   view.camera = {500.25, 499.5, 161.125, 117.75, kWidth, kHeight};

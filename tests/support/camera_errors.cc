@@ -2,6 +2,8 @@
 
 #include <random>
 
+#include "limn/util/angles.h"
+
 namespace limn::testing {
 namespace {
 
@@ -94,7 +96,7 @@ CameraErrors MeasureCameras(const std::vector<View>& views, const std::vector<Vi
   for (size_t v = 0; v < views.size(); ++v) {
     const Eigen::Quaterniond& rotation = truth[v].cam_from_world.rotation;
     errors.rotation_deg +=
-        share * 180 / M_PI * (views[v].cam_from_world.rotation * turn).angularDistance(rotation);
+        share * Degrees((views[v].cam_from_world.rotation * turn).angularDistance(rotation));
     errors.center +=
         share * (world * truth[v].CenterInWorld() - views[v].CenterInWorld()).norm() / factor;
   }

@@ -8,6 +8,8 @@
 #include <string>
 #include <tuple>
 
+#include "limn/util/angles.h"
+
 namespace limn::testing {
 namespace {
 
@@ -183,7 +185,7 @@ std::vector<View> DomeViews(int count, double radius) {
   const double golden_angle = M_PI * (3 - std::sqrt(5.0));
   std::vector<View> views;
   for (int i = 0; i < count; ++i) {
-    const double elevation = (20 + 45 * (i + 0.5) / count) * M_PI / 180;
+    const double elevation = (20 + 45 * (i + 0.5) / count) * kDeg;
     const double azimuth = i * golden_angle;
     views.push_back(LookAt(
         radius * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),

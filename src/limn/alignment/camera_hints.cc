@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -19,10 +20,6 @@ constexpr double kMinMeanDown = 0.3;
 Eigen::Vector3d DownInCam(const std::vector<ViewPrior>& priors, size_t view) {
   const bool is_known = view < priors.size() && priors[view].gravity_in_cam;
   return is_known ? priors[view].gravity_in_cam->normalized() : Eigen::Vector3d::UnitY();
-}
-
-double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 // Of unit vectors: the direction with the least sum of angles to them (Weiszfeld's iteration);

@@ -11,6 +11,7 @@
 #include "limn/model/view_finder.h"
 #include "limn/support/view_edgels.h"
 #include "limn/topology/topology_input.h"
+#include "limn/util/angles.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -20,7 +21,7 @@ namespace {
 // places of low contrast.
 constexpr double kMinContradictingShare = 0.25;
 // An edgel shows a link within these limits, those of the refinement.
-constexpr SupportGate kGate = {1.0, 1.0, 15 * M_PI / 180};
+constexpr SupportGate kGate = {1.0, 1.0, 15 * kDeg};
 // Fewer views do not determine a curve.
 constexpr double kMinViews = 3;
 // The better the place of a link is determined, the fewer links could be in its stead: their number

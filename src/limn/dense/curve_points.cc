@@ -4,10 +4,12 @@
 #include <cmath>
 #include <iterator>
 
+#include "limn/util/angles.h"
+
 namespace limn {
 namespace {
 
-const double kSameFaceCosine = std::cos(5 * M_PI / 180);
+const double kSameFaceCosine = std::cos(5 * kDeg);
 
 std::vector<ViewId> ViewsOf(const std::vector<ViewId>& supporting, const SampleSupport& support) {
   std::vector<ViewId> both;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "limn/util/angles.h"
+
 namespace limn {
 namespace {
 
@@ -68,7 +70,7 @@ LinkDense Judge(const LinkSums& sums, const DenseOptions& options) {
   result.behind_surface = sums.judged >= options.min_judged_share * sums.asked &&
                           result.occluded_share > options.max_occluded_share &&
                           visible_views < options.enough_visible_views;
-  if (sums.fold_length > 0) result.fold_deg = sums.fold_rad / sums.fold_length * 180 / M_PI;
+  if (sums.fold_length > 0) result.fold_deg = Degrees(sums.fold_rad / sums.fold_length);
   return result;
 }
 

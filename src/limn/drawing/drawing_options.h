@@ -2,6 +2,7 @@
 
 #include "limn/support/edgel_index.h"
 #include "limn/topology/topology_options.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 
@@ -26,9 +27,7 @@ struct DrawingOptions {
   // Tracing, edits after it, and edits between the fits of the refinement.
   TopologyOptions topology = {};
 
-  SupportGate Gate() const {
-    return {max_support_distance_px, 1.0, max_support_angle_deg * M_PI / 180};
-  }
+  SupportGate Gate() const { return {max_support_distance_px, 1.0, max_support_angle_deg * kDeg}; }
   // Throws OptionError.
   void Check() const;
 };

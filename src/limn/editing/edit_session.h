@@ -12,11 +12,12 @@
 #include "limn/geometry/polyline.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/link_geometry.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 
 // Ends continue each other below this turn.
-inline constexpr double kMaxTurnRad = 30 * M_PI / 180;
+inline constexpr double kMaxTurnRad = 30 * kDeg;
 
 // A place on a link of the drawing.
 struct LinkPlace {

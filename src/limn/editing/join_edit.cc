@@ -5,7 +5,9 @@
 #include <Eigen/LU>
 
 #include "limn/editing/edit_session.h"
+#include "limn/geometry/angle_between.h"
 #include "limn/topology/join_ends.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -13,7 +15,7 @@ namespace {
 // Ends nearer to each other than this continue each other by their directions alone, px.
 constexpr double kSmallGapPx = 3;
 // Ends farther apart also need the way from one to the other to be within this angle.
-constexpr double kMaxGapAngleRad = 45 * M_PI / 180;
+constexpr double kMaxGapAngleRad = 45 * kDeg;
 // A corner where the lines of two ends meet may be as far from both as this multiple of their
 // distance, or as the second number, px.
 constexpr double kCornerReach = 2;

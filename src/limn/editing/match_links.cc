@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/model/footprint.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/util/angles.h"

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "limn/editing/edit_session.h"
+#include "limn/geometry/angle_between.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 // Mean distance up to which two links can show the same curve, px, and the share of their common
 // stretch along which they must be nearly parallel.
 constexpr double kMaxApartPx = 15;
-constexpr double kMaxParallelRad = 45 * M_PI / 180;
+constexpr double kMaxParallelRad = 45 * kDeg;
 constexpr double kMinParallelShare = 0.7;
 // What sticks out less than this beyond the other link is dropped, px.
 constexpr double kMinRestPx = 2;

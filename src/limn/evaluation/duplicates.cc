@@ -6,13 +6,14 @@
 #include <limits>
 #include <string>
 
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "limn/util/union_find.h"
 
 namespace limn {
 namespace {
 
-const double kMinCosine = std::cos(30.0 * M_PI / 180.0);
+const double kMinCosine = std::cos(30.0 * kDeg);
 // Steps are a fraction of the tolerance where the unit of length is smallest along a curve. Where
 // it is hundreds of times as large, the cameras are not those of the curves. Of one curve: a sketch
 // has many copies of an edge.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/geometry/polygon_triangulation.h"
 
 namespace limn {
@@ -50,8 +51,7 @@ void ForEachEdge(const std::vector<Eigen::Vector3d>& vertices,
 }
 
 double BendAt(const EdgeSide& side, const EdgeSide& other) {
-  return M_PI -
-         std::atan2(side.inwards.cross(other.inwards).norm(), side.inwards.dot(other.inwards));
+  return M_PI - AngleBetween(side.inwards, other.inwards);
 }
 
 }  // namespace limn

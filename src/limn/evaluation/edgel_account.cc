@@ -7,12 +7,13 @@
 
 #include "limn/support/edgel_index.h"
 #include "limn/support/edgel_residual.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
 constexpr double kReachPx = 1.5;
-const double kMinCosine = std::cos(20 * M_PI / 180);
+const double kMinCosine = std::cos(20 * kDeg);
 constexpr double kStepPx = 1;
 
 // Mark the edgels of one view that a piece of a link projects onto.

@@ -6,6 +6,7 @@
 #include "limn/evaluation/quantiles.h"
 #include "limn/geometry/epipolar.h"
 #include "limn/support/view_edgels.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -15,7 +16,7 @@ constexpr size_t kEdgelChunk = 1024;
 
 double DistanceToNearest(const Edgel& from, const EdgeMap& to, const EdgelIndex& index,
                          const HeldOutOptions& options) {
-  const double max_angle = options.max_angle_deg * M_PI / 180;
+  const double max_angle = options.max_angle_deg * kDeg;
   double nearest = options.cap_px;
   index.ForEachWithin(from.position_px, options.cap_px, [&](EdgelId id) {
     const Edgel& edgel = to.edgels[id];

@@ -8,6 +8,7 @@
 
 #include "limn/evaluation/edge_sides.h"
 #include "limn/formats/curve_chains.h"
+#include "limn/geometry/angle_between.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
 
@@ -32,7 +33,7 @@ bool TurnsAt(const Eigen::Vector3d& before, const Eigen::Vector3d& at, const Eig
              double max_turn_rad) {
   const Eigen::Vector3d in = at - before;
   const Eigen::Vector3d out = after - at;
-  return std::atan2(in.cross(out).norm(), in.dot(out)) > max_turn_rad + kAngleSlackRad;
+  return AngleBetween(in, out) > max_turn_rad + kAngleSlackRad;
 }
 
 // A closed chain begins at one of its corners, if it has any.

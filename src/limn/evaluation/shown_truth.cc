@@ -7,6 +7,7 @@
 #include "limn/model/footprint.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/support/view_edgels.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -39,7 +40,7 @@ CurveSet ShownTruth(const CurveSet& truth, const std::vector<View>& views,
                     const std::vector<ImageCurves>& curves, const ShownTruthOptions& options,
                     const RunContext& context) {
   options.Check();
-  const SupportGate gate{options.max_distance_px, 1.0, options.max_angle_deg * M_PI / 180};
+  const SupportGate gate{options.max_distance_px, 1.0, options.max_angle_deg * kDeg};
   const auto edgels = BuildViewEdgels(curves, context);
   const CurveSamples samples(truth, [&](const Polyline3d& polyline) {
     return kSpacingPx * FootprintOfCurve(views, polyline);

@@ -11,6 +11,7 @@
 #include "limn/model/footprint.h"
 #include "limn/support/edgel_index.h"
 #include "limn/support/segment_support.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "limn/visibility/render_depth.h"
 #include "limn/visibility/splat_depth.h"
@@ -29,7 +30,7 @@ constexpr double kSmallestShare = 1.0 / 16;
 constexpr double kSlantOfSplats = 3;
 
 SupportGate GateOf(const TruthOptions& options) {
-  return {options.max_distance_px, 1.0, options.max_angle_deg * M_PI / 180};
+  return {options.max_distance_px, 1.0, options.max_angle_deg * kDeg};
 }
 
 void Check(const TruthOptions& options, size_t num_views) {

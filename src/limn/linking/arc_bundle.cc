@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "limn/util/angles.h"
+
 namespace limn {
 namespace {
 
@@ -29,7 +31,7 @@ double PositionTolerance(const Edgel& edgel, const LinkingOptions& options) {
 }
 
 double AngleTolerance(const Edgel& edgel, const LinkingOptions& options) {
-  const double angle = options.angle_tolerance_deg * M_PI / 180;
+  const double angle = options.angle_tolerance_deg * kDeg;
   return std::clamp<double>(edgel.position_sigma_px, angle, 2 * angle);
 }
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <tuple>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/linking/edgel_grid.h"
 #include "limn/linking/fragment_geometry.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -22,12 +24,6 @@ constexpr double kEndArmPx = 5;
 constexpr double kMaxBridgeOffsetPx = 1.0;
 // A stem heads for a bar within about 45 degrees.
 constexpr double kMinHeadingCosine = 0.7;
-
-double Radians(double degrees) { return degrees * M_PI / 180; }
-
-double AngleBetween(const Vector2d& a, const Vector2d& b) {
-  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
-}
 
 // Turning between the arms on both sides of each vertex. Angles are made when they are asked for:
 // most vertices plainly do not turn enough.
@@ -134,8 +130,8 @@ struct Bridge {
 double BridgeCost(const ChainEnd& tail, const ChainEnd& head, const LinkingOptions& options) {
   const Vector2d gap = head.position - tail.position;
   const double length = gap.norm();
-  const double angle = AngleBetween(tail.along, head.along);
-  const double max_angle = Radians(options.max_bridge_angle_deg);
+  const double angle = AngleBetween2d(tail.along, head.along);
+  const double max_angle = options.max_bridge_angle_deg * kDeg;
   if (length > options.max_bridge_px || angle > max_angle) return -1;
   // A chain is not joined over a gap that is longer than itself.
   if (length > std::min(tail.chain_length_px, head.chain_length_px)) return -1;
@@ -184,7 +180,7 @@ EdgelId BarOfStem(const std::vector<Edgel>& edgels, const LinkingOptions& option
                   const Vector2d& outward) {
   EdgelId best = kInvalidEdgel;
   if (stem.chain_length_px < options.junction_stem_px) return best;
-  const double min_angle = Radians(options.junction_angle_deg);
+  const double min_angle = options.junction_angle_deg * kDeg;
   double best_distance = 0;
   std::vector<EdgelId> near;
   grid.Near(stem.position, options.junction_distance_px, &near);
@@ -194,7 +190,7 @@ EdgelId BarOfStem(const std::vector<Edgel>& edgels, const LinkingOptions& option
     const Vector2d gap = edgels[id].position_px - stem.position;
     const double distance = gap.norm();
     if (distance > 1 && gap.dot(outward) < kMinHeadingCosine * distance) continue;
-    const double turn = AngleBetween(edgels[id].Tangent(), outward);
+    const double turn = AngleBetween2d(edgels[id].Tangent(), outward);
     if (std::min(turn, M_PI - turn) < min_angle) continue;
     if (best == kInvalidEdgel || distance < best_distance ||
         (distance == best_distance && id < best)) {
@@ -210,7 +206,7 @@ EdgelId BarOfStem(const std::vector<Edgel>& edgels, const LinkingOptions& option
 int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
                    SmoothChains* known, Chaining* chaining) {
   const double arm = options.corner_arm_px;
-  const double min_turning = Radians(options.corner_angle_deg);
+  const double min_turning = options.corner_angle_deg * kDeg;
   const double cosine = std::cos(min_turning);
   known->last_of.resize(edgels.size(), kInvalidEdgel);
   int breaks = 0;

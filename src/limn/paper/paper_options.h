@@ -1,6 +1,7 @@
 #pragma once
 
 #include "limn/support/edgel_index.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 
@@ -35,9 +36,7 @@ struct PaperOptions {
   // stands for samples up to this far along the curve, px (tau_junc).
   double junction_distance_px = 4;
 
-  SupportGate Gate() const {
-    return {max_support_distance_px, 1.0, max_support_angle_deg * M_PI / 180};
-  }
+  SupportGate Gate() const { return {max_support_distance_px, 1.0, max_support_angle_deg * kDeg}; }
   // Throws OptionError.
   void Check() const;
 };

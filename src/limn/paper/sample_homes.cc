@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/support/edgel_residual.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/util/angles.h"

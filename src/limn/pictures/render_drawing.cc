@@ -9,12 +9,12 @@
 #include "limn/geometry/tangent_frame.h"
 #include "limn/pictures/canvas.h"
 #include "limn/pictures/draw_node.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 
 namespace limn {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // Distance of the camera in radii of the drawing: a focal length of a mild telephoto lens.
 constexpr double kDistanceInRadii = 3.5;
 
@@ -76,8 +76,8 @@ View OrbitView(const DrawingGraph& graph, const Eigen::Vector3d& up, const Orbit
   for (const Eigen::Vector3d& point : points) distances.push_back((point - center).norm());
   const double radius = Quantile(distances, options.kept_share);
 
-  const double azimuth = options.azimuth_deg * kPi / 180;
-  const double elevation = options.elevation_deg * kPi / 180;
+  const double azimuth = options.azimuth_deg * kDeg;
+  const double elevation = options.elevation_deg * kDeg;
   const Eigen::Vector3d level =
       TangentFrame(up) * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
   const Eigen::Vector3d outward = std::cos(elevation) * level + std::sin(elevation) * up;

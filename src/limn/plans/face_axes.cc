@@ -1,14 +1,15 @@
 #include "limn/plans/face_axes.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
+
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
-constexpr double kAcrossRad = 10 * std::numbers::pi / 180;
+constexpr double kAcrossRad = 10 * kDeg;
 
 // Nothing but rounding may decide between directions that are equally long.
 constexpr double kLonger = 1 + 1e-6;

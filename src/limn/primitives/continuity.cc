@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "limn/util/angles.h"
+
 namespace limn {
 namespace {
 
-const double kMinCosine = std::cos(20 * M_PI / 180);
+const double kMinCosine = std::cos(20 * kDeg);
 
 // The unit direction in which a shape leaves its end.
 Eigen::Vector3d Leaving(const CurveShape& shape, int end) {

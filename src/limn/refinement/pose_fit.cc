@@ -9,6 +9,7 @@
 
 #include "limn/model/footprint.h"
 #include "limn/refinement/pull_cost.h"
+#include "limn/util/angles.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -39,7 +40,7 @@ bool HasParallax(const std::vector<View>& views, const std::vector<PointPixel>& 
     rays.col(i) = (point - views[pixels[i].view].CenterInWorld()).normalized();
   }
   const Eigen::Vector3d mean = rays.rowwise().sum().normalized();
-  return (mean.transpose() * rays).minCoeff() < std::cos(kMinHalfParallaxDeg * M_PI / 180);
+  return (mean.transpose() * rays).minCoeff() < std::cos(kMinHalfParallaxDeg * kDeg);
 }
 
 class PoseFit {

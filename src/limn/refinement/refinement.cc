@@ -15,6 +15,7 @@
 #include "limn/topology/covered_links.h"
 #include "limn/topology/edit_topology.h"
 #include "limn/topology/graph_editor.h"
+#include "limn/util/angles.h"
 #include "limn/util/median.h"
 #include "limn/util/name_list.h"
 #include "limn/util/sort_unique.h"

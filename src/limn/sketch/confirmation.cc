@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/util/angles.h"
 
 namespace limn {
@@ -136,8 +137,7 @@ double ConfirmationViews::MaxAngleDeg(const Eigen::Vector3d& point_in_cam, uint3
   for (size_t k = 0; k < views_.size(); ++k) {
     if (!(mask >> k & 1)) continue;
     const Eigen::Vector3d ray = point_in_cam - views_[k].center_in_primary;
-    max_angle = std::max(max_angle,
-                         std::atan2(point_in_cam.cross(ray).norm(), point_in_cam.dot(ray)) / kDeg);
+    max_angle = std::max(max_angle, Degrees(AngleBetween(point_in_cam, ray)));
   }
   return max_angle;
 }

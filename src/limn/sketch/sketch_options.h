@@ -4,6 +4,7 @@
 
 #include "limn/sketch/view_selection.h"
 #include "limn/support/edgel_index.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 
@@ -74,9 +75,7 @@ struct SketchOptions {
   bool original_exhaustive_pairs = false;
 
   bool AveragesAsPaper() const { return averaging == "paper"; }
-  SupportGate Gate() const {
-    return {max_support_distance_px, 1.0, max_support_angle_deg * M_PI / 180};
-  }
+  SupportGate Gate() const { return {max_support_distance_px, 1.0, max_support_angle_deg * kDeg}; }
   void Check() const;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/util/angles.h"
 #include "limn/util/median.h"
 
@@ -119,13 +120,9 @@ bool NeighborFinder::SeesAny(ViewId other, ViewId view,
                              const std::vector<Eigen::Vector3d>& places) const {
   return std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3d& place) {
     if (!views_[other].Project(place)) return false;
-    const double angle = AngleDeg(place - centers_[view], place - centers_[other]);
+    const double angle = Degrees(AngleBetween(place - centers_[view], place - centers_[other]));
     return angle >= min_angle_deg_ && angle <= max_angle_deg_;
   });
-}
-
-double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) / kDeg;
 }
 
 std::vector<Eigen::Vector3d> PlacesInFront(const View& view, const std::vector<double>& depths) {

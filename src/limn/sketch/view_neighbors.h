@@ -46,9 +46,6 @@ class NeighborFinder {
   SpatialIndex index_;
 };
 
-// Angle between two vectors, degrees.
-double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
-
 // World positions, at these depths, of the pixels of a coarse grid over the photograph, pixel by
 // pixel.
 std::vector<Eigen::Vector3d> PlacesInFront(const View& view, const std::vector<double>& depths);

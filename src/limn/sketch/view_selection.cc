@@ -8,7 +8,9 @@
 #include <set>
 #include <utility>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/sketch/view_neighbors.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -173,8 +175,8 @@ class PlanBuilder {
     for (const ViewId v : field.neighbors) {
       for (const Eigen::Vector3d& place : field.places) {
         const bool seen = views_[v].Project(place).has_value();
-        field.angles_deg.push_back(seen ? AngleDeg(place - centers_[primary], place - centers_[v])
-                                        : -1);
+        field.angles_deg.push_back(
+            seen ? Degrees(AngleBetween(place - centers_[primary], place - centers_[v])) : -1);
       }
     }
     return field;

@@ -14,6 +14,7 @@
 #include "limn/model/view_finder.h"
 #include "limn/support/view_edgels.h"
 #include "limn/surfaces/link_sightings.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/geometry/parabola.h"
 #include "limn/geometry/spatial_index.h"
 #include "limn/support/point_fit.h"

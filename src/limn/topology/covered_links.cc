@@ -7,6 +7,7 @@
 #include "limn/geometry/spatial_index.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/topology/meetings.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -24,7 +25,7 @@ class SideBySide {
  public:
   SideBySide(const TopologyOptions& options, const DrawingGraph& graph)
       : graph_(graph),
-        min_cosine_(std::cos(options.min_junction_angle_deg * M_PI / 180)),
+        min_cosine_(std::cos(options.min_junction_angle_deg * kDeg)),
         places_(CollectPlaces(graph)),
         index_(places_.position) {}
 

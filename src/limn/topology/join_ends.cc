@@ -8,6 +8,7 @@
 
 #include <Eigen/LU>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/geometry/spatial_index.h"
 #include "limn/util/angles.h"
 #include "limn/util/union_find.h"

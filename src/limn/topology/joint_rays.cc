@@ -41,8 +41,6 @@ constexpr size_t kProposingViews = 24;
 constexpr double kNumDirections = 130;
 constexpr double kMaxFalseAlarms = 10;
 
-double AngleBetween(double a, double b) { return std::abs(std::remainder(a - b, 2 * M_PI)); }
-
 // Direction in the image in which a point leaves the joint; nothing if end on.
 std::optional<double> ImageDirection(const View& view, const Joint& joint,
                                      const Eigen::Vector3d& direction) {
@@ -102,7 +100,7 @@ std::vector<double> RayAngles(const View& view, const Joint& joint,
   for (const double angle : CandidateAngles(near)) candidates.push_back(RayAlong(angle, near));
   const auto erase_near = [&](double angle, double width) {
     std::erase_if(candidates,
-                  [&](const ImageRay& ray) { return AngleBetween(ray.angle, angle) < width; });
+                  [&](const ImageRay& ray) { return TurnBetweenAngles(ray.angle, angle) < width; });
   };
   for (const Eigen::Vector3d& leaving : joint.leaving) {
     const auto explained = ImageDirection(view, joint, leaving);
@@ -193,7 +191,7 @@ class DirectionFinder {
 
   bool PointsAlong(const Ray& ray, const Eigen::Vector3d& direction) const {
     const auto angle = ImageDirection(input_.views[ray.view], joint_, direction);
-    return angle && AngleBetween(*angle, ray.angle) < kRayWidthRad;
+    return angle && TurnBetweenAngles(*angle, ray.angle) < kRayWidthRad;
   }
 
   // The line in which the planes of two rays meet, on the side they point to.
@@ -217,7 +215,7 @@ class DirectionFinder {
       ++num_views;
       const double num_rays = std::max(kMinNumRays, static_cast<double>(rays.size()));
       background += num_rays * kRayWidthRad / M_PI;
-      const auto turn = [&](const Ray& ray) { return AngleBetween(ray.angle, *angle); };
+      const auto turn = [&](const Ray& ray) { return TurnBetweenAngles(ray.angle, *angle); };
       const auto nearest = std::ranges::min_element(rays, {}, turn);
       if (nearest != rays.end() && turn(*nearest) < kRayWidthRad) vote.rays.push_back(&*nearest);
     }

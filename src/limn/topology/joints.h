@@ -8,6 +8,7 @@
 
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/topology_input.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 
@@ -28,7 +29,7 @@ bool IsTaken(const Joint& joint, const Eigen::Vector3d& direction);
 
 // The gate near corners, where edges are rounded: wider than that of samples
 // (algorithm/notation.md#support).
-inline constexpr SupportGate kJointGate = {1.5, 1.5, 25 * M_PI / 180};
+inline constexpr SupportGate kJointGate = {1.5, 1.5, 25 * kDeg};
 
 // Edgels of the given views that support a point of an edge with this direction.
 std::vector<EdgelRef> SupportAt(const TopologyInput& input, const Eigen::Vector3d& position,

@@ -8,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/geometry/parabola.h"
 
 namespace limn {
@@ -152,14 +153,6 @@ int64_t NumSketchSamples(const DrawingLink& link) {
     count += static_cast<int64_t>(vertex.samples.size());
   }
   return count;
-}
-
-double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
-}
-
-double LineAngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::acos(std::min(std::abs(a.dot(b)), 1.0));
 }
 
 }  // namespace limn

@@ -72,8 +72,4 @@ LinkVertex Bare(const LinkVertex& vertex);
 // Number of sketch samples that a link stands for.
 int64_t NumSketchSamples(const DrawingLink& link);
 
-// The angle between two unit directions, rad, and the angle between the lines along them.
-double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
-double LineAngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
-
 }  // namespace limn

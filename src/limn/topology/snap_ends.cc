@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/geometry/spatial_index.h"
 #include "limn/topology/join_ends.h"
 #include "limn/util/angles.h"

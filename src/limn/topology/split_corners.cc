@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/topology/link_geometry.h"
 
 namespace limn {

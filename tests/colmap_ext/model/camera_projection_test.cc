@@ -1,7 +1,6 @@
 #include "colmap_ext/model/camera_projection.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -10,11 +9,10 @@
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
+#include "limn/util/angles.h"
 
 namespace limn::colmap_ext {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 CameraProjection Projection(CameraModelId model, std::vector<double> extra) {
   return CameraProjection({model, 1, 1, 0, 0, std::move(extra)});
@@ -48,7 +46,7 @@ TEST_P(EveryModel, RaysComeBackFromTheirPixels) {
   for (int i = 0; i < 360; i += 15) {
     for (const double share : {0.0, 1e-7, 0.01, 0.3, 0.7, 1.0}) {
       const Eigen::Vector2d ray =
-          share * radius * Eigen::Vector2d(std::cos(i * kDegree), std::sin(i * kDegree));
+          share * radius * Eigen::Vector2d(std::cos(i * kDeg), std::sin(i * kDeg));
       const auto pixel = projection.PixelFromRay(ray);
       ASSERT_TRUE(pixel);
       const auto back = projection.RayFromPixel(*pixel);
@@ -60,7 +58,7 @@ TEST_P(EveryModel, RaysComeBackFromTheirPixels) {
 
 TEST_P(EveryModel, NothingBeyondTheDomain) {
   const CameraProjection projection(IntrinsicsOf(MakeCamera(Model(), 1)));
-  EXPECT_LE(projection.MaxRadius(), std::tan(75 * kDegree) + 1e-12);
+  EXPECT_LE(projection.MaxRadius(), std::tan(75 * kDeg) + 1e-12);
   EXPECT_FALSE(projection.PixelFromRay({projection.MaxRadius() + 1e-6, 0}));
   EXPECT_FALSE(projection.PixelFromRay({std::nan(""), 0}));
   EXPECT_FALSE(projection.RayFromPixel({1e7, 300}));
@@ -154,9 +152,9 @@ TEST(CameraProjection, StopsWhereThePolynomialFoldsOver) {
 
 TEST(CameraProjection, FisheyesStopAt75Degrees) {
   const CameraProjection projection = Projection(CameraModelId::kSimpleFisheye, {});
-  EXPECT_TRUE(projection.RayFromPixel({0, 74.9 * kDegree}));
+  EXPECT_TRUE(projection.RayFromPixel({0, 74.9 * kDeg}));
   for (const double angle : {75.1, 89.9, 90.0, 120.0, 180.0}) {
-    EXPECT_FALSE(projection.RayFromPixel({0, angle * kDegree})) << angle;
+    EXPECT_FALSE(projection.RayFromPixel({0, angle * kDeg})) << angle;
   }
 }
 

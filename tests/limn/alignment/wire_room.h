@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/geometry/angle_between.h"
 #include "limn/geometry/similarity3.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/drawing_transform.h"
@@ -77,7 +78,7 @@ inline DrawingGraph Moved(DrawingGraph graph, const Similarity3d& similarity) {
 }
 
 inline double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) / kDeg;
+  return Degrees(AngleBetween(a, b));
 }
 
 }  // namespace limn::testing

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/drawing/noisy_samples.h"
+#include "limn/geometry/angle_between.h"
 #include "limn/topology/link_geometry.h"
 #include "limn/util/angles.h"
 

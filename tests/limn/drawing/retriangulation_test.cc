@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/support/edgel_residual.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -459,7 +460,7 @@ TEST(RetriangulationTest, SupportGateIsRead) {
 
   options.max_support_distance_px = 1;
   OneCurveScene turned = FullScene(6);
-  for (Edgel& edgel : turned.curves[3].edge_map.edgels) edgel.tangent_rad += 10 * M_PI / 180;
+  for (Edgel& edgel : turned.curves[3].edge_map.edgels) edgel.tangent_rad += 10 * kDeg;
   options.max_support_angle_deg = 11;
   EXPECT_EQ(num_kept(turned), 21);
   options.max_support_angle_deg = 9;
@@ -557,7 +558,7 @@ TEST(RetriangulationTest, ClosedCurveStaysClosedAndRoundAtItsSeam) {
     EXPECT_LT(std::hypot(point.head<2>().norm() - kRadius, point.z()) / kPixel, 0.05);
     const Vector3d along = Vector3d(-point.y(), point.x(), 0).normalized();
     // A tangent from one side only would be 2 degrees off.
-    EXPECT_GT(samples.tangent[s].dot(along), std::cos(0.5 * M_PI / 180)) << s;
+    EXPECT_GT(samples.tangent[s].dot(along), std::cos(0.5 * kDeg)) << s;
   }
 }
 

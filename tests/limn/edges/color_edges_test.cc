@@ -8,6 +8,7 @@
 
 #include "limn/edges/edge_detection.h"
 #include "limn/edges/lab_channels.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_image.h"
 
 namespace limn {
@@ -21,7 +22,6 @@ using testing::HalfPlane;
 using testing::Paint;
 using testing::Quantize;
 
-constexpr double kRadian = 180 / std::numbers::pi;  // degrees
 const std::vector<float> kRed = {160, 100, 100};
 // As bright as kRed: 0.299 * 60 = 0.587 * 30.56.
 const std::vector<float> kGreen = {100, 130.56f, 100};
@@ -45,7 +45,7 @@ Image TwoColors(const std::vector<float>& outside, const std::vector<float>& ins
 
 // Undirected angle between the normals, degrees.
 double AngleDeg(const Edgel& edgel, const Vector2d& normal) {
-  return std::acos(std::min(1.0, std::abs(edgel.Normal().dot(normal)))) * kRadian;
+  return Degrees(std::acos(std::min(1.0, std::abs(edgel.Normal().dot(normal)))));
 }
 
 TEST(ColorEdges, FindsWhatOneChannelMisses) {
@@ -55,7 +55,7 @@ TEST(ColorEdges, FindsWhatOneChannelMisses) {
   };
   for (const Case& c : {Case{"luminance", kRed, kGreen}, Case{"green", kOrange, kBlue}}) {
     for (int degrees = 0; degrees < 180; degrees += 15) {
-      const Vector2d normal(std::cos(degrees / kRadian), std::sin(degrees / kRadian));
+      const Vector2d normal(std::cos(degrees * kDeg), std::sin(degrees * kDeg));
       const Vector2d point(32.3, 31.6);
       const Image image = TwoColors(c.outside, c.inside, HalfPlane(point, normal), 64);
       EXPECT_TRUE(DetectEdges(image, In(c.misses)).edgels.empty());

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_image.h"
 
@@ -21,8 +22,6 @@ using testing::HalfPlane;
 using testing::Paint;
 using testing::Polygon;
 using testing::Quantize;
-
-constexpr double kDegrees = std::numbers::pi / 180;
 
 // Sums of squared errors.
 struct ErrorSum {
@@ -41,7 +40,7 @@ struct ErrorSum {
   }
   double PositionRms() const { return std::sqrt(position / count); }
   double PositionMean() const { return position_signed / count; }
-  double AngleRmsDeg() const { return std::sqrt(angle / count) / kDegrees; }
+  double AngleRmsDeg() const { return std::sqrt(angle / count) / kDeg; }
   double PredictedRms() const { return std::sqrt(predicted / count); }
 };
 
@@ -108,7 +107,7 @@ struct WorstErrors {
 WorstErrors OfStraightSteps(const EdgeDetectionOptions& options) {
   WorstErrors worst;
   for (int degrees = 0; degrees < 360; degrees += 5) {
-    const Vector2d normal(std::cos(degrees * kDegrees), std::sin(degrees * kDegrees));
+    const Vector2d normal(std::cos(degrees * kDeg), std::sin(degrees * kDeg));
     for (const double offset : {0.0, 0.21, 0.5, 0.83}) {
       const Vector2d point = Vector2d(24, 24) + offset * normal;
       const EdgeMap map = DetectEdges(StepImage(48, point, normal, 20), options);
@@ -191,7 +190,7 @@ ErrorSum NoisySteps(double contrast, const EdgeDetectionOptions& options, double
   ErrorSum sum;
   double length = 0;
   for (int degrees = 0; degrees < 180; degrees += 10) {
-    const Vector2d normal(std::cos(degrees * kDegrees), std::sin(degrees * kDegrees));
+    const Vector2d normal(std::cos(degrees * kDeg), std::sin(degrees * kDeg));
     const Vector2d point(64.2, 64.4);
     Image image = StepImage(128, point, normal, contrast);
     AddNoise(5, degrees, &image);
@@ -225,7 +224,7 @@ TEST(DetectEdges, AccuracyInNoise) {
   std::cout << "contrast 40, noise 5: RMS " << fine.PositionRms() << " px (predicted "
             << fine.PredictedRms() << "), " << fine.AngleRmsDeg() << " degrees, " << density
             << " edgels per px\n";
-  EXPECT_LT(fine.AngleRmsDeg(), std::sqrt(2. / 3) / both.fine_noise_factor / kDegrees);
+  EXPECT_LT(fine.AngleRmsDeg(), std::sqrt(2. / 3) / both.fine_noise_factor / kDeg);
   EXPECT_GT(density, 1);
   EXPECT_NEAR(fine.PredictedRms() / fine.PositionRms(), 1, 0.2);
 
@@ -265,7 +264,7 @@ Image TwoSteps(double distance_px, const Vector2d& point, const Vector2d& normal
 
 TEST(DetectEdges, FineScaleSeparatesNeighbors) {
   constexpr double kDistancePx = 3;  // below the 2 sigma at which the main scale can
-  const Vector2d normal(std::cos(20 * kDegrees), std::sin(20 * kDegrees));
+  const Vector2d normal(std::cos(20 * kDeg), std::sin(20 * kDeg));
   const Vector2d point(32.2, 31.7);
   const Image image = TwoSteps(kDistancePx, point, normal);
   const double expected = PeakOfTwoSteps(kDistancePx / 2, std::sqrt(1 + 1. / 12));

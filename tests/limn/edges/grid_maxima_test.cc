@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -32,7 +33,7 @@ std::vector<int32_t> Row(const GradientField& gradient, int y, float lowest) {
 
 TEST(FindGridMaxima, PixelsBesideAStep) {
   for (int degrees = 0; degrees < 360; degrees += 15) {
-    const double angle = degrees * std::numbers::pi / 180;
+    const double angle = degrees * kDeg;
     const double nx = std::cos(angle);
     const double ny = std::sin(angle);
     const GradientField gradient = StepGradient(nx, ny);

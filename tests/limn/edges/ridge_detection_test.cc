@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_image.h"
 
@@ -55,7 +56,7 @@ void ExpectOnLine(const EdgeMap& map, const Vector2d& from, const Vector2d& to, 
     ++count;
     EXPECT_LT(std::abs(across), max_px) << edgel.position_px.transpose();
     const double cosine = std::min(1.0, std::abs(edgel.Tangent().dot(along)));
-    EXPECT_LT(std::acos(cosine) * 180 / M_PI, max_deg) << edgel.position_px.transpose();
+    EXPECT_LT(Degrees(std::acos(cosine)), max_deg) << edgel.position_px.transpose();
   }
   EXPECT_GE(count, min_count);
 }

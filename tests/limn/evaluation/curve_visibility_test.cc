@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 
@@ -19,7 +20,7 @@ using testing::Segment;
 constexpr double kCameraDistance = 4;
 
 View ViewAtAzimuth(double degrees) {
-  const double angle = degrees * M_PI / 180;
+  const double angle = degrees * kDeg;
   return LookAt({kCameraDistance * std::cos(angle), kCameraDistance * std::sin(angle), 1},
                 {0, 0, 0});
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/meshes.h"
 #include "support/synthetic_scene.h"
@@ -46,7 +47,7 @@ DrawingFace FaceOf(const std::vector<Eigen::Vector3d>& rectangle) {
 }
 
 std::vector<Eigen::Vector3d> TurnedAboutY(std::vector<Eigen::Vector3d> corners, double angle_deg) {
-  const Eigen::AngleAxisd turn(angle_deg * M_PI / 180, Eigen::Vector3d::UnitY());
+  const Eigen::AngleAxisd turn(angle_deg * kDeg, Eigen::Vector3d::UnitY());
   for (Eigen::Vector3d& corner : corners) corner = turn * corner;
   return corners;
 }
@@ -112,7 +113,7 @@ TEST_F(SquareBelow, TiltedTooMuchItIsWrongWhereverItIs) {
   EXPECT_EQ(*Score(faces).rows[kEightPx].precision, 0);
   EXPECT_EQ(*Score(faces).rows[kEightPx].recall, 0);
   options_.max_angle_deg = 16;
-  EXPECT_NEAR(*Score(faces).rows[kEightPx].precision, 8 / std::sin(15 * M_PI / 180) / 100, 0.01);
+  EXPECT_NEAR(*Score(faces).rows[kEightPx].precision, 8 / std::sin(15 * kDeg) / 100, 0.01);
 }
 
 TEST_F(SquareBelow, HalfOfItIsHalfOfTheRecall) {

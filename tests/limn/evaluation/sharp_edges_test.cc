@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/meshes.h"
 
@@ -39,7 +40,7 @@ TriangleMesh BentStrip(int num_facets, double total_deg) {
   for (int i = 0; i <= num_facets; ++i) {
     vertices.push_back(at);
     vertices.push_back(at + 5 * Eigen::Vector3d::UnitY());
-    const double angle = num_facets > 1 ? total_deg * M_PI / 180 * i / (num_facets - 1) : 0;
+    const double angle = num_facets > 1 ? total_deg * kDeg * i / (num_facets - 1) : 0;
     at += Eigen::Vector3d(std::cos(angle), 0, std::sin(angle));
     if (i > 0) polygons.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }

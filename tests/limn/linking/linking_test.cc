@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/edges/edge_detection.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_image.h"
 
@@ -23,8 +24,6 @@ using testing::HalfPlane;
 using testing::Paint;
 using testing::Polygon;
 using testing::Quantize;
-
-constexpr double kDegrees = std::numbers::pi / 180;
 
 LinkingResult DetectAndLink(const Image& image, const LinkingOptions& options = {}) {
   return LinkEdgels(DetectEdges(image, {}), options);
@@ -79,7 +78,7 @@ TEST(LinkEdgels, SquareBreaksAtCorners) {
     Image image = ConstantImage(120, 120, {60});
     std::vector<Vector2d> corners;
     for (int k = 0; k < 4; ++k) {
-      const double angle = (turn + 90 * k) * kDegrees;
+      const double angle = (turn + 90 * k) * kDeg;
       corners.push_back(Vector2d(60.2, 59.7) + 40 * Vector2d(std::cos(angle), std::sin(angle)));
     }
     Paint(Polygon(corners), {140}, &image);
@@ -158,7 +157,7 @@ TEST(LinkEdgels, LongNoisyEdge) {
   double after = 0;
   int count = 0;
   for (int degrees = 0; degrees < 180; degrees += 20) {
-    const Vector2d normal(std::cos(degrees * kDegrees), std::sin(degrees * kDegrees));
+    const Vector2d normal(std::cos(degrees * kDeg), std::sin(degrees * kDeg));
     const Vector2d point(100.2, 100.4);
     Image image = ConstantImage(200, 200, {100});
     Paint(HalfPlane(point, normal), {120}, &image);
@@ -185,8 +184,8 @@ TEST(LinkEdgels, LongNoisyEdge) {
     EXPECT_LE(long_fragments, 2) << degrees;
     EXPECT_GT(length, 175) << degrees;
   }
-  const double rms_before = std::sqrt(before / count) / kDegrees;
-  const double rms_after = std::sqrt(after / count) / kDegrees;
+  const double rms_before = std::sqrt(before / count) / kDeg;
+  const double rms_after = std::sqrt(after / count) / kDeg;
   std::cout << "tangents at contrast 20, noise 5: " << rms_before << " degrees detected, "
             << rms_after << " refitted\n";
   EXPECT_LT(rms_after, 0.6 * rms_before);
@@ -200,7 +199,7 @@ TEST(LinkEdgels, RefittedTangentsOfACircle) {
   for (const EdgelId id : result.curves.fragments.at(0).edgel_ids) {
     const Edgel& edgel = result.curves.edge_map.edgels[id];
     const Vector2d ray = (edgel.position_px - center).normalized();
-    EXPECT_LT(std::abs(std::asin(edgel.Tangent().dot(ray))) / kDegrees, 1.5);
+    EXPECT_LT(std::abs(std::asin(edgel.Tangent().dot(ray))) / kDeg, 1.5);
     EXPECT_LT(edgel.Normal().dot(ray), 0);  // bright inside
   }
 }

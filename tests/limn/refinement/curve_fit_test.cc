@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/refinement/edgel_matches.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -51,7 +52,7 @@ class CurveFitTest : public ::testing::Test {
     const auto edgels = BuildViewEdgels(curves, {});
     ControlGraph control = MakeControlGraph(graph_, Views(), options_.control_spacing_px);
     before_ = control.position;
-    const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
+    const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * kDeg};
     MatchEdgels({Views(), curves, edgels, gate}, options_, {}, &control);
     for (size_t l = 0; l < frozen.size(); ++l) control.links[l].frozen = frozen[l];
     FitCurves(Views(), options_, {}, false, &control);

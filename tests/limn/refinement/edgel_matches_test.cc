@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/support/edgel_residual.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -21,7 +22,7 @@ const std::vector<View>& ViewsAround() {
     std::vector<View> all;
     for (const double side : {-5.0, 5.0}) {
       for (const double degrees : {20.0, 35.0, 50.0, 65.0}) {
-        const double elevation = degrees * M_PI / 180;
+        const double elevation = degrees * kDeg;
         all.push_back(
             testing::LookAt({0, side * std::cos(elevation), 5 * std::sin(elevation)}, {0, 0, 0}));
       }
@@ -60,7 +61,7 @@ class EdgelMatchesTest : public ::testing::Test {
   void Match() {
     const auto edgels = BuildViewEdgels(curves_, {});
     control_ = MakeControlGraph(graph_, ViewsAround(), options_.control_spacing_px);
-    const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180};
+    const SupportGate gate = {options_.max_distance_px, 1.0, options_.max_angle_deg * kDeg};
     MatchEdgels({ViewsAround(), curves_, edgels, gate}, options_, {}, &control_);
   }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/primitives/fit_primitives.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/noisy_drawing.h"
 
@@ -152,7 +153,7 @@ TEST(Regularize, WhatIsNearlyRegularStays) {
   // Five lines that differ by 2 degrees each.
   NoisyDrawing drawing;
   for (int i = 0; i < 5; ++i) {
-    const double angle = i * 2 * M_PI / 180;
+    const double angle = i * 2 * kDeg;
     const Vector3d middle(0, 0.15 * i - 0.3, 0.05 * i);
     const Vector3d half(0.4 * std::cos(angle), 0, 0.4 * std::sin(angle));
     AddFreeLine(middle - half, middle + half, &drawing);

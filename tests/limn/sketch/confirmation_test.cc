@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -22,7 +23,7 @@ class ConfirmationTest : public ::testing::Test {
   ConfirmationTest() {
     views_.push_back(testing::LookAt({5, 0, 0}, {0, 0, 0}));
     for (const double degrees : kAnglesDeg) {
-      const double angle = degrees * M_PI / 180;
+      const double angle = degrees * kDeg;
       views_.push_back(testing::LookAt({5 * std::cos(angle), 5 * std::sin(angle), 0}, {0, 0, 0}));
     }
   }

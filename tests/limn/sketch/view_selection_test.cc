@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limn/geometry/angle_between.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 
@@ -22,7 +24,7 @@ const SceneHints kNoHints;
 // Angle at the origin between two cameras.
 double AngleDeg(const View& a, const View& b) {
   const Vector3d u = a.CenterInWorld().normalized(), v = b.CenterInWorld().normalized();
-  return std::acos(std::clamp(u.dot(v), -1.0, 1.0)) * 180 / M_PI;
+  return Degrees(AngleBetween(u, v));
 }
 
 // Cameras at equal steps once around the origin.
@@ -172,7 +174,7 @@ TEST(ViewSelectionTest, VideoPicksSpreadViews) {
   // 240 frames at steps of half a degree: the neighbors are useless as partners.
   std::vector<View> views;
   for (int i = 0; i < 240; ++i) {
-    const double angle = 0.5 * i * M_PI / 180;
+    const double angle = 0.5 * i * kDeg;
     views.push_back(LookAt({5 * std::cos(angle), 5 * std::sin(angle), 2}, {0, 0, 0}));
   }
   const ViewSelectionOptions options;

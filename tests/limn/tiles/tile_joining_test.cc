@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/tiles/tile_graphs.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -91,7 +92,7 @@ TEST_F(TileJoiningTest, WhatTurnsAtTheBorderIsAnotherCurve) {
   // They meet at the border; up to 20 degrees is a turn of one curve.
   for (const double degrees : {15.0, 25.0, 80.0}) {
     SCOPED_TRACE(degrees);
-    const double angle = degrees * M_PI / 180;
+    const double angle = degrees * kDeg;
     const Eigen::Vector3d turned(std::cos(angle), std::sin(angle), 0);
     DrawingGraph first, second;
     AddLink(testing::Segment({-1, 0, 0}, {1, 0, 0}).points, false, &first);

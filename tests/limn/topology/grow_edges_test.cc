@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/topology/frontal_scene.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -145,7 +146,7 @@ TEST(GrowEdgesTest, NothingGrowsAlongALinkThatIsThere) {
   const auto num_grown = [](double angle_deg) {
     FrontalScene scene;
     scene.ShowAndDraw(PxSegment(0, 0, 60, 0));
-    const double angle = angle_deg * M_PI / 180;
+    const double angle = angle_deg * kDeg;
     scene.Show(PxSegment(0, 0, 40 * std::cos(angle), 40 * std::sin(angle)));
     return scene.Grow().size();
   };
@@ -246,7 +247,7 @@ TEST(AddShortEdgesTest, DirectionsThatAreTakenAreNot) {
   // A third link leaves the joint on the left, at this angle from the short edge.
   const auto num_added = [](double angle_deg) {
     FrontalScene scene = Gap(12);
-    const double angle = angle_deg * M_PI / 180;
+    const double angle = angle_deg * kDeg;
     scene.Draw(PxSegment(0, 0, 60 * std::cos(angle), 60 * std::sin(angle)));
     return scene.AddShort().size();
   };

@@ -6,6 +6,7 @@
 
 #include "limn/topology/drawing_scene.h"
 #include "limn/topology/graph_fixture.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -41,7 +42,7 @@ TEST_P(LinkGeometryTest, TipAveragesOverTheseTwelvePixels) {
   for (size_t i = 0; i < points.size(); ++i) points[i].y() += i % 2 ? 0.2 : -0.2;
   scene_.AddLink(points);
   const Vector3d outward = scene_.TipAt(points.back()).outward;
-  EXPECT_GT(outward.x(), std::cos(2 * M_PI / 180));
+  EXPECT_GT(outward.x(), std::cos(2 * kDeg));
 }
 
 TEST_P(LinkGeometryTest, ShortLinkHasATipToo) {
@@ -166,16 +167,6 @@ TEST(NumSketchSamplesTest, CountsThoseOfAllVertices) {
   link.vertices[0].samples = {{3, 4}, {5, 6}};
   link.vertices[2].samples = {{3, 5}};
   EXPECT_EQ(NumSketchSamples(link), 3);
-}
-
-TEST(AngleBetweenTest, LinesHaveNoDirection) {
-  const Vector3d x = Vector3d::UnitX();
-  const Vector3d turned(std::cos(2), std::sin(2), 0);
-  EXPECT_NEAR(AngleBetween(x, turned), 2, 1e-12);
-  EXPECT_NEAR(LineAngleBetween(x, turned), M_PI - 2, 1e-12);
-  // Rounding does not make it undefined.
-  EXPECT_EQ(AngleBetween(x, 1.0000001 * x), 0);
-  EXPECT_EQ(LineAngleBetween(x, -1.0000001 * x), 0);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/topology/frontal_scene.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -162,7 +163,7 @@ TEST(PairContinuationsTest, BendsThatMeetAtACornerDoNotGoOn) {
 }
 
 TEST(PairContinuationsTest, TurnIsAnOption) {
-  const double turn = 40 * M_PI / 180;
+  const double turn = 40 * kDeg;
   EXPECT_EQ(Paired({turn, M_PI}, 39), Pairs());
   EXPECT_EQ(Paired({turn, M_PI}, 41), (Pairs{{{0, 0}, {1, 0}}}));
 }

@@ -1,10 +1,10 @@
 #include "limn/formats/dxf/dxf_dimensions.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "limn/formats/dxf/dxf_entities.h"
 #include "limn/formats/dxf/dxf_object_axes.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -60,7 +60,7 @@ class PictureWriter {
     writer_.PutPoint(10, middle);
     writer_.Put(40, height);
     writer_.Put(1, dimension.text);
-    writer_.Put(50, std::atan2(along.y(), along.x()) * 180 / std::numbers::pi);
+    writer_.Put(50, Degrees(std::atan2(along.y(), along.x())));
     writer_.Put(72, 1);  // centered at:
     writer_.PutPoint(11, middle);
     writer_.PutPoint(210, frame.normal);

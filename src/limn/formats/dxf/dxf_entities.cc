@@ -8,12 +8,13 @@
 
 #include "limn/formats/dxf/dxf_object_axes.h"
 #include "limn/formats/triangle_parts.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
 double DegreesWithinATurn(double rad) {
-  const double degrees = std::fmod(rad * 180 / M_PI, 360.0);
+  const double degrees = std::fmod(Degrees(rad), 360.0);
   return degrees < 0 ? degrees + 360 : degrees;
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/formats/svg/svg_path.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -42,7 +43,7 @@ void PutWitness(const Eigen::Vector2d& place, const Eigen::Vector2d& end, double
 
 double TextAngle(const Eigen::Vector2d& way) {
   // y is down: text that goes up is read from the right.
-  double degrees = std::atan2(way.y(), way.x()) * 180 / std::numbers::pi;
+  double degrees = Degrees(std::atan2(way.y(), way.x()));
   if (degrees >= 90) degrees -= 180;
   if (degrees < -90) degrees += 180;
   return degrees;

@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 
 #include "limn/geometry/bezier.h"
+#include "limn/util/angles.h"
 
 namespace limn {
 namespace {
@@ -49,7 +50,7 @@ void Append(const SvgSheet& sheet, const CircularArc& arc, double t0, double t1,
     return AppendFitted(points, tolerance, path);
   }
   const Eigen::Vector2d major = svd.matrixU().col(0);
-  const double rotation_deg = std::atan2(major.y(), major.x()) * 180 / M_PI;
+  const double rotation_deg = Degrees(std::atan2(major.y(), major.x()));
   const double turn = (t1 - t0) * arc.sweep_rad;
   const int parts = std::max(1, static_cast<int>(std::ceil(turn / kMaxTurn - 1e-9)));
   path->MoveTo(sheet.ToSheet(PointAt(arc, t0)));

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/formats/svg/svg_path.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 
 namespace limn {
@@ -21,8 +22,6 @@ constexpr double kLargestPaperMm = 100'000;
 constexpr double kLegendWidthMm = 60;
 // As for models: a drawing farther from the origin than this many times its size is moved there.
 constexpr double kFar = 1000;
-
-double Radians(double degrees) { return degrees * M_PI / 180; }
 
 Eigen::Matrix3d Axes(const Eigen::Vector3d& right, const Eigen::Vector3d& up) {
   Eigen::Matrix3d axes;
@@ -44,8 +43,8 @@ Eigen::Matrix3d AxesOf(const SheetOptions& options) {
     case SvgProjection::kAxonometric:
       break;
   }
-  const double azimuth = Radians(options.azimuth_deg);
-  const double elevation = Radians(options.elevation_deg);
+  const double azimuth = options.azimuth_deg * kDeg;
+  const double elevation = options.elevation_deg * kDeg;
   const Eigen::Vector3d level = std::cos(azimuth) * x + std::sin(azimuth) * y;
   return Axes(-std::sin(azimuth) * x + std::cos(azimuth) * y,
               std::cos(elevation) * z - std::sin(elevation) * level);
