@@ -1,7 +1,6 @@
 #include "colmap_ext/dense_files/patch_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 
@@ -9,6 +8,7 @@
 #include "colmap_ext/workspace/pmvs_model.h"
 #include "limn/files/whole_file.h"
 #include "limn/util/errors.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -89,16 +89,8 @@ class PatchReader {
 };
 
 void PutVector(const Eigen::Vector3d& vector, double last, std::ostream& out) {
-  const auto put = [&](double value) {
-    char text[32];
-    out.write(text, std::to_chars(text, text + sizeof(text), value).ptr - text);
-  };
-  for (const double value : vector) {
-    put(value);
-    out << ' ';
-  }
-  put(last);
-  out << '\n';
+  for (const double value : vector) out << NumberText(value) << ' ';
+  out << NumberText(last) << '\n';
 }
 
 void PutImages(const std::vector<int>& images, std::ostream& out) {

@@ -1,11 +1,11 @@
 #include "colmap_ext/dense_files/pmvs_with_curves.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 
 #include "colmap_ext/dense_files/patch_file.h"
 #include "limn/files/atomic_file.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -28,12 +28,8 @@ std::vector<Patch> CurvePatches(const std::vector<CurvePoint>& points,
 
 void PutLine(const Eigen::Vector3d& position, const Eigen::Vector3d& normal,
              const std::array<uint8_t, 3>& color, std::ostream& out) {
-  char text[32];
   for (const Eigen::Vector3d& vector : {position, normal}) {
-    for (const double value : vector) {
-      out.write(text, std::to_chars(text, text + sizeof(text), value).ptr - text);
-      out << ' ';
-    }
+    for (const double value : vector) out << NumberText(value) << ' ';
   }
   out << static_cast<int>(color[0]) << ' ' << static_cast<int>(color[1]) << ' '
       << static_cast<int>(color[2]) << '\n';

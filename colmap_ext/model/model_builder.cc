@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "colmap_ext/model/image_name.h"
-#include "limn/util/name_list.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -1,12 +1,12 @@
 #include "colmap_ext/model/model_writer.h"
 
-#include <charconv>
 #include <span>
 #include <system_error>
 
 #include "colmap_ext/model/image_name.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -26,9 +26,7 @@ struct Spaced {
 };
 
 std::ostream& operator<<(std::ostream& out, Spaced number) {
-  char buffer[32];
-  const auto [end, error] = std::to_chars(std::begin(buffer), std::end(buffer), number.value);
-  return out.put(' ').write(buffer, end - buffer);
+  return out << ' ' << NumberText(number.value);
 }
 
 std::ostream& operator<<(std::ostream& out, const Eigen::Vector3d& v) {

@@ -8,7 +8,7 @@
 #include "colmap_ext/model/model_builder.h"
 #include "colmap_ext/model/record_reading.h"
 #include "colmap_ext/model/rig.h"
-#include "limn/files/number_text.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -13,6 +13,7 @@
 #include "colmap_ext/options/ini_file.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {
@@ -41,13 +42,6 @@ std::optional<double> ParseDouble(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-// The shortest text that reads back as the same number.
-std::string FormatDouble(double value) {
-  char buffer[32];
-  const auto [end, error] = std::to_chars(std::begin(buffer), std::end(buffer), value);
-  return {buffer, end};
-}
-
 std::optional<std::vector<double>> ParseDoubles(std::string_view text) {
   std::vector<double> values;
   while (!text.empty()) {
@@ -64,7 +58,7 @@ std::string FormatDoubles(const std::vector<double>& values) {
   std::string text;
   for (const double value : values) {
     if (!text.empty()) text += ',';
-    text += FormatDouble(value);
+    text += NumberText(value);
   }
   return text;
 }
@@ -150,7 +144,7 @@ void OptionParser::AddOption(const std::string& name, double* value, const Optio
     *value = *parsed;
     return "";
   };
-  Add({name, help, "number", {}, set, [value] { return FormatDouble(*value); }});
+  Add({name, help, "number", {}, set, [value] { return NumberText(*value); }});
 }
 
 void OptionParser::AddOption(const std::string& name, int* value, const OptionHelp& help) {

@@ -13,6 +13,7 @@
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "limn/util/name_list.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {

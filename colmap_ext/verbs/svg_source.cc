@@ -16,6 +16,7 @@
 #include "limn/plans/depth_range.h"
 #include "limn/plans/face_axes.h"
 #include "limn/util/errors.h"
+#include "limn/util/number_text.h"
 #include "limn/visibility/face_surface.h"
 #include "limn/visibility/render_depth.h"
 
@@ -128,9 +129,8 @@ Section SectionAt(double height, const PlanOptions& plan, const SheetInput& inpu
   const double gap = plan.section_gap >= 0 ? plan.section_gap : UsualGap(input.graph.links);
   Section section = CutAt(height, input.faces, input.graph.links, gap);
   console->Say("section: " + std::to_string(section.lines.size()) + " lines of faces, " +
-               std::to_string(section.NumClosed()) + " closed (gaps up to " +
-               ShortNumber(gap, DecimalsFor(0.01 * std::max(gap, 1e-12))) + "); " +
-               std::to_string(section.points.size()) + " places where links are cut");
+               std::to_string(section.NumClosed()) + " closed (gaps up to " + ShortNumber(gap) +
+               "); " + std::to_string(section.points.size()) + " places where links are cut");
   if (input.faces.empty()) {
     console->Say("WARNING: the drawing has no faces to cut: run drawing_surfacer first");
   }

@@ -10,6 +10,7 @@
 #include "limn/model/link_selection.h"
 #include "limn/model/view_subset.h"
 #include "limn/util/median.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {

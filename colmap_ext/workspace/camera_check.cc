@@ -8,6 +8,7 @@
 #include "limn/model/reprojection_errors.h"
 #include "limn/util/median.h"
 #include "limn/util/name_list.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "limn/editing/edit_session.h"
 #include "limn/model/footprint.h"
-#include "limn/util/name_list.h"
+#include "limn/util/number_text.h"
 #include "limn/util/sort_unique.h"
 
 namespace limn {

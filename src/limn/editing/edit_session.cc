@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "limn/util/name_list.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {

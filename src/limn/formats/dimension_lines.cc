@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/formats/svg/svg_path.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {
@@ -72,9 +73,7 @@ DimensionLines LinesOf(const DrawingDimension& dimension) {
 
 std::string DimensionText::Of(double length) const {
   const double value = per_unit * length;
-  std::string number = ShortNumber(value, DecimalsOf(unit, value));
-  if (number.starts_with('.')) number.insert(0, 1, '0');
-  return number + NameOf(unit);
+  return RoundedText(value, DecimalsOf(unit, value)) + NameOf(unit);
 }
 
 }  // namespace limn

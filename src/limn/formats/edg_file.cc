@@ -5,11 +5,11 @@
 #include <optional>
 #include <ostream>
 
-#include "limn/files/number_text.h"
 #include "limn/files/text_scanner.h"
 #include "limn/files/whole_file.h"
 #include "limn/formats/check_edgel.h"
 #include "limn/util/errors.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {

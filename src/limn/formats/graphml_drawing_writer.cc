@@ -2,9 +2,9 @@
 
 #include <ostream>
 
-#include "limn/files/number_text.h"
 #include "limn/formats/link_kind.h"
 #include "limn/geometry/polyline.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {

@@ -3,9 +3,9 @@
 #include <ostream>
 #include <vector>
 
-#include "limn/files/number_text.h"
 #include "limn/formats/face_mesh.h"
 #include "limn/formats/link_kind.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "limn/geometry/polyline.h"
+
 namespace limn {
 namespace {
 
@@ -23,12 +25,6 @@ bool IsNode(const DrawingGraph& graph, NodeId id) {
 
 bool HasIncidence(const DrawingNode& node, LinkEnd end) {
   return std::find(node.incident.begin(), node.incident.end(), end) != node.incident.end();
-}
-
-double Length(const std::vector<Eigen::Vector3d>& points) {
-  double length = 0;
-  for (size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-  return length;
 }
 
 void CheckLink(const DrawingGraph& graph, LinkId id, Violations* violations) {
@@ -228,6 +224,11 @@ std::vector<std::string> Validate(const DrawingGraph& graph) {
   return violations.Take();
 }
 
+NodeKind KindOf(const DrawingGraph& graph, const DrawingNode& node) {
+  if (node.Degree() >= 3) return NodeKind::kJunction;
+  return IsLoopAnchor(graph, node) ? NodeKind::kLoopAnchor : NodeKind::kEnd;
+}
+
 void RebuildIncidence(DrawingGraph* graph) {
   for (DrawingNode& node : graph->nodes) node.incident.clear();
   for (size_t id = 0; id < graph->links.size(); ++id) {
@@ -235,13 +236,7 @@ void RebuildIncidence(DrawingGraph* graph) {
     graph->nodes[link.node0].incident.push_back({static_cast<LinkId>(id), 0});
     graph->nodes[link.node1].incident.push_back({static_cast<LinkId>(id), 1});
   }
-  for (DrawingNode& node : graph->nodes) {
-    if (node.Degree() >= 3) {
-      node.kind = NodeKind::kJunction;
-    } else {
-      node.kind = IsLoopAnchor(*graph, node) ? NodeKind::kLoopAnchor : NodeKind::kEnd;
-    }
-  }
+  for (DrawingNode& node : graph->nodes) node.kind = KindOf(*graph, node);
 }
 
 void RemoveLinks(const std::vector<uint8_t>& keep, DrawingGraph* graph) {

@@ -189,6 +189,9 @@ struct DrawingGraph {
 // exactly the two ends of one closed link. Linear time.
 std::vector<std::string> Validate(const DrawingGraph& graph);
 
+// The kind of a node, by the link ends at it and by whether their link is closed.
+NodeKind KindOf(const DrawingGraph& graph, const DrawingNode& node);
+
 // Recomputes `incident` and `kind` of every node from the links' node0, node1 and closed.
 void RebuildIncidence(DrawingGraph* graph);
 

@@ -7,7 +7,7 @@
 #include "limn/model/footprint.h"
 #include "limn/primitives/fit_primitives.h"
 #include "limn/refinement/refinement.h"
-#include "limn/util/name_list.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {

@@ -18,6 +18,7 @@
 #include "limn/util/angles.h"
 #include "limn/util/median.h"
 #include "limn/util/name_list.h"
+#include "limn/util/number_text.h"
 #include "limn/util/sort_unique.h"
 
 namespace limn {

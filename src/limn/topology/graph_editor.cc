@@ -110,14 +110,12 @@ NodeId GraphEditor::AddNode(Eigen::Vector3d position) {
 
 void GraphEditor::UpdateKind(NodeId id) {
   DrawingNode& node = graph_->nodes[id];
-  const bool is_anchor = node.Degree() == 2 && node.incident[0].link == node.incident[1].link;
-  node.kind = is_anchor            ? NodeKind::kLoopAnchor
-              : node.Degree() >= 3 ? NodeKind::kJunction
-                                   : NodeKind::kEnd;
+  const bool is_loop = node.Degree() == 2 && node.incident[0].link == node.incident[1].link;
   for (const LinkEnd& end : node.incident) {
     DrawingLink& link = graph_->links[end.link];
-    link.closed = is_anchor && link.node0 == link.node1;
+    link.closed = is_loop && link.node0 == link.node1;
   }
+  node.kind = KindOf(*graph_, node);
 }
 
 void GraphEditor::Attach(const LinkEnd& end, NodeId id) {

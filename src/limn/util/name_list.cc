@@ -1,7 +1,8 @@
 #include "limn/util/name_list.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {
@@ -9,12 +10,6 @@ namespace {
 constexpr size_t kMaxListedNames = 5;
 
 }  // namespace
-
-std::string ShortNumber(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", number);
-  return text;
-}
 
 std::string ListNames(const std::vector<std::string>& names) {
   std::string list;

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "limn/files/number_text.h"
+#include "limn/util/number_text.h"
 
 namespace limn {
 namespace {

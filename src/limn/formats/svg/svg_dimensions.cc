@@ -66,10 +66,10 @@ void Put(const FlatLines& flat, const std::string& text, const DimensionPicture&
   const Eigen::Vector2d middle = 0.5 * (flat.from + flat.to);
   // Renderers lay text out badly in sizes far below a unit.
   out << "<path d=\"" << path.text() << "\"/><text transform=\"translate("
-      << ShortNumber(middle.x(), picture.decimals) << ' '
-      << ShortNumber(middle.y(), picture.decimals) << ") rotate(" << ShortNumber(TextAngle(way), 3)
-      << ") scale(" << ShortNumber(picture.px, DecimalsFor(1e-3 * picture.px)) << ")\" y=\""
-      << ShortNumber(-kTextPx, 2) << "\">" << XmlEscaped(text) << "</text>";
+      << SvgNumber(middle.x(), picture.decimals) << ' ' << SvgNumber(middle.y(), picture.decimals)
+      << ") rotate(" << SvgNumber(TextAngle(way), 3) << ") scale("
+      << SvgNumber(picture.px, DecimalsFor(1e-3 * picture.px)) << ")\" y=\""
+      << SvgNumber(-kTextPx, 2) << "\">" << XmlEscaped(text) << "</text>";
 }
 
 }  // namespace

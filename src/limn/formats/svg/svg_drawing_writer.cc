@@ -91,7 +91,7 @@ class SvgWriter {
   }
 
  private:
-  std::string Pixels(double px) const { return ShortNumber(px * picture_.px, picture_.decimals); }
+  std::string Pixels(double px) const { return SvgNumber(px * picture_.px, picture_.decimals); }
 
   void PutRule(const char* what, const char* color) {
     out_ << what << "{stroke:" << color << "}\n";
@@ -105,7 +105,7 @@ class SvgWriter {
          << "#junctions{fill:#fff;stroke:#000;stroke-width:" << Pixels(0.75) << "}\n"
          << "#legend{fill:none;stroke:#000;stroke-width:.75}\n"
             "#legend circle,#legend text{fill:#000;stroke:none}\n"
-         << "#legend text{font:" << ShortNumber(kLegendTextPx, 2) << "px sans-serif}\n";
+         << "#legend text{font:" << SvgNumber(kLegendTextPx, 2) << "px sans-serif}\n";
     if (options_.section) {
       out_ << "#section{fill:none;stroke:#000;stroke-width:"
            << Pixels(kSectionWidths * options_.line_width_px)
@@ -114,7 +114,7 @@ class SvgWriter {
     if (!graph_.dimensions.empty()) {
       out_ << "#dimensions{fill:none;stroke:#000;stroke-width:" << Pixels(0.75)
            << "}\n#dimensions text{fill:#000;stroke:none;text-anchor:middle;font:"
-           << ShortNumber(kLegendTextPx, 2) << "px sans-serif}\n";
+           << SvgNumber(kLegendTextPx, 2) << "px sans-serif}\n";
     }
     if (options_.colors == SvgColors::kPrimitive) {
       PutRule(".line", "#0072b2");
@@ -191,8 +191,8 @@ class SvgWriter {
       if (node.kind != NodeKind::kJunction || !IsSeen(node)) continue;
       const auto place = picture_.place_of(node.position_in_world);
       if (!place) continue;
-      out_ << "<circle id=\"node_" << id << "\" cx=\"" << ShortNumber(place->x(), picture_.decimals)
-           << "\" cy=\"" << ShortNumber(place->y(), picture_.decimals) << "\" r=\""
+      out_ << "<circle id=\"node_" << id << "\" cx=\"" << SvgNumber(place->x(), picture_.decimals)
+           << "\" cy=\"" << SvgNumber(place->y(), picture_.decimals) << "\" r=\""
            << Pixels(options_.junction_radius_px) << "\"/>\n";
     }
     out_ << "</g>\n";
@@ -212,8 +212,8 @@ class SvgWriter {
     for (const Eigen::Vector3d& point : section.points) {
       const auto place = picture_.place_of(point);
       if (!place) continue;
-      out_ << "<circle cx=\"" << ShortNumber(place->x(), picture_.decimals) << "\" cy=\""
-           << ShortNumber(place->y(), picture_.decimals) << "\" r=\""
+      out_ << "<circle cx=\"" << SvgNumber(place->x(), picture_.decimals) << "\" cy=\""
+           << SvgNumber(place->y(), picture_.decimals) << "\" r=\""
            << Pixels(kSectionMarkWidths * options_.line_width_px) << "\"/>\n";
     }
     out_ << "</g>\n";
@@ -234,8 +234,8 @@ std::string SheetDescription(const SvgSheet& sheet) {
   std::string text = "Scale " + ScaleText(sheet.scale_denominator) +
                      "; a unit is one of the model, taken as a metre; right and down from ";
   constexpr int kDecimals = 3;
-  return text + ShortNumber(sheet.origin.x(), kDecimals) + ", " +
-         ShortNumber(sheet.origin.y(), kDecimals) + ".";
+  return text + SvgNumber(sheet.origin.x(), kDecimals) + ", " +
+         SvgNumber(sheet.origin.y(), kDecimals) + ".";
 }
 
 }  // namespace
@@ -272,7 +272,7 @@ SvgSummary WriteDrawingSvg(const DrawingGraph& graph, const View& view, const Is
     picture.background = [&](std::ostream& into) {
       into << "<image href=\"" << XmlEscaped(UrlPath(options.photo)) << "\" width=\"" << width
            << "\" height=\"" << height << "\" preserveAspectRatio=\"none\" opacity=\""
-           << ShortNumber(options.photo_opacity, 3) << "\"/>\n";
+           << SvgNumber(options.photo_opacity, 3) << "\"/>\n";
     };
   }
   return SvgWriter(graph, picture, options, out).Write();
@@ -286,10 +286,10 @@ SvgSummary WriteDrawingSvg(const DrawingGraph& graph, const SvgSheet& sheet,
   picture.px = sheet.px();
   picture.decimals = DecimalsFor(kRoundingPx * sheet.px());
   constexpr int kMmDecimals = 3;
-  const auto number = [&](double value) { return ShortNumber(value, picture.decimals); };
+  const auto number = [&](double value) { return SvgNumber(value, picture.decimals); };
   const Eigen::Vector2d extent = sheet.paper_max - sheet.paper_min;
-  picture.size = "width=\"" + ShortNumber(sheet.PaperMm().x(), kMmDecimals) + "mm\" height=\"" +
-                 ShortNumber(sheet.PaperMm().y(), kMmDecimals) + "mm\" viewBox=\"" +
+  picture.size = "width=\"" + SvgNumber(sheet.PaperMm().x(), kMmDecimals) + "mm\" height=\"" +
+                 SvgNumber(sheet.PaperMm().y(), kMmDecimals) + "mm\" viewBox=\"" +
                  number(sheet.paper_min.x()) + ' ' + number(sheet.paper_min.y()) + ' ' +
                  number(extent.x()) + ' ' + number(extent.y()) + '"';
   picture.description = SheetDescription(sheet);

@@ -26,14 +26,14 @@ double RoundDown(double value) {
 }
 
 std::string LengthText(double meters) {
-  if (meters >= 1000) return ShortNumber(meters / 1000, 3) + " km";
-  if (meters >= 1) return ShortNumber(meters, 3) + " m";
-  if (meters >= 0.01) return ShortNumber(100 * meters, 3) + " cm";
-  if (meters >= 0.001) return ShortNumber(1000 * meters, 3) + " mm";
-  return ShortNumber(1e6 * meters, 3) + " \xc2\xb5m";
+  if (meters >= 1000) return SvgNumber(meters / 1000, 3) + " km";
+  if (meters >= 1) return SvgNumber(meters, 3) + " m";
+  if (meters >= 0.01) return SvgNumber(100 * meters, 3) + " cm";
+  if (meters >= 0.001) return SvgNumber(1000 * meters, 3) + " mm";
+  return SvgNumber(1e6 * meters, 3) + " \xc2\xb5m";
 }
 
-std::string Number(double value) { return ShortNumber(value, kDecimals); }
+std::string Number(double value) { return SvgNumber(value, kDecimals); }
 
 // In pixels from the lower left corner of the paper, x right and y down.
 class LegendWriter {
@@ -45,9 +45,9 @@ class LegendWriter {
     const int decimals = DecimalsFor(0.01 * sheet_.px());
     // Enough digits for the width of the paper.
     const int scale_decimals = DecimalsFor(0.01 * sheet_.px() / width_px_);
-    out_ << "<g id=\"legend\" transform=\"translate(" << ShortNumber(sheet_.paper_min.x(), decimals)
-         << ' ' << ShortNumber(sheet_.paper_max.y(), decimals) << ") scale("
-         << ShortNumber(sheet_.px(), scale_decimals) << ")\">\n";
+    out_ << "<g id=\"legend\" transform=\"translate(" << SvgNumber(sheet_.paper_min.x(), decimals)
+         << ' ' << SvgNumber(sheet_.paper_max.y(), decimals) << ") scale("
+         << SvgNumber(sheet_.px(), scale_decimals) << ")\">\n";
     PutScaleBar();
     PutAxes();
     out_ << "</g>\n";

@@ -1,23 +1,17 @@
 #include "limn/formats/svg/svg_path.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "limn/util/number_text.h"
 
 namespace limn {
 
-std::string ShortNumber(double value, int decimals) {
-  char buffer[400];
-  const auto [end, error] =
-      std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed, decimals);
-  std::string text(buffer, end);
-  if (decimals > 0) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
+std::string SvgNumber(double value, int decimals) {
+  std::string text = RoundedText(value, decimals);
   if (text.starts_with("0.")) text.erase(0, 1);
   if (text.starts_with("-0.")) text.erase(1, 1);
-  return text == "-0" ? "0" : text;
+  return text;
 }
 
 int DecimalsFor(double largest_error) {
@@ -77,9 +71,9 @@ void SvgPath::ArcTo(const Eigen::Vector2d& radii, double rotation_deg, bool posi
   // A thousandth of a degree is less than the rounding of places up to radii of 5000 px.
   constexpr int kAngleDecimals = 3;
   PutCommand('a');
-  PutText(ShortNumber(radii.x(), decimals_ + 1));
-  PutText(ShortNumber(radii.y(), decimals_ + 1));
-  PutText(ShortNumber(rotation_deg, kAngleDecimals));
+  PutText(SvgNumber(radii.x(), decimals_ + 1));
+  PutText(SvgNumber(radii.y(), decimals_ + 1));
+  PutText(SvgNumber(rotation_deg, kAngleDecimals));
   PutText("0");
   PutText(positive_turn ? "1" : "0");
   PutOffset(point);
@@ -104,8 +98,8 @@ void SvgPath::PutText(const std::string& number) {
 
 void SvgPath::PutOffset(const Eigen::Vector2d& point) {
   const Eigen::Matrix<long long, 2, 1> offset = Rounded(point) - at_;
-  PutText(ShortNumber(static_cast<double>(offset.x()) / steps_, decimals_));
-  PutText(ShortNumber(static_cast<double>(offset.y()) / steps_, decimals_));
+  PutText(SvgNumber(static_cast<double>(offset.x()) / steps_, decimals_));
+  PutText(SvgNumber(static_cast<double>(offset.y()) / steps_, decimals_));
 }
 
 }  // namespace limn

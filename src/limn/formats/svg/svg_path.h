@@ -6,8 +6,8 @@
 
 namespace limn {
 
-// A number rounded to this many decimals, without trailing zeros.
-std::string ShortNumber(double value, int decimals);
+// RoundedText without the zero before the point: "-.5".
+std::string SvgNumber(double value, int decimals);
 
 // Number of decimals at which rounding errors are at most `largest_error` > 0.
 int DecimalsFor(double largest_error);

@@ -136,7 +136,7 @@ OrthographicFrame DepthFrame(const SvgSheet& sheet) {
 
 std::string ScaleText(double scale_denominator) {
   const bool enlarged = scale_denominator < 1;
-  const std::string number = ShortNumber(enlarged ? 1 / scale_denominator : scale_denominator, 2);
+  const std::string number = SvgNumber(enlarged ? 1 / scale_denominator : scale_denominator, 2);
   return enlarged ? number + ":1" : "1:" + number;
 }
 

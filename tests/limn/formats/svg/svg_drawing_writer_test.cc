@@ -168,8 +168,8 @@ TEST(MakeSheet, FarFromTheOriginNumbersStayShort) {
   EXPECT_LT(sheet.paper_max.norm(), 10);
   EXPECT_EQ(sheet.origin, Eigen::Vector2d(sheet.origin.array().round()));
   const std::string svg = WrittenSvg(graph, sheet, {}, {});
-  EXPECT_THAT(
-      svg, HasSubstr(ShortNumber(sheet.origin.x(), 0) + ", " + ShortNumber(sheet.origin.y(), 0)));
+  EXPECT_THAT(svg,
+              HasSubstr(SvgNumber(sheet.origin.x(), 0) + ", " + SvgNumber(sheet.origin.y(), 0)));
   EXPECT_EQ(Count(svg, "id=\"link_"), 9);
 }
 
@@ -274,10 +274,10 @@ TEST(FindRuns, ShortRunsGoWithWhatIsAround) {
 }
 
 TEST(SvgPath, NumbersAreShortAndErrorsDoNotAddUp) {
-  EXPECT_EQ(ShortNumber(0.5, 2), ".5");
-  EXPECT_EQ(ShortNumber(-0.25, 2), "-.25");
-  EXPECT_EQ(ShortNumber(100, 2), "100");
-  EXPECT_EQ(ShortNumber(-0.001, 2), "0");
+  EXPECT_EQ(SvgNumber(0.5, 2), ".5");
+  EXPECT_EQ(SvgNumber(-0.25, 2), "-.25");
+  EXPECT_EQ(SvgNumber(100, 2), "100");
+  EXPECT_EQ(SvgNumber(-0.001, 2), "0");
   EXPECT_EQ(DecimalsFor(0.005), 2);
   EXPECT_EQ(DecimalsFor(5), 0);
   SvgPath path(1);
