@@ -9,6 +9,7 @@
 #include "colmap_ext/temp_dir.h"
 #include "colmap_ext/workspace/test_database.h"
 #include "limn/alignment/wire_room.h"
+#include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/alignment/wire_room.h"
+#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
