@@ -27,9 +27,10 @@ int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_c
                                                     image_curves.curves, console->context());
   const std::string provenance = DrawingProvenance(options, stored.metadata.options_json);
   CheckReplaceable(project, options, "drawing.json", provenance);
-  const DrawingResult result =
-      DrawSketch({project.views(), image_curves.curves, stored.sketch, SceneBox(project, options)},
-                 options.pipeline, console->context());
+  const DrawingResult result = DrawSketch(
+      {{project.views(), image_curves.curves, project.view_set().hints, SceneBox(project, options)},
+       stored.sketch},
+      options.pipeline, console->context());
   console->Report(result.summary);
   CheckGraph(result.graph);
   WriteRefinedModel(project, std::nullopt, console.get());

@@ -18,11 +18,11 @@ int RunCurveSketcher(int argc, const char* const* argv, const ConsoleMaker& make
   CheckSceneViews(project);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
 
-  const SketchInput input{project.views(), image_curves.curves, project.view_set().hints,
-                          SceneBox(project, options)};
+  const CurvesScene scene = {project.views(), image_curves.curves, project.view_set().hints,
+                             SceneBox(project, options)};
   const SketchMode mode = options.pipeline.mode;
   const SketchResult result =
-      SketchViews(mode, input, options.pipeline.sketch, project.cache(), console->context());
+      SketchViews(mode, {scene}, options.pipeline.sketch, project.cache(), console->context());
   console->Report(result.summary);
 
   const std::string name = SketchFileName(mode);

@@ -31,7 +31,7 @@ int RunDrawingEditor(int argc, const char* const* argv, const ConsoleMaker& make
       ApplyEdits(given.graph, project.views(), Moved(file.edits, -project.origin()));
   if (HasTouched(edited)) {
     const CurvesResult curves = ExtractProjectCurves(project, options, console.get());
-    console->Report(RefitEdited({project.views(), curves.curves, project.images().read},
+    console->Report(RefitEdited({project.views(), curves.curves}, project.images().read,
                                 options.pipeline, console->context(), &edited));
   }
   SayEdits(file.edits, edited, console.get());

@@ -25,7 +25,7 @@ int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& mak
   const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
   const StageObserver report = [&](const StageSummary& summary) { console->Report(summary); };
   const JudgedDrawing judged = RefineAndJudge(
-      {project.views(), image_curves.curves, given.graph, &project.view_set().hints.points},
+      {{project.views(), image_curves.curves, project.view_set().hints}, given.graph},
       options.pipeline, console->context(), report);
   const std::vector<View>& views = ViewsOfDrawing(project, judged.cameras);
   const DrawingGraph graph = DescribeLinks(judged.graph, views, project.images().read,

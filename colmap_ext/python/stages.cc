@@ -210,7 +210,7 @@ std::shared_ptr<SceneSketch> SketchScene(std::shared_ptr<const SceneCurves> curv
   ResultCache no_cache("");
   SketchResult result =
       SketchViews(run.pipeline.mode,
-                  {scene.views(), *curves->curves, scene.view_set().hints, SceneBox(scene, run)},
+                  {{scene.views(), *curves->curves, scene.view_set().hints, SceneBox(scene, run)}},
                   run.pipeline.sketch, &no_cache, console.context());
   console.Report(result.summary);
   sketch->sketch = std::make_shared<const CurveSketch>(std::move(result.sketch));
@@ -230,9 +230,10 @@ std::shared_ptr<SceneDrawing> DrawSketch(std::shared_ptr<const SceneSketch> sket
   LibraryConsole console(run.num_threads, monitor);
   const SceneCurves& curves = *sketch->curves;
   const Scene& scene = curves.scene->scene;
-  const DrawingResult result =
-      limn::DrawSketch({scene.views(), *curves.curves, *sketch->sketch, SceneBox(scene, run)},
-                       run.pipeline, console.context());
+  const DrawingResult result = limn::DrawSketch(
+      {{scene.views(), *curves.curves, scene.view_set().hints, SceneBox(scene, run)},
+       *sketch->sketch},
+      run.pipeline, console.context());
   console.Report(result.summary);
   auto drawing = MakeDrawing(curves.scene, std::move(made), result.graph, std::nullopt,
                              DrawingProvenance(run, Provenance(sketch->made.options)));
@@ -277,9 +278,9 @@ std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDraw
   LibraryConsole console(run.num_threads, monitor);
   const Scene& scene = drawing->scene->scene;
   const auto curves = drawing->curves ? drawing->curves : CurvesOf(drawing->scene, run, &console);
-  JudgedDrawing judged = RefineAndJudge(
-      {drawing->views, *curves, GraphInScene(*drawing), &scene.view_set().hints.points},
-      run.pipeline, console.context(), ReportTo(&console));
+  JudgedDrawing judged =
+      RefineAndJudge({{drawing->views, *curves, scene.view_set().hints}, GraphInScene(*drawing)},
+                     run.pipeline, console.context(), ReportTo(&console));
   const std::vector<View>& views = judged.cameras ? judged.cameras->views : drawing->views;
   const DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, scene.images().read,
                                            run.pipeline, console.context(), ReportTo(&console));
@@ -328,8 +329,8 @@ std::shared_ptr<SceneDrawing> FindSceneFaces(std::shared_ptr<const SceneDrawing>
   const Scene& scene = drawing->scene->scene;
   if (!faced->curves) faced->curves = CurvesOf(drawing->scene, run, &console);
   const SurfaceResult result =
-      FindFaces({drawing->views, *faced->curves, scene.view_set().hints.points},
-                GraphInScene(*drawing), run.pipeline.surfaces, console.context());
+      FindFaces({drawing->views, *faced->curves, scene.view_set().hints}, GraphInScene(*drawing),
+                run.pipeline.surfaces, console.context());
   console.Report(result.summary);
   SayLinksBehind(result.links_behind, &console);
   CheckGraph(result.graph);
@@ -358,7 +359,7 @@ std::shared_ptr<SceneDrawing> EditSceneDrawing(std::shared_ptr<const SceneDrawin
   auto edited = std::make_shared<SceneDrawing>(*drawing);
   if (HasTouched(result)) {
     if (!edited->curves) edited->curves = CurvesOf(drawing->scene, run, &console);
-    console.Report(RefitEdited({drawing->views, *edited->curves, scene.images().read}, run.pipeline,
+    console.Report(RefitEdited({drawing->views, *edited->curves}, scene.images().read, run.pipeline,
                                console.context(), &result));
     scene.images().release();
   }

@@ -313,10 +313,12 @@ void WriteDrawingResults(const Project& project, const std::vector<View>& views,
 }
 
 void WriteAccount(const Project& project, const PipelineResult& result, Console* console) {
-  const EdgelFates fates =
-      AccountEdgels({ViewsOfDrawing(project, result.cameras), result.curves, result.sketch_fates,
-                     result.sketch, result.sample_fates, result.graph},
-                    console->context());
+  const EdgelFates fates = AccountEdgels({{ViewsOfDrawing(project, result.cameras), result.curves},
+                                          result.sketch_fates,
+                                          result.sketch,
+                                          result.sample_fates,
+                                          result.graph},
+                                         console->context());
   WriteFileAtomically(project.CurvesPath("account.csv"),
                       [&](std::ostream& out) { WriteAccountCsv(project.views(), fates, out); });
   WritePictures(project, "account", std::nullopt, console->context(), [&](ViewId v) {

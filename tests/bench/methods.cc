@@ -17,10 +17,10 @@ DrawingGraph Draw(const Scene& scene, const CurveSketch& sketch, const PipelineO
                   const RunContext& context) {
   const StageObserver unheard = [](const StageSummary&) {};
   const DrawingGraph drawing =
-      BuildDrawing({scene.views, scene.curves, sketch}, options.drawing, context).graph;
-  DrawingGraph judged = RefineAndJudge({scene.views, scene.curves, drawing, &scene.hints.points},
-                                       options, context, unheard)
-                            .graph;
+      BuildDrawing({{scene.views, scene.curves}, sketch}, options.drawing, context).graph;
+  DrawingGraph judged =
+      RefineAndJudge({{scene.views, scene.curves, scene.hints}, drawing}, options, context, unheard)
+          .graph;
   // Kinds, which need the photographs, do not change the curves.
   const DrawingGraph described =
       DescribeLinks(std::move(judged), scene.views, nullptr, options, context, unheard);
@@ -78,8 +78,8 @@ void Workbench::MakeSketch(const PipelineOptions& options) {
   const std::string text = OptionsAsJson(of_sketch);
   if (text == options_text_) return;
   const Stopwatch stopwatch;
-  sketch_ = BuildSketch(options.mode, {scene_.views, scene_.curves, scene_.hints, std::nullopt},
-                        options.sketch, context_)
+  sketch_ = BuildSketch(options.mode, {{scene_.views, scene_.curves, scene_.hints}}, options.sketch,
+                        context_)
                 .sketch;
   sketch_times_ = stopwatch.Elapsed();
   options_text_ = text;

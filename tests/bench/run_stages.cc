@@ -28,24 +28,24 @@ void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_imag
   const auto of_graph = [](const auto& result) { return ToCurveSet(result.graph); };
   const SketchResult sketch = Measure(
       [&] {
-        return BuildSketch(options.mode, {scene.views, scene.curves, scene.hints, std::nullopt},
-                           options.sketch, context);
+        return BuildSketch(options.mode, {{scene.views, scene.curves, scene.hints}}, options.sketch,
+                           context);
       },
       [](const SketchResult& result) { return ToCurveSet(result.sketch); }, on_stage_end);
   const DrawingResult drawing = Measure(
       [&] {
-        return BuildDrawing({scene.views, scene.curves, sketch.sketch}, options.drawing, context);
+        return BuildDrawing({{scene.views, scene.curves}, sketch.sketch}, options.drawing, context);
       },
       of_graph, on_stage_end);
   const RefinementResult refined = Measure(
       [&] {
-        return RefineDrawing({scene.views, scene.curves, drawing.graph, &scene.hints.points},
+        return RefineDrawing({{scene.views, scene.curves, scene.hints}, drawing.graph},
                              options.refinement, options.drawing.topology, context);
       },
       of_graph, on_stage_end);
   const BeliefResult judged = Measure(
       [&] {
-        return JudgeLinks({scene.views, scene.curves, refined.graph, refined.fitted},
+        return JudgeLinks({{scene.views, scene.curves}, refined.graph, refined.fitted},
                           options.belief, options.drawing.topology, context);
       },
       of_graph, on_stage_end);

@@ -30,17 +30,15 @@ DrawingGraph Draw(const SampleStudy& study, const std::vector<View>& views,
                   const RunContext& context) {
   const auto& curves = study.scene.curves;
   const CurveSketch sketch =
-      BuildSketch(PipelineOptions().mode, {views, curves, study.scene.hints, std::nullopt}, {},
-                  context)
-          .sketch;
-  return BuildDrawing({views, curves, sketch, std::nullopt}, {}, context).graph;
+      BuildSketch(PipelineOptions().mode, {{views, curves, study.scene.hints}}, {}, context).sketch;
+  return BuildDrawing({{views, curves}, sketch}, {}, context).graph;
 }
 
 RefinementResult Refine(const SampleStudy& study, const std::vector<View>& views,
                         const DrawingGraph& graph, bool refine_poses, const RunContext& context) {
   RefinementOptions options;
   options.refine_poses = refine_poses;
-  return RefineDrawing({views, study.scene.curves, graph, &study.scene.hints.points}, options, {},
+  return RefineDrawing({{views, study.scene.curves, study.scene.hints}, graph}, options, {},
                        context);
 }
 

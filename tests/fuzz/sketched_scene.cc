@@ -52,10 +52,9 @@ void DrawAndAccount(const CurveSketch& sketch, ViewId view, const std::vector<Ed
   if (!fates.empty()) all[view] = fates;
   RunContext context;
   context.num_threads = 1;
-  const DrawingResult drawing =
-      BuildDrawing({SketchedViews(), SketchedCurves(), sketch, std::nullopt}, {}, context);
-  AccountEdgels({SketchedViews(), SketchedCurves(), all, sketch, drawing.fates, drawing.graph},
-                context);
+  const CurvesScene scene = {SketchedViews(), SketchedCurves()};
+  const DrawingResult drawing = BuildDrawing({scene, sketch}, {}, context);
+  AccountEdgels({scene, all, sketch, drawing.fates, drawing.graph}, context);
 }
 
 }  // namespace limn::fuzz

@@ -48,9 +48,9 @@ class Judge {
         options_(options),
         topology_(topology),
         links_(input.graph.links.size()) {
-    const auto edgels = BuildViewEdgels(input.curves, context);
-    const TopologyInput images = {input.views, input.curves, edgels, kGate};
-    const ViewFinder finder(input.views);
+    const auto edgels = BuildViewEdgels(input.scene.curves, context);
+    const TopologyInput images = {input.scene.views, input.scene.curves, edgels, kGate};
+    const ViewFinder finder(input.scene.views);
     ParallelFor(context, "evidence for links", links_.size(),
                 [&](size_t l) { links_[l] = FindEvidence(images, finder, graph_.links[l]); });
     FindClaims(images, context, &links_);

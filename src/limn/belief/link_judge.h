@@ -6,6 +6,7 @@
 #include "limn/belief/belief_options.h"
 #include "limn/belief/image_evidence.h"
 #include "limn/model/curve_fragment.h"
+#include "limn/model/curves_scene.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 #include "limn/topology/topology_options.h"
@@ -14,11 +15,9 @@
 
 namespace limn {
 
-// `curves[v]` belongs to `views[v]`, which the supporting views of the links are ids of. The graph
-// passes Validate().
+// The supporting views of the links are ids of the scene's views. The graph passes Validate().
 struct BeliefInput {
-  const std::vector<View>& views;
-  const std::vector<ImageCurves>& curves;
+  CurvesScene scene;
   const DrawingGraph& graph;
   // Per link, whether it could be fitted to the images. Empty: unknown, treated as if all were.
   const std::vector<uint8_t>& fitted;

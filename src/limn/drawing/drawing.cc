@@ -94,8 +94,9 @@ StageSummary SummarizeDrawing(const CurveSketch& sketch, const DrawingGraph& gra
 DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& options,
                            const RunContext& context) {
   options.Check();
-  const auto edgels = BuildViewEdgels(input.curves, context);
-  const TopologyInput images = {input.views, input.curves, edgels, options.Gate(), input.box};
+  const auto edgels = BuildViewEdgels(input.scene.curves, context);
+  const TopologyInput images = {input.scene.views, input.scene.curves, edgels, options.Gate(),
+                                input.scene.box};
   DrawingCounts counts;
   DrawingResult result;
   {

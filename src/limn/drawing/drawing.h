@@ -1,12 +1,8 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
-#include <Eigen/Geometry>
-
 #include "limn/drawing/drawing_options.h"
 #include "limn/model/curve3d.h"
+#include "limn/model/curves_scene.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/edgel_fate.h"
 #include "limn/util/parallel.h"
@@ -14,13 +10,9 @@
 
 namespace limn {
 
-// `curves[v]` belongs to `views[v]`; the sketch's support lists point into `curves`.
 struct DrawingInput {
-  const std::vector<View>& views;
-  const std::vector<ImageCurves>& curves;
-  const CurveSketch& sketch;
-  // Links do not grow out of this box.
-  std::optional<Eigen::AlignedBox3d> box = std::nullopt;
+  CurvesScene scene;
+  const CurveSketch& sketch;  // its support lists point into the curves of the scene
 };
 
 struct DrawingResult {

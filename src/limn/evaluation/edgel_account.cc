@@ -56,22 +56,22 @@ EdgelFates AccountEdgels(const AccountInput& input, const RunContext& context) {
   EdgelFates fates = input.sketch_fates;
   for (size_t c = 0; c < input.sketch.curves.size(); ++c) {
     const CurveAnchor& anchor = input.sketch.curves[c].anchor;
-    const auto& ids = input.curves[anchor.view].fragments[anchor.fragment].edgel_ids;
+    const auto& ids = input.scene.curves[anchor.view].fragments[anchor.fragment].edgel_ids;
     for (size_t s = 0; s < input.sample_fates[c].size(); ++s) {
       fates[anchor.view][ids[(anchor.begin + s) % ids.size()]] = input.sample_fates[c][s];
     }
   }
-  ParallelFor(context, "account", input.views.size(), [&](size_t v) {
-    const EdgeMap& edge_map = input.curves[v].edge_map;
-    const EdgelIndex index(edge_map, LinkedEdgels(input.curves[v]));
+  ParallelFor(context, "account", input.scene.views.size(), [&](size_t v) {
+    const EdgeMap& edge_map = input.scene.curves[v].edge_map;
+    const EdgelIndex index(edge_map, LinkedEdgels(input.scene.curves[v]));
     for (const DrawingLink& link : input.graph.links) {
       if (!std::binary_search(link.supporting_views.begin(), link.supporting_views.end(),
                               static_cast<ViewId>(v))) {
         continue;
       }
       for (size_t i = 0; i + 1 < link.points_in_world.size(); ++i) {
-        ExplainAlong(input.views[v], link.points_in_world[i], link.points_in_world[i + 1], edge_map,
-                     index, &fates[v]);
+        ExplainAlong(input.scene.views[v], link.points_in_world[i], link.points_in_world[i + 1],
+                     edge_map, index, &fates[v]);
       }
     }
   });

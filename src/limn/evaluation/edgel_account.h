@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "limn/model/curve3d.h"
+#include "limn/model/curves_scene.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/edgel_fate.h"
 #include "limn/util/parallel.h"
@@ -12,8 +13,7 @@ namespace limn {
 
 // The input of an account: the results of all stages of one run.
 struct AccountInput {
-  const std::vector<View>& views;
-  const std::vector<ImageCurves>& curves;
+  CurvesScene scene;
   const EdgelFates& sketch_fates;
   const CurveSketch& sketch;
   const SampleFates& sample_fates;

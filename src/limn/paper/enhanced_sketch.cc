@@ -15,7 +15,7 @@ class PairedDepths {
   explicit PairedDepths(const PrimaryView& primary) : primary_(primary) {
     const SketchInput& input = primary.input;
     for (const ViewId second : primary.plan.second_views) {
-      chords_.emplace_back(input.views[primary.id], input.views[second],
+      chords_.emplace_back(input.scene.views[primary.id], input.scene.views[second],
                            *primary.edgels.chords[second]);
     }
   }
@@ -38,9 +38,9 @@ class PairedDepths {
     const SketchOptions& options = primary_.options;
     const ViewId second = plan.second_views[rank];
     std::vector<SupportedHypothesis> supported;
-    for (CurveHypothesis& hypothesis :
-         FindHypotheses(fragment, primary_.input.views[primary_.id], primary_.input.views[second],
-                        chords_[rank], plan.min_depth, plan.max_depth, options)) {
+    for (CurveHypothesis& hypothesis : FindHypotheses(
+             fragment, primary_.input.scene.views[primary_.id], primary_.input.scene.views[second],
+             chords_[rank], plan.min_depth, plan.max_depth, options)) {
       for (const HypothesisSample& sample : hypothesis.samples) {
         (*fates)[sample.vertex] = EdgelFate::kTooFewViews;
       }
@@ -95,7 +95,7 @@ class PairedDepths {
 
   // d (1/depth) per px along the fragment when the point moves along its 3D tangent.
   double Slope(const FragmentRays& fragment, const HypothesisSample& sample) const {
-    const PinholeCamera& camera = primary_.input.views[primary_.id].camera;
+    const PinholeCamera& camera = primary_.input.scene.views[primary_.id].camera;
     const Eigen::Vector3d& ray = fragment.rays[sample.vertex];
     const Eigen::Vector3d& tangent = sample.tangent_in_cam;
     const Eigen::Vector2d motion(camera.fx * (tangent.x() - ray.x() * tangent.z()),

@@ -138,22 +138,23 @@ class PairMatcher {
         edgels_(edgels),
         options_(options),
         min_sine_(std::sin(options.original_min_epipolar_angle_deg * kDeg)),
-        confirmation_(primary, plan.confirmation_views, input.views, edgels.masks) {
+        confirmation_(primary, plan.confirmation_views, input.scene.views, edgels.masks) {
     for (const ViewId second : plan.second_views) {
-      chords_.emplace_back(input.views[primary], input.views[second], *edgels.chords[second]);
+      chords_.emplace_back(input.scene.views[primary], input.scene.views[second],
+                           *edgels.chords[second]);
     }
   }
 
   void MatchFragment(int fragment_id, PrimaryCurves* sketch) const {
     const FragmentRays fragment =
-        MakeFragmentRays(input_.views[primary_], input_.curves[primary_], fragment_id);
+        MakeFragmentRays(input_.scene.views[primary_], input_.scene.curves[primary_], fragment_id);
     if (fragment.size() < 2 || fragment.arc_px.back() < options_.original_min_fragment_length_px) {
       return;
     }
     for (size_t rank = 0; rank < plan_.second_views.size(); ++rank) {
       for (const VertexStretch& part : EpipolarStretches(
-               fragment, input_.views[primary_], input_.views[plan_.second_views[rank]], min_sine_,
-               options_.original_min_fragment_length_px)) {
+               fragment, input_.scene.views[primary_], input_.scene.views[plan_.second_views[rank]],
+               min_sine_, options_.original_min_fragment_length_px)) {
         MatchStretch({fragment_id, part.begin, OpenStretch(fragment, part.begin, part.end)}, rank,
                      sketch);
       }
@@ -180,12 +181,12 @@ class PairMatcher {
 
   std::vector<Match> FindMatches(const FragmentRays& stretch, size_t rank, Counts* counts) const {
     const ViewId second = plan_.second_views[rank];
-    const auto hypotheses =
-        CutTangentPortions(stretch,
-                           FindHypotheses(stretch, input_.views[primary_], input_.views[second],
-                                          chords_[rank], plan_.min_depth, plan_.max_depth, options_,
-                                          &input_.curves[second].fragments),
-                           min_sine_, options_.original_min_fragment_length_px, counts);
+    const auto hypotheses = CutTangentPortions(
+        stretch,
+        FindHypotheses(stretch, input_.scene.views[primary_], input_.scene.views[second],
+                       chords_[rank], plan_.min_depth, plan_.max_depth, options_,
+                       &input_.scene.curves[second].fragments),
+        min_sine_, options_.original_min_fragment_length_px, counts);
     const double required = RequiredInliers(plan_, second, options_);
     std::vector<Match> matches;
     for (const CurveHypothesis& hypothesis : hypotheses) {
@@ -203,21 +204,23 @@ class PairMatcher {
   void Emit(const Stretch& stretch, const Match& match, PrimaryCurves* sketch) const {
     const int begin = match.hypothesis.samples.front().vertex;
     const int size = match.hypothesis.samples.back().vertex + 1 - begin;
-    Curve3D curve = MakeCurve(input_.views[primary_], stretch.rays, AsDepths(stretch.rays, match),
-                              {begin, size, false});
-    const auto inside = [&](const Eigen::Vector3d& point) { return input_.box->contains(point); };
-    if (input_.box && !std::ranges::all_of(curve.points_in_world, inside)) {
+    Curve3D curve = MakeCurve(input_.scene.views[primary_], stretch.rays,
+                              AsDepths(stretch.rays, match), {begin, size, false});
+    const auto inside = [&](const Eigen::Vector3d& point) {
+      return input_.scene.box->contains(point);
+    };
+    if (input_.scene.box && !std::ranges::all_of(curve.points_in_world, inside)) {
       ++sketch->counts.outside;
       return;
     }
-    const auto& vertices = input_.curves[primary_].fragments[stretch.fragment].edgel_ids;
+    const auto& vertices = input_.scene.curves[primary_].fragments[stretch.fragment].edgel_ids;
     curve.anchor = {primary_, stretch.fragment,
                     (stretch.begin + begin) % static_cast<int>(vertices.size())};
     curve.total_support = match.total;
     std::vector<ViewId> support_views = plan_.confirmation_views;
     std::sort(support_views.begin(), support_views.end());
-    CollectSupport(input_.views, input_.curves, edgels_.views, support_views, options_.Gate(),
-                   &curve);
+    CollectSupport(input_.scene.views, input_.scene.curves, edgels_.views, support_views,
+                   options_.Gate(), &curve);
     sketch->curves.push_back(std::move(curve));
   }
 
@@ -235,7 +238,7 @@ class PairMatcher {
 std::vector<ViewPlan> PairViews(const SketchInput& input, const SketchOptions& options,
                                 const RunContext& context) {
   std::vector<ViewPlan> plans =
-      SelectViews(input.views, input.hints, options.view_selection, context);
+      SelectViews(input.scene.views, input.scene.hints, options.view_selection, context);
   if (!options.original_exhaustive_pairs) return plans;
   for (size_t v = 0; v < plans.size(); ++v) {
     plans[v].second_views = IdsOf({}, plans.size());
@@ -250,12 +253,12 @@ SketchResult BuildOriginalSketch(const SketchInput& input, const SketchOptions& 
                                  const RunContext& context) {
   options.Check();
   const auto plans = PairViews(input, options, context);
-  SketchEdgels edgels(input.views.size());
-  HoldViews(IdsOf({}, input.views.size()), input, options.Gate(), context, &edgels);
-  std::vector<PrimaryCurves> by_view(input.views.size());
-  ParallelFor(context, "original sketch", input.views.size(), [&](size_t v) {
+  SketchEdgels edgels(input.scene.views.size());
+  HoldViews(IdsOf({}, input.scene.views.size()), input, options.Gate(), context, &edgels);
+  std::vector<PrimaryCurves> by_view(input.scene.views.size());
+  ParallelFor(context, "original sketch", input.scene.views.size(), [&](size_t v) {
     const PairMatcher matcher(input, static_cast<ViewId>(v), plans[v], edgels, options);
-    for (size_t f = 0; f < input.curves[v].fragments.size(); ++f) {
+    for (size_t f = 0; f < input.scene.curves[v].fragments.size(); ++f) {
       matcher.MatchFragment(static_cast<int>(f), &by_view[v]);
     }
   });

@@ -34,16 +34,17 @@ void Summarize(int num_clusters, const AveragingResult& averaging, const Merging
 DrawingResult BuildPaperDrawing(const DrawingInput& input, const PaperOptions& options,
                                 const RunContext& context) {
   options.Check();
-  const auto edgels = BuildViewEdgels(input.curves, context);
-  const TopologyInput images = {input.views, input.curves, edgels, options.Gate(), input.box};
+  const auto edgels = BuildViewEdgels(input.scene.curves, context);
+  const TopologyInput images = {input.scene.views, input.scene.curves, edgels, options.Gate(),
+                                input.scene.box};
   SampleSet samples = TakeSamples(input.sketch, images);
   const CurveConsistency network = BuildCurveConsistency(
-      samples, BuildLocalConsistency(samples, input.views.size(), options, context), options,
+      samples, BuildLocalConsistency(samples, input.scene.views.size(), options, context), options,
       context);
   const AveragingResult averaging = AverageCurves(network, options, context, &samples);
   MergingCounts merging;
   DrawingResult result;
-  result.graph = MergeCurves(samples, network, input.views, options, context, &merging);
+  result.graph = MergeCurves(samples, network, input.scene.views, options, context, &merging);
   FitLinks(samples, network, &result.graph);
   result.fates = FatesOf(input.sketch, samples);
   UpdateFates(result.graph, EdgelFate::kNotTraced, &result.fates);

@@ -17,15 +17,13 @@ DrawingResult DrawSketch(const DrawingInput& input, const PipelineOptions& optio
                            : BuildDrawing(input, options.drawing, context);
 }
 
-DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
-                       const RunContext& context, const StageObserver& on_stage_end) {
-  SketchResult sketch =
-      SketchViews(options.mode, {scene.views, scene.curves, scene.hints, scene.box}, options.sketch,
-                  scene.cache, context, scene.part);
+DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options, ResultCache* cache,
+                       const RunContext& context, const StageObserver& on_stage_end,
+                       const std::string& part) {
+  SketchResult sketch = SketchViews(options.mode, {scene}, options.sketch, cache, context, part);
   on_stage_end(sketch.summary);
 
-  DrawingResult drawing =
-      DrawSketch({scene.views, scene.curves, sketch.sketch, scene.box}, options, context);
+  DrawingResult drawing = DrawSketch({scene, sketch.sketch}, options, context);
   on_stage_end(drawing.summary);
   return {std::move(sketch), std::move(drawing)};
 }
@@ -44,8 +42,8 @@ CurvesResult ExtractAll(const PipelineInput& input, const PipelineOptions& optio
 DrawnCurves DrawExtracted(const PipelineInput& input, const CurvesResult& image_curves,
                           const PipelineOptions& options, const RunContext& context,
                           const StageObserver& on_stage_end) {
-  return DrawCurves({input.views, input.hints, image_curves.curves, input.box, input.cache},
-                    options, context, on_stage_end);
+  return DrawCurves({input.views, image_curves.curves, input.hints, input.box}, options,
+                    input.cache, context, on_stage_end);
 }
 
 // If the drawing of an earlier run can be brought up to date; else says why not.
@@ -79,8 +77,8 @@ JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions
   RefinementResult refined =
       RefineDrawing(input, options.refinement, options.drawing.topology, context);
   on_stage_end(refined.summary);
-  const std::vector<View>& views = refined.cameras ? refined.cameras->views : input.views;
-  BeliefResult judged = JudgeLinks({views, input.curves, refined.graph, refined.fitted},
+  const std::vector<View>& views = refined.cameras ? refined.cameras->views : input.scene.views;
+  BeliefResult judged = JudgeLinks({{views, input.scene.curves}, refined.graph, refined.fitted},
                                    options.belief, options.drawing.topology, context);
   on_stage_end(judged.summary);
   return {std::move(judged.graph), std::move(refined.cameras)};
@@ -120,8 +118,8 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
   alone.team = nullptr;
 
   JudgedDrawing judged =
-      RefineAndJudge({input.views, image_curves.curves, drawing.graph, &input.hints.points},
-                     options, alone, on_stage_end);
+      RefineAndJudge({{input.views, image_curves.curves, input.hints}, drawing.graph}, options,
+                     alone, on_stage_end);
   const std::vector<View>& views = judged.cameras ? judged.cameras->views : input.views;
   DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, input.images.read, options,
                                      alone, on_stage_end);

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/drawing/drawing.h"
+#include "limn/model/curves_scene.h"
 #include "limn/pipeline/build_sketch.h"
 #include "limn/pipeline/extract_curves.h"
 #include "limn/pipeline/pipeline_options.h"
@@ -47,16 +48,6 @@ struct PipelineResult {
 // Called at the end of every stage.
 using StageObserver = std::function<void(const StageSummary& summary)>;
 
-// A scene with its image curves.
-struct CurvesScene {
-  const std::vector<View>& views;
-  const SceneHints& hints;
-  const std::vector<ImageCurves>& curves;  // per view
-  std::optional<Eigen::AlignedBox3d> box;
-  ResultCache* cache;
-  std::string part = "";  // see SketchViews
-};
-
 // The drawing of a sketch, by the method of the options. Throws OptionError and Cancelled.
 DrawingResult DrawSketch(const DrawingInput& input, const PipelineOptions& options,
                          const RunContext& context);
@@ -66,9 +57,11 @@ struct DrawnCurves {
   DrawingResult drawing;
 };
 
-// Sketch and drawing of the image curves. Throws what DrawScene throws.
-DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
-                       const RunContext& context, const StageObserver& on_stage_end);
+// Sketch and drawing of the image curves. `cache` and `part` are those of SketchViews. Throws what
+// DrawScene throws.
+DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options, ResultCache* cache,
+                       const RunContext& context, const StageObserver& on_stage_end,
+                       const std::string& part = "");
 
 struct JudgedDrawing {
   DrawingGraph graph;

@@ -47,10 +47,11 @@ void WarnOfGaps(const std::vector<std::vector<ShownPlace>>& shown, EditedDrawing
   }
 }
 
-void TellKinds(const RefitScene& scene, const RunContext& context, EditedDrawing* edited) {
-  if (!scene.read_image) return;
+void TellKinds(const std::vector<View>& views, const std::function<Image(ViewId)>& read_image,
+               const RunContext& context, EditedDrawing* edited) {
+  if (!read_image) return;
   DrawingGraph& graph = edited->graph;
-  const KindsResult kinds = ClassifyKinds({scene.views, scene.read_image, graph}, context);
+  const KindsResult kinds = ClassifyKinds({views, read_image, graph}, context);
   for (size_t l = 0; l < graph.links.size(); ++l) {
     if (!edited->touched[l] || edited->kind_by_hand[l]) continue;
     graph.links[l].kind = kinds.graph.links[l].kind;
@@ -60,14 +61,15 @@ void TellKinds(const RefitScene& scene, const RunContext& context, EditedDrawing
 
 }  // namespace
 
-StageSummary RefitEdited(const RefitScene& scene, const PipelineOptions& options,
-                         const RunContext& context, EditedDrawing* edited) {
-  RefitResult refit = RefitLinks({scene.views, scene.curves, edited->graph}, edited->touched,
+StageSummary RefitEdited(const CurvesScene& scene, const std::function<Image(ViewId)>& read_image,
+                         const PipelineOptions& options, const RunContext& context,
+                         EditedDrawing* edited) {
+  RefitResult refit = RefitLinks({{scene.views, scene.curves}, edited->graph}, edited->touched,
                                  options.refinement, context);
   WarnOfGaps(refit.shown, edited);
   edited->graph =
       RefitPrimitives(refit.graph, edited->touched, scene.views, options.primitives, context);
-  TellKinds(scene, context, edited);
+  TellKinds(scene.views, read_image, context, edited);
   SnapDimensions(scene.views, edited);
   StageSummary summary;
   summary.stage = "fit of edited links";

@@ -5,6 +5,7 @@
 
 #include "limn/editing/apply_edits.h"
 #include "limn/model/curve_fragment.h"
+#include "limn/model/curves_scene.h"
 #include "limn/model/image.h"
 #include "limn/model/view.h"
 #include "limn/pipeline/pipeline_options.h"

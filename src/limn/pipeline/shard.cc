@@ -72,7 +72,7 @@ StageSummary MakeShardSketches(const PipelineInput& input, const PipelineOptions
       ExtractCurves({input.views, input.images, input.cache, WithPartners(views, plans)},
                     options.edges, options.linking, context);
   const SketchResult sketch =
-      SketchViews(options.mode, {input.views, image_curves.curves, input.hints, input.box, views},
+      SketchViews(options.mode, {{input.views, image_curves.curves, input.hints, input.box}, views},
                   options.sketch, input.cache, context);
   CheckKept(*input.cache, CachedKind::kSketch);
   return OfShard(sketch.summary, shard);

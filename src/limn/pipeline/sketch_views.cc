@@ -16,7 +16,7 @@ namespace {
 std::string CommonKey(SketchMode mode, const SketchInput& input, const SketchOptions& options) {
   return std::string(SketchModeName(mode)) + " sketch, version " + std::to_string(kSketchVersion) +
          "\n" + OptionsAsText(options.view_selection) + OptionsAsText(options) + "box " +
-         BoxKey(input.box) + "\nview ";
+         BoxKey(input.scene.box) + "\nview ";
 }
 
 std::string PlanKey(const SketchIdentity& identity, ViewId view, const ViewPlan& plan,
@@ -43,12 +43,12 @@ class SketchStore {
         options_(options),
         cache_(*cache),
         part_(std::move(part)),
-        view_keys_(ViewKeys(input.views, input.curves, context)) {}
+        view_keys_(ViewKeys(input.scene.views, input.scene.curves, context)) {}
 
   std::optional<ViewSketch> Load(ViewId view, const ViewPlan& plan) const {
     const SketchIdentity identity = IdentityOf(view, plan);
     CurvesOfViews curves;
-    for (const ViewId id : identity.views) curves.push_back(&input_.curves[id]);
+    for (const ViewId id : identity.views) curves.push_back(&input_.scene.curves[id]);
     auto sketch =
         cache_.Find<ViewSketch>(CachedKind::kSketch, NameOf(view), [&](const std::string& path) {
           return ReadViewSketch(path, identity.PlaceOf(view), curves, identity.key);
@@ -59,7 +59,7 @@ class SketchStore {
 
   void Save(ViewId view, const ViewPlan& plan, ViewSketch sketch) const {
     const SketchIdentity identity = IdentityOf(view, plan);
-    RenumberViews(PlacesIn(identity.views, input_.views.size()), &sketch.curves);
+    RenumberViews(PlacesIn(identity.views, input_.scene.views.size()), &sketch.curves);
     cache_.Store(CachedKind::kSketch, NameOf(view),
                  [&](const std::string& path) { WriteViewSketch(path, sketch, identity.key); });
   }
@@ -69,7 +69,7 @@ class SketchStore {
     return IdentityOfSketch(mode_, input_, options_, view, plan, view_keys_);
   }
   std::string NameOf(ViewId view) const {
-    const std::string& name = input_.views[view].name;
+    const std::string& name = input_.scene.views[view].name;
     return part_.empty() ? name : part_ + "/" + name;
   }
 

@@ -96,11 +96,11 @@ class TileDrawer {
     const Eigen::AlignedBox3d& reach = input_.tiles[index].reach;
     const std::string key = TileKey(scene, image_curves.curves, reach, options_, context_);
     if (auto kept = Find(index, scene, key)) return *std::move(kept);
-    const DrawnCurves drawn = DrawCurves(
-        {scene.views, scene.hints, image_curves.curves, reach, input_.cache, TileName(index)},
-        options_, context_, report);
-    JudgedDrawing judged = RefineAndJudge({scene.views, image_curves.curves, drawn.drawing.graph},
-                                          options_, context_, report);
+    const CurvesScene curves = {scene.views, image_curves.curves, scene.hints, reach};
+    const DrawnCurves drawn =
+        DrawCurves(curves, options_, input_.cache, context_, report, TileName(index));
+    JudgedDrawing judged =
+        RefineAndJudge({curves, drawn.drawing.graph}, options_, context_, report);
     Keep(index, scene, key, judged.graph);
     return std::move(judged.graph);
   }

@@ -56,7 +56,7 @@ std::vector<RecordedSketch> SketchesOf(const PipelineInput& input,
   for (ViewId v = 0; v < std::ssize(plans); ++v) {
     if (!plans[v].is_primary) continue;
     const SketchIdentity identity =
-        IdentityOfSketch(options.mode, {input.views, curves, input.hints, input.box},
+        IdentityOfSketch(options.mode, {{input.views, curves, input.hints, input.box}},
                          options.sketch, v, plans[v], keys);
     RecordedSketch sketch = {identity.PlaceOf(v), identity.key, {}};
     for (const ViewId id : identity.views) sketch.views.push_back(recorded[id]);
@@ -365,9 +365,9 @@ class SceneUpdater {
     for (const RecordedSketch& sketch : *sketches) is_sketched[ViewOf(sketch)] = 1;
     const std::vector<ViewPlan> plans = PlanAddedViews(
         input_.views, input_.hints, added, is_sketched, options_.sketch.view_selection, context_);
-    SketchResult sketch =
-        SketchViews(options_.mode, {input_.views, curves_, input_.hints, input_.box, added, &plans},
-                    options_.sketch, input_.cache, context_);
+    SketchResult sketch = SketchViews(
+        options_.mode, {{input_.views, curves_, input_.hints, input_.box}, added, &plans},
+        options_.sketch, input_.cache, context_);
     on_stage_end_(sketch.summary);
     for (Curve3D& curve : sketch.sketch.curves) {
       (*by_view)[curve.anchor.view].push_back(std::move(curve));
@@ -400,12 +400,11 @@ class SceneUpdater {
       curves.push_back(CurvesSeenIn(in, input_.views[id], curves_[id]));
     }
     RenumberViews(PlacesIn(scene.ids, input_.views.size()), &sketch.curves);
-    DrawingResult drawing =
-        BuildDrawing({scene.views, curves, sketch, box}, options_.drawing, context_);
+    const CurvesScene in_scene = {scene.views, curves, kNoHints, box};
+    DrawingResult drawing = BuildDrawing({in_scene, sketch}, options_.drawing, context_);
     on_stage_end_(drawing.summary);
     DrawingGraph graph =
-        RefineAndJudge({scene.views, curves, drawing.graph}, options_, context_, on_stage_end_)
-            .graph;
+        RefineAndJudge({in_scene, drawing.graph}, options_, context_, on_stage_end_).graph;
     for (DrawingLink& link : graph.links) {
       for (ViewId& view : link.supporting_views) view = scene.ids[view];
     }

@@ -116,10 +116,10 @@ class DrawingRefiner {
   }
 
   RefinedCameras RefineCameras() {
-    const std::vector<ScenePoint>& points = *input_.points;
+    const std::vector<ScenePoint>& points = input_.scene.hints.points;
     RefinedCameras refined;
     for (const ScenePoint& point : points) refined.points.push_back(point.position_in_world);
-    CameraCorrections corrections(input_.views);
+    CameraCorrections corrections(input_.scene.views);
     for (const double reach : kPoseRoundReach) {
       rounds_.Match(reach);
       RefinementOptions options = options_;
@@ -175,7 +175,7 @@ class DrawingRefiner {
   std::string FarMoves() const {
     std::vector<NamedNumber> moves;
     for (const FarMove& move : gauge_.moved_far) {
-      moves.push_back({input_.views[move.view].name, move.px});
+      moves.push_back({input_.scene.views[move.view].name, move.px});
     }
     std::ranges::sort(moves, std::greater{}, &NamedNumber::number);
     return "the cameras of " + std::to_string(moves.size()) + " of " +
@@ -236,12 +236,11 @@ void AddContours(const DrawingGraph& from, DrawingGraph* graph) {
 // Refines in units of the scene.
 RefinementResult RefineEdges(const RefinementInput& input, const RefinementOptions& options,
                              const TopologyOptions& topology, const RunContext& context) {
-  const double unit = SceneUnit(input.views, input.graph);
-  const std::vector<View> views = Scaled(input.views, 1 / unit);
+  const double unit = SceneUnit(input.scene.views, input.graph);
+  const std::vector<View> views = Scaled(input.scene.views, 1 / unit);
   const DrawingGraph graph = Scaled(input.graph, 1 / unit);
-  std::vector<ScenePoint> points;
-  if (input.points) points = *input.points;
-  for (ScenePoint& point : points) point.position_in_world /= unit;
+  SceneHints hints = input.scene.hints;
+  for (ScenePoint& point : hints.points) point.position_in_world /= unit;
   RefinementResult result =
       DrawingRefiner({views, input.curves, graph, &points}, options, topology, context).Run();
   result.graph = Scaled(std::move(result.graph), unit);
@@ -266,8 +265,7 @@ RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOpt
   }
   DrawingGraph edges = input.graph;
   RemoveLinks(AreEdges(input.graph), &edges);
-  RefinementResult result =
-      RefineEdges({input.views, input.curves, edges, input.points}, options, topology, context);
+  RefinementResult result = RefineEdges({input.scene, edges}, options, topology, context);
   AddContours(input.graph, &result.graph);
   return result;
 }

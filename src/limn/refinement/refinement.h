@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "limn/model/curve_fragment.h"
+#include "limn/model/curves_scene.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
@@ -17,14 +18,11 @@
 
 namespace limn {
 
-// `curves[v]` belongs to `views[v]`, which the supporting views of the links are ids of. The graph
-// passes Validate().
+// The supporting views of the links are ids of the scene's views. The graph passes Validate().
+// Hints are used to refine poses only.
 struct RefinementInput {
-  const std::vector<View>& views;
-  const std::vector<ImageCurves>& curves;
+  CurvesScene scene;
   const DrawingGraph& graph;
-  // Points of the sparse model, used to refine poses only; may be null.
-  const std::vector<ScenePoint>* points = nullptr;
 };
 
 // The refined cameras, to which the drawing was fitted.

@@ -54,7 +54,7 @@ class ViewSketcher {
       Curve3D curve = MakeCurve(View(), fragment, depths, run);
       curve.anchor.view = primary_.id;
       curve.anchor.fragment = fragment_id;
-      CollectSupport(primary_.input.views, primary_.input.curves, primary_.edgels.views,
+      CollectSupport(primary_.input.scene.views, primary_.input.scene.curves, primary_.edgels.views,
                      support_views_, options.Gate(), &curve);
       curves_.push_back(std::move(curve));
     }
@@ -63,8 +63,8 @@ class ViewSketcher {
   ViewSketch Take() { return {std::move(curves_), std::move(fates_)}; }
 
  private:
-  const limn::View& View() const { return primary_.input.views[primary_.id]; }
-  const ImageCurves& Curves() const { return primary_.input.curves[primary_.id]; }
+  const limn::View& View() const { return primary_.input.scene.views[primary_.id]; }
+  const ImageCurves& Curves() const { return primary_.input.scene.curves[primary_.id]; }
   EdgelFate& Fate(int fragment, size_t vertex) {
     return fates_[Curves().fragments[fragment].edgel_ids[vertex]];
   }
@@ -129,7 +129,7 @@ std::vector<std::optional<ViewSketch>> LoadSketches(const std::vector<ViewId>& i
 ViewSketch SketchOneView(const PrimaryView& primary, DepthFinder depths,
                          const RunContext& context) {
   ViewSketcher sketcher(primary, std::move(depths));
-  const size_t num_fragments = primary.input.curves[primary.id].fragments.size();
+  const size_t num_fragments = primary.input.scene.curves[primary.id].fragments.size();
   for (size_t f = 0; f < num_fragments; ++f) {
     ThrowIfCancelled(context);
     sketcher.Reconstruct(static_cast<int>(f));
@@ -146,15 +146,15 @@ PrimaryView::PrimaryView(const SketchInput& sketch_input, ViewId view, const Vie
       plan(view_plan),
       edgels(sketch_edgels),
       options(sketch_options),
-      confirmation(view, plan.confirmation_views, input.views, edgels.masks),
-      world_from_cam(Inverse(input.views[view].cam_from_world)) {}
+      confirmation(view, plan.confirmation_views, input.scene.views, edgels.masks),
+      world_from_cam(Inverse(input.scene.views[view].cam_from_world)) {}
 
 PrimaryView::Verdict PrimaryView::Judge(const HypothesisSupport& support, size_t j,
                                         const Eigen::Vector3d& point_in_cam) const {
   const int required = options.min_supporting_views;
   const bool certain = support.weighted[j] >= required;
   if (std::popcount(support.supporting[j]) < required) return {};
-  if (input.box && !input.box->contains(world_from_cam * point_in_cam)) return {};
+  if (input.scene.box && !input.scene.box->contains(world_from_cam * point_in_cam)) return {};
   if (options.AveragesAsPaper()) return {certain, certain};
   if (confirmation.MaxAngleDeg(point_in_cam, support.supporting[j]) < kNarrowSupportDeg &&
       confirmation.MaxAngleDeg(point_in_cam, support.contained[j]) > kWideViewsDeg) {
@@ -168,10 +168,10 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
                              const ViewSketchStore* store,
                              const std::function<DepthFinder(const PrimaryView&)>& make_finder) {
   options.Check();
-  std::vector<ViewPlan> plans =
-      input.plans ? *input.plans
-                  : SelectViews(input.views, input.hints, options.view_selection, context);
-  const std::vector<ViewId> ids = IdsOf(input.only, input.views.size());
+  std::vector<ViewPlan> plans = input.plans ? *input.plans
+                                            : SelectViews(input.scene.views, input.scene.hints,
+                                                          options.view_selection, context);
+  const std::vector<ViewId> ids = IdsOf(input.only, input.scene.views.size());
   std::vector<ViewId> primaries;
   for (const ViewId v : ids) {
     if (plans[v].is_primary) primaries.push_back(v);
@@ -182,7 +182,7 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
   for (const ViewId v : primaries) {
     if (!by_view[v]) missing.push_back(v);
   }
-  SketchEdgels edgels(input.views.size());
+  SketchEdgels edgels(input.scene.views.size());
   for (size_t begin = 0; begin < missing.size(); begin += kBlock) {
     const std::vector<ViewId> block(missing.begin() + begin,
                                     missing.begin() + std::min(begin + kBlock, missing.size()));
@@ -195,9 +195,9 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
     });
   }
   SketchResult result;
-  result.fates.resize(input.views.size());
+  result.fates.resize(input.scene.views.size());
   for (const ViewId v : ids) {
-    result.fates[v] = FatesOfUnsketched(input.curves[v]);
+    result.fates[v] = FatesOfUnsketched(input.scene.curves[v]);
   }
   for (const ViewId v : primaries) {
     std::move(by_view[v]->curves.begin(), by_view[v]->curves.end(),
@@ -205,7 +205,7 @@ SketchResult SketchFragments(const char* stage, const SketchInput& input,
     result.fates[v] = std::move(by_view[v]->fates);
   }
   result.plans = std::move(plans);
-  result.summary = Summarize(stage, result, input.curves, ids);
+  result.summary = Summarize(stage, result, input.scene.curves, ids);
   return result;
 }
 

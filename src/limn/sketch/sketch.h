@@ -7,9 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "limn/model/curve3d.h"
+#include "limn/model/curves_scene.h"
 #include "limn/model/edgel_fate.h"
-#include "limn/model/scene_hints.h"
-#include "limn/model/view.h"
 #include "limn/model/view_sketch.h"
 #include "limn/model/view_subset.h"
 #include "limn/sketch/sketch_options.h"
@@ -19,13 +18,9 @@
 
 namespace limn {
 
-// Input of every sketch generator. `curves[v]` belongs to `views[v]`, after ApplyLens.
+// Input of every sketch generator.
 struct SketchInput {
-  const std::vector<View>& views;
-  const std::vector<ImageCurves>& curves;
-  const SceneHints& hints;
-  // Only curves in this box are reconstructed.
-  std::optional<Eigen::AlignedBox3d> box;
+  CurvesScene scene;
   // Only these views are sketched, if they are primary; of the others only those in their plans
   // need curves. The original sketch uses all views.
   ViewSubset only = std::nullopt;

@@ -7,7 +7,7 @@ namespace limn {
 void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const SupportGate& gate,
                const RunContext& context, SketchEdgels* edgels) {
   std::vector<ViewId> missing;
-  for (ViewId v = 0; v < static_cast<ViewId>(input.views.size()); ++v) {
+  for (ViewId v = 0; v < static_cast<ViewId>(input.scene.views.size()); ++v) {
     if (!std::binary_search(ids.begin(), ids.end(), v)) {
       edgels->views[v].reset();
       edgels->masks[v].reset();
@@ -20,10 +20,10 @@ void HoldViews(const std::vector<ViewId>& ids, const SketchInput& input, const S
   quietly.progress = nullptr;
   ParallelFor(quietly, "indexing edgels", missing.size(), [&](size_t m) {
     const ViewId v = missing[m];
-    const ImageCurves& curves = input.curves[v];
+    const ImageCurves& curves = input.scene.curves[v];
     edgels->views[v] = std::make_unique<ViewEdgels>(curves);
     edgels->masks[v] = std::make_unique<OrientationMask>(curves.edge_map, LinkedEdgels(curves),
-                                                         input.views[v].region, gate);
+                                                         input.scene.views[v].region, gate);
     edgels->chords[v] = std::make_unique<FragmentChords>(curves);
   });
 }

@@ -20,12 +20,12 @@ class SweptDepths {
  public:
   explicit SweptDepths(const PrimaryView& primary)
       : primary_(primary),
-        view_(primary.input.views[primary.id]),
+        view_(primary.input.scene.views[primary.id]),
         range_{1 / primary.plan.max_depth, 1 / primary.plan.min_depth},
         election_(view_.camera.MeanFocal(), primary.options) {
     for (const ViewId v : primary.plan.confirmation_views) {
       if (static_cast<int>(finders_.size()) == primary.options.max_sweep_views) break;
-      finders_.emplace_back(view_, primary.input.views[v], *primary.edgels.chords[v]);
+      finders_.emplace_back(view_, primary.input.scene.views[v], *primary.edgels.chords[v]);
     }
   }
 

@@ -106,15 +106,15 @@ void AddOcclusion(double num_samples, double num_shown, ViewEvidence* evidence) 
 // What one view says of the candidates.
 class ViewJudge {
  public:
-  ViewJudge(const SurfaceImages& images, const SurfaceOptions& options, ViewId view,
+  ViewJudge(const CurvesScene& scene, const SurfaceOptions& options, ViewId view,
             const std::vector<ImageEvidence>& links, const std::vector<uint8_t>& is_sure)
-      : view_(images.views[view]),
+      : view_(scene.views[view]),
         options_(options),
         eye_(view_.CenterInWorld()),
         links_(links),
         is_sure_(is_sure),
         sightings_(SightingsIn(view_, view, links)) {
-    for (const ScenePoint& point : images.points) {
+    for (const ScenePoint& point : scene.hints.points) {
       if (std::ranges::binary_search(point.views, view)) {
         points_.push_back(point.position_in_world);
       }
@@ -269,11 +269,11 @@ class ViewJudge {
   BoxIndex2d point_index_{{}};
 };
 
-std::vector<ImageEvidence> EvidenceOfLinks(const SurfaceImages& images, const DrawingGraph& graph,
+std::vector<ImageEvidence> EvidenceOfLinks(const CurvesScene& scene, const DrawingGraph& graph,
                                            const RunContext& context) {
-  const auto edgels = BuildViewEdgels(images.curves, context);
-  const TopologyInput input = {images.views, images.curves, edgels, kGate};
-  const ViewFinder finder(images.views);
+  const auto edgels = BuildViewEdgels(scene.curves, context);
+  const TopologyInput input = {scene.views, scene.curves, edgels, kGate};
+  const ViewFinder finder(scene.views);
   std::vector<ImageEvidence> links(graph.links.size());
   ParallelFor(context, "evidence for links", links.size(),
               [&](size_t l) { links[l] = FindEvidence(input, finder, graph.links[l]); });
@@ -294,11 +294,11 @@ FaceEvidence Combined(const std::vector<std::vector<ViewEvidence>>& per_view, si
 
 }  // namespace
 
-std::vector<FaceEvidence> FindFaceEvidence(const SurfaceImages& images, const DrawingGraph& graph,
+std::vector<FaceEvidence> FindFaceEvidence(const CurvesScene& scene, const DrawingGraph& graph,
                                            const std::vector<FaceCandidate>& candidates,
                                            const SurfaceOptions& options,
                                            const RunContext& context) {
-  const std::vector<ImageEvidence> links = EvidenceOfLinks(images, graph, context);
+  const std::vector<ImageEvidence> links = EvidenceOfLinks(scene, graph, context);
   const LinkSelection selection;
   std::vector<uint8_t> is_sure(links.size());
   for (size_t l = 0; l < links.size(); ++l) {
@@ -311,9 +311,9 @@ std::vector<FaceEvidence> FindFaceEvidence(const SurfaceImages& images, const Dr
   std::vector<std::vector<Border>> borders(candidates.size());
   ParallelFor(context, "borders of faces", candidates.size(),
               [&](size_t c) { borders[c] = BordersOf(candidates[c], lengths, links); });
-  std::vector<std::vector<ViewEvidence>> per_view(images.views.size());
-  ParallelFor(context, "faces in views", images.views.size(), [&](size_t v) {
-    const ViewJudge judge(images, options, static_cast<ViewId>(v), links, is_sure);
+  std::vector<std::vector<ViewEvidence>> per_view(scene.views.size());
+  ParallelFor(context, "faces in views", scene.views.size(), [&](size_t v) {
+    const ViewJudge judge(scene, options, static_cast<ViewId>(v), links, is_sure);
     for (size_t c = 0; c < candidates.size(); ++c) {
       per_view[v].push_back(judge.Judge(candidates[c], borders[c]));
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "limn/model/curve_fragment.h"
+#include "limn/model/curves_scene.h"
 #include "limn/model/scene_hints.h"
 #include "limn/surfaces/face_candidate.h"
 #include "limn/surfaces/surface_options.h"
@@ -49,7 +50,7 @@ struct SurfaceImages {
 //
 // The result does not depend on the number of threads. Time: views times (samples of links plus
 // candidates times links and points whose images overlap).
-std::vector<FaceEvidence> FindFaceEvidence(const SurfaceImages& images, const DrawingGraph& graph,
+std::vector<FaceEvidence> FindFaceEvidence(const CurvesScene& scene, const DrawingGraph& graph,
                                            const std::vector<FaceCandidate>& candidates,
                                            const SurfaceOptions& options,
                                            const RunContext& context);

@@ -47,17 +47,17 @@ void TurnRound(DrawingFace* face) {
 
 class FaceFinder {
  public:
-  FaceFinder(const SurfaceImages& images, const DrawingGraph& graph, const SurfaceOptions& options,
+  FaceFinder(const CurvesScene& scene, const DrawingGraph& graph, const SurfaceOptions& options,
              const RunContext& context)
-      : images_(images), graph_(graph), options_(options), context_(context) {}
+      : scene_(scene), graph_(graph), options_(options), context_(context) {}
 
   SurfaceResult Run() {
     FindCandidates();
     FindEvidence();
-    fates_ = ChooseCells(images_.views, graph_, planes_, cells_, options_, context_);
+    fates_ = ChooseCells(scene_.views, graph_, planes_, cells_, options_, context_);
     SurfaceResult result = {graph_, {}, {}};
     result.graph.faces = Faces();
-    result.links_behind = LinksBehindFaces(images_.views, result.graph, context_);
+    result.links_behind = LinksBehindFaces(scene_.views, result.graph, context_);
     result.summary = Summarize(result.graph.faces);
     return result;
   }
@@ -65,7 +65,7 @@ class FaceFinder {
  private:
   // Cells of planes, by plane, then bent surfaces.
   void FindCandidates() {
-    const std::vector<FaceLink> links = MeasureFaceLinks(graph_, images_.views, options_);
+    const std::vector<FaceLink> links = MeasureFaceLinks(graph_, scene_.views, options_);
     const std::vector<FacePlane> planes = FindFacePlanes(links, graph_, options_, context_);
     planes_.resize(planes.size());
     ParallelFor(context_, "planes", planes.size(),
@@ -93,7 +93,7 @@ class FaceFinder {
     std::vector<FaceCandidate> candidates;
     for (CellChoice& cell : cells_) candidates.push_back(std::move(cell.candidate));
     std::vector<FaceEvidence> evidence =
-        FindFaceEvidence(images_, graph_, candidates, options_, context_);
+        FindFaceEvidence(scene_, graph_, candidates, options_, context_);
     for (size_t c = 0; c < cells_.size(); ++c) {
       cells_[c].candidate = std::move(candidates[c]);
       cells_[c].evidence = std::move(evidence[c]);
@@ -130,7 +130,7 @@ class FaceFinder {
     for (const int c : cells) {
       face->confidence = std::min(face->confidence, ConfidenceOf(cells_[c], options_));
       std::ranges::copy(ViewsOf(cells_[c]), std::back_inserter(face->views));
-      front_balance += FrontBalance(images_.views, cells_[c]);
+      front_balance += FrontBalance(scene_.views, cells_[c]);
     }
     SortUnique(&face->views);
     if (front_balance < 0) TurnRound(face);
@@ -157,7 +157,7 @@ class FaceFinder {
     return summary;
   }
 
-  const SurfaceImages& images_;
+  const CurvesScene& scene_;
   const DrawingGraph& graph_;
   const SurfaceOptions& options_;
   const RunContext& context_;
@@ -169,10 +169,10 @@ class FaceFinder {
 
 }  // namespace
 
-SurfaceResult FindFaces(const SurfaceImages& images, const DrawingGraph& graph,
+SurfaceResult FindFaces(const CurvesScene& scene, const DrawingGraph& graph,
                         const SurfaceOptions& options, const RunContext& context) {
   options.Check();
-  return FaceFinder(images, graph, options, context).Run();
+  return FaceFinder(scene, graph, options, context).Run();
 }
 
 }  // namespace limn

@@ -113,14 +113,12 @@ void ExpectCubeAndLittleElse(const DrawingGraph& graph, const std::string& name)
 
 TEST(ClutterTest, CubeIsFoundAndLittleElse) {
   const std::vector<ImageCurves> curves = CubeInClutter();
-  const SceneHints no_hints;
   const CurveSketch sketch =
-      BuildSweptSketch({ViewsOfClutter(), curves, no_hints, std::nullopt}, SketchOptions(), {})
-          .sketch;
+      BuildSweptSketch({{ViewsOfClutter(), curves}}, SketchOptions(), {}).sketch;
   const DrawingGraph drawn =
-      BuildDrawing({ViewsOfClutter(), curves, sketch}, DrawingOptions(), {}).graph;
+      BuildDrawing({{ViewsOfClutter(), curves}, sketch}, DrawingOptions(), {}).graph;
   ExpectCubeAndLittleElse(drawn, "drawn");
-  ExpectCubeAndLittleElse(RefineDrawing({ViewsOfClutter(), curves, drawn}, {}, {}, {}).graph,
+  ExpectCubeAndLittleElse(RefineDrawing({{ViewsOfClutter(), curves}, drawn}, {}, {}, {}).graph,
                           "refined");
 }
 

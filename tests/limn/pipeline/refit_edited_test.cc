@@ -63,7 +63,7 @@ EditedDrawing JoinedOver(const std::vector<testing::SceneCurve>& edges, bool wit
   }
   EditedDrawing edited = ApplyEdits(EditedGraph({left, right}), EditedViews(), edits);
   const std::vector<ImageCurves> curves = testing::ProjectCurves(EditedViews(), edges);
-  RefitEdited({EditedViews(), curves, {}}, {}, {}, &edited);
+  RefitEdited({EditedViews(), curves}, {}, {}, {}, &edited);
   EXPECT_THAT(Validate(edited.graph), ::testing::IsEmpty());
   EXPECT_EQ(edited.graph.links.size(), 1u);
   return edited;

@@ -36,7 +36,7 @@ class SketchViewsTest : public ::testing::Test {
                       const RunContext& context = {}) {
     ResultCache cache(cache_dir);
     const SketchResult result =
-        SketchViews(mode, {views_, curves_, hints_, box_}, options_, &cache, context);
+        SketchViews(mode, {{views_, curves_, hints_, box_}}, options_, &cache, context);
     use_ = cache.Use(CachedKind::kSketch);
     return result;
   }
@@ -153,7 +153,7 @@ TEST_F(SketchViewsTest, ForeignIdsAreMadeAgain) {
   const std::vector<std::string> keys = ViewKeys(views_, curves_, {});
   const auto spoil = [&](int view, const auto& change) {
     const SketchIdentity identity = IdentityOfSketch(
-        SketchMode::kSweep, {views_, curves_, hints_, box_}, options_, view, plans[view], keys);
+        SketchMode::kSweep, {{views_, curves_, hints_, box_}}, options_, view, plans[view], keys);
     CurvesOfViews curves;
     for (const ViewId id : identity.views) curves.push_back(&curves_[id]);
     ViewSketch sketch = *ReadViewSketch(Kept(view), identity.PlaceOf(view), curves, identity.key);
@@ -184,7 +184,7 @@ TEST_F(SketchViewsTest, SomeViewsAreMadeFromTheCurvesOfTheirPlansOnly) {
     curves_.assign(views_.size(), {});
     for (const ViewId v : needed) curves_[v] = all_curves[v];
     ResultCache cache(Cache());
-    SketchViews(SketchMode::kSweep, {views_, curves_, hints_, box_, part}, options_, &cache, {});
+    SketchViews(SketchMode::kSweep, {{views_, curves_, hints_, box_}, part}, options_, &cache, {});
     EXPECT_EQ(cache.Use(CachedKind::kSketch).stored, static_cast<int64_t>(part.size()));
   }
   curves_ = all_curves;
@@ -195,7 +195,7 @@ TEST_F(SketchViewsTest, SomeViewsAreMadeFromTheCurvesOfTheirPlansOnly) {
 TEST_F(SketchViewsTest, CountsAreOfOneStage) {
   ResultCache cache(Cache());
   for (const int64_t reused : {0, 10, 10}) {
-    SketchViews(SketchMode::kSweep, {views_, curves_, hints_, box_}, options_, &cache, {});
+    SketchViews(SketchMode::kSweep, {{views_, curves_, hints_, box_}}, options_, &cache, {});
     EXPECT_EQ(cache.Use(CachedKind::kSketch).reused, reused);
     EXPECT_EQ(cache.Use(CachedKind::kSketch).NumKept(), 10);
   }
@@ -220,7 +220,7 @@ TEST_F(SketchViewsTest, ViewsThatASketchDoesNotNeedMayGo) {
   const auto sketch = [&] {
     ResultCache cache(Cache());
     SketchResult result =
-        SketchViews(SketchMode::kSweep, {views_, curves_, hints_, box_, std::nullopt, &plans},
+        SketchViews(SketchMode::kSweep, {{views_, curves_, hints_, box_}, std::nullopt, &plans},
                     options_, &cache, {});
     use_ = cache.Use(CachedKind::kSketch);
     return std::move(result.sketch.curves);

@@ -46,9 +46,9 @@ class UpdateSceneTest : public ::testing::Test {
 
   DrawingGraph Draw() {
     const DrawnCurves drawn =
-        DrawCurves({views_, hints_, curves_, box_, &cache_}, options_, {}, ignore_);
+        DrawCurves({views_, curves_, hints_, box_}, options_, &cache_, {}, ignore_);
     JudgedDrawing judged =
-        RefineAndJudge({views_, curves_, drawn.drawing.graph}, options_, {}, ignore_);
+        RefineAndJudge({{views_, curves_}, drawn.drawing.graph}, options_, {}, ignore_);
     DrawingGraph graph =
         DescribeLinks(std::move(judged.graph), views_, images_.read, options_, {}, ignore_);
     RecordWriter(Input(), curves_, drawn.sketch.plans, graph, options_, {})();

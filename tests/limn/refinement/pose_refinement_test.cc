@@ -64,13 +64,13 @@ DrawingGraph CubeGraph() {
   return graph;
 }
 
-RefinementResult Refine(const std::vector<View>& views, const std::vector<ScenePoint>* points,
+RefinementResult Refine(const std::vector<View>& views, const SceneHints& hints = kNoHints,
                         int num_threads = 2) {
   RefinementOptions options;
   options.refine_poses = true;
   RunContext context;
   context.num_threads = num_threads;
-  return RefineDrawing({views, Curves(), CubeGraph(), points}, options, {}, context);
+  return RefineDrawing({{views, Curves(), hints}, CubeGraph()}, options, {}, context);
 }
 
 testing::CameraErrors ErrorsOf(const std::vector<View>& views) {
@@ -97,7 +97,7 @@ std::vector<ScenePoint> WrongPoints() {
 }
 
 TEST(PoseRefinement, CamerasComeBackFromCurves) {
-  const RefinementResult result = Refine(WrongViews(), nullptr);
+  const RefinementResult result = Refine(WrongViews());
   EXPECT_TRUE(Validate(result.graph).empty());
   ASSERT_TRUE(result.cameras);
   const testing::CameraErrors before = ErrorsOf(WrongViews());
@@ -112,10 +112,10 @@ TEST(PoseRefinement, CamerasComeBackFromCurves) {
 }
 
 TEST(PoseRefinement, DrawingFitsTheNewCameras) {
-  const DrawingGraph graph = Refine(WrongViews(), nullptr).graph;
+  const DrawingGraph graph = Refine(WrongViews()).graph;
   RefinementOptions without;
   const DrawingGraph left =
-      RefineDrawing({WrongViews(), Curves(), CubeGraph()}, without, {}, {}).graph;
+      RefineDrawing({{WrongViews(), Curves()}, CubeGraph()}, without, {}, {}).graph;
   ASSERT_EQ(graph.links.size(), 12u);
   for (const DrawingLink& link : graph.links) {
     EXPECT_EQ(link.supporting_views.size(), static_cast<size_t>(kNumPoseViews));
@@ -130,7 +130,7 @@ TEST(PoseRefinement, DrawingFitsTheNewCameras) {
 TEST(PoseRefinement, FocalLengthComesBackFromCurves) {
   std::vector<View> views = TrueViews();
   for (View& view : views) view.camera.fx = view.camera.fy = 603;
-  const RefinementResult result = Refine(views, nullptr);
+  const RefinementResult result = Refine(views);
   for (const View& view : result.cameras->views) EXPECT_NEAR(view.camera.fx, 600, 1);
   EXPECT_LT(ErrorsOf(result.cameras->views).aligned_px, 0.1);
 }
@@ -141,7 +141,7 @@ TEST(PoseRefinement, OnlyViewsOfOneCameraShareItsFocalLength) {
     views[v].camera_index = v % 2 == 0 ? 7 : 3;
     if (v % 2 == 0) views[v].camera.fx = views[v].camera.fy = 604;
   }
-  const std::vector<View> refined = Refine(views, nullptr).cameras->views;
+  const std::vector<View> refined = Refine(views).cameras->views;
   for (int v = 2; v < kNumPoseViews; ++v) {
     EXPECT_EQ(refined[v].camera.fx, refined[v - 2].camera.fx);
   }
@@ -150,7 +150,7 @@ TEST(PoseRefinement, OnlyViewsOfOneCameraShareItsFocalLength) {
 
 TEST(PoseRefinement, PointsMoveToWhereTheViewsSeeThem) {
   const std::vector<ScenePoint> points = WrongPoints();
-  const RefinementResult result = Refine(WrongViews(), &points);
+  const RefinementResult result = Refine(WrongViews(), {points});
   ASSERT_EQ(result.cameras->points.size(), points.size());
   EXPECT_LT(ErrorsOf(result.cameras->views).aligned_px, 0.1);
   for (size_t p = 0; p < points.size(); ++p) {
@@ -165,23 +165,22 @@ TEST(PoseRefinement, PointsMoveToWhereTheViewsSeeThem) {
 // The world is held where the scene is, not where a few points are.
 TEST(PoseRefinement, PointsFarAwayDoNotMoveTheWorld) {
   std::vector<ScenePoint> points = WrongPoints();
-  const double without = ErrorsOf(Refine(WrongViews(), &points).cameras->views).raw_px;
+  const double without = ErrorsOf(Refine(WrongViews(), {points}).cameras->views).raw_px;
   for (int i = 0; i < 5; ++i) {
     points.push_back(points[i]);
     points.back().position_in_world = {1e5, 2e5, 0};
   }
-  const double with = ErrorsOf(Refine(WrongViews(), &points).cameras->views).raw_px;
+  const double with = ErrorsOf(Refine(WrongViews(), {points}).cameras->views).raw_px;
   EXPECT_LT(with, 1.2 * without);
 }
 
 // Without any curve the points alone determine the cameras.
 TEST(PoseRefinement, PointsAloneBringCamerasBack) {
-  const std::vector<ScenePoint> points = WrongPoints();
   RefinementOptions options;
   options.refine_poses = true;
   const DrawingGraph empty;
   const RefinementResult result =
-      RefineDrawing({WrongViews(), Curves(), empty, &points}, options, {}, {});
+      RefineDrawing({{WrongViews(), Curves(), {WrongPoints()}}, empty}, options, {}, {});
   EXPECT_LT(ErrorsOf(result.cameras->views).aligned_px, 0.1);
 }
 
@@ -190,20 +189,20 @@ TEST(PoseRefinement, OneWrongCameraDoesNotMoveTheWorld) {
   std::vector<View> views = TrueViews();
   views[3].cam_from_world.translation.x() += 0.3;
   const std::vector<ScenePoint> points = WrongPoints();
-  const RefinementResult result = Refine(views, &points);
+  const RefinementResult result = Refine(views, {points});
   EXPECT_LT(ErrorsOf(result.cameras->views).raw_px, 0.2);
   ASSERT_EQ(result.summary.warnings.size(), 1u);
   EXPECT_NE(result.summary.warnings[0].find(views[3].name + " ("), std::string::npos);
 }
 
 TEST(PoseRefinement, RightCamerasStay) {
-  const RefinementResult result = Refine(TrueViews(), nullptr);
+  const RefinementResult result = Refine(TrueViews());
   EXPECT_LT(ErrorsOf(result.cameras->views).raw_px, 0.1);
 }
 
 TEST(PoseRefinement, ResultDoesNotDependOnThreads) {
-  const RefinementResult one = Refine(WrongViews(), nullptr, 1);
-  const RefinementResult two = Refine(WrongViews(), nullptr, 2);
+  const RefinementResult one = Refine(WrongViews(), kNoHints, 1);
+  const RefinementResult two = Refine(WrongViews(), kNoHints, 2);
   for (int v = 0; v < kNumPoseViews; ++v) {
     EXPECT_EQ(one.cameras->views[v].cam_from_world.translation,
               two.cameras->views[v].cam_from_world.translation);
@@ -212,7 +211,8 @@ TEST(PoseRefinement, ResultDoesNotDependOnThreads) {
 }
 
 TEST(PoseRefinement, OffGivesNoCameras) {
-  const RefinementResult result = RefineDrawing({WrongViews(), Curves(), CubeGraph()}, {}, {}, {});
+  const RefinementResult result =
+      RefineDrawing({{WrongViews(), Curves()}, CubeGraph()}, {}, {}, {});
   EXPECT_FALSE(result.cameras);
 }
 

@@ -96,7 +96,7 @@ DrawingGraph Perturbed(DrawingGraph graph, double size_px) {
 RefinementResult RefineCube(const DrawingGraph& graph, double noise_px, int num_threads = 2) {
   RunContext context;
   context.num_threads = num_threads;
-  return RefineDrawing({ViewsOfCube(), CurvesOfCube(noise_px), graph}, {}, {}, context);
+  return RefineDrawing({{ViewsOfCube(), CurvesOfCube(noise_px)}, graph}, {}, {}, context);
 }
 
 const DrawingGraph& NoisyResult() {
@@ -200,7 +200,8 @@ std::vector<ImageCurves> CurvesWithOffsets(double offset_px) {
 
 TEST(Refinement, SigmasKnowThatViewsErrAsAWhole) {
   const std::vector<ImageCurves> curves = CurvesWithOffsets(0.5);
-  const DrawingGraph graph = RefineDrawing({ViewsOfCube(), curves, DrawnCube()}, {}, {}, {}).graph;
+  const DrawingGraph graph =
+      RefineDrawing({{ViewsOfCube(), curves}, DrawnCube()}, {}, {}, {}).graph;
   const double mean = MeanNormalizedSquare(graph);
   RecordProperty("variance", std::to_string(mean));
   EXPECT_LT(mean, 1.5);
@@ -222,7 +223,7 @@ TEST_P(RefinementOfScaled, GivesTheScaledDrawing) {
   }
   const std::vector<View> views = testing::Scaled(ViewsOfCube(), GetParam());
   const DrawingGraph scaled = Scaled(Perturbed(DrawnCube(), 0.6), GetParam());
-  ExpectSame(RefineDrawing({views, CurvesOfCube(kEdgelNoisePx), scaled}, {}, {}, {}).graph,
+  ExpectSame(RefineDrawing({{views, CurvesOfCube(kEdgelNoisePx)}, scaled}, {}, {}, {}).graph,
              expected);
 }
 
@@ -285,7 +286,8 @@ TEST(Refinement, NoRoundsChangeNothing) {
   RefinementOptions options;
   options.num_rounds = 0;
   const DrawingGraph graph = Perturbed(DrawnCube(), 0.6);
-  ExpectSame(RefineDrawing({ViewsOfCube(), CurvesOfCube(0), graph}, options, {}, {}).graph, graph);
+  ExpectSame(RefineDrawing({{ViewsOfCube(), CurvesOfCube(0)}, graph}, options, {}, {}).graph,
+             graph);
 }
 
 }  // namespace

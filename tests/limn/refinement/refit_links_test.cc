@@ -59,7 +59,7 @@ DrawingGraph DrawnLines() {
 }
 
 RefitResult RefitOf(const DrawingGraph& graph, const std::vector<uint8_t>& refit) {
-  RefitResult result = RefitLinks({RefitViews(), RefitCurves(), graph}, refit, {}, {});
+  RefitResult result = RefitLinks({{RefitViews(), RefitCurves()}, graph}, refit, {}, {});
   EXPECT_THAT(Validate(result.graph), IsEmpty());
   return result;
 }
@@ -145,10 +145,10 @@ TEST(RefitLinks, WithoutRoundsNothingChanges) {
   options.num_rounds = 0;
   const DrawingGraph graph = DrawnLines();
   const RefitResult result =
-      RefitLinks({RefitViews(), RefitCurves(), graph}, {1, 1, 1, 1}, options, {});
+      RefitLinks({{RefitViews(), RefitCurves()}, graph}, {1, 1, 1, 1}, options, {});
   EXPECT_EQ(result.graph.links[0].points_in_world, graph.links[0].points_in_world);
   options.max_angle_deg = -1;
-  EXPECT_THROW(RefitLinks({RefitViews(), RefitCurves(), graph}, {1, 1, 1, 1}, options, {}),
+  EXPECT_THROW(RefitLinks({{RefitViews(), RefitCurves()}, graph}, {1, 1, 1, 1}, options, {}),
                OptionError);
 }
 
