@@ -23,13 +23,13 @@ namespace fs = std::filesystem;
 constexpr int kEdgeFilesVersion = 2;
 
 std::string ImageIdentity(const ViewSet& set, ViewId view) {
-  std::string identity = "image " + set.photos.Identity(set.image_paths[view]);
-  if (const ImageWindow* window = set.Window(view)) {
+  const ViewFile& file = set.files[view];
+  std::string identity = "image " + set.photos.Identity(file.image_path);
+  if (const auto& window = file.window) {
     identity += "\npart " + std::to_string(window->x) + " " + std::to_string(window->y);
   }
-  if (set.is_damaged[view]) identity += "\ndamaged";
-  const std::string& mask_path = set.mask_paths[view];
-  if (!mask_path.empty()) identity += "\nmask " + FileIdentity(mask_path);
+  if (file.is_damaged) identity += "\ndamaged";
+  if (!file.mask_path.empty()) identity += "\nmask " + FileIdentity(file.mask_path);
   const PinholeCamera& camera = set.views[view].camera;
   return identity + "\nsize " + std::to_string(camera.width) + " " + std::to_string(camera.height);
 }
@@ -47,7 +47,7 @@ std::string ShrinkingNote(const ViewSet& set) {
   double used_pixels = 0;
   for (size_t v = 0; v < set.views.size(); ++v) {
     const auto id = static_cast<ViewId>(v);
-    const ImageSize stored = set.stored_sizes[v];
+    const ImageSize stored = set.files[v].stored_size;
     const ImageSize used = ShrunkSize(stored, set.MaxFileSize(id));
     if (used == stored || !names.insert(set.ImageName(id)).second) continue;
     stored_pixels += static_cast<double>(stored.NumPixels());

@@ -81,7 +81,7 @@ PosePriors ReadPriorsOf(const std::vector<ViewId>& of_images, const ViewSet& set
 std::optional<Eigen::Vector3d> GravityIn(const ViewSet& set, ViewId view, const PosePrior& prior) {
   if (!prior.gravity || !set.Window(view)) return prior.gravity;
   if (IsOrientationFlag(*prior.gravity)) return std::nullopt;  // in a part it would look measured
-  return set.view_from_image[view] * *prior.gravity;
+  return set.files[view].view_from_image * *prior.gravity;
 }
 
 std::vector<ViewPrior> PriorsOfViews(const PosePriors& stored, const std::vector<ViewId>& of_images,

@@ -276,7 +276,7 @@ SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
     throw OptionError("photo = 1: the view is a part of a panorama");
   }
   if (source.photo) {
-    scene.picture.style.photo = RelativeTo(output_path, project.view_set().image_paths[view]);
+    scene.picture.style.photo = RelativeTo(output_path, project.view_set().files[view].image_path);
   }
   if (source.show_hidden) return scene;
   FuserOptions fuser;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "colmap_ext/workspace/to_views.h"
+#include "colmap_ext/workspace/view_set.h"
 #include "limn/model/reprojection_errors.h"
 #include "limn/util/median.h"
 #include "limn/util/name_list.h"

@@ -146,7 +146,9 @@ std::vector<std::string> FindEdgeFiles(const std::string& folder, const ViewSet&
   if (std::error_code ignored; !fs::is_directory(folder, ignored)) {
     throw IoError(folder, "no such folder (edges_path)");
   }
-  const FileSet photographs(set.image_paths);
+  std::vector<std::string> paths;
+  for (const ViewFile& file : set.files) paths.push_back(file.image_path);
+  const FileSet photographs(paths);
   std::vector<std::string> result;
   std::vector<std::string> missing;
   for (const View& view : set.views) {
@@ -171,7 +173,7 @@ std::vector<std::string> FindEdgeFiles(const std::string& folder, const ViewSet&
 GivenEdges ReadEdgeFile(const std::string& path, const ViewSet& set, ViewId view,
                         const RidgeOptions& maps) {
   const PinholeCamera& camera = set.views[view].camera;
-  const ImageSize stored = set.stored_sizes[view];
+  const ImageSize stored = set.files[view].stored_size;
   const ImageSize used{camera.width, camera.height};
   const std::string extension = FileExtension(path);
   const bool is_text = extension == ".txt";

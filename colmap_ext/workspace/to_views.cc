@@ -45,11 +45,6 @@ void CheckSizeFitsCamera(const std::string& path, ImageSize file, const Camera& 
                           ": not the images of this model? (raw and undistorted ones differ)");
 }
 
-// A panorama is four quarter turns wide.
-int MaxSizeOf(bool is_panorama, int max_image_size) {
-  return is_panorama && max_image_size > 0 ? 4 * max_image_size : max_image_size;
-}
-
 // What all images of one camera and one file size share.
 struct Optics {
   PinholeCamera camera;
@@ -68,7 +63,8 @@ Optics MakePartOptics(ImageSize size, int part, double margin_px) {
 
 // `part` is that of a panorama.
 Optics MakeOptics(const Camera& stored, ImageSize file, int part, const ViewOptions& options) {
-  const ImageSize size = ShrunkSize(file, MaxSizeOf(stored.IsPanorama(), options.max_image_size));
+  const ImageSize size =
+      ShrunkSize(file, MaxSizeOfFile(stored.IsPanorama(), options.max_image_size));
   if (stored.IsPanorama()) return MakePartOptics(size, part, options.border_margin_px);
   const Intrinsics intrinsics =
       Rescaled(IntrinsicsOf(stored), size.width / static_cast<double>(stored.width),
@@ -95,6 +91,12 @@ std::map<OpticsKey, Optics> MakeAllOptics(const std::map<OpticsKey, const Camera
     *jobs[i].first = MakeOptics(*camera, size, std::get<3>(key), options);
   });
   return result;
+}
+
+void CheckMaskFolder(const std::string& mask_dir) {
+  if (std::error_code ignored; !mask_dir.empty() && !fs::is_directory(mask_dir, ignored)) {
+    throw IoError(mask_dir, "no such folder (mask_path)");
+  }
 }
 
 std::string MaskPath(const std::string& mask_dir, const std::string& image_name) {
@@ -176,31 +178,42 @@ SceneHints MakeHints(const SparseModel& model, const SceneReach& reach, const Vi
   return hints;
 }
 
-void AddComplaints(const std::vector<std::optional<JpegComplaint>>& complaints, ViewSet* set) {
-  for (size_t i = 0; i < complaints.size(); ++i) {
-    set->is_damaged.push_back(complaints[i] && complaints[i]->is_damage);
-    if (!complaints[i]) continue;
-    set->warnings.push_back(set->image_paths[i] + ": " + complaints[i]->text +
-                            (complaints[i]->is_damage ? "; the whole image counts as masked" : ""));
-  }
-}
-
-Image BlackImage(int width, int height) {
-  Image image;
-  image.width = width;
-  image.height = height;
-  image.channels = 1;
-  image.data.assign(static_cast<size_t>(width) * height, 0);
-  return image;
-}
-
 // Nothing if all images have one, or none was asked for.
-void AddMaskWarning(const std::string& mask_dir, ViewSet* set) {
-  const auto num_without = std::count(set->mask_paths.begin(), set->mask_paths.end(), "");
+void WarnOfMissingMasks(const std::string& mask_dir, const std::vector<ViewFile>& files,
+                        std::vector<std::string>* warnings) {
+  const auto num_without = std::ranges::count(files, "", &ViewFile::mask_path);
   if (mask_dir.empty() || num_without == 0) return;
-  set->warnings.push_back(mask_dir + ": " + std::to_string(num_without) + " of " +
-                          std::to_string(set->mask_paths.size()) +
-                          " images have no mask there (<image name>.png) and are used entirely");
+  warnings->push_back(mask_dir + ": " + std::to_string(num_without) + " of " +
+                      std::to_string(files.size()) +
+                      " images have no mask there (<image name>.png) and are used entirely");
+}
+
+// The files of these images, whole; their headers are read in parallel.
+std::vector<ViewFile> ReadFiles(const SparseModel& model, const SelectedImages& used,
+                                const ViewOptions& options, const PhotoStore& photos,
+                                const RunContext& context, std::vector<std::string>* warnings) {
+  std::vector<ViewFile> files(used.images.size());
+  for (size_t i = 0; i < files.size(); ++i) {
+    files[i].image_name = model.images[used.images[i]].name;
+    files[i].image_path = used.paths[i];
+    files[i].mask_path = MaskPath(options.mask_path, files[i].image_name);
+  }
+  WarnOfMissingMasks(options.mask_path, files, warnings);
+  std::vector<std::optional<JpegComplaint>> complaints(files.size());
+  ParallelFor(context, "image headers", files.size(), [&](size_t i) {
+    const bool is_panorama = model.CameraOf(model.images[used.images[i]]).IsPanorama();
+    CheckedImage checked =
+        photos.Check(files[i].image_path, MaxSizeOfFile(is_panorama, options.max_image_size));
+    files[i].stored_size = checked.size;
+    complaints[i] = std::move(checked.complaint);
+  });
+  for (size_t i = 0; i < files.size(); ++i) {
+    if (!complaints[i]) continue;
+    files[i].is_damaged = complaints[i]->is_damage;
+    warnings->push_back(files[i].image_path + ": " + complaints[i]->text +
+                        (complaints[i]->is_damage ? "; the whole image counts as masked" : ""));
+  }
+  return files;
 }
 
 // Points that no image sees, though maybe in no part of a panorama, or far outside the scene.
@@ -215,35 +228,24 @@ int64_t CountLostPoints(const SparseModel& model, const SceneReach& reach) {
   });
 }
 
-void AddWarnings(const SparseModel& model, const SceneReach& reach,
-                 const std::vector<int>& selected, const std::vector<ImageSize>& sizes,
-                 ViewSet* set) {
+void AddWarnings(const SparseModel& model, const SelectedImages& used,
+                 const std::vector<ViewFile>& files, std::vector<std::string>* warnings) {
   int num_resized = 0;
-  for (size_t i = 0; i < selected.size(); ++i) {
-    const Camera& camera = model.CameraOf(model.images[selected[i]]);
-    num_resized += static_cast<uint64_t>(sizes[i].width) != camera.width ||
-                   static_cast<uint64_t>(sizes[i].height) != camera.height;
+  for (size_t i = 0; i < files.size(); ++i) {
+    const Camera& camera = model.CameraOf(model.images[used.images[i]]);
+    num_resized += static_cast<uint64_t>(files[i].stored_size.width) != camera.width ||
+                   static_cast<uint64_t>(files[i].stored_size.height) != camera.height;
   }
   if (num_resized > 0) {
-    set->warnings.push_back(std::to_string(num_resized) +
-                            " images differ in size from their camera; intrinsics were rescaled");
+    warnings->push_back(std::to_string(num_resized) +
+                        " images differ in size from their camera; intrinsics were rescaled");
   }
-  if (selected.size() != model.images.size()) return;
-  if (const int64_t num_lost = CountLostPoints(model, reach); num_lost > 0) {
-    set->warnings.push_back(
+  if (files.size() != model.images.size()) return;
+  if (const int64_t num_lost = CountLostPoints(model, used.reach); num_lost > 0) {
+    warnings->push_back(
         std::to_string(num_lost) +
         " 3D points are seen by no image or far outside the scene, and were left out");
   }
-}
-
-// Keeps what is not left out, in order.
-template <typename T>
-void Keep(const std::vector<uint8_t>& keep, std::vector<T>* items) {
-  std::vector<T> kept;
-  for (size_t i = 0; i < items->size(); ++i) {
-    if (keep[i]) kept.push_back(std::move((*items)[i]));
-  }
-  *items = std::move(kept);
 }
 
 void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double max_px,
@@ -259,20 +261,15 @@ void LeaveOutMisfits(const SparseModel& model, const SceneReach& reach, double m
   set->warnings.push_back(set->left_out.back());
   std::set<std::string> misfits;
   for (const Misfit& misfit : check.misfits) misfits.insert(misfit.image);
-  std::vector<uint8_t> keep;
+  std::vector<View> views;
+  std::vector<ViewFile> files;
   for (size_t v = 0; v < set->views.size(); ++v) {
-    keep.push_back(!misfits.contains(set->ImageName(static_cast<ViewId>(v))));
+    if (misfits.contains(set->files[v].image_name)) continue;
+    views.push_back(std::move(set->views[v]));
+    files.push_back(std::move(set->files[v]));
   }
-  Keep(keep, &set->views);
-  Keep(keep, &set->image_paths);
-  Keep(keep, &set->mask_paths);
-  Keep(keep, &set->stored_sizes);
-  Keep(keep, &set->is_damaged);
-  if (set->HasPanoramas()) {
-    Keep(keep, &set->windows);
-    Keep(keep, &set->image_names);
-    Keep(keep, &set->view_from_image);
-  }
+  set->views = std::move(views);
+  set->files = std::move(files);
   set->hints = MakeHints(model, reach, *set);
 }
 
@@ -300,14 +297,6 @@ std::vector<ViewSource> SourcesOf(const SparseModel& model, const std::vector<in
     }
   }
   return sources;
-}
-
-// From one item per image to one per view.
-template <typename T>
-void Spread(const std::vector<ViewSource>& sources, std::vector<T>* items) {
-  std::vector<T> spread;
-  for (const ViewSource& source : sources) spread.push_back((*items)[source.image]);
-  *items = std::move(spread);
 }
 
 View MakeView(const SparseModel& model, int model_index, int part, const Optics& optics) {
@@ -338,72 +327,45 @@ void CheckDistinctNames(const std::vector<View>& views) {
   }
 }
 
-// From the pixels of a part to those of the image.
-class WholeImageLens : public LensMap {
- public:
-  WholeImageLens(std::shared_ptr<const LensMap> part, const ImageWindow& window)
-      : part_(std::move(part)), origin_px_(window.x, window.y) {}
-
-  std::optional<Eigen::Vector2d> VirtualFromStored(
-      const Eigen::Vector2d& stored_px) const override {
-    return part_->VirtualFromStored(stored_px - origin_px_);
+// Adds the views of these images, and their files.
+void AddViews(const SparseModel& model, const std::vector<int>& images,
+              const std::vector<ViewFile>& files, const ViewOptions& options,
+              const RunContext& context, ViewSet* set) {
+  const std::vector<ViewSource> sources = SourcesOf(model, images);
+  std::map<OpticsKey, const Camera*> cameras;
+  std::vector<OpticsKey> keys;
+  for (const auto& [i, part] : sources) {
+    const Camera& camera = model.CameraOf(model.images[images[i]]);
+    const ImageSize size = files[i].stored_size;
+    CheckSizeFitsCamera(files[i].image_path, size, camera);
+    keys.emplace_back(camera.id, size.width, size.height, part);
+    cameras[keys.back()] = &camera;
   }
-  std::optional<Eigen::Vector2d> StoredFromVirtual(
-      const Eigen::Vector2d& virtual_px) const override {
-    const auto stored_px = part_->StoredFromVirtual(virtual_px);
-    if (!stored_px) return std::nullopt;
-    return *stored_px + origin_px_;
+  const std::map<OpticsKey, Optics> optics = MakeAllOptics(cameras, options, context);
+  for (size_t v = 0; v < sources.size(); ++v) {
+    const auto& [i, part] = sources[v];
+    const Optics& of_view = optics.at(keys[v]);
+    set->views.push_back(MakeView(model, images[i], part, of_view));
+    set->files.push_back(files[i]);
+    set->files.back().window = of_view.window;
+    set->files.back().view_from_image = of_view.part_from_image;
   }
-
- private:
-  std::shared_ptr<const LensMap> part_;
-  Eigen::Vector2d origin_px_;
-};
-
-bool IsLastPart(const ViewSet& set, ViewId view) {
-  const size_t next = static_cast<size_t>(view) + 1;
-  return next == set.views.size() || set.image_paths[next] != set.image_paths[view];
+  CheckDistinctNames(set->views);
+  if (set->HasPanoramas()) set->decoded = std::make_shared<DecodedPanoramas>();
 }
 
-Image Cut(const Image& image, const ImageWindow& window) {
-  Image part;
-  part.width = window.width;
-  part.height = window.height;
-  part.channels = image.channels;
-  part.data = CutPixels(image.data, window, image.channels);
-  return part;
-}
-
-Image ReadPixels(const ViewSet& set, ViewId view) {
-  const std::string& path = set.image_paths[view];
-  const auto decode = [&] { return set.photos.Read(path, set.MaxFileSize(view)); };
-  const ImageWindow* window = set.Window(view);
-  if (!window) return decode();
-  const auto whole = set.decoded->images.Get(path, IsLastPart(set, view), decode);
-  return window->IsOf(whole->width, whole->height) ? Cut(*whole, *window) : *whole;
+// Confines views to what their masks leave of them.
+void ApplyMasks(double margin_px, const RunContext& context, ViewSet* set) {
+  ParallelFor(context, "views", set->views.size(), [&](size_t i) {
+    View& view = set->views[i];
+    const auto mask = ReadViewMask(*set, static_cast<ViewId>(i));
+    if (mask.empty()) return;
+    view.region = MakeImageRegion(view.camera, view.lens.get(), mask, margin_px);
+  });
+  ReleaseDecoded(*set);
 }
 
 }  // namespace
-
-size_t ViewSet::CountImages(const std::vector<ViewId>& of_views) const {
-  std::set<std::string> names;
-  for (const ViewId view : of_views) names.insert(ImageName(view));
-  return names.size();
-}
-
-int ViewSet::MaxFileSize(ViewId view) const {
-  return MaxSizeOf(Window(view) != nullptr, max_image_size);
-}
-
-std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views) {
-  for (size_t v = 0; v < views.size(); ++v) {
-    const ImageWindow* window = view_set.Window(static_cast<ViewId>(v));
-    if (!window) continue;
-    views[v].name = view_set.image_names[v];
-    views[v].lens = std::make_shared<WholeImageLens>(views[v].lens, *window);
-  }
-  return views;
-}
 
 void ViewOptions::Check() const {
   LIMN_CHECK_RANGE_OR(max_image_size, -1, >= 16, <= 1e5);
@@ -414,72 +376,21 @@ void ViewOptions::Check() const {
 ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewOptions& options,
                 const RunContext& context, const PhotoStore& photos) {
   options.Check();
-  if (std::error_code ignored;
-      !options.mask_path.empty() && !fs::is_directory(options.mask_path, ignored)) {
-    throw IoError(options.mask_path, "no such folder (mask_path)");
-  }
+  CheckMaskFolder(options.mask_path);
   const SelectedImages used =
       SelectImages(model, image_dir, options.image_list_path, photos, context);
-  const std::vector<int>& selected = used.images;
   ViewSet set;
   set.warnings = model.warnings;
   set.warnings.insert(set.warnings.end(), used.warnings.begin(), used.warnings.end());
   set.left_out = used.warnings;
   set.max_image_size = options.max_image_size;
-  set.image_paths = used.paths;
   set.photos = photos;
-  for (const int index : selected) {
-    set.mask_paths.push_back(MaskPath(options.mask_path, model.images[index].name));
-  }
-  AddMaskWarning(options.mask_path, &set);
-  set.stored_sizes.resize(selected.size());
-  std::vector<std::optional<JpegComplaint>> complaints(selected.size());
-  ParallelFor(context, "image headers", selected.size(), [&](size_t i) {
-    const bool is_panorama = model.CameraOf(model.images[selected[i]]).IsPanorama();
-    CheckedImage checked =
-        photos.Check(set.image_paths[i], MaxSizeOf(is_panorama, options.max_image_size));
-    set.stored_sizes[i] = checked.size;
-    complaints[i] = std::move(checked.complaint);
-  });
-  AddComplaints(complaints, &set);
-
-  const std::vector<ViewSource> sources = SourcesOf(model, selected);
-  std::map<OpticsKey, const Camera*> inputs;
-  std::vector<OpticsKey> keys;
-  for (const auto& [i, part] : sources) {
-    const Camera& camera = model.CameraOf(model.images[selected[i]]);
-    const ImageSize size = set.stored_sizes[i];
-    CheckSizeFitsCamera(set.image_paths[i], size, camera);
-    keys.emplace_back(camera.id, size.width, size.height, part);
-    inputs[keys.back()] = &camera;
-  }
-  const std::map<OpticsKey, Optics> optics = MakeAllOptics(inputs, options, context);
-
-  const std::vector<ImageSize> sizes_of_images = set.stored_sizes;
-  Spread(sources, &set.image_paths);
-  Spread(sources, &set.mask_paths);
-  Spread(sources, &set.stored_sizes);
-  Spread(sources, &set.is_damaged);
-  if (sources.size() > selected.size()) set.decoded = std::make_shared<DecodedPanoramas>();
-  for (size_t v = 0; v < sources.size(); ++v) {
-    const int image = selected[sources[v].image];
-    const Optics& of_view = optics.at(keys[v]);
-    set.views.push_back(MakeView(model, image, sources[v].part, of_view));
-    if (!set.decoded) continue;
-    set.windows.push_back(of_view.window);
-    set.image_names.push_back(model.images[image].name);
-    set.view_from_image.push_back(of_view.part_from_image);
-  }
-  CheckDistinctNames(set.views);
-  ParallelFor(context, "views", set.views.size(), [&](size_t i) {
-    View& view = set.views[i];
-    const auto mask = ReadViewMask(set, static_cast<ViewId>(i));
-    if (mask.empty()) return;
-    view.region = MakeImageRegion(view.camera, view.lens.get(), mask, options.border_margin_px);
-  });
-  ReleaseDecoded(set);
+  const std::vector<ViewFile> files =
+      ReadFiles(model, used, options, photos, context, &set.warnings);
+  AddViews(model, used.images, files, options, context, &set);
+  ApplyMasks(options.border_margin_px, context, &set);
   set.hints = MakeHints(model, used.reach, set);
-  AddWarnings(model, used.reach, selected, sizes_of_images, &set);
+  AddWarnings(model, used, files, &set.warnings);
   if (options.max_reprojection_px > 0) {
     LeaveOutMisfits(model, used.reach, options.max_reprojection_px, &set);
   }
@@ -491,43 +402,6 @@ Eigen::Vector2d ModelPixel(const View& view, const Camera& camera,
                            const Eigen::Vector2d& stored_px) {
   return {(stored_px.x() + 0.5) * static_cast<double>(camera.width) / view.camera.width,
           (stored_px.y() + 0.5) * static_cast<double>(camera.height) / view.camera.height};
-}
-
-std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
-  const PinholeCamera& camera = view_set.views[view].camera;
-  if (view_set.is_damaged[view]) {
-    return std::vector<unsigned char>(static_cast<size_t>(camera.width) * camera.height, 0);
-  }
-  const std::string& path = view_set.mask_paths[view];
-  if (path.empty()) return {};
-  const auto decode = [&] {
-    return ReadMask(path, view_set.stored_sizes[view], view_set.MaxFileSize(view));
-  };
-  const ImageWindow* window = view_set.Window(view);
-  if (!window) return decode();
-  return CutPixels(*view_set.decoded->masks.Get(path, IsLastPart(view_set, view), decode), *window,
-                   1);
-}
-
-Image ReadViewImage(const ViewSet& view_set, ViewId view) {
-  const PinholeCamera& camera = view_set.views[view].camera;
-  Image image;
-  if (view_set.is_damaged[view]) {
-    image = BlackImage(camera.width, camera.height);
-  } else {
-    image = ReadPixels(view_set, view);
-  }
-  if (image.width != camera.width || image.height != camera.height) {
-    throw IoError(view_set.image_paths[view], "the image changed its size while Limn was running");
-  }
-  image.mask = ReadViewMask(view_set, view);
-  return image;
-}
-
-void ReleaseDecoded(const ViewSet& view_set) {
-  if (!view_set.decoded) return;
-  view_set.decoded->images.Clear();
-  view_set.decoded->masks.Clear();
 }
 
 }  // namespace limn::colmap_ext

@@ -1,18 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <string>
-#include <vector>
+
+#include <Eigen/Core>
 
 #include "colmap_ext/model/model.h"
-#include "colmap_ext/model/panorama.h"
-#include "colmap_ext/workspace/image_reader.h"
-#include "colmap_ext/workspace/last_decoded.h"
 #include "colmap_ext/workspace/photo_store.h"
-#include "limn/model/image.h"
-#include "limn/model/scene_hints.h"
+#include "colmap_ext/workspace/view_set.h"
 #include "limn/model/view.h"
 #include "limn/util/parallel.h"
 

@@ -12,8 +12,10 @@ ViewSet ThreeImagesInParts() {
   ViewSet set;
   set.views = limn::testing::DomeViews(12, 5);
   for (int v = 0; v < 12; ++v) {
-    set.windows.push_back(ImageWindow{v % 4, 0, 1, 1, 4, 1});
-    set.image_names.push_back(std::string(1, static_cast<char>('a' + v / 4)));
+    ViewFile file;
+    file.image_name = std::string(1, static_cast<char>('a' + v / 4));
+    file.window = ImageWindow{v % 4, 0, 1, 1, 4, 1};
+    set.files.push_back(file);
   }
   return set;
 }
@@ -33,8 +35,7 @@ TEST(MeasureTrust, CountsImagesNotTheirParts) {
   const Trust of_parts = MeasureTrust(set, set.views, {}, graph);
   EXPECT_EQ(of_parts.num_images, 3u);
   EXPECT_EQ(of_parts.well_seen.value(), 0);
-  set.windows.clear();
-  for (size_t v = 0; v < set.views.size(); ++v) set.views[v].name = std::to_string(v);
+  for (size_t v = 0; v < set.files.size(); ++v) set.files[v].image_name = std::to_string(v);
   const Trust of_images = MeasureTrust(set, set.views, {}, graph);
   EXPECT_EQ(of_images.num_images, 12u);
   EXPECT_DOUBLE_EQ(of_images.well_seen.value(), 0.75);

@@ -35,14 +35,14 @@ class EdgeFilesTest : public ::testing::Test {
       view.camera.width = 80;
       view.camera.height = 60;
       set_.views.push_back(view);
-      set_.image_paths.push_back((dir_ / "images" / name).string());
+      set_.files.push_back({.image_name = name,
+                            .image_path = (dir_ / "images" / name).string(),
+                            .mask_path = "",
+                            .stored_size = {80, 60}});
       cv::Mat image(60, 80, CV_8UC1, cv::Scalar(50));
       image.colRange(0, 40).setTo(200);
-      EXPECT_TRUE(cv::imwrite(set_.image_paths.back(), image));
+      EXPECT_TRUE(cv::imwrite(set_.files.back().image_path, image));
     }
-    set_.mask_paths.resize(3);
-    set_.stored_sizes.resize(3, {80, 60});
-    set_.is_damaged.resize(3);
   }
 
   void UseHalfSize() {
@@ -105,8 +105,9 @@ TEST_F(EdgeFilesTest, AFileOfTwoImagesIsRefused) {
 
 TEST_F(EdgeFilesTest, PhotographsAreNoEdges) {
   set_.views.resize(1);
+  set_.files.resize(1);
   set_.views[0].name = "sub/c.png";
-  set_.image_paths[0] = (dir_ / "images/sub/c.png").string();
+  set_.files[0].image_path = (dir_ / "images/sub/c.png").string();
   EXPECT_THAT(ErrorText<IoError>([&] { FindEdgeFiles((dir_ / "images").string(), set_); }),
               HasSubstr("c.png: is an image itself"));
 }
@@ -220,7 +221,7 @@ TEST_F(EdgeFilesTest, PicturesThatAreNoMapsAreRefused) {
 TEST_F(EdgeFilesTest, MaskedPixelsHoldNone) {
   cv::Mat mask(60, 80, CV_8UC1, cv::Scalar(255));
   mask.at<uchar>(20, 10) = 0;
-  set_.mask_paths[0] = WriteMap("mask.png", mask);
+  set_.files[0].mask_path = WriteMap("mask.png", mask);
   EXPECT_EQ(Read(dir_.WriteFile("a.edg", kEdg)).curves.edge_map.edgels.size(), 1u);
   // A fragment is cut there.
   const ImageCurves curves = Read(dir_.WriteFile("a.txt", "2 20 30 20\n")).curves;
@@ -235,7 +236,7 @@ TEST_F(EdgeFilesTest, MaskedPixelsHoldNone) {
 }
 
 TEST_F(EdgeFilesTest, DamagedPhotographsHaveNone) {
-  set_.is_damaged[0] = 1;
+  set_.files[0].is_damaged = true;
   EXPECT_TRUE(Read(dir_.WriteFile("a.edg", kEdg)).curves.edge_map.edgels.empty());
   EXPECT_TRUE(Read(dir_.WriteFile("a.txt", "2 20 30 20\n")).curves.fragments.empty());
 }

@@ -84,7 +84,7 @@ TEST_F(ToViewsTest, ViewsAreSortedByNameAndKeepTheirFileOrder) {
   EXPECT_EQ(set.views[0].model_index, 2);
   EXPECT_EQ(set.views[1].model_index, 0);
   EXPECT_EQ(set.views[2].model_index, 1);
-  EXPECT_EQ(set.image_paths[2], (dir_.path() / "sub/a b.png").string());
+  EXPECT_EQ(set.files[2].image_path, (dir_.path() / "sub/a b.png").string());
   EXPECT_EQ(set.views[1].cam_from_world.translation, model_.images[0].cam_from_world.translation);
   EXPECT_THAT(set.warnings, IsEmpty());
 }
@@ -233,7 +233,7 @@ TEST_F(ToViewsTest, HopelessCamerasAreLeftOutOnRequest) {
   const ViewSet set = Views();
   ASSERT_EQ(set.views.size(), 2u);
   EXPECT_EQ(set.views[0].name, "c.png");
-  EXPECT_EQ(set.image_paths[1], (dir_.path() / "sub/a b.png").string());
+  EXPECT_EQ(set.files[1].image_path, (dir_.path() / "sub/a b.png").string());
   EXPECT_THAT(set.hints.points[0].views, ElementsAre(0, 1));
   EXPECT_THAT(set.warnings, ElementsAre(AllOf(HasSubstr("left out"), HasSubstr("b.png ("))));
   for (ModelImage& image : model_.images) image.cam_from_world.translation.x() += 2;
@@ -407,8 +407,7 @@ TEST_F(ToViewsTest, DuplicatesAreLeftOutWithOneWarning) {
   ASSERT_EQ(set.views.size(), 3u);
   EXPECT_EQ(set.views[0].name, "./b.png");
   EXPECT_EQ(set.views[1].name, "copy.png");
-  EXPECT_EQ(set.image_paths.size(), 3u);
-  EXPECT_EQ(set.mask_paths.size(), 3u);
+  EXPECT_EQ(set.files.size(), 3u);
   EXPECT_THAT(set.warnings,
               ElementsAre("2 of 5 images are duplicates, by their bytes or by pose and picture, "
                           "and are left out: b.png (of ./b.png), c.png (of copy.png)"));
@@ -500,8 +499,8 @@ TEST_F(PanoramaViewsTest, EveryPartIsAViewOfItsPixels) {
   for (ViewId v = 0; v < kNumPanoramaParts; ++v) {
     const View& view = set.views[v];
     EXPECT_EQ(view.name, "b.png.part" + std::string(v < 10 ? "0" : "") + std::to_string(v));
-    ASSERT_TRUE(set.windows[v]);
-    EXPECT_EQ(set.image_names[v], "b.png");
+    ASSERT_TRUE(set.files[v].window);
+    EXPECT_EQ(set.files[v].image_name, "b.png");
     EXPECT_EQ(view.model_index, 2);
     EXPECT_LT((view.CenterInWorld() - Inverse(model_.images[2].cam_from_world).translation).norm(),
               1e-12);
@@ -510,12 +509,12 @@ TEST_F(PanoramaViewsTest, EveryPartIsAViewOfItsPixels) {
     for (const auto& [x, y] : {std::pair(0, 0), std::pair(image.width - 1, image.height - 1)}) {
       const float* pixel = &image.data[3 * (static_cast<size_t>(y) * image.width + x)];
       const int column = static_cast<int>(pixel[0] + 256 * pixel[1]);
-      EXPECT_EQ(column, (x + set.windows[v]->x + kWidth) % kWidth);
-      EXPECT_EQ(pixel[2], y + set.windows[v]->y);
+      EXPECT_EQ(column, (x + set.files[v].window->x + kWidth) % kWidth);
+      EXPECT_EQ(pixel[2], y + set.files[v].window->y);
     }
   }
   EXPECT_EQ(set.views[12].name, "c.png");
-  EXPECT_FALSE(set.windows[12]);
+  EXPECT_FALSE(set.files[12].window);
 }
 
 TEST_F(PanoramaViewsTest, TracksAreInPixelsOfTheImage) {
@@ -527,7 +526,8 @@ TEST_F(PanoramaViewsTest, TracksAreInPixelsOfTheImage) {
     const Eigen::Vector2d center(whole[v].camera.cx, whole[v].camera.cy);
     const Eigen::Vector2d part_px = *set.views[v].StoredFromVirtual(center);
     const Eigen::Vector2d image_px = *whole[v].StoredFromVirtual(center);
-    EXPECT_LT((image_px - part_px - Eigen::Vector2d(set.windows[v]->x, set.windows[v]->y)).norm(),
+    EXPECT_LT((image_px - part_px - Eigen::Vector2d(set.files[v].window->x, set.files[v].window->y))
+                  .norm(),
               1e-9);
     EXPECT_LT((*whole[v].lens->VirtualFromStored(image_px) - center).norm(), 1e-7);
   }
@@ -590,12 +590,12 @@ TEST_F(PanoramaViewsTest, AreShrunkPerQuarterTurn) {
   options_.border_margin_px = 0;
   options_.max_image_size = kWidth / 4;
   const ViewSet whole = Views();
-  EXPECT_EQ(whole.windows[0]->image_width, kWidth);
+  EXPECT_EQ(whole.files[0].window->image_width, kWidth);
   EXPECT_EQ(whole.views[12].camera.width, kWidth / 4) << "a photograph";
   options_.max_image_size = kWidth / 8;
   const ViewSet half = Views();
-  EXPECT_EQ(half.windows[0]->image_width, kWidth / 2);
-  EXPECT_EQ(half.windows[0]->image_height, kHeight / 2);
+  EXPECT_EQ(half.files[0].window->image_width, kWidth / 2);
+  EXPECT_EQ(half.files[0].window->image_height, kHeight / 2);
   EXPECT_EQ(half.MaxFileSize(0), kWidth / 2);
   EXPECT_EQ(half.MaxFileSize(12), kWidth / 8);
   EXPECT_EQ(ReadViewImage(half, 0).width, half.views[0].camera.width);
@@ -622,7 +622,7 @@ TEST_F(PanoramaViewsTest, AreLeftOutAsAWhole) {
   const ViewSet fewer = Views();
   EXPECT_EQ(fewer.views.size(), 13u);
   for (ViewId v = 0; v < 13; ++v) EXPECT_NE(fewer.ImageName(v), "b.png");
-  EXPECT_EQ(fewer.windows.size(), 13u);
+  EXPECT_EQ(fewer.files.size(), 13u);
   ASSERT_THAT(fewer.warnings, Contains(HasSubstr("left out")));
   EXPECT_THAT(fewer.warnings, Contains(HasSubstr("miss 1 of 3 images by more than 5 px: b.png (")));
 }
@@ -656,7 +656,7 @@ TEST_F(PanoramaViewsTest, ThreadsThatLiveOnKeepNothingAfterRelease) {
     });
   }
   all_have.arrive_and_wait();
-  fs::remove(set.image_paths[0]);
+  fs::remove(set.files[0].image_path);
   ReleaseDecoded(set);
   released.arrive_and_wait();
   for (std::thread& thread : threads) thread.join();
@@ -667,7 +667,7 @@ TEST_F(PanoramaViewsTest, MasksAreNotKeptAfterTheViewsAreMade) {
   Write("masks/b.png.png", cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(255)));
   options_.mask_path = (dir_ / "masks").string();
   const ViewSet set = Views();
-  fs::remove(set.mask_paths[0]);
+  fs::remove(set.files[0].mask_path);
   for (int round = 0; round < 20; ++round) {
     ParallelFor({}, "masks", kNumPanoramaParts, [&](size_t v) {
       EXPECT_THROW(ReadViewMask(set, static_cast<ViewId>(v)), IoError);
@@ -680,7 +680,8 @@ TEST_F(PanoramaViewsTest, FilesAreDecodedOnceForAllParts) {
   options_.mask_path = (dir_ / "masks").string();
   const ViewSet set = Views();
   ReadViewImage(set, 0);
-  for (const std::string& path : {set.image_paths[0], set.mask_paths[0]}) fs::remove(path);
+  for (const std::string& path : {set.files[0].image_path, set.files[0].mask_path})
+    fs::remove(path);
   for (ViewId v = 1; v < kNumPanoramaParts; ++v) {
     const Image part = ReadViewImage(set, v);
     EXPECT_EQ(part.mask.size(), static_cast<size_t>(part.width) * part.height);

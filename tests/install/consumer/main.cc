@@ -23,7 +23,7 @@ void Draw(const char* workspace, const char* image_list, const char* output) {
 
   ResultCache no_cache("");
   const ImageSource images{.read = [&](ViewId view) { return ReadViewImage(set, view); },
-                           .identity = [&](ViewId view) { return set.image_paths[view]; }};
+                           .identity = [&](ViewId view) { return set.files[view].image_path; }};
   const PipelineInput input{set.views, set.hints, images, {}, &no_cache};
   const PipelineResult result =
       DrawScene(input, PresetOf(Quality::kLow).options, {}, [](const StageSummary&) {});

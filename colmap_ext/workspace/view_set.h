@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "colmap_ext/model/panorama.h"
+#include "colmap_ext/workspace/image_size.h"
+#include "colmap_ext/workspace/last_decoded.h"
+#include "colmap_ext/workspace/photo_store.h"
+#include "limn/model/image.h"
+#include "limn/model/scene_hints.h"
+#include "limn/model/view.h"
+
+namespace limn::colmap_ext {
+
+// Where the pixels of a view come from: an image, or a part of a panorama.
+struct ViewFile {
+  std::string image_name;  // that of the view, unless this is a part
+  std::string image_path;
+  std::string mask_path;  // empty = no mask
+  ImageSize stored_size;  // before max_image_size
+  // The pixels are not those of the photograph (CheckJpeg): masked entirely.
+  bool is_damaged = false;
+  // Of a part: where it is in the image, after max_image_size, and how it is turned in it.
+  std::optional<ImageWindow> window = std::nullopt;
+  Eigen::Quaterniond view_from_image = Eigen::Quaterniond::Identity();
+};
+
+// Whole images of which parts are read, after max_image_size.
+struct DecodedPanoramas {
+  LastDecoded<Image> images;
+  LastDecoded<std::vector<unsigned char>> masks;
+};
+
+// Views and their files. Nothing but model indices depends on the order or ids of the model's
+// images and cameras.
+struct ViewSet {
+  std::vector<View> views;      // sorted by name of the image and part; View::id is the index
+  std::vector<ViewFile> files;  // per view
+  SceneHints hints;             // points sorted by id
+  std::shared_ptr<DecodedPanoramas> decoded;  // what ReadViewImage and ReadViewMask keep of them
+  int max_image_size = -1;
+  PhotoStore photos;  // what is at the paths of the images
+  std::vector<std::string> warnings;
+  std::vector<std::string> left_out;  // those of the warnings that say which images, and why
+
+  bool HasPanoramas() const;
+  const std::string& ImageName(ViewId view) const { return files[view].image_name; }
+  // Distinct images among these views.
+  size_t CountImages(const std::vector<ViewId>& of_views) const;
+  // The longer side, px, that the file of a view is shrunk to; -1 = as stored.
+  int MaxFileSize(ViewId view) const;
+  // Null if the view is no part of a panorama.
+  const ImageWindow* Window(ViewId view) const {
+    return files[view].window ? &*files[view].window : nullptr;
+  }
+};
+
+// The longer side, px, that a file is shrunk to: a panorama is four quarter turns wide. -1 = as
+// stored.
+int MaxSizeOfFile(bool is_panorama, int max_image_size);
+
+// These views of the set (with refined cameras, maybe), with the names of their images, and stored
+// pixels of the whole images. Columns of a panorama go on over its left border: they run from -1/8
+// to 7/8 of its width. For tracks: the sizes of parts stay.
+std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views);
+
+// One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
+// pixels may be used. Throws IoError.
+std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view);
+
+// The photograph of a view with its mask, at the size of the view; black and masked entirely if it
+// is damaged. Throws IoError.
+Image ReadViewImage(const ViewSet& view_set, ViewId view);
+
+// Frees what the two keep to read other parts of a panorama: up to one whole panorama and its mask
+// per thread. To be called after a loop over views.
+void ReleaseDecoded(const ViewSet& view_set);
+
+}  // namespace limn::colmap_ext
