@@ -16,6 +16,7 @@ constexpr double kWeightOfDown = 0.1;
 // Mean of the y axes, as unit vectors, below which they cancel: the cameras look straight down, as
 // those of drones do, in any heading.
 constexpr double kMinMeanDown = 0.3;
+constexpr int kMedianRounds = 50;
 
 Eigen::Vector3d DownInCam(const std::vector<ViewPrior>& priors, size_t view) {
   const bool is_known = view < priors.size() && priors[view].gravity_in_cam;
@@ -28,7 +29,7 @@ std::optional<Eigen::Vector3d> MedianDirection(const std::vector<Eigen::Vector3d
   Eigen::Vector3d median = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& direction : directions) median += direction;
   if (!(median.norm() > 1e-9 * static_cast<double>(directions.size()))) return std::nullopt;
-  for (int k = 0; k < 50; ++k) {
+  for (int k = 0; k < kMedianRounds; ++k) {
     median.normalize();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& direction : directions) {

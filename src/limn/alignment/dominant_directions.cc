@@ -13,6 +13,8 @@ namespace {
 
 // How far a vertical may be from the hint: the other directions of a building are 90 degrees away.
 constexpr double kMaxFromHintRad = 45 * kDeg;
+// Lines that are more nearly parallel have no certain normal.
+const double kMinPairingSine = std::sin(10 * kDeg);
 // Of the heaviest lines, how many make hypotheses in pairs.
 constexpr size_t kNumPairing = 40;
 // Standard deviations of lines from the direction they follow: to find it, then to make it exact.
@@ -78,7 +80,7 @@ std::vector<Eigen::Vector3d> Candidates(const std::vector<StraightLine>& lines,
   for (size_t i = 0; i < count; ++i) {
     for (size_t k = i + 1; k < count; ++k) {
       const Eigen::Vector3d normal = lines[i].direction.cross(lines[k].direction);
-      if (normal.norm() > std::sin(10 * kDeg)) consider(normal.normalized());
+      if (normal.norm() > kMinPairingSine) consider(normal.normalized());
     }
   }
   return candidates;
@@ -214,7 +216,7 @@ std::optional<DominantDirection> FindHorizontal(const std::vector<StraightLine>&
   }
   const double chance = kHeadingSigmaRad * std::sqrt(2 * M_PI) / (M_PI / 2);
   if (!(most > kMinTimesChance * chance * sum)) return std::nullopt;
-  for (int k = 0; k < 10; ++k) heading = RefinedHeading(angles, heading);
+  for (int k = 0; k < kHeadingRounds; ++k) heading = RefinedHeading(angles, heading);
   heading = QuarterTurn(heading);
   std::vector<Weighted> deviations;
   for (const Weighted& angle : angles) {

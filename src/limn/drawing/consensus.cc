@@ -26,8 +26,10 @@ const double kMinConsensusCosine = std::cos(20 * kDeg);
 // Standard deviations of the weights of samples: across the curve as the images see it, and along.
 constexpr double kConsensusAcrossPx = 0.5;
 constexpr double kAlongPx = 2.5;
-// Samples farther than this across the curve neither weigh, being three deviations away, nor agree.
-constexpr double kMaxAcrossPx = 3 * kConsensusAcrossPx;
+// Samples farther away than this many of them do not weigh.
+constexpr double kMaxSigmas = 3;
+// Nor do samples farther than this across the curve, which do not agree either.
+constexpr double kMaxAcrossPx = kMaxSigmas * kConsensusAcrossPx;
 // Samples within this distance along the curve agree, px.
 constexpr double kAgreeAlongPx = 1.5;
 // By how much samples may move, px, and turn before they meet neighbors that were not listed.
@@ -225,7 +227,7 @@ class Climb {
       const double squared_sigmas =
           neighbor.squared_px / (kConsensusAcrossPx * kConsensusAcrossPx) +
           neighbor.along_px * neighbor.along_px / (kAlongPx * kAlongPx);
-      if (squared_sigmas > 9) continue;
+      if (squared_sigmas > kMaxSigmas * kMaxSigmas) continue;
       const double weight = std::exp(-0.5 * squared_sigmas);
       const Eigen::Matrix2d information =
           weight * across.transpose() * samples_.information[neighbor.sample] * across;

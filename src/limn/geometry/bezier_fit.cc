@@ -20,6 +20,7 @@ constexpr double kCornerCosine = 0.8660254037844387;  // 30 degrees
 constexpr double kStep = 10;
 constexpr int kTangentPoints = 3;
 constexpr int kNewtonRounds = 6;
+constexpr double kFarTolerances = 16;
 
 Eigen::Vector2d At(const CubicBezier2d& c, double t) {
   const double s = 1 - t;
@@ -73,7 +74,7 @@ class SectionFitter {
         return;
       }
       // A curve that is far off does not come near by better parameters.
-      if (distance > 16 * tolerance_) break;
+      if (distance > kFarTolerances * tolerance_) break;
       ImproveParameters(curve, begin, end);
     }
     worst = std::clamp(worst, begin + 1, end - 1);

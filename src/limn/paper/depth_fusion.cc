@@ -14,6 +14,11 @@ constexpr double kAgreementBonus = 0.5;
 constexpr int kMaxAgreement = 4;
 // The paper drops candidates farther than this many standard deviations from the mean.
 constexpr double kPaperSigmas = 2;
+// Ours drops those farther from the median than this many, by the median absolute deviation, but
+// never below this distance.
+constexpr double kGateSigmas = 2;
+constexpr double kSigmaPerDeviation = 1.4826;
+constexpr double kMinGatePx = 0.25;
 
 // The modes of one vertex, and the candidates that each was made from.
 struct VertexModes {
@@ -83,9 +88,8 @@ FusedDepth Average(const std::vector<DepthCandidate>& candidates, const std::vec
   }
   const double median = WeightedMedian(values);
   for (auto& [value, weight] : values) value = std::abs(value - median);
-  // Two standard deviations by the median absolute deviation, but never below a quarter pixel.
-  const double gate =
-      std::max(2 * 1.4826 * WeightedMedian(values), 0.25 / std::max(px_per_inverse_depth, 1e-300));
+  const double gate = std::max(kGateSigmas * kSigmaPerDeviation * WeightedMedian(values),
+                               kMinGatePx / std::max(px_per_inverse_depth, 1e-300));
   FusedDepth fused;
   fused.px_per_inverse_depth = px_per_inverse_depth;
   double weight = 0;

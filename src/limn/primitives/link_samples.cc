@@ -97,7 +97,8 @@ LinkSamples SampleLink(const DrawingLink& link, const std::vector<View>& views) 
 
 void DiscountEnds(const std::array<bool, 2>& ends, double zone_px, LinkSamples* link) {
   constexpr double kWeight = 0.02;
-  const double zone = std::min(zone_px / link->length_px, 0.25);
+  constexpr double kMaxZone = 0.25;  // of the link
+  const double zone = std::min(zone_px / link->length_px, kMaxZone);
   for (LinkSample3d& sample : link->samples) {
     const bool is_near = (ends[0] && sample.t < zone) || (ends[1] && sample.t > 1 - zone);
     sample.weight = is_near ? kWeight : 1;

@@ -92,15 +92,19 @@ struct Answer {
   std::optional<EdgelMatch> match;
 };
 
+// The least share of an independent observation, and that of a sample that is seen alone.
+constexpr double kMinShare = 0.01;
+constexpr double kShareAlone = 0.1;
+
 // Share of an independent observation: the step to the next sample in the image, divided by the
 // correlation length.
 double Share(const Edgel& edgel, const std::vector<Answer>& answers, int k, double correlation_px) {
   const int size = static_cast<int>(answers.size());
   const int other = k + 1 < size && answers[k + 1].sight ? k + 1 : k - 1;
-  if (other < 0 || !answers[other].sight) return 0.1;
+  if (other < 0 || !answers[other].sight) return kShareAlone;
   const Eigen::Vector2d step = answers[other].sight->position_px - answers[k].sight->position_px;
   const double step_px = (edgel.stored_from_virtual.cast<double>() * step).norm();
-  return std::clamp(step_px / correlation_px, 0.01, 1.0);
+  return std::clamp(step_px / correlation_px, kMinShare, 1.0);
 }
 
 // Adds the edgels of a view to the samples of a link.

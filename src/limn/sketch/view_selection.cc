@@ -25,6 +25,11 @@ constexpr double kMaxRelativeDepth = 100.0;
 // little.
 constexpr double kSecondSpreadDeg = 8.0;
 constexpr double kConfirmationSpreadDeg = 4.0;
+// What a chosen view takes from the score of one with the same parallax.
+constexpr double kTakenByLikeness = 0.9;
+// The best parallaxes, degrees; beyond them scores fall to nothing at the bounds of the options.
+constexpr double kBestPairDeg[] = {8, 25};
+constexpr double kBestConfirmationDeg[] = {6, 40};
 // An added view is sketched if that many, of all views alike, should be.
 constexpr double kAddedShare = 0.9;
 
@@ -76,7 +81,7 @@ std::vector<ViewId> PickSpread(const std::vector<CandidateView>& candidates,
     for (size_t i = 0; i < candidates.size(); ++i) {
       const double distance =
           (candidates[i].parallax_deg - candidates[index].parallax_deg).norm() / spread_deg;
-      remaining[i] *= 1 - 0.9 * std::exp(-0.5 * distance * distance);
+      remaining[i] *= 1 - kTakenByLikeness * std::exp(-0.5 * distance * distance);
     }
   }
   return picked;
@@ -253,10 +258,11 @@ class PlanBuilder {
         const double angle = angles[i];
         if (weights[i] == 0 || angle < 0) continue;
         const double w = weights[i] / total_weight;
-        candidate.second_score +=
-            w * Trapezoid(angle, options_.min_pair_angle_deg, 8, 25, options_.max_pair_angle_deg);
-        candidate.confirmation_score += w * Trapezoid(angle, options_.min_confirmation_angle_deg, 6,
-                                                      40, options_.max_confirmation_angle_deg);
+        candidate.second_score += w * Trapezoid(angle, options_.min_pair_angle_deg, kBestPairDeg[0],
+                                                kBestPairDeg[1], options_.max_pair_angle_deg);
+        candidate.confirmation_score +=
+            w * Trapezoid(angle, options_.min_confirmation_angle_deg, kBestConfirmationDeg[0],
+                          kBestConfirmationDeg[1], options_.max_confirmation_angle_deg);
         // Epipolar direction at the ray: the baseline without its component along the ray.
         const Eigen::Vector3d ray_in_cam =
             (cam_from_world * (field.places[i] - centers_[primary])).normalized();
@@ -312,8 +318,9 @@ std::optional<DepthSpan> SpanOfPoints(std::vector<double> depths,
                                       const ViewSelectionOptions& options) {
   if (static_cast<int>(depths.size()) < options.min_points_for_depth) return std::nullopt;
   std::sort(depths.begin(), depths.end());
-  return DepthSpan{depths[depths.size() / 100] / options.points_depth_widening,
-                   depths[depths.size() - 1 - depths.size() / 100] * options.points_depth_widening};
+  const size_t outliers = depths.size() / 100;  // at either end
+  return DepthSpan{depths[outliers] / options.points_depth_widening,
+                   depths[depths.size() - 1 - outliers] * options.points_depth_widening};
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ namespace {
 constexpr double kCellPx = 4;
 // Cells on a side of a tile.
 constexpr int kTileCells = 8;
+// Squared distances along an edgel count by this: of edgels, those beside a place show it best.
+constexpr double kAlongCost = 0.25;
 
 double VirtualPerStored(const Edgel& edgel) {
   if (edgel.stored_from_virtual == Eigen::Matrix2f::Identity()) return 1;
@@ -134,8 +136,8 @@ std::optional<EdgelMatch> EdgelIndex::Best(const Eigen::Vector2d& position_px,
     const bool is_in = (std::abs(normal) <= gate.normal_px) & (std::abs(along) <= gate.along_px) &
                        (std::abs(sine) <= max_sine);
     if (!is_in) return;
-    const double cost =
-        (normal * normal + 0.25 * along * along) * per_squared_px + sine * sine * per_squared_sine;
+    const double cost = (normal * normal + kAlongCost * along * along) * per_squared_px +
+                        sine * sine * per_squared_sine;
     if (cost < best_cost || (cost == best_cost && edgel.id < best.edgel)) {
       best_cost = cost;
       best = {edgel.id, normal};

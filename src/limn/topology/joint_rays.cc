@@ -111,7 +111,7 @@ std::vector<double> RayAngles(const View& view, const Joint& joint,
     const ImageRay best = *std::ranges::max_element(candidates, {}, &ImageRay::num_pixels);
     if (best.num_pixels < kMinCoveredPx) break;
     angles.push_back(best.angle + best.correction);
-    erase_near(best.angle, 1.5 * kRayWidthRad);
+    erase_near(best.angle, kSameRayWidths * kRayWidthRad);
   }
   return angles;
 }
@@ -221,7 +221,7 @@ class DirectionFinder {
     }
     if (vote.rays.size() >= min_views_) {
       vote.log_chance = LogChance(static_cast<int>(vote.rays.size()), num_views,
-                                  std::min(0.99, background / num_views));
+                                  std::min(kMaxBackground, background / num_views));
     }
     return vote;
   }

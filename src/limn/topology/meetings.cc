@@ -63,7 +63,7 @@ std::optional<Reach::Offset> Reach::To(const LinkTip& tip, const Eigen::Vector3d
   const double along = offset.dot(tip.outward);
   const double miss = (offset - along * tip.outward).norm();
   if (along > gap_px || along < -overshoot_px) return std::nullopt;
-  if (miss > miss_px + 0.5 * turn_rad * std::abs(along)) return std::nullopt;
+  if (miss > miss_px + kMissPerRad * turn_rad * std::abs(along)) return std::nullopt;
   return Offset{along, miss};
 }
 
