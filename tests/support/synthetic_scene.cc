@@ -181,6 +181,19 @@ View LookAt(const Eigen::Vector3d& center, const Eigen::Vector3d& target) {
   return view;
 }
 
+View RingView(double azimuth_deg, double radius, double height) {
+  const double azimuth = azimuth_deg * kDeg;
+  return LookAt({radius * std::cos(azimuth), radius * std::sin(azimuth), height},
+                Eigen::Vector3d::Zero());
+}
+
+View ForwardView(int width, int height, double focal) {
+  View view;
+  view.camera = {focal, focal, 0.5 * (width - 1), 0.5 * (height - 1), width, height};
+  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
+  return view;
+}
+
 std::vector<View> DomeViews(int count, double radius) {
   const double golden_angle = M_PI * (3 - std::sqrt(5.0));
   std::vector<View> views;

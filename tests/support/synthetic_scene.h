@@ -29,6 +29,10 @@ std::vector<Polyline3d> Polylines(const std::vector<SceneCurve>& curves);
 
 // A camera of 640 x 480 px and 600 px focal length at `center`, looking at `target`, z up.
 View LookAt(const Eigen::Vector3d& center, const Eigen::Vector3d& target);
+// The same at this azimuth on a circle around the z axis, looking at the origin.
+View RingView(double azimuth_deg, double radius, double height = 0);
+// Looks along z from the origin; no border is left out.
+View ForwardView(int width = 101, int height = 101, double focal = 100);
 // Views of the origin from a dome of this radius, elevations 20 to 65 degrees, evenly spread.
 std::vector<View> DomeViews(int count, double radius);
 // Views side by side, straight down on the plane z = 0 from a height of 5: `cols` x `rows` of them,

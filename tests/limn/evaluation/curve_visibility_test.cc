@@ -11,7 +11,6 @@
 namespace limn {
 namespace {
 
-using testing::LookAt;
 using testing::Polylines;
 using testing::ProjectCurves;
 using testing::SceneCurve;
@@ -19,11 +18,7 @@ using testing::Segment;
 
 constexpr double kCameraDistance = 4;
 
-View ViewAtAzimuth(double degrees) {
-  const double angle = degrees * kDeg;
-  return LookAt({kCameraDistance * std::cos(angle), kCameraDistance * std::sin(angle), 1},
-                {0, 0, 0});
-}
+View ViewAtAzimuth(double degrees) { return testing::RingView(degrees, kCameraDistance, 1); }
 
 // One upright segment, asked for in a view at azimuth 0.
 class CurveVisibilityTest : public ::testing::Test {

@@ -6,6 +6,7 @@
 
 #include "limn/evaluation/plain_curves.h"
 #include "limn/util/errors.h"
+#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
@@ -210,10 +211,8 @@ TEST(EvaluateCurves, JunctionsAreMatchedWithinTwoTaus) {
 }
 
 std::vector<View> OneViewAtOrigin() {
-  View view;
+  View view = testing::ForwardView();
   view.name = "a.png";
-  view.camera = {100, 100, 50, 50, 101, 101};
-  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
   return {view};
 }
 

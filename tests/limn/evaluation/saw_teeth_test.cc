@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
+#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
@@ -12,9 +13,7 @@ namespace {
 constexpr double kToothFootprint = 0.01;  // depth 10, focal length 1000
 
 std::vector<View> OneView() {
-  View view;
-  view.camera = {1000, 1000, 500, 500, 1001, 1001};
-  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
+  View view = testing::ForwardView(1001, 1001, 1000);
   view.cam_from_world.translation = {0, 0, 10};
   return {view};
 }

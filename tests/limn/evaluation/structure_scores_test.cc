@@ -10,6 +10,7 @@
 #include "limn/model/view.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
+#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
@@ -287,9 +288,7 @@ TEST(Connectivity, NodesOutsideTheRegionDoNotCount) {
 
 TEST(StructureScores, AreTheSameInFootprintsOfTheSameSize) {
   // At depth 1 a pixel is 0.01 = kStructureTau wide.
-  View view;
-  view.camera = {100, 100, 50, 50, 101, 101};
-  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
+  View view = testing::ForwardView();
   CurveSet truth = Star({0, 90, 180});
   CurveSet drawn = Curves({Line(-1, 0.5), Line(0.5, 1), Arm(90, 0.01)});
   for (CurveSet* set : {&truth, &drawn}) {

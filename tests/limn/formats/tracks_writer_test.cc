@@ -6,15 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "limn/util/errors.h"
+#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
 
 View SmallView() {
-  View view;
+  View view = testing::ForwardView();
   view.name = "folder/a b.png";
-  view.camera = {100, 100, 50, 50, 101, 101};
-  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
   return view;
 }
 

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/synthetic_scene.h"
+
 namespace limn {
 namespace {
 
 View ViewAt(double z, double focal) {
-  View view;
-  view.camera = {focal, focal, 50, 50, 101, 101};
-  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
+  View view = testing::ForwardView(101, 101, focal);
   view.cam_from_world.translation = {0, 0, -z};
   return view;
 }

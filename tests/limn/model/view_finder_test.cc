@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/synthetic_scene.h"
+
 namespace limn {
 namespace {
 
@@ -55,9 +57,7 @@ TEST(ViewFinderTest, NoViewThatContainsAPointIsLost) {
 }
 
 TEST(ViewFinderTest, ViewsBehindOrAsideAreLeftOut) {
-  std::vector<View> views(1);
-  views[0].camera = {500, 500, 320, 240, 640, 480};
-  views[0].region = MakeImageRegion(views[0].camera, nullptr, {}, 0);
+  const std::vector<View> views = {testing::ForwardView(640, 480, 500)};
   const ViewFinder finder(views);
   EXPECT_EQ(finder.Near({0, 0, 5}, 0).size(), 1u);
   EXPECT_TRUE(finder.Near({0, 0, -5}, 1).empty());

@@ -8,6 +8,7 @@
 #include "limn/formats/temporary_folder.h"
 #include "limn/pictures/render_drawing.h"
 #include "limn/util/errors.h"
+#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
@@ -22,10 +23,8 @@ Image GrayPhoto(int width, int height) {
 }
 
 View SmallView() {
-  View view;
+  View view = testing::ForwardView();
   view.name = "a.png";
-  view.camera = {100, 100, 50, 50, 101, 101};
-  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
   return view;
 }
 

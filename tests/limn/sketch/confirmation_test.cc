@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -21,10 +20,9 @@ constexpr double kPx = 5.0 / 600;
 class ConfirmationTest : public ::testing::Test {
  protected:
   ConfirmationTest() {
-    views_.push_back(testing::LookAt({5, 0, 0}, {0, 0, 0}));
+    views_.push_back(testing::RingView(0, 5));
     for (const double degrees : kAnglesDeg) {
-      const double angle = degrees * kDeg;
-      views_.push_back(testing::LookAt({5 * std::cos(angle), 5 * std::sin(angle), 0}, {0, 0, 0}));
+      views_.push_back(testing::RingView(degrees, 5));
     }
   }
 

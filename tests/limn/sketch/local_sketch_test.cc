@@ -1,11 +1,9 @@
 #include "limn/sketch/local_sketch.h"
 
-#include <cmath>
 #include <optional>
 
 #include <gtest/gtest.h>
 
-#include "limn/util/angles.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -21,11 +19,10 @@ constexpr uint32_t kAll = 0b1111;
 class VerdictTest : public ::testing::Test {
  protected:
   VerdictTest() {
-    views_.push_back(testing::LookAt({5, 0, 0}, {0, 0, 0}));
+    views_.push_back(testing::RingView(0, 5));
     for (const double degrees : kAnglesOfViewsDeg) {
-      const double angle = degrees * kDeg;
       plan_.confirmation_views.push_back(static_cast<ViewId>(views_.size()));
-      views_.push_back(testing::LookAt({5 * std::cos(angle), 5 * std::sin(angle), 0}, {0, 0, 0}));
+      views_.push_back(testing::RingView(degrees, 5));
     }
   }
 

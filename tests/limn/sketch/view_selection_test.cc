@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/geometry/angle_between.h"
+#include "limn/model/curves_scene.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/synthetic_scene.h"
@@ -18,8 +19,6 @@ namespace {
 
 using Eigen::Vector3d;
 using testing::LookAt;
-
-const SceneHints kNoHints;
 
 // Angle at the origin between two cameras.
 double AngleDeg(const View& a, const View& b) {
@@ -31,8 +30,7 @@ double AngleDeg(const View& a, const View& b) {
 std::vector<View> Turntable(int count) {
   std::vector<View> views;
   for (int i = 0; i < count; ++i) {
-    const double angle = 2 * M_PI * i / count;
-    views.push_back(LookAt({5 * std::cos(angle), 5 * std::sin(angle), 2}, {0, 0, 0}));
+    views.push_back(testing::RingView(360.0 * i / count, 5, 2));
   }
   return views;
 }
@@ -174,8 +172,7 @@ TEST(ViewSelectionTest, VideoPicksSpreadViews) {
   // 240 frames at steps of half a degree: the neighbors are useless as partners.
   std::vector<View> views;
   for (int i = 0; i < 240; ++i) {
-    const double angle = 0.5 * i * kDeg;
-    views.push_back(LookAt({5 * std::cos(angle), 5 * std::sin(angle), 2}, {0, 0, 0}));
+    views.push_back(testing::RingView(0.5 * i, 5, 2));
   }
   const ViewSelectionOptions options;
   const std::vector<ViewPlan> plans = SelectViews(views, kNoHints, options, {});

@@ -24,11 +24,7 @@ constexpr double kRadius = 1;  // of a ball around the origin: 120 px
 // Views from a quarter of a circle around the ball, 5 degrees apart.
 std::vector<View> Views() {
   std::vector<View> views;
-  for (int i = -9; i <= 9; ++i) {
-    const double azimuth = 5 * i * kDeg;
-    views.push_back(testing::LookAt(
-        {kDistance * std::cos(azimuth), kDistance * std::sin(azimuth), 0}, {0, 0, 0}));
-  }
+  for (int i = -9; i <= 9; ++i) views.push_back(testing::RingView(5 * i, kDistance));
   return views;
 }
 

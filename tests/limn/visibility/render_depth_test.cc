@@ -17,12 +17,8 @@ using testing::LookAt;
 
 constexpr double kFloatError = 1e-6;
 
-// Looks along z from the origin; no border is left out.
 View Forward(int width = 64, int height = 48, double focal = 50) {
-  View view;
-  view.camera = {focal, focal, 0.5 * (width - 1), 0.5 * (height - 1), width, height};
-  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
-  return view;
+  return testing::ForwardView(width, height, focal);
 }
 
 TriangleMesh MeshOf(const std::vector<Eigen::Vector3d>& polygon) {

@@ -12,6 +12,7 @@
 #include "limn/formats/svg/svg_path.h"
 #include "limn/util/errors.h"
 #include "limn/visibility/render_depth.h"
+#include "support/synthetic_scene.h"
 
 namespace limn {
 namespace {
@@ -196,9 +197,7 @@ TEST(WriteDrawingSvg, CountsWhatIsHiddenOrOutside) {
   AddLink({{50, 0, 1}, {51, 0.1, 1}}, std::nullopt, &graph);
   AddLink({{0, 0, -1}, {0, 0.1, -1}}, std::nullopt, &graph);
   RebuildIncidence(&graph);
-  View view;
-  view.camera = {100, 100, 50, 50, 101, 101};
-  view.region = MakeImageRegion(view.camera, nullptr, {}, 0);
+  const View view = testing::ForwardView();
   const TriangleMesh wall = MakeTriangleMesh({{-9, -9, 3}, {9, -9, 3}, {0, 9, 3}}, {{0, 1, 2}});
   SvgSummary summary;
   const std::string svg =
