@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -21,17 +20,12 @@
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string Number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
 
 // Files hold the coordinates of the model that was read.
 DensePointStream MovedStream(const DensePointStream& points, const Eigen::Vector3d& shift) {
@@ -76,7 +70,7 @@ void WriteMeshing(const Project& project, const DenseInput& dense, const InModel
     console->Say("WARNING: " + folder.string() +
                  " is in single precision, as COLMAP's meshers read it: so far from the origin "
                  "positions have steps of " +
-                 Number(std::nextafter(far, 2 * far) - far));
+                 ShortNumber(std::nextafter(far, 2 * far) - far));
   }
   fs::create_directories(folder);
   WriteMeshingFolder(folder, dense.for_meshers, project.layout().model_dir, extra, curves.views);
@@ -209,14 +203,14 @@ void SayLengths(const FusionResult& result, const DenseOptions& options, Console
   const auto length_of = [&](DenseClass wanted) {
     return LengthOf(wanted, result.samples, result.classes);
   };
-  console->Say("length: " + Number(whole) + " in the model's unit; on a surface " +
-               Number(length_of(DenseClass::kSurface)) + ", at a boundary " +
-               Number(length_of(DenseClass::kBoundary)) + ", off the surface " +
-               Number(length_of(DenseClass::kFree)) + ", not judged " +
-               Number(length_of(DenseClass::kUnknown)) + ", behind the surface " +
-               Number(LengthBehind(result.samples, result.classes)));
-  console->Say("the drawing adds " + Number(LengthAdded(result.samples, result.classes)) +
-               " that have no dense point within " + Number(options.near_px) + " footprints");
+  console->Say("length: " + ShortNumber(whole) + " in the model's unit; on a surface " +
+               ShortNumber(length_of(DenseClass::kSurface)) + ", at a boundary " +
+               ShortNumber(length_of(DenseClass::kBoundary)) + ", off the surface " +
+               ShortNumber(length_of(DenseClass::kFree)) + ", not judged " +
+               ShortNumber(length_of(DenseClass::kUnknown)) + ", behind the surface " +
+               ShortNumber(LengthBehind(result.samples, result.classes)));
+  console->Say("the drawing adds " + ShortNumber(LengthAdded(result.samples, result.classes)) +
+               " that have no dense point within " + ShortNumber(options.near_px) + " footprints");
 }
 
 void ColorCurvePoints(const Project& project, const RunContext& context,
