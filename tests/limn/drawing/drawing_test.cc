@@ -45,10 +45,8 @@ struct Sketched {
 
 Sketched Sketch(const std::vector<View>& views, double noise_px) {
   Sketched sketched = {views, testing::ProjectCurves(Views(), CubeWithCircle(), noise_px), {}};
-  const SceneHints no_hints;
-  sketched.sketch = BuildSweptSketch({views, sketched.curves, no_hints, std::nullopt},
-                                     SketchOptions(), Threads(2))
-                        .sketch;
+  sketched.sketch =
+      BuildSweptSketch({{views, sketched.curves}}, SketchOptions(), Threads(2)).sketch;
   return sketched;
 }
 
@@ -63,7 +61,7 @@ const Sketched& NoisySketch() {
 }
 
 DrawingResult Draw(const Sketched& sketched, const DrawingOptions& options, int num_threads = 2) {
-  return BuildDrawing({sketched.views, sketched.curves, sketched.sketch}, options,
+  return BuildDrawing({{sketched.views, sketched.curves}, sketched.sketch}, options,
                       Threads(num_threads));
 }
 

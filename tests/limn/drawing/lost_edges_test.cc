@@ -26,10 +26,7 @@ Eigen::Vector3d Middle(const testing::SceneCurve& curve) {
 
 // The sketch of a wire cube, without what was reconstructed of its first edge.
 CurveSketch SketchWithoutFirstEdge(const std::vector<ImageCurves>& curves) {
-  const SceneHints no_hints;
-  CurveSketch sketch =
-      BuildSweptSketch({ViewsOfLostEdges(), curves, no_hints, std::nullopt}, SketchOptions(), {})
-          .sketch;
+  CurveSketch sketch = BuildSweptSketch({{ViewsOfLostEdges(), curves}}, SketchOptions(), {}).sketch;
   const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSideOfCube).front());
   std::erase_if(sketch.curves, [&](const Curve3D& curve) {
     const Eigen::Vector3d middle =
@@ -64,7 +61,7 @@ TEST(LostEdgesTest, EdgeThatTheSketchLostGrowsFromItsCorner) {
   const auto curves =
       testing::ProjectCurves(ViewsOfLostEdges(), testing::CubeEdges(kHalfSideOfCube), 0.2);
   const DrawingResult result = BuildDrawing(
-      {ViewsOfLostEdges(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {});
+      {{ViewsOfLostEdges(), curves}, SketchWithoutFirstEdge(curves)}, DrawingOptions(), {});
   const DrawingGraph& graph = result.graph;
   EXPECT_TRUE(Validate(graph).empty());
   EXPECT_EQ(NumSamplesAccountedFor(result.summary), CountOf(result.summary.in, "samples"));
@@ -91,7 +88,8 @@ TEST(LostEdgesTest, NothingGrowsOutOfTheBox) {
     box.extend(edge.points.front());
   }
   const DrawingGraph graph =
-      BuildDrawing({ViewsOfLostEdges(), curves, sketch, box}, DrawingOptions(), {}).graph;
+      BuildDrawing({{ViewsOfLostEdges(), curves, kNoHints, box}, sketch}, DrawingOptions(), {})
+          .graph;
   EXPECT_TRUE(Validate(graph).empty());
   const Eigen::Vector3d missing = Middle(testing::CubeEdges(kHalfSideOfCube).front());
   EXPECT_TRUE(std::none_of(graph.links.begin(), graph.links.end(), [&](const DrawingLink& link) {
@@ -105,7 +103,7 @@ TEST(LostEdgesTest, NothingGrowsWhereImagesShowNothing) {
   edges.erase(edges.begin());
   const auto curves = testing::ProjectCurves(ViewsOfLostEdges(), edges, 0.2);
   const DrawingGraph graph =
-      BuildDrawing({ViewsOfLostEdges(), curves, SketchWithoutFirstEdge(curves)}, DrawingOptions(),
+      BuildDrawing({{ViewsOfLostEdges(), curves}, SketchWithoutFirstEdge(curves)}, DrawingOptions(),
                    {})
           .graph;
   EXPECT_TRUE(Validate(graph).empty());

@@ -16,11 +16,11 @@ struct WireCube {
   std::vector<View> views = testing::DomeViews(10, 5);
   std::vector<ImageCurves> curves = testing::ProjectCurves(views, testing::CubeEdges(0.8), 0.1);
   SceneHints hints;
-  SketchResult sketch = BuildSweptSketch({views, curves, hints, std::nullopt}, {}, {});
-  DrawingResult drawing = BuildDrawing({views, curves, sketch.sketch}, {}, {});
+  SketchResult sketch = BuildSweptSketch({{views, curves, hints}}, {}, {});
+  DrawingResult drawing = BuildDrawing({{views, curves}, sketch.sketch}, {}, {});
 
   EdgelFates Account(const DrawingGraph& graph, const SampleFates& fates) const {
-    return AccountEdgels({views, curves, sketch.fates, sketch.sketch, fates, graph}, {});
+    return AccountEdgels({{views, curves}, sketch.fates, sketch.sketch, fates, graph}, {});
   }
 };
 

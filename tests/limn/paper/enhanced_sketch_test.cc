@@ -17,7 +17,7 @@ TEST(EnhancedSketchTest, TheRatioIsAskedForByThePaperOnly) {
     options.averaging = averaging;
     options.first_to_second_ratio = ratio;
     size_t count = 0;
-    const SketchInput input{views, curves, {}, std::nullopt};
+    const SketchInput input = {{views, curves}};
     for (const Curve3D& curve : BuildEnhancedSketch(input, options, {}, nullptr).sketch.curves) {
       count += curve.size();
     }

@@ -12,9 +12,8 @@ namespace limn {
 namespace {
 
 const SketchResult& Original() {
-  static const SceneHints no_hints;
-  static const SketchResult result = BuildOriginalSketch(
-      {testing::CubeViews(), testing::CubeCurves(), no_hints, std::nullopt}, SketchOptions(), {});
+  static const SketchResult result =
+      BuildOriginalSketch({{testing::CubeViews(), testing::CubeCurves()}}, SketchOptions(), {});
   return result;
 }
 
@@ -53,8 +52,7 @@ TEST(OriginalSketchTest, StretchesOfAFragmentThatMatchDifferentCurvesDoNotCompet
                                 second_half.end());
   fragments.resize(1);
   const CurveSketch sketch =
-      BuildOriginalSketch({testing::CubeViews(), curves, {}, std::nullopt}, SketchOptions(), {})
-          .sketch;
+      BuildOriginalSketch({{testing::CubeViews(), curves}}, SketchOptions(), {}).sketch;
   int num_first = 0;
   int num_second = 0;
   for (const Curve3D& curve : sketch.curves) {
@@ -67,8 +65,8 @@ TEST(OriginalSketchTest, StretchesOfAFragmentThatMatchDifferentCurvesDoNotCompet
 TEST(OriginalSketchTest, AllPairsOfViewsAreMatchedOnRequest) {
   SketchOptions options;
   const auto num_pairs = [&] {
-    const SketchResult result = BuildOriginalSketch(
-        {testing::CubeViews(), testing::CubeCurves(), {}, std::nullopt}, options, {});
+    const SketchResult result =
+        BuildOriginalSketch({{testing::CubeViews(), testing::CubeCurves()}}, options, {});
     return result.summary.in.at(0).second;
   };
   EXPECT_LE(num_pairs(), 16 * options.view_selection.max_second_views);
@@ -93,8 +91,7 @@ TEST(OriginalSketchTest, FewViewsNeedLessTotalSupport) {
         views, {testing::Segment(testing::FrontalPoint(0, -30), testing::FrontalPoint(10, 30))});
     SketchOptions options;
     const auto num_curves = [&] {
-      const CurveSketch sketch =
-          BuildOriginalSketch({views, curves, {}, std::nullopt}, options, {}).sketch;
+      const CurveSketch sketch = BuildOriginalSketch({{views, curves}}, options, {}).sketch;
       for (const Curve3D& curve : sketch.curves) {
         EXPECT_GE(curve.total_support, options.original_min_inliers_total / 5.0 * (num_views - 2));
       }
@@ -111,8 +108,7 @@ TEST(OriginalSketchTest, ManyViewsNeedNoMoreTotalSupport) {
   const auto views = testing::FrontalViews(9, 1, 0.25);
   const auto curves = testing::ProjectCurves(
       views, {testing::Segment(testing::FrontalPoint(0, -11), testing::FrontalPoint(3, 11))});
-  const CurveSketch sketch =
-      BuildOriginalSketch({views, curves, {}, std::nullopt}, SketchOptions(), {}).sketch;
+  const CurveSketch sketch = BuildOriginalSketch({{views, curves}}, SketchOptions(), {}).sketch;
   EXPECT_GE(sketch.curves.size(), 9u);
 }
 
@@ -120,8 +116,7 @@ TEST(OriginalSketchTest, ManyViewsNeedNoMoreTotalSupport) {
 TEST(OriginalSketchTest, CurvesOfAClosedFragmentPassItsFirstVertex) {
   const auto views = testing::FrontalViews(9, 1, 0.4);
   const auto curves = testing::ProjectCurves(views, {Ring()});
-  const CurveSketch sketch =
-      BuildOriginalSketch({views, curves, {}, std::nullopt}, SketchOptions(), {}).sketch;
+  const CurveSketch sketch = BuildOriginalSketch({{views, curves}}, SketchOptions(), {}).sketch;
   size_t num_passing = 0;
   for (const Curve3D& curve : sketch.curves) {
     const View& view = views.at(curve.anchor.view);

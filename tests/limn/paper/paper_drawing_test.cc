@@ -31,16 +31,13 @@ const std::vector<ImageCurves>& NoisyCurves() {
 }
 
 const CurveSketch& Sketch() {
-  static const SceneHints no_hints;
   static const CurveSketch sketch =
-      BuildEnhancedSketch({Views(), NoisyCurves(), no_hints, std::nullopt}, SketchOptions(),
-                          Threads(2))
-          .sketch;
+      BuildEnhancedSketch({{Views(), NoisyCurves()}}, SketchOptions(), Threads(2)).sketch;
   return sketch;
 }
 
 DrawingResult Draw(const CurveSketch& sketch, const PaperOptions& options, int num_threads = 2) {
-  return BuildPaperDrawing({Views(), NoisyCurves(), sketch}, options, Threads(num_threads));
+  return BuildPaperDrawing({{Views(), NoisyCurves()}, sketch}, options, Threads(num_threads));
 }
 
 int64_t Count(const StageSummary::Counts& counts, const std::string& name) {

@@ -15,10 +15,9 @@ namespace {
 
 SketchResult RunSketch(SketchMode mode, int num_threads = 2,
                        std::optional<Eigen::AlignedBox3d> box = std::nullopt) {
-  static const SceneHints no_hints;
   RunContext context;
   context.num_threads = num_threads;
-  return BuildSketch(mode, {testing::CubeViews(), testing::CubeCurves(), no_hints, box},
+  return BuildSketch(mode, {{testing::CubeViews(), testing::CubeCurves(), kNoHints, box}},
                      SketchOptions(), context);
 }
 
@@ -80,8 +79,7 @@ TEST_P(BuildSketchTest, ViewsInSeveralBlocksMakeWhatTheyMakeInOne) {
   const auto views = testing::DomeViews(70, 5);
   const auto curves =
       testing::ProjectCurves(views, {testing::Segment({-0.8, -0.3, 0.1}, {0.7, 0.4, -0.2})});
-  const SceneHints no_hints;
-  SketchInput input{views, curves, no_hints, std::nullopt};
+  SketchInput input = {{views, curves}};
   SketchOptions options;
   options.view_selection.enough_primary_views = 70;
   const CurveSketch all = BuildSketch(GetParam(), input, options, {}).sketch;
@@ -102,11 +100,9 @@ TEST_P(BuildSketchTest, SomeOfManyViewsOfOnePlaceAreSketched) {
   const auto views = testing::DomeViews(60, 5);
   const auto curves =
       testing::ProjectCurves(views, {testing::Segment({-0.8, -0.3, 0.1}, {0.7, 0.4, -0.2})});
-  const SceneHints no_hints;
   SketchOptions options;
   options.view_selection.enough_primary_views = 10;
-  const SketchResult result =
-      BuildSketch(GetParam(), {views, curves, no_hints, std::nullopt}, options, {});
+  const SketchResult result = BuildSketch(GetParam(), {{views, curves}}, options, {});
   std::set<ViewId> sketched;
   for (const Curve3D& curve : result.sketch.curves) sketched.insert(curve.anchor.view);
   EXPECT_GE(sketched.size(), 8u);
@@ -134,9 +130,7 @@ TEST_P(BuildSketchTest, TheUnitOfLengthDoesNotMatter) {
   for (const double factor : {std::ldexp(1, -44), std::ldexp(1, 27), std::ldexp(1, 40)}) {
     const std::vector<View> views = testing::Scaled(testing::CubeViews(), factor);
     const CurveSketch sketch =
-        BuildSketch(GetParam(), {views, testing::CubeCurves(), {}, std::nullopt}, SketchOptions(),
-                    {})
-            .sketch;
+        BuildSketch(GetParam(), {{views, testing::CubeCurves()}}, SketchOptions(), {}).sketch;
     ASSERT_EQ(sketch.curves.size(), in_meters.curves.size()) << factor;
     for (size_t c = 0; c < sketch.curves.size(); ++c) {
       const Curve3D& curve = sketch.curves[c];

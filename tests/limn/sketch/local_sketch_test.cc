@@ -29,7 +29,7 @@ class VerdictTest : public ::testing::Test {
   // Of a sample at the origin.
   PrimaryView::Verdict Judge(uint32_t contained, uint32_t supporting, double weighted) const {
     const SketchEdgels edgels(views_.size());
-    const SketchInput input{views_, curves_, hints_, box_};
+    const SketchInput input = {{views_, curves_, hints_, box_}};
     const PrimaryView primary(input, 0, plan_, edgels, options_);
     HypothesisSupport support;
     support.contained = {contained};
