@@ -169,7 +169,7 @@ void SayGravity(const AlignmentResult& result, const std::vector<ViewPrior>& pri
   if (count == 0 || result.alignment.up == UpSource::kGravity) return;
   const std::string reason =
       result.gravity
-          ? "is not used: it differs by " + Degrees(result.gravity->deviation_rad) + " (median)"
+          ? "is not used: it differs by " + DegreesText(result.gravity->deviation_rad) + " (median)"
           : "is not used: " + std::to_string(kMinGravities) + " that agree are needed";
   console->Say("alignment: gravity of " + std::to_string(count) + " cameras " + reason);
 }

@@ -35,47 +35,6 @@ struct ViewOptions {
   void Check() const;
 };
 
-// Whole images of which parts are read, after max_image_size.
-struct DecodedPanoramas {
-  LastDecoded<Image> images;
-  LastDecoded<std::vector<unsigned char>> masks;
-};
-
-// Views and their files, by view; a panorama has a view per part, each with its file. Nothing but
-// model indices depends on the order or ids of the model's images and cameras.
-struct ViewSet {
-  std::vector<View> views;  // sorted by name of the image and part; View::id is the index
-  SceneHints hints;         // points sorted by id
-  std::vector<std::string> image_paths;
-  std::vector<std::string> mask_paths;  // empty string = no mask
-  std::vector<ImageSize> stored_sizes;  // of the files, before max_image_size
-  // Damaged files (CheckJpeg), which are masked entirely.
-  std::vector<char> is_damaged;
-  // For a view of a panorama: its part of the image after max_image_size, its orientation there,
-  // and the name of the image. Empty if there are no panoramas.
-  std::vector<std::optional<ImageWindow>> windows;
-  std::vector<Eigen::Quaterniond> view_from_image;
-  std::vector<std::string> image_names;
-  std::shared_ptr<DecodedPanoramas> decoded;  // panoramas kept by ReadViewImage and ReadViewMask
-  int max_image_size = -1;
-  PhotoStore photos;  // what is at image_paths
-  std::vector<std::string> warnings;
-  std::vector<std::string> left_out;  // the warnings that name images that were left out, and why
-
-  bool HasPanoramas() const { return !windows.empty(); }
-  const std::string& ImageName(ViewId view) const {
-    return HasPanoramas() ? image_names[view] : views[view].name;
-  }
-  // Distinct images among these views.
-  size_t CountImages(const std::vector<ViewId>& of_views) const;
-  // The longer side, px, that the file of a view is shrunk to; -1 = as stored.
-  int MaxFileSize(ViewId view) const;
-  // Null if the view is no part of a panorama.
-  const ImageWindow* Window(ViewId view) const {
-    return HasPanoramas() && windows[view] ? &*windows[view] : nullptr;
-  }
-};
-
 // The only place where COLMAP's conventions become Limn's. Principal points move by -0.5 pixel;
 // cameras with distortion get a LensMap onto a virtual pinhole of the same focal length and
 // principal point. An EQUIRECTANGULAR image gives a view per part (model/panorama.h), named <image
@@ -96,22 +55,5 @@ ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir
 // be of another size.
 Eigen::Vector2d ModelPixel(const View& view, const Camera& camera,
                            const Eigen::Vector2d& stored_px);
-
-// These views of the set (with refined cameras, maybe), with the names of their images, and stored
-// pixels of the whole images. Columns of a panorama continue across its left border: they run from
-// -1/8 to 7/8 of its width. For tracks: the sizes of parts stay.
-std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views);
-
-// One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
-// pixels may be used. Throws IoError.
-std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view);
-
-// The photograph of a view with its mask, at the size of the view; black and masked entirely if it
-// is damaged. Throws IoError.
-Image ReadViewImage(const ViewSet& view_set, ViewId view);
-
-// Frees what the two keep to read other parts of a panorama: up to one whole panorama and its mask
-// per thread. Call it after a loop over views.
-void ReleaseDecoded(const ViewSet& view_set);
 
 }  // namespace limn::colmap_ext

@@ -24,7 +24,7 @@ struct ViewFile {
   std::string image_path;
   std::string mask_path;  // empty = no mask
   ImageSize stored_size;  // before max_image_size
-  // The pixels are not those of the photograph (CheckJpeg): masked entirely.
+  // As CheckJpeg says; then all of it is masked.
   bool is_damaged = false;
   // Of a part: where it is in the image, after max_image_size, and how it is turned in it.
   std::optional<ImageWindow> window = std::nullopt;
@@ -43,11 +43,11 @@ struct ViewSet {
   std::vector<View> views;      // sorted by name of the image and part; View::id is the index
   std::vector<ViewFile> files;  // per view
   SceneHints hints;             // points sorted by id
-  std::shared_ptr<DecodedPanoramas> decoded;  // what ReadViewImage and ReadViewMask keep of them
+  std::shared_ptr<DecodedPanoramas> decoded;  // panoramas kept by ReadViewImage and ReadViewMask
   int max_image_size = -1;
   PhotoStore photos;  // what is at the paths of the images
   std::vector<std::string> warnings;
-  std::vector<std::string> left_out;  // those of the warnings that say which images, and why
+  std::vector<std::string> left_out;  // the warnings that name images that were left out, and why
 
   bool HasPanoramas() const;
   const std::string& ImageName(ViewId view) const { return files[view].image_name; }
@@ -66,8 +66,8 @@ struct ViewSet {
 int MaxSizeOfFile(bool is_panorama, int max_image_size);
 
 // These views of the set (with refined cameras, maybe), with the names of their images, and stored
-// pixels of the whole images. Columns of a panorama go on over its left border: they run from -1/8
-// to 7/8 of its width. For tracks: the sizes of parts stay.
+// pixels of the whole images. Columns of a panorama continue across its left border: they run from
+// -1/8 to 7/8 of its width. For tracks: the sizes of parts stay.
 std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views);
 
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
@@ -79,7 +79,7 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view);
 Image ReadViewImage(const ViewSet& view_set, ViewId view);
 
 // Frees what the two keep to read other parts of a panorama: up to one whole panorama and its mask
-// per thread. To be called after a loop over views.
+// per thread. Call it after a loop over views.
 void ReleaseDecoded(const ViewSet& view_set);
 
 }  // namespace limn::colmap_ext

@@ -139,6 +139,7 @@ constexpr double kMaxSlopeRad = 3 * kDeg;
 // Standard deviation of horizontal lines from the main direction.
 constexpr double kHeadingSigmaRad = 1.5 * kDeg;
 constexpr double kHeadingStepRad = 0.5 * kDeg;
+constexpr int kHeadingRounds = 10;
 // The main direction must have this many times the weight expected if there were none.
 constexpr double kMinTimesChance = 3;
 // A level is this high, of the height of the drawing, and has this share of the horizontal lines.

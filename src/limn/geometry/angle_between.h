@@ -7,8 +7,8 @@
 
 namespace limn {
 
-// The angle between two vectors other than zero, of any length, in radians in [0, pi]. Accurate near
-// 0 and pi too, where an arc cosine is not.
+// The angle between two vectors other than zero, of any length, in radians in [0, pi]. Accurate
+// near 0 and pi too, where an arc cosine is not.
 inline double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }

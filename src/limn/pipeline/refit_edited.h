@@ -14,19 +14,14 @@
 
 namespace limn {
 
-// The images that an edited drawing is fitted to.
-struct RefitScene {
-  const std::vector<View>& views;
-  const std::vector<ImageCurves>& curves;   // per view
-  std::function<Image(ViewId)> read_image;  // for the kinds of edges; may be empty
-};
-
 // Refits the links that edits have touched to the images, and describes them again: supporting
 // views, sigmas, primitives, and kinds unless set by hand (RefitLinks, RefitPrimitives,
 // ClassifyKinds). The cameras, all other links and the nodes that these end at stay. Dimensions
 // follow the links (SnapDimensions). Warns, in the outcomes of the edits, about gaps that they
-// closed where the images show no edge. Throws OptionError and Cancelled.
-StageSummary RefitEdited(const RefitScene& scene, const PipelineOptions& options,
-                         const RunContext& context, EditedDrawing* edited);
+// closed where the images show no edge. `read_image`, which may be empty, is for the kinds. Throws
+// OptionError and Cancelled.
+StageSummary RefitEdited(const CurvesScene& scene, const std::function<Image(ViewId)>& read_image,
+                         const PipelineOptions& options, const RunContext& context,
+                         EditedDrawing* edited);
 
 }  // namespace limn

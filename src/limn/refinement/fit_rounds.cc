@@ -9,6 +9,7 @@
 #include "limn/refinement/curve_fit.h"
 #include "limn/refinement/edgel_matches.h"
 #include "limn/refinement/variance_factors.h"
+#include "limn/util/angles.h"
 #include "limn/util/median.h"
 
 namespace limn {
@@ -46,12 +47,12 @@ void SetSupport(const ControlLink& fitted, DrawingLink* link) {
 
 FitRounds::FitRounds(const RefinementInput& input, const RefinementOptions& options,
                      const RunContext& context)
-    : views(input.views),
+    : views(input.scene.views),
       graph(input.graph),
-      curves_(input.curves),
+      curves_(input.scene.curves),
       options_(options),
       context_(context),
-      edgels_(BuildViewEdgels(input.curves, context)) {
+      edgels_(BuildViewEdgels(input.scene.curves, context)) {
   TakeGraph();
 }
 
@@ -63,7 +64,7 @@ TopologyInput FitRounds::Images(double reach) const {
   return {views,
           curves_,
           edgels_,
-          {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * M_PI / 180}};
+          {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * kDeg}};
 }
 
 void FitRounds::Match(double reach) { MatchEdgels(Images(reach), options_, context_, &control); }

@@ -125,10 +125,10 @@ class DrawingRefiner {
       RefinementOptions options = options_;
       options.robust_residual_px *= reach;
       rounds_.FindFrozen();
-      const bool found = FitPoses(input_.views, points, options, context_, &corrections,
+      const bool found = FitPoses(input_.scene.views, points, options, context_, &corrections,
                                   &rounds_.control, &refined.points);
       num_failed_pose_rounds_ += !found;
-      rounds_.views = Corrected(input_.views, corrections);
+      rounds_.views = Corrected(input_.scene.views, corrections);
     }
     BringBack(points, &refined.points);
     refined.views = rounds_.views;
@@ -148,7 +148,7 @@ class DrawingRefiner {
       if (given[p].pixels.size() >= 2) scene.push_back((*points)[p]);
     }
     // Some points of a sparse model are far away.
-    gauge_ = FindGauge(input_.views, rounds_.views, MedianPoint(scene));
+    gauge_ = FindGauge(input_.scene.views, rounds_.views, MedianPoint(scene));
     const Eigen::Affine3d& back = gauge_.given_from_refined;
     rounds_.views = Moved(rounds_.views, back);
     for (std::vector<Eigen::Vector3d>* of : {&rounds_.control.position, points}) {
@@ -163,7 +163,7 @@ class DrawingRefiner {
     for (size_t v = 0; v < rounds_.views.size(); ++v) {
       std::vector<double> of_view;
       for (const Eigen::Vector3d& point : rounds_.control.position) {
-        const auto before = input_.views[v].Project(point);
+        const auto before = input_.scene.views[v].Project(point);
         const auto after = rounds_.views[v].Project(point);
         if (before && after) of_view.push_back((*after - *before).norm());
       }
@@ -242,7 +242,7 @@ RefinementResult RefineEdges(const RefinementInput& input, const RefinementOptio
   SceneHints hints = input.scene.hints;
   for (ScenePoint& point : hints.points) point.position_in_world /= unit;
   RefinementResult result =
-      DrawingRefiner({views, input.curves, graph, &points}, options, topology, context).Run();
+      DrawingRefiner({{views, input.scene.curves, hints}, graph}, options, topology, context).Run();
   result.graph = Scaled(std::move(result.graph), unit);
   if (result.cameras) {
     result.cameras->views = Scaled(std::move(result.cameras->views), unit);

@@ -84,10 +84,11 @@ RefitResult RefitLinks(const RefinementInput& input, const std::vector<uint8_t>&
     ids.push_back(static_cast<LinkId>(l));
     refit_edges.push_back(refit[l]);
   }
-  const double unit = SceneUnit(input.views, edges);
-  const std::vector<View> views = Scaled(input.views, 1 / unit);
+  const double unit = SceneUnit(input.scene.views, edges);
+  const std::vector<View> views = Scaled(input.scene.views, 1 / unit);
   edges = Scaled(std::move(edges), 1 / unit);
-  RefitResult fitted = RefitEdges({views, input.curves, edges}, refit_edges, options, context);
+  RefitResult fitted =
+      RefitEdges({{views, input.scene.curves}, edges}, refit_edges, options, context);
   fitted.graph = Scaled(std::move(fitted.graph), unit);
   for (size_t e = 0; e < ids.size(); ++e) {
     if (!refit_edges[e]) continue;

@@ -20,7 +20,7 @@ namespace limn {
 namespace {
 
 // An edgel shows a link within these limits, those of the refinement.
-constexpr SupportGate kGate = {1.0, 1.0, 15 * M_PI / 180};
+constexpr SupportGate kGate = {1.0, 1.0, 15 * kDeg};
 // Only links with this evidence show what is seen through others.
 constexpr double kSureEvidence = 10;
 

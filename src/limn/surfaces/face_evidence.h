@@ -32,14 +32,8 @@ struct FaceEvidence {
   PlaceSights sights;  // without views that see none
 };
 
-// `curves[v]` belongs to `views[v]`, which the supporting views of links are ids of.
-struct SurfaceImages {
-  const std::vector<View>& views;
-  const std::vector<ImageCurves>& curves;
-  const std::vector<ScenePoint>& points;
-};
-
-// What the images say about the candidates (ours; algorithm/surfaces.md#evidence).
+// What the images say about the candidates (ours; algorithm/surfaces.md#evidence). The supporting
+// views of links are ids of the scene's views.
 //
 // Occlusion: a view that shows a curve behind a surface looks through it; if it shows the curve
 // elsewhere but not behind the surface, the curve is hidden there. Points of the model seen through

@@ -20,7 +20,7 @@ struct SurfaceResult {
 // the drawing's faces by them: regions of planes surrounded by links, where the views' evidence
 // about the border and about curves behind agrees with a surface. Links and nodes stay as they are.
 // The result does not depend on the number of threads. Throws OptionError and Cancelled.
-SurfaceResult FindFaces(const SurfaceImages& images, const DrawingGraph& graph,
+SurfaceResult FindFaces(const CurvesScene& scene, const DrawingGraph& graph,
                         const SurfaceOptions& options, const RunContext& context);
 
 }  // namespace limn

@@ -24,6 +24,10 @@ constexpr double kMaxMissPx = 1.0;
 constexpr double kMaxTurnRad = 25 * kDeg;
 // A ray agrees with directions within this angle.
 constexpr double kRayWidthRad = 12 * kDeg;
+// Rays nearer to a better one than this many widths are that one.
+constexpr double kSameRayWidths = 1.5;
+// The greatest chance that a view shows a ray in any direction: no view is proof.
+constexpr double kMaxBackground = 0.99;
 // A link at the joint explains directions within this angle.
 constexpr double kExplainedRad = 20 * kDeg;
 // Length of the step in space, px, whose projection gives the direction in the image. A projection

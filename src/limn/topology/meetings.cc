@@ -14,6 +14,8 @@ constexpr double kOvershootShare = 0.5;
 // the default options.
 constexpr double kFittedOvershoot = 0.5;
 constexpr double kFittedMiss = 0.375;
+// A curve that turns evenly leaves its direction by half its turn, as a share of the way.
+constexpr double kMissPerRad = 0.5;
 // Fragments must pass this near to a projected meeting, px. Farther: more false junctions.
 constexpr double kNearPx = 6;
 // Length of the stretch around a place whose fragments are used, to either side, px.

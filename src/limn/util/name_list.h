@@ -10,9 +10,6 @@ struct NamedNumber {
   double number = 0;
 };
 
-// A number for messages, with three digits: "0.125", "52.1", "1.2e+06".
-std::string ShortNumber(double number);
-
 // For messages: "b.jpg, a.jpg and 7 more", in the given order, at most five.
 std::string ListNames(const std::vector<std::string>& names);
 
