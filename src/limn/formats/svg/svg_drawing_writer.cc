@@ -232,7 +232,7 @@ LinkPathOptions PathOptions(const SvgOptions& options, int decimals) {
 
 std::string SheetDescription(const SvgSheet& sheet) {
   std::string text = "Scale " + ScaleText(sheet.scale_denominator) +
-                     "; a unit is one of the model, taken as a metre; right and down from ";
+                     "; a unit is one of the model, taken as a meter; right and down from ";
   constexpr int kDecimals = 3;
   return text + SvgNumber(sheet.origin.x(), kDecimals) + ", " +
          SvgNumber(sheet.origin.y(), kDecimals) + ".";
