@@ -15,7 +15,7 @@ constexpr double kMaxGravityDeviationRad = 10 * kDeg;
 // Standard errors of up from positions: with more, lines are better; with more, cameras are.
 constexpr double kGoodUpErrorRad = 2 * kDeg, kMaxUpErrorRad = 10 * kDeg;
 constexpr double kMaxHeadingErrorRad = 10 * kDeg;
-// With more, relative, lengths would be no meters.
+// With a larger relative error, lengths would not be meters.
 constexpr double kMaxScaleError = 0.2;
 // Of the points on either side, which may be wrong, when the drawing is centered.
 constexpr double kOutsideShare = 0.02;

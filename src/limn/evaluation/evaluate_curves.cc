@@ -177,7 +177,7 @@ void AddIntervals(const CurveSamples& samples, const std::vector<Judged>& judged
                   TauResult* row) {
   std::vector<CurveShare> links, chains;
   for (int i = 0; i < samples.size(); ++i) {
-    // Points are no curves.
+    // Points are not curves.
     if (samples.Direction(i).isZero(0)) continue;
     const size_t link = samples.CurveOf(i);
     if (link >= links.size()) links.resize(link + 1);

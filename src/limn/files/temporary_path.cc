@@ -52,7 +52,7 @@ std::error_code TemporaryPath::RenameTo(const fs::path& path) {
   std::error_code error;
   fs::rename(path_, path, error);
   is_renamed_ = !error;
-  // What is in a temporary folder is no result yet.
+  // What is in a temporary folder is not a result yet.
   if (is_renamed_ && !Writes().paths.contains(path.parent_path())) ++Writes().num_renamed;
   return error;
 }

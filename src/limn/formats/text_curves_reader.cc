@@ -50,7 +50,7 @@ CurveSet ReadIndexedCurves(const std::string& points_path, const std::string& ed
   }
   if (soup.edges.empty()) throw IoError(edges_path, "no edges");
   CurveSet set = ChainEdges(soup);
-  set.points.clear();  // points of no edge are no part of the curves
+  set.points.clear();  // points of no edge are not part of the curves
   return set;
 }
 

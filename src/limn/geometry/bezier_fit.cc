@@ -120,7 +120,7 @@ class SectionFitter {
     normal(1, 0) = normal(0, 1);
     const double chord = (p3 - p0).norm();
     Eigen::Vector2d reach = normal.inverse() * right;
-    // Handles that point backwards or make loops are no description of these points.
+    // Handles that point backwards or make loops do not describe these points.
     const bool is_good =
         reach.allFinite() && reach.minCoeff() > 1e-3 * chord && reach.maxCoeff() < 4 * chord;
     if (!is_good) reach.setConstant(chord / 3);

@@ -128,7 +128,7 @@ class EarClipper {
   std::vector<Eigen::Vector2d> corners_;
   std::vector<int> before_;
   std::vector<int> next_;
-  std::vector<uint8_t> is_known_;  // to be no ear
+  std::vector<uint8_t> is_known_;  // not to be an ear
   std::vector<uint8_t> is_clipped_ = std::vector<uint8_t>(corners_.size());
   int num_rounds_ = 0;
   std::vector<Triangle> triangles_;

@@ -15,7 +15,7 @@ namespace {
 
 // Vertices farther than this from a sample are not compared with it, px.
 constexpr double kSearchPx = 6;
-// A curve that returns to itself after less than this is no loop, px.
+// A curve that returns to itself after less than this is not a loop, px.
 constexpr double kMinLoopPx = 20;
 // Cosine of the largest angle between the direction of an end and the curve it runs into.
 constexpr double kMinAheadCosine = 0.5;

@@ -44,7 +44,7 @@ struct ControlLink {
   // Data within this length of either end is ignored, px, because edges are rounded at corners.
   std::array<double, 2> skip_px = {0, 0};
   std::vector<FitSample> samples;  // in order, as matched last (MatchEdgels)
-  bool frozen = false;             // its inner points are no unknowns but follow its nodes
+  bool frozen = false;             // its inner points are not unknowns but follow its nodes
 
   int NumSegments() const { return static_cast<int>(points.size()) - 1; }
 };

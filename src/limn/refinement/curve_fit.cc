@@ -253,7 +253,7 @@ void FitCurves(const std::vector<View>& views, const RefinementOptions& options,
       if (HeldAt(point, *control)) problem.SetParameterBlockConstant(position);
     }
     Minimize(kMaxIterations, context, &problem);
-    // Points that stay are no surer for that.
+    // Points that stay are not more certain for that.
     for (const int point : components[c].points) {
       problem.SetParameterBlockVariable(control->position[point].data());
     }

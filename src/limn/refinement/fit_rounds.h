@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "limn/refinement/control_graph.h"
-#include "limn/refinement/refinement.h"
+#include "limn/refinement/refinement_input.h"
+#include "limn/refinement/refinement_options.h"
 #include "limn/topology/topology_input.h"
+#include "limn/util/parallel.h"
 
 namespace limn {
 

@@ -6,24 +6,15 @@
 
 #include <Eigen/Core>
 
-#include "limn/model/curve_fragment.h"
-#include "limn/model/curves_scene.h"
 #include "limn/model/drawing_graph.h"
-#include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
+#include "limn/refinement/refinement_input.h"
 #include "limn/refinement/refinement_options.h"
 #include "limn/topology/topology_options.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
 
 namespace limn {
-
-// The supporting views of the links are ids of the scene's views. The graph passes Validate().
-// Hints are used to refine poses only.
-struct RefinementInput {
-  CurvesScene scene;
-  const DrawingGraph& graph;
-};
 
 // The refined cameras, to which the drawing was fitted.
 struct RefinedCameras {

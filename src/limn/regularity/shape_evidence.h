@@ -64,8 +64,9 @@ struct DrawingEvidence {
   std::vector<LinkSamples> samples;
 };
 
-// The evidence for the lines and arcs of a drawing, of links that are no outlines and not tentative
-// (LinkSelection's default), in units of the noise of the primitives. Time: samples times views.
+// The evidence for the lines and arcs of a drawing, of links that are neither outlines nor
+// tentative (LinkSelection's default), in units of the noise of the primitives. Time: samples times
+// views.
 DrawingEvidence MeasureEvidence(const DrawingGraph& graph, const std::vector<View>& views,
                                 const PrimitiveOptions& options, const RunContext& context);
 

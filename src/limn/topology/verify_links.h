@@ -16,7 +16,7 @@ constexpr uint8_t kIsContour = 2;
 
 struct LinkVerdicts {
   std::vector<uint8_t> verdicts;           // per link: 1 = keep, 0 = do not, or kIsContour
-  std::vector<double> contour_confidence;  // per link; 0 where it is no contour
+  std::vector<double> contour_confidence;  // per link; 0 where it is not a contour
 };
 
 // Decides which links to keep (ours; algorithm/topology.md#rules). A link must

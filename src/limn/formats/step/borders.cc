@@ -254,7 +254,8 @@ class BorderBuilder {
     }
   }
 
-  // The edge from a cut of a link to the next; -1 if its ends are one vertex, but it is no loop.
+  // The edge from a cut of a link to the next; -1 if its ends are one vertex although it is not a
+  // loop.
   int EdgeOfPart(int link, size_t cut) {
     const auto [found, is_new] = edge_of_part_.try_emplace({link, cut}, -1);
     if (!is_new) return found->second;

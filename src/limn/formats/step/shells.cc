@@ -40,7 +40,7 @@ std::map<int, int> CountByFace(const std::vector<StepSheet>& sheets) {
   return counts;
 }
 
-// Returns the faces of which a sheet could not be made: one half of a face is no face.
+// Returns the faces of which a sheet could not be made: half a face is not a face.
 std::set<int> MakeFaces(const DrawingGraph& graph, const std::vector<StepSheet>& sheets,
                         MadeSheets* made) {
   std::map<int, int> num_made;

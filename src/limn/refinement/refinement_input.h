@@ -1,0 +1,15 @@
+#pragma once
+
+#include "limn/model/curves_scene.h"
+#include "limn/model/drawing_graph.h"
+
+namespace limn {
+
+// The supporting views of the links are ids of the scene's views. The graph passes Validate().
+// Hints are used to refine poses only.
+struct RefinementInput {
+  CurvesScene scene;
+  const DrawingGraph& graph;
+};
+
+}  // namespace limn
