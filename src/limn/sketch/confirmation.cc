@@ -137,7 +137,7 @@ double ConfirmationViews::MaxAngleDeg(const Eigen::Vector3d& point_in_cam, uint3
   for (size_t k = 0; k < views_.size(); ++k) {
     if (!(mask >> k & 1)) continue;
     const Eigen::Vector3d ray = point_in_cam - views_[k].center_in_primary;
-    max_angle = std::max(max_angle, Degrees(AngleBetween(point_in_cam, ray)));
+    max_angle = std::max(max_angle, AngleBetween(point_in_cam, ray) / kDeg);
   }
   return max_angle;
 }

@@ -120,7 +120,7 @@ bool NeighborFinder::SeesAny(ViewId other, ViewId view,
                              const std::vector<Eigen::Vector3d>& places) const {
   return std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3d& place) {
     if (!views_[other].Project(place)) return false;
-    const double angle = Degrees(AngleBetween(place - centers_[view], place - centers_[other]));
+    const double angle = AngleBetween(place - centers_[view], place - centers_[other]) / kDeg;
     return angle >= min_angle_deg_ && angle <= max_angle_deg_;
   });
 }

@@ -181,7 +181,7 @@ class PlanBuilder {
       for (const Eigen::Vector3d& place : field.places) {
         const bool seen = views_[v].Project(place).has_value();
         field.angles_deg.push_back(
-            seen ? Degrees(AngleBetween(place - centers_[primary], place - centers_[v])) : -1);
+            seen ? AngleBetween(place - centers_[primary], place - centers_[v]) / kDeg : -1);
       }
     }
     return field;
