@@ -28,7 +28,8 @@ int RunDrawingEditor(int argc, const char* const* argv, const ConsoleMaker& make
       project, options, drawing_path,
       [&](const RunOptions&, const std::string& before) { return EditProvenance(file, before); });
   EditedDrawing edited =
-      ApplyEdits(given.graph, project.views(), Moved(file.edits, -project.origin()));
+      ApplyEdits(given.graph, project.views(), Moved(file.edits, -project.origin()),
+                 options.pipeline.drawing.topology);
   if (HasTouched(edited)) {
     const CurvesResult curves = ExtractProjectCurves(project, options, console.get());
     console->Report(RefitEdited({project.views(), curves.curves}, project.images().read,

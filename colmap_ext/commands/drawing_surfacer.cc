@@ -21,8 +21,9 @@ int RunDrawingSurfacer(int argc, const char* const* argv, const ConsoleMaker& ma
       ReadStartingDrawing(project, options, drawing_path, SurfaceProvenance);
   const CurvesResult image_curves = ExtractProjectCurves(project, options, console.get());
   const SurfaceResult result =
-      FindFaces({project.views(), image_curves.curves, project.view_set().hints}, given.graph,
-                options.pipeline.surfaces, console->context());
+      FindFaces({project.views(), image_curves.curves, project.view_set().hints},
+                options.pipeline.refinement.Gate(), given.graph, options.pipeline.surfaces,
+                console->context());
   console->Report(result.summary);
   SayLinksBehind(result.links_behind, console.get());
   CheckGraph(result.graph);

@@ -2,7 +2,8 @@
 
 #include <iostream>
 
-#include "limn/pipeline/option_fields.h"
+#include "colmap_ext/host/ranks.h"
+#include "limn/pipeline/pipeline_options.h"
 #include "limn/pipeline/shard.h"
 #include "limn/util/errors.h"
 
@@ -52,9 +53,20 @@ void AddPathOptions(const OptionGroups& groups, RunOptions* options, OptionParse
                     BasicOption("processor cores to use, -1 = all"));
 }
 
-void AddGroup(const std::string& group, auto* fields, OptionParser* parser) {
-  VisitFields(*fields, [&](const std::string& name, auto& field, const OptionHelp& help) {
-    parser->AddOption(group + "." + name, &field, help);
+template <typename Options>
+void AddGroup(const std::string& group, Options* options, OptionParser* parser) {
+  Options::VisitFields(*options, [&](const std::string& name, auto& field,
+                                     const OptionValues& values, const OptionHelp& help) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    if constexpr (std::is_enum_v<Field>) {
+      std::vector<std::pair<std::string, Field>> words;
+      for (const char* word : values.words) {
+        words.push_back({word, static_cast<Field>(words.size())});
+      }
+      parser->AddOption(group + "." + name, &field, words, help);
+    } else {
+      parser->AddOption(group + "." + name, &field, help);
+    }
   });
 }
 
@@ -171,6 +183,8 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
     if (final_pass) {
       options->SetDerived();
       options->Check();
+      const std::string note = parser.NoteOnRetired();
+      if (!note.empty() && Rank() == 0) std::cerr << "NOTE: " << note << "\n";
       return parser;
     }
     const DrawingMethod method = options->pipeline.method;

@@ -11,6 +11,7 @@
 #include <boost/program_options.hpp>
 
 #include "colmap_ext/options/ini_file.h"
+#include "colmap_ext/options/retired_options.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
@@ -242,15 +243,45 @@ bool OptionParser::WasGiven(const std::string& name) const {
                      [&](const Option& option) { return option.name == name && option.given; });
 }
 
+bool OptionParser::HasGroupOf(const std::string& name) const {
+  return std::ranges::any_of(
+      options_, [&](const Option& option) { return GroupOf(option.name) == GroupOf(name); });
+}
+
+bool OptionParser::TakesRetired(const std::string& name, const std::string& text,
+                                const std::string& origin) {
+  const std::optional<std::string> fixed = FixedValue(name);
+  if (!fixed || !HasGroupOf(name)) return false;
+  if (!AreSameValue(text, *fixed)) {
+    throw OptionError(origin + name + " = " + text + ": is no option any more, but fixed at " +
+                      *fixed);
+  }
+  retired_.push_back(name);
+  return true;
+}
+
 void OptionParser::Set(const std::string& name, const std::string& text,
                        const std::string& origin) {
-  Option* option = Find(name);
-  if (!option) throw OptionError(origin + "unknown option '" + name + "'");
+  Option* option = Find(NewName(name).value_or(name));
+  if (!option) {
+    if (TakesRetired(name, text, origin)) return;
+    throw OptionError(origin + "unknown option '" + name + "'");
+  }
   const std::string expected = option->set(text);
   if (!expected.empty()) {
-    throw OptionError(origin + name + " = " + text + ": must be " + expected);
+    throw OptionError(origin + name + " = " + text + ": " +
+                      (IsRetiredWord(name, text) ? "is no choice any more; " : "") + "must be " +
+                      expected);
   }
   option->given = true;
+}
+
+std::string OptionParser::NoteOnRetired() const {
+  if (retired_.empty()) return "";
+  const std::string number = std::to_string(retired_.size());
+  return (retired_.size() == 1 ? retired_.front() + " is"
+                               : number + " options, such as " + retired_.front() + ", are") +
+         " fixed now, at the value given";
 }
 
 void OptionParser::ReadIni(const std::string& path) {
@@ -274,6 +305,10 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
   for (const Option& option : options_) {
     known.add_options()(option.name.c_str(), po::value<std::string>(), "");
   }
+  for (const RetiredOption& option : RetiredOptions()) {
+    known.add_options()(option.name, po::value<std::string>(), "");
+  }
+  for (const char* name : FormerNames()) known.add_options()(name, po::value<std::string>(), "");
   const std::vector<po::option> given = SplitCommandLine(argc, argv, known);
 
   std::set<std::string> seen;

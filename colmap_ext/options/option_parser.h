@@ -21,7 +21,8 @@ namespace limn {
 //
 // Each option is bound to a variable, whose value at the time of AddOption is the default. Names
 // cannot be abbreviated; an option may be given once, except lists of texts. Bools are 0, 1, true
-// or false.
+// or false. Options of earlier versions may still be given by their former names, and those that
+// are fixed now at their value (retired_options.h), if the command has options of their group.
 class OptionParser {
  public:
   enum class Outcome { kRun, kHelp };
@@ -61,6 +62,10 @@ class OptionParser {
   // All options with their current values, --project_path first.
   CommandDescription Describe() const;
 
+  // A line about options that are fixed now and were given all the same (after Parse); empty if
+  // none was.
+  std::string NoteOnRetired() const;
+
   // Whether there is an option of this name.
   bool Knows(const std::string& name) const;
   // Whether an option was given on the command line or in the ini file (after Parse).
@@ -85,12 +90,17 @@ class OptionParser {
   void PrintHelp(bool all, std::ostream& out) const;
   void PrintHelpFor(const std::string& format, std::ostream& out) const;
   Option* Find(const std::string& name);
+  bool HasGroupOf(const std::string& name) const;
+  // Of an option that is not known: whether it is one that is fixed now. Throws OptionError if it
+  // is given another value.
+  bool TakesRetired(const std::string& name, const std::string& text, const std::string& origin);
   void Set(const std::string& name, const std::string& text, const std::string& origin);
   void ReadIni(const std::string& path);
 
   std::string command_;
   std::string summary_;
-  std::vector<Option> options_;  // in the order of the calls
+  std::vector<Option> options_;       // in the order of the calls
+  std::vector<std::string> retired_;  // given
 };
 
 template <typename Enum>

@@ -328,9 +328,9 @@ std::shared_ptr<SceneDrawing> FindSceneFaces(std::shared_ptr<const SceneDrawing>
   LibraryConsole console(run.num_threads, monitor);
   const Scene& scene = drawing->scene->scene;
   if (!faced->curves) faced->curves = CurvesOf(drawing->scene, run, &console);
-  const SurfaceResult result =
-      FindFaces({drawing->views, *faced->curves, scene.view_set().hints}, GraphInScene(*drawing),
-                run.pipeline.surfaces, console.context());
+  const SurfaceResult result = FindFaces({drawing->views, *faced->curves, scene.view_set().hints},
+                                         run.pipeline.refinement.Gate(), GraphInScene(*drawing),
+                                         run.pipeline.surfaces, console.context());
   console.Report(result.summary);
   SayLinksBehind(result.links_behind, &console);
   CheckGraph(result.graph);
@@ -354,7 +354,8 @@ std::shared_ptr<SceneDrawing> EditSceneDrawing(std::shared_ptr<const SceneDrawin
   LibraryConsole console(run.num_threads, monitor);
   const Scene& scene = drawing->scene->scene;
   EditedDrawing result =
-      ApplyEdits(GraphInScene(*drawing), drawing->views, Moved(file.edits, -scene.origin()));
+      ApplyEdits(GraphInScene(*drawing), drawing->views, Moved(file.edits, -scene.origin()),
+                 run.pipeline.drawing.topology);
   // Options of the edits are of no use to later stages.
   auto edited = std::make_shared<SceneDrawing>(*drawing);
   if (HasTouched(result)) {

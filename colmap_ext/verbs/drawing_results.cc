@@ -4,12 +4,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <set>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/host/world_shift.h"
+#include "colmap_ext/options/retired_options.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/refined_cameras.h"
 #include "colmap_ext/workspace/output_check.h"
@@ -81,6 +83,39 @@ void CheckPicturePaths(const Project& project) {
   }
 }
 
+// A group of options; null if it is not there or has none.
+Json* GroupOf(const std::string& name, Json* options) {
+  const auto group = options->find(name.substr(0, name.find('.')));
+  return group != options->end() && group->is_object() ? &*group : nullptr;
+}
+
+// Options of a drawing of any version by their present names, without those that are fixed now at
+// these values and those of another method.
+Json PresentOptions(Json options) {
+  const auto take = [&](const std::string& name, const auto& is_wanted) -> std::optional<Json> {
+    Json* group = GroupOf(name, &options);
+    if (!group) return std::nullopt;
+    const auto found = group->find(name.substr(name.find('.') + 1));
+    if (found == group->end() || !is_wanted(*found)) return std::nullopt;
+    Json value = *found;
+    group->erase(found);
+    return value;
+  };
+  for (const RetiredOption& retired : RetiredOptions()) {
+    take(retired.name,
+         [&](const Json& value) { return AreSameValue(value.dump(), retired.value); });
+  }
+  const Json* drawing = GroupOf("Drawing.", &options);
+  const bool is_paper = drawing && drawing->value("method", "") == "paper";
+  for (const std::string former : FormerNames()) {
+    const std::string name = *NewName(former);
+    const auto value = take(former, [](const Json&) { return true; });
+    if (value && is_paper)
+      options[name.substr(0, name.find('.'))][name.substr(name.find('.') + 1)] = *value;
+  }
+  return options;
+}
+
 }  // namespace
 
 void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
@@ -100,7 +135,7 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
   if (!options.update && metadata.view_names != Metadata(project, "{}").view_names) {
     refuse("is a drawing of other images");
   }
-  const Json old_options = Json::parse(metadata.options_json);
+  const Json old_options = PresentOptions(Json::parse(metadata.options_json));
   const Json new_options = Json::parse(provenance);
   if (old_options != new_options) {
     const Json difference = Json::diff(old_options, new_options);
@@ -166,7 +201,10 @@ bool HasBox(const std::string& provenance) {
 
 std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance) {
   Json json = Json::parse(sketch_provenance);
-  json["Drawing"] = Json::parse(OptionsAsJson(options.pipeline))["Drawing"];
+  const Json now = Json::parse(OptionsAsJson(options.pipeline));
+  json["Drawing"] = now["Drawing"];
+  json.erase("Paper");
+  if (now.contains("Paper")) json["Paper"] = now["Paper"];
   json["DrawingRefinement"] = nullptr;
   json["Belief"] = nullptr;
   json["Primitives"] = nullptr;

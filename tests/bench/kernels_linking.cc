@@ -31,7 +31,7 @@ void RefitTangents(benchmark::State& state) {
   ImageCurves curves = limn::LinkEdgels(SampleEdgels(), {}).curves;
   for (auto _ : state) {
     for (const CurveFragment& fragment : curves.fragments) {
-      limn::RefitTangents(fragment, LinkingOptions().tangent_arm_px, &curves.edge_map.edgels);
+      limn::RefitTangents(fragment, kTangentArmPx, &curves.edge_map.edgels);
     }
   }
   ReportPerMegapixel(state);

@@ -45,7 +45,10 @@ void RunStages(const Scene& scene, const std::function<Image(ViewId)>& read_imag
       of_graph, on_stage_end);
   const BeliefResult judged = Measure(
       [&] {
-        return JudgeLinks({{scene.views, scene.curves}, refined.graph, refined.fitted},
+        return JudgeLinks({{scene.views, scene.curves},
+                           refined.graph,
+                           refined.fitted,
+                           RefinementOptions().Gate()},
                           options.belief, options.drawing.topology, context);
       },
       of_graph, on_stage_end);

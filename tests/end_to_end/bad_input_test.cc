@@ -81,8 +81,8 @@ TEST_F(BadInput, WrongOptionValue) {
   ExpectRefused({"--max_image_size", "3"}, HasSubstr("max_image_size = 3"));
   ExpectRefused({"--DrawingRefinement.num_rounds", "100000"},
                 HasSubstr("DrawingRefinement.num_rounds = 100000"));
-  ExpectRefused({"--Drawing.max_averaging_rounds", "1000000000"},
-                HasSubstr("Drawing.max_averaging_rounds = 1e+09"));
+  ExpectRefused({"--Paper.max_averaging_rounds", "1000000000"},
+                HasSubstr("Paper.max_averaging_rounds = 1e+09"));
 }
 
 TEST_F(BadInput, ATableOnAFullDeviceIsLost) {

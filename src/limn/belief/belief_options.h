@@ -1,23 +1,27 @@
 #pragma once
 
+#include "limn/util/option_fields.h"
+#include "limn/util/option_help.h"
+
 namespace limn {
 
 struct BeliefOptions {
-  // Whether to judge links; otherwise all are kept firm.
+  // Otherwise all links are believed.
   bool judge = true;
-  // Evidence against chance that a link without a neighbor needs, as a natural logarithm: 6 means
-  // that fewer than one accident in 400 would pass. Each end that meets another link lowers the
-  // threshold by joined_end_evidence.
   double min_evidence = 6;
-  double joined_end_evidence = 5;
-  // Views that must see other links through a link before it is doubted.
-  int min_contradicting_views = 2;
-  // A link with a free end is doubted if less than this share of its edgels is explained by no
-  // better link.
+
+  // Share of its edgels that no better link explains, below which a link with a free end is
+  // doubted. Set by tests only.
   double min_own_share = 0.2;
 
+  template <typename Self, typename Visit>
+  static void VisitFields(Self& self, const Visit& visit) {
+    visit("judge", self.judge, OnOrOff(), "mark links that the images do not support as tentative");
+    visit("min_evidence", self.min_evidence, Between(0, 1e6),
+          "evidence against chance that a link without neighbors needs, natural logarithm");
+  }
   // Throws OptionError.
-  void Check() const;
+  void Check() const { CheckFields(*this); }
 };
 
 }  // namespace limn

@@ -20,8 +20,11 @@ namespace {
 // Views that contradict a link are at least this share of the number that show it: few of many are
 // places of low contrast.
 constexpr double kMinContradictingShare = 0.25;
-// An edgel shows a link within these limits, those of the refinement.
-constexpr SupportGate kGate = {1.0, 1.0, 15 * kDeg};
+// And at least this many: one view may be wrong.
+constexpr int kMinContradictingViews = 2;
+// What an end that meets another link counts instead of evidence, natural logarithm: chance seldom
+// makes ends meet.
+constexpr double kJoinedEndEvidence = 5;
 // Fewer views do not determine a curve.
 constexpr double kMinViews = 3;
 // The better the place of a link is determined, the fewer links could be in its stead: their number
@@ -49,7 +52,7 @@ class Judge {
         topology_(topology),
         links_(input.graph.links.size()) {
     const auto edgels = BuildViewEdgels(input.scene.curves, context);
-    const TopologyInput images = {input.scene.views, input.scene.curves, edgels, kGate};
+    const TopologyInput images = {input.scene.views, input.scene.curves, edgels, input.gate};
     const ViewFinder finder(input.scene.views);
     ParallelFor(context, "evidence for links", links_.size(),
                 [&](size_t l) { links_[l] = FindEvidence(images, finder, graph_.links[l]); });
@@ -66,7 +69,7 @@ class Judge {
     if (!fitted_.empty() && !fitted_[l] && !IsInferred(link, evidence, num_free)) {
       return LinkDoubt::kFewViews;
     }
-    const double needed = options_.min_evidence - options_.joined_end_evidence * (2 - num_free);
+    const double needed = options_.min_evidence - kJoinedEndEvidence * (2 - num_free);
     if (EvidenceOf(l) < needed) {
       return LinkDoubt::kChance;
     }
@@ -89,7 +92,7 @@ class Judge {
 
   // Whether enough views see others through the link, also compared with those that show it.
   bool IsContradicted(size_t l) const {
-    return views_through_[l] >= options_.min_contradicting_views &&
+    return views_through_[l] >= kMinContradictingViews &&
            views_through_[l] >= kMinContradictingShare * links_[l].showing_views;
   }
 

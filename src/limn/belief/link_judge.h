@@ -9,6 +9,7 @@
 #include "limn/model/curves_scene.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
+#include "limn/support/edgel_index.h"
 #include "limn/topology/topology_options.h"
 #include "limn/util/parallel.h"
 #include "limn/util/stage_summary.h"
@@ -21,6 +22,8 @@ struct BeliefInput {
   const DrawingGraph& graph;
   // Per link, whether it could be fitted to the images. Empty: unknown, treated as if all were.
   const std::vector<uint8_t>& fitted;
+  // An edgel shows a link within it: that of the refinement.
+  SupportGate gate;
 };
 
 struct BeliefResult {

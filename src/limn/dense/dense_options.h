@@ -1,28 +1,31 @@
 #pragma once
 
+#include "limn/util/option_fields.h"
+#include "limn/util/option_help.h"
+
 namespace limn {
 
 struct DenseOptions {
-  // A sample of the drawing lies on the dense surface if their depths differ by at most this, in
-  // footprints, and behind it if it is farther away. Depths are several times less accurate than
+  // A curve farther away is behind the surface. Depths are several times less accurate than
   // positions across the line of sight.
   double depth_tolerance_px = 5;
-  // Distance to either side of a curve at which the surface is examined, px: there dense depths are
-  // no longer fattened or rounded.
-  double side_offset_px = 4;
-  // Dense points within this distance of a sample are at the same place, footprints.
   double near_px = 2;
-  // Spacing of the samples along a link, footprints.
+
+  // Spacing of the samples along a link, footprints. No option.
   double sample_spacing_px = 1;
-  // A link is behind the surface if more than this share of its supporting views' judgments of its
-  // samples say so, and if they can judge at least min_judged_share of the samples.
-  double max_occluded_share = 0.5;
-  double min_judged_share = 0.3;
-  // Except if, averaged over its samples, this many of its supporting views see it. (Others may
-  // support it by edges of what stands in front of it.)
+  // A link seen, averaged over its samples, by this many of its supporting views is never behind
+  // the surface: other views may support it by what stands in front of it. Set by tests only.
   double enough_visible_views = 3;
 
-  void Check() const;
+  template <typename Self, typename Visit>
+  static void VisitFields(Self& self, const Visit& visit) {
+    visit("depth_tolerance_px", self.depth_tolerance_px, Above(0, 1e4),
+          BasicOption("a curve this near in depth is on the surface, footprints"));
+    visit("near_px", self.near_px, Above(0, 1000),
+          "dense points within this are at the same place, footprints");
+  }
+  // Throws OptionError.
+  void Check() const { CheckFields(*this); }
 };
 
 }  // namespace limn

@@ -11,6 +11,10 @@ namespace limn {
 namespace {
 
 constexpr int kNumClasses = 4;
+// A link is behind the surface if most of its supporting views' judgments of its samples say so,
+// and if they can judge enough of the samples: the others may be anywhere.
+constexpr double kMaxOccludedShare = 0.5;
+constexpr double kMinJudgedShare = 0.3;
 
 DenseClass ClassOfSample(const SampleSupport& support) {
   const int num_judged = support.num_surface + support.num_boundary + support.num_free;
@@ -67,8 +71,8 @@ LinkDense Judge(const LinkSums& sums, const DenseOptions& options) {
   result.added_share = sums.added / sums.whole_length;
   if (sums.judged > 0) result.occluded_share = sums.occluded / sums.judged;
   const double visible_views = (sums.judged - sums.occluded) / sums.whole_length;
-  result.behind_surface = sums.judged >= options.min_judged_share * sums.asked &&
-                          result.occluded_share > options.max_occluded_share &&
+  result.behind_surface = sums.judged >= kMinJudgedShare * sums.asked &&
+                          result.occluded_share > kMaxOccludedShare &&
                           visible_views < options.enough_visible_views;
   if (sums.fold_length > 0) result.fold_deg = Degrees(sums.fold_rad / sums.fold_length);
   return result;

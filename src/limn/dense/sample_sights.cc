@@ -15,6 +15,9 @@ constexpr double kMaxSlope = 1.7;
 constexpr int kMinFrontCells = 3;
 // Number of further steps to either side at which the surface is examined.
 constexpr int kNumProbes = 3;
+// Distance to either side of a curve at which the surface is examined, px: there dense depths are
+// no longer fattened or rounded.
+constexpr double kSideOffsetPx = 4;
 
 class Look {
  public:
@@ -133,7 +136,7 @@ SampleSight LookAtSample(const View& view, const DepthImage& image, const Eigen:
   if (result.sight != Sight::kVisible || !direction) return result;
   // Left of the direction, where y points down.
   const Eigen::Vector2d left(direction->y(), -direction->x());
-  const double offset_px = std::max(options.side_offset_px, 2 * look.cell_px());
+  const double offset_px = std::max(kSideOffsetPx, 2 * look.cell_px());
   look.LookAside(*pixel, left, offset_px, &result.sides[0], &result.normals[0]);
   look.LookAside(*pixel, -left, offset_px, &result.sides[1], &result.normals[1]);
   return result;

@@ -30,6 +30,18 @@ constexpr double kSameEdgePx = 2;
 // false edgels are found in white noise as in one channel.
 constexpr double kJointNoiseFactor = 1.35;
 
+// Weakest edge of the finer scale at any noise, gray levels per px: 8-bit banding is weaker.
+constexpr double kFineMinStrength = 1;
+// An edgel weaker than this multiple of its threshold is dropped unless it belongs to a run of at
+// least this length: noise makes weak edgels in short runs.
+constexpr double kStrongRatio = 1.75;
+constexpr double kMinRunPx = 7;
+// Like the factors of the main channel; higher, as red and blue are noisier.
+constexpr double kIsoluminantNoiseFactor = 3.5;
+constexpr double kIsoluminantMinStrength = 1.5;
+// Red and blue edgels within this of a similar main one show the same edge, dispersed by the lens.
+constexpr double kIsoluminantDistancePx = 3;
+
 // 1 where edgels may be: inside the margin and away from masked pixels.
 std::vector<unsigned char> UsablePixels(const Image& image, const EdgeDetectionOptions& options) {
   const int width = image.width;
@@ -111,27 +123,26 @@ bool HasFineScale(const EdgeDetectionOptions& options) {
 
 // Are there channels to search beside those of the main search?
 bool HasMoreColors(const Image& image, const EdgeDetectionOptions& options) {
-  return options.find_isoluminant && image.channels == 3 && options.channel != "color";
+  return options.find_isoluminant && image.channels == 3 && options.channel != EdgeChannel::kColor;
 }
 
 void AddFineEdgels(const std::vector<ChannelValues>& channels, const EdgeDetectionOptions& options,
                    const std::vector<unsigned char>& usable, EdgelRaster* raster) {
   const EdgeSignal signal =
       PrepareSignal(channels, raster->width(), raster->height(), options.fine_sigma_px);
-  const RefinementContext context =
-      ContextOf(signal, options.fine_noise_factor, options.fine_min_strength);
+  const RefinementContext context = ContextOf(signal, options.fine_noise_factor, kFineMinStrength);
   raster->AddStrongestFirst(
       DetectInSignal(signal, context, usable, [](const auto&, const auto&) { return false; }));
-  raster->DropWeakShortRuns(options.strong_ratio, options.min_run_px);
+  raster->DropWeakShortRuns(kStrongRatio, kMinRunPx);
 }
 
 // Edges of equal brightness: edgels of red and blue that no main edgel accounts for. The two
 // channels see the same edge up to 2 px apart, so the one that sees more claims its neighborhood.
 void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& options,
                           const std::vector<unsigned char>& usable, EdgelRaster* raster) {
-  const double near_px = options.isoluminant_distance_px;
   const auto explained = [&](const Vector2d& position, const Vector2d& tangent) {
-    return raster->HasParallelNear(position, tangent, near_px, kSimilarDirectionCosine);
+    return raster->HasParallelNear(position, tangent, kIsoluminantDistancePx,
+                                   kSimilarDirectionCosine);
   };
   std::vector<RefinedEdgel> of_channel[2];
   double total_strength[2] = {0, 0};
@@ -139,7 +150,7 @@ void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& option
     const EdgeSignal signal = PrepareSignal({ExtractChannel(image, k == 0 ? 0 : 2)}, image.width,
                                             image.height, options.sigma_px);
     const RefinementContext context =
-        ContextOf(signal, options.isoluminant_noise_factor, options.isoluminant_min_strength);
+        ContextOf(signal, kIsoluminantNoiseFactor, kIsoluminantMinStrength);
     of_channel[k] = DetectInSignal(signal, context, usable, explained);
     for (const RefinedEdgel& refined : of_channel[k]) total_strength[k] += refined.edgel.strength;
   }
@@ -150,7 +161,7 @@ void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& option
     return explained(refined.edgel.position_px, refined.edgel.Tangent());
   });
   raster->AddStrongestFirst(rest);
-  raster->DropWeakShortRuns(options.strong_ratio, options.min_run_px);
+  raster->DropWeakShortRuns(kStrongRatio, kMinRunPx);
 }
 
 void CheckImage(const Image& image) {
@@ -169,25 +180,6 @@ void CheckImage(const Image& image) {
 
 }  // namespace
 
-void EdgeDetectionOptions::Check() const {
-  if (channel != "green" && channel != "luminance" && channel != "color") {
-    throw OptionError("channel = " + channel + ": must be green, luminance or color");
-  }
-  LIMN_CHECK_RANGE(sigma_px, >= 0.8, <= 5);
-  LIMN_CHECK_RANGE_OR(fine_sigma_px, 0, >= 0.8, <= 5);
-  LIMN_CHECK_RANGE(fine_noise_factor, > 0, <= 100);
-  LIMN_CHECK_RANGE(fine_min_strength, >= 0, <= 1e4);
-  LIMN_CHECK_RANGE(noise_factor, > 0, <= 100);
-  LIMN_CHECK_RANGE(min_strength, >= 0, <= 1e4);
-  LIMN_CHECK_RANGE(min_run_px, >= 0, <= 1e5);
-  LIMN_CHECK_RANGE(strong_ratio, >= 1, <= 1e4);
-  LIMN_CHECK_RANGE(isoluminant_noise_factor, > 0, <= 100);
-  LIMN_CHECK_RANGE(isoluminant_min_strength, >= 0, <= 1e4);
-  LIMN_CHECK_RANGE(isoluminant_distance_px, >= 0, <= 100);
-  LIMN_CHECK_RANGE(texture_density, >= 0, <= 1);
-  LIMN_CHECK_RANGE(margin_px, >= 0, <= 1e5);
-}
-
 EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   options.Check();
   CheckImage(image);
@@ -202,7 +194,7 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
     return raster.HasParallelNear(position, tangent, kSameEdgePx, /*min_cosine=*/0);
   };
   raster.AddStrongestFirst(DetectInSignal(signal, context, usable, is_fine));
-  raster.DropWeakShortRuns(options.strong_ratio, options.min_run_px);
+  raster.DropWeakShortRuns(kStrongRatio, kMinRunPx);
   if (HasMoreColors(image, options)) AddIsoluminantEdgels(image, options, usable, &raster);
 
   EdgeMap map;

@@ -1,67 +1,58 @@
 #pragma once
 
-#include <string>
-
+#include "limn/edges/edge_channel.h"
 #include "limn/model/edge_map.h"
 #include "limn/model/image.h"
+#include "limn/util/option_fields.h"
+#include "limn/util/option_help.h"
 
 namespace limn {
 
 struct EdgeDetectionOptions {
-  // Channel that positions and orientations come from: "green", "luminance", or "color", which is
-  // L, a and b jointly. Green agrees best with the true edges where the lens disperses colors. A
-  // gray image has one channel only.
-  std::string channel = "green";
+  EdgeChannel channel = EdgeChannel::kGreen;
 
-  // Scale of the Gaussian derivatives, px, [0.8, 5]. Larger: less noise, weaker edges found, but
-  // strands closer than about 3 sigma merge and corners are rounded.
+  // Larger: less noise, weaker edges found, but strands closer than about 3 sigma merge and corners
+  // are rounded.
   double sigma_px = 1.5;
 
-  // Finer scale, for edges that rise enough above the noise there, px, 0.8 to 5; not used if it is
-  // 0 or not below sigma_px. It separates strands down to about 2 times this. sigma_px then adds
-  // the other edges.
-  double fine_sigma_px = 1.0;
-
-  // Weakest edge at the finer scale, in multiples of the gradient noise there, (0, 100], and in
-  // gray levels per px, >= 0. At 8 times the noise the direction of an edgel errs by 6 degrees.
-  double fine_noise_factor = 8;
-  double fine_min_strength = 1;
-
-  // Weakest edge in multiples of the gradient noise measured in the image, (0, 100]. Smaller:
-  // weaker edges and more false edgels (together with min_run_px: in white noise 3 per 1,000 px^2).
+  // Smaller: weaker edges and more false edgels (in white noise 3 per 1,000 px^2).
   double noise_factor = 2.3;
 
-  // Weakest edge at any noise, gray levels per px, >= 0. Below 0.6, the 8-bit banding of smooth
-  // shading causes edges.
+  // At any noise. Below 0.6, the 8-bit banding of smooth shading causes edges.
   double min_strength = 0.6;
 
-  // An edgel weaker than strong_ratio times its threshold is dropped unless it belongs to a run of
-  // edgels that continue each other over at least this length, px, >= 0. Noise makes short runs.
-  double min_run_px = 7;
-  double strong_ratio = 1.75;
-
-  // Also search the red and blue channels, for edges that the main channel does not show. Not with
-  // color, which shows them.
+  // Not with color, which shows such edges anyway.
   bool find_isoluminant = true;
 
-  // Like noise_factor and min_strength, for edges found only in red or blue.
-  double isoluminant_noise_factor = 3.5;
-  double isoluminant_min_strength = 1.5;
-
-  // A red or blue edgel is dropped if an edgel of the main channel with a similar direction is
-  // within this distance, px, >= 0. Must exceed the lens's dispersion, or edges are doubled.
-  double isoluminant_distance_px = 3.0;
-
-  // Edgels count as texture, and are not linked, where short runs of mixed directions have at least
-  // this many per px^2, [0, 1]; 0 = off (FindDenseTexture). 0.18 finds leaves. Off: drawings are no
-  // better with it (algorithm/edges.md#what-was-measured).
+  // 0.18 finds leaves (FindDenseTexture). Measured, no better: algorithm/edges.md#dense-texture.
   double texture_density = 0;
 
-  // Border of the image without edgels, px, >= 0.
   double margin_px = 8.0;
 
+  // Finer scale, for edges that rise enough above the noise there, px; not used if it is 0 or not
+  // below sigma_px. It separates strands down to about 2 times this. sigma_px then adds the edges
+  // that are weaker or blurred. Set by tests only, as the next.
+  double fine_sigma_px = 1;
+  // Like noise_factor, at the finer scale.
+  double fine_noise_factor = 8;
+
+  template <typename Self, typename Visit>
+  static void VisitFields(Self& self, const Visit& visit) {
+    visit("channel", self.channel, OneOf({"green", "luminance", "color"}),
+          "channel of positions and directions");
+    visit("sigma_px", self.sigma_px, Between(0.8, 5), "scale of the Gaussian derivatives, px");
+    visit("noise_factor", self.noise_factor, Above(0, 100),
+          "weakest edge in multiples of the image's gradient noise");
+    visit("min_strength", self.min_strength, Between(0, 1e4),
+          BasicOption("weakest edge, gray levels per px"));
+    visit("find_isoluminant", self.find_isoluminant, OnOrOff(),
+          "also find edges in red or blue only");
+    visit("texture_density", self.texture_density, Between(0, 1),
+          "short edgels per px^2 from which texture is not linked, 0 = all are linked");
+    visit("margin_px", self.margin_px, Between(0, 1e5), "unused border of the image, px");
+  }
   // Throws OptionError.
-  void Check() const;
+  void Check() const { CheckFields(*this); }
 };
 
 // Finds the edgels of an image: the local maxima of the gradient magnitude along the gradient, that
@@ -73,8 +64,8 @@ struct EdgeDetectionOptions {
 // at the sub-pixel position by Newton steps on the logarithm of the gradient's profile along the
 // normal, which is a parabola for a blurred step, then shifted against the bias that smoothing
 // causes at curved edges. At most one edgel per pixel, none closer than 0.35 px to another. Weak
-// edgels must be part of a run: see min_run_px. Those of dense texture are listed in
-// EdgeMap::texture.
+// edgels must be part of a run of edgels that continue each other: noise makes short runs. Those of
+// dense texture are told (EdgeMap::texture).
 //
 // With color, the gradient is the joint one of L, a and b (times 2.55, see LabChannels): the edge
 // is where its magnitude is largest along its direction. That magnitude is the strength; between

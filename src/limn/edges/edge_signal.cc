@@ -76,10 +76,10 @@ ChannelValues ExtractChannel(const Image& image, int channel) {
   return values;
 }
 
-std::vector<ChannelValues> SearchedChannels(const Image& image, const std::string& name) {
+std::vector<ChannelValues> SearchedChannels(const Image& image, EdgeChannel channel) {
   if (image.channels == 1) return {image.data};
-  if (name == "green") return {ExtractChannel(image, 1)};
-  if (name == "luminance") return {Luminance(image)};
+  if (channel == EdgeChannel::kGreen) return {ExtractChannel(image, 1)};
+  if (channel == EdgeChannel::kLuminance) return {Luminance(image)};
   auto lab = LabChannels(image);
   return {std::move(lab[0]), std::move(lab[1]), std::move(lab[2])};
 }

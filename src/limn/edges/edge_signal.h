@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "limn/edges/edge_channel.h"
 #include "limn/edges/gaussian_derivatives.h"
 #include "limn/edges/gradient_noise.h"
 #include "limn/edges/joint_gradient.h"
@@ -36,8 +36,8 @@ EdgeSignal PrepareSignal(const std::vector<ChannelValues>& channels, int width, 
 // A channel of an image.
 ChannelValues ExtractChannel(const Image& image, int channel);
 
-// The channels to search jointly: "green", "luminance" (Rec. 601) or "color" (Lab), all the same
-// for an image of one channel.
-std::vector<ChannelValues> SearchedChannels(const Image& image, const std::string& name);
+// The channels to search jointly: green, luminance (Rec. 601) or Lab, all the same for an image of
+// one channel.
+std::vector<ChannelValues> SearchedChannels(const Image& image, EdgeChannel channel);
 
 }  // namespace limn

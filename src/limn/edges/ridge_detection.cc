@@ -104,11 +104,6 @@ void CheckMap(const ProbabilityMap& map) {
 
 }  // namespace
 
-void RidgeOptions::Check() const {
-  LIMN_CHECK_RANGE(min_probability, > 0, <= 1);
-  LIMN_CHECK_RANGE(sigma_px, >= 0.8, <= 5);
-}
-
 EdgeMap DetectRidges(const ProbabilityMap& map, const RidgeOptions& options) {
   options.Check();
   CheckMap(map);

@@ -3,19 +3,26 @@
 #include <vector>
 
 #include "limn/model/edge_map.h"
+#include "limn/util/option_fields.h"
+#include "limn/util/option_help.h"
 
 namespace limn {
 
 // Edges from a probability map, as learned detectors produce.
 struct RidgeOptions {
-  // Weakest edge, as a share of the full range of the map, (0, 1].
   double min_probability = 0.1;
-  // Scale at which the map is smoothed, px, [0.8, 5]. Larger: less of the rounding of lines of
-  // whole pixels is left, but more neighbors merge.
+  // Larger: less of the rounding of lines of whole pixels is left, but more neighbors merge.
   double sigma_px = 1;
 
+  template <typename Self, typename Visit>
+  static void VisitFields(Self& self, const Visit& visit) {
+    visit("min_probability", self.min_probability, Above(0, 1),
+          "edges_path: weakest edge in maps, share of their full range");
+    visit("sigma_px", self.sigma_px, Between(0.8, 5),
+          "edges_path: scale at which maps are smoothed, px");
+  }
   // Throws OptionError.
-  void Check() const;
+  void Check() const { CheckFields(*this); }
 };
 
 // Probabilities of edges, row-major, in [0, 1]. Binary maps have 0 and 1.

@@ -83,8 +83,8 @@ EditOutcome ForAll(const std::vector<LinkRef>& refs, const std::string& done,
 
 class Applier {
  public:
-  Applier(const std::vector<View>& views, DrawingGraph* graph)
-      : session_(views, graph), graph_(graph), is_new_(graph->dimensions.size(), 0) {}
+  Applier(const std::vector<View>& views, const TopologyOptions& topology, DrawingGraph* graph)
+      : session_(views, topology, graph), graph_(graph), is_new_(graph->dimensions.size(), 0) {}
 
   EditOutcome operator()(const DeleteLinks& edit) {
     return ForAll(edit.links, "deleted", session_, [&](LinkId id) { session_.Remove(id); });
@@ -175,10 +175,10 @@ Snapped Snap(const Eigen::Vector3d& place, double footprint, const DrawingGraph&
 bool HasTouched(const EditedDrawing& edited) { return std::ranges::count(edited.touched, 1) > 0; }
 
 EditedDrawing ApplyEdits(const DrawingGraph& graph, const std::vector<View>& views,
-                         const std::vector<Edit>& edits) {
+                         const std::vector<Edit>& edits, const TopologyOptions& topology) {
   EditedDrawing edited;
   edited.graph = graph;
-  Applier applier(views, &edited.graph);
+  Applier applier(views, topology, &edited.graph);
   EditSession& session = applier.session();
   for (session.edit = 0; session.edit < edits.size(); ++session.edit) {
     edited.outcomes.push_back(std::visit(applier, edits[session.edit]));

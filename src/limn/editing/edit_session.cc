@@ -34,8 +34,9 @@ Eigen::Vector3d OutwardOf(const LinkRef& ref, int end) {
 
 }  // namespace
 
-EditSession::EditSession(const std::vector<View>& views, DrawingGraph* graph)
-    : editor_(graph), matcher_(*graph, views) {}
+EditSession::EditSession(const std::vector<View>& views, const TopologyOptions& topology,
+                         DrawingGraph* graph)
+    : editor_(graph), matcher_(*graph, views), topology_(topology) {}
 
 Search<LinkId> EditSession::FindLink(const LinkRef& ref) const {
   const LinkMatch match = matcher_.Match(ref);
@@ -162,7 +163,7 @@ void EditSession::PairAt(NodeId id) {
   std::vector<LinkTip> tips;
   for (const LinkEnd& end : ends) tips.push_back(TipAt(end));
   std::vector<std::pair<LinkEnd, LinkEnd>> pairs;
-  for (const auto& [i, j] : SmoothPairs(tips, kMaxTurnRad)) pairs.push_back({ends[i], ends[j]});
+  for (const auto& [i, j] : SmoothPairs(tips, MaxTurnRad())) pairs.push_back({ends[i], ends[j]});
   editor_.SetContinuations(id, std::move(pairs));
 }
 

@@ -12,12 +12,10 @@
 #include "limn/geometry/polyline.h"
 #include "limn/topology/graph_editor.h"
 #include "limn/topology/link_geometry.h"
+#include "limn/topology/topology_options.h"
 #include "limn/util/angles.h"
 
 namespace limn {
-
-// Ends continue each other below this turn.
-inline constexpr double kMaxTurnRad = 30 * kDeg;
 
 // A place on a link of the drawing.
 struct LinkPlace {
@@ -35,9 +33,12 @@ struct Search {
 // The state that edits share while they are applied to a drawing.
 class EditSession {
  public:
-  EditSession(const std::vector<View>& views, DrawingGraph* graph);
+  EditSession(const std::vector<View>& views, const TopologyOptions& topology, DrawingGraph* graph);
 
   GraphEditor& editor() { return editor_; }
+  const TopologyOptions& topology() const { return topology_; }
+  // Ends continue each other below this turn.
+  double MaxTurnRad() const { return topology_.max_continuation_angle_deg * kDeg; }
   const LinkMatcher& matcher() const { return matcher_; }
   const DrawingLink& link(LinkId id) const { return editor_.link(id); }
   // World units per px.
@@ -75,6 +76,7 @@ class EditSession {
  private:
   GraphEditor editor_;
   LinkMatcher matcher_;
+  const TopologyOptions& topology_;
 };
 
 // One function per edit; the remaining edits are in apply_edits.cc.

@@ -7,19 +7,17 @@
 #include "limn/editing/edit_session.h"
 #include "limn/geometry/angle_between.h"
 #include "limn/topology/join_ends.h"
+#include "limn/topology/meetings.h"
 #include "limn/util/angles.h"
 
 namespace limn {
 namespace {
 
-// Ends nearer to each other than this continue each other by their directions alone, px.
-constexpr double kSmallGapPx = 3;
 // Ends farther apart also need the way from one to the other to be within this angle.
 constexpr double kMaxGapAngleRad = 45 * kDeg;
 // A corner where the lines of two ends meet may be as far from both as this multiple of their
-// distance, or as the second number, px.
+// distance, or as ends that meet in the drawing.
 constexpr double kCornerReach = 2;
-constexpr double kMinCornerReachPx = 12;
 // A link whose ends meet at a corner is at least this long, px, and longer than their distance by
 // this factor: what is nearly straight encloses nothing.
 constexpr double kMinLoopPx = 16;
@@ -36,7 +34,7 @@ std::string Name(const LinkEnd& end) {
 bool ContinueEachOther(const EditSession& session, const LinkEnd& a, const LinkEnd& b) {
   const LinkTip tip_a = session.TipAt(a);
   const LinkTip tip_b = session.TipAt(b);
-  if (TurnBetween(tip_a, tip_b) >= kMaxTurnRad) return false;
+  if (TurnBetween(tip_a, tip_b) >= session.MaxTurnRad()) return false;
   const Eigen::Vector3d gap =
       EndPoint(session.link(b.link), b.end) - EndPoint(session.link(a.link), a.end);
   return gap.norm() <= kSmallGapPx * tip_a.footprint ||
@@ -64,10 +62,11 @@ Eigen::Vector3d CornerOf(const EditSession& session, const LinkEnd& a, const Lin
   const Eigen::Vector3d middle = 0.5 * (end_a + end_b);
   const Eigen::FullPivLU<Eigen::Matrix3d> solver(sum);
   // The sine of the angle between the lines, squared.
-  if (!(solver.determinant() > std::pow(std::sin(kMaxTurnRad), 2))) return middle;
+  if (!(solver.determinant() > std::pow(std::sin(session.MaxTurnRad()), 2))) return middle;
   const Eigen::Vector3d corner = end_a + solver.solve(right);
-  const double reach = std::max(kCornerReach * (end_b - end_a).norm(),
-                                kMinCornerReachPx * session.FootprintAt(middle));
+  const double reach =
+      std::max(kCornerReach * (end_b - end_a).norm(),
+               session.topology().max_junction_gap_px * session.FootprintAt(middle));
   const double farther = std::max((corner - end_a).norm(), (corner - end_b).norm());
   const bool cuts_back = LiesBehind(corner, tips[0]) || LiesBehind(corner, tips[1]);
   return farther <= reach && !(a.link == b.link && cuts_back) ? corner : middle;

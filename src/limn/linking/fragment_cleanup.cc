@@ -24,6 +24,18 @@ constexpr double kEndArmPx = 5;
 constexpr double kMaxBridgeOffsetPx = 1.0;
 // A stem heads for a bar within about 45 degrees.
 constexpr double kMinHeadingCosine = 0.7;
+// Where two ends turn by more they do not continue each other, degrees.
+constexpr double kMaxBridgeAngleDeg = 25;
+// Straight arms on either side of a vertex that turn by at least this show a corner: shorter arms
+// are noise, longer ones see the next corner.
+constexpr double kCornerArmPx = 5;
+constexpr double kCornerAngleDeg = 35;
+// Because of smoothing a stem ends about two detection sigmas before its bar.
+constexpr double kJunctionDistancePx = 3.5;
+// Shorter stems are noise beside their bar.
+constexpr double kJunctionStemPx = 15;
+// Below this angle to the bar a stem runs along it.
+constexpr double kJunctionAngleDeg = 30;
 
 // Turning between the arms on both sides of each vertex. Angles are made when they are asked for:
 // most vertices plainly do not turn enough.
@@ -131,7 +143,7 @@ double BridgeCost(const ChainEnd& tail, const ChainEnd& head, const LinkingOptio
   const Vector2d gap = head.position - tail.position;
   const double length = gap.norm();
   const double angle = AngleBetween2d(tail.along, head.along);
-  const double max_angle = options.max_bridge_angle_deg * kDeg;
+  const double max_angle = kMaxBridgeAngleDeg * kDeg;
   if (length > options.max_bridge_px || angle > max_angle) return -1;
   // A chain is not joined over a gap that is longer than itself.
   if (length > std::min(tail.chain_length_px, head.chain_length_px)) return -1;
@@ -179,11 +191,11 @@ EdgelId BarOfStem(const std::vector<Edgel>& edgels, const LinkingOptions& option
                   const ChainIndex& index, const EdgelGrid& grid, const ChainEnd& stem,
                   const Vector2d& outward) {
   EdgelId best = kInvalidEdgel;
-  if (stem.chain_length_px < options.junction_stem_px) return best;
-  const double min_angle = options.junction_angle_deg * kDeg;
+  if (stem.chain_length_px < kJunctionStemPx) return best;
+  const double min_angle = kJunctionAngleDeg * kDeg;
   double best_distance = 0;
   std::vector<EdgelId> near;
-  grid.Near(stem.position, options.junction_distance_px, &near);
+  grid.Near(stem.position, kJunctionDistancePx, &near);
   for (const EdgelId id : near) {
     if (index.chain_of[id] == index.chain_of[stem.id]) continue;
     if (!index.IsInterior(id, options.min_length_px)) continue;
@@ -203,10 +215,9 @@ EdgelId BarOfStem(const std::vector<Edgel>& edgels, const LinkingOptions& option
 
 }  // namespace
 
-int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
-                   SmoothChains* known, Chaining* chaining) {
-  const double arm = options.corner_arm_px;
-  const double min_turning = options.corner_angle_deg * kDeg;
+int BreakAtCorners(const std::vector<Edgel>& edgels, SmoothChains* known, Chaining* chaining) {
+  const double arm = kCornerArmPx;
+  const double min_turning = kCornerAngleDeg * kDeg;
   const double cosine = std::cos(min_turning);
   known->last_of.resize(edgels.size(), kInvalidEdgel);
   int breaks = 0;
@@ -265,7 +276,7 @@ int BridgeGaps(const std::vector<Edgel>& edgels, const LinkingOptions& options,
 int BreakAtJunctions(const std::vector<Edgel>& edgels, const LinkingOptions& options,
                      Chaining* chaining) {
   const ChainIndex index(edgels, *chaining);
-  const EdgelGrid grid(edgels, std::max(1.0, options.junction_distance_px));
+  const EdgelGrid grid(edgels, std::max(1.0, kJunctionDistancePx));
   const ChainEnds ends = CollectEnds(edgels, *chaining);
   std::vector<EdgelId> bars;
   for (const ChainEnd& head : ends.heads) {

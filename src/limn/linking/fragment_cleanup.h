@@ -14,11 +14,10 @@ struct SmoothChains {
   std::vector<EdgelId> last_of;  // their last edgels by their first; kInvalidEdgel = none
 };
 
-// Breaks chains at corners: vertices where the arms turn by more than the corner angle and more
+// Breaks chains at corners: vertices where the arms turn by more than a corner needs and more
 // sharply than the curve beside them (so that small circles stay whole). Chains in `known` are
 // skipped; those found to have no corner are added to it.
-int BreakAtCorners(const std::vector<Edgel>& edgels, const LinkingOptions& options,
-                   SmoothChains* known, Chaining* chaining);
+int BreakAtCorners(const std::vector<Edgel>& edgels, SmoothChains* known, Chaining* chaining);
 
 // Joins the end of a chain to the beginning of another one (or its own: a closed curve) where the
 // gap is short and the continuation smooth; shortest and smoothest first.

@@ -58,7 +58,7 @@ Chaining ChainEdgels(const ImageCurves& curves, const LinkingOptions& options, c
                      LinkingStats* stats) {
   const std::vector<Edgel>& edgels = curves.edge_map.edgels;
   Chaining chaining = ChainMutualBest(edgels, curves.link_graph);
-  if (options.ComparesForks()) {
+  if (options.forks == ForkChoice::kHypotheses) {
     stats->changed_forks =
         ResolveForks(edgels, MeasureSideColors(edgels, image), curves.link_graph, &chaining);
   }
@@ -66,27 +66,6 @@ Chaining ChainEdgels(const ImageCurves& curves, const LinkingOptions& options, c
 }
 
 }  // namespace
-
-void LinkingOptions::Check() const {
-  if (forks != "best" && forks != "hypotheses") {
-    throw OptionError("forks = " + forks + ": must be best or hypotheses");
-  }
-  LIMN_CHECK_RANGE(neighbor_radius_px, > 1, <= 10);
-  LIMN_CHECK_RANGE(position_tolerance_px, > 0, <= 2);
-  LIMN_CHECK_RANGE(max_position_tolerance_px, > 0, <= 2);
-  LIMN_CHECK_RANGE(angle_tolerance_deg, > 0, <= 45);
-  LIMN_CHECK_RANGE(max_curvature, > 0, <= 100);
-  LIMN_CHECK_RANGE(min_curvelet_px, > 0, <= 100);
-  LIMN_CHECK_RANGE(max_bridge_px, >= 0, <= 100);
-  LIMN_CHECK_RANGE(max_bridge_angle_deg, > 0, <= 90);
-  LIMN_CHECK_RANGE(corner_arm_px, > 1, <= 50);
-  LIMN_CHECK_RANGE(corner_angle_deg, > 0, <= 180);
-  LIMN_CHECK_RANGE(junction_distance_px, >= 0, <= 100);
-  LIMN_CHECK_RANGE(junction_stem_px, >= 0, <= 1e5);
-  LIMN_CHECK_RANGE(junction_angle_deg, >= 0, <= 90);
-  LIMN_CHECK_RANGE(min_length_px, >= 0, <= 1e5);
-  LIMN_CHECK_RANGE(tangent_arm_px, > 0, <= 50);
-}
 
 LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options, const Image* image) {
   options.Check();
@@ -101,14 +80,14 @@ LinkingResult LinkEdgels(EdgeMap edge_map, const LinkingOptions& options, const 
   stats.graph_links = static_cast<int64_t>(result.curves.link_graph.size());
   Chaining chaining = ChainEdgels(result.curves, options, image, &stats);
   SmoothChains smooth;
-  stats.corner_breaks = BreakAtCorners(edgels, options, &smooth, &chaining);
+  stats.corner_breaks = BreakAtCorners(edgels, &smooth, &chaining);
   stats.bridged_gaps = BridgeGaps(edgels, options, &chaining);
-  stats.corner_breaks += BreakAtCorners(edgels, options, &smooth, &chaining);
+  stats.corner_breaks += BreakAtCorners(edgels, &smooth, &chaining);
   stats.junction_breaks = BreakAtJunctions(edgels, options, &chaining);
 
   KeepLongChains(TraceChains(chaining), options.min_length_px, &result);
   for (const CurveFragment& fragment : result.curves.fragments) {
-    RefitTangents(fragment, options.tangent_arm_px, &edgels);
+    RefitTangents(fragment, kTangentArmPx, &edgels);
   }
   return result;
 }

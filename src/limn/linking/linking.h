@@ -1,66 +1,51 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "limn/model/curve_fragment.h"
 #include "limn/model/image.h"
+#include "limn/util/option_fields.h"
+#include "limn/util/option_help.h"
 
 namespace limn {
 
+// Where chains fork: kBest keeps the mutually best links, kHypotheses compares the ways to go on
+// over up to 30 px. Measured, no better: algorithm/linking.md#what-was-measured.
+enum class ForkChoice { kBest, kHypotheses };
+
 // All distances are pixels of the stored image and all counts arc lengths, not numbers of edgels.
 struct LinkingOptions {
-  // Radius of the neighborhood in which curvelets are built, (1, 10]. Larger: more robust grouping
-  // in noise, but worse at corners and parallel strands, and slower (R in Guo et al.).
-  double neighbor_radius_px = 3.5;
-
-  // Tolerance of a curvelet on edgel positions, across the curve, (0, 2]; never less than twice the
-  // edgel's own position sigma, up to max_position_tolerance_px (dx).
-  double position_tolerance_px = 0.4;
-  double max_position_tolerance_px = 0.8;
-
-  // Tolerance of a curvelet on edgel directions, (0, 45] (dt).
-  double angle_tolerance_deg = 15;
-
-  // Largest curvature of a curvelet, 1/px, > 0.
-  double max_curvature = 0.2;
-
-  // Shortest curvelet that links, first to last edgel, > 0. Larger: fewer chance links in noise.
-  double min_curvelet_px = 3;
-
-  // Where chains fork, "best" keeps the mutually best links; "hypotheses" compares the possible
-  // continuations over up to 30 px. No better: algorithm/linking.md#what-was-measured.
-  std::string forks = "best";
-
-  // Fragments are joined over gaps up to this length where the continuation turns by no more than
-  // max_bridge_angle_deg at either side, >= 0 and (0, 90].
+  ForkChoice forks = ForkChoice::kBest;
+  // 0 = no gap is bridged.
   double max_bridge_px = 4;
-  double max_bridge_angle_deg = 25;
-
-  // Fragments are broken where two straight arms of this length, that begin 1.5 px on either side
-  // of a vertex (smoothing rounds the corner itself), turn by more than the angle, (1, 50] and (0,
-  // 180].
-  double corner_arm_px = 5;
-  double corner_angle_deg = 35;
-
-  // A fragment is broken where the end of another one (of at least junction_stem_px) within this
-  // distance heads for its interior at more than the angle, >= 0, >= 0 and [0, 90]. Because of
-  // smoothing a stem ends about two detection sigmas before the bar.
-  double junction_distance_px = 3.5;
-  double junction_stem_px = 15;
-  double junction_angle_deg = 30;
-
-  // Shorter fragments are dropped, >= 0.
+  // Also how far a break at a junction stays from ends and other breaks.
   double min_length_px = 6;
 
-  // Tangents of linked edgels are re-estimated by a parabola fitted to this length of the fragment
-  // on either side, (0, 50]. Larger: less noise, rounder bends.
-  double tangent_arm_px = 4;
+  // Of curvelets; set by tests only. Radius of the neighborhood in which they are built (R in Guo
+  // et al.): larger is more robust in noise, but worse at corners and parallel strands, and slower.
+  double neighbor_radius_px = 3.5;
+  // Tolerance on edgel positions, across the curve; never less than twice the edgel's own position
+  // sigma, up to the maximum (dx).
+  double position_tolerance_px = 0.4;
+  double max_position_tolerance_px = 0.8;
+  // Tolerance on edgel directions (dt).
+  double angle_tolerance_deg = 15;
+  // 1/px.
+  double max_curvature = 0.2;
+  // Shortest curvelet that links, first to last edgel. Larger: fewer chance links in noise.
+  double min_curvelet_px = 3;
 
-  bool ComparesForks() const { return forks == "hypotheses"; }
-
+  template <typename Self, typename Visit>
+  static void VisitFields(Self& self, const Visit& visit) {
+    visit("forks", self.forks, OneOf({"best", "hypotheses"}),
+          "how forks are decided: by links, or by comparing fragments");
+    visit("max_bridge_px", self.max_bridge_px, Between(0, 100),
+          "longest gap over which fragments are joined, px");
+    visit("min_length_px", self.min_length_px, Between(0, 1e5),
+          "shorter fragments are dropped, px");
+  }
   // Throws OptionError.
-  void Check() const;
+  void Check() const { CheckFields(*this); }
 };
 
 // edgels = edgels_in_fragments + edgels_in_texture + edgels_unlinked + edgels_in_short_chains.
@@ -97,7 +82,7 @@ struct LinkingResult {
 //    for a link.
 // 2. Every edgel keeps the link with the most votes ahead and the one behind, where both ends
 //    agree. Directed tangents must not oppose: a fragment has its bright side on one side
-//    throughout. With forks = hypotheses, forks are then decided again: see ResolveForks.
+//    throughout. With ForkChoice::kHypotheses, forks are then decided again: see ResolveForks.
 // 3. Chains are broken at corners, joined over small gaps, broken at T junctions, and dropped if
 // short.
 // 4. Tangents of linked edgels are re-estimated along the fragment; their sense is kept.

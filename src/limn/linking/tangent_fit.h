@@ -6,6 +6,9 @@
 
 namespace limn {
 
+// Longer arms have less noise and round the bends.
+inline constexpr double kTangentArmPx = 4;
+
 // Re-estimates the tangents of the fragment's edgels: a parabola, in the frame of the edgel's
 // present tangent, fitted to the positions and directions of the fragment's edgels within `arm_px`
 // of arc length, each weighted by its noise. One-sided at the ends. Positions stay; the sense is

@@ -9,6 +9,9 @@ namespace limn {
 namespace {
 
 constexpr int kMaxModes = 8;
+// Reconstructions of one edgel that reproject within this of each other belong together: as near as
+// edgels support.
+constexpr double kDepthGatePx = 1.5;
 // Each agreeing second view counts as this many supporting views, up to this many second views.
 constexpr double kAgreementBonus = 0.5;
 constexpr int kMaxAgreement = 4;
@@ -164,11 +167,11 @@ std::vector<FusedDepth> AverageDepths(const std::vector<std::vector<DepthCandida
 std::vector<FusedDepth> FuseDepths(const FragmentRays& fragment,
                                    const std::vector<std::vector<DepthCandidate>>& candidates,
                                    const SketchOptions& options) {
-  if (options.AveragesAsPaper()) return AverageDepths(candidates);
+  if (options.averaging == DepthAveraging::kPaper) return AverageDepths(candidates);
   std::vector<std::vector<DepthMode>> modes(candidates.size());
   std::vector<std::vector<std::vector<int>>> members(candidates.size());
   for (size_t i = 0; i < candidates.size(); ++i) {
-    VertexModes found = FindModes(candidates[i], options.depth_gate_px);
+    VertexModes found = FindModes(candidates[i], kDepthGatePx);
     modes[i] = std::move(found.modes);
     members[i] = std::move(found.members);
   }

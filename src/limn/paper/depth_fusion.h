@@ -27,13 +27,13 @@ struct DepthCandidate {
 };
 
 // Robust averaging of all reconstructions of the edgels of one fragment (ECCV 2016, section 2;
-// algorithm/paper.md#enhanced-sketch). At every vertex the candidates form modes (within
-// options.depth_gate_px of each other in the confirmation views); the modes are chosen jointly
-// along the fragment by dynamic programming, which weighs their support against jumps between
-// neighbors that their tangents do not explain; the candidates of the chosen mode are averaged by
-// weight after dropping those beyond two robust standard deviations. With options.averaging "paper"
-// the mean of all candidates without those beyond two standard deviations is taken. `candidates[i]`
-// belongs to vertex i. Time: vertices x (candidates log candidates + modes^2).
+// algorithm/paper.md#enhanced-sketch). At every vertex the candidates form modes (within 1.5 px of
+// each other in the confirmation views); the modes are chosen jointly along the fragment by dynamic
+// programming, which weighs their support against jumps between neighbors that their tangents do
+// not explain; the candidates of the chosen mode are averaged by weight after dropping those
+// beyond two robust standard deviations. With DepthAveraging::kPaper the mean of all candidates
+// without those beyond two standard deviations is taken. `candidates[i]` belongs to vertex i. Time:
+// vertices x (candidates log candidates + modes^2).
 std::vector<FusedDepth> FuseDepths(const FragmentRays& fragment,
                                    const std::vector<std::vector<DepthCandidate>>& candidates,
                                    const SketchOptions& options);

@@ -10,6 +10,9 @@
 namespace limn {
 namespace {
 
+// Spacing of the samples for which depths are sought; edgels between them are interpolated.
+constexpr double kSampleSpacingPx = 2;
+
 class PairedDepths {
  public:
   explicit PairedDepths(const PrimaryView& primary) : primary_(primary) {
@@ -35,16 +38,15 @@ class PairedDepths {
   std::vector<SupportedHypothesis> Supported(const FragmentRays& fragment, size_t rank,
                                              std::vector<EdgelFate>* fates) const {
     const ViewPlan& plan = primary_.plan;
-    const SketchOptions& options = primary_.options;
     const ViewId second = plan.second_views[rank];
     std::vector<SupportedHypothesis> supported;
     for (CurveHypothesis& hypothesis : FindHypotheses(
              fragment, primary_.input.scene.views[primary_.id], primary_.input.scene.views[second],
-             chords_[rank], plan.min_depth, plan.max_depth, options)) {
+             chords_[rank], plan.min_depth, plan.max_depth)) {
       for (const HypothesisSample& sample : hypothesis.samples) {
         (*fates)[sample.vertex] = EdgelFate::kTooFewViews;
       }
-      auto support = primary_.confirmation.Confirm(fragment, hypothesis, second, options);
+      auto support = primary_.confirmation.Confirm(fragment, hypothesis, second);
       if (support) supported.push_back({std::move(hypothesis), std::move(*support)});
     }
     return supported;
@@ -59,7 +61,7 @@ class PairedDepths {
     for (size_t rank = 0; rank < chords_.size(); ++rank) {
       const std::vector<SupportedHypothesis> rivals = Supported(fragment, rank, fates);
       std::vector<int> winners;  // with the averaging of the paper
-      if (options.AveragesAsPaper()) {
+      if (options.averaging == DepthAveraging::kPaper) {
         winners = FindVertexWinners(rivals, fragment.size(), options.first_to_second_ratio);
       }
       for (size_t r = 0; r < rivals.size(); ++r) {
@@ -111,13 +113,19 @@ class PairedDepths {
 
 }  // namespace
 
-SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& options,
+SketchOptions WithSupportRule(SketchOptions options) {
+  options.by_weight_alone = options.averaging == DepthAveraging::kPaper;
+  return options;
+}
+
+SketchResult BuildEnhancedSketch(const SketchInput& input, const SketchOptions& given,
                                  const RunContext& context, const ViewSketchStore* store) {
+  const SketchOptions options = WithSupportRule(given);
   return SketchFragments(
       "enhanced sketch", input, options, context, store, [&](const PrimaryView& primary) {
         // std::function copies what it calls.
         const auto depths = std::make_shared<PairedDepths>(primary);
-        return DepthFinder{options.sample_spacing_px, [depths](const FragmentRays& fragment) {
+        return DepthFinder{kSampleSpacingPx, [depths](const FragmentRays& fragment) {
                              return depths->Find(fragment);
                            }};
       });

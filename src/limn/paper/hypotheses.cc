@@ -160,7 +160,6 @@ std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const 
                                             const View& second,
                                             const EpipolarChords& chords_of_second,
                                             double min_depth, double max_depth,
-                                            const SketchOptions& options,
                                             const std::vector<CurveFragment>* seamless) {
   const PairGeometry pair(primary, second);
   RunBuilder runs(seamless);
@@ -187,7 +186,7 @@ std::vector<CurveHypothesis> FindHypotheses(const FragmentRays& fragment, const 
   std::erase_if(hypotheses, [&](const CurveHypothesis& hypothesis) {
     return fragment.arc_px[hypothesis.samples.back().vertex] -
                fragment.arc_px[hypothesis.samples.front().vertex] <
-           options.min_overlap_px;
+           kMinOverlapPx;
   });
   return hypotheses;
 }

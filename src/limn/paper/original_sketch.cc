@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "limn/paper/epipolar_stretches.h"
+#include "limn/paper/hypotheses.h"
 #include "limn/sketch/confirmation.h"
 #include "limn/sketch/sketch.h"
 #include "limn/sketch/sketch_edgels.h"
@@ -15,6 +16,11 @@ namespace {
 
 // So many views confirmed a pair where original_min_inliers_total was chosen.
 constexpr double kPublishedConfirmationViews = 5;
+// As published, for images of 640 x 360: shorter fragments are not matched, curves are cut where
+// they are nearer to epipolar lines, and fewer inlier edgels do not make a view count.
+constexpr double kMinFragmentLengthPx = 20;
+constexpr double kMinEpipolarAngleOfCurvesDeg = 10;
+constexpr int kMinInliersView = 15;
 
 // What became of a hypothesis.
 struct Counts {
@@ -46,14 +52,13 @@ struct Stretch {
 };
 
 // Total support S (CVPR 2010): the sum over confirmation views of the supported samples, where a
-// view with fewer than min_inliers_view of them does not vote.
-double TotalInliers(const HypothesisSupport& support, size_t num_views,
-                    const SketchOptions& options) {
+// view with fewer than kMinInliersView of them does not vote.
+double TotalInliers(const HypothesisSupport& support, size_t num_views) {
   double total = 0;
   for (size_t k = 0; k < num_views; ++k) {
     int inliers = 0;
     for (const uint32_t mask : support.inliers) inliers += mask >> k & 1;
-    if (inliers >= options.original_min_inliers_view) total += inliers;
+    if (inliers >= kMinInliersView) total += inliers;
   }
   return total;
 }
@@ -100,12 +105,11 @@ std::vector<CurveHypothesis> CutTangentPortions(const FragmentRays& stretch,
 }
 
 // Whether both explain the same part of the curve; pieces that continue each other do not.
-bool AreRivals(const FragmentRays& stretch, const Match& a, const Match& b,
-               const SketchOptions& options) {
+bool AreRivals(const FragmentRays& stretch, const Match& a, const Match& b) {
   const int begin =
       std::max(a.hypothesis.samples.front().vertex, b.hypothesis.samples.front().vertex);
   const int end = std::min(a.hypothesis.samples.back().vertex, b.hypothesis.samples.back().vertex);
-  return begin < end && stretch.arc_px[end] - stretch.arc_px[begin] >= options.min_overlap_px;
+  return begin < end && stretch.arc_px[end] - stretch.arc_px[begin] >= kMinOverlapPx;
 }
 
 // The depths of all vertices that the match covers: inner ones that its curve does not cross lie on
@@ -137,7 +141,7 @@ class PairMatcher {
         plan_(plan),
         edgels_(edgels),
         options_(options),
-        min_sine_(std::sin(options.original_min_epipolar_angle_deg * kDeg)),
+        min_sine_(std::sin(kMinEpipolarAngleOfCurvesDeg * kDeg)),
         confirmation_(primary, plan.confirmation_views, input.scene.views, edgels.masks) {
     for (const ViewId second : plan.second_views) {
       chords_.emplace_back(input.scene.views[primary], input.scene.views[second],
@@ -148,13 +152,13 @@ class PairMatcher {
   void MatchFragment(int fragment_id, PrimaryCurves* sketch) const {
     const FragmentRays fragment =
         MakeFragmentRays(input_.scene.views[primary_], input_.scene.curves[primary_], fragment_id);
-    if (fragment.size() < 2 || fragment.arc_px.back() < options_.original_min_fragment_length_px) {
+    if (fragment.size() < 2 || fragment.arc_px.back() < kMinFragmentLengthPx) {
       return;
     }
     for (size_t rank = 0; rank < plan_.second_views.size(); ++rank) {
       for (const VertexStretch& part : EpipolarStretches(
                fragment, input_.scene.views[primary_], input_.scene.views[plan_.second_views[rank]],
-               min_sine_, options_.original_min_fragment_length_px)) {
+               min_sine_, kMinFragmentLengthPx)) {
         MatchStretch({fragment_id, part.begin, OpenStretch(fragment, part.begin, part.end)}, rank,
                      sketch);
       }
@@ -168,7 +172,7 @@ class PairMatcher {
     const std::vector<Match> matches = FindMatches(stretch.rays, rank, &sketch->counts);
     for (const Match& match : matches) {
       const bool wins = std::ranges::all_of(matches, [&](const Match& other) {
-        return &other == &match || !AreRivals(stretch.rays, match, other, options_) ||
+        return &other == &match || !AreRivals(stretch.rays, match, other) ||
                options_.first_to_second_ratio * other.total < match.total;
       });
       if (wins) {
@@ -184,14 +188,14 @@ class PairMatcher {
     const auto hypotheses = CutTangentPortions(
         stretch,
         FindHypotheses(stretch, input_.scene.views[primary_], input_.scene.views[second],
-                       chords_[rank], plan_.min_depth, plan_.max_depth, options_,
+                       chords_[rank], plan_.min_depth, plan_.max_depth,
                        &input_.scene.curves[second].fragments),
-        min_sine_, options_.original_min_fragment_length_px, counts);
+        min_sine_, kMinFragmentLengthPx, counts);
     const double required = RequiredInliers(plan_, second, options_);
     std::vector<Match> matches;
     for (const CurveHypothesis& hypothesis : hypotheses) {
-      auto support = confirmation_.Confirm(stretch, hypothesis, second, options_);
-      const double total = support ? TotalInliers(*support, confirmation_.size(), options_) : 0;
+      auto support = confirmation_.Confirm(stretch, hypothesis, second);
+      const double total = support ? TotalInliers(*support, confirmation_.size()) : 0;
       if (total > 0 && total >= required) {
         matches.push_back({hypothesis, std::move(*support), total});
       } else {

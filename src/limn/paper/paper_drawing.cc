@@ -12,6 +12,9 @@
 namespace limn {
 namespace {
 
+// An edgel supports a sample within these limits, those of the default drawing.
+constexpr SupportGate kGate = {1.0, 1.0, 15 * kDeg};
+
 void Summarize(int num_clusters, const AveragingResult& averaging, const MergingCounts& merging,
                StageSummary* summary) {
   summary->in.insert(summary->in.end(),
@@ -35,7 +38,7 @@ DrawingResult BuildPaperDrawing(const DrawingInput& input, const PaperOptions& o
                                 const RunContext& context) {
   options.Check();
   const auto edgels = BuildViewEdgels(input.scene.curves, context);
-  const TopologyInput images = {input.scene.views, input.scene.curves, edgels, options.Gate(),
+  const TopologyInput images = {input.scene.views, input.scene.curves, edgels, kGate,
                                 input.scene.box};
   SampleSet samples = TakeSamples(input.sketch, images);
   const CurveConsistency network = BuildCurveConsistency(

@@ -25,7 +25,7 @@ SketchResult BuildSketch(SketchMode mode, const SketchInput& input, const Sketch
     case SketchMode::kEnhanced:
       return BuildEnhancedSketch(input, options, context, store);
     case SketchMode::kSweep:
-      return BuildSweptSketch(input, options, context, store);
+      return BuildSweptSketch(input, WithSupportRule(options), context, store);
   }
   return {};
 }

@@ -74,7 +74,7 @@ class Extractor {
       edges = std::move(found->edge_map);
     }
     Image image;
-    if (!edges || linking.ComparesForks()) image = input_.images.read(id);
+    if (!edges || linking.forks == ForkChoice::kHypotheses) image = input_.images.read(id);
     EdgeMap edge_map = edges ? std::move(*edges) : DetectEdges(image, edge_options_);
     return LinkEdgels(std::move(edge_map), linking, &image).curves;
   }

@@ -78,8 +78,9 @@ JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions
       RefineDrawing(input, options.refinement, options.drawing.topology, context);
   on_stage_end(refined.summary);
   const std::vector<View>& views = refined.cameras ? refined.cameras->views : input.scene.views;
-  BeliefResult judged = JudgeLinks({{views, input.scene.curves}, refined.graph, refined.fitted},
-                                   options.belief, options.drawing.topology, context);
+  BeliefResult judged = JudgeLinks(
+      {{views, input.scene.curves}, refined.graph, refined.fitted, options.refinement.Gate()},
+      options.belief, options.drawing.topology, context);
   on_stage_end(judged.summary);
   return {std::move(judged.graph), std::move(refined.cameras)};
 }

@@ -2,19 +2,24 @@
 
 #include <nlohmann/json.hpp>
 
-#include "limn/pipeline/option_fields.h"
+#include "limn/pipeline/option_groups.h"
 
 namespace limn {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// By value: fields are visited through non-const references.
 template <typename Options>
-Json FieldsAsJson(Options options) {
+Json FieldsAsJson(const Options& options) {
   Json json = Json::object();
-  VisitFields(options,
-              [&](const char* name, const auto& value, const OptionHelp&) { json[name] = value; });
+  Options::VisitFields(options, [&](const char* name, const auto& value, const OptionValues& values,
+                                    const OptionHelp&) {
+    if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(value)>>) {
+      json[name] = WordOf(value, values);
+    } else {
+      json[name] = value;
+    }
+  });
   return json;
 }
 
@@ -31,8 +36,7 @@ std::string FieldsAsText(const Options& options) {
 }  // namespace
 
 void PipelineOptions::Check() const {
-  PipelineOptions copy = *this;
-  VisitGroups(copy, [](const char* group, const auto& options) { CheckGroup(group, options); });
+  VisitGroups(*this, [](const char* group, const auto& options) { CheckGroup(group, options); });
   if (IsPaper() && refinement.refine_poses) {
     throw OptionError("DrawingRefinement.refine_poses = 1: Drawing.method paper has no refinement");
   }
@@ -61,7 +65,7 @@ QualityPreset PresetOf(Quality quality) {
 void SetMethodDefaults(DrawingMethod method, PipelineOptions* options) {
   options->method = method;
   if (!options->IsPaper()) return;
-  options->sketch.averaging = "paper";
+  options->sketch.averaging = DepthAveraging::kPaper;
   options->sketch.min_supporting_views = 6;
 }
 
@@ -70,12 +74,12 @@ const char* DrawingMethodName(DrawingMethod method) {
 }
 
 std::string OptionsAsJson(const PipelineOptions& options) {
-  PipelineOptions copy = options;
   Json json = {{"mode", SketchModeName(options.mode)}, {"regularize", options.regularize}};
   json["Drawing"]["method"] = DrawingMethodName(options.method);
-  VisitGroups(copy, [&](const char* group, const auto& fields) {
+  VisitGroups(options, [&](const char* group, const auto& fields) {
     json[group].update(FieldsAsJson(fields));
   });
+  if (!options.IsPaper()) json.erase("Paper");
   return json.dump();
 }
 

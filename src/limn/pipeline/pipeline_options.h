@@ -78,7 +78,7 @@ void SetMethodDefaults(DrawingMethod method, PipelineOptions* options);
 const char* DrawingMethodName(DrawingMethod method);
 
 // All options as the text of a JSON object {"mode": name, "regularize": bool, group: {name:
-// value}}, for provenance.
+// value}}, for provenance. Paper is a group of method paper only.
 std::string OptionsAsJson(const PipelineOptions& options);
 
 // The same of one group: {name: value}.

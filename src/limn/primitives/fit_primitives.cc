@@ -53,14 +53,13 @@ void FitAgain(const EndConditions& ends, bool closed, const PrimitiveOptions& op
 }
 
 std::vector<Fit> SampleLinks(const DrawingGraph& graph, const std::vector<uint8_t>& refit,
-                             const std::vector<View>& views, const PrimitiveOptions& options,
-                             const RunContext& context) {
+                             const std::vector<View>& views, const RunContext& context) {
   std::vector<Fit> fits(graph.links.size());
   const std::vector<EndConditions> ends = EndsOfLinks(graph);
   ParallelFor(context, "sampling links", fits.size(), [&](size_t l) {
     if (!refit[l]) return;
     fits[l].samples = SampleLink(graph.links[l], views);
-    DiscountEnds({ends[l][0].held, ends[l][1].held}, options.end_zone_px, &fits[l].samples);
+    DiscountEnds({ends[l][0].held, ends[l][1].held}, kEndZonePx, &fits[l].samples);
   });
   return fits;
 }
@@ -186,11 +185,11 @@ DrawingGraph Fitted(const DrawingGraph& graph, const std::vector<uint8_t>& refit
                     const std::vector<View>& views, const PrimitiveOptions& options,
                     const RunContext& context) {
   DrawingGraph result = graph;
-  std::vector<Fit> fits = SampleLinks(graph, refit, views, options, context);
+  std::vector<Fit> fits = SampleLinks(graph, refit, views, context);
   // Fit freely first: the shapes tell where the curves meet.
   const std::vector<EndConditions> ends = EndsOfLinks(graph);
   Choose(std::vector<EndConditions>(ends.size()), graph, options, context, &fits);
-  MoveNodes(fits, options.end_zone_px, &result);
+  MoveNodes(fits, kEndZonePx, &result);
   for (size_t l = 0; l < fits.size(); ++l) {
     if (fits[l].samples.samples.empty()) continue;
     fits[l].samples.samples.front().position = result.links[l].points_in_world.front();

@@ -86,7 +86,7 @@ FittedShape Judge(const CurveShape& shape, int num_parameters, const LinkSamples
                   const PrimitiveOptions& options) {
   const ShapeResidual residual = ResidualOf(shape, link);
   FittedShape fitted = {shape, residual.RmsPx(), residual.max_px};
-  const double num_independent = std::max(link.length_px / options.correlation_px, 2.0);
+  const double num_independent = std::max(link.length_px / kCurveCorrelationPx, 2.0);
   fitted.criterion =
       num_independent * residual.mean_square / (options.noise_px * options.noise_px) +
       num_parameters * std::log(num_independent);

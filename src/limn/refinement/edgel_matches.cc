@@ -23,6 +23,10 @@ constexpr double kClearlyBetterPx = 0.1;
 // share of its edgels that must agree.
 constexpr double kSideWindowPx = 15;
 constexpr double kSameSideShare = 0.85;
+// Half length of the stretch around a sample that decides whether a view shows the link there, px,
+// and the share of it that edgels must cover: single edgels may be there by chance.
+constexpr double kSupportWindowPx = 6;
+constexpr double kMinWindowSupport = 0.5;
 
 // In px of the mean footprint of its ends.
 double SegmentPx(const ControlGraph& control, int from, int to) {
@@ -124,9 +128,9 @@ void AddView(const TopologyInput& input, const RefinementOptions& options, ViewI
     num_asked += sign * answers[k].sight.has_value();
     num_found += sign * answers[k].match.has_value();
   };
-  SlideWindow(*samples, options.support_window_px, count, [&](int k) {
+  SlideWindow(*samples, kSupportWindowPx, count, [&](int k) {
     const auto& [sight, match] = answers[k];
-    if (!match || num_found < options.min_window_support * num_asked) return;
+    if (!match || num_found < kMinWindowSupport * num_asked) return;
     const Edgel& edgel = input.curves[view].edge_map.edgels[match->edgel];
     const ImagePlace place = {link, sight->position_px, sight->direction};
     const EdgelRef ref{view, match->edgel};

@@ -1,32 +1,47 @@
 #pragma once
 
+#include "limn/support/edgel_index.h"
+#include "limn/util/angles.h"
+#include "limn/util/option_fields.h"
+#include "limn/util/option_help.h"
+
 namespace limn {
 
 struct RefinementOptions {
-  // Rounds of matching and fitting, at most 100; 0 leaves the drawing as it is.
+  // 0 leaves the drawing as it is.
   int num_rounds = 4;
-  // Spacing of the control points of a link, px.
-  double control_spacing_px = 3;
-  // Edgels within this distance across the edge and this angle pull at a link.
   double max_distance_px = 1;
+  // Well determined places prevail over it. Smaller is smoother.
+  double bending_sigma = 0.08;
+  // One focal length per camera, from curves and points.
+  bool refine_poses = false;
+
+  // Set by tests only: spacing of the control points of a link, px.
+  double control_spacing_px = 3;
+  // And within this angle, edgels pull at a link.
   double max_angle_deg = 15;
-  // Half length of the stretch around a sample that decides whether a view shows the link there,
-  // px, and the share of it that edgels must cover.
-  double support_window_px = 6;
-  double min_window_support = 0.5;
   // Views that must show a sample for its edgels to count.
   int min_views = 3;
   // Scale of the Cauchy loss, px: residuals much beyond it hardly count.
   double robust_residual_px = 0.5;
   // Correlation length of edgel errors in an image, px.
   double correlation_px = 4;
-  // Strength of the smoothing: standard deviation of the change of direction over 1 px, growing
-  // with the root of the length. Smaller is smoother; well determined places prevail over it.
-  double bending_sigma = 0.08;
 
-  // Also refine the poses of the views and one focal length per camera, from curves and points.
-  bool refine_poses = false;
+  // Of edgels that show a link.
+  SupportGate Gate() const { return {max_distance_px, 1.0, max_angle_deg * kDeg}; }
 
+  template <typename Self, typename Visit>
+  static void VisitFields(Self& self, const Visit& visit) {
+    visit("num_rounds", self.num_rounds, Between(0, 100),
+          "rounds of matching and fitting, 0 = no refinement");
+    visit("max_distance_px", self.max_distance_px, Above(0, 100),
+          "largest distance of an edgel that pulls at a link, px");
+    visit("bending_sigma", self.bending_sigma, Between(1e-6, 1e4),
+          "standard deviation of the change of direction over 1 px, rad");
+    visit("refine_poses", self.refine_poses, OnOrOff(),
+          BasicOption("refine camera poses and focal lengths too"));
+  }
+  // Throws OptionError.
   void Check() const;
 };
 

@@ -120,7 +120,7 @@ class CommonPlaneFinder {
     Support support;
     for (size_t i = 0; i < evidence_.lines.size(); ++i) {
       const LineEvidence& line = evidence_.lines[i];
-      if (line.length_px < options_.min_length_px) continue;
+      if (line.length_px < kMinRegularLengthPx) continue;
       // Most lines are far from it.
       if (std::abs(plane.normal.dot(line.start) - plane.offset) > kFar) continue;
       const Deviation deviation = DeviationOf(line, plane);
@@ -131,7 +131,7 @@ class CommonPlaneFinder {
     }
     for (size_t i = 0; i < evidence_.arcs.size(); ++i) {
       const ArcEvidence& arc = evidence_.arcs[i];
-      if (arc.length_px < options_.min_length_px) continue;
+      if (arc.length_px < kMinRegularLengthPx) continue;
       const Deviation deviation = DeviationOf(arc, plane);
       const double gain = GainOfBoth(deviation, 2 * arc.arc.radius) - NameCost(count);
       if (!(gain > 0) || deviation.shift_px > options_.max_shift_px) continue;

@@ -19,11 +19,10 @@ double Pixels(const ArcEvidence& arc, double move) {
 }
 
 // Those that are long enough, the longest first.
-std::vector<int> Candidates(const std::vector<ArcEvidence>& arcs,
-                            const RegularityOptions& options) {
+std::vector<int> Candidates(const std::vector<ArcEvidence>& arcs) {
   std::vector<int> order;
   for (size_t i = 0; i < arcs.size(); ++i) {
-    if (arcs[i].length_px >= options.min_length_px) order.push_back(static_cast<int>(i));
+    if (arcs[i].length_px >= kMinRegularLengthPx) order.push_back(static_cast<int>(i));
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return arcs[a].length_px > arcs[b].length_px; });
@@ -91,7 +90,7 @@ std::vector<RadiusClass> FindEqualRadii(const std::vector<ArcEvidence>& arcs,
   const double name_cost = NameCost(arcs);
   double variance = 0;  // of the class at work
   return Classes<RadiusClass>(
-      Candidates(arcs, options),
+      Candidates(arcs),
       [&](int seed) {
         variance = arcs[seed].covariance(5, 5);
         return RadiusClass{arcs[seed].arc.radius, {}};
@@ -118,7 +117,7 @@ std::vector<AxisClass> FindCommonAxes(const std::vector<ArcEvidence>& arcs,
   for (const ArcEvidence& arc : arcs) reach = std::max(reach, 2 * arc.arc.center.norm());
   const ArcEvidence* of_axis = nullptr;
   return Classes<AxisClass>(
-      Candidates(arcs, options),
+      Candidates(arcs),
       [&](int seed) {
         of_axis = &arcs[seed];
         return AxisClass{of_axis->arc.center, of_axis->arc.Normal(), {}};

@@ -56,7 +56,7 @@ class ClassFinder {
       : lines_(lines), options_(options), is_free_(lines.size(), true) {
     for (const LineEvidence& line : lines) own_cost_.push_back(OwnDirectionCost(line));
     for (size_t i = 0; i < lines.size(); ++i) {
-      if (lines[i].length_px >= options.min_length_px) hypotheses_.push_back(static_cast<int>(i));
+      if (lines[i].length_px >= kMinRegularLengthPx) hypotheses_.push_back(static_cast<int>(i));
     }
     std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
                      [&](int a, int b) { return lines_[a].length_px > lines_[b].length_px; });
@@ -94,7 +94,7 @@ class ClassFinder {
     const double name_cost = std::log(num_lines_ / static_cast<double>(count));
     std::vector<Member> members;
     for (size_t i = 0; i < lines_.size(); ++i) {
-      if (!is_free_[i] || lines_[i].length_px < options_.min_length_px) continue;
+      if (!is_free_[i] || lines_[i].length_px < kMinRegularLengthPx) continue;
       // Most lines are far from it.
       if (std::abs(lines_[i].Chord().dot(direction)) < kMinCosine * lines_[i].Chord().norm()) {
         continue;

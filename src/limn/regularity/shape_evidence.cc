@@ -23,7 +23,7 @@ struct Weighted {
 Weighted WeightOf(const LinkSample3d& sample, const LinkSamples& link, const LocalUnit& unit,
                   const PrimitiveOptions& options) {
   const double step_px = link.length_px / static_cast<double>(link.samples.size() - 1);
-  const double independent = std::min(1.0, step_px / options.correlation_px);
+  const double independent = std::min(1.0, step_px / kCurveCorrelationPx);
   return {unit.length * unit.length * sample.across.transpose() * sample.across,
           sample.weight * independent / (options.noise_px * options.noise_px)};
 }
@@ -121,7 +121,7 @@ DrawingEvidence MeasureEvidence(const DrawingGraph& graph, const std::vector<Vie
   ParallelFor(context, "measuring shapes", graph.links.size(), [&](size_t l) {
     if (!graph.links[l].primitive) return;
     evidence.samples[l] = SampleLink(graph.links[l], views);
-    DiscountEnds({ends[l][0].held, ends[l][1].held}, options.end_zone_px, &evidence.samples[l]);
+    DiscountEnds({ends[l][0].held, ends[l][1].held}, kEndZonePx, &evidence.samples[l]);
   });
   evidence.unit = UnitOf(graph, evidence.samples);
   const LinkSelection selection;

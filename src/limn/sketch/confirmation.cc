@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "limn/geometry/angle_between.h"
+#include "limn/sketch/tangency.h"
 #include "limn/util/angles.h"
 
 namespace limn {
@@ -12,11 +13,15 @@ namespace {
 
 // A hypothesis that none of the first views supports anywhere is given up.
 constexpr size_t kFirstViews = 8;
+// Half length of the stretch of curve that decides whether a view supports a sample, px, and the
+// share of its samples that must be inliers: a single edgel may be there by chance.
+constexpr double kSupportWindowPx = 4;
+constexpr double kMinWindowSupport = 0.7;
 
 // Marks in `supporting` the samples around which, in a window of arc length, enough of the samples
 // that the view contains are inliers.
 void SmoothAlongCurve(uint32_t bit, const FragmentRays& fragment, const CurveHypothesis& hypothesis,
-                      const SketchOptions& options, HypothesisSupport* support) {
+                      HypothesisSupport* support) {
   const auto arc = [&](size_t j) { return fragment.arc_px[hypothesis.samples[j].vertex]; };
   const size_t count = hypothesis.samples.size();
   size_t begin = 0;
@@ -24,15 +29,15 @@ void SmoothAlongCurve(uint32_t bit, const FragmentRays& fragment, const CurveHyp
   int contained = 0;
   int inliers = 0;
   for (size_t j = 0; j < count; ++j) {
-    for (; end < count && arc(end) <= arc(j) + options.support_window_px; ++end) {
+    for (; end < count && arc(end) <= arc(j) + kSupportWindowPx; ++end) {
       contained += (support->contained[end] & bit) != 0;
       inliers += (support->inliers[end] & bit) != 0;
     }
-    for (; arc(begin) < arc(j) - options.support_window_px; ++begin) {
+    for (; arc(begin) < arc(j) - kSupportWindowPx; ++begin) {
       contained -= (support->contained[begin] & bit) != 0;
       inliers -= (support->inliers[begin] & bit) != 0;
     }
-    if (inliers > 0 && inliers >= options.min_window_support * contained) {
+    if (inliers > 0 && inliers >= kMinWindowSupport * contained) {
       support->supporting[j] |= bit;
     }
   }
@@ -83,19 +88,18 @@ void ConfirmationViews::ConfirmInView(const Entry& entry, uint32_t bit,
 }
 
 void ConfirmationViews::AddWeights(uint32_t bit, const std::vector<Inlier>& inliers,
-                                   const SketchOptions& options, HypothesisSupport* support) const {
-  const double sin_low = std::sin(options.min_epipolar_angle_deg * kDeg);
-  const double sin_high = std::sin(options.max_epipolar_angle_deg * kDeg);
+                                   HypothesisSupport* support) const {
+  const double sin_low = std::sin(kMinEpipolarAngleDeg * kDeg);
+  const double sin_high = std::sin(kMaxEpipolarAngleDeg * kDeg);
   for (size_t j = 0; j < inliers.size(); ++j) {
     if (!(support->supporting[j] & bit)) continue;
-    double weight = options.min_tangency_weight;
+    double weight = kMinTangencyWeight;
     if (support->inliers[j] & bit) {
       const Inlier& in = inliers[j];
       const double speed = std::sqrt(in.motion_x * in.motion_x + in.motion_y * in.motion_y);
       const double norm = std::sqrt(in.dx * in.dx + in.dy * in.dy) * speed;
       const double sine = norm > 0 ? std::abs(in.dx * in.motion_y - in.dy * in.motion_x) / norm : 0;
-      weight =
-          std::clamp((sine - sin_low) / (sin_high - sin_low), options.min_tangency_weight, 1.0);
+      weight = std::clamp((sine - sin_low) / (sin_high - sin_low), kMinTangencyWeight, 1.0);
       support->px_per_inverse_depth[j] += speed;
     }
     support->weighted[j] += weight;
@@ -104,8 +108,7 @@ void ConfirmationViews::AddWeights(uint32_t bit, const std::vector<Inlier>& inli
 
 std::optional<HypothesisSupport> ConfirmationViews::Confirm(const FragmentRays& fragment,
                                                             const CurveHypothesis& hypothesis,
-                                                            ViewId second,
-                                                            const SketchOptions& options) const {
+                                                            ViewId second) const {
   const size_t count = hypothesis.samples.size();
   HypothesisSupport support;
   support.contained.assign(count, 0);
@@ -118,8 +121,8 @@ std::optional<HypothesisSupport> ConfirmationViews::Confirm(const FragmentRays& 
     if (views_[k].id == second) continue;
     const uint32_t bit = 1u << k;
     ConfirmInView(views_[k], bit, fragment, hypothesis, &inliers, &support);
-    SmoothAlongCurve(bit, fragment, hypothesis, options, &support);
-    AddWeights(bit, inliers, options, &support);
+    SmoothAlongCurve(bit, fragment, hypothesis, &support);
+    AddWeights(bit, inliers, &support);
     const bool hopeless = k + 1 == kFirstViews && views_.size() > 2 * kFirstViews &&
                           std::all_of(support.supporting.begin(), support.supporting.end(),
                                       [](uint32_t mask) { return mask == 0; });

@@ -42,8 +42,7 @@ class ConfirmationViews {
   // Support of a hypothesis made with `second`, which does not confirm its own hypothesis. Empty if
   // the first views, the most diverse ones, support it nowhere.
   std::optional<HypothesisSupport> Confirm(const FragmentRays& fragment,
-                                           const CurveHypothesis& hypothesis, ViewId second,
-                                           const SketchOptions& options) const;
+                                           const CurveHypothesis& hypothesis, ViewId second) const;
 
   // Largest angle, degrees, between the primary ray to `point_in_cam` and the rays of the views in
   // `mask`.
@@ -71,7 +70,7 @@ class ConfirmationViews {
   void ConfirmInView(const Entry& entry, uint32_t bit, const FragmentRays& fragment,
                      const CurveHypothesis& hypothesis, std::vector<Inlier>* inliers,
                      HypothesisSupport* support) const;
-  void AddWeights(uint32_t bit, const std::vector<Inlier>& inliers, const SketchOptions& options,
+  void AddWeights(uint32_t bit, const std::vector<Inlier>& inliers,
                   HypothesisSupport* support) const;
 
   std::vector<Entry> views_;

@@ -46,8 +46,8 @@ class ViewSketcher {
       for (size_t k = vertices[i]; k < next; ++k) Fate(fragment_id, k) = fate;
     }
     std::vector<FusedDepth> depths = ExpandDepths(fragment, vertices, profile.depths);
-    InterpolateGaps(fragment, options, &depths);
-    for (const VertexRun& run : FindRuns(fragment, depths, options)) {
+    InterpolateGaps(fragment, &depths);
+    for (const VertexRun& run : FindRuns(fragment, depths)) {
       for (int k = 0; k < run.size; ++k) {
         Fate(fragment_id, (run.begin + k) % fragment.size()) = EdgelFate::kSketched;
       }
@@ -155,7 +155,7 @@ PrimaryView::Verdict PrimaryView::Judge(const HypothesisSupport& support, size_t
   const bool certain = support.weighted[j] >= required;
   if (std::popcount(support.supporting[j]) < required) return {};
   if (input.scene.box && !input.scene.box->contains(world_from_cam * point_in_cam)) return {};
-  if (options.AveragesAsPaper()) return {certain, certain};
+  if (options.by_weight_alone) return {certain, certain};
   if (confirmation.MaxAngleDeg(point_in_cam, support.supporting[j]) < kNarrowSupportDeg &&
       confirmation.MaxAngleDeg(point_in_cam, support.contained[j]) > kWideViewsDeg) {
     return {};

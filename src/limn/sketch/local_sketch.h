@@ -19,8 +19,8 @@ struct PrimaryView {
   // Whether sample j of a hypothesis, at this point, is supported: by enough of the views that
   // contain it, in the box, and not only within a narrow angle while views at wide angles contain
   // it (an occluding contour or an accident, algorithm/sketch.md#verdict). If so, whether it is
-  // certain: enough views, weighted by tangency. With the averaging of the paper only what is
-  // certain is supported, and angles do not matter.
+  // certain: enough views, weighted by tangency. By weight alone only what is certain is supported,
+  // and angles do not matter.
   struct Verdict {
     bool supported = false;
     bool certain = false;

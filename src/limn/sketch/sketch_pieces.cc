@@ -16,6 +16,12 @@ constexpr double kMaxJumpPx = 3;
 constexpr double kSlopeWindowPx = 6;
 // Standard deviation of an edgel across the edge that depth errors are derived from, px.
 constexpr double kEdgelSigmaPx = 0.2;
+// Longest gap in support that does not break a curve: single edgels are missing everywhere.
+constexpr double kMaxUnsupportedGapPx = 2.5;
+// Longest epipolar-tangent stretch: beyond, its ends do not tell its depth.
+constexpr double kMaxInterpolatedGapPx = 30;
+// Shorter pieces are mostly accidents.
+constexpr double kMinPieceLengthPx = 8;
 
 void FillBetween(const FragmentRays& fragment, int from, int to, std::vector<FusedDepth>* depths) {
   const FusedDepth first = (*depths)[from];
@@ -106,8 +112,7 @@ std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::ve
   return all;
 }
 
-void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
-                     std::vector<FusedDepth>* depths) {
+void InterpolateGaps(const FragmentRays& fragment, std::vector<FusedDepth>* depths) {
   const int count = static_cast<int>(depths->size());
   const auto interpolate_between = [&](auto is_anchor, double max_length_px) {
     int last = -1;
@@ -125,7 +130,7 @@ void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
     }
   };
   interpolate_between([](const FusedDepth& depth) { return depth.has_depth; },
-                      options.max_unsupported_gap_px + 1);
+                      kMaxUnsupportedGapPx + 1);
   // Only stretches that are supported throughout, if at uncertain depth, are re-interpolated.
   int last_certain = -1;
   bool all_have_depth = true;
@@ -133,7 +138,7 @@ void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
     if (!(*depths)[i].has_depth) all_have_depth = false;
     if (!(*depths)[i].has_depth || !(*depths)[i].certain) continue;
     if (last_certain >= 0 && i > last_certain + 1 && all_have_depth &&
-        fragment.arc_px[i] - fragment.arc_px[last_certain] <= options.max_interpolated_gap_px) {
+        fragment.arc_px[i] - fragment.arc_px[last_certain] <= kMaxInterpolatedGapPx) {
       FillBetween(fragment, last_certain, i, depths);
     }
     last_certain = i;
@@ -168,8 +173,8 @@ void SmoothDepths(const FragmentRays& fragment, double half_window_px,
   }
 }
 
-std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<FusedDepth>& depths,
-                                const SketchOptions& options) {
+std::vector<VertexRun> FindRuns(const FragmentRays& fragment,
+                                const std::vector<FusedDepth>& depths) {
   const int count = static_cast<int>(depths.size());
   std::vector<VertexRun> runs;
   if (count == 0) return runs;
@@ -196,7 +201,7 @@ std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<
     if (continues) continue;
     const int first = wraps ? (start + begin) % count : begin;
     const int size = k - begin + 1;
-    if (fragment.ArcTo(first + size - 1) - fragment.ArcTo(first) >= options.min_piece_length_px) {
+    if (fragment.ArcTo(first + size - 1) - fragment.ArcTo(first) >= kMinPieceLengthPx) {
       runs.push_back({first, size, false});
     }
     begin = -1;

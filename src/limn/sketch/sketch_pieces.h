@@ -13,11 +13,10 @@ namespace limn {
 std::vector<FusedDepth> ExpandDepths(const FragmentRays& fragment, const std::vector<int>& vertices,
                                      const std::vector<FusedDepth>& depths);
 
-// Fills gaps no longer than max_unsupported_gap_px, and epipolar-tangent (uncertain) stretches
-// between certain ends no longer than max_interpolated_gap_px, by inverse depths linear in arc
-// length, which are marked uncertain (algorithm/sketch.md#pieces).
-void InterpolateGaps(const FragmentRays& fragment, const SketchOptions& options,
-                     std::vector<FusedDepth>* depths);
+// Fills gaps of up to 2.5 px, and epipolar-tangent (uncertain) stretches between certain ends of up
+// to 30 px, by inverse depths linear in arc length, which are marked uncertain
+// (algorithm/sketch.md#pieces).
+void InterpolateGaps(const FragmentRays& fragment, std::vector<FusedDepth>* depths);
 
 // Replaces every depth and slope by those of a line fitted, weighted, to the depths
 // within `half_window_px` that no jump separates from it.
@@ -34,9 +33,9 @@ struct VertexRun {
 };
 
 // Cuts at vertices without depth and at jumps in depth that the slope of neither side explains;
-// drops runs shorter than min_piece_length_px.
-std::vector<VertexRun> FindRuns(const FragmentRays& fragment, const std::vector<FusedDepth>& depths,
-                                const SketchOptions& options);
+// drops runs shorter than 8 px.
+std::vector<VertexRun> FindRuns(const FragmentRays& fragment,
+                                const std::vector<FusedDepth>& depths);
 
 // Unit tangent, in the camera, of a curve through a vertex of a fragment at this inverse depth.
 Eigen::Vector3d TangentInCam(const PinholeCamera& camera, const FragmentRays& fragment, int vertex,

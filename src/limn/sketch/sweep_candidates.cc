@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "limn/sketch/tangency.h"
 #include "limn/util/angles.h"
 
 namespace limn {
@@ -90,9 +91,9 @@ class Ranking {
 
 DepthElection::DepthElection(double focal_px, const SketchOptions& options)
     : focal_px_(focal_px),
-      sin_low_(static_cast<float>(std::sin(options.min_epipolar_angle_deg * kDeg))),
-      sin_high_(static_cast<float>(std::sin(options.max_epipolar_angle_deg * kDeg))),
-      min_weight_(static_cast<float>(options.min_tangency_weight)),
+      sin_low_(static_cast<float>(std::sin(kMinEpipolarAngleDeg * kDeg))),
+      sin_high_(static_cast<float>(std::sin(kMaxEpipolarAngleDeg * kDeg))),
+      min_weight_(static_cast<float>(kMinTangencyWeight)),
       table_(options.max_support_distance_px, options.max_support_angle_deg * kDeg) {}
 
 std::vector<DepthMode> DepthElection::Find(const std::vector<EpipolarCrossing>& crossings) {

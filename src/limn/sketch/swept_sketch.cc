@@ -15,6 +15,11 @@ constexpr double kSmoothingPx = 5;
 // Every this many-th vertex is searched among all crossings. Searching at all of them is slower and
 // no better: what its neighbors foretell protects a vertex from accidents.
 constexpr size_t kAnchorSpacing = 4;
+// Depths are sought in so many confirmation views, the most useful first: more cost time and find
+// little more.
+constexpr int kMaxSweepViews = 16;
+// Spacing of the samples; edgels between them are interpolated.
+constexpr double kSweepSpacingPx = 3;
 
 class SweptDepths {
  public:
@@ -24,7 +29,7 @@ class SweptDepths {
         range_{1 / primary.plan.max_depth, 1 / primary.plan.min_depth},
         election_(view_.camera.MeanFocal(), primary.options) {
     for (const ViewId v : primary.plan.confirmation_views) {
-      if (static_cast<int>(finders_.size()) == primary.options.max_sweep_views) break;
+      if (static_cast<int>(finders_.size()) == kMaxSweepViews) break;
       finders_.emplace_back(view_, primary.input.scene.views[v], *primary.edgels.chords[v]);
     }
   }
@@ -40,7 +45,7 @@ class SweptDepths {
                                                : EdgelFate::kTooFewViews);
       if (chosen[i] >= 0) profile.depths[i] = modes[i][chosen[i]].depth;
     }
-    InterpolateGaps(fragment, primary_.options, &profile.depths);
+    InterpolateGaps(fragment, &profile.depths);
     SmoothDepths(fragment, kSmoothingPx, &profile.depths);
     KeepSupported(fragment, &profile.depths);
     return profile;
@@ -156,8 +161,7 @@ class SweptDepths {
 
   void KeepSupported(const FragmentRays& fragment, const CurveHypothesis& stretch,
                      std::vector<FusedDepth>* depths) const {
-    const auto support =
-        primary_.confirmation.Confirm(fragment, stretch, kNoView, primary_.options);
+    const auto support = primary_.confirmation.Confirm(fragment, stretch, kNoView);
     for (size_t j = 0; j < stretch.samples.size(); ++j) {
       const HypothesisSample& sample = stretch.samples[j];
       FusedDepth& depth = (*depths)[sample.vertex];
@@ -186,7 +190,7 @@ SketchResult BuildSweptSketch(const SketchInput& input, const SketchOptions& opt
       "swept sketch", input, options, context, store, [&](const PrimaryView& primary) {
         // std::function copies what it calls.
         const auto depths = std::make_shared<SweptDepths>(primary);
-        return DepthFinder{options.sweep_spacing_px, [depths](const FragmentRays& fragment) {
+        return DepthFinder{kSweepSpacingPx, [depths](const FragmentRays& fragment) {
                              return depths->Find(fragment);
                            }};
       });

@@ -21,6 +21,14 @@ constexpr int kNumDepths = 36;
 // neighbors; those of points beyond are tried too.
 constexpr double kMinRelativeDepth = 0.05;
 constexpr double kMaxRelativeDepth = 100.0;
+// A confirmation view needs to discriminate depths only a little, so it may be nearer to the
+// primary view than a second view, or farther, degrees.
+constexpr double kMinConfirmationAngleDeg = 2;
+constexpr double kMaxConfirmationAngleDeg = 70;
+// Fewer points than this may miss what is near or far: the depth range is that of the geometry.
+constexpr int kMinPointsForDepth = 50;
+// Curves are seen beyond the points by up to this factor on either side.
+constexpr double kPointsDepthWidening = 2;
 // A view whose parallax differs from that of a chosen one by less than this many degrees adds
 // little.
 constexpr double kSecondSpreadDeg = 8.0;
@@ -137,8 +145,8 @@ class PlanBuilder {
         centers_(Centers(views)),
         num_needed_(CountSites(centers_) - 1),
         options_(options),
-        finder_(views, std::min(options.min_pair_angle_deg, options.min_confirmation_angle_deg),
-                std::max(options.max_pair_angle_deg, options.max_confirmation_angle_deg)) {}
+        finder_(views, std::min(options.min_pair_angle_deg, kMinConfirmationAngleDeg),
+                std::max(options.max_pair_angle_deg, kMaxConfirmationAngleDeg)) {}
 
   struct Choice {
     ViewPlan plan;
@@ -206,8 +214,7 @@ class PlanBuilder {
       if (only && !(*only)[field.neighbors[n]]) continue;
       const double* angles = field.AnglesOf(n);
       for (size_t i = 0; i < counts.size(); ++i) {
-        counts[i] += angles[i] >= options_.min_confirmation_angle_deg &&
-                     angles[i] <= options_.max_confirmation_angle_deg;
+        counts[i] += angles[i] >= kMinConfirmationAngleDeg && angles[i] <= kMaxConfirmationAngleDeg;
       }
     }
     return counts;
@@ -261,8 +268,8 @@ class PlanBuilder {
         candidate.second_score += w * Trapezoid(angle, options_.min_pair_angle_deg, kBestPairDeg[0],
                                                 kBestPairDeg[1], options_.max_pair_angle_deg);
         candidate.confirmation_score +=
-            w * Trapezoid(angle, options_.min_confirmation_angle_deg, kBestConfirmationDeg[0],
-                          kBestConfirmationDeg[1], options_.max_confirmation_angle_deg);
+            w * Trapezoid(angle, kMinConfirmationAngleDeg, kBestConfirmationDeg[0],
+                          kBestConfirmationDeg[1], kMaxConfirmationAngleDeg);
         // Epipolar direction at the ray: the baseline without its component along the ray.
         const Eigen::Vector3d ray_in_cam =
             (cam_from_world * (field.places[i] - centers_[primary])).normalized();
@@ -314,29 +321,19 @@ std::vector<std::vector<double>> PointDepths(const std::vector<View>& views,
 }
 
 // Depth range of the points of a view, widened; empty if they are too few.
-std::optional<DepthSpan> SpanOfPoints(std::vector<double> depths,
-                                      const ViewSelectionOptions& options) {
-  if (static_cast<int>(depths.size()) < options.min_points_for_depth) return std::nullopt;
+std::optional<DepthSpan> SpanOfPoints(std::vector<double> depths) {
+  if (static_cast<int>(depths.size()) < kMinPointsForDepth) return std::nullopt;
   std::sort(depths.begin(), depths.end());
   const size_t outliers = depths.size() / 100;  // at either end
-  return DepthSpan{depths[outliers] / options.points_depth_widening,
-                   depths[depths.size() - 1 - outliers] * options.points_depth_widening};
+  return DepthSpan{depths[outliers] / kPointsDepthWidening,
+                   depths[depths.size() - 1 - outliers] * kPointsDepthWidening};
 }
 
 }  // namespace
 
 void ViewSelectionOptions::Check() const {
-  LIMN_CHECK_RANGE(max_second_views, >= 1, <= 1e6);
-  LIMN_CHECK_RANGE(max_confirmation_views, >= 1, <= 32);
-  LIMN_CHECK_RANGE(enough_primary_views, >= 1, <= 1e6);
-  LIMN_CHECK_RANGE(min_pair_angle_deg, > 0, <= 180);
-  LIMN_CHECK_RANGE(max_pair_angle_deg, > 0, <= 180);
+  CheckFields(*this);
   LIMN_CHECK_OPTION(max_pair_angle_deg, > min_pair_angle_deg);
-  LIMN_CHECK_RANGE(min_confirmation_angle_deg, > 0, <= 180);
-  LIMN_CHECK_RANGE(max_confirmation_angle_deg, > 0, <= 180);
-  LIMN_CHECK_OPTION(max_confirmation_angle_deg, > min_confirmation_angle_deg);
-  LIMN_CHECK_RANGE(min_points_for_depth, >= 1, <= 1e9);
-  LIMN_CHECK_RANGE(points_depth_widening, >= 1, <= 1e6);
 }
 
 std::string WhyNothingIsTriangulated(const std::vector<View>& views) {
@@ -366,7 +363,7 @@ std::vector<ViewPlan> SelectViews(const std::vector<View>& views, const SceneHin
   const PlanBuilder builder(views, options);
   std::vector<PlanBuilder::Choice> choices(views.size());
   ParallelFor(context, "view selection", views.size(), [&](size_t v) {
-    choices[v] = builder.Build(static_cast<ViewId>(v), SpanOfPoints(point_depths[v], options));
+    choices[v] = builder.Build(static_cast<ViewId>(v), SpanOfPoints(point_depths[v]));
   });
   return WithPrimaries(std::move(choices));
 }
@@ -385,8 +382,7 @@ std::vector<ViewPlan> PlanAddedViews(const std::vector<View>& views, const Scene
   std::vector<ViewPlan> plans(views.size(), confirms_only);
   ParallelFor(context, "view selection", added.size(), [&](size_t i) {
     const ViewId v = added[i];
-    PlanBuilder::Choice choice =
-        builder.Build(v, SpanOfPoints(point_depths[v], options), &is_sketched);
+    PlanBuilder::Choice choice = builder.Build(v, SpanOfPoints(point_depths[v]), &is_sketched);
     plans[v] = std::move(choice.plan);
     plans[v].is_primary = choice.primary_share > kAddedShare;
   });

@@ -6,32 +6,38 @@
 
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
+#include "limn/util/option_fields.h"
+#include "limn/util/option_help.h"
 #include "limn/util/parallel.h"
 
 namespace limn {
 
 struct ViewSelectionOptions {
-  // Second views with which a primary view is paired to make hypotheses. More views raise recall
-  // and time.
+  // More views raise recall and time.
   int max_second_views = 10;
-  // Views that confirm the hypotheses of a primary view. More views raise precision and time.
+  // More views raise precision and time.
   int max_confirmation_views = 24;
-  // A place seen by more views is sketched from about this many of them; the others only confirm.
-  // On 100 views of the sample scene this raised F at 1 px by 1.3 points and saved a third of the
-  // time.
+  // The other views of such a place only confirm.
   int enough_primary_views = 20;
-  // Triangulation angles between primary and second view, degrees: below the smaller one depth is
-  // unreliable, above the larger one the views no longer show the same edges.
+  // Below the smaller one depth is unreliable, above the larger one the views no longer show the
+  // same edges.
   double min_pair_angle_deg = 3.0;
   double max_pair_angle_deg = 45.0;
-  // The same for confirmation views, which need to discriminate depths only a little.
-  double min_confirmation_angle_deg = 2.0;
-  double max_confirmation_angle_deg = 70.0;
-  // A view with fewer points than this takes its depth range from geometry alone.
-  int min_points_for_depth = 50;
-  // The points' depth range is widened by this factor on either side.
-  double points_depth_widening = 2.0;
 
+  template <typename Self, typename Visit>
+  static void VisitFields(Self& self, const Visit& visit) {
+    visit("max_second_views", self.max_second_views, Between(1, 1e6),
+          "views that a view is paired with");
+    visit("max_confirmation_views", self.max_confirmation_views, Between(1, 32),
+          "views that confirm its curves");
+    visit("enough_primary_views", self.enough_primary_views, Between(1, 1e6),
+          "a place seen by more views is sketched from about this many");
+    visit("min_pair_angle_deg", self.min_pair_angle_deg, Above(0, 180),
+          "smallest triangulation angle of a pair, deg");
+    visit("max_pair_angle_deg", self.max_pair_angle_deg, Above(0, 180),
+          "largest triangulation angle of a pair, deg");
+  }
+  // Throws OptionError.
   void Check() const;
 };
 

@@ -19,8 +19,6 @@
 namespace limn {
 namespace {
 
-// An edgel shows a link within these limits, those of the refinement.
-constexpr SupportGate kGate = {1.0, 1.0, 15 * kDeg};
 // Only links with this evidence show what is seen through others.
 constexpr double kSureEvidence = 10;
 
@@ -269,10 +267,10 @@ class ViewJudge {
   BoxIndex2d point_index_{{}};
 };
 
-std::vector<ImageEvidence> EvidenceOfLinks(const CurvesScene& scene, const DrawingGraph& graph,
-                                           const RunContext& context) {
+std::vector<ImageEvidence> EvidenceOfLinks(const CurvesScene& scene, const SupportGate& gate,
+                                           const DrawingGraph& graph, const RunContext& context) {
   const auto edgels = BuildViewEdgels(scene.curves, context);
-  const TopologyInput input = {scene.views, scene.curves, edgels, kGate};
+  const TopologyInput input = {scene.views, scene.curves, edgels, gate};
   const ViewFinder finder(scene.views);
   std::vector<ImageEvidence> links(graph.links.size());
   ParallelFor(context, "evidence for links", links.size(),
@@ -294,11 +292,12 @@ FaceEvidence Combined(const std::vector<std::vector<ViewEvidence>>& per_view, si
 
 }  // namespace
 
-std::vector<FaceEvidence> FindFaceEvidence(const CurvesScene& scene, const DrawingGraph& graph,
+std::vector<FaceEvidence> FindFaceEvidence(const CurvesScene& scene, const SupportGate& gate,
+                                           const DrawingGraph& graph,
                                            const std::vector<FaceCandidate>& candidates,
                                            const SurfaceOptions& options,
                                            const RunContext& context) {
-  const std::vector<ImageEvidence> links = EvidenceOfLinks(scene, graph, context);
+  const std::vector<ImageEvidence> links = EvidenceOfLinks(scene, gate, graph, context);
   const LinkSelection selection;
   std::vector<uint8_t> is_sure(links.size());
   for (size_t l = 0; l < links.size(); ++l) {

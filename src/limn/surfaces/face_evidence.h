@@ -7,6 +7,7 @@
 #include "limn/model/curve_fragment.h"
 #include "limn/model/curves_scene.h"
 #include "limn/model/scene_hints.h"
+#include "limn/support/edgel_index.h"
 #include "limn/surfaces/face_candidate.h"
 #include "limn/surfaces/surface_options.h"
 #include "limn/util/parallel.h"
@@ -33,7 +34,8 @@ struct FaceEvidence {
 };
 
 // What the images say about the candidates (ours; algorithm/surfaces.md#evidence). The supporting
-// views of links are ids of the scene's views.
+// views of links are ids of the scene's views. Within the gate, the refinement's, an edgel shows a
+// link.
 //
 // Occlusion: a view that shows a curve behind a surface looks through it; if it shows the curve
 // elsewhere but not behind the surface, the curve is hidden there. Points of the model seen through
@@ -44,7 +46,8 @@ struct FaceEvidence {
 //
 // The result does not depend on the number of threads. Time: views times (samples of links plus
 // candidates times links and points whose images overlap).
-std::vector<FaceEvidence> FindFaceEvidence(const CurvesScene& scene, const DrawingGraph& graph,
+std::vector<FaceEvidence> FindFaceEvidence(const CurvesScene& scene, const SupportGate& gate,
+                                           const DrawingGraph& graph,
                                            const std::vector<FaceCandidate>& candidates,
                                            const SurfaceOptions& options,
                                            const RunContext& context);

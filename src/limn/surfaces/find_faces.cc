@@ -47,9 +47,9 @@ void TurnRound(DrawingFace* face) {
 
 class FaceFinder {
  public:
-  FaceFinder(const CurvesScene& scene, const DrawingGraph& graph, const SurfaceOptions& options,
-             const RunContext& context)
-      : scene_(scene), graph_(graph), options_(options), context_(context) {}
+  FaceFinder(const CurvesScene& scene, const SupportGate& gate, const DrawingGraph& graph,
+             const SurfaceOptions& options, const RunContext& context)
+      : scene_(scene), gate_(gate), graph_(graph), options_(options), context_(context) {}
 
   SurfaceResult Run() {
     FindCandidates();
@@ -93,7 +93,7 @@ class FaceFinder {
     std::vector<FaceCandidate> candidates;
     for (CellChoice& cell : cells_) candidates.push_back(std::move(cell.candidate));
     std::vector<FaceEvidence> evidence =
-        FindFaceEvidence(scene_, graph_, candidates, options_, context_);
+        FindFaceEvidence(scene_, gate_, graph_, candidates, options_, context_);
     for (size_t c = 0; c < cells_.size(); ++c) {
       cells_[c].candidate = std::move(candidates[c]);
       cells_[c].evidence = std::move(evidence[c]);
@@ -158,6 +158,7 @@ class FaceFinder {
   }
 
   const CurvesScene& scene_;
+  const SupportGate& gate_;
   const DrawingGraph& graph_;
   const SurfaceOptions& options_;
   const RunContext& context_;
@@ -169,10 +170,11 @@ class FaceFinder {
 
 }  // namespace
 
-SurfaceResult FindFaces(const CurvesScene& scene, const DrawingGraph& graph,
-                        const SurfaceOptions& options, const RunContext& context) {
+SurfaceResult FindFaces(const CurvesScene& scene, const SupportGate& gate,
+                        const DrawingGraph& graph, const SurfaceOptions& options,
+                        const RunContext& context) {
   options.Check();
-  return FaceFinder(scene, graph, options, context).Run();
+  return FaceFinder(scene, gate, graph, options, context).Run();
 }
 
 }  // namespace limn

@@ -19,8 +19,10 @@ struct SurfaceResult {
 // Finds the surfaces that the links of a drawing bound (ours; algorithm/surfaces.md) and replaces
 // the drawing's faces by them: regions of planes surrounded by links, where the views' evidence
 // about the border and about curves behind agrees with a surface. Links and nodes stay as they are.
+// Within the gate, that of the refinement, an edgel shows a link.
 // The result does not depend on the number of threads. Throws OptionError and Cancelled.
-SurfaceResult FindFaces(const CurvesScene& scene, const DrawingGraph& graph,
-                        const SurfaceOptions& options, const RunContext& context);
+SurfaceResult FindFaces(const CurvesScene& scene, const SupportGate& gate,
+                        const DrawingGraph& graph, const SurfaceOptions& options,
+                        const RunContext& context);
 
 }  // namespace limn

@@ -135,7 +135,7 @@ class StrokeMaker {
     open.place = points.back();
     const Eigen::Vector2d back = PointBefore(points, kTangentPx * link.footprint);
     open.direction = (open.place - back).normalized();
-    open.reach = std::min(options_.max_extension_px, options_.max_extension_share * link.length_px);
+    open.reach = std::min(options_.max_extension_px, link.length_px);
     open.reach = std::max(open.reach, options_.max_bridge_px) * link.footprint;
     return open;
   }

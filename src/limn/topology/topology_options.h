@@ -1,13 +1,24 @@
 #pragma once
 
+#include "limn/util/option_fields.h"
+#include "limn/util/option_help.h"
+
 namespace limn {
 
 // Limits for tracing and every edit of a drawing's topology, while it is built
 // (algorithm/drawing.md#tracing, algorithm/topology.md) and between the fits of the refinement.
 // Lengths are in px, that is, in footprints.
 struct TopologyOptions {
-  // Tracing: curves start where samples of this many primary views agree, continue where at least
-  // the second number do, and bridge gaps up to this length.
+  // Shorter loops and links with a free end are dropped.
+  double min_link_length_px = 14;
+  // Between an end and what it meets. Links that were fitted to the images get less: see Reach.
+  double max_junction_gap_px = 12;
+  double max_continuation_angle_deg = 30;
+  double max_short_edge_px = 30;
+
+  // The others are set by tests only.
+  // Tracing: curves start where samples of this many primary views agree, go on where at least the
+  // second number do, and bridge gaps up to this length.
   int min_seed_views = 2;
   int min_traced_views = 1;
   double max_tracing_gap_px = 6;
@@ -21,28 +32,31 @@ struct TopologyOptions {
   double own_views_share = 0.12;
   double min_own_views = 2;
   double max_own_views = 6;
-  // Shorter loops and links with a free end are dropped.
-  double min_link_length_px = 14;
-  // A link is extended from a free end across gaps in the images up to this length.
+  // A link is followed on from a free end through gaps in the images up to this length.
   double max_continuation_gap_px = 6;
-  // Longest gap between an end and what it meets, and the largest sideways distance from its line.
-  // Links that were fitted to the images get less: see Reach.
-  double max_junction_gap_px = 12;
+  // Largest sideways distance of what an end meets from its line.
   double max_junction_miss_px = 4;
   // Number of views that must show that two curves meet.
   int min_junction_views = 3;
   // Curves side by side are one edge below this angle. Links that leave a node at a smaller angle
   // form no junction.
   double min_junction_angle_deg = 25;
-  // Two ends continue each other if the turn between them is smaller than this.
-  double max_continuation_angle_deg = 30;
   // A link is removed if others run along this share of it.
   double covered_share = 0.8;
-  // Longest edge inferred from its two end points alone.
-  double max_short_edge_px = 30;
 
+  template <typename Self, typename Visit>
+  static void VisitFields(Self& self, const Visit& visit) {
+    visit("min_link_length_px", self.min_link_length_px, Between(0, 1e5),
+          "shorter loose links are dropped, px");
+    visit("max_junction_gap_px", self.max_junction_gap_px, Between(0, 1000),
+          "longest gap between ends that meet, px");
+    visit("max_continuation_angle_deg", self.max_continuation_angle_deg, Between(0, 180),
+          "two ends that turn by less continue each other, deg");
+    visit("max_short_edge_px", self.max_short_edge_px, Between(0, 1e4),
+          "longest edge inferred from its two ends alone, px");
+  }
   // Throws OptionError.
-  void Check() const;
+  void Check() const { CheckFields(*this); }
 };
 
 }  // namespace limn

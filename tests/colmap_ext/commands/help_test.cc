@@ -42,8 +42,8 @@ TEST(Help, OfTheMainJobNamesWhatUsersSet) {
                             "max_image_size", "account", "Drawing.min_supporting_views",
                             "DrawingRefinement.refine_poses"}));
   const std::string all = HelpOf(drawer, "--help_all");
-  EXPECT_THAT(OptionsIn(all), IsSupersetOf({"shard", "Linking.max_curvature", "Tiles.max_views",
-                                            "Drawing.bending_sigma_px", "taus"}));
+  EXPECT_THAT(OptionsIn(all), IsSupersetOf({"shard", "Linking.max_bridge_px", "Tiles.max_views",
+                                            "DrawingRefinement.bending_sigma", "taus"}));
   EXPECT_THAT(all, AllOf(HasSubstr("box"), Not(HasSubstr("more options"))));
 }
 

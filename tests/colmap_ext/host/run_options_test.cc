@@ -44,7 +44,7 @@ TEST(RunOptions, MethodPaperSetsDefaults) {
                      "--Sketch.min_supporting_views", "4"},
                     &options));
   const PipelineOptions& pipeline = options.pipeline;
-  EXPECT_EQ(pipeline.sketch.averaging, "paper");
+  EXPECT_EQ(pipeline.sketch.averaging, DepthAveraging::kPaper);
   EXPECT_EQ(pipeline.sketch.min_supporting_views, 4);
   EXPECT_EQ(pipeline.paper.strong_link_views, 3);
   EXPECT_EQ(pipeline.paper.dense_link_views, 2);
@@ -92,7 +92,7 @@ TEST(RunOptions, BadValuesAreRefused) {
   RunOptions options;
   EXPECT_THROW(Parse({"--workspace_path", "w", "--num_threads", "0"}, &options), OptionError);
   EXPECT_THROW(Parse({"--workspace_path", "w", "--box", "0,1,0,1,1,0"}, &options), OptionError);
-  EXPECT_THROW(Parse({"--workspace_path", "w", "--Sketch.depth_gate_px", "0"}, &options),
+  EXPECT_THROW(Parse({"--workspace_path", "w", "--Sketch.max_support_distance_px", "0"}, &options),
                OptionError);
   EXPECT_THROW(Parse({}, &options), OptionError);
 }

@@ -12,6 +12,9 @@
 
 namespace limn::testing {
 
+// That of the refinement.
+inline constexpr SupportGate kShowingGate = {1.0, 1.0, 15 * M_PI / 180};
+
 // Sixteen views straight down, 0.3 apart, from a height of 5 on the plane z = 0, where a pixel is
 // kFrontalPx large.
 struct BeliefScene {

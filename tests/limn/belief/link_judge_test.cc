@@ -20,7 +20,8 @@ BeliefResult Judged(const BeliefScene& scene, const std::vector<uint8_t>& fitted
   RunContext context;
   context.num_threads = num_threads;
   BeliefResult result =
-      JudgeLinks({{scene.views, curves}, scene.graph, fitted}, options, TopologyOptions(), context);
+      JudgeLinks({{scene.views, curves}, scene.graph, fitted, testing::kShowingGate}, options,
+                 TopologyOptions(), context);
   testing::ExpectValid(result.graph);
   return result;
 }

@@ -246,7 +246,7 @@ TEST(DrawingTest, EmptySketchGivesEmptyGraph) {
   EXPECT_TRUE(result.graph.nodes.empty());
 }
 
-TEST(DrawingOptionsTest, LimitsOfTracingAreChecked) {
+TEST(DrawingOptionsTest, LimitsOfTopologyAreChecked) {
   const auto is_valid = [](auto&& change) {
     DrawingOptions options;
     change(&options.topology);
@@ -258,10 +258,8 @@ TEST(DrawingOptionsTest, LimitsOfTracingAreChecked) {
     }
   };
   EXPECT_TRUE(is_valid([](TopologyOptions*) {}));
-  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->min_traced_views = 0; }));
-  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->min_seed_views = o->min_traced_views - 1; }));
-  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->max_tracing_gap_px = 0.5; }));
-  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->max_continuation_gap_px = -1; }));
+  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->max_junction_gap_px = -1; }));
+  EXPECT_FALSE(is_valid([](TopologyOptions* o) { o->max_continuation_angle_deg = 181; }));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ const std::vector<float> kGreen = {100, 130.56f, 100};
 const std::vector<float> kOrange = {125, 100, 80};
 const std::vector<float> kBlue = {80, 100, 125};
 
-EdgeDetectionOptions In(const std::string& channel) {
+EdgeDetectionOptions In(EdgeChannel channel) {
   EdgeDetectionOptions options;
   options.channel = channel;
   options.find_isoluminant = false;
@@ -50,17 +50,18 @@ double AngleDeg(const Edgel& edgel, const Vector2d& normal) {
 
 TEST(ColorEdges, FindsWhatOneChannelMisses) {
   struct Case {
-    std::string misses;
+    EdgeChannel misses;
     std::vector<float> outside, inside;
   };
-  for (const Case& c : {Case{"luminance", kRed, kGreen}, Case{"green", kOrange, kBlue}}) {
+  for (const Case& c :
+       {Case{EdgeChannel::kLuminance, kRed, kGreen}, Case{EdgeChannel::kGreen, kOrange, kBlue}}) {
     for (int degrees = 0; degrees < 180; degrees += 15) {
       const Vector2d normal(std::cos(degrees * kDeg), std::sin(degrees * kDeg));
       const Vector2d point(32.3, 31.6);
       const Image image = TwoColors(c.outside, c.inside, HalfPlane(point, normal), 64);
       EXPECT_TRUE(DetectEdges(image, In(c.misses)).edgels.empty());
-      const EdgeMap map = DetectEdges(image, In("color"));
-      EXPECT_GE(map.edgels.size(), 44u) << c.misses << ' ' << degrees;
+      const EdgeMap map = DetectEdges(image, In(EdgeChannel::kColor));
+      EXPECT_GE(map.edgels.size(), 44u) << static_cast<int>(c.misses) << ' ' << degrees;
       const double sense = map.edgels.front().Normal().dot(normal);
       for (const Edgel& edgel : map.edgels) {
         // Lab is not linear: a pixel on the edge is not quite between the two colors.
@@ -77,8 +78,8 @@ TEST(ColorEdges, GraysAreAsInGreen) {
   for (const size_t channels : {1u, 3u}) {
     Image image = TwoColors(std::vector<float>(channels, 90), std::vector<float>(channels, 140),
                             Disc({40.2, 39.7}, 24), 80);
-    const EdgeMap green = DetectEdges(image, In("green"));
-    const EdgeMap color = DetectEdges(image, In("color"));
+    const EdgeMap green = DetectEdges(image, In(EdgeChannel::kGreen));
+    const EdgeMap color = DetectEdges(image, In(EdgeChannel::kColor));
     ASSERT_GT(green.edgels.size(), 140u);
     EXPECT_NEAR(static_cast<double>(color.edgels.size()), static_cast<double>(green.edgels.size()),
                 2);
@@ -101,7 +102,7 @@ TEST(ColorEdges, CurvedEdges) {
     const int size = static_cast<int>(2 * radius) + 40;
     const Vector2d center(size / 2 + 0.3, size / 2 - 0.4);
     const Image image = TwoColors(kRed, kGreen, Disc(center, radius), size);
-    EdgeDetectionOptions options = In("color");
+    EdgeDetectionOptions options = In(EdgeChannel::kColor);
     options.fine_sigma_px = 0;
     double position = 0;
     double angle = 0;
@@ -124,7 +125,7 @@ TEST(ColorEdges, FalseEdgelsInNoise) {
     AddNoise(5, seed, &image);
     Quantize(&image);
     for (const int color : {0, 1}) {
-      const EdgeMap map = DetectEdges(image, In(color ? "color" : "green"));
+      const EdgeMap map = DetectEdges(image, In(color ? EdgeChannel::kColor : EdgeChannel::kGreen));
       density[color] += 1000 * static_cast<double>(map.edgels.size()) / (4 * 240 * 240);
     }
   }

@@ -374,7 +374,7 @@ TEST(DetectEdges, NothingWhereThereIsNothing) {
   EXPECT_TRUE(DetectEdges(ConstantImage(64, 64, {255}), {}).edgels.empty());
   EXPECT_TRUE(DetectEdges(ConstantImage(64, 64, {0, 128, 255}), {}).edgels.empty());
   EdgeDetectionOptions joint;
-  joint.channel = "color";
+  joint.channel = EdgeChannel::kColor;
   joint.min_strength = 0;
   EXPECT_TRUE(DetectEdges(ConstantImage(64, 64, {0, 128, 255}), joint).edgels.empty());
   // A ramp in 8 bits: steps of one gray level.
@@ -389,7 +389,7 @@ TEST(DetectEdges, TinyImages) {
     for (const int height : {1, 2, 17}) {
       Image image = ConstantImage(width, height, {100, 100, 100});
       AddNoise(30, width, &image);
-      for (const std::string channel : {"green", "color"}) {
+      for (const EdgeChannel channel : {EdgeChannel::kGreen, EdgeChannel::kColor}) {
         EdgeDetectionOptions options;
         options.channel = channel;
         options.margin_px = 0;
@@ -450,13 +450,7 @@ TEST(DetectEdges, BadInput) {
   options.sigma_px = 0.1;
   EXPECT_THROW(DetectEdges(ConstantImage(8, 8, {1}), options), OptionError);
   options = {};
-  options.fine_sigma_px = 0.5;
-  EXPECT_THROW(DetectEdges(ConstantImage(8, 8, {1}), options), OptionError);
-  options = {};
-  options.fine_noise_factor = 0;
-  EXPECT_THROW(DetectEdges(ConstantImage(8, 8, {1}), options), OptionError);
-  options = {};
-  options.channel = "red";
+  options.noise_factor = 0;
   EXPECT_THROW(DetectEdges(ConstantImage(8, 8, {1}), options), OptionError);
   Image image = ConstantImage(8, 8, {1});
   image.data.pop_back();

@@ -211,12 +211,13 @@ TEST(ApplyEdits, FacesStayWithTheirLinksElseTheyAreDroppedAndCounted) {
   const AddDimension dimension = {
       {line, line.points.front()}, {line, line.points.back()}, {0, 0, 0}};
   const EditedDrawing same =
-      ApplyEdits(graph, testing::EditViews(), {SetLinkKind{{line}, LinkKind::kPaint}, dimension});
+      ApplyEdits(graph, testing::EditViews(), {SetLinkKind{{line}, LinkKind::kPaint}, dimension},
+                 TopologyOptions());
   EXPECT_EQ(same.graph.faces.size(), 1u);
   EXPECT_EQ(same.num_dropped_faces, 0u);
   for (const Edit& edit :
        std::vector<Edit>{DeleteLinks{{line}}, SplitLink{{line, line.points[7]}}}) {
-    const EditedDrawing edited = ApplyEdits(graph, testing::EditViews(), {edit});
+    const EditedDrawing edited = ApplyEdits(graph, testing::EditViews(), {edit}, TopologyOptions());
     EXPECT_THAT(edited.graph.faces, IsEmpty());
     EXPECT_EQ(edited.num_dropped_faces, 1u);
   }

@@ -47,7 +47,7 @@ inline LinkRef RefToLine(double x0, double y0, double x1, double y1, LinkId id =
 
 // The result of edits, which must be valid.
 inline EditedDrawing Edited(const DrawingGraph& graph, const std::vector<Edit>& edits) {
-  EditedDrawing edited = ApplyEdits(graph, EditViews(), edits);
+  EditedDrawing edited = ApplyEdits(graph, EditViews(), edits, TopologyOptions());
   ExpectValid(edited.graph);
   EXPECT_EQ(edited.touched.size(), edited.graph.links.size());
   EXPECT_EQ(edited.kind_by_hand.size(), edited.graph.links.size());

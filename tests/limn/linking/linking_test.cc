@@ -293,7 +293,7 @@ TEST(LinkEdgels, HypothesesAtForks) {
   Paint(Disc(Vector2d(80, 85), 14), {120}, &image);
   AddNoise(8, 2, &image);
   LinkingOptions options;
-  options.forks = "hypotheses";
+  options.forks = ForkChoice::kHypotheses;
   const LinkingResult result = LinkEdgels(DetectEdges(image, {}), options, &image);
   CheckInvariants(result);
   EXPECT_GT(result.stats.changed_forks, 0);
@@ -312,10 +312,7 @@ TEST(LinkEdgels, EmptyAndSingle) {
 
 TEST(LinkEdgels, BadOptions) {
   LinkingOptions options;
-  options.neighbor_radius_px = 0;
-  EXPECT_THROW(LinkEdgels({}, options), OptionError);
-  options = {};
-  options.forks = "all";
+  options.max_bridge_px = -1;
   EXPECT_THROW(LinkEdgels({}, options), OptionError);
 }
 

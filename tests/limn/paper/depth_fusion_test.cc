@@ -71,7 +71,7 @@ TEST(DepthFusionTest, OutliersOfAModeAreDropped) {
 TEST(DepthFusionTest, ThePaperTakesTheMeanWithinTwoSigmas) {
   // Depths of 5 +- .01 at every vertex, once 6.
   SketchOptions options;
-  options.averaging = "paper";
+  options.averaging = DepthAveraging::kPaper;
   std::vector<std::vector<DepthCandidate>> candidates(20);
   for (auto& of_vertex : candidates) {
     for (int i = 0; i < 13; ++i) {
@@ -89,7 +89,7 @@ TEST(DepthFusionTest, ThePaperTakesTheMeanWithinTwoSigmas) {
 
 TEST(DepthFusionTest, ThePaperAveragesWhatIsNearAndKeepsASingleOne) {
   SketchOptions options;
-  options.averaging = "paper";
+  options.averaging = DepthAveraging::kPaper;
   const auto fused = FuseDepths(
       StraightFragment(3),
       {{Candidate(1 / 4.0, 8, 0), Candidate(1 / 5.0, 4, 1)}, {}, {Candidate(0.3, 4, 0)}}, options);

@@ -13,7 +13,7 @@ TEST(EnhancedSketchTest, TheRatioIsAskedForByThePaperOnly) {
   const auto views = testing::DomeViews(10, 5);
   const auto curves = testing::ProjectCurves(views, testing::CubeEdges(0.8));
   SketchOptions options;
-  const auto num_samples = [&](const char* averaging, double ratio) {
+  const auto num_samples = [&](DepthAveraging averaging, double ratio) {
     options.averaging = averaging;
     options.first_to_second_ratio = ratio;
     size_t count = 0;
@@ -23,12 +23,12 @@ TEST(EnhancedSketchTest, TheRatioIsAskedForByThePaperOnly) {
     }
     return count;
   };
-  const size_t num_robust = num_samples("robust", 1);
+  const size_t num_robust = num_samples(DepthAveraging::kRobust, 1);
   EXPECT_GT(num_robust, 0u);
-  EXPECT_EQ(num_samples("robust", 1e6), num_robust);
-  const size_t num_of_paper = num_samples("paper", 1);
+  EXPECT_EQ(num_samples(DepthAveraging::kRobust, 1e6), num_robust);
+  const size_t num_of_paper = num_samples(DepthAveraging::kPaper, 1);
   EXPECT_GT(num_of_paper, 0u);
-  EXPECT_LT(num_samples("paper", 1e6), 0.9 * static_cast<double>(num_of_paper));
+  EXPECT_LT(num_samples(DepthAveraging::kPaper, 1e6), 0.9 * static_cast<double>(num_of_paper));
 }
 
 }  // namespace

@@ -24,12 +24,11 @@ class HypothesesTest : public ::testing::Test {
     const FragmentChords chords_of_second(second_curves_);
     const EpipolarChords chords(primary_, second_, chords_of_second);
     rays_ = MakeFragmentRays(primary_, first_, 0);
-    return FindHypotheses(rays_, primary_, second_, chords, min_depth, max_depth, options_);
+    return FindHypotheses(rays_, primary_, second_, chords, min_depth, max_depth);
   }
 
   const View primary_ = testing::LookAt({5, 0, 1}, {0, 0, 0});
   const View second_ = testing::LookAt({4.6, 1.9, 1.2}, {0, 0, 0});
-  const SketchOptions options_;
   ImageCurves first_;
   ImageCurves second_curves_;
   FragmentRays rays_;

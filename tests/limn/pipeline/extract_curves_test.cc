@@ -213,7 +213,7 @@ TEST_F(ExtractCurvesTest, OtherLinkingIsComputedAgain) {
 
 TEST_F(ExtractCurvesTest, AnotherChannelIsComputedAgain) {
   Extract(cache_.string());
-  edges_.channel = "color";
+  edges_.channel = EdgeChannel::kColor;
   Extract(cache_.string());
   EXPECT_EQ(num_read_, 2);
   EXPECT_EQ(use_.outdated, 2);
@@ -222,7 +222,7 @@ TEST_F(ExtractCurvesTest, AnotherChannelIsComputedAgain) {
 TEST_F(ExtractCurvesTest, ForksBetweenKeptEdgesNeedThePhotograph) {
   ResultCache cache(cache_.string());
   ExtractEdgeMaps({views_, images_, &cache}, edges_, RunContext());
-  linking_.forks = "hypotheses";
+  linking_.forks = ForkChoice::kHypotheses;
   Extract(cache_.string());
   EXPECT_EQ(num_read_, 2);
 }

@@ -61,7 +61,8 @@ EditedDrawing JoinedOver(const std::vector<testing::SceneCurve>& edges, bool wit
                                  {0, 0, 0}});
     std::swap(edits[0], edits[1]);
   }
-  EditedDrawing edited = ApplyEdits(EditedGraph({left, right}), EditedViews(), edits);
+  EditedDrawing edited =
+      ApplyEdits(EditedGraph({left, right}), EditedViews(), edits, TopologyOptions());
   const std::vector<ImageCurves> curves = testing::ProjectCurves(EditedViews(), edges);
   RefitEdited({EditedViews(), curves}, {}, {}, {}, &edited);
   EXPECT_THAT(Validate(edited.graph), ::testing::IsEmpty());

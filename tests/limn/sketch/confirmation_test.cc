@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/sketch/tangency.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -49,7 +50,7 @@ class ConfirmationTest : public ::testing::Test {
       hypothesis.samples.push_back(sample);
     }
     const ConfirmationViews others(0, {1, 2, 3, 4}, views_, masks);
-    return others.Confirm(fragment, hypothesis, second, options_).value();
+    return others.Confirm(fragment, hypothesis, second).value();
   }
 
   const testing::SceneCurve upright_ = testing::Segment({0, 0, -0.4}, {0, 0, 0.4});
@@ -94,7 +95,7 @@ TEST_F(ConfirmationTest, ACurveAlongTheEpipolarLinesCountsLittle) {
   const HypothesisSupport across = Confirm(upright_, upright_);
   const size_t middle = along.weighted.size() / 2;
   EXPECT_EQ(along.supporting[middle], kAllViews);
-  EXPECT_NEAR(along.weighted[middle], 4 * options_.min_tangency_weight, 1e-9);
+  EXPECT_NEAR(along.weighted[middle], 4 * kMinTangencyWeight, 1e-9);
   EXPECT_NEAR(across.weighted[across.weighted.size() / 2], 4, 1e-9);
 }
 

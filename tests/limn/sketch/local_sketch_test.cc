@@ -58,8 +58,8 @@ TEST_F(VerdictTest, NarrowSupportIsNoneIfAWideViewContainsTheSample) {
   EXPECT_TRUE(Judge(kNarrow, kNarrow, 3).supported);
 }
 
-TEST_F(VerdictTest, ThePaperSupportsWhatIsCertainAtAnyAngles) {
-  options_.averaging = "paper";
+TEST_F(VerdictTest, ByWeightAloneSupportsWhatIsCertainAtAnyAngles) {
+  options_.by_weight_alone = true;
   EXPECT_TRUE(Judge(kAll, kNarrow, 3).supported);
   EXPECT_TRUE(Judge(kAll, kNarrow, 3).certain);
   EXPECT_FALSE(Judge(kAll, kWide, 2.9).supported);
@@ -68,8 +68,8 @@ TEST_F(VerdictTest, ThePaperSupportsWhatIsCertainAtAnyAngles) {
 }
 
 TEST_F(VerdictTest, NothingOutsideOfTheBoxIsSupported) {
-  for (const char* averaging : {"robust", "paper"}) {
-    options_.averaging = averaging;
+  for (const bool by_weight_alone : {false, true}) {
+    options_.by_weight_alone = by_weight_alone;
     box_ = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
     EXPECT_TRUE(Judge(kAll, kWide, 3).supported);
     box_ = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, 0.1), Eigen::Vector3d(1, 1, 1));

@@ -44,7 +44,8 @@ SurfaceResult FacesOf(const BeliefScene& scene, const std::vector<ScenePoint>& p
   RunContext context;
   context.num_threads = num_threads;
   const std::vector<ImageCurves> curves = scene.Curves();
-  SurfaceResult result = FindFaces({scene.views, curves, {points}}, scene.graph, {}, context);
+  SurfaceResult result =
+      FindFaces({scene.views, curves, {points}}, testing::kShowingGate, scene.graph, {}, context);
   testing::ExpectValid(result.graph);
   return result;
 }
@@ -178,13 +179,14 @@ TEST(FindFaces, EarlierFacesAreReplacedAndBadOptionsRefused) {
   SurfaceOptions options;
   options.min_views = 0;
   const std::vector<ImageCurves> curves = scene.Curves();
-  EXPECT_THROW(FindFaces({scene.views, curves}, scene.graph, options, {}), OptionError);
+  EXPECT_THROW(FindFaces({scene.views, curves}, testing::kShowingGate, scene.graph, options, {}),
+               OptionError);
 }
 
 TEST(FindFaces, NothingToLookAt) {
   for (const bool has_links : {true, false}) {
     const DrawingGraph graph = has_links ? SquareScene(1).graph : DrawingGraph();
-    const SurfaceResult result = FindFaces({{}, {}}, graph, {}, {});
+    const SurfaceResult result = FindFaces({{}, {}}, testing::kShowingGate, graph, {}, {});
     EXPECT_TRUE(result.graph.faces.empty());
     EXPECT_EQ(result.graph.links.size(), graph.links.size());
   }
