@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Check the layer rule: a module includes lower layers and itself only.
+"""Check the layer rule: a module includes lower layers and itself only, and what includes what is no loop.
 
 The layers of src/limn are those of src/README.md, the layers of colmap_ext those of
 colmap_ext/README.md. Every module must have a layer here, and the order of the CMakeLists.txt
-beside the modules must follow the layers.
+beside the modules must follow the layers. A header and the source beside it are one room: no room may include itself by
+way of others, in one folder or across several. Some folders have a door, the one header that others include.
 Third-party libraries are used only where the table at the end allows it.
 """
 
@@ -14,15 +15,16 @@ from pathlib import Path
 # Modules of one layer must not include each other.
 LIMN_LAYERS = [
     ["util"],
+    ["files"],
     ["geometry"],
     ["model"],
     ["support", "visibility"],
     ["topology"],
     ["edges", "linking", "sketch", "drawing", "refinement", "belief", "primitives", "kinds", "dense", "tiles",
      "alignment"],
-    ["regularity", "surfaces", "editing", "plans"],
+    ["regularity", "surfaces", "editing", "plans", "paper"],
     ["formats"],
-    ["pictures", "evaluation", "viewer"],
+    ["cache", "pictures", "evaluation", "viewer"],
     ["pipeline"],
 ]
 COLMAP_EXT_LAYERS = [
@@ -36,6 +38,19 @@ COLMAP_EXT_LAYERS = [
 ]
 # Folder of modules -> its layers. src/limn never includes colmap_ext.
 LAYERS = {"src/limn": LIMN_LAYERS, "colmap_ext": COLMAP_EXT_LAYERS}
+
+# Folder -> the one header of it that is included from outside.
+DOORS = {
+    "limn/formats/step": "step_drawing_writer.h",
+    "limn/formats/svg": "svg_drawing_writer.h",
+    "limn/formats/dxf": "dxf_drawing_writer.h",
+}
+
+# Loops that are known, room and what it includes; none should be added.
+KNOWN_LOOPS = {
+    ("limn/pipeline/pipeline_options", "limn/pipeline/option_fields"),
+    ("limn/pipeline/pipeline_options", "limn/pipeline/option_groups"),
+}
 
 # Prefix of an include in angle brackets -> where it may stand: folders, or single files.
 THIRD_PARTY = {
@@ -55,7 +70,7 @@ THIRD_PARTY = {
     "pybind11/": ["colmap_ext/python/"],
     "tiny_gltf.h": ["src/limn/formats/glb_drawing_writer.cc"],
     # OpenCASCADE: its headers are in no folder.
-    **{prefix: ["src/limn/formats/step_"]
+    **{prefix: ["src/limn/formats/step/"]
        for prefix in ("Step", "STEP", "Geom", "GC_", "gp_", "TCol", "Standard_", "Interface_", "APIHeader", "Top",
                       "BRep", "Shape", "Transfer_", "Precision")},
 }
@@ -106,6 +121,13 @@ def module_problem(path, target):
     return None
 
 
+def door_problem(path, target):
+    folder, _, name = target.rpartition("/")
+    if folder not in DOORS or name == DOORS[folder] or path.startswith(f"src/{folder}/"):
+        return None
+    return f"{folder}/ is entered by {DOORS[folder]}, not by {name}"
+
+
 def problems_of_file(root, file):
     path = file.relative_to(root).as_posix()
     for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
@@ -114,7 +136,7 @@ def problems_of_file(root, file):
             continue
         bracket, target = match.groups()
         check = third_party_problem if bracket == "<" else module_problem
-        problem = check(path, target)
+        problem = check(path, target) or door_problem(path, target)
         if problem:
             yield f"{path}:{number}: {problem}"
 
@@ -134,6 +156,66 @@ def problems_of_build_order(root, folder):
         previous = layer
 
 
+def room_of(include):
+    """What a file is called in includes, without its suffix: a header and its source are one room."""
+    return include.rpartition(".")[0]
+
+
+def rooms_of(root, files):
+    """Room -> the other rooms that it includes."""
+    rooms = {}
+    for file in files:
+        room = room_of(file.relative_to(root).as_posix().removeprefix("src/"))
+        includes = rooms.setdefault(room, set())
+        for line in file.read_text(encoding="utf-8").splitlines():
+            match = INCLUDE.match(line)
+            if match and match[1] == '"':
+                includes.add(room_of(match[2]))
+    return {room: sorted(other for other in includes
+                         if other in rooms and other != room and (room, other) not in KNOWN_LOOPS)
+            for room, includes in rooms.items()}
+
+
+def path_between(rooms, start, end):
+    """The shortest way from one room to another; none if there is none."""
+    before = {start: None}
+    queue = [start]
+    for room in queue:
+        if room == end:
+            path = []
+            while room is not None:
+                path.append(room)
+                room = before[room]
+            return path[::-1]
+        for other in rooms[room]:
+            if other not in before:
+                before[other] = room
+                queue.append(other)
+    return None
+
+
+def loops(rooms):
+    """A loop for every room that has one and is in no loop before it, shortest way round."""
+    # Only rooms that include something, and are included, can be in a loop.
+    left = dict(rooms)
+    while True:
+        included = {other for includes in left.values() for other in includes}
+        kept = {room: [other for other in includes if other in left] for room, includes in left.items()
+                if room in included}
+        kept = {room: includes for room, includes in kept.items() if includes}
+        if kept == left:
+            break
+        left = kept
+    seen = set()
+    for room in sorted(left):
+        ways = [path for other in left[room] if (path := path_between(left, other, room))]
+        if not ways or room in seen:
+            continue
+        way = [room, *min(ways, key=len)]
+        seen.update(way)
+        yield "a loop of includes: " + " -> ".join(way)
+
+
 def main():
     root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent).resolve()
     files = sorted(file for folder in ("src", "colmap_ext") for file in (root / folder).rglob("*")
@@ -141,6 +223,7 @@ def main():
     problems = [problem for folder in LAYERS for problem in problems_of_build_order(root, folder)]
     for file in files:
         problems.extend(problems_of_file(root, file))
+    problems.extend(loops(rooms_of(root, files)))
     for problem in problems:
         print(problem)
     print(f"{len(files)} files, {len(problems)} problems")

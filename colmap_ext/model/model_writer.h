@@ -5,6 +5,7 @@
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/rig.h"
+#include "colmap_ext/model/rig_files.h"
 
 namespace limn::colmap_ext {
 

@@ -1,3 +1,5 @@
+#include "colmap_ext/model/rig_files.h"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -7,7 +9,6 @@
 #include "colmap_ext/model/line_reader.h"
 #include "colmap_ext/model/model_builder.h"
 #include "colmap_ext/model/record_reading.h"
-#include "colmap_ext/model/rig.h"
 #include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {

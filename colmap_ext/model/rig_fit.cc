@@ -1,3 +1,5 @@
+#include "colmap_ext/model/rig_fit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -6,8 +8,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
-#include "colmap_ext/model/model.h"
-#include "colmap_ext/model/rig.h"
+#include "colmap_ext/model/mounted_images.h"
 
 namespace limn::colmap_ext {
 namespace {

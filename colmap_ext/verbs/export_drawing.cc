@@ -12,7 +12,7 @@
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/formats/ply_points_reader.h"
-#include "limn/formats/svg/flat_drawing.h"
+#include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/model/footprint.h"

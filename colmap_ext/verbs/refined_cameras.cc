@@ -7,7 +7,9 @@
 
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/model/mounted_images.h"
 #include "colmap_ext/model/refined_model.h"
+#include "colmap_ext/model/rig_fit.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"

@@ -11,7 +11,6 @@
 #include "colmap_ext/verbs/fuse.h"
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/ply_points_reader.h"
-#include "limn/formats/svg/svg_path.h"
 #include "limn/geometry/point_spacing.h"
 #include "limn/plans/depth_range.h"
 #include "limn/plans/face_axes.h"

@@ -1,5 +1,6 @@
 #include "colmap_ext/workspace/model_folder.h"
 
+#include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/workspace/pmvs_model.h"
 
 namespace limn::colmap_ext {

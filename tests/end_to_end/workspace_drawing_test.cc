@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "colmap_ext/model/model.h"
+#include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/temp_dir.h"
 #include "end_to_end/run_limn.h"
 #include "limn/formats/json_drawing_reader.h"

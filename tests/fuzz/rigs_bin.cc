@@ -1,4 +1,5 @@
 #include "colmap_ext/model/rig.h"
+#include "colmap_ext/model/rig_files.h"
 #include "fuzz/fuzz_target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

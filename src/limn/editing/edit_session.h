@@ -7,7 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "limn/editing/apply_edits.h"
+#include "limn/editing/edit_outcome.h"
+#include "limn/editing/edits.h"
 #include "limn/editing/match_links.h"
 #include "limn/geometry/polyline.h"
 #include "limn/topology/graph_editor.h"

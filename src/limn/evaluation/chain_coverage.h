@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "limn/evaluation/evaluation_scene.h"
+#include "limn/evaluation/structure_scores.h"
 
 namespace limn {
 

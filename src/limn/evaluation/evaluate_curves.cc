@@ -21,7 +21,6 @@ constexpr double kStepPerTau = 0.25;
 constexpr int kMinJunctionDegree = 3;
 // True ends nearer than this are at one place.
 constexpr double kWeldTaus = 0.25;
-constexpr size_t kChunk = 512;
 // The footprint along a curve is looked up at this many places to choose its step.
 constexpr int kFootprintProbes = 16;
 
@@ -269,26 +268,6 @@ EvaluationReport Evaluate(const CurveSet& reconstruction, const CurveSet& truth,
 }
 
 }  // namespace
-
-void ForEachSample(const RunContext& context, int count, const std::function<void(int)>& body) {
-  const size_t num_chunks = (count + kChunk - 1) / kChunk;
-  ParallelFor(context, "evaluation", num_chunks, [&](size_t chunk) {
-    const size_t end = std::min((chunk + 1) * kChunk, static_cast<size_t>(count));
-    for (size_t i = chunk * kChunk; i < end; ++i) body(static_cast<int>(i));
-  });
-}
-
-void EvaluationOptions::Check() const {
-  LIMN_CHECK_OPTION(taus.size(), > 0);
-  for (const double tau : taus) {
-    CheckOption(tau >= 1e-15 && tau <= 1e15, "taus", tau, ">= 1e-15 and <= 1e15");
-  }
-  LIMN_CHECK_RANGE(dont_care_taus, >= 0, <= 1e4);
-  LIMN_CHECK_RANGE(junction_taus, > 0, <= 1e4);
-  LIMN_CHECK_RANGE(chain_taus, >= 0, <= 1e4);
-  LIMN_CHECK_RANGE(cover_taus, >= 0, <= 1e4);
-  if (region && region->isEmpty()) throw OptionError("region: its minimum exceeds its maximum");
-}
 
 EvaluationReport EvaluateCurves(const CurveSet& reconstruction, const CurveSet& truth,
                                 const EvaluationOptions& options, const CurveSet& dont_care,

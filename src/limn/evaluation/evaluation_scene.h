@@ -4,8 +4,10 @@
 
 #include "limn/evaluation/curve_samples.h"
 #include "limn/evaluation/curve_topology.h"
-#include "limn/evaluation/evaluate_curves.h"
+#include "limn/evaluation/evaluation_options.h"
 #include "limn/evaluation/true_chains.h"
+#include "limn/model/curve_set.h"
+#include "limn/util/parallel.h"
 
 namespace limn {
 

@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/formats/svg/svg_path.h"
 #include "limn/util/number_text.h"
 
 namespace limn {

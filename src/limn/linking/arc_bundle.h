@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "limn/linking/linking.h"
+#include "limn/linking/linking_options.h"
+#include "limn/model/curve_fragment.h"
 #include "limn/util/float8.h"
 
 namespace limn {

@@ -6,7 +6,8 @@
 
 #include "limn/linking/arc_bundle.h"
 #include "limn/linking/edgel_grid.h"
-#include "limn/linking/linking.h"
+#include "limn/linking/linking_options.h"
+#include "limn/model/curve_fragment.h"
 
 namespace limn {
 

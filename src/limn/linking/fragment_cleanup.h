@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "limn/linking/link_graph.h"
-#include "limn/linking/linking.h"
+#include "limn/linking/linking_options.h"
+#include "limn/model/curve_fragment.h"
 
 namespace limn {
 

@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "limn/linking/linking.h"
+#include "limn/linking/linking_options.h"
+#include "limn/model/curve_fragment.h"
 
 namespace limn {
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "limn/pipeline/pipeline.h"
+#include "limn/pipeline/drawing_stages.h"
+#include "limn/pipeline/pipeline_input.h"
 
 namespace limn {
 

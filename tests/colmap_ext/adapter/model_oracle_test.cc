@@ -6,6 +6,7 @@
 
 #include "colmap_ext/adapter/colmap_versions.h"
 #include "colmap_ext/adapter/reconstruction_model.h"
+#include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "colmap_ext/adapter/colmap_versions.h"
+#include "colmap_ext/model/mounted_images.h"
 
 namespace limn::colmap_ext {
 namespace {

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"

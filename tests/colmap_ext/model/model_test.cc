@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"

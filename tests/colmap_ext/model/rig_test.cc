@@ -9,7 +9,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/model/mounted_images.h"
+#include "colmap_ext/model/rig_files.h"
+#include "colmap_ext/model/rig_fit.h"
 #include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"

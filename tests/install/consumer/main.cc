@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "colmap_ext/model/model.h"
+#include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/workspace/layout.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/formats/json_drawing_reader.h"

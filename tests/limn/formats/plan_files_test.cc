@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "limn/formats/picture_scene.h"
-#include "limn/formats/svg/flat_drawing.h"
 #include "limn/formats/svg/svg_drawing_writer.h"
 #include "limn/plans/face_axes.h"
 #include "limn/visibility/face_surface.h"

@@ -5,10 +5,10 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/formats/dxf/dxf_entities.h"
-#include "limn/formats/dxf/dxf_layers.h"
-#include "limn/formats/dxf/dxf_tables.h"
-#include "limn/formats/dxf/dxf_writer.h"
+#include "limn/formats/dxf/entities.h"
+#include "limn/formats/dxf/layers.h"
+#include "limn/formats/dxf/tables.h"
+#include "limn/formats/dxf/writer.h"
 
 namespace limn {
 namespace {

@@ -1,52 +1,12 @@
 #pragma once
 
 #include <iosfwd>
-#include <optional>
-#include <vector>
 
-#include "limn/formats/dimension_lines.h"
-#include "limn/geometry/polyline.h"
+#include "limn/formats/dxf/options.h"
 #include "limn/model/drawing_graph.h"
-#include "limn/plans/section.h"
 #include "limn/util/length_unit.h"
 
 namespace limn {
-
-// How links are assigned to layers of a DXF file.
-enum class DxfLayers {
-  // "line", "arc", "circle", "spline", "polyline" (links without a primitive); after drawing_fuser
-  // with the class appended: "line_boundary".
-  kClass,
-  // A layer per kind of edge: "edge", "paint", "shadow", "contour", "unknown".
-  kKind,
-  // A layer per connected component: "component_1" is the longest.
-  kComponent,
-  // All on "drawing".
-  kSingle,
-  // A layer per face, "face_<id>", with the links that bound it; those of several faces are with
-  // the largest. Links without a face are on "no_face".
-  kFace,
-};
-
-// What a flat drawing (flat_drawing.h) shows besides its links, in its coordinates.
-struct DxfPlan {
-  // Hidden parts, on the layer "hidden".
-  std::vector<Polyline3d> hidden;
-  // On the layers "section" (closed or open polylines) and "section_points".
-  Section section;
-  // True lengths of the drawing's dimensions.
-  std::vector<double> lengths;
-  double text_height = 1;
-};
-
-struct DxfOptions {
-  DxfLayers layers = DxfLayers::kClass;
-  // Junctions as points, on a layer "junctions".
-  bool junctions = true;
-  std::optional<DxfPlan> plan;
-  // Of dimensions.
-  DimensionText dimension_text;
-};
 
 // Writes a drawing as ASCII DXF of AutoCAD 2000 (AC1015): per link a LINE, ARC, CIRCLE, SPLINE of
 // degree 3, or a 3D POLYLINE where it has no primitive. Arcs and circles are in their object

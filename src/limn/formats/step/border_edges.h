@@ -4,7 +4,7 @@
 
 #include <TopoDS_Edge.hxx>
 
-#include "limn/formats/step/borders.h"
+#include "limn/formats/step/border_graph.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn {

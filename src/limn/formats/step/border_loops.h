@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "limn/formats/step/borders.h"
+#include "limn/formats/step/border_graph.h"
 
 namespace limn {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "limn/formats/step/borders.h"
+#include "limn/formats/step/border_graph.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "limn/formats/dimension_lines.h"
-#include "limn/formats/svg/svg_link.h"
+#include "limn/formats/svg/link.h"
 #include "limn/geometry/shape_part.h"
 #include "limn/plans/link_parts.h"
 

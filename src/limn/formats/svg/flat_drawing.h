@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "limn/formats/svg/svg_hidden.h"
-#include "limn/formats/svg/svg_sheet.h"
+#include "limn/formats/svg/hidden.h"
+#include "limn/formats/svg/sheet.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn {

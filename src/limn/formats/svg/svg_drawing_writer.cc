@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "limn/formats/colors.h"
-#include "limn/formats/svg/svg_dimensions.h"
-#include "limn/formats/svg/svg_legend.h"
-#include "limn/formats/svg/svg_link.h"
+#include "limn/formats/svg/dimensions.h"
+#include "limn/formats/svg/legend.h"
+#include "limn/formats/svg/link.h"
 #include "limn/util/errors.h"
 
 namespace limn {

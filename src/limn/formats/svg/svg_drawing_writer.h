@@ -5,8 +5,9 @@
 #include <string>
 
 #include "limn/formats/dimension_lines.h"
-#include "limn/formats/svg/svg_hidden.h"
-#include "limn/formats/svg/svg_sheet.h"
+#include "limn/formats/svg/flat_drawing.h"
+#include "limn/formats/svg/hidden.h"
+#include "limn/formats/svg/sheet.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 #include "limn/plans/section.h"
@@ -25,7 +26,7 @@ namespace limn {
 //   <g id="junctions">  <circle id="node_<id>"> per junction at which a link is visible
 //   <g id="section">    only with a section: a thick <path> per line in which faces are cut, with
 //                       class "closed" or "open", and a <circle> where a link is cut
-//   <g id="dimensions"> only if the drawing has some: see svg_dimensions.h
+//   <g id="dimensions"> only if the drawing has some: see dimensions.h
 //   <g id="legend">     only on sheets: scale bar and directions of the axes
 // The same drawing gives the same bytes.
 

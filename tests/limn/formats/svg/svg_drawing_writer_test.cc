@@ -9,7 +9,7 @@
 
 #include "colmap_ext/temp_dir.h"
 #include "limn/formats/picture_scene.h"
-#include "limn/formats/svg/svg_path.h"
+#include "limn/formats/svg/path.h"
 #include "limn/util/errors.h"
 #include "limn/visibility/render_depth.h"
 #include "support/synthetic_scene.h"

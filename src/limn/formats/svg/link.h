@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
-#include "limn/formats/svg/svg_hidden.h"
-#include "limn/formats/svg/svg_path.h"
-#include "limn/formats/svg/svg_sheet.h"
+#include "limn/formats/svg/hidden.h"
+#include "limn/formats/svg/path.h"
+#include "limn/formats/svg/sheet.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "limn/formats/dxf/dxf_layers.h"
-#include "limn/formats/dxf/dxf_writer.h"
+#include "limn/formats/dxf/layers.h"
+#include "limn/formats/dxf/writer.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn {

@@ -1,10 +1,10 @@
-#include "limn/formats/svg/svg_legend.h"
+#include "limn/formats/svg/legend.h"
 
 #include <cmath>
 #include <ostream>
 #include <string>
 
-#include "limn/formats/svg/svg_path.h"
+#include "limn/formats/svg/path.h"
 
 namespace limn {
 namespace {

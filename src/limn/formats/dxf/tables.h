@@ -4,9 +4,9 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/formats/dxf/dxf_dimensions.h"
-#include "limn/formats/dxf/dxf_layers.h"
-#include "limn/formats/dxf/dxf_writer.h"
+#include "limn/formats/dxf/dimensions.h"
+#include "limn/formats/dxf/layers.h"
+#include "limn/formats/dxf/writer.h"
 
 namespace limn {
 

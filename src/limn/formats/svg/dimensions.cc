@@ -1,4 +1,4 @@
-#include "limn/formats/svg/svg_dimensions.h"
+#include "limn/formats/svg/dimensions.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/formats/svg/svg_path.h"
+#include "limn/formats/svg/path.h"
 #include "limn/util/angles.h"
 
 namespace limn {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "limn/formats/dimension_lines.h"
-#include "limn/formats/dxf/dxf_writer.h"
+#include "limn/formats/dxf/writer.h"
 
 namespace limn {
 
@@ -15,8 +15,6 @@ struct DxfDimension {
   std::string text;
   int id = 0;
 };
-
-constexpr const char* kDxfDimensionLayer = "dimensions";
 
 // "*D0", "*D1", ...: the name of the block with the picture of the dimension of this index.
 std::string DimensionBlockName(size_t index);

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "limn/formats/svg/svg_path.h"
-#include "limn/formats/svg/svg_sheet.h"
+#include "limn/formats/svg/path.h"
+#include "limn/formats/svg/sheet.h"
 #include "limn/geometry/curve_shape.h"
 
 namespace limn {

@@ -1,4 +1,4 @@
-#include "limn/formats/svg/svg_path.h"
+#include "limn/formats/svg/path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "limn/formats/svg/svg_hidden.h"
+#include "limn/formats/svg/hidden.h"
 
 #include <algorithm>
 #include <utility>

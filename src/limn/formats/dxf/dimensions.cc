@@ -1,9 +1,10 @@
-#include "limn/formats/dxf/dxf_dimensions.h"
+#include "limn/formats/dxf/dimensions.h"
 
 #include <cmath>
 
-#include "limn/formats/dxf/dxf_entities.h"
-#include "limn/formats/dxf/dxf_object_axes.h"
+#include "limn/formats/dxf/entities.h"
+#include "limn/formats/dxf/layers.h"
+#include "limn/formats/dxf/object_axes.h"
 #include "limn/util/angles.h"
 
 namespace limn {

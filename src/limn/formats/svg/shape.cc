@@ -1,4 +1,4 @@
-#include "limn/formats/svg/svg_shape.h"
+#include "limn/formats/svg/shape.h"
 
 #include <algorithm>
 #include <cmath>

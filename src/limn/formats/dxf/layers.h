@@ -3,10 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "limn/formats/dxf/dxf_drawing_writer.h"
+#include "limn/formats/dxf/options.h"
 #include "limn/model/drawing_graph.h"
 
 namespace limn {
+
+constexpr const char* kDxfDimensionLayer = "dimensions";
 
 struct DxfLayer {
   std::string name;

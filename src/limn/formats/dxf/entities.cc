@@ -1,4 +1,4 @@
-#include "limn/formats/dxf/dxf_entities.h"
+#include "limn/formats/dxf/entities.h"
 
 #include <cmath>
 #include <span>
@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/formats/dxf/dxf_object_axes.h"
+#include "limn/formats/dxf/object_axes.h"
 #include "limn/formats/triangle_parts.h"
 #include "limn/util/angles.h"
 

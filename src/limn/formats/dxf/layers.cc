@@ -1,9 +1,8 @@
-#include "limn/formats/dxf/dxf_layers.h"
+#include "limn/formats/dxf/layers.h"
 
 #include <algorithm>
 #include <map>
 
-#include "limn/formats/dxf/dxf_dimensions.h"
 #include "limn/formats/link_kind.h"
 #include "limn/model/drawing_paths.h"
 

@@ -1,11 +1,11 @@
-#include "limn/formats/svg/svg_sheet.h"
+#include "limn/formats/svg/sheet.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
-#include "limn/formats/svg/svg_path.h"
+#include "limn/formats/svg/path.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
 

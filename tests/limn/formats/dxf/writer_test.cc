@@ -1,4 +1,4 @@
-#include "limn/formats/dxf/dxf_writer.h"
+#include "limn/formats/dxf/writer.h"
 
 #include <cstdlib>
 #include <limits>

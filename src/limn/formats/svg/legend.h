@@ -2,7 +2,7 @@
 
 #include <iosfwd>
 
-#include "limn/formats/svg/svg_sheet.h"
+#include "limn/formats/svg/sheet.h"
 
 namespace limn {
 

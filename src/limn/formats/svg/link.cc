@@ -1,9 +1,9 @@
-#include "limn/formats/svg/svg_link.h"
+#include "limn/formats/svg/link.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "limn/formats/svg/svg_shape.h"
+#include "limn/formats/svg/shape.h"
 #include "limn/formats/tracks_writer.h"
 #include "limn/geometry/bezier.h"
 #include "limn/geometry/polyline.h"

@@ -1,10 +1,10 @@
-#include "limn/formats/dxf/dxf_tables.h"
+#include "limn/formats/dxf/tables.h"
 
 #include <algorithm>
 #include <functional>
 #include <string>
 
-#include "limn/formats/dxf/dxf_entities.h"
+#include "limn/formats/dxf/entities.h"
 
 namespace limn {
 namespace {

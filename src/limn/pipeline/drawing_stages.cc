@@ -1,0 +1,64 @@
+#include "limn/pipeline/drawing_stages.h"
+
+#include <utility>
+
+#include "limn/belief/link_judge.h"
+#include "limn/kinds/classify_kinds.h"
+#include "limn/paper/paper_drawing.h"
+#include "limn/pipeline/sketch_views.h"
+#include "limn/regularity/regularize.h"
+
+namespace limn {
+
+DrawingResult DrawSketch(const DrawingInput& input, const PipelineOptions& options,
+                         const RunContext& context) {
+  return options.IsPaper() ? BuildPaperDrawing(input, options.paper, context)
+                           : BuildDrawing(input, options.drawing, context);
+}
+
+DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options, ResultCache* cache,
+                       const RunContext& context, const StageObserver& on_stage_end,
+                       const std::string& part) {
+  SketchResult sketch = SketchViews(options.mode, {scene}, options.sketch, cache, context, part);
+  on_stage_end(sketch.summary);
+
+  DrawingResult drawing = DrawSketch({scene, sketch.sketch}, options, context);
+  on_stage_end(drawing.summary);
+  return {std::move(sketch), std::move(drawing)};
+}
+
+JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
+                             const RunContext& context, const StageObserver& on_stage_end) {
+  if (options.IsPaper()) return {input.graph, std::nullopt};
+  RefinementResult refined =
+      RefineDrawing(input, options.refinement, options.drawing.topology, context);
+  on_stage_end(refined.summary);
+  const std::vector<View>& views = refined.cameras ? refined.cameras->views : input.scene.views;
+  BeliefResult judged = JudgeLinks(
+      {{views, input.scene.curves}, refined.graph, refined.fitted, options.refinement.Gate()},
+      options.belief, options.drawing.topology, context);
+  on_stage_end(judged.summary);
+  return {std::move(judged.graph), std::move(refined.cameras)};
+}
+
+DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
+                           const std::function<Image(ViewId)>& read_image,
+                           const PipelineOptions& options, const RunContext& context,
+                           const StageObserver& on_stage_end) {
+  if (options.IsPaper()) return graph;
+  PrimitiveResult primitives = FitPrimitives(graph, views, options.primitives, context);
+  on_stage_end(primitives.summary);
+  graph = std::move(primitives.graph);
+  if (read_image) {
+    KindsResult kinds = ClassifyKinds({views, read_image, graph}, context);
+    on_stage_end(kinds.summary);
+    graph = std::move(kinds.graph);
+  }
+  if (!options.regularize) return graph;
+  RegularityResult regular =
+      Regularize(graph, views, options.regularity, options.primitives, context);
+  on_stage_end(regular.summary);
+  return std::move(regular.graph);
+}
+
+}  // namespace limn

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "limn/cache/result_cache.h"
+#include "limn/drawing/drawing.h"
+#include "limn/model/curves_scene.h"
+#include "limn/model/image.h"
+#include "limn/pipeline/build_sketch.h"
+#include "limn/pipeline/pipeline_options.h"
+#include "limn/primitives/fit_primitives.h"
+#include "limn/refinement/refinement.h"
+
+namespace limn {
+
+// The stages after the image curves, for scenes, their tiles and updates.
+
+// Called at the end of every stage.
+using StageObserver = std::function<void(const StageSummary& summary)>;
+
+// The drawing of a sketch, by the method of the options. Throws OptionError and Cancelled.
+DrawingResult DrawSketch(const DrawingInput& input, const PipelineOptions& options,
+                         const RunContext& context);
+
+struct DrawnCurves {
+  SketchResult sketch;
+  DrawingResult drawing;
+};
+
+// Sketch and drawing of the image curves. `cache` and `part` are those of SketchViews. Throws what
+// DrawScene throws.
+DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options, ResultCache* cache,
+                       const RunContext& context, const StageObserver& on_stage_end,
+                       const std::string& part = "");
+
+struct JudgedDrawing {
+  DrawingGraph graph;
+  std::optional<RefinedCameras> cameras;
+};
+
+// Refines a drawing and judges its links (RefineDrawing, JudgeLinks). The paper's drawing stays as
+// it is (PipelineOptions::IsPaper).
+JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
+                             const RunContext& context, const StageObserver& on_stage_end);
+
+// Fits primitives to the links, finds their kinds if images can be read, and makes them regular if
+// the options say so (FitPrimitives, ClassifyKinds, Regularize). The paper's drawing stays as it
+// is.
+DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,
+                           const std::function<Image(ViewId)>& read_image,
+                           const PipelineOptions& options, const RunContext& context,
+                           const StageObserver& on_stage_end);
+
+}  // namespace limn
