@@ -1,36 +1,33 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 
 #include "colmap_ext/host/console.h"
+#include "colmap_ext/verbs/drawing_verb.h"
 
 namespace limn::colmap_ext {
 
-// One function per command: declare options, parse, read, call, write. `argv` begins with the name
-// of the command; output goes to the console that it makes. Returns the exit code. Exceptions are
-// turned into one line and exit code 1 by main.cc.
-int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunCurveDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunCurveLinker(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunCurveSketcher(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunDrawingAligner(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunDrawingEditor(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunDrawingEvaluator(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunDrawingExporter(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunDrawingRefiner(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunDrawingRegularizer(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunDrawingSurfacer(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunDrawingFuser(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunDrawingViewer(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunEdgeExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunModelImporter(int argc, const char* const* argv, const ConsoleMaker& make_console);
-int RunTruthExtractor(int argc, const char* const* argv, const ConsoleMaker& make_console);
-
+// A row of the table of commands.
 struct Command {
   const char* name;
-  int (*run)(int argc, const char* const* argv, const ConsoleMaker& make_console);
-  const char* summary;
+  const char* summary;  // in the list of commands
+  const char* heading;  // of its help
+  // Parses the options, calls the verb and writes. `argv` begins with the name of the command; what
+  // it says goes to the console that it makes. Returns the exit code. Exceptions are turned into
+  // one line and exit code 1 by main.cc.
+  int (*run)(const Command& command, int argc, const char* const* argv,
+             const ConsoleMaker& make_console);
+  // Of verbs that make a drawing of a drawing: the function of Python, which has no command line.
+  const char* function = nullptr;
+  std::unique_ptr<DrawingVerb> (*make_verb)() = nullptr;
+  // Whether several MPI processes may share the work.
+  bool has_ranks = false;
+
+  int Run(int argc, const char* const* argv, const ConsoleMaker& make_console) const {
+    return run(*this, argc, argv, make_console);
+  }
 };
 
 // In the order in which a project needs them, the main job first.
@@ -38,5 +35,8 @@ std::span<const Command> Commands();
 
 // Null if no command has this name.
 const Command* FindCommand(std::string_view name);
+
+// The verb of Python's function. Throws std::out_of_range if there is none of this name.
+std::unique_ptr<DrawingVerb> MakeDrawingVerb(std::string_view function);
 
 }  // namespace limn::colmap_ext

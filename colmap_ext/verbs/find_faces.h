@@ -1,0 +1,17 @@
+#pragma once
+
+#include "colmap_ext/verbs/drawing_verb.h"
+
+namespace limn::colmap_ext {
+
+// drawing_surfacer: the drawing with the surfaces that its links bound.
+class FindFacesVerb : public DrawingVerb {
+ public:
+  OptionGroups Groups() const override;
+  DrawingInScene Apply(const Job& job, const DrawingInScene& given) override;
+
+ protected:
+  ProvenanceKeys ProvenanceRow() const override;
+};
+
+}  // namespace limn::colmap_ext
