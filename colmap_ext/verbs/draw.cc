@@ -121,7 +121,10 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   WriteDrawingResults(project, drawing, console, drawn->new_views);
   if (options.account) {
     WriteAccount(project,
-                 {{drawing.views, *curves}, drawn->sketch_fates, drawn->sketch, drawn->sample_fates,
+                 {{drawing.views, *curves},
+                  drawn->sketch_fates,
+                  drawn->sketch,
+                  drawn->sample_fates,
                   drawing.graph},
                  console);
   }

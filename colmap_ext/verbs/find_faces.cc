@@ -34,8 +34,8 @@ ProvenanceKeys FindFacesVerb::ProvenanceRow() const {
 
 DrawingInScene FindFacesVerb::Apply(const Job& job, const DrawingInScene& given) {
   auto curves = CurvesOf(job, given);
-  SurfaceResult result = FindFaces({given.views, *curves, job.scene.view_set().hints},
-                                   given.graph, job.options.pipeline.surfaces, job.context());
+  SurfaceResult result = FindFaces({given.views, *curves, job.scene.view_set().hints}, given.graph,
+                                   job.options.pipeline.surfaces, job.context());
   job.console->Report(result.summary);
   SayLinksBehind(result.links_behind, job.console);
   CheckGraph(result.graph);

@@ -9,8 +9,8 @@ namespace limn::colmap_ext {
 
 CurveSketch MakeSketch(const Job& job, const std::vector<ImageCurves>& curves) {
   const PipelineOptions& options = job.options.pipeline;
-  SketchResult result = SketchViews(options.mode, {job.WithCurves(curves)}, options.sketch,
-                                    job.cache, job.context());
+  SketchResult result =
+      SketchViews(options.mode, {job.WithCurves(curves)}, options.sketch, job.cache, job.context());
   job.console->Report(result.summary);
   return std::move(result.sketch);
 }

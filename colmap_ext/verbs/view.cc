@@ -127,7 +127,8 @@ void ViewVerb::AddOptions(OptionParser* parser) {
                     "JSON file with a report of the run, for the tab Report");
   parser->AddOption("cloud", &viewer_.cloud, {"auto", "sparse", "dense", "none"},
                     BasicOption("which points to show; auto = dense if there are any"));
-  parser->AddOption("max_points", &viewer_.max_points, BasicOption("thin the points to at most this many"));
+  parser->AddOption("max_points", &viewer_.max_points,
+                    BasicOption("thin the points to at most this many"));
   parser->AddOption("thumbnail_size", &viewer_.thumbnail_size,
                     BasicOption("longer side of the photographs in the page, px"));
   parser->AddOption("aligned", &viewer_.aligned,
