@@ -27,10 +27,6 @@ DrawingInScene DrawSketchInScene(const Job& job,
       std::move(result.graph), Metadata(job.scene, provenance), job.views(), std::move(curves), {}};
 }
 
-OptionGroups DrawSketchVerb::Groups() const {
-  return {.linking = true, .drawing = true, .overwrites = true};
-}
-
 void DrawSketchVerb::AddOptions(OptionParser* parser) {
   align_.AddOptions(/*of_drawing=*/false, parser);
 }

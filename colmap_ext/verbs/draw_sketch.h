@@ -14,7 +14,9 @@ namespace limn::colmap_ext {
 // curve_drawer: the drawing of the stored sketch, before its refinement.
 class DrawSketchVerb : public Verb {
  public:
-  OptionGroups Groups() const override;
+  OptionGroups Groups() const override {
+    return {.linking = true, .drawing = true, .overwrites = true};
+  }
   void AddOptions(OptionParser* parser) override;
   void Prepare(RunOptions* options, Console* console) override;
   void Run(const Project& project, const RunOptions& options, Console* console) override;

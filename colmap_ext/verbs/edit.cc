@@ -67,10 +67,6 @@ void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Conso
 
 }  // namespace
 
-OptionGroups EditVerb::Groups() const {
-  return {.linking = true, .refit = true, .overwrites = true};
-}
-
 void EditVerb::AddOptions(OptionParser* parser) {
   parser->AddOption("edits", &edits_path_, BasicOption("edits.json, as made in drawing.html"));
 }

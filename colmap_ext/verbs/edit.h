@@ -12,7 +12,9 @@ namespace limn::colmap_ext {
 // that they touch fitted to the images again.
 class EditVerb : public DrawingVerb {
  public:
-  OptionGroups Groups() const override;
+  OptionGroups Groups() const override {
+    return {.linking = true, .refit = true, .overwrites = true};
+  }
   bool HasOwnOptions() const override { return true; }
   void AddOptions(OptionParser* parser) override;
   void Prepare(RunOptions* options, Console* console) override;

@@ -13,8 +13,6 @@ std::vector<EdgeMap> FindEdgeMaps(const Job& job) {
   return std::move(result.edge_maps);
 }
 
-OptionGroups ExtractEdgesVerb::Groups() const { return {.linking = true, .overwrites = true}; }
-
 void ExtractEdgesVerb::AddFileOptions(OptionParser* parser) {
   parser->AddOption(
       "format", &format_,

@@ -9,7 +9,7 @@ namespace limn::colmap_ext {
 // edge_extractor: the edgels of all images, kept in the cache.
 class ExtractEdgesVerb : public Verb {
  public:
-  OptionGroups Groups() const override;
+  OptionGroups Groups() const override { return {.linking = true, .overwrites = true}; }
   void AddFileOptions(OptionParser* parser) override;
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 

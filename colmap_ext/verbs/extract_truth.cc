@@ -66,10 +66,6 @@ TruthSource ReadTruthSource(const std::string& mesh_path, const std::string& clo
 
 }  // namespace
 
-OptionGroups ExtractTruthVerb::Groups() const {
-  return {.linking = true, .overwrites = true, .output_help = "file of the truth, .ply"};
-}
-
 void ExtractTruthVerb::AddOptions(OptionParser* parser) {
   parser->AddOption("mesh_path", &mesh_path_,
                     BasicOption("surface, .ply or .obj: its sharp edges"));

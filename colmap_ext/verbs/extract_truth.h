@@ -21,7 +21,9 @@ struct TruthSource {
 // automatic_drawer if that writes there.
 class ExtractTruthVerb : public Verb {
  public:
-  OptionGroups Groups() const override;
+  OptionGroups Groups() const override {
+    return {.linking = true, .overwrites = true, .output_help = "file of the truth, .ply"};
+  }
   void AddOptions(OptionParser* parser) override;
   void Prepare(RunOptions* options, Console* console) override;
   void Run(const Project& project, const RunOptions& options, Console* console) override;

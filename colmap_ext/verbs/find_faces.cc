@@ -24,14 +24,6 @@ void SayLinksBehind(const std::vector<LinkId>& links, Console* console) {
 
 }  // namespace
 
-OptionGroups FindFacesVerb::Groups() const {
-  return {.linking = true, .surfaces = true, .overwrites = true};
-}
-
-ProvenanceKeys FindFacesVerb::ProvenanceRow() const {
-  return {.taken = {"Surfaces"}, .dropped = {}};
-}
-
 DrawingInScene FindFacesVerb::Apply(const Job& job, const DrawingInScene& given) {
   auto curves = CurvesOf(job, given);
   SurfaceResult result = FindFaces({given.views, *curves, job.scene.view_set().hints}, given.graph,

@@ -91,8 +91,6 @@ void SayLengths(const FusionResult& result, const DenseOptions& options, Console
 
 }  // namespace
 
-OptionGroups FuseVerb::Groups() const { return {.dense = true, .overwrites = true}; }
-
 void FuseVerb::AddOptions(OptionParser* parser) {
   parser->AddOption("dense_type", &paths_.dense_type,
                     {"auto", "depth_maps", "fused", "pmvs", "mesh"},

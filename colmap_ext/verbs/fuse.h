@@ -14,7 +14,7 @@ namespace limn::colmap_ext {
 // pmvs-with-curves.{patch,ply} and sparse-with-curves/; prints the meshers' commands.
 class FuseVerb : public DrawingVerb {
  public:
-  OptionGroups Groups() const override;
+  OptionGroups Groups() const override { return {.dense = true, .overwrites = true}; }
   bool HasOwnOptions() const override { return true; }
   void AddOptions(OptionParser* parser) override;
   void AddFileOptions(OptionParser* parser) override;

@@ -4,8 +4,6 @@
 
 namespace limn::colmap_ext {
 
-OptionGroups LinkVerb::Groups() const { return {.linking = true, .overwrites = true}; }
-
 void LinkVerb::AddFileOptions(OptionParser* parser) {
   parser->AddOption("format", &format_, {{"none", EdgeFormat::kNone}, {"cem", EdgeFormat::kCem}},
                     BasicOption("also write fragments as curves/fragments/<image name>.cem"));

@@ -8,7 +8,7 @@ namespace limn::colmap_ext {
 // curve_linker: the curve fragments of all images (ExtractImageCurves), kept in the cache.
 class LinkVerb : public Verb {
  public:
-  OptionGroups Groups() const override;
+  OptionGroups Groups() const override { return {.linking = true, .overwrites = true}; }
   void AddFileOptions(OptionParser* parser) override;
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 

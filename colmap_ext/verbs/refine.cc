@@ -8,15 +8,6 @@
 
 namespace limn::colmap_ext {
 
-OptionGroups RefineVerb::Groups() const {
-  return {.linking = true, .refinement = true, .overwrites = true};
-}
-
-ProvenanceKeys RefineVerb::ProvenanceRow() const {
-  return {.taken = {"DrawingRefinement", "Belief", "Primitives", "regularize", "Regularity"},
-          .dropped = {"Surfaces"}};  // faces end as links move
-}
-
 DrawingInScene RefineVerb::Apply(const Job& job, const DrawingInScene& given) {
   const PipelineOptions& options = job.options.pipeline;
   DrawingInScene made = {{}, given.metadata, given.views, CurvesOf(job, given), {}};

@@ -19,12 +19,6 @@ void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Co
 
 }  // namespace
 
-OptionGroups RegularizeVerb::Groups() const { return {.regularities = true, .overwrites = true}; }
-
-ProvenanceKeys RegularizeVerb::ProvenanceRow() const {
-  return {.taken = {"regularize", "Regularity", "Primitives"}, .dropped = {}};
-}
-
 void RegularizeVerb::Prepare(RunOptions* options, Console*) { options->pipeline.regularize = true; }
 
 DrawingInScene RegularizeVerb::Apply(const Job& job, const DrawingInScene& given) {

@@ -15,10 +15,6 @@ CurveSketch MakeSketch(const Job& job, const std::vector<ImageCurves>& curves) {
   return std::move(result.sketch);
 }
 
-OptionGroups SketchVerb::Groups() const {
-  return {.linking = true, .sketch = true, .overwrites = true};
-}
-
 void SketchVerb::Run(const Project& project, const RunOptions& options, Console* console) {
   CheckSketchFiles(project, options);
   CheckSceneViews(project);

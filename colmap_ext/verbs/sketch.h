@@ -10,7 +10,9 @@ namespace limn::colmap_ext {
 // curve_sketcher: unconnected curves in space.
 class SketchVerb : public Verb {
  public:
-  OptionGroups Groups() const override;
+  OptionGroups Groups() const override {
+    return {.linking = true, .sketch = true, .overwrites = true};
+  }
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 };
 
