@@ -86,12 +86,12 @@ void PrintError(const std::exception& error) {
 int Run(int argc, const char* const* argv) {
   const std::string_view name = argv[1];
   const Command* command = FindCommand(name);
-  if (NumRanks() > 1 && !(command && command->run == RunAutomaticDrawer)) {
+  if (NumRanks() > 1 && !(command && command->has_ranks)) {
     if (Rank() != 0) return 0;  // rank 0 says it
     throw limn::OptionError(std::string(name) +
                             ": only automatic_drawer runs in several MPI processes");
   }
-  if (command) return command->run(argc - 1, argv + 1, MakeTerminalConsole);
+  if (command) return command->Run(argc - 1, argv + 1, MakeTerminalConsole);
   throw limn::OptionError("unknown command '" + std::string(name) +
                           "'; 'limn help' lists the commands");
 }

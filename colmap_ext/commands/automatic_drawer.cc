@@ -1,8 +1,9 @@
+#include "colmap_ext/commands/automatic_drawer.h"
+
 #include <exception>
 #include <memory>
 #include <string>
 
-#include "colmap_ext/commands/commands.h"
 #include "colmap_ext/host/ranks.h"
 #include "colmap_ext/verbs/draw.h"
 #include "colmap_ext/verbs/workspace_watch.h"
@@ -26,7 +27,7 @@ void DrawAndWatch(DrawerOptions options, const OptionParser& parser,
                   const ConsoleMaker& make_console) {
   WorkspaceWatch watch(ResolveLayout(options.run.layout).model_dir);
   for (bool is_first = true;; is_first = false) {
-    const auto console = make_console(options.run.num_threads, true);
+    const auto console = make_console(options.run.num_threads, Printing::kOn);
     watch.Look();
     try {
       Draw(options, parser, &watch, console.get());
@@ -44,22 +45,24 @@ void DrawAndWatch(DrawerOptions options, const OptionParser& parser,
 
 }  // namespace
 
-int RunAutomaticDrawer(int argc, const char* const* argv, const ConsoleMaker& make_console) {
+int RunAutomaticDrawer(const Command& command, int argc, const char* const* argv,
+                       const ConsoleMaker& make_console) {
   // The others begin when rank 0 knows that there is work and holds the lock.
   const bool leads = Rank() == 0;
-  if (!leads && !AsRankZero(true)) return 0;
+  if (!leads && WaitForRankZero() == RankOrder::kEnd) return 0;
   DrawerOptions options;
-  const auto parser = ParseDrawerOptions(argc, argv, &options);
+  const auto parser = ParseDrawerOptions(command.heading, argc, argv, &options);
   if (!parser) {
-    AsRankZero(false);
+    if (leads) TellOtherRanks(RankOrder::kEnd);
     return 0;
   }
   if (options.watch) {
     DrawAndWatch(options, *parser, make_console);
     return 0;
   }
-  options.run.is_led = !leads;
-  const auto console = make_console(options.run.num_threads, leads);
+  options.run.is_locked_by_rank_zero = !leads;
+  const auto console =
+      make_console(options.run.num_threads, leads ? Printing::kOn : Printing::kOff);
   Draw(options, *parser, nullptr, console.get());
   return 0;
 }

@@ -82,7 +82,9 @@ class Console {
 // What to show of a stage: what came in, what was kept and dropped, warnings.
 std::vector<std::string> LinesOf(const RunLog::Stage& stage);
 
-// Makes the console of a command. A quiet one shows nothing.
-using ConsoleMaker = std::function<std::unique_ptr<Console>(int num_threads, bool speaks)>;
+// Whether the console of a command prints: of several processes of a run only one does.
+enum class Printing { kOff, kOn };
+// Makes the console of a command.
+using ConsoleMaker = std::function<std::unique_ptr<Console>(int num_threads, Printing printing)>;
 
 }  // namespace limn::colmap_ext

@@ -39,7 +39,7 @@ OutputFolder::OutputFolder(const OutputLayout& output, const RunOptions& options
   CheckWritable(output.drawing_dir);
   CheckWritable(output.curves_dir);
   CheckLinkedCurves(output.curves_dir);
-  if (!options.is_led) {
+  if (!options.is_locked_by_rank_zero) {
     const bool is_alone = options.shard.empty();
     lock_.emplace(output.curves_dir, is_alone ? LockMode::kExclusive : LockMode::kShared);
     if (is_alone) RemoveTemporaryFiles(output);

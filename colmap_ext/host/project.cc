@@ -45,13 +45,4 @@ SparseModel Project::ReadModel() const {
   return given_model_ ? *given_model_ : colmap_ext::ReadModel(layout().model_dir);
 }
 
-CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
-                                  Console* console, const FragmentsObserver& on_fragments) {
-  CurvesResult result = ExtractCurves(
-      {project.views(), project.images(), project.cache(), std::nullopt, on_fragments},
-      options.pipeline.edges, options.pipeline.linking, console->context());
-  console->Report(result.summary);
-  return result;
-}
-
 }  // namespace limn::colmap_ext

@@ -7,7 +7,6 @@
 #include "colmap_ext/host/run_options.h"
 #include "colmap_ext/host/scene.h"
 #include "colmap_ext/model/model.h"
-#include "limn/pipeline/extract_curves.h"
 
 namespace limn::colmap_ext {
 
@@ -34,9 +33,5 @@ class Project : public OutputFolder, public Scene {
 
 // ResolveLayout, and reports what was chosen.
 WorkspaceLayout ChooseLayout(const RunOptions& options, Console* console);
-
-// The image curves of all views, from the project's cache where possible; prints a summary.
-CurvesResult ExtractProjectCurves(const Project& project, const RunOptions& options,
-                                  Console* console, const FragmentsObserver& on_fragments = {});
 
 }  // namespace limn::colmap_ext

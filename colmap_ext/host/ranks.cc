@@ -60,10 +60,14 @@ static void MeetOtherRanks(const std::string& error) {
   boost::mpi::communicator().barrier();  // which rank 0 never enters
 }
 
-bool AsRankZero(bool value) {
-  if (NumRanks() > 1) boost::mpi::broadcast(boost::mpi::communicator(), value, 0);
-  return value;
+// What rank 0 sends, on every rank.
+static RankOrder OrderOfRankZero(RankOrder sent) {
+  int order = static_cast<int>(sent);
+  if (NumRanks() > 1) boost::mpi::broadcast(boost::mpi::communicator(), order, 0);
+  return static_cast<RankOrder>(order);
 }
+void TellOtherRanks(RankOrder order) { OrderOfRankZero(order); }
+RankOrder WaitForRankZero() { return OrderOfRankZero(RankOrder::kEnd); }
 
 std::vector<std::string> RankTeam::Exchange(const std::string& mine) {
   const boost::mpi::communicator ranks;
@@ -98,7 +102,8 @@ MpiSession::~MpiSession() = default;
 int Rank() { return 0; }
 int NumRanks() { return 1; }
 static void MeetOtherRanks(const std::string&) {}
-bool AsRankZero(bool value) { return value; }
+void TellOtherRanks(RankOrder) {}
+RankOrder WaitForRankZero() { return RankOrder::kEnd; }
 std::vector<std::string> RankTeam::Exchange(const std::string& mine) { return {mine}; }
 void AbortRanks(int) {}
 

@@ -30,8 +30,10 @@ int NumRanks();
 // process on its own throws its own text.
 void MeetAllRanks(const std::string& error);
 
-// Broadcasts rank 0's value to every rank.
-bool AsRankZero(bool value);
+// What rank 0 tells the others, once: whether there is work for them. They wait for it.
+enum class RankOrder { kWork, kEnd };
+void TellOtherRanks(RankOrder order);
+RankOrder WaitForRankZero();
 
 // All ranks, as a team that exchanges results.
 class RankTeam : public Team {

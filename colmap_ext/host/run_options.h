@@ -34,8 +34,8 @@ struct RunOptions {
   // Compute only this part of the views, "i/n", for the cache; empty = everything.
   std::string shard;
   ShardStage shard_stage = ShardStage::kSketches;
-  // Another process holds the lock on the output folder for this one. Not a user option.
-  bool is_led = false;
+  // Rank 0 holds the lock on the output folder for this process. Not a user option.
+  bool is_locked_by_rank_zero = false;
   // Replace results made with other options, from other images or not by limn.
   bool overwrite = false;
   // Bring the existing drawing up to date (limn/pipeline/update_scene.h).

@@ -24,12 +24,12 @@ std::string KeptOf(const CacheUse& use) {
 
 }  // namespace
 
-TerminalConsole::TerminalConsole(int num_threads, bool speaks)
+TerminalConsole::TerminalConsole(int num_threads, Printing printing)
     : Console(num_threads),
-      speaks_(speaks),
+      prints_(printing == Printing::kOn),
       is_terminal_(isatty(STDOUT_FILENO) == 1),
       interrupts_([this]() -> std::string {
-        if (!speaks_) return "";
+        if (!prints_) return "";
         if (is_terminal_) std::printf("\r\033[K");
         std::fflush(stdout);
         return WhatIsKept();
@@ -57,7 +57,7 @@ std::string TerminalConsole::WhatIsKept() const {
 }
 
 void TerminalConsole::ShowProgress(const char* stage, size_t done, size_t total) {
-  if (!speaks_ || total == 0) return;
+  if (!prints_ || total == 0) return;
   // Another stage, or the same one again from the start.
   if (progress_stage_ != stage || done < progress_done_) {
     progress_stage_ = stage;
@@ -98,13 +98,13 @@ void TerminalConsole::ClearProgressLine() {
 
 void TerminalConsole::ShowLine(const std::string& line) {
   ClearProgressLine();
-  if (speaks_) std::printf("%s\n", Printable(line).c_str());
+  if (prints_) std::printf("%s\n", Printable(line).c_str());
   std::fflush(stdout);
 }
 
 void TerminalConsole::ShowTable(const std::string& lines) {
   ClearProgressLine();
-  if (speaks_ && (std::fputs(lines.c_str(), stdout) < 0 || std::fflush(stdout) != 0)) {
+  if (prints_ && (std::fputs(lines.c_str(), stdout) < 0 || std::fflush(stdout) != 0)) {
     throw IoError("standard output", "the table could not be written");
   }
 }
@@ -112,13 +112,13 @@ void TerminalConsole::ShowTable(const std::string& lines) {
 void TerminalConsole::ShowStage(const RunLog::Stage& stage) {
   ClearProgressLine();
   for (const std::string& line : LinesOf(stage)) {
-    if (speaks_) std::printf("%s\n", Printable(line).c_str());
+    if (prints_) std::printf("%s\n", Printable(line).c_str());
   }
   std::fflush(stdout);
 }
 
-std::unique_ptr<Console> MakeTerminalConsole(int num_threads, bool speaks) {
-  return std::make_unique<TerminalConsole>(num_threads, speaks);
+std::unique_ptr<Console> MakeTerminalConsole(int num_threads, Printing printing) {
+  return std::make_unique<TerminalConsole>(num_threads, printing);
 }
 
 }  // namespace limn::colmap_ext

@@ -14,8 +14,8 @@ namespace limn::colmap_ext {
 // kept.
 class TerminalConsole : public Console {
  public:
-  // At most one terminal console may exist at a time. If `speaks` is false it prints nothing.
-  explicit TerminalConsole(int num_threads, bool speaks = true);
+  // At most one terminal console may exist at a time.
+  explicit TerminalConsole(int num_threads, Printing printing = Printing::kOn);
   ~TerminalConsole() override;
 
   void ShowTable(const std::string& lines) override;
@@ -29,7 +29,7 @@ class TerminalConsole : public Console {
   void ShowProgress(const char* stage, size_t done, size_t total);
   void ClearProgressLine();
 
-  bool speaks_;
+  bool prints_;
   bool is_terminal_ = false;
   bool has_progress_line_ = false;
   std::string progress_stage_;
@@ -42,6 +42,6 @@ class TerminalConsole : public Console {
 };
 
 // The consoles of the command line.
-std::unique_ptr<Console> MakeTerminalConsole(int num_threads, bool speaks);
+std::unique_ptr<Console> MakeTerminalConsole(int num_threads, Printing printing);
 
 }  // namespace limn::colmap_ext

@@ -56,12 +56,15 @@ void BindStages(py::module_* module) {
   BindStage(module, "sketch", SketchScene);
   BindStage(module, "draw_sketch", DrawSketch);
   BindStage(module, "draw_scene", DrawOpenScene);
-  BindStage(module, "refine", RefineSceneDrawing);
-  BindStage(module, "regularize", RegularizeSceneDrawing);
-  BindStage(module, "find_faces", FindSceneFaces);
-  BindStage(module, "edit", EditSceneDrawing);
-  BindStage(module, "fuse", FuseSceneDrawing);
-  BindStage(module, "align", AlignSceneDrawing);
+  module->def(
+      "apply",
+      [](const std::string& function, const std::shared_ptr<SceneDrawing>& drawing,
+         const OptionTexts& options, const py::object& progress) {
+        return RunFree(progress, [function, drawing, options](RunMonitor* monitor) {
+          return ApplyVerb(function, drawing, options, monitor);
+        });
+      },
+      py::arg("function"), py::arg("drawing").none(false), py::arg("options"), py::arg("progress"));
   module->def(
       "read_drawing",
       [](const std::filesystem::path& path,

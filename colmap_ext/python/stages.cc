@@ -8,23 +8,17 @@
 #include <nlohmann/json.hpp>
 
 #include "colmap_ext/commands/commands.h"
-#include "colmap_ext/host/project.h"
 #include "colmap_ext/host/world_shift.h"
-#include "colmap_ext/verbs/align.h"
-#include "colmap_ext/verbs/draw_options.h"
-#include "colmap_ext/verbs/draw_scene.h"
+#include "colmap_ext/verbs/draw.h"
+#include "colmap_ext/verbs/draw_sketch.h"
 #include "colmap_ext/verbs/drawing_input.h"
-#include "colmap_ext/verbs/drawing_results.h"
-#include "colmap_ext/verbs/edit.h"
 #include "colmap_ext/verbs/evaluate.h"
 #include "colmap_ext/verbs/export_drawing.h"
-#include "colmap_ext/verbs/fuse.h"
+#include "colmap_ext/verbs/extract_edges.h"
+#include "colmap_ext/verbs/sketch.h"
 #include "colmap_ext/verbs/trust.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/formats/write_drawing.h"
-#include "limn/pipeline/refit_edited.h"
-#include "limn/pipeline/sketch_views.h"
-#include "limn/surfaces/find_faces.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -73,46 +67,57 @@ MadeWith AddOptions(const MadeWith& made, const std::string& stage, const Option
 // In place of the path of a drawing.
 constexpr const char* kDrawingInMemory = "drawing.json";
 
-StageObserver ReportTo(Console* console) {
-  return [console](const StageSummary& summary) { console->Report(summary); };
+// The work on a scene in memory: nothing is kept.
+class MemoryJob {
+ public:
+  MemoryJob(const Scene& scene, const RunOptions& options, Console* console)
+      : job_{scene, options, console, &no_cache_} {}
+  ~MemoryJob() { job_.scene.images().release(); }
+  MemoryJob(const MemoryJob&) = delete;
+  MemoryJob& operator=(const MemoryJob&) = delete;
+
+  operator const Job&() const { return job_; }
+
+ private:
+  ResultCache no_cache_{""};
+  Job job_;
+};
+
+DrawingInScene ToScene(const SceneDrawing& drawing) {
+  return {Moved(drawing.graph, -drawing.scene->scene.origin()), drawing.metadata, drawing.views,
+          drawing.curves, std::nullopt};
 }
 
-// With what goes with all drawings of a scene.
-std::shared_ptr<SceneDrawing> MakeDrawing(std::shared_ptr<const OpenScene> scene, MadeWith made,
-                                          const DrawingGraph& graph,
-                                          const std::optional<RefinedCameras>& cameras,
-                                          const std::string& provenance) {
-  CheckGraph(graph);
+std::shared_ptr<SceneDrawing> FromScene(DrawingInScene made, std::shared_ptr<const OpenScene> scene,
+                                        MadeWith with, const Console& console) {
   auto drawing = std::make_shared<SceneDrawing>();
-  drawing->graph = Moved(graph, scene->scene.origin());
-  drawing->metadata = Metadata(scene->scene, provenance);
-  drawing->made = std::move(made);
-  drawing->views = cameras ? cameras->views : scene->scene.views();
+  drawing->graph = Moved(std::move(made.graph), scene->scene.origin());
+  drawing->metadata = std::move(made.metadata);
+  drawing->made = std::move(with);
+  drawing->made.log = console.log();
   drawing->scene = std::move(scene);
+  drawing->views = std::move(made.views);
+  drawing->curves = std::move(made.curves);
   return drawing;
 }
 
-// Relative to the scene's origin.
-DrawingGraph GraphInScene(const SceneDrawing& drawing) {
-  return Moved(drawing.graph, -drawing.scene->scene.origin());
+std::shared_ptr<const std::vector<ImageCurves>> CurvesOf(const Job& job) {
+  return std::make_shared<const std::vector<ImageCurves>>(ExtractImageCurves(job).curves);
 }
 
-void RequireScene(const SceneDrawing& drawing, const char* function) {
-  if (drawing.scene) return;
-  throw InputError(std::string(function) +
-                   ": the drawing was read without its workspace: read_drawing(path, scene)");
+// Those that make sense in memory, on top of what the drawing was made with.
+OptionGroups GroupsInMemory(const Verb& verb) {
+  OptionGroups groups = verb.Groups();
+  groups.linking = groups.overwrites = false;
+  return groups;
 }
 
-std::shared_ptr<const std::vector<ImageCurves>> CurvesOf(std::shared_ptr<const OpenScene> scene,
-                                                         const RunOptions& options,
-                                                         Console* console) {
-  ResultCache no_cache("");
-  const Scene& read = scene->scene;
-  CurvesResult result =
-      ExtractCurves({read.views(), read.images(), &no_cache}, options.pipeline.edges,
-                    options.pipeline.linking, console->context());
-  console->Report(result.summary);
-  return std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
+void RefuseFileOptions(const std::string& function, Verb* verb, const OptionTexts& options) {
+  OptionParser of_files(function, "");
+  verb->AddFileOptions(&of_files);
+  for (const auto& [name, text] : options) {
+    if (of_files.Knows(name)) RefuseOptions(function, options, {name.c_str()});
+  }
 }
 
 // Keeps the log of a command.
@@ -177,11 +182,7 @@ std::shared_ptr<SceneEdges> ExtractSceneEdges(std::shared_ptr<const OpenScene> s
   edges->made = AddOptions(scene->made, "extract_edges", {}, options, {});
   const RunOptions& run = edges->made.options;
   LibraryConsole console(run.num_threads, monitor);
-  ResultCache no_cache("");
-  EdgeMapsResult result = ExtractEdgeMaps({scene->scene.views(), scene->scene.images(), &no_cache},
-                                          run.pipeline.edges, console.context());
-  console.Report(result.summary);
-  edges->edge_maps = std::move(result.edge_maps);
+  edges->edge_maps = FindEdgeMaps(MemoryJob(scene->scene, run, &console));
   for (EdgeMap& map : edges->edge_maps) ApplyLens(nullptr, &map);  // they stay in stored pixels
   edges->scene = std::move(scene);
   edges->made.log = console.log();
@@ -193,7 +194,7 @@ std::shared_ptr<SceneCurves> LinkScene(std::shared_ptr<const OpenScene> scene,
   auto curves = std::make_shared<SceneCurves>();
   curves->made = AddOptions(scene->made, "link", {.linking = true}, options, {});
   LibraryConsole console(curves->made.options.num_threads, monitor);
-  curves->curves = CurvesOf(scene, curves->made.options, &console);
+  curves->curves = CurvesOf(MemoryJob(scene->scene, curves->made.options, &console));
   curves->scene = std::move(scene);
   curves->made.log = console.log();
   return curves;
@@ -207,13 +208,8 @@ std::shared_ptr<SceneSketch> SketchScene(std::shared_ptr<const SceneCurves> curv
   LibraryConsole console(run.num_threads, monitor);
   const Scene& scene = curves->scene->scene;
   CheckSceneViews(scene);
-  ResultCache no_cache("");
-  SketchResult result =
-      SketchViews(run.pipeline.mode,
-                  {{scene.views(), *curves->curves, scene.view_set().hints, SceneBox(scene, run)}},
-                  run.pipeline.sketch, &no_cache, console.context());
-  console.Report(result.summary);
-  sketch->sketch = std::make_shared<const CurveSketch>(std::move(result.sketch));
+  sketch->sketch = std::make_shared<const CurveSketch>(
+      MakeSketch(MemoryJob(scene, run, &console), *curves->curves));
   sketch->in_model =
       scene.origin().isZero()
           ? sketch->sketch
@@ -226,20 +222,12 @@ std::shared_ptr<SceneSketch> SketchScene(std::shared_ptr<const SceneCurves> curv
 std::shared_ptr<SceneDrawing> DrawSketch(std::shared_ptr<const SceneSketch> sketch,
                                          const OptionTexts& options, RunMonitor* monitor) {
   MadeWith made = AddOptions(sketch->made, "draw", {.drawing = true}, options, kOptionsOfSketch);
-  const RunOptions run = made.options;
-  LibraryConsole console(run.num_threads, monitor);
+  LibraryConsole console(made.options.num_threads, monitor);
   const SceneCurves& curves = *sketch->curves;
-  const Scene& scene = curves.scene->scene;
-  const DrawingResult result = limn::DrawSketch(
-      {{scene.views(), *curves.curves, scene.view_set().hints, SceneBox(scene, run)},
-       *sketch->sketch},
-      run.pipeline, console.context());
-  console.Report(result.summary);
-  auto drawing = MakeDrawing(curves.scene, std::move(made), result.graph, std::nullopt,
-                             DrawingProvenance(run, Provenance(sketch->made.options)));
-  drawing->curves = curves.curves;
-  drawing->made.log = console.log();
-  return drawing;
+  DrawingInScene drawing = DrawSketchInScene(
+      MemoryJob(curves.scene->scene, made.options, &console), curves.curves, *sketch->sketch,
+      ProvenanceOfDrawing(made.options, Provenance(sketch->made.options)));
+  return FromScene(std::move(drawing), curves.scene, std::move(made), console);
 }
 
 std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> scene,
@@ -250,178 +238,36 @@ std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> sce
       options, {});
   DrawerOptions drawer;
   drawer.run = made.options;
-  const RunOptions& run = drawer.run;
-  LibraryConsole console(run.num_threads, monitor);
-  const Scene& read = scene->scene;
-  CheckSceneViews(read);
-  ResultCache no_cache("");
-  const PipelineInput input{read.views(), read.view_set().hints, read.images(), SceneBox(read, run),
-                            &no_cache};
-  const std::vector<Tile> tiles = PlanSceneTiles(input, drawer, &console);
-  PipelineResult result = *DrawSceneOrTiles(input, tiles, run.pipeline, &console);
-  auto drawing = MakeDrawing(scene, std::move(made), result.graph, result.cameras, Provenance(run));
-  SayTrust(MeasureTrust(read.view_set(), drawing->views, result.curves, result.graph),
-           !run.box.empty(), &console);
-  if (!IsInTiles(tiles, input.views)) {
-    drawing->curves = std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
+  LibraryConsole console(made.options.num_threads, monitor);
+  CheckSceneViews(scene->scene);
+  auto drawn = DrawInMemory(MemoryJob(scene->scene, made.options, &console), drawer);
+  DrawingInScene& drawing = drawn->drawing;
+  ReportTrust(scene->scene.view_set(), drawing, &console);
+  return FromScene(std::move(drawing), scene, std::move(made), console);
+}
+
+std::shared_ptr<SceneDrawing> ApplyVerb(const std::string& function,
+                                        std::shared_ptr<const SceneDrawing> drawing,
+                                        const OptionTexts& options, RunMonitor* monitor) {
+  if (!drawing->scene) {
+    throw InputError(function +
+                     ": the drawing was read without its workspace: read_drawing(path, scene)");
   }
-  drawing->made.log = console.log();
-  return drawing;
-}
-
-std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                                 const OptionTexts& options, RunMonitor* monitor) {
-  RequireScene(*drawing, "refine");
-  MadeWith made =
-      AddOptions(drawing->made, "refine", {.refinement = true}, options, kOptionsOfSketch);
-  const RunOptions run = made.options;
-  LibraryConsole console(run.num_threads, monitor);
-  const Scene& scene = drawing->scene->scene;
-  const auto curves = drawing->curves ? drawing->curves : CurvesOf(drawing->scene, run, &console);
-  JudgedDrawing judged =
-      RefineAndJudge({{drawing->views, *curves, scene.view_set().hints}, GraphInScene(*drawing)},
-                     run.pipeline, console.context(), ReportTo(&console));
-  const std::vector<View>& views = judged.cameras ? judged.cameras->views : drawing->views;
-  const DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, scene.images().read,
-                                           run.pipeline, console.context(), ReportTo(&console));
-  scene.images().release();
-  const std::string provenance = RefinementProvenance(run, drawing->metadata.options_json);
-  auto refined = MakeDrawing(drawing->scene, std::move(made), graph, judged.cameras, provenance);
-  SayTrust(MeasureTrust(scene.view_set(), refined->views, *curves, graph), HasBox(provenance),
-           &console);
-  SayDroppedFaces(drawing->graph, graph, &console);
-  refined->metadata.alignment = drawing->metadata.alignment;
-  refined->curves = curves;
-  refined->made.log = console.log();
-  return refined;
-}
-
-std::shared_ptr<SceneDrawing> RegularizeSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                                     const OptionTexts& options,
-                                                     RunMonitor* monitor) {
-  RequireScene(*drawing, "regularize");
-  auto regular = std::make_shared<SceneDrawing>(*drawing);
-  regular->made =
-      AddOptions(drawing->made, "regularize", {.regularities = true}, options, kOptionsOfSketch);
-  const RunOptions& run = regular->made.options;
-  LibraryConsole console(run.num_threads, monitor);
-  const RegularityResult result =
-      Regularize(GraphInScene(*drawing), drawing->views, run.pipeline.regularity,
-                 run.pipeline.primitives, console.context());
-  console.Report(result.summary);
-  CheckGraph(result.graph);
-  SayRegularities(result.graph, result.moves, &console);
-  SayDroppedFaces(drawing->graph, result.graph, &console);
-  regular->graph = Moved(result.graph, drawing->scene->scene.origin());
-  regular->metadata.options_json = RegularityProvenance(run, drawing->metadata.options_json);
-  regular->made.log = console.log();
-  return regular;
-}
-
-std::shared_ptr<SceneDrawing> FindSceneFaces(std::shared_ptr<const SceneDrawing> drawing,
-                                             const OptionTexts& options, RunMonitor* monitor) {
-  RequireScene(*drawing, "find_faces");
-  auto faced = std::make_shared<SceneDrawing>(*drawing);
-  faced->made =
-      AddOptions(drawing->made, "find_faces", {.surfaces = true}, options, kOptionsOfSketch);
-  const RunOptions& run = faced->made.options;
-  LibraryConsole console(run.num_threads, monitor);
-  const Scene& scene = drawing->scene->scene;
-  if (!faced->curves) faced->curves = CurvesOf(drawing->scene, run, &console);
-  const SurfaceResult result = FindFaces({drawing->views, *faced->curves, scene.view_set().hints},
-                                         run.pipeline.refinement.Gate(), GraphInScene(*drawing),
-                                         run.pipeline.surfaces, console.context());
-  console.Report(result.summary);
-  SayLinksBehind(result.links_behind, &console);
-  CheckGraph(result.graph);
-  faced->graph = Moved(result.graph, scene.origin());
-  faced->metadata.options_json = SurfaceProvenance(run, drawing->metadata.options_json);
-  faced->made.log = console.log();
-  return faced;
-}
-
-std::shared_ptr<SceneDrawing> EditSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                               const OptionTexts& options, RunMonitor* monitor) {
-  RequireScene(*drawing, "edit");
-  RefuseOptions("edit", options, {"drawing_path"});
-  std::string edits_path;
-  const MadeWith added =
-      AddOptions(drawing->made, "edit", {.refit = true}, options, kOptionsOfSketch,
-                 [&](OptionParser* more) { more->AddOption("edits", &edits_path, "edits.json"); });
-  const RunOptions& run = added.options;
-  CheckEditorOptions(run);
-  const EditsFile file = ReadEdits(edits_path);
-  LibraryConsole console(run.num_threads, monitor);
-  const Scene& scene = drawing->scene->scene;
-  EditedDrawing result =
-      ApplyEdits(GraphInScene(*drawing), drawing->views, Moved(file.edits, -scene.origin()),
-                 run.pipeline.drawing.topology);
-  // Options of the edits are of no use to later stages.
-  auto edited = std::make_shared<SceneDrawing>(*drawing);
-  if (HasTouched(result)) {
-    if (!edited->curves) edited->curves = CurvesOf(drawing->scene, run, &console);
-    console.Report(RefitEdited({drawing->views, *edited->curves}, scene.images().read, run.pipeline,
-                               console.context(), &result));
-    scene.images().release();
-  }
-  SayEdits(file.edits, result, &console);
-  CheckGraph(result.graph);
-  edited->graph = Moved(result.graph, scene.origin());
-  edited->metadata.options_json = EditProvenance(file, drawing->metadata.options_json);
-  edited->made.log = console.log();
-  return edited;
-}
-
-std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                               const OptionTexts& options, RunMonitor* monitor) {
-  RequireScene(*drawing, "fuse");
-  if (drawing->scene->scene.layout().model_dir.empty()) {
-    throw InputError("fuse: dense results belong to a project, not to a scene in memory");
-  }
-  // What names the drawing, and of the files that drawing_fuser writes.
-  RefuseOptions("fuse", options, {"drawing_path", "sparse_spacing_px"});
-  FuserOptions fuser;
-  const MadeWith added =
-      AddOptions(drawing->made, "fuse", {.dense = true}, options, kOptionsOfSketch,
-                 [&](OptionParser* more) { fuser.AddOptions(more); });
-  fuser.Check();
-  const RunOptions& run = added.options;
-  LibraryConsole console(run.num_threads, monitor);
-  const Scene& scene = drawing->scene->scene;
-  const DenseInput dense = OpenDenseInput(scene, fuser, run.layout.workspace_path, &console);
-  const FusionResult result =
-      FuseDrawing({scene.views(), GraphInScene(*drawing), dense.depths,
-                   dense.cloud ? std::optional(dense.points) : std::nullopt},
-                  run.dense, console.context());
-  console.Report(result.summary);
-  // Options of the fusion are of no use to later stages.
-  auto fused = std::make_shared<SceneDrawing>(*drawing);
-  fused->graph =
-      Moved(fuser.remove_occluded ? WithoutOccluded(result.graph) : result.graph, scene.origin());
-  fused->metadata.options_json = FusionProvenance(run, fuser, drawing->metadata.options_json);
-  fused->made.log = console.log();
-  return fused;
-}
-
-std::shared_ptr<SceneDrawing> AlignSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                                const OptionTexts& options, RunMonitor* monitor) {
-  RequireScene(*drawing, "align");
-  AlignOptions align;
-  OptionParser parser("align", "");
-  align.AddOptions(/*of_drawing=*/true, &parser);
-  const CommandLine line("align", options);
-  parser.Parse(line.argc(), line.argv(), std::cout);
-  align.Check();
-  LibraryConsole console(drawing->made.options.num_threads, monitor);
-  const Scene& scene = drawing->scene->scene;
-  // What the options of a scene in memory name is no project.
-  const bool is_project = !scene.layout().model_dir.empty();
-  const SceneAligner aligner(scene, is_project ? drawing->made.options.layout : LayoutOptions(),
-                             align, &console);
-  auto aligned = std::make_shared<SceneDrawing>(*drawing);
-  aligned->metadata.alignment = aligner.Align(drawing->views, GraphInScene(*drawing), &console);
-  aligned->made.log = console.log();
-  return aligned;
+  const auto verb = MakeDrawingVerb(function);
+  RefuseFileOptions(function, verb.get(), options);
+  MadeWith made = AddOptions(drawing->made, function, GroupsInMemory(*verb), options,
+                             kOptionsOfSketch, [&](OptionParser* more) { verb->AddOptions(more); });
+  LibraryConsole console(made.options.num_threads, monitor);
+  verb->Prepare(&made.options, &console);
+  const MemoryJob job(drawing->scene->scene, made.options, &console);
+  const DrawingInScene given = ToScene(*drawing);
+  DrawingInScene result = verb->Apply(job, given);
+  result.metadata.options_json = verb->Provenance(made.options, given.metadata.options_json);
+  verb->Conclude(job, given, result);
+  auto applied = FromScene(std::move(result), drawing->scene,
+                           verb->HasOwnOptions() ? drawing->made : std::move(made), console);
+  if (verb->KeepsGraph()) applied->graph = drawing->graph;  // not moved there and back
+  return applied;
 }
 
 std::shared_ptr<SceneDrawing> ReadSceneDrawing(const fs::path& path,
@@ -455,12 +301,9 @@ std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const Op
     evaluator.views = Moved(drawing->views, drawing->scene->scene.origin());
   }
   evaluator.Check();
-  const LibraryConsole console(evaluator.num_threads, monitor);
+  LibraryConsole console(evaluator.num_threads, monitor);
   const EvaluationReport report =
-      drawing ? EvaluateDrawing(drawing->graph, evaluator, console.context())
-              : EvaluateFile(evaluator, console.context());
-  ThrowIfCancelled(console.context());
-  WriteReportFiles(report, evaluator);
+      EvaluateAndWrite(drawing ? &drawing->graph : nullptr, evaluator, &console);
   std::ostringstream json;
   WriteReportJson(report, json);
   return json.str();
@@ -497,7 +340,7 @@ RunLog RunCommand(const std::string& command, const OptionTexts& options, RunMon
   if (!found) throw OptionError("unknown command '" + command + "'");
   const CommandLine line(command, options);
   RunLog log;
-  found->run(line.argc(), line.argv(), [monitor, &log](int num_threads, bool) {
+  found->Run(line.argc(), line.argv(), [monitor, &log](int num_threads, Printing) {
     return std::make_unique<CommandConsole>(num_threads, monitor, &log);
   });
   return log;

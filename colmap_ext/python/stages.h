@@ -95,33 +95,11 @@ std::shared_ptr<SceneDrawing> DrawSketch(std::shared_ptr<const SceneSketch> sket
 std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> scene,
                                             const OptionTexts& options, RunMonitor* monitor);
 
-// The drawing fitted to all images, as of drawing_refiner. Needs a drawing with a scene.
-std::shared_ptr<SceneDrawing> RefineSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                                 const OptionTexts& options, RunMonitor* monitor);
-
-// The drawing with exact right angles, planes and so on, as of drawing_regularizer. Needs a drawing
-// with a scene.
-std::shared_ptr<SceneDrawing> RegularizeSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                                     const OptionTexts& options,
-                                                     RunMonitor* monitor);
-
-// The drawing with the surfaces that its links bound, as of drawing_surfacer. Needs a drawing with
-// a scene.
-std::shared_ptr<SceneDrawing> FindSceneFaces(std::shared_ptr<const SceneDrawing> drawing,
-                                             const OptionTexts& options, RunMonitor* monitor);
-
-// The drawing with edits made by hand, as of drawing_editor: the option `edits` names their file.
-// Needs a drawing with a scene.
-std::shared_ptr<SceneDrawing> EditSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                               const OptionTexts& options, RunMonitor* monitor);
-
-// The drawing with the classes of its links, as of drawing_fuser. Needs a drawing with a scene.
-std::shared_ptr<SceneDrawing> FuseSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                               const OptionTexts& options, RunMonitor* monitor);
-
-// The drawing with its alignment, as of drawing_aligner. Needs a drawing with a scene.
-std::shared_ptr<SceneDrawing> AlignSceneDrawing(std::shared_ptr<const SceneDrawing> drawing,
-                                                const OptionTexts& options, RunMonitor* monitor);
+// What a verb of the table of commands makes of a drawing with a scene, by its name in Python.
+// Throws also std::out_of_range if there is none of this name.
+std::shared_ptr<SceneDrawing> ApplyVerb(const std::string& function,
+                                        std::shared_ptr<const SceneDrawing> drawing,
+                                        const OptionTexts& options, RunMonitor* monitor);
 
 // A drawing.json; with its scene, if that is not null.
 std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::filesystem::path& path,

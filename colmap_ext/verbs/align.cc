@@ -6,7 +6,6 @@
 #include <set>
 
 #include "colmap_ext/verbs/drawing_input.h"
-#include "colmap_ext/verbs/fuse.h"
 #include "colmap_ext/workspace/pose_priors.h"
 #include "limn/alignment/geodetic.h"
 #include "limn/formats/write_drawing.h"
@@ -209,6 +208,38 @@ void SayLengths(const std::vector<KnownLength>& lengths, const AlignmentResult& 
   }
 }
 
+// The drawings of an output folder to align: the newest, in which is measured, then drawing.json if
+// that is not the newest. An older drawing-fused.json is not aligned, and warned of. Throws IoError
+// if there is none.
+std::vector<std::string> DrawingsToAlign(const fs::path& folder, Console* console) {
+  std::vector<std::string> paths = {FindDrawing(folder, DrawingChoice::kNewest, "drawing_path")};
+  const fs::path plain = folder / "drawing.json", fused = folder / kFusedDrawing;
+  std::error_code ignored;
+  if (paths.front() != plain) {
+    if (fs::exists(plain, ignored)) paths.push_back(plain.string());
+  } else if (fs::exists(fused, ignored)) {
+    console->Say("WARNING: " + fused.string() + " is older than " + plain.string() +
+                 " and is not aligned: run drawing_fuser again");
+  }
+  return paths;
+}
+
+// Drawings keep their times of change, by which commands take the newest. All are read before the
+// first is written. Throws IoError.
+void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment) {
+  std::vector<DrawingFile> drawings;
+  for (const std::string& path : drawing_paths) drawings.push_back(ReadDrawingJson(path));
+  for (size_t i = 0; i < drawings.size(); ++i) {
+    const std::string& path = drawing_paths[i];
+    drawings[i].metadata.alignment = alignment;
+    std::error_code error;
+    const auto time = fs::last_write_time(path, error);
+    WriteDrawing(path, drawings[i].graph, drawings[i].metadata);
+    if (!error) fs::last_write_time(path, time, error);
+    if (error) throw IoError(path, "its time of change cannot be kept: " + error.message());
+  }
+}
+
 }  // namespace
 
 void AlignOptions::AddOptions(bool of_drawing, OptionParser* parser) {
@@ -272,31 +303,44 @@ std::optional<Alignment> SceneAligner::Align(const std::vector<View>& views,
   return After({1, Eigen::Matrix3d::Identity(), scene_.origin()}, result.alignment);
 }
 
-std::vector<std::string> DrawingsToAlign(const fs::path& folder, Console* console) {
-  std::vector<std::string> paths = {FindDrawing(folder, DrawingChoice::kNewest, "drawing_path")};
-  const fs::path plain = folder / "drawing.json", fused = folder / kFusedDrawing;
-  std::error_code ignored;
-  if (paths.front() != plain) {
-    if (fs::exists(plain, ignored)) paths.push_back(plain.string());
-  } else if (fs::exists(fused, ignored)) {
-    console->Say("WARNING: " + fused.string() + " is older than " + plain.string() +
-                 " and is not aligned: run drawing_fuser again");
-  }
-  return paths;
+void AlignVerb::AddOptions(OptionParser* parser) { align_.AddOptions(/*of_drawing=*/true, parser); }
+
+void AlignVerb::AddFileOptions(OptionParser* parser) {
+  AddDrawingPath(
+      "drawing to align, instead of drawing.json (and drawing-fused.json) in the output folder",
+      parser);
 }
 
-void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment) {
-  std::vector<DrawingFile> drawings;
-  for (const std::string& path : drawing_paths) drawings.push_back(ReadDrawingJson(path));
-  for (size_t i = 0; i < drawings.size(); ++i) {
-    const std::string& path = drawing_paths[i];
-    drawings[i].metadata.alignment = alignment;
-    std::error_code error;
-    const auto time = fs::last_write_time(path, error);
-    WriteDrawing(path, drawings[i].graph, drawings[i].metadata);
-    if (!error) fs::last_write_time(path, time, error);
-    if (error) throw IoError(path, "its time of change cannot be kept: " + error.message());
-  }
+void AlignVerb::Prepare(RunOptions*, Console*) {
+  align_.Check();
+  std::error_code ignored;
+  if (!fs::is_directory(drawing_path(), ignored)) return;
+  throw OptionError("drawing_path = " + drawing_path() +
+                    ": is a folder, where no alignment can be stored; export it to a .json file "
+                    "first (drawing_exporter)");
+}
+
+DrawingInScene AlignVerb::Apply(const Job& job, const DrawingInScene& given) {
+  // What the options of a scene in memory name is no project.
+  const bool is_project = !job.scene.layout().model_dir.empty();
+  const SceneAligner aligner(job.scene, is_project ? job.options.layout : LayoutOptions(), align_,
+                             job.console);
+  DrawingInScene made = given;
+  made.metadata.alignment = aligner.Align(given.views, given.graph, job.console);
+  return made;
+}
+
+void AlignVerb::Run(const Project& project, const RunOptions& options, Console* console) {
+  const std::vector<std::string> paths =
+      drawing_path().empty() ? DrawingsToAlign(project.layout().output.drawing_dir, console)
+                             : std::vector<std::string>{drawing_path()};
+  // Known lengths name the links that drawing_viewer shows.
+  const DrawingInScene given = ReadDrawingInScene(project, paths.front());
+  console->Say("drawing: " + paths.front());
+  const DrawingInScene made = Apply(JobOf(project, options, console), given);
+  StoreAlignment(paths, *made.metadata.alignment);
+  for (const std::string& path : paths) console->Say("Written: alignment in " + path);
+  console->RepeatWarnings();
 }
 
 const Alignment& RequireAlignment(const std::string& path, const DrawingMetadata& metadata) {

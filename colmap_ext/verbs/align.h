@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,8 +7,8 @@
 #include "colmap_ext/host/console.h"
 #include "colmap_ext/host/scene.h"
 #include "colmap_ext/options/option_parser.h"
+#include "colmap_ext/verbs/drawing_verb.h"
 #include "limn/alignment/align_drawing.h"
-#include "limn/formats/json_drawing_reader.h"
 
 namespace limn::colmap_ext {
 
@@ -51,14 +50,22 @@ class SceneAligner {
   std::vector<ViewPrior> priors_;
 };
 
-// The drawings of an output folder to align: the newest, in which is measured, then drawing.json if
-// that is not the newest. An older drawing-fused.json is not aligned, and warned of. Throws IoError
-// if there is none.
-std::vector<std::string> DrawingsToAlign(const std::filesystem::path& folder, Console* console);
+// drawing_aligner: where the drawing is in the world. Stores that in drawings whose graphs stay as
+// they are: that of --drawing_path, or those of the output folder.
+class AlignVerb : public DrawingVerb {
+ public:
+  OptionGroups Groups() const override { return {}; }
+  bool HasOwnOptions() const override { return true; }
+  bool KeepsGraph() const override { return true; }
+  void AddOptions(OptionParser* parser) override;
+  void AddFileOptions(OptionParser* parser) override;
+  void Prepare(RunOptions* options, Console* console) override;
+  DrawingInScene Apply(const Job& job, const DrawingInScene& given) override;
+  void Run(const Project& project, const RunOptions& options, Console* console) override;
 
-// Stores the alignment in drawings, whose graphs stay as they are, and so do their times of change,
-// by which commands take the newest. All are read before the first is written. Throws IoError.
-void StoreAlignment(const std::vector<std::string>& drawing_paths, const Alignment& alignment);
+ private:
+  AlignOptions align_;
+};
 
 // The alignment of a drawing that shall be shown or exported with it. Throws IoError naming the
 // file if it has none.

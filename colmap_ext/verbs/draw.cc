@@ -1,16 +1,106 @@
 #include "colmap_ext/verbs/draw.h"
 
+#include <memory>
+#include <string>
 #include <utility>
 
+#include "colmap_ext/host/provenance.h"
+#include "colmap_ext/host/ranks.h"
 #include "colmap_ext/verbs/align.h"
-#include "colmap_ext/verbs/draw_scene.h"
 #include "colmap_ext/verbs/draw_shards.h"
 #include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/refined_cameras.h"
 #include "colmap_ext/verbs/run_report.h"
 #include "colmap_ext/verbs/trust.h"
+#include "limn/pipeline/tiled_scene.h"
+#include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
+namespace {
+
+// By all ranks together; only rank 0 gets a result.
+std::optional<PipelineResult> DrawByRanks(const PipelineInput& input, const Job& job) {
+  const PipelineOptions& options = job.options.pipeline;
+  RankTeam team;
+  RunContext context = job.context();
+  context.team = &team;
+  if (Rank() != 0) {
+    DrawUnrefined(input, options, context, job.reporter());
+    return std::nullopt;
+  }
+  PipelineResult result = DrawScene(input, options, context, job.reporter());
+  job.console->Say("For the drawing the processes sent each other " +
+                   std::to_string(team.bytes_exchanged() >> 20) + " MB");
+  return result;
+}
+
+// PlanTiles. Throws OptionError if there are several tiles and an option needs the whole scene at
+// once.
+std::vector<Tile> PlanSceneTiles(const PipelineInput& input, const DrawerOptions& options,
+                                 Console* console) {
+  const PipelineOptions& pipeline = options.run.pipeline;
+  std::vector<Tile> tiles = PlanTiles(input.views, input.hints, input.box, pipeline.tiles);
+  if (!IsInTiles(tiles, input.views)) return tiles;
+  CheckTiled(pipeline);
+  const std::string in_tiles = "the scene is drawn in " + std::to_string(tiles.size()) + " tiles";
+  if (options.account) throw OptionError("account = 1: " + in_tiles + ", which keep no account");
+  console->Say("Views are many: " + in_tiles + ", and there will be no file of its sketch");
+  return tiles;
+}
+
+std::optional<PipelineResult> DrawSceneOrTiles(const PipelineInput& input,
+                                               const std::vector<Tile>& tiles, const Job& job) {
+  const PipelineOptions& options = job.options.pipeline;
+  const bool leads = Rank() == 0;
+  if (NumRanks() > 1) {
+    if (leads) TellOtherRanks(RankOrder::kWork);
+    FillCacheByRanks(input, tiles, options, job.console);
+  }
+  if (IsInTiles(tiles, input.views)) {
+    if (!leads) return std::nullopt;
+    PipelineResult result;
+    result.graph = DrawProjectTiles(input, tiles, options, job.console);
+    return result;
+  }
+  if (NumRanks() > 1) return DrawByRanks(input, job);
+  return DrawScene(input, options, job.context(), job.reporter());
+}
+
+DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles) {
+  DrawnScene drawn;
+  DrawingInScene& drawing = drawn.drawing;
+  drawing.graph = std::move(result.graph);
+  drawing.metadata = Metadata(job.scene, Provenance(job.options));
+  drawing.views = result.cameras ? result.cameras->views : job.views();
+  drawing.cameras = std::move(result.cameras);
+  if (!is_in_tiles) {
+    drawing.curves = std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
+  }
+  drawn.sketch = std::move(result.sketch);
+  drawn.sketch_fates = std::move(result.sketch_fates);
+  drawn.sample_fates = std::move(result.sample_fates);
+  drawn.new_views = std::move(result.new_views);
+  drawn.keep = std::move(result.keep);
+  return drawn;
+}
+
+}  // namespace
+
+std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& options) {
+  const RunOptions& run = options.run;
+  const PipelineInput input{job.views(),        job.scene.view_set().hints,
+                            job.scene.images(), SceneBox(job.scene, run),
+                            job.cache,          run.update};
+  const std::vector<Tile> tiles = PlanSceneTiles(input, options, job.console);
+  if (!run.shard.empty()) {
+    DoShard(input, tiles, run, job.console);
+    return std::nullopt;
+  }
+  auto result = DrawSceneOrTiles(input, tiles, job);
+  if (!result) return std::nullopt;
+  CheckGraph(result->graph);
+  return ToDrawnScene(std::move(*result), job, IsInTiles(tiles, input.views));
+}
 
 std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOptions& options,
                                         Console* console) {
@@ -18,33 +108,31 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   CheckRunOutputs(project, run);
   CheckSceneViews(project);
   const SceneAligner aligner(project, run.layout, options.align, console);
-  const PipelineInput input{project.views(),        project.view_set().hints, project.images(),
-                            SceneBox(project, run), project.cache(),          run.update};
-  const std::vector<Tile> tiles = PlanSceneTiles(input, options, console);
-  if (!run.shard.empty()) {
-    DoShard(input, tiles, run, console);
-    return std::nullopt;
+  auto drawn = DrawInMemory(JobOf(project, run, console), options);
+  if (!drawn) return std::nullopt;
+  DrawingInScene& drawing = drawn->drawing;
+  const auto& curves = drawing.curves;
+  if (curves) {
+    WriteSketchResults(project, SketchFileName(run.pipeline.mode), *curves, drawn->sketch,
+                       drawing.metadata.options_json, console->context());
   }
-  auto result = DrawSceneOrTiles(input, tiles, run.pipeline, console);
-  if (!result) return std::nullopt;
-  CheckGraph(result->graph);
-  if (!IsInTiles(tiles, input.views)) {
-    WriteSketchResults(project, SketchFileName(run.pipeline.mode), result->curves, result->sketch,
-                       Provenance(run), console->context());
+  WriteRefinedModel(project, drawing.cameras, console);
+  drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
+  WriteDrawingResults(project, drawing, console, drawn->new_views);
+  if (options.account) {
+    WriteAccount(project,
+                 {{drawing.views, *curves},
+                  drawn->sketch_fates,
+                  drawn->sketch,
+                  drawn->sample_fates,
+                  drawing.graph},
+                 console);
   }
-  WriteRefinedModel(project, result->cameras, console);
-  const std::vector<View>& views = ViewsOfDrawing(project, result->cameras);
-  WriteDrawingResults(project, views, result->graph, Provenance(run),
-                      aligner.Align(views, result->graph, console), console, result->new_views);
-  if (options.account) WriteAccount(project, *result, console);
-  const Trust trust = MeasureTrust(project.view_set(), views, result->curves, result->graph);
-  SayTrust(trust, !run.box.empty(), console);
-  if (options.page) {
-    WritePageWithReport(project, run, views, result->graph, trust, options.truth, console);
-  }
-  result->keep();
+  const Trust trust = ReportTrust(project.view_set(), drawing, console);
+  if (options.page) WritePageWithReport(project, drawing, run, trust, options.truth, console);
+  drawn->keep();
   console->RepeatWarnings();
-  return std::move(result->graph);
+  return std::move(drawing.graph);
 }
 
 }  // namespace limn::colmap_ext

@@ -1,18 +1,35 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
-#include "colmap_ext/host/console.h"
+#include "colmap_ext/host/job.h"
 #include "colmap_ext/host/project.h"
 #include "colmap_ext/verbs/draw_options.h"
+#include "colmap_ext/verbs/drawing_in_scene.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/pipeline/pipeline.h"
 
 namespace limn::colmap_ext {
 
-// What automatic_drawer does with a project: draws its scene, alone or together with the other
-// ranks, and writes all results except project.ini. Returns the drawing, relative to the project's
-// origin; empty for a shard, and on ranks other than 0. Throws what its stages throw; nothing is
-// written before the input has been checked.
+// What is drawn of a scene. One that is drawn in tiles has no curves, sketch and fates.
+struct DrawnScene {
+  DrawingInScene drawing;
+  CurveSketch sketch;
+  EdgelFates sketch_fates;
+  SampleFates sample_fates;
+  // See PipelineResult.
+  ViewSubset new_views;
+  std::function<void()> keep;
+};
+
+// Draws a scene, alone or together with the other ranks. Nothing for a shard, which is only kept,
+// and for ranks other than 0. Precondition: CheckSceneViews. Throws what the stages throw.
+std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& options);
+
+// What automatic_drawer does with a project: draws its scene and writes all results but
+// project.ini. Returns the drawing, relative to the project's origin; nothing where DrawInMemory
+// returns nothing. Nothing is written before the input has been checked.
 std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOptions& options,
                                         Console* console);
 

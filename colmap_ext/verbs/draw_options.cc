@@ -41,8 +41,8 @@ void DrawerOptions::SetDerived() {
   truth.evaluation.region = BoxFromNumbers(run.box);
 }
 
-std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv,
-                                               DrawerOptions* options) {
+std::optional<OptionParser> ParseDrawerOptions(const char* heading, int argc,
+                                               const char* const* argv, DrawerOptions* options) {
   const OptionGroups groups = {.linking = true,
                                .sketch = true,
                                .drawing = true,
@@ -51,8 +51,7 @@ std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv
                                .shards = true,
                                .overwrites = true};
   auto parser = ParseRunOptions(
-      "automatic_drawer", "make the 3D drawing of a COLMAP project", groups, argc, argv,
-      &options->run, [&](OptionParser* more) {
+      "automatic_drawer", heading, groups, argc, argv, &options->run, [&](OptionParser* more) {
         more->AddOption("update", &options->run.update,
                         BasicOption("bring the drawing of an earlier run up to date: "
                                     "draw only what new, changed and missing images "

@@ -27,7 +27,7 @@ struct DrawerOptions {
 };
 
 // Like ParseRunOptions.
-std::optional<OptionParser> ParseDrawerOptions(int argc, const char* const* argv,
-                                               DrawerOptions* options);
+std::optional<OptionParser> ParseDrawerOptions(const char* heading, int argc,
+                                               const char* const* argv, DrawerOptions* options);
 
 }  // namespace limn::colmap_ext

@@ -3,7 +3,6 @@
 #include <system_error>
 #include <vector>
 
-#include "colmap_ext/verbs/fuse.h"
 #include "colmap_ext/verbs/limap_model.h"
 #include "limn/util/errors.h"
 

@@ -9,6 +9,9 @@
 
 namespace limn::colmap_ext {
 
+// The name of a drawing that was fused with dense results.
+constexpr const char* kFusedDrawing = "drawing-fused.json";
+
 // Which drawing of a folder a command reads if no path is given.
 enum class DrawingChoice {
   kUnfused,  // drawing.json: to continue from it

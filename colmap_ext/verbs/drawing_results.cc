@@ -186,60 +186,6 @@ void CheckGraph(const DrawingGraph& graph) {
                    " invariants; the first: " + broken.front());
 }
 
-std::string Provenance(const RunOptions& options) {
-  Json json = Json::parse(OptionsAsJson(options.pipeline));
-  json["max_image_size"] = options.view.max_image_size;
-  json["box"] = options.box;
-  json["Surfaces"] = nullptr;  // faces are found later
-  return json.dump();
-}
-
-bool HasBox(const std::string& provenance) {
-  const Json json = Json::parse(provenance);
-  return json.contains("box") && !json["box"].empty();
-}
-
-std::string DrawingProvenance(const RunOptions& options, const std::string& sketch_provenance) {
-  Json json = Json::parse(sketch_provenance);
-  const Json now = Json::parse(OptionsAsJson(options.pipeline));
-  json["Drawing"] = now["Drawing"];
-  json.erase("Paper");
-  if (now.contains("Paper")) json["Paper"] = now["Paper"];
-  json["DrawingRefinement"] = nullptr;
-  json["Belief"] = nullptr;
-  json["Primitives"] = nullptr;
-  json["regularize"] = nullptr;
-  json["Regularity"] = nullptr;
-  return json.dump();
-}
-
-std::string RefinementProvenance(const RunOptions& options, const std::string& drawing_provenance) {
-  Json json = Json::parse(drawing_provenance);
-  const Json now = Json::parse(OptionsAsJson(options.pipeline));
-  json["DrawingRefinement"] = now["DrawingRefinement"];
-  json["Belief"] = now["Belief"];
-  json["Surfaces"] = nullptr;  // faces end as links move
-  json["Primitives"] = now["Primitives"];
-  json["regularize"] = now["regularize"];
-  json["Regularity"] = now["Regularity"];
-  return json.dump();
-}
-
-std::string RegularityProvenance(const RunOptions& options, const std::string& drawing_provenance) {
-  Json json = Json::parse(drawing_provenance);
-  const Json now = Json::parse(OptionsAsJson(options.pipeline));
-  json["regularize"] = true;
-  json["Regularity"] = now["Regularity"];
-  json["Primitives"] = now["Primitives"];
-  return json.dump();
-}
-
-std::string SurfaceProvenance(const RunOptions& options, const std::string& drawing_provenance) {
-  Json json = Json::parse(drawing_provenance);
-  json["Surfaces"] = Json::parse(OptionsAsJson(options.pipeline))["Surfaces"];
-  return json.dump();
-}
-
 void WriteSketchResults(const Project& project, const std::string& name,
                         const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
                         const std::string& provenance, const RunContext& context) {
@@ -261,41 +207,6 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
   return std::move(*stored);
 }
 
-void AddDrawingPath(std::string* drawing_path, OptionParser* parser) {
-  parser->AddOption("drawing_path", drawing_path,
-                    BasicOption("drawing.json to start from, instead of the one in the output "
-                                "folder"));
-}
-
-StartingDrawing ReadStartingDrawing(
-    const Project& project, const RunOptions& options, const std::string& drawing_path,
-    const std::function<std::string(const RunOptions&, const std::string&)>& provenance_of) {
-  const std::string path = !drawing_path.empty()
-                               ? drawing_path
-                               : FindDrawing(project.layout().output.drawing_dir,
-                                             DrawingChoice::kUnfused, "drawing_path");
-  StartingDrawing start = {ReadDrawingResult(project, path), ""};
-  start.provenance = provenance_of(options, start.file.metadata.options_json);
-  if (!drawing_path.empty()) {
-    CheckReplaceable(project, options, "drawing.json", start.provenance);
-  }
-  return start;
-}
-
-DrawingMetadata Metadata(const Scene& scene, const std::string& provenance) {
-  DrawingMetadata metadata;
-  for (const View& view : scene.views()) metadata.view_names.push_back(view.name);
-  metadata.options_json = provenance;
-  return metadata;
-}
-
-void SayRegularities(const DrawingGraph& graph, const RegularityMoves& moves, Console* console) {
-  char text[120];
-  std::snprintf(text, sizeof(text), "; %d ends moved, %.2f px (median; at most %.2f)",
-                moves.num_ends, moves.median_px, moves.max_px);
-  console->Say("regularities: " + DescribeRegularities(graph) + text);
-}
-
 void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Console* console) {
   if (after.faces.size() >= before.faces.size()) return;
   console->Say("WARNING: links have moved: of " + std::to_string(before.faces.size()) +
@@ -303,37 +214,9 @@ void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Cons
                " left; run drawing_surfacer again");
 }
 
-void SayLinksBehind(const std::vector<LinkId>& links, Console* console) {
-  if (links.empty()) return;
-  constexpr size_t kMaxNamed = 20;
-  std::string text;
-  for (size_t i = 0; i < std::min(links.size(), kMaxNamed); ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(links[i]);
-  }
-  if (links.size() > kMaxNamed) text += ", ...";
-  console->Say("links that faces hide from most of their views, probably false: " +
-               std::to_string(links.size()) + " (" + text + ")");
-}
-
-DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path) {
-  const std::vector<std::string> view_names = Metadata(scene, "{}").view_names;
-  DrawingFile drawing = ReadDrawing(path, view_names);
-  if (drawing.metadata.view_names == view_names) return drawing;
-  throw IoError(path, "is a drawing of other images than those of the model");
-}
-
-DrawingFile ReadDrawingResult(const Scene& scene, const std::string& path) {
-  DrawingFile drawing = ReadDrawingOf(scene, path);
-  drawing.graph = Moved(std::move(drawing.graph), -scene.origin());
-  return drawing;
-}
-
-void WriteDrawingResults(const Project& project, const std::vector<View>& views,
-                         const DrawingGraph& graph, const std::string& provenance,
-                         const std::optional<Alignment>& alignment, Console* console,
+void WriteDrawingResults(const Project& project, const DrawingInScene& drawing, Console* console,
                          const ViewSubset& pictures) {
-  DrawingMetadata metadata = Metadata(project, provenance);
-  metadata.alignment = alignment;
+  const auto& [graph, metadata, views, curves, cameras] = drawing;
   const DrawingGraph in_model = Moved(graph, project.origin());
   WriteDrawing(project.DrawingPath("drawing.json"), in_model, metadata);
   const DrawingGraph selected = Selected(in_model, {});
@@ -343,24 +226,19 @@ void WriteDrawingResults(const Project& project, const std::vector<View>& views,
   WriteTracks(project.CurvesPath("tracks.txt"), graph, {},
               InWholeImages(project.view_set(), views));
   WritePictures(project, "overlays", pictures, console->context(), [&](ViewId v) {
-    return DrawOverlay(project.images().read(v), views[v], v, graph);
+    return DrawOverlay(project.images().read(v), drawing.views[v], v, drawing.graph);
   });
   SayPrimitives(graph, console);
   console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +
                project.CurvesPath("tracks.txt") + ", " + project.CurvesPath("overlays"));
 }
 
-void WriteAccount(const Project& project, const PipelineResult& result, Console* console) {
-  const EdgelFates fates = AccountEdgels({{ViewsOfDrawing(project, result.cameras), result.curves},
-                                          result.sketch_fates,
-                                          result.sketch,
-                                          result.sample_fates,
-                                          result.graph},
-                                         console->context());
+void WriteAccount(const Project& project, const AccountInput& input, Console* console) {
+  const EdgelFates fates = AccountEdgels(input, console->context());
   WriteFileAtomically(project.CurvesPath("account.csv"),
                       [&](std::ostream& out) { WriteAccountCsv(project.views(), fates, out); });
   WritePictures(project, "account", std::nullopt, console->context(), [&](ViewId v) {
-    return DrawAccount(project.images().read(v), result.curves[v], fates[v]);
+    return DrawAccount(project.images().read(v), input.scene.curves[v], fates[v]);
   });
   console->Say("Written: " + project.CurvesPath("account.csv") + ", " +
                project.CurvesPath("account"));

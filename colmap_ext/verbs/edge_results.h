@@ -20,7 +20,7 @@ void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite)
 // Writes the file of a view, before ApplyLens. Thread-safe for different views.
 void WriteEdgResult(const Project& project, ViewId view, const EdgeMap& edge_map);
 
-// The same for fragments, as an observer of ExtractProjectCurves. The project must outlive it.
+// The same for fragments, as an observer of ExtractImageCurves. The project must outlive it.
 FragmentsObserver CemWriter(const Project& project);
 
 // Prints where the files of a format are.

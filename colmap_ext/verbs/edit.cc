@@ -1,12 +1,17 @@
 #include "colmap_ext/verbs/edit.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "colmap_ext/host/world_shift.h"
+#include "colmap_ext/verbs/drawing_results.h"
 #include "limn/cache/content_hash.h"
+#include "limn/editing/apply_edits.h"
 #include "limn/files/whole_file.h"
 #include "limn/formats/json_edits_reader.h"
+#include "limn/pipeline/refit_edited.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -30,28 +35,8 @@ const char* StatusName(EditStatus status) {
   return "";
 }
 
-}  // namespace
-
-EditsFile ReadEdits(const std::string& path) {
-  if (path.empty()) throw OptionError("--edits must be given");
-  const std::string text = ReadWholeFile(path, kMaxJsonBytes);
-  ContentHash hash;
-  hash.AddText(text);
-  return {ParseJsonEdits(path, text), hash.Hex()};
-}
-
-void CheckEditorOptions(const RunOptions& options) {
-  if (!options.pipeline.refinement.refine_poses) return;
-  throw OptionError(
-      "DrawingRefinement.refine_poses = 1: edits do not move cameras; drawing_refiner does");
-}
-
-std::string EditProvenance(const EditsFile& file, const std::string& drawing_provenance) {
-  Json json = Json::parse(drawing_provenance);
-  json["edits"].push_back(file.content_hash);
-  return json.dump();
-}
-
+// How many edits were applied; warns, with their index in the file, of those that were not or only
+// in part, and of what else has become of the drawing.
 void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Console* console) {
   const auto& outcomes = edited.outcomes;
   const auto count = [&](EditStatus status) {
@@ -78,6 +63,45 @@ void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Conso
         "Links that were fitted again follow no regularities: drawing_regularizer finds "
         "them anew");
   }
+}
+
+}  // namespace
+
+void EditVerb::AddOptions(OptionParser* parser) {
+  parser->AddOption("edits", &edits_path_, BasicOption("edits.json, as made in drawing.html"));
+}
+
+void EditVerb::Prepare(RunOptions* options, Console*) {
+  if (options->pipeline.refinement.refine_poses) {
+    throw OptionError(
+        "DrawingRefinement.refine_poses = 1: edits do not move cameras; drawing_refiner does");
+  }
+  if (edits_path_.empty()) throw OptionError("--edits must be given");
+  const std::string text = ReadWholeFile(edits_path_, kMaxJsonBytes);
+  ContentHash hash;
+  hash.AddText(text);
+  edits_ = ParseJsonEdits(edits_path_, text);
+  content_hash_ = hash.Hex();
+}
+
+std::string EditVerb::Provenance(const RunOptions&, const std::string& before) const {
+  Json json = Json::parse(before);
+  json["edits"].push_back(content_hash_);
+  return json.dump();
+}
+
+DrawingInScene EditVerb::Apply(const Job& job, const DrawingInScene& given) {
+  EditedDrawing edited = ApplyEdits(given.graph, given.views, Moved(edits_, -job.scene.origin()),
+                                    job.options.pipeline.drawing.topology);
+  auto curves = given.curves;
+  if (HasTouched(edited)) {
+    curves = CurvesOf(job, given);
+    job.console->Report(RefitEdited({given.views, *curves}, job.scene.images().read,
+                                    job.options.pipeline, job.context(), &edited));
+  }
+  SayEdits(edits_, edited, job.console);
+  CheckGraph(edited.graph);
+  return {std::move(edited.graph), given.metadata, given.views, std::move(curves), {}};
 }
 
 }  // namespace limn::colmap_ext

@@ -3,30 +3,28 @@
 #include <string>
 #include <vector>
 
-#include "colmap_ext/host/console.h"
-#include "colmap_ext/host/run_options.h"
-#include "limn/editing/apply_edits.h"
+#include "colmap_ext/verbs/drawing_verb.h"
 #include "limn/editing/edits.h"
 
 namespace limn::colmap_ext {
 
-// Edits made by hand to a drawing, in the model's coordinates.
-struct EditsFile {
-  std::vector<Edit> edits;
-  std::string content_hash;
+// drawing_editor: the drawing with the edits of an edits.json (json_edits_reader.h), and the links
+// that they touch fitted to the images again.
+class EditVerb : public DrawingVerb {
+ public:
+  OptionGroups Groups() const override {
+    return {.linking = true, .refit = true, .overwrites = true};
+  }
+  bool HasOwnOptions() const override { return true; }
+  void AddOptions(OptionParser* parser) override;
+  void Prepare(RunOptions* options, Console* console) override;
+  std::string Provenance(const RunOptions& options, const std::string& before) const override;
+  DrawingInScene Apply(const Job& job, const DrawingInScene& given) override;
+
+ private:
+  std::string edits_path_;
+  std::vector<Edit> edits_;  // in the model's coordinates
+  std::string content_hash_;
 };
-
-// Reads an edits.json (json_edits_reader.h). Throws OptionError if the path is empty, and IoError.
-EditsFile ReadEdits(const std::string& path);
-
-// Throws OptionError for options that do not apply to edits.
-void CheckEditorOptions(const RunOptions& options);
-
-// Provenance of a drawing that was edited.
-std::string EditProvenance(const EditsFile& file, const std::string& drawing_provenance);
-
-// Reports how many edits were applied. Warns, with their index in the file, about those that were
-// not or only partly applied, and about other changes to the drawing.
-void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Console* console);
 
 }  // namespace limn::colmap_ext

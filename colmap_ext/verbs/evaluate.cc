@@ -1,5 +1,7 @@
 #include "colmap_ext/verbs/evaluate.h"
 
+#include <sstream>
+
 #include "colmap_ext/host/run_options.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
@@ -151,6 +153,28 @@ void CheckInputs(const EvaluatorOptions& options) {
   }
 }
 
+Judged ReadJudged(const EvaluatorOptions& options) {
+  Judged judged;
+  if (options.IsOfMeshOnly()) return judged;
+  if (IsDrawingJson(options.input_path) || HoldsLimapDrawing(options.input_path)) {
+    judged.drawing = ReadDrawing(options.input_path).graph;
+  } else {
+    judged.curves = ReadCurves(options.input_path);
+  }
+  return judged;
+}
+
+void WriteReportFiles(const EvaluationReport& report, const EvaluatorOptions& options) {
+  if (!options.output_csv.empty()) {
+    WriteFileAtomically(options.output_csv,
+                        [&](std::ostream& out) { WriteReportCsv(report, out); });
+  }
+  if (!options.output_json.empty()) {
+    WriteFileAtomically(options.output_json,
+                        [&](std::ostream& out) { WriteReportJson(report, out); });
+  }
+}
+
 }  // namespace
 
 void EvaluatorOptions::AddOptions(OptionParser* parser) {
@@ -194,33 +218,24 @@ void EvaluatorOptions::Check() const {
   CheckInputs(*this);
 }
 
-EvaluationReport EvaluateFile(const EvaluatorOptions& options, const RunContext& context) {
-  CheckOutputs(options);
-  Judged judged;
-  if (options.IsOfMeshOnly()) return Judge(judged, options, context);
-  if (IsDrawingJson(options.input_path) || HoldsLimapDrawing(options.input_path)) {
-    judged.drawing = ReadDrawing(options.input_path).graph;
-  } else {
-    judged.curves = ReadCurves(options.input_path);
+EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions options,
+                                  Console* console) {
+  if (!drawing && options.input_path.empty() && !options.IsOfMeshOnly()) {
+    options.input_path = FindDrawing(options.layout, DrawingChoice::kNewest, "input_path");
+    console->Say("drawing: " + options.input_path);
   }
-  return Judge(std::move(judged), options, context);
+  CheckOutputs(options);
+  EvaluationReport report =
+      Judge(drawing ? Judged{*drawing, {}} : ReadJudged(options), options, console->context());
+  ThrowIfCancelled(console->context());
+  WriteReportFiles(report, options);
+  return report;
 }
 
-EvaluationReport EvaluateDrawing(const DrawingGraph& graph, const EvaluatorOptions& options,
-                                 const RunContext& context) {
-  CheckOutputs(options);
-  return Judge({graph, {}}, options, context);
-}
-
-void WriteReportFiles(const EvaluationReport& report, const EvaluatorOptions& options) {
-  if (!options.output_csv.empty()) {
-    WriteFileAtomically(options.output_csv,
-                        [&](std::ostream& out) { WriteReportCsv(report, out); });
-  }
-  if (!options.output_json.empty()) {
-    WriteFileAtomically(options.output_json,
-                        [&](std::ostream& out) { WriteReportJson(report, out); });
-  }
+void RunEvaluator(const EvaluatorOptions& options, Console* console) {
+  std::ostringstream table;
+  PrintReport(EvaluateAndWrite(nullptr, options, console), table);
+  console->ShowTable(table.str());
 }
 
 }  // namespace limn::colmap_ext

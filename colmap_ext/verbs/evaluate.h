@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "colmap_ext/host/console.h"
 #include "colmap_ext/verbs/selection_options.h"
 #include "colmap_ext/verbs/truth_input.h"
 #include "colmap_ext/workspace/layout.h"
@@ -41,17 +42,15 @@ struct EvaluatorOptions {
   bool IsOfMeshOnly() const { return !mesh_path.empty() && truth.truth_path.empty(); }
 };
 
-// Evaluates the input file, whose path must be given unless a mesh alone is judged. With a
-// workspace also measures saw-teeth and, of a drawing, the normalized errors; with true kinds
-// compares those of the links; with a true surface scores faces. Throws IoError, also if an output
-// must not be replaced, and InputError.
-EvaluationReport EvaluateFile(const EvaluatorOptions& options, const RunContext& context);
+// Evaluates a drawing in memory or, if that is null, the input file, by default the newest drawing
+// of the workspace, and writes the report to the requested files. With a workspace or views also
+// measures saw-teeth and, of a drawing, the normalized errors; with true kinds compares those of
+// the links; with a true surface scores faces. Throws IoError, also if an output must not be
+// replaced, and InputError.
+EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions options,
+                                  Console* console);
 
-// The same for a drawing that is in memory, with the kinds, box and truth of the options.
-EvaluationReport EvaluateDrawing(const DrawingGraph& graph, const EvaluatorOptions& options,
-                                 const RunContext& context);
-
-// Writes the report to the requested files. Throws IoError.
-void WriteReportFiles(const EvaluationReport& report, const EvaluatorOptions& options);
+// drawing_evaluator: the same for a file, and shows the table.
+void RunEvaluator(const EvaluatorOptions& options, Console* console);
 
 }  // namespace limn::colmap_ext

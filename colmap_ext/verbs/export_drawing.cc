@@ -293,4 +293,9 @@ size_t ExportDrawing(DrawingFile drawing, const ExporterOptions& options, Consol
   return Export(std::move(drawing), options, console);
 }
 
+void RunExporter(const ExporterOptions& options, Console* console) {
+  const size_t num_links = ExportDrawing(options, console);
+  console->Say("Written: " + options.output_path + " (" + std::to_string(num_links) + " links)");
+}
+
 }  // namespace limn::colmap_ext

@@ -48,4 +48,7 @@ size_t ExportDrawing(const ExporterOptions& options, Console* console);
 // The same for a drawing that was read.
 size_t ExportDrawing(DrawingFile drawing, const ExporterOptions& options, Console* console);
 
+// drawing_exporter: the first, and says what was written.
+void RunExporter(const ExporterOptions& options, Console* console);
+
 }  // namespace limn::colmap_ext

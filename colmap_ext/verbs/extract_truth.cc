@@ -4,8 +4,12 @@
 #include <filesystem>
 #include <utility>
 
+#include "colmap_ext/host/job.h"
+#include "colmap_ext/workspace/output_check.h"
+#include "limn/files/atomic_file.h"
 #include "limn/files/whole_file.h"
 #include "limn/formats/mesh_reader.h"
+#include "limn/formats/ply_curves_writer.h"
 #include "limn/formats/read_curves.h"
 #include "limn/util/errors.h"
 
@@ -24,41 +28,7 @@ void SayAccount(const TruthAccount& account, int min_views, bool is_cloud, Conso
   console->Say(line);
 }
 
-}  // namespace
-
-void ExtractorOptions::AddOptions(OptionParser* parser) {
-  parser->AddOption("mesh_path", &mesh_path, BasicOption("surface, .ply or .obj: its sharp edges"));
-  parser->AddOption("cloud_path", &cloud_path,
-                    BasicOption("or a dense cloud, .ply or .txt: its points near image edges"));
-  parser->AddOption("min_dihedral_deg", &sharp_edges.min_dihedral_deg,
-                    BasicOption("smallest angle by which the surface bends at a sharp edge"));
-  parser->AddOption("min_corner_deg", &sharp_edges.min_corner_deg,
-                    "curves end where they turn by more");
-  parser->AddOption("min_views", &truth.min_views,
-                    BasicOption("number of views that must show what is kept"));
-  parser->AddOption("require_edges", &truth.require_edges,
-                    BasicOption("a view shows what has edgels along it; 0 = whatever is visible"));
-  parser->AddOption("max_distance_px", &truth.max_distance_px, "farthest edgel, px");
-  parser->AddOption("max_angle_deg", &truth.max_angle_deg,
-                    "largest difference in direction of an edgel");
-  parser->AddOption("occlusion_px", &truth.occlusion_px,
-                    "visible points may be this far behind the surface, pixel footprints");
-  parser->AddOption("max_gap_px", &truth.max_gap_px, "shorter gaps of curves are closed, px");
-  parser->AddOption("min_length_px", &truth.min_length_px, "shorter runs are dropped, px");
-  parser->AddOption("splat_px", &truth.splat_px,
-                    "a point of the cloud hides a disc of this radius, px");
-  parser->AddOption("max_chance", &truth.max_chance,
-                    "largest probability that the edgels near a point of the cloud are accidental");
-}
-
-void ExtractorOptions::Check() const {
-  if (mesh_path.empty() == cloud_path.empty()) {
-    throw OptionError("one of --mesh_path and --cloud_path must be given, and not both");
-  }
-  sharp_edges.Check();
-  truth.Check();
-}
-
+// Takes the file that is to be written. Throws OptionError.
 std::string TakeTruthPath(LayoutOptions* layout) {
   std::string path = std::move(layout->output_path);
   if (path.empty()) throw OptionError("--output_path must be given");
@@ -70,43 +40,83 @@ std::string TakeTruthPath(LayoutOptions* layout) {
   return path;
 }
 
-TruthSource ReadTruthSource(const ExtractorOptions& options, Console* console) {
+TruthSource ReadTruthSource(const std::string& mesh_path, const std::string& cloud_path,
+                            const SharpEdgeOptions& sharp_edges, Console* console) {
   TruthSource source;
-  if (!options.cloud_path.empty()) {
-    CurveSet set = ReadCurves(options.cloud_path);
-    if (set.points.empty()) throw IoError(options.cloud_path, "has no points");
+  if (!cloud_path.empty()) {
+    CurveSet set = ReadCurves(cloud_path);
+    if (set.points.empty()) throw IoError(cloud_path, "has no points");
     source.cloud = std::move(set.points);
     return source;
   }
-  source.mesh = ReadMesh(options.mesh_path);
+  source.mesh = ReadMesh(mesh_path);
   const TriangleMesh& mesh = source.mesh;
-  console->Say(options.mesh_path + ": " + std::to_string(mesh.polygons.size()) + " faces, " +
+  console->Say(mesh_path + ": " + std::to_string(mesh.polygons.size()) + " faces, " +
                std::to_string(mesh.vertices.size()) + " vertices");
   if (mesh.num_degenerate > 0 || mesh.num_copies > 0) {
     console->Say("WARNING: left out " + std::to_string(mesh.num_degenerate) +
                  " faces without area and " + std::to_string(mesh.num_copies) + " copies of faces");
   }
-  source.edges = FindSharpEdges(mesh, options.sharp_edges);
+  source.edges = FindSharpEdges(mesh, sharp_edges);
   if (source.edges.empty()) {
-    throw IoError(options.mesh_path, "has no edge as sharp as min_dihedral_deg and no border");
+    throw IoError(mesh_path, "has no edge as sharp as min_dihedral_deg and no border");
   }
   return source;
 }
 
-ExtractedTruth ExtractProjectTruth(const Project& project, const RunOptions& run,
-                                   const TruthSource& source, const TruthOptions& options,
-                                   Console* console) {
+}  // namespace
+
+void ExtractTruthVerb::AddOptions(OptionParser* parser) {
+  parser->AddOption("mesh_path", &mesh_path_,
+                    BasicOption("surface, .ply or .obj: its sharp edges"));
+  parser->AddOption("cloud_path", &cloud_path_,
+                    BasicOption("or a dense cloud, .ply or .txt: its points near image edges"));
+  parser->AddOption("min_dihedral_deg", &sharp_edges_.min_dihedral_deg,
+                    BasicOption("smallest angle by which the surface bends at a sharp edge"));
+  parser->AddOption("min_corner_deg", &sharp_edges_.min_corner_deg,
+                    "curves end where they turn by more");
+  parser->AddOption("min_views", &truth_.min_views,
+                    BasicOption("number of views that must show what is kept"));
+  parser->AddOption("require_edges", &truth_.require_edges,
+                    BasicOption("a view shows what has edgels along it; 0 = whatever is visible"));
+  parser->AddOption("max_distance_px", &truth_.max_distance_px, "farthest edgel, px");
+  parser->AddOption("max_angle_deg", &truth_.max_angle_deg,
+                    "largest difference in direction of an edgel");
+  parser->AddOption("occlusion_px", &truth_.occlusion_px,
+                    "visible points may be this far behind the surface, pixel footprints");
+  parser->AddOption("max_gap_px", &truth_.max_gap_px, "shorter gaps of curves are closed, px");
+  parser->AddOption("min_length_px", &truth_.min_length_px, "shorter runs are dropped, px");
+  parser->AddOption("splat_px", &truth_.splat_px,
+                    "a point of the cloud hides a disc of this radius, px");
+  parser->AddOption("max_chance", &truth_.max_chance,
+                    "largest probability that the edgels near a point of the cloud are accidental");
+}
+
+void ExtractTruthVerb::Prepare(RunOptions* options, Console* console) {
+  if (mesh_path_.empty() == cloud_path_.empty()) {
+    throw OptionError("one of --mesh_path and --cloud_path must be given, and not both");
+  }
+  sharp_edges_.Check();
+  truth_.Check();
+  output_path_ = TakeTruthPath(&options->layout);
+  CheckNamedOutput(output_path_, {mesh_path_, cloud_path_}, options->overwrite);
+  source_ = ReadTruthSource(mesh_path_, cloud_path_, sharp_edges_, console);
+}
+
+void ExtractTruthVerb::Run(const Project& project, const RunOptions& options, Console* console) {
+  const Job job = JobOf(project, options, console);
   CurvesResult image_curves;
-  if (options.require_edges) image_curves = ExtractProjectCurves(project, run, console);
-  const bool is_cloud = !source.cloud.empty();
-  ExtractedTruth truth = is_cloud
-                             ? ExtractTruthPoints(source.cloud, project.views(),
-                                                  image_curves.curves, options, console->context())
-                             : ExtractTruthCurves(source.edges, source.mesh, project.views(),
-                                                  image_curves.curves, options, console->context());
-  SayAccount(truth.account, options.min_views, is_cloud, console);
+  if (truth_.require_edges) image_curves = ExtractImageCurves(job);
+  const bool is_cloud = !source_.cloud.empty();
+  const ExtractedTruth truth = is_cloud
+                                   ? ExtractTruthPoints(source_.cloud, job.views(),
+                                                        image_curves.curves, truth_, job.context())
+                                   : ExtractTruthCurves(source_.edges, source_.mesh, job.views(),
+                                                        image_curves.curves, truth_, job.context());
+  SayAccount(truth.account, truth_.min_views, is_cloud, console);
   if (!(truth.account.kept > 0)) throw InputError("nothing of the truth is shown by the images");
-  return truth;
+  WriteFileAtomically(output_path_, [&](std::ostream& out) { WriteCurvesPly(truth.set, out); });
+  console->Say("wrote " + output_path_);
 }
 
 }  // namespace limn::colmap_ext

@@ -7,17 +7,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "colmap_ext/dense_files/depth_sources.h"
 #include "colmap_ext/dense_files/merged_cloud.h"
 #include "colmap_ext/dense_files/pmvs_with_curves.h"
 #include "colmap_ext/dense_files/sparse_with_curves.h"
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/model/model_writer.h"
-#include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/workspace/output_check.h"
-#include "colmap_ext/workspace/pmvs_model.h"
 #include "limn/files/atomic_file.h"
-#include "limn/formats/mesh_reader.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"
 #include "limn/util/number_text.h"
@@ -26,17 +24,7 @@ namespace limn::colmap_ext {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Files hold the coordinates of the model that was read.
-DensePointStream MovedStream(const DensePointStream& points, const Eigen::Vector3d& shift) {
-  return [=](const DensePointVisitor& visit) {
-    points([&](const DensePoint& point) {
-      DensePoint moved = point;
-      moved.position += shift;
-      visit(moved);
-    });
-  };
-}
+using Json = nlohmann::ordered_json;
 
 // Views and curve points in the coordinates of the model.
 struct InModel {
@@ -84,45 +72,75 @@ void WriteMeshing(const Project& project, const DenseInput& dense, const InModel
   }
 }
 
-void WarnWithoutImageNames(const fs::path& pmvs_cloud, Console* console) {
-  const fs::path folder = pmvs_cloud.parent_path().parent_path();
-  if (!ReadPmvsImageNames(folder).empty()) return;
-  console->Say("WARNING: " + (folder / "bundle.rd.out.list.txt").string() +
-               " is missing: image numbers are taken as the order of the model's images");
+// The length of the drawing by class, and what it adds to the dense results.
+void SayLengths(const FusionResult& result, const DenseOptions& options, Console* console) {
+  double whole = 0;
+  for (const double length : result.samples.length) whole += length;
+  const auto length_of = [&](DenseClass wanted) {
+    return LengthOf(wanted, result.samples, result.classes);
+  };
+  console->Say("length: " + ShortNumber(whole) + " in the model's unit; on a surface " +
+               ShortNumber(length_of(DenseClass::kSurface)) + ", at a boundary " +
+               ShortNumber(length_of(DenseClass::kBoundary)) + ", off the surface " +
+               ShortNumber(length_of(DenseClass::kFree)) + ", not judged " +
+               ShortNumber(length_of(DenseClass::kUnknown)) + ", behind the surface " +
+               ShortNumber(LengthBehind(result.samples, result.classes)));
+  console->Say("the drawing adds " + ShortNumber(LengthAdded(result.samples, result.classes)) +
+               " that have no dense point within " + ShortNumber(options.near_px) + " footprints");
 }
 
 }  // namespace
 
-void FuserOptions::AddOptions(OptionParser* parser) {
-  parser->AddOption("drawing_path", &drawing_path,
-                    BasicOption("drawing.json to fuse, instead of the one in the output folder"));
-  parser->AddOption("dense_type", &paths.dense_type,
+void FuseVerb::AddOptions(OptionParser* parser) {
+  parser->AddOption("dense_type", &paths_.dense_type,
                     {"auto", "depth_maps", "fused", "pmvs", "mesh"},
                     BasicOption("which dense results"));
-  parser->AddOption("dense_path", &paths.dense_path,
+  parser->AddOption("dense_path", &paths_.dense_path,
                     BasicOption("their file or folder, instead of those found beside the model"));
-  parser->AddOption("remove_occluded", &remove_occluded,
+  parser->AddOption("remove_occluded", &remove_occluded_,
                     BasicOption("leave out links behind the surface, instead of marking them"));
-  parser->AddOption("sparse_spacing_px", &sparse_spacing_px,
+}
+
+void FuseVerb::AddFileOptions(OptionParser* parser) {
+  AddDrawingPath("drawing.json to fuse, instead of the one in the output folder", parser);
+  parser->AddOption("sparse_spacing_px", &sparse_spacing_px_,
                     "distance of the curves' points in sparse-with-curves, px");
 }
 
-void FuserOptions::Check() const {
-  paths.Check();
-  LIMN_CHECK_RANGE(sparse_spacing_px, >= 1, <= 1e4);
+void FuseVerb::Prepare(RunOptions*, Console*) {
+  paths_.Check();
+  CheckOption(sparse_spacing_px_ >= 1 && sparse_spacing_px_ <= 1e4, "sparse_spacing_px",
+              sparse_spacing_px_, ">= 1 and <= 1e4");
 }
 
-std::string FusionProvenance(const RunOptions& options, const FuserOptions& fuser,
-                             const std::string& drawing_provenance) {
-  auto json = nlohmann::ordered_json::parse(drawing_provenance);
-  auto& dense = json["DenseFusion"] = nlohmann::ordered_json::parse(OptionsAsJson(options.dense));
-  dense["dense_type"] = fuser.paths.dense_type;
-  dense["remove_occluded"] = fuser.remove_occluded;
-  dense["sparse_spacing_px"] = fuser.sparse_spacing_px;
+std::string FuseVerb::Provenance(const RunOptions& options, const std::string& before) const {
+  Json json = Json::parse(before);
+  Json& dense = json["DenseFusion"] = Json::parse(OptionsAsJson(options.dense));
+  dense["dense_type"] = paths_.dense_type;
+  dense["remove_occluded"] = remove_occluded_;
+  dense["sparse_spacing_px"] = sparse_spacing_px_;
   return json.dump();
 }
 
-void CheckFusionFiles(const Project& project, const RunOptions& options) {
+DrawingInScene FuseVerb::Apply(const Job& job, const DrawingInScene& given) {
+  if (job.scene.layout().model_dir.empty()) {
+    throw InputError("fuse: dense results belong to a project, not to a scene in memory");
+  }
+  dense_ = OpenDenseInput(job.scene, paths_, job.options.layout.workspace_path, job.console);
+  FusionResult result = FuseDrawing({job.views(), given.graph, dense_.depths,
+                                     dense_.cloud ? std::optional(dense_.points) : std::nullopt},
+                                    job.options.dense, job.context());
+  job.console->Report(result.summary);
+  SayLengths(result, job.options.dense, job.console);
+  points_ = std::move(result.points);
+  return {remove_occluded_ ? WithoutOccluded(result.graph) : std::move(result.graph),
+          given.metadata,
+          given.views,
+          given.curves,
+          {}};
+}
+
+void FuseVerb::CheckFiles(const Project& project, const RunOptions& options) const {
   for (const char* name : {"drawing-fused.ply", "drawing-fused.obj"}) {
     CheckResultFile(project.DrawingPath(name), options.overwrite);
   }
@@ -149,78 +167,39 @@ void CheckFusionFiles(const Project& project, const RunOptions& options) {
   }
 }
 
-DenseInput OpenDenseInput(const Scene& scene, const FuserOptions& options,
-                          const std::string& workspace_path, Console* console) {
-  if (scene.view_set().HasPanoramas()) {
-    throw InputError(scene.layout().model_dir.string() +
-                     " has EQUIRECTANGULAR images, for which there are no dense results");
-  }
-  DenseInput dense;
-  dense.products = FindDenseProducts(options.paths, workspace_path, scene.layout().dense_dir);
-  console->Say(dense.products.description);
-  const size_t num_images = CountRegisteredImages(scene.layout().model_dir);
-  if (!dense.products.clouds.empty()) {
-    dense.cloud = OpenClouds(dense.products.clouds, scene.views(), num_images);
-    dense.points = MovedStream(dense.cloud->points, -scene.origin());
-    console->Say(std::to_string(dense.cloud->num_points) + " dense points" +
-                 (dense.cloud->has_visibility ? " with the images that see them" : ""));
-  }
-  switch (dense.products.kind) {
-    case DenseKind::kDepthMaps: {
-      const size_t count = CountDepthMaps(dense.products.path, scene.views());
-      if (count == 0) throw IoError(dense.products.path.string(), "no depth map of any image");
-      console->Say(std::to_string(count) + " depth maps for " +
-                   std::to_string(scene.views().size()) + " images");
-      dense.depths = DepthMapSource(dense.products.path, scene.views());
-      break;
-    }
-    case DenseKind::kPmvs:
-      WarnWithoutImageNames(dense.products.path, console);
-      [[fallthrough]];
-    case DenseKind::kFusedCloud:
-      dense.depths = CloudDepthSource(dense.points, scene.views());
-      break;
-    case DenseKind::kMesh: {
-      TriangleMesh mesh = ReadMesh(dense.products.path.string());
-      for (Eigen::Vector3d& vertex : mesh.vertices) vertex -= scene.origin();
-      dense.depths = MeshDepthSource(std::move(mesh), scene.views());
-      break;
-    }
-  }
-  if (!dense.cloud || dense.products.kind == DenseKind::kPmvs) return dense;
-  const fs::path& fused = dense.products.clouds.front();
-  if (dense.cloud->has_normals) {
-    dense.for_meshers = fused;
-  } else {
-    console->Say("WARNING: " + fused.string() + " has no normals: nothing is written for meshers");
-  }
-  return dense;
+void FuseVerb::CheckReplaces(const Project& project, const RunOptions& options,
+                             const std::string& provenance) const {
+  CheckReplaceable(project, options, kFusedDrawing, provenance);
 }
 
-void SayLengths(const FusionResult& result, const DenseOptions& options, Console* console) {
-  double whole = 0;
-  for (const double length : result.samples.length) whole += length;
-  const auto length_of = [&](DenseClass wanted) {
-    return LengthOf(wanted, result.samples, result.classes);
-  };
-  console->Say("length: " + ShortNumber(whole) + " in the model's unit; on a surface " +
-               ShortNumber(length_of(DenseClass::kSurface)) + ", at a boundary " +
-               ShortNumber(length_of(DenseClass::kBoundary)) + ", off the surface " +
-               ShortNumber(length_of(DenseClass::kFree)) + ", not judged " +
-               ShortNumber(length_of(DenseClass::kUnknown)) + ", behind the surface " +
-               ShortNumber(LengthBehind(result.samples, result.classes)));
-  console->Say("the drawing adds " + ShortNumber(LengthAdded(result.samples, result.classes)) +
-               " that have no dense point within " + ShortNumber(options.near_px) + " footprints");
+void FuseVerb::Write(const Job& job, const Project& project, const DrawingInScene& made) {
+  ColorCurvePoints(project, job.context(), &points_);
+  const DrawingGraph graph = Moved(made.graph, project.origin());
+  // The one that says whose the others are is first.
+  for (const char* name : {kFusedDrawing, "drawing-fused.ply", "drawing-fused.obj"}) {
+    WriteDrawing(project.DrawingPath(name), graph, made.metadata);
+  }
+  const InModel curves = ToModel(project, points_);
+  job.console->Say("wrote " + project.DrawingPath("drawing-fused.{ply,json,obj}"));
+  const double spacing = sparse_spacing_px_ / job.options.dense.sample_spacing_px;
+  WriteSparseWithCurves(project, std::max(1, static_cast<int>(std::lround(spacing))), curves,
+                        job.console);
+  if (dense_.products.kind == DenseKind::kPmvs) {
+    const fs::path base = project.DrawingPath("pmvs-with-curves");
+    WritePmvsWithCurves(base, dense_.products.clouds, *dense_.cloud, curves.points, curves.views);
+    job.console->Say("wrote " + base.string() + ".{patch,ply}");
+  }
+  if (!dense_.for_meshers.empty()) WriteMeshing(project, dense_, curves, job.console);
 }
 
-void ColorCurvePoints(const Project& project, const RunContext& context,
+void ColorCurvePoints(const Scene& scene, const RunContext& context,
                       std::vector<CurvePoint>* points) {
-  std::vector<std::vector<size_t>> of_view(project.views().size());
+  std::vector<std::vector<size_t>> of_view(scene.views().size());
   for (size_t p = 0; p < points->size(); ++p) of_view[(*points)[p].views.front()].push_back(p);
   ParallelFor(context, "reading colors", of_view.size(), [&](size_t v) {
     if (of_view[v].empty()) return;
-    const View& view = project.views()[v];
-    const Image image = ReadViewImage(project.view_set(), static_cast<ViewId>(v));
+    const View& view = scene.views()[v];
+    const Image image = ReadViewImage(scene.view_set(), static_cast<ViewId>(v));
     for (const size_t p : of_view[v]) {
       CurvePoint& point = (*points)[p];
       const auto pixel = view.Project(point.position);
@@ -230,31 +209,6 @@ void ColorCurvePoints(const Project& project, const RunContext& context,
       for (int c = 0; c < 3; ++c) point.color[c] = static_cast<uint8_t>(std::lround(color[c]));
     }
   });
-}
-
-void WriteFusionResults(const Project& project, const RunOptions& options,
-                        const FuserOptions& fuser, const DenseInput& dense,
-                        const DrawingMetadata& metadata, const FusionResult& result,
-                        Console* console) {
-  const DrawingGraph graph =
-      Moved(fuser.remove_occluded ? WithoutOccluded(result.graph) : result.graph, project.origin());
-  // The one that says whose the others are is first.
-  for (const char* name : {kFusedDrawing, "drawing-fused.ply", "drawing-fused.obj"}) {
-    WriteDrawing(project.DrawingPath(name), graph, metadata);
-  }
-  const InModel curves = ToModel(project, result.points);
-  console->Say("wrote " + project.DrawingPath("drawing-fused.{ply,json,obj}"));
-  const double spacing = fuser.sparse_spacing_px / options.dense.sample_spacing_px;
-  WriteSparseWithCurves(project, std::max(1, static_cast<int>(std::lround(spacing))), curves,
-                        console);
-  if (dense.products.kind == DenseKind::kPmvs) {
-    const fs::path base = project.DrawingPath("pmvs-with-curves");
-    WritePmvsWithCurves(base, dense.products.clouds, *dense.cloud, curves.points, curves.views);
-    console->Say("wrote " + base.string() + ".{patch,ply}");
-  }
-  if (!dense.for_meshers.empty()) {
-    WriteMeshing(project, dense, curves, console);
-  }
 }
 
 }  // namespace limn::colmap_ext

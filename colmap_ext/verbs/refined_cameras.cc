@@ -77,11 +77,6 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options) {
   }
 }
 
-const std::vector<View>& ViewsOfDrawing(const Project& project,
-                                        const std::optional<RefinedCameras>& cameras) {
-  return cameras ? cameras->views : project.views();
-}
-
 void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
                        Console* console) {
   if (!cameras) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "colmap_ext/host/project.h"
 #include "limn/refinement/refinement.h"
@@ -12,10 +11,6 @@ namespace limn::colmap_ext {
 // refined/, beside the drawing, is the input model itself, or has binary files that would be read
 // instead of the text files.
 void CheckRefinedFolder(const Project& project, const RunOptions& options);
-
-// The views that the drawing fits: the refined ones if there are any.
-const std::vector<View>& ViewsOfDrawing(const Project& project,
-                                        const std::optional<RefinedCameras>& cameras);
 
 // Writes refined/cameras.txt, images.txt and points3D.txt: the input model with refined poses,
 // focal lengths and points (see ApplyRefinement), and, if it has some, rigs.txt and frames.txt with

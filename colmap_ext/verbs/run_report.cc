@@ -145,17 +145,18 @@ std::string RunReportJson(const Project& project, const RunOptions& options,
 
 }  // namespace
 
-void WritePageWithReport(const Project& project, const RunOptions& options,
-                         const std::vector<View>& views, const DrawingGraph& graph,
-                         const Trust& trust, const TruthInput& truth, Console* console) {
+void WritePageWithReport(const Project& project, const DrawingInScene& drawing,
+                         const RunOptions& options, const Trust& trust, const TruthInput& truth,
+                         Console* console) {
   if (!HasViewerPage()) {
     console->Say("drawing.html is not written: this limn was built without the viewer");
     return;
   }
   // Truth files are in the model's coordinates.
-  const std::string report = RunReportJson(project, options, Moved(graph, project.origin()),
-                                           Moved(views, project.origin()), trust, truth, *console);
-  WriteViewerResult(project, options.layout.workspace_path, views, graph, {}, report, std::nullopt,
+  const std::string report =
+      RunReportJson(project, options, Moved(drawing.graph, project.origin()),
+                    Moved(drawing.views, project.origin()), trust, truth, *console);
+  WriteViewerResult(project, options.layout.workspace_path, drawing, {}, report, std::nullopt,
                     console);
 }
 

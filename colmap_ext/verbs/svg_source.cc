@@ -8,7 +8,7 @@
 
 #include "colmap_ext/host/project.h"
 #include "colmap_ext/host/world_shift.h"
-#include "colmap_ext/verbs/fuse.h"
+#include "colmap_ext/verbs/dense_input.h"
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/ply_points_reader.h"
 #include "limn/geometry/point_spacing.h"
@@ -278,11 +278,9 @@ SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
     scene.picture.style.photo = RelativeTo(output_path, project.view_set().files[view].image_path);
   }
   if (source.show_hidden) return scene;
-  FuserOptions fuser;
-  fuser.paths = source.dense;
   const bool by_faces =
       source.dense.dense_type == kFacesType ||
-      !LookForDenseProducts(fuser.paths, workspace.workspace_path, project.layout().dense_dir);
+      !LookForDenseProducts(source.dense, workspace.workspace_path, project.layout().dense_dir);
   if (by_faces) {
     if (!FacesHide(source, faces, console)) return scene;
     TriangleMesh mesh = MeshOf(faces);
@@ -291,7 +289,7 @@ SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
     scene.picture.is_hidden = HiddenInView(seen_in, RenderDepth(mesh, seen_in, /*scale=*/1));
     return scene;
   }
-  const DenseInput dense = OpenDenseInput(project, fuser, workspace.workspace_path, console);
+  const DenseInput dense = OpenDenseInput(project, source.dense, workspace.workspace_path, console);
   if (const auto depth = dense.depths(view)) {
     scene.picture.is_hidden = HiddenInView(project.views()[view], *depth);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "colmap_ext/host/provenance.h"
 #include "limn/evaluation/quantiles.h"
 #include "limn/evaluation/view_agreement.h"
 #include "limn/geometry/polyline.h"
@@ -151,6 +152,14 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
                "right: " +
                ShortNumber(*trust.error_px) + " px (median), " + ShortNumber(*trust.error_90_px) +
                " px (90 %)");
+}
+
+Trust ReportTrust(const ViewSet& set, const DrawingInScene& drawing, Console* console) {
+  static const std::vector<ImageCurves> unknown;
+  const auto& curves = drawing.curves ? *drawing.curves : unknown;
+  const Trust trust = MeasureTrust(set, drawing.views, curves, drawing.graph);
+  SayTrust(trust, HasBox(drawing.metadata.options_json), console);
+  return trust;
 }
 
 }  // namespace limn::colmap_ext

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "colmap_ext/host/console.h"
+#include "colmap_ext/verbs/drawing_in_scene.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
@@ -40,5 +41,8 @@ Trust MeasureTrust(const ViewSet& set, const std::vector<View>& views,
 // Reports it. Warns if the drawing explains hardly anything, if images agree with it much less than
 // the others, and about images without edges. With a box, a drawing may explain little.
 void SayTrust(const Trust& trust, bool has_box, Console* console);
+
+// Both, of a drawing whose views are those of the set.
+Trust ReportTrust(const ViewSet& set, const DrawingInScene& drawing, Console* console);
 
 }  // namespace limn::colmap_ext

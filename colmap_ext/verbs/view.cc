@@ -9,8 +9,10 @@
 #include "colmap_ext/dense_files/dense_cloud.h"
 #include "colmap_ext/dense_files/products.h"
 #include "colmap_ext/host/world_shift.h"
+#include "colmap_ext/verbs/align.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/output_check.h"
 #include "limn/files/atomic_file.h"
 #include "limn/files/json_text.h"
 #include "limn/files/whole_file.h"
@@ -105,51 +107,68 @@ void MoveToWorld(const Alignment& alignment, ViewerScene* scene) {
   if (alignment.IsMetric()) scene->unit = alignment.Unit();
 }
 
-}  // namespace
-
-void ViewerOptions::AddOptions(OptionParser* parser) {
-  parser->AddOption("drawing_path", &drawing_path,
-                    BasicOption("drawing to show, instead of the newer of drawing.json and "
-                                "drawing-fused.json in the output folder"));
-  parser->AddOption("report_path", &report_path,
-                    "JSON file with a report of the run, for the tab Report");
-  parser->AddOption("cloud", &cloud, {"auto", "sparse", "dense", "none"},
-                    BasicOption("which points to show; auto = dense if there are any"));
-  parser->AddOption("max_points", &max_points, BasicOption("thin the points to at most this many"));
-  parser->AddOption("thumbnail_size", &thumbnail_size,
-                    BasicOption("longer side of the photographs in the page, px"));
-  parser->AddOption("aligned", &aligned,
-                    BasicOption("show the world, as drawing_aligner or --align auto found it"));
-}
-
-void ViewerOptions::Check() const {
-  LIMN_CHECK_RANGE(max_points, >= 0, <= 10000000);
-  LIMN_CHECK_RANGE(thumbnail_size, >= 16, <= 4096);
-}
-
-std::string DrawingToView(const Project& project, const ViewerOptions& options) {
-  if (!options.drawing_path.empty()) return options.drawing_path;
-  return FindDrawing(project.layout().output.drawing_dir, DrawingChoice::kNewest, "drawing_path");
-}
-
-std::string ReadReport(const ViewerOptions& options) {
-  if (options.report_path.empty()) return "";
-  const std::string report = ReadWholeFile(options.report_path, kMaxJsonBytes);
-  if (!report.empty() && !ParseJson(options.report_path, report).is_object()) {
-    throw IoError(options.report_path, "must be a JSON object");
+// Empty if none is given. Throws IoError.
+std::string ReadReport(const std::string& path) {
+  if (path.empty()) return "";
+  std::string report = ReadWholeFile(path, kMaxJsonBytes);
+  if (!report.empty() && !ParseJson(path, report).is_object()) {
+    throw IoError(path, "must be a JSON object");
   }
   return report;
 }
 
+}  // namespace
+
+void ViewVerb::AddOptions(OptionParser* parser) {
+  parser->AddOption("drawing_path", &viewer_.drawing_path,
+                    BasicOption("drawing to show, instead of the newer of drawing.json and "
+                                "drawing-fused.json in the output folder"));
+  parser->AddOption("report_path", &viewer_.report_path,
+                    "JSON file with a report of the run, for the tab Report");
+  parser->AddOption("cloud", &viewer_.cloud, {"auto", "sparse", "dense", "none"},
+                    BasicOption("which points to show; auto = dense if there are any"));
+  parser->AddOption("max_points", &viewer_.max_points,
+                    BasicOption("thin the points to at most this many"));
+  parser->AddOption("thumbnail_size", &viewer_.thumbnail_size,
+                    BasicOption("longer side of the photographs in the page, px"));
+  parser->AddOption("aligned", &viewer_.aligned,
+                    BasicOption("show the world, as drawing_aligner or --align auto found it"));
+}
+
+void ViewVerb::Prepare(RunOptions*, Console*) {
+  CheckOption(viewer_.max_points >= 0 && viewer_.max_points <= 10000000, "max_points",
+              viewer_.max_points, ">= 0 and <= 10000000");
+  CheckOption(viewer_.thumbnail_size >= 16 && viewer_.thumbnail_size <= 4096, "thumbnail_size",
+              viewer_.thumbnail_size, ">= 16 and <= 4096");
+  if (!HasViewerPage()) {
+    throw InputError("this limn was built without the viewer (CMake option LIMN_WITH_VIEWER)");
+  }
+  report_json_ = ReadReport(viewer_.report_path);
+}
+
+void ViewVerb::Run(const Project& project, const RunOptions& options, Console* console) {
+  CheckResultFile(project.DrawingPath(kViewerPage), options.overwrite);
+  const std::string path = !viewer_.drawing_path.empty()
+                               ? viewer_.drawing_path
+                               : FindDrawing(project.layout().output.drawing_dir,
+                                             DrawingChoice::kNewest, "drawing_path");
+  const DrawingInScene drawing = ReadDrawingInScene(project, path);
+  console->Say("drawing: " + path);
+  std::optional<Alignment> shown;
+  if (viewer_.aligned) shown = RequireAlignment(path, drawing.metadata);
+  WriteViewerResult(project, options.layout.workspace_path, drawing, viewer_, report_json_, shown,
+                    console);
+}
+
 void WriteViewerResult(const Project& project, const std::string& workspace_path,
-                       const std::vector<View>& views, const DrawingGraph& graph,
-                       const ViewerOptions& options, const std::string& report_json,
-                       const std::optional<Alignment>& shown, Console* console) {
+                       const DrawingInScene& drawing, const ViewerOptions& options,
+                       const std::string& report_json, const std::optional<Alignment>& shown,
+                       Console* console) {
   ViewerScene scene;
   const fs::path folder = fs::absolute(project.DrawingPath("")).lexically_normal();
   scene.title = folder.parent_path().filename().string();
-  scene.graph = Moved(graph, project.origin());
-  scene.views = Moved(views, project.origin());
+  scene.graph = Moved(drawing.graph, project.origin());
+  scene.views = Moved(drawing.views, project.origin());
   scene.cloud = CloudOf(project, workspace_path, options, console);
   if (shown) MoveToWorld(*shown, &scene);
   scene.thumbnails = Thumbnails(project, options.thumbnail_size, console);

@@ -9,7 +9,7 @@
 #include "bench/scene.h"
 #include "bench/side_by_side.h"
 #include "bench/stopwatch.h"
-#include "colmap_ext/host/project.h"
+#include "colmap_ext/host/job.h"
 #include "limn/formats/read_curves.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/pictures/picture.h"
@@ -37,7 +37,7 @@ Measured Load(const DataSet& set, const ReportOptions& options, Console* console
   const colmap_ext::Project project(run, console);
   Measured measured{set, ReadTruth(set), {}, {}, {}, 0};
   const Stopwatch stopwatch;
-  CurvesResult curves = ExtractProjectCurves(project, run, console);
+  CurvesResult curves = ExtractImageCurves(JobOf(project, run, console));
   measured.seconds = stopwatch.Elapsed().seconds;
   measured.scene = {project.views(), std::move(curves.curves), project.view_set().hints};
   measured.training = PartOf(measured.scene, false);

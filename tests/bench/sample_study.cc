@@ -1,6 +1,6 @@
 #include "bench/sample_study.h"
 
-#include "colmap_ext/host/project.h"
+#include "colmap_ext/host/job.h"
 #include "limn/drawing/drawing.h"
 #include "limn/geometry/polyline.h"
 #include "limn/pipeline/build_sketch.h"
@@ -17,7 +17,7 @@ SampleStudy LoadSampleStudy(const std::string& output_path, bool use_points,
   run.layout.workspace_path = study.set.workspace_path;
   run.layout.output_path = output_path;
   const colmap_ext::Project project(run, console);
-  study.scene = {project.views(), ExtractProjectCurves(project, run, console).curves, {}};
+  study.scene = {project.views(), ExtractImageCurves(JobOf(project, run, console)).curves, {}};
   if (use_points) study.scene.hints = project.view_set().hints;
   for (const Polyline3d& polyline : study.truth.curves.polylines) {
     const Polyline3d samples = ResampleUniform(polyline, 0.05);

@@ -111,7 +111,7 @@ def refine(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Dr
     The drawing needs its scene: read_drawing(path, scene). Options: DrawingRefinement, Belief, Primitives. Writes
     nothing.
     """
-    return _limn.refine(drawing, texts_of(options), progress)
+    return _limn.apply("refine", drawing, texts_of(options), progress)
 
 
 def regularize(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
@@ -120,7 +120,7 @@ def regularize(drawing: Drawing, *, progress: Progress = None, **options: Any) -
     Regularities hold only where the images allow them. The drawing needs its scene: read_drawing(path, scene). Options: Regularity. Writes
     nothing.
     """
-    return _limn.regularize(drawing, texts_of(options), progress)
+    return _limn.apply("regularize", drawing, texts_of(options), progress)
 
 
 def find_faces(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
@@ -129,7 +129,7 @@ def find_faces(drawing: Drawing, *, progress: Progress = None, **options: Any) -
     Curves and nodes stay as they are. The drawing needs its scene: read_drawing(path, scene). Options: Surfaces. Writes
     nothing.
     """
-    return _limn.find_faces(drawing, texts_of(options), progress)
+    return _limn.apply("find_faces", drawing, texts_of(options), progress)
 
 
 def edit(drawing: Drawing, edits: Path, *, progress: Progress = None, **options: Any) -> Drawing:
@@ -139,7 +139,7 @@ def edit(drawing: Drawing, edits: Path, *, progress: Progress = None, **options:
     of the result. The drawing needs its scene: read_drawing(path, scene). Options: DrawingRefinement, Primitives. Writes
     nothing.
     """
-    return _limn.edit(drawing, texts_of(options, edits=edits), progress)
+    return _limn.apply("edit", drawing, texts_of(options, edits=edits), progress)
 
 
 def fuse(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:
@@ -148,7 +148,7 @@ def fuse(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Draw
     The drawing needs its scene, which is a project. Options: dense_type, dense_path, remove_occluded, DenseFusion.
     Writes nothing.
     """
-    return _limn.fuse(drawing, texts_of(options), progress)
+    return _limn.apply("fuse", drawing, texts_of(options), progress)
 
 
 def align(drawing: Drawing, known_length: Union[str, Iterable[str]] = (), *, progress: Progress = None,
@@ -159,7 +159,7 @@ def align(drawing: Drawing, known_length: Union[str, Iterable[str]] = (), *, pro
     Positions stay the model's; save() stores the alignment, and export(..., aligned=True) applies it. Options:
     database_path. Writes nothing.
     """
-    return _limn.align(drawing, texts_of(options, known_length=known_length or None), progress)
+    return _limn.apply("align", drawing, texts_of(options, known_length=known_length or None), progress)
 
 
 def _drawing_or_path(drawing: Union[Path, Drawing]) -> tuple[Optional[Drawing], Optional[Path]]:

@@ -11,7 +11,7 @@ namespace limn::colmap_ext {
 std::string HelpOf(const Command& command, const char* flag) {
   const char* arguments[] = {command.name, flag};
   ::testing::internal::CaptureStdout();
-  EXPECT_EQ(command.run(2, arguments, MakeTerminalConsole), 0) << command.name;
+  EXPECT_EQ(command.Run(2, arguments, MakeTerminalConsole), 0) << command.name;
   return ::testing::internal::GetCapturedStdout();
 }
 

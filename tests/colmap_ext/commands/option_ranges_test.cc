@@ -49,7 +49,7 @@ struct Option {
     arguments.push_back(flag.c_str());
     arguments.push_back(value.c_str());
     try {
-      command.run(static_cast<int>(arguments.size()), arguments.data(), MakeTerminalConsole);
+      command.Run(static_cast<int>(arguments.size()), arguments.data(), MakeTerminalConsole);
     } catch (const std::exception& error) {
       return error.what();
     }

@@ -401,7 +401,7 @@ class Errors(unittest.TestCase):
                 ({"max_image_size": 1}, r"^max_image_size = 1: must be -1 or >= 16 and <= 1e5$"),
                 ({"nonsense": 1}, r"unrecognised option '--nonsense=1'"),
                 ({"Drawing": {"nonsense": 1}}, r"unrecognised option '--Drawing.nonsense=1'"),
-                ({"Drawing.method": "none"}, r"^Drawing.method: none: traced, merged or paper expected$"),
+                ({"Drawing.method": "none"}, r"^Drawing.method = none: must be one of \{traced, paper\}$"),
                 ({"a=b": 1}, r"^unknown option 'a=b'$"),
                 ({"help": True}, "^unknown option 'help'$"),
                 ({"help_all": True}, "^unknown option 'help_all'$"),

@@ -1,18 +1,13 @@
-#include <iostream>
+#include "colmap_ext/verbs/import_model.h"
 
-#include "colmap_ext/commands/commands.h"
-#include "colmap_ext/import/model_import.h"
+#include <string>
+#include <vector>
+
 #include "colmap_ext/import/new_model_folder.h"
 
 namespace limn::colmap_ext {
 
-int RunModelImporter(int argc, const char* const* argv, const ConsoleMaker& make_console) {
-  ImporterOptions options;
-  OptionParser parser("model_importer", "make a COLMAP model from cameras in another format");
-  options.AddOptions(&parser);
-  if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return 0;
-  options.Check();
-  const auto console = make_console(/*num_threads=*/-1, /*speaks=*/true);
+void RunImporter(const ImporterOptions& options, Console* console) {
   CheckNewModelFolder(options.output_path);
   std::vector<std::string> notes;
   const SparseModel model = ImportModel(options, &notes);
@@ -22,7 +17,6 @@ int RunModelImporter(int argc, const char* const* argv, const ConsoleMaker& make
   console->Say("Written: " + options.output_path + " with " + std::to_string(model.cameras.size()) +
                " cameras, " + std::to_string(model.images.size()) + " images, " +
                std::to_string(model.points.size()) + " points");
-  return 0;
 }
 
 }  // namespace limn::colmap_ext

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "colmap_ext/host/scene.h"
+#include "limn/formats/json_drawing_reader.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/model/view.h"
+#include "limn/refinement/refinement.h"
+
+namespace limn::colmap_ext {
+
+// A drawing in memory with what goes with it. Positions are relative to the origin of its scene;
+// only the alignment in the metadata is of the model's coordinates.
+struct DrawingInScene {
+  DrawingGraph graph;
+  DrawingMetadata metadata;
+  // Those of the scene, with the cameras that the drawing fits.
+  std::vector<View> views;
+  // Per view; null if they are not in memory.
+  std::shared_ptr<const std::vector<ImageCurves>> curves;
+  // What the verb that made the drawing did to the cameras; nothing if they stayed.
+  std::optional<RefinedCameras> cameras;
+};
+
+// The names of the scene's views, and the provenance of what was made of them.
+DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);
+
+// ReadDrawing for the scene's views, in the coordinates of the file. Throws IoError if it is
+// missing, damaged or of other views.
+DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path);
+
+// The same, in the scene.
+DrawingInScene ReadDrawingInScene(const Scene& scene, const std::string& path);
+
+}  // namespace limn::colmap_ext

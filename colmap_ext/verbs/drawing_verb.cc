@@ -1,0 +1,59 @@
+#include "colmap_ext/verbs/drawing_verb.h"
+
+#include "colmap_ext/verbs/drawing_input.h"
+#include "colmap_ext/verbs/drawing_results.h"
+
+namespace limn::colmap_ext {
+
+std::string DrawingVerb::Provenance(const RunOptions& options, const std::string& before) const {
+  return ProvenanceAfter(before, ProvenanceRow(), options);
+}
+
+void DrawingVerb::Conclude(const Job& job, const DrawingInScene&, const DrawingInScene&) {
+  job.console->RepeatWarnings();
+}
+
+void DrawingVerb::AddFileOptions(OptionParser* parser) {
+  AddDrawingPath("drawing.json to start from, instead of the one in the output folder", parser);
+}
+
+void DrawingVerb::AddDrawingPath(const char* help, OptionParser* parser) {
+  parser->AddOption("drawing_path", &drawing_path_, BasicOption(help));
+}
+
+void DrawingVerb::CheckFiles(const Project& project, const RunOptions& options) const {
+  CheckDrawingFiles(project, options);
+}
+
+void DrawingVerb::CheckReplaces(const Project& project, const RunOptions& options,
+                                const std::string& provenance) const {
+  if (!drawing_path_.empty()) CheckReplaceable(project, options, "drawing.json", provenance);
+}
+
+void DrawingVerb::Write(const Job& job, const Project& project, const DrawingInScene& made) {
+  WriteDrawingResults(project, made, job.console);
+}
+
+void DrawingVerb::Run(const Project& project, const RunOptions& options, Console* console) {
+  CheckFiles(project, options);
+  const std::string path = !drawing_path_.empty()
+                               ? drawing_path_
+                               : FindDrawing(project.layout().output.drawing_dir,
+                                             DrawingChoice::kUnfused, "drawing_path");
+  const DrawingInScene given = ReadDrawingInScene(project, path);
+  const std::string provenance = Provenance(options, given.metadata.options_json);
+  CheckReplaces(project, options, provenance);
+  const Job job = JobOf(project, options, console);
+  DrawingInScene made = Apply(job, given);
+  made.metadata.options_json = provenance;
+  Write(job, project, made);
+  Conclude(job, given, made);
+}
+
+std::shared_ptr<const std::vector<ImageCurves>> CurvesOf(const Job& job,
+                                                         const DrawingInScene& drawing) {
+  if (drawing.curves) return drawing.curves;
+  return std::make_shared<const std::vector<ImageCurves>>(ExtractImageCurves(job).curves);
+}
+
+}  // namespace limn::colmap_ext
