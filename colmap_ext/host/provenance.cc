@@ -22,8 +22,11 @@ std::string ProvenanceAfter(const std::string& before, const ProvenanceKeys& key
   Json json = Json::parse(before);
   const Json now = Json::parse(OptionsAsJson(options.pipeline));
   for (const char* key : keys.taken) {
-    json.erase(key);
-    if (now.contains(key)) json[key] = now[key];
+    if (now.contains(key)) {
+      json[key] = now[key];
+    } else {
+      json.erase(key);
+    }
   }
   for (const char* key : keys.dropped) json[key] = nullptr;
   return json.dump();
