@@ -12,9 +12,9 @@ struct Command {
   const char* name;
   const char* summary;  // in the list of commands
   const char* heading;  // of its help
-  // Parses the options, calls the verb and writes. `argv` begins with the name of the command; what
-  // it says goes to the console that it makes. Returns the exit code. Exceptions are turned into
-  // one line and exit code 1 by main.cc.
+  // Parses the options, calls the verb and writes. `argv` begins with the name of the command;
+  // output goes to the console that it makes. Returns the exit code. Exceptions are turned into one
+  // line and exit code 1 by main.cc.
   int (*run)(const Command& command, int argc, const char* const* argv,
              const ConsoleMaker& make_console);
   // Of verbs that make a drawing of a drawing: the function of Python, which has no command line.

@@ -21,7 +21,7 @@ struct ProvenanceKeys {
 std::string ProvenanceAfter(const std::string& before, const ProvenanceKeys& keys,
                             const RunOptions& options);
 
-// Whether what has this provenance was made in a box.
+// Whether a result with this provenance was made in a box.
 bool HasBox(const std::string& provenance);
 
 }  // namespace limn::colmap_ext

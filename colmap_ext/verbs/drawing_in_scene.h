@@ -27,7 +27,7 @@ struct DrawingInScene {
   std::optional<RefinedCameras> cameras;
 };
 
-// The names of the scene's views, and the provenance of what was made of them.
+// The names of the scene's views, and the provenance of a result made from them.
 DrawingMetadata Metadata(const Scene& scene, const std::string& provenance);
 
 // ReadDrawing for the scene's views, in the coordinates of the file. Throws IoError if it is

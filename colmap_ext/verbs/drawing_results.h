@@ -50,7 +50,7 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
                                    const std::vector<ImageCurves>& curves,
                                    const RunContext& context);
 
-// Warns if a drawing has fewer faces than the one that it was made from.
+// Warns if a drawing has fewer faces than the one it was made from.
 void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Console* console);
 
 // Writes drawing.ply, .json and .obj, <curves>/tracks.txt and <curves>/overlays/<image name>.png.

@@ -55,7 +55,7 @@ struct ViewSet {
   size_t CountImages(const std::vector<ViewId>& of_views) const;
   // The longer side, px, that the file of a view is shrunk to; -1 = as stored.
   int MaxFileSize(ViewId view) const;
-  // Null if the view is no part of a panorama.
+  // Null if the view is not part of a panorama.
   const ImageWindow* Window(ViewId view) const {
     return files[view].window ? &*files[view].window : nullptr;
   }

@@ -10,8 +10,8 @@ struct BeliefOptions {
   bool judge = true;
   double min_evidence = 6;
 
-  // Share of its edgels that no better link explains, below which a link with a free end is
-  // doubted. Set by tests only.
+  // A link with a free end is doubted if less than this share of its edgels is explained by no
+  // better link. Set by tests only.
   double min_own_share = 0.2;
 
   template <typename Self, typename Visit>

@@ -65,7 +65,7 @@ struct EdgeDetectionOptions {
 // normal, which is a parabola for a blurred step, then shifted against the bias that smoothing
 // causes at curved edges. At most one edgel per pixel, none closer than 0.35 px to another. Weak
 // edgels must be part of a run of edgels that continue each other: noise makes short runs. Those of
-// dense texture are told (EdgeMap::texture).
+// dense texture are listed in EdgeMap::texture.
 //
 // With color, the gradient is the joint one of L, a and b (times 2.55, see LabChannels): the edge
 // is where its magnitude is largest along its direction. That magnitude is the strength; between

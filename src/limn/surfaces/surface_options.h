@@ -17,8 +17,8 @@ struct SurfaceOptions {
   int min_views = 2;
   double min_seen_share = 0.5;
 
-  // Evidence of occlusion, natural logarithm, that counts for every face before the images are
-  // asked. Set by tests only.
+  // Prior evidence for every face, added to that from occlusion; natural logarithm. Set by tests
+  // only.
   double prior_evidence = 2;
 
   template <typename Self, typename Visit>

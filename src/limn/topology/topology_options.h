@@ -17,8 +17,8 @@ struct TopologyOptions {
   double max_short_edge_px = 30;
 
   // The others are set by tests only.
-  // Tracing: curves start where samples of this many primary views agree, go on where at least the
-  // second number do, and bridge gaps up to this length.
+  // Tracing: curves start where samples of this many primary views agree, continue where at least
+  // the second number do, and bridge gaps up to this length.
   int min_seed_views = 2;
   int min_traced_views = 1;
   double max_tracing_gap_px = 6;
@@ -32,7 +32,7 @@ struct TopologyOptions {
   double own_views_share = 0.12;
   double min_own_views = 2;
   double max_own_views = 6;
-  // A link is followed on from a free end through gaps in the images up to this length.
+  // A link is extended from a free end across gaps in the images up to this length.
   double max_continuation_gap_px = 6;
   // Largest sideways distance of what an end meets from its line.
   double max_junction_miss_px = 4;

@@ -69,7 +69,7 @@ TEST(PaperDrawingTest, EverySampleIsDrawn) {
   }
 }
 
-// The movement in the last round, px/1000; the number of rounds must be told, too.
+// The movement in the last round, px/1000; the number of rounds must be reported, too.
 int64_t LastMovement(const StageSummary::Counts& in, bool converged) {
   EXPECT_GE(Count(in, converged ? "averaging rounds until convergence"
                                 : "averaging rounds without convergence"),
