@@ -2,12 +2,12 @@
 
 #include <sstream>
 
-#include "limn/evaluation/emap_protocol.h"
+#include "bench/measures/emap_protocol.h"
+#include "bench/measures/held_out_reprojection.h"
+#include "bench/measures/shown_truth.h"
 #include "limn/evaluation/evaluate_curves.h"
-#include "limn/evaluation/held_out_reprojection.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/evaluation/saw_teeth.h"
-#include "limn/evaluation/shown_truth.h"
 #include "limn/formats/json_junctions_reader.h"
 #include "limn/formats/read_curves.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "bench/measures/supported_curve.h"
 #include "bench/scene.h"
 #include "bench/stopwatch.h"
-#include "limn/evaluation/supported_curve.h"
 #include "limn/model/curve_set.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/pipeline/pipeline_options.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/measures/render_drawing.h"
 #include "limn/pictures/canvas.h"
-#include "limn/pictures/render_drawing.h"
 
 namespace limn::bench {
 namespace {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "bench/measures/supported_curve.h"
 #include "limn/evaluation/curve_samples.h"
-#include "limn/evaluation/supported_curve.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/edge_map.h"
 #include "limn/model/view.h"

@@ -1,4 +1,4 @@
-#include "limn/evaluation/shown_truth.h"
+#include "bench/measures/shown_truth.h"
 
 #include <algorithm>
 #include <cmath>

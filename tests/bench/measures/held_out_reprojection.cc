@@ -1,4 +1,4 @@
-#include "limn/evaluation/held_out_reprojection.h"
+#include "bench/measures/held_out_reprojection.h"
 
 #include <algorithm>
 #include <cmath>

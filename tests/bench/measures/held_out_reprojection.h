@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "limn/evaluation/curve_visibility.h"
-#include "limn/evaluation/supported_curve.h"
+#include "bench/measures/curve_visibility.h"
+#include "bench/measures/supported_curve.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/view.h"
 #include "limn/util/parallel.h"

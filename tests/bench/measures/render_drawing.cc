@@ -1,4 +1,4 @@
-#include "limn/pictures/render_drawing.h"
+#include "bench/measures/render_drawing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "limn/evaluation/curve_visibility.h"
+#include "bench/measures/curve_visibility.h"
 
 #include <algorithm>
 #include <cmath>

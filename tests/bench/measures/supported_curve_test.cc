@@ -1,4 +1,4 @@
-#include "limn/evaluation/supported_curve.h"
+#include "bench/measures/supported_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "limn/evaluation/emap_protocol.h"
+#include "bench/measures/emap_protocol.h"
 
 #include <cmath>
 #include <map>
