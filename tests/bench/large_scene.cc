@@ -2,17 +2,15 @@
 // street (street_scene.h) whose image curves are generated, and which is compared with its truth.
 // Prints the table of stages and what a view costs; --output_path keeps report.json
 // (stage_costs.h).
-#include <cstdio>
-#include <exception>
 #include <iostream>
 #include <string>
 
+#include "bench/bench_main.h"
 #include "bench/markdown.h"
 #include "bench/run_stages.h"
 #include "bench/stage_table.h"
 #include "bench/street_scene.h"
 #include "colmap_ext/host/terminal_console.h"
-#include "colmap_ext/options/option_parser.h"
 #include "limn/evaluation/evaluate_curves.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/files/atomic_file.h"
@@ -138,11 +136,7 @@ Json MeasureStreet(const Options& options, const colmap_ext::Console& console) {
   return set;
 }
 
-void Run(int argc, const char* const* argv) {
-  Options options;
-  OptionParser parser("large_scene", "time and memory of the stages on a generated street");
-  AddOptions(&options, &parser);
-  if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return;
+void Run(const Options& options) {
   const colmap_ext::TerminalConsole console(options.num_threads);
   Json report = NewStageReport(options.commit, options.num_threads);
   report["sets"].push_back(MeasureStreet(options, console));
@@ -157,11 +151,8 @@ void Run(int argc, const char* const* argv) {
 }  // namespace limn::bench
 
 int main(int argc, char** argv) {
-  try {
-    limn::bench::Run(argc, argv);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "ERROR: %s\n", error.what());
-    return 1;
-  }
+  limn::bench::Options options;
+  limn::OptionParser parser("large_scene", "time and memory of the stages on a generated street");
+  limn::bench::AddOptions(&options, &parser);
+  return limn::bench::BenchMain(argc, argv, &parser, [&] { limn::bench::Run(options); });
 }

@@ -5,10 +5,10 @@
 #include <iostream>
 #include <random>
 
+#include "bench/bench_main.h"
 #include "bench/markdown.h"
 #include "bench/sample_study.h"
 #include "colmap_ext/host/terminal_console.h"
-#include "colmap_ext/options/option_parser.h"
 #include "limn/util/angles.h"
 #include "limn/util/errors.h"
 #include "support/camera_errors.h"
@@ -87,13 +87,5 @@ int main(int argc, char** argv) {
   parser.AddOption("errors_px", &options.errors_px, "mean displacements of the cameras, px");
   parser.AddOption("seed", &options.seed, "of the disturbances");
   parser.AddOption("refine_poses", &options.refine_poses, "refine the cameras too");
-  try {
-    using Outcome = limn::OptionParser::Outcome;
-    if (parser.Parse(argc, argv, std::cout) == Outcome::kHelp) return 0;
-    limn::bench::Run(options);
-  } catch (const std::exception& error) {
-    std::cerr << "ERROR: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return limn::bench::BenchMain(argc, argv, &parser, [&] { limn::bench::Run(options); });
 }

@@ -1,11 +1,10 @@
 // Disturbs the cameras of the sample scene, draws it with them, with and without refine_poses, and
 // tells how far cameras and drawings are from the truth.
 #include <cstdio>
-#include <iostream>
 
+#include "bench/bench_main.h"
 #include "bench/sample_study.h"
 #include "colmap_ext/host/terminal_console.h"
-#include "colmap_ext/options/option_parser.h"
 #include "support/camera_errors.h"
 
 namespace limn::bench {
@@ -78,13 +77,5 @@ int main(int argc, char** argv) {
   parser.AddOption("error_px", &options.error_px, "mean displacement of the disturbed cameras, px");
   parser.AddOption("seed", &options.seed, "of the disturbance");
   parser.AddOption("use_points", &options.use_points, "use the points of the sparse model too");
-  try {
-    using Outcome = limn::OptionParser::Outcome;
-    if (parser.Parse(argc, argv, std::cout) == Outcome::kHelp) return 0;
-    limn::bench::Run(options);
-  } catch (const std::exception& error) {
-    std::cerr << "ERROR: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return limn::bench::BenchMain(argc, argv, &parser, [&] { limn::bench::Run(options); });
 }

@@ -2,16 +2,13 @@
 // its default options and with its support threshold swept, against the truth and in held-out
 // views. Writes report.json, report.md, and per data set the drawings and, where there is a cloud
 // of PMVS, a picture of both. scripts/plot_quality.py draws the curves of precision and recall.
-#include <cstdio>
-#include <exception>
-#include <iostream>
 #include <string>
 
+#include "bench/bench_main.h"
 #include "bench/data_sets.h"
 #include "bench/measure_set.h"
 #include "bench/report_tables.h"
 #include "colmap_ext/host/terminal_console.h"
-#include "colmap_ext/options/option_parser.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 
@@ -44,11 +41,7 @@ void WriteReport(const Options& options, const Json& report) {
                       [&](std::ostream& out) { WriteTables(report, out); });
 }
 
-void Run(int argc, const char* const* argv) {
-  Options options;
-  OptionParser parser("quality_report", "measure the methods on all known data sets");
-  AddOptions(&options, &parser);
-  if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return;
+void Run(const Options& options) {
   if (options.report.output_path.empty()) throw OptionError("--output_path must be given");
   const auto sets =
       SelectDataSets(KnownDataSets(options.data_path, options.sample_path), options.sets);
@@ -67,11 +60,8 @@ void Run(int argc, const char* const* argv) {
 }  // namespace limn::bench
 
 int main(int argc, char** argv) {
-  try {
-    limn::bench::Run(argc, argv);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "ERROR: %s\n", error.what());
-    return 1;
-  }
+  limn::bench::Options options;
+  limn::OptionParser parser("quality_report", "measure the methods on all known data sets");
+  limn::bench::AddOptions(&options, &parser);
+  return limn::bench::BenchMain(argc, argv, &parser, [&] { limn::bench::Run(options); });
 }

@@ -2,11 +2,9 @@
 // with an empty cache: wall and processor time, peak memory, and how near what it made is to the
 // truth. Writes report.json (keys: stage_costs.h) and report.md. The files are read once before, so
 // that times do not tell of the disk.
-#include <cstdio>
-#include <exception>
-#include <iostream>
 #include <string>
 
+#include "bench/bench_main.h"
 #include "bench/data_sets.h"
 #include "bench/measure.h"
 #include "bench/run_stages.h"
@@ -14,7 +12,6 @@
 #include "bench/stage_table.h"
 #include "colmap_ext/host/project.h"
 #include "colmap_ext/host/terminal_console.h"
-#include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/temp_dir.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
@@ -104,11 +101,7 @@ void WriteReport(const Options& options, const Json& report) {
                       [&](std::ostream& out) { WriteStageTable(report, out); });
 }
 
-void Run(int argc, const char* const* argv) {
-  Options options;
-  OptionParser parser("stage_report", "time, memory and accuracy of every stage on data sets");
-  AddOptions(&options, &parser);
-  if (parser.Parse(argc, argv, std::cout) == OptionParser::Outcome::kHelp) return;
+void Run(const Options& options) {
   Check(options);
   const auto sets =
       SelectDataSets(KnownDataSets(options.data_path, options.sample_path), options.sets);
@@ -124,11 +117,9 @@ void Run(int argc, const char* const* argv) {
 }  // namespace limn::bench
 
 int main(int argc, char** argv) {
-  try {
-    limn::bench::Run(argc, argv);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "ERROR: %s\n", error.what());
-    return 1;
-  }
+  limn::bench::Options options;
+  limn::OptionParser parser("stage_report",
+                            "time, memory and accuracy of every stage on data sets");
+  limn::bench::AddOptions(&options, &parser);
+  return limn::bench::BenchMain(argc, argv, &parser, [&] { limn::bench::Run(options); });
 }

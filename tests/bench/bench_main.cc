@@ -1,0 +1,19 @@
+#include "bench/bench_main.h"
+
+#include <exception>
+#include <iostream>
+
+namespace limn::bench {
+
+int BenchMain(int argc, const char* const* argv, OptionParser* parser,
+              const std::function<void()>& run) {
+  try {
+    if (parser->Parse(argc, argv, std::cout) == OptionParser::Outcome::kRun) run();
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "ERROR: " << error.what() << '\n';
+    return 1;
+  }
+}
+
+}  // namespace limn::bench
