@@ -31,23 +31,7 @@ int DecimalsOf(LengthUnit unit, double length) {
   return std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(length))), 0, 15);
 }
 
-std::string NameOf(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::kMillimeter:
-      return " mm";
-    case LengthUnit::kCentimeter:
-      return " cm";
-    case LengthUnit::kMeter:
-      return " m";
-    case LengthUnit::kInch:
-      return " in";
-    case LengthUnit::kFoot:
-      return " ft";
-    case LengthUnit::kNone:
-      break;
-  }
-  return "";
-}
+constexpr const char* kUnitNames[] = {"", " mm", " cm", " m", " in", " ft"};  // by LengthUnit
 
 }  // namespace
 
@@ -72,7 +56,7 @@ DimensionLines LinesOf(const DrawingDimension& dimension) {
 
 std::string DimensionText::Of(double length) const {
   const double value = per_unit * length;
-  return RoundedText(value, DecimalsOf(unit, value)) + NameOf(unit);
+  return RoundedText(value, DecimalsOf(unit, value)) + kUnitNames[static_cast<int>(unit)];
 }
 
 }  // namespace limn

@@ -22,27 +22,12 @@ double As(const char* bytes) {
   return static_cast<double>(value);
 }
 
-double DecodeNative(PlyType type, const char* bytes) {
-  switch (type) {
-    case PlyType::kInt8:
-      return As<int8_t>(bytes);
-    case PlyType::kUint8:
-      return As<uint8_t>(bytes);
-    case PlyType::kInt16:
-      return As<int16_t>(bytes);
-    case PlyType::kUint16:
-      return As<uint16_t>(bytes);
-    case PlyType::kInt32:
-      return As<int32_t>(bytes);
-    case PlyType::kUint32:
-      return As<uint32_t>(bytes);
-    case PlyType::kFloat32:
-      return As<float>(bytes);
-    case PlyType::kFloat64:
-      return As<double>(bytes);
-  }
-  return 0;
-}
+// By PlyType, as sizes below.
+constexpr double (*kDecoders[])(const char* bytes) = {
+    As<int8_t>,  As<uint8_t>,  As<int16_t>, As<uint16_t>,
+    As<int32_t>, As<uint32_t>, As<float>,   As<double>,
+};
+constexpr size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
 
 struct TypeName {
   std::string_view name;
@@ -173,29 +158,14 @@ class HeaderParser {
 
 }  // namespace
 
-size_t PlyTypeSize(PlyType type) {
-  switch (type) {
-    case PlyType::kInt8:
-    case PlyType::kUint8:
-      return 1;
-    case PlyType::kInt16:
-    case PlyType::kUint16:
-      return 2;
-    case PlyType::kInt32:
-    case PlyType::kUint32:
-    case PlyType::kFloat32:
-      return 4;
-    case PlyType::kFloat64:
-      return 8;
-  }
-  return 0;
-}
+size_t PlyTypeSize(PlyType type) { return kSizes[static_cast<int>(type)]; }
 
 double PlyValue(PlyType type, const char* bytes, bool swap) {
-  if (!swap) return DecodeNative(type, bytes);
+  const auto decode = kDecoders[static_cast<int>(type)];
+  if (!swap) return decode(bytes);
   char swapped[8];
   std::reverse_copy(bytes, bytes + PlyTypeSize(type), swapped);
-  return DecodeNative(type, swapped);
+  return decode(swapped);
 }
 
 int PlyElement::Find(std::string_view property_name) const {

@@ -4,45 +4,21 @@
 
 #include <Eigen/LU>
 
+#include "limn/util/name_table.h"
+
 namespace limn {
 
-const char* SourceName(UpSource source) {
-  switch (source) {
-    case UpSource::kGravity:
-      return "gravity";
-    case UpSource::kPositions:
-      return "positions";
-    case UpSource::kLines:
-      return "lines";
-    case UpSource::kCameras:
-      return "cameras";
-  }
-  return "";
-}
+namespace {
 
-const char* SourceName(AxesSource source) {
-  switch (source) {
-    case AxesSource::kLines:
-      return "lines";
-    case AxesSource::kPositions:
-      return "positions";
-    case AxesSource::kModel:
-      return "model";
-  }
-  return "";
-}
+constexpr NameTable<UpSource, 4> kUpSources = {{"gravity", "positions", "lines", "cameras"}};
+constexpr NameTable<AxesSource, 3> kAxesSources = {{"lines", "positions", "model"}};
+constexpr NameTable<ScaleSource, 3> kScaleSources = {{"none", "lengths", "positions"}};
 
-const char* SourceName(ScaleSource source) {
-  switch (source) {
-    case ScaleSource::kNone:
-      return "none";
-    case ScaleSource::kLengths:
-      return "lengths";
-    case ScaleSource::kPositions:
-      return "positions";
-  }
-  return "";
-}
+}  // namespace
+
+const char* SourceName(UpSource source) { return kUpSources.Of(source); }
+const char* SourceName(AxesSource source) { return kAxesSources.Of(source); }
+const char* SourceName(ScaleSource source) { return kScaleSources.Of(source); }
 
 std::string Validate(const Alignment& alignment) {
   const auto& [scale, rotation, translation] = alignment.world_from_model;

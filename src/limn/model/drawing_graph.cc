@@ -4,9 +4,17 @@
 #include <utility>
 
 #include "limn/geometry/polyline.h"
+#include "limn/util/name_table.h"
 
 namespace limn {
 namespace {
+
+constexpr NameTable<NodeKind, 3> kNodeKinds = {{"end", "junction", "loop_anchor"}};
+constexpr NameTable<LinkKind, kNumLinkKinds> kLinkKinds = {
+    {"unknown", "edge", "paint", "shadow", "contour"}};
+constexpr NameTable<LinkDoubt, kNumLinkDoubts> kLinkDoubts = {
+    {"", "few views", "chance", "seen through", "explained by others"}};
+constexpr NameTable<DenseClass, 4> kDenseClasses = {{"unknown", "surface", "boundary", "free"}};
 
 class Violations {
  public:
@@ -126,79 +134,14 @@ void CheckFaces(const DrawingGraph& graph, Violations* violations) {
 
 }  // namespace
 
-const char* NodeKindName(NodeKind kind) {
-  switch (kind) {
-    case NodeKind::kEnd:
-      return "end";
-    case NodeKind::kJunction:
-      return "junction";
-    case NodeKind::kLoopAnchor:
-      return "loop_anchor";
-  }
-  return "unknown";
-}
+const char* NodeKindName(NodeKind kind) { return kNodeKinds.Of(kind); }
+const char* LinkKindName(LinkKind kind) { return kLinkKinds.Of(kind); }
+const char* LinkDoubtName(LinkDoubt doubt) { return kLinkDoubts.Of(doubt); }
+const char* DenseClassName(DenseClass dense_class) { return kDenseClasses.Of(dense_class); }
 
-const char* LinkKindName(LinkKind kind) {
-  switch (kind) {
-    case LinkKind::kUnknown:
-      return "unknown";
-    case LinkKind::kEdge:
-      return "edge";
-    case LinkKind::kPaint:
-      return "paint";
-    case LinkKind::kShadow:
-      return "shadow";
-    case LinkKind::kContour:
-      return "contour";
-  }
-  return "";
-}
+std::optional<LinkKind> LinkKindNamed(const std::string& name) { return kLinkKinds.Find(name); }
 
-std::optional<LinkKind> LinkKindNamed(const std::string& name) {
-  for (int k = 0; k < kNumLinkKinds; ++k) {
-    const auto kind = static_cast<LinkKind>(k);
-    if (name == LinkKindName(kind)) return kind;
-  }
-  return std::nullopt;
-}
-
-const char* LinkDoubtName(LinkDoubt doubt) {
-  switch (doubt) {
-    case LinkDoubt::kNone:
-      return "";
-    case LinkDoubt::kFewViews:
-      return "few views";
-    case LinkDoubt::kChance:
-      return "chance";
-    case LinkDoubt::kSeenThrough:
-      return "seen through";
-    case LinkDoubt::kExplained:
-      return "explained by others";
-  }
-  return "";
-}
-
-std::optional<LinkDoubt> LinkDoubtNamed(const std::string& name) {
-  for (int d = 0; d < kNumLinkDoubts; ++d) {
-    const auto doubt = static_cast<LinkDoubt>(d);
-    if (name == LinkDoubtName(doubt)) return doubt;
-  }
-  return std::nullopt;
-}
-
-const char* DenseClassName(DenseClass dense_class) {
-  switch (dense_class) {
-    case DenseClass::kUnknown:
-      return "unknown";
-    case DenseClass::kSurface:
-      return "surface";
-    case DenseClass::kBoundary:
-      return "boundary";
-    case DenseClass::kFree:
-      return "free";
-  }
-  return "unknown";
-}
+std::optional<LinkDoubt> LinkDoubtNamed(const std::string& name) { return kLinkDoubts.Find(name); }
 
 std::vector<std::string> Validate(const DrawingGraph& graph) {
   Violations violations;

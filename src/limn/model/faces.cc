@@ -6,8 +6,12 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/util/name_table.h"
+
 namespace limn {
 namespace {
+
+constexpr NameTable<FaceSurface, kNumFaceSurfaces> kFaceSurfaces = {{"plane", "ruled", "patch"}};
 
 bool IsOnLink(double position, int num_points) {
   return position >= 0 && position <= num_points - 1;
@@ -61,24 +65,10 @@ bool AreOfVertices(const std::array<int, 3>& triangle, size_t num_vertices) {
 
 }  // namespace
 
-const char* FaceSurfaceName(FaceSurface surface) {
-  switch (surface) {
-    case FaceSurface::kPlane:
-      return "plane";
-    case FaceSurface::kRuled:
-      return "ruled";
-    case FaceSurface::kPatch:
-      return "patch";
-  }
-  return "";
-}
+const char* FaceSurfaceName(FaceSurface surface) { return kFaceSurfaces.Of(surface); }
 
 std::optional<FaceSurface> FaceSurfaceNamed(const std::string& name) {
-  for (int s = 0; s < kNumFaceSurfaces; ++s) {
-    const auto surface = static_cast<FaceSurface>(s);
-    if (name == FaceSurfaceName(surface)) return surface;
-  }
-  return std::nullopt;
+  return kFaceSurfaces.Find(name);
 }
 
 std::string Validate(const DrawingFace& face, const std::vector<int>& num_points) {

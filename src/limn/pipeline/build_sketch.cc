@@ -2,19 +2,13 @@
 
 #include "limn/paper/enhanced_sketch.h"
 #include "limn/paper/original_sketch.h"
+#include "limn/util/name_table.h"
 
 namespace limn {
 
 const char* SketchModeName(SketchMode mode) {
-  switch (mode) {
-    case SketchMode::kOriginal:
-      return "original";
-    case SketchMode::kEnhanced:
-      return "enhanced";
-    case SketchMode::kSweep:
-      return "sweep";
-  }
-  return "";
+  constexpr NameTable<SketchMode, 3> kNames = {{"original", "enhanced", "sweep"}};
+  return kNames.Of(mode);
 }
 
 SketchResult BuildSketch(SketchMode mode, const SketchInput& input, const SketchOptions& options,

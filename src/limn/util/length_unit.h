@@ -7,20 +7,8 @@ enum class LengthUnit { kNone, kMillimeter, kCentimeter, kMeter, kInch, kFoot };
 
 // 1 for kNone.
 inline double Millimeters(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::kNone:
-    case LengthUnit::kMillimeter:
-      return 1;
-    case LengthUnit::kCentimeter:
-      return 10;
-    case LengthUnit::kMeter:
-      return 1000;
-    case LengthUnit::kInch:
-      return 25.4;
-    case LengthUnit::kFoot:
-      return 304.8;
-  }
-  return 1;
+  constexpr double kMillimeters[] = {1, 1, 10, 1000, 25.4, 304.8};
+  return kMillimeters[static_cast<int>(unit)];
 }
 
 }  // namespace limn

@@ -13,24 +13,8 @@
 namespace limn {
 namespace {
 
-// Of the header variable $INSUNITS.
-int UnitCode(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::kNone:
-      return 0;
-    case LengthUnit::kInch:
-      return 1;
-    case LengthUnit::kFoot:
-      return 2;
-    case LengthUnit::kMillimeter:
-      return 4;
-    case LengthUnit::kCentimeter:
-      return 5;
-    case LengthUnit::kMeter:
-      return 6;
-  }
-  return 0;
-}
+// Of the header variable $INSUNITS, by LengthUnit.
+constexpr int kUnitCodes[] = {0, 4, 5, 6, 1, 2};
 
 void Extend(const Polyline3d& points, Eigen::AlignedBox3d* extent) {
   for (const Eigen::Vector3d& point : points) extent->extend(point);
@@ -106,7 +90,7 @@ void PutHeader(const Eigen::AlignedBox3d& extent, LengthUnit unit, int next_hand
   variable("$PDMODE", 70, 32);
   variable("$PDSIZE", 40, -1.0);
   variable("$MEASUREMENT", 70, imperial ? 0 : 1);
-  variable("$INSUNITS", 70, UnitCode(unit));
+  variable("$INSUNITS", 70, kUnitCodes[static_cast<int>(unit)]);
   writer->Put(9, "$HANDSEED");
   writer->PutHandle(5, next_handle);
   writer->EndSection();

@@ -1,6 +1,7 @@
 #include "limn/formats/dxf/layers.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "limn/formats/link_kind.h"
@@ -18,21 +19,8 @@ int ColorOfClass(const std::string& primitive, DenseClass dense_class) {
   return hues.at(primitive) + 2 * static_cast<int>(dense_class);
 }
 
-int ColorOfKind(LinkKind kind) {
-  switch (kind) {
-    case LinkKind::kUnknown:
-      return 9;  // gray
-    case LinkKind::kEdge:
-      return kForeground;
-    case LinkKind::kPaint:
-      return 30;
-    case LinkKind::kShadow:
-      return 170;
-    case LinkKind::kContour:
-      return 200;
-  }
-  return kForeground;
-}
+// Unknown is gray.
+constexpr std::array<int, kNumLinkKinds> kColorOfKind = {9, kForeground, 30, 170, 200};
 
 // Hues of neighboring numbers are far apart: 7 and 24 have no common divisor.
 int ColorOfComponent(int component) { return 10 + 10 * (component * 7 % 24); }
@@ -78,7 +66,7 @@ std::vector<DxfLayer> LayersOfLinks(const DrawingGraph& graph, DxfLayers layers)
     for (const DrawingLink& link : graph.links) of_links.push_back(LayerOfClass(link));
   } else if (layers == DxfLayers::kKind) {
     for (const DrawingLink& link : graph.links) {
-      of_links.push_back({LinkKindName(link.kind), ColorOfKind(link.kind)});
+      of_links.push_back({LinkKindName(link.kind), kColorOfKind[static_cast<int>(link.kind)]});
     }
   } else if (layers == DxfLayers::kComponent) {
     const std::vector<int> components = ComponentsOfLinks(graph);

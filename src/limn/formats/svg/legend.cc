@@ -11,7 +11,7 @@ namespace {
 
 // Pixels of the sheet, the unit of the legend: renderers lay text out badly in sizes far below one.
 constexpr double kMm = 96 / 25.4;
-constexpr double kTickPx = 1.5 * kMm;
+constexpr double kLegendTickPx = 1.5 * kMm;
 constexpr double kArrowPx = 8 * kMm;
 constexpr double kDotPx = 0.6 * kMm;
 constexpr int kDecimals = 2;
@@ -65,7 +65,7 @@ class LegendWriter {
     const double length = RoundDown(width_px_ * sheet_.px() / 3);
     const Eigen::Vector2d start(5 * kMm, -5 * kMm);
     const Eigen::Vector2d end = start + Eigen::Vector2d(length / sheet_.px(), 0);
-    const Eigen::Vector2d tick(0, -kTickPx);
+    const Eigen::Vector2d tick(0, -kLegendTickPx);
     SvgPath path(kDecimals);
     path.MoveTo(start + tick);
     path.LineTo(start);
@@ -96,7 +96,7 @@ class LegendWriter {
       return;
     }
     const Eigen::Vector2d tip = origin + arrow;
-    const Eigen::Vector2d back = -kTickPx / length * arrow;
+    const Eigen::Vector2d back = -kLegendTickPx / length * arrow;
     const Eigen::Vector2d aside(-0.4 * back.y(), 0.4 * back.x());
     SvgPath path(kDecimals);
     path.MoveTo(origin);
