@@ -13,7 +13,7 @@ namespace limn {
 namespace {
 
 constexpr double kReachPx = 1.5;
-const double kMinCosine = std::cos(20 * kDeg);
+const double kAlongCosine = std::cos(20 * kDeg);
 constexpr double kStepPx = 1;
 
 // Mark the edgels of one view that a piece of a link projects onto.
@@ -29,7 +29,7 @@ void ExplainAlong(const View& view, const Eigen::Vector3d& from, const Eigen::Ve
     index.ForEachWithin(pixel, kReachPx, [&](EdgelId id) {
       EdgelFate& fate = (*fates)[id];
       if (fate == EdgelFate::kDrawn) return;
-      if (std::abs(direction->dot(edge_map.edgels[id].Tangent())) < kMinCosine) return;
+      if (std::abs(direction->dot(edge_map.edgels[id].Tangent())) < kAlongCosine) return;
       fate = EdgelFate::kExplained;
     });
   }
