@@ -111,4 +111,23 @@ FileMatches MatchFilesToImages(const std::vector<fs::path>& files, const ImportI
   return MatchInOrder(files, std::move(names), "order");
 }
 
+ImportedScene ReadCameraFiles(
+    const std::vector<fs::path>& files, const ImportInput& input,
+    const std::function<void(const ImageSize& size, ImportedImage* image)>& read) {
+  const FileMatches matches = MatchFilesToImages(files, input);
+  ImportedScene scene;
+  scene.notes = {matches.note};
+  for (size_t i = 0; i < files.size(); ++i) {
+    if (matches.names[i].empty()) continue;
+    ImportedImage image;
+    image.path = files[i].string();
+    const auto found = input.images->Find(matches.names[i], {}, {image.path, "line", 1});
+    if (!found) continue;
+    image.name = found->name;
+    read(found->size, &image);
+    scene.images.push_back(std::move(image));
+  }
+  return scene;
+}
+
 }  // namespace limn::colmap_ext

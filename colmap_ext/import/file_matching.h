@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,5 +29,11 @@ struct FileMatches {
 // and missing images are not skipped.
 FileMatches MatchFilesToImages(const std::vector<std::filesystem::path>& files,
                                const ImportInput& input);
+
+// The scene of camera files, one per image, matched as above. `read` sets camera and pose of an
+// image of this size from the file at its path. Throws IoError.
+ImportedScene ReadCameraFiles(
+    const std::vector<std::filesystem::path>& files, const ImportInput& input,
+    const std::function<void(const ImageSize& size, ImportedImage* image)>& read);
 
 }  // namespace limn::colmap_ext

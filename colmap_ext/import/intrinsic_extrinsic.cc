@@ -53,28 +53,16 @@ bool HoldsIntrinsicExtrinsic(const fs::path& path) {
 ImportedScene ReadIntrinsicExtrinsic(const ImportInput& input) {
   const std::vector<fs::path> files = FilesEndingWith(input.path, kExtension);
   if (files.empty()) throw IoError(input.path.string(), "no folder with *.extrinsic");
-  const FileMatches matches = MatchFilesToImages(files, input);
-  ImportedScene scene;
-  scene.notes = {matches.note};
-  for (size_t i = 0; i < files.size(); ++i) {
-    if (matches.names[i].empty()) continue;
-    ImportedImage image;
-    image.path = files[i].string();
-    const FilePlace place{image.path, "line", 1};
-    const auto found = input.images->Find(matches.names[i], {}, place);
-    if (!found) continue;
-    CheckWholeImage(files[i]);
-    const std::string intrinsic_path = IntrinsicPath(files[i]);
-    const Eigen::Matrix<double, 4, 3> rows = ReadRows<4>(image.path);
-    image.name = found->name;
-    image.camera = CameraFromCalibration(ReadRows<3>(intrinsic_path), found->size,
-                                         {intrinsic_path, "line", 1});
-    image.cam_from_world.rotation = RotationFromMatrix(rows.topRows<3>(), place);
-    image.cam_from_world.translation =
-        -(image.cam_from_world.rotation * rows.row(3).transpose().eval());
-    scene.images.push_back(std::move(image));
-  }
-  return scene;
+  return ReadCameraFiles(files, input, [](const ImageSize& size, ImportedImage* image) {
+    CheckWholeImage(image->path);
+    const std::string intrinsic_path = IntrinsicPath(image->path);
+    const Eigen::Matrix<double, 4, 3> rows = ReadRows<4>(image->path);
+    image->camera =
+        CameraFromCalibration(ReadRows<3>(intrinsic_path), size, {intrinsic_path, "line", 1});
+    Rigid3d& pose = image->cam_from_world;
+    pose.rotation = RotationFromMatrix(rows.topRows<3>(), {image->path, "line", 1});
+    pose.translation = -(pose.rotation * rows.row(3).transpose().eval());
+  });
 }
 
 }  // namespace limn::colmap_ext

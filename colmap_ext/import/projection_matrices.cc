@@ -67,23 +67,12 @@ ImportedScene ReadProjectionMatrices(const ImportInput& input) {
   if (files.empty()) {
     throw IoError(input.path.string(), "no folder with *.projmatrix or *.txt, one per image");
   }
-  const FileMatches matches = MatchFilesToImages(files, input);
-  ImportedScene scene;
-  scene.notes = {matches.note};
-  for (size_t i = 0; i < files.size(); ++i) {
-    if (matches.names[i].empty()) continue;
-    ImportedImage image;
-    image.path = files[i].string();
-    const FilePlace place{image.path, "line", 1};
-    const auto found = input.images->Find(matches.names[i], {}, place);
-    if (!found) continue;
-    const DecomposedProjection pose = DecomposeAt(ReadMatrix(image.path), place);
-    image.name = found->name;
-    image.camera = CameraFromCalibration(pose.intrinsics, found->size, place);
-    image.cam_from_world = pose.cam_from_world;
-    scene.images.push_back(std::move(image));
-  }
-  return scene;
+  return ReadCameraFiles(files, input, [](const ImageSize& size, ImportedImage* image) {
+    const FilePlace place{image->path, "line", 1};
+    const DecomposedProjection pose = DecomposeAt(ReadMatrix(image->path), place);
+    image->camera = CameraFromCalibration(pose.intrinsics, size, place);
+    image->cam_from_world = pose.cam_from_world;
+  });
 }
 
 }  // namespace limn::colmap_ext
