@@ -246,7 +246,7 @@ class CommonPlaneFinder {
   }
 
   // Nats saved by being in the plane: an offset within the scene and a tilt over the extent of the
-  // line or arc, each told to its accuracy.
+  // line or arc, each to its accuracy.
   double GainOfBoth(const Deviation& deviation, double extent) const {
     const double determinant = std::max(deviation.covariance.determinant(), 1e-12);
     return std::log(reach_ * extent / (2 * M_PI)) - 0.5 * std::log(determinant) -

@@ -15,7 +15,7 @@ constexpr double kSmoothingPx = 5;
 // Every this many-th vertex is searched among all crossings. Searching at all of them is slower and
 // no better: what its neighbors foretell protects a vertex from accidents.
 constexpr size_t kAnchorSpacing = 4;
-// Depths are sought in so many confirmation views, the most useful first: more cost time and find
+// Depths are sought in this many confirmation views, the most useful first: more cost time and find
 // little more.
 constexpr int kMaxSweepViews = 16;
 // Spacing of the samples; edgels between them are interpolated.
