@@ -12,7 +12,7 @@ namespace {
 
 enum class Color { kRed, kBlue };
 
-struct ToyOptions {
+struct ListedOptions {
   double gap_px = 2;
   int max_views = 0;
   bool closed = true;
@@ -28,7 +28,7 @@ struct ToyOptions {
   }
 };
 
-std::string ErrorOf(const ToyOptions& options) {
+std::string ListedErrorOf(const ListedOptions& options) {
   try {
     CheckFields(options);
   } catch (const OptionError& error) {
@@ -38,23 +38,23 @@ std::string ErrorOf(const ToyOptions& options) {
 }
 
 TEST(CheckFields, NamesOptionValueAndRange) {
-  for (const ToyOptions& inside :
-       {ToyOptions(), ToyOptions{1e6, 4, false, Color::kRed}, ToyOptions{1e-9, 150}}) {
-    EXPECT_EQ(ErrorOf(inside), "");
+  for (const ListedOptions& inside :
+       {ListedOptions(), ListedOptions{1e6, 4, false, Color::kRed}, ListedOptions{1e-9, 150}}) {
+    EXPECT_EQ(ListedErrorOf(inside), "");
   }
-  EXPECT_EQ(ErrorOf({0}), "gap_px = 0: must be > 0 and <= 1000000");
-  EXPECT_EQ(ErrorOf({1000001}), "gap_px = 1000001: must be > 0 and <= 1000000");
-  EXPECT_NE(ErrorOf({NAN}), "");
-  EXPECT_EQ(ErrorOf({2, 3}), "max_views = 3: must be 0 or >= 4 and <= 150");
-  EXPECT_EQ(ErrorOf({2, 151}), "max_views = 151: must be 0 or >= 4 and <= 150");
-  EXPECT_NE(ErrorOf({2, 0, true, static_cast<Color>(2)}), "");
+  EXPECT_EQ(ListedErrorOf({0}), "gap_px = 0: must be > 0 and <= 1000000");
+  EXPECT_EQ(ListedErrorOf({1000001}), "gap_px = 1000001: must be > 0 and <= 1000000");
+  EXPECT_NE(ListedErrorOf({NAN}), "");
+  EXPECT_EQ(ListedErrorOf({2, 3}), "max_views = 3: must be 0 or >= 4 and <= 150");
+  EXPECT_EQ(ListedErrorOf({2, 151}), "max_views = 151: must be 0 or >= 4 and <= 150");
+  EXPECT_NE(ListedErrorOf({2, 0, true, static_cast<Color>(2)}), "");
 }
 
 TEST(VisitFields, SetsFieldsAndNamesWords) {
-  ToyOptions options;
+  ListedOptions options;
   std::string text;
-  ToyOptions::VisitFields(options, [&](const std::string& name, auto& field,
-                                       const OptionValues& values, const OptionHelp& help) {
+  ListedOptions::VisitFields(options, [&](const std::string& name, auto& field,
+                                          const OptionValues& values, const OptionHelp& help) {
     EXPECT_FALSE(help.text.empty());
     if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(field)>>) {
       text += name + "=" + WordOf(field, values);
