@@ -54,7 +54,7 @@ TEST(MatchLinks, FindsAllPiecesButNotWhatGoesOnMuchFarther) {
   const LinkMatch longer = MatchIn(graph, RefToLine(10, 50, 110, 50, 2));
   EXPECT_THAT(longer.along, IsEmpty());
   EXPECT_THAT(longer.longer, ElementsAre(2));
-  EXPECT_THAT(longer.Problem(), HasSubstr("goes on much farther"));
+  EXPECT_THAT(longer.Problem(), HasSubstr("extends much farther"));
 }
 
 TEST(MatchLinks, CoversLessWhereAPieceIsMissing) {
