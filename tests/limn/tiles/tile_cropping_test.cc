@@ -17,7 +17,7 @@ using testing::kInfinity;
 using testing::LengthOf;
 using ::testing::SizeIs;
 
-Eigen::AlignedBox3d HalfSpace() { return testing::Between(-kInfinity, 0.5); }
+Eigen::AlignedBox3d HalfSpace() { return testing::SlabBetween(-kInfinity, 0.5); }
 
 Polyline3d Line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return testing::Segment(from, to).points;

@@ -13,7 +13,7 @@ namespace limn::testing {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-inline Eigen::AlignedBox3d Between(double low_x, double high_x) {
+inline Eigen::AlignedBox3d SlabBetween(double low_x, double high_x) {
   return {Eigen::Vector3d(low_x, -kInfinity, -kInfinity),
           Eigen::Vector3d(high_x, kInfinity, kInfinity)};
 }

@@ -14,11 +14,11 @@ namespace limn {
 namespace {
 
 using testing::AddLink;
-using testing::Between;
 using ::testing::IsEmpty;
 using testing::kInfinity;
 using testing::LengthOf;
 using ::testing::SizeIs;
+using testing::SlabBetween;
 
 constexpr double kFootprint = 5 / 600.;  // of the views of the origin
 
@@ -29,7 +29,7 @@ class TileJoiningTest : public ::testing::Test {
                    double offset_px) const {
     std::vector<TileDrawing> tiles;
     for (size_t i = 0; i + 1 < planes.size(); ++i) {
-      tiles.push_back({Between(planes[i], planes[i + 1]), graph});
+      tiles.push_back({SlabBetween(planes[i], planes[i + 1]), graph});
       const double offset = (i % 2 ? offset_px : 0) * kFootprint;
       for (DrawingLink& link : tiles.back().graph.links) {
         for (Eigen::Vector3d& point : link.points_in_world) point.y() += offset;
@@ -80,7 +80,7 @@ TEST_F(TileJoiningTest, WhatTheOtherTileDoesNotHaveEndsAtTheBorder) {
   AddLink(testing::Segment({-1, 0.5, 0}, {1, 0.5, 0}).points, false, &without);
   AddLink(testing::Segment({-0.05, 0.7, 0}, {1, 0.7, 0}).points, false, &with);
   const JoinedTiles joined =
-      JoinTiles({{Between(-kInfinity, 0), with}, {Between(0, kInfinity), without}}, views_);
+      JoinTiles({{SlabBetween(-kInfinity, 0), with}, {SlabBetween(0, kInfinity), without}}, views_);
   EXPECT_THAT(Validate(joined.graph), IsEmpty());
   EXPECT_EQ(joined.joined, 0);
   EXPECT_EQ(joined.open_ends, 2);
@@ -97,8 +97,8 @@ TEST_F(TileJoiningTest, WhatTurnsAtTheBorderIsAnotherCurve) {
     DrawingGraph first, second;
     AddLink(testing::Segment({-1, 0, 0}, {1, 0, 0}).points, false, &first);
     AddLink(testing::Segment(-turned, turned).points, false, &second);
-    const JoinedTiles joined =
-        JoinTiles({{Between(-kInfinity, 0), first}, {Between(0, kInfinity), second}}, views_);
+    const JoinedTiles joined = JoinTiles(
+        {{SlabBetween(-kInfinity, 0), first}, {SlabBetween(0, kInfinity), second}}, views_);
     EXPECT_THAT(Validate(joined.graph), IsEmpty());
     EXPECT_EQ(joined.joined, degrees < 20 ? 1 : 0);
     EXPECT_EQ(joined.open_ends, degrees < 20 ? 0 : 2);
@@ -139,7 +139,7 @@ TEST_F(TileJoiningTest, WhatIsTinyIsNoLoop) {
   std::vector<TileDrawing> tiles;
   const double px = kFootprint;
   for (const auto& [low, high] : {std::pair(-px, 0.0), std::pair(0.0, px)}) {
-    tiles.push_back({Between(low, high), graph});
+    tiles.push_back({SlabBetween(low, high), graph});
   }
   const JoinedTiles joined = JoinTiles(std::move(tiles), views_);
   EXPECT_THAT(Validate(joined.graph), IsEmpty());
@@ -165,7 +165,7 @@ TEST_F(TileJoiningTest, AHoleIsFilledByAnotherTile) {
         LinkPrimitive{LineSegment{link.points_in_world.front(), link.points_in_world.back()}, 0, 0};
   }
   const Eigen::AlignedBox3d hole(Eigen::Vector3d(-0.3, -0.2, -0.2), Eigen::Vector3d(0.3, 0.2, 0.2));
-  const Eigen::AlignedBox3d space = Between(-kInfinity, kInfinity);
+  const Eigen::AlignedBox3d space = SlabBetween(-kInfinity, kInfinity);
   const JoinedTiles joined = JoinTiles({{space, old, {hole}}, {hole, drawn}}, views_);
   EXPECT_THAT(Validate(joined.graph), IsEmpty());
   EXPECT_EQ(joined.joined, 2);
