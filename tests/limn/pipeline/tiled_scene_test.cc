@@ -13,12 +13,12 @@
 namespace limn {
 namespace {
 
-using testing::Between;
 using testing::kInfinity;
 using testing::LengthOf;
+using testing::SlabBetween;
 
-const Eigen::AlignedBox3d kLeft = Between(-kInfinity, 0);
-const Eigen::AlignedBox3d kRight = Between(0, kInfinity);
+const Eigen::AlignedBox3d kLeft = SlabBetween(-kInfinity, 0);
+const Eigen::AlignedBox3d kRight = SlabBetween(0, kInfinity);
 
 // A cube in ten views.
 class TiledSceneTest : public ::testing::Test {
@@ -59,8 +59,8 @@ class TiledSceneTest : public ::testing::Test {
 };
 
 TEST_F(TiledSceneTest, TwoTilesGiveTheWholeCube) {
-  const DrawingGraph graph =
-      Draw({{kLeft, Between(-kInfinity, 0.3), all_}, {kRight, Between(-0.3, kInfinity), all_}});
+  const DrawingGraph graph = Draw(
+      {{kLeft, SlabBetween(-kInfinity, 0.3), all_}, {kRight, SlabBetween(-0.3, kInfinity), all_}});
   EXPECT_NEAR(LengthOf(graph), 12 * 1.6, 0.5);
   EXPECT_EQ(kept_["links joined at borders"], 4);
   EXPECT_EQ(dropped_["tiles: nothing to triangulate"], 0);
