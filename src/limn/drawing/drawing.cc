@@ -103,7 +103,7 @@ DrawingResult BuildDrawing(const DrawingInput& input, const DrawingOptions& opti
     const SampleSet samples =
         Retriangulate(input.sketch, kTracedStep, images, options, context, &counts.retriangulation);
     result.fates = FatesOf(input.sketch, samples);
-    result.graph = TraceCurves(samples, options.topology, context, &counts.tracing);
+    result.graph = TraceCurves(samples, options.tracing, context, &counts.tracing);
   }
   SmoothLinks(options.bending_sigma_px, &result.graph);
   UpdateFates(result.graph, EdgelFate::kNotTraced, &result.fates);

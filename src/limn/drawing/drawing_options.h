@@ -1,5 +1,6 @@
 #pragma once
 
+#include "limn/drawing/trace_curves.h"
 #include "limn/support/edgel_index.h"
 #include "limn/topology/topology_options.h"
 #include "limn/util/angles.h"
@@ -27,7 +28,8 @@ struct DrawingOptions {
   // Shorter pieces are dropped after re-triangulation, px.
   double min_piece_length_px = 4;
 
-  // Tracing, edits after it, and edits between the fits of the refinement.
+  TracingOptions tracing = {};
+  // Edits after tracing, and between the fits of the refinement.
   TopologyOptions topology = {};
 
   SupportGate Gate() const { return {max_support_distance_px, 1.0, max_support_angle_deg * kDeg}; }

@@ -49,7 +49,7 @@ struct Candidate {
 class CurveTracer {
  public:
   CurveTracer(const SampleSet& samples, const ReprojectedMetric& metric, const Consensus& consensus,
-              const TopologyOptions& options)
+              const TracingOptions& options)
       : samples_(samples),
         metric_(metric),
         consensus_(consensus),
@@ -187,8 +187,7 @@ class CurveTracer {
 
   // Finds the nearest samples ahead of the last vertex.
   void LookAhead(const TracedCurve& curve) {
-    Look(traced_.vertices[curve.vertices.back()], kMinAheadPx, options_.max_tracing_gap_px,
-         kTraceAcrossPx);
+    Look(traced_.vertices[curve.vertices.back()], kMinAheadPx, options_.max_gap_px, kTraceAcrossPx);
     const auto num_recent = std::min<std::ptrdiff_t>(kRecentVertices, std::ssize(curve.vertices));
     const auto recent = curve.vertices.end() - num_recent;
     std::erase_if(found_, [&](const Candidate& c) {
@@ -241,7 +240,7 @@ class CurveTracer {
   const SampleSet& samples_;
   const ReprojectedMetric& metric_;
   const Consensus& consensus_;
-  const TopologyOptions& options_;
+  const TracingOptions& options_;
   SpatialIndex index_;
   std::vector<int> owner_;  // per sample
   TracedCurves traced_;
@@ -252,7 +251,7 @@ class CurveTracer {
 
 }  // namespace
 
-DrawingGraph TraceCurves(const SampleSet& samples, const TopologyOptions& options,
+DrawingGraph TraceCurves(const SampleSet& samples, const TracingOptions& options,
                          const RunContext& context, TracingCounts* counts) {
   const ReprojectedMetric metric(samples);
   const Consensus consensus = FindConsensus(samples, metric, context);

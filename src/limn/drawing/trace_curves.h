@@ -4,10 +4,19 @@
 
 #include "limn/drawing/samples.h"
 #include "limn/model/drawing_graph.h"
-#include "limn/topology/topology_options.h"
 #include "limn/util/parallel.h"
 
 namespace limn {
+
+// Set by tests only.
+struct TracingOptions {
+  // Curves start where samples of this many primary views agree, and continue where at least the
+  // second number do.
+  int min_seed_views = 2;
+  int min_traced_views = 1;
+  // Longest gap that a curve bridges, px.
+  double max_gap_px = 6;
+};
 
 struct TracingCounts {
   int64_t curves = 0;
@@ -22,7 +31,7 @@ struct TracingCounts {
 // start, they close. A vertex has the samples that it stands for, by their names in the sketch, and
 // their edgels. Points are not smoothed, sigmas are 0. The graph passes Validate(). Time: O(n log
 // n) in the number of samples.
-DrawingGraph TraceCurves(const SampleSet& samples, const TopologyOptions& options,
+DrawingGraph TraceCurves(const SampleSet& samples, const TracingOptions& options,
                          const RunContext& context, TracingCounts* counts);
 
 }  // namespace limn

@@ -5,9 +5,8 @@
 
 namespace limn {
 
-// Limits for tracing and every edit of a drawing's topology, while it is built
-// (algorithm/drawing.md#tracing, algorithm/topology.md) and between the fits of the refinement.
-// Lengths are in px, that is, in footprints.
+// Limits for every edit of a drawing's topology, while it is built (algorithm/topology.md) and
+// between the fits of the refinement. Lengths are in px, that is, in footprints.
 struct TopologyOptions {
   // Shorter loops and links with a free end are dropped.
   double min_link_length_px = 14;
@@ -17,11 +16,6 @@ struct TopologyOptions {
   double max_short_edge_px = 30;
 
   // The others are set by tests only.
-  // Tracing: curves start where samples of this many primary views agree, continue where at least
-  // the second number do, and bridge gaps up to this length.
-  int min_seed_views = 2;
-  int min_traced_views = 1;
-  double max_tracing_gap_px = 6;
   // Number of primary views whose curves must agree with a link, averaged over its length: this
   // share of the views that contain the link, at least min and at most max.
   double primary_views_share = 0.1;

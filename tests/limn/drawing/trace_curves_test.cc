@@ -32,7 +32,7 @@ struct Traced {
   TracingCounts counts;
 };
 
-Traced Trace(const SampleMaker& maker, const TopologyOptions& options = {}) {
+Traced Trace(const SampleMaker& maker, const TracingOptions& options = {}) {
   const SampleSet& samples = maker.samples();
   Traced traced;
   traced.graph = TraceCurves(samples, options, {}, &traced.counts);
@@ -232,8 +232,8 @@ TEST(TraceCurvesTest, GapsAreBridgedUpToTheLimit) {
     SampleMaker maker;
     maker.AddInViews(LineBetween({0, 0, 0}, {30, 0, 0}), 0, kNumTracedViews);
     maker.AddInViews(LineBetween({30 + gap_px, 0, 0}, {60, 0, 0}), 0, kNumTracedViews);
-    TopologyOptions options;
-    options.max_tracing_gap_px = max_gap_px;
+    TracingOptions options;
+    options.max_gap_px = max_gap_px;
     const Traced traced = Trace(maker, options);
     for (const DrawingLink& link : traced.graph.links) {
       for (int k = 1; k < link.size(); ++k) EXPECT_LT(ArcPx(link, k - 1, k), 2);
@@ -252,7 +252,7 @@ TEST(TraceCurvesTest, CurvesStartWhereManyViewsAgreeAndGoOnWhereFewerDo) {
   maker.Add(LineBetween({0, 0, 0}, {60, 0, 0}), 1);
   maker.Add(LineBetween({20, 0, 0}, {40, 0, 0}), 2);
   maker.AddInViews(LineBetween({0, 50, 0}, {60, 50, 0}), 0, 2);
-  TopologyOptions options;
+  TracingOptions options;
   options.min_seed_views = 3;
   options.min_traced_views = 2;
   const Traced traced = Trace(maker, options);
