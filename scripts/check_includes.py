@@ -46,12 +46,6 @@ DOORS = {
     "limn/formats/dxf": "dxf_drawing_writer.h",
 }
 
-# Loops that are known, room and what it includes; none should be added.
-KNOWN_LOOPS = {
-    ("limn/pipeline/pipeline_options", "limn/pipeline/option_fields"),
-    ("limn/pipeline/pipeline_options", "limn/pipeline/option_groups"),
-}
-
 # Prefix of an include in angle brackets -> where it may stand: folders, or single files.
 THIRD_PARTY = {
     "opencv2/": ["src/limn/pictures/", "colmap_ext/workspace/"],
@@ -172,7 +166,7 @@ def rooms_of(root, files):
             if match and match[1] == '"':
                 includes.add(room_of(match[2]))
     return {room: sorted(other for other in includes
-                         if other in rooms and other != room and (room, other) not in KNOWN_LOOPS)
+                         if other in rooms and other != room)
             for room, includes in rooms.items()}
 
 

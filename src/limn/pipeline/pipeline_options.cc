@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "limn/pipeline/option_groups.h"
-
 namespace limn {
 namespace {
 

@@ -47,6 +47,24 @@ struct PipelineOptions {
   void Check() const;
 };
 
+// visit(group name, options struct) for every group of the pipeline, const or not. Their options
+// are listed by their structs: see util/option_fields.h.
+template <typename Options, typename Visit>
+void VisitGroups(Options& options, const Visit& visit) {
+  visit("EdgeDetection", options.edges);
+  visit("Linking", options.linking);
+  visit("ViewSelection", options.sketch.view_selection);
+  visit("Sketch", options.sketch);
+  visit("Drawing", options.drawing);
+  visit("Paper", options.paper);
+  visit("DrawingRefinement", options.refinement);
+  visit("Belief", options.belief);
+  visit("Primitives", options.primitives);
+  visit("Regularity", options.regularity);
+  visit("Surfaces", options.surfaces);
+  visit("Tiles", options.tiles);
+}
+
 // Checks the options of one group. Throws OptionError with group and option.
 template <typename Options>
 void CheckGroup(const std::string& group, const Options& options) {
@@ -84,7 +102,8 @@ std::string OptionsAsJson(const PipelineOptions& options);
 // The same of one group: {name: value}.
 std::string OptionsAsJson(const DenseOptions& options);
 
-// One group as "name=value" lines: two structs have the same text if and only if they are equal.
+// One group as "name=value" lines: two structs have the same text if and only if the options that
+// users can set are equal.
 std::string OptionsAsText(const EdgeDetectionOptions& options);
 std::string OptionsAsText(const RidgeOptions& options);
 std::string OptionsAsText(const LinkingOptions& options);

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/pipeline/option_groups.h"
+#include "limn/pipeline/pipeline_options.h"
 
 namespace limn {
 namespace {

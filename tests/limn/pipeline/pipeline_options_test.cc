@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limn/pipeline/option_groups.h"
 #include "limn/util/errors.h"
 
 namespace limn {
