@@ -16,6 +16,7 @@ namespace {
 // `watch` may be null.
 void Draw(const DrawerOptions& options, const OptionParser& parser, WorkspaceWatch* watch,
           Console* console) {
+  SayRetired(parser, console);
   const Project project(options.run, console);
   if (watch) watch->WatchImages(project, options.run.view.mask_path);
   if (DrawProject(project, options, console)) parser.WriteIni(project.CurvesPath("project.ini"));

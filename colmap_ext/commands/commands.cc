@@ -35,6 +35,7 @@ int RunOnProject(const Command& command, int argc, const char* const* argv,
                                       });
   if (!parser) return 0;
   const auto console = make_console(options.num_threads, Printing::kOn);
+  SayRetired(*parser, console.get());
   verb->Prepare(&options, console.get());
   verb->Run(Project(options, console.get()), options, console.get());
   return 0;
@@ -98,7 +99,7 @@ constexpr Command kCommands[] = {
         "make a stored drawing regular: parallel, at right angles, in planes"),
     OnDrawing<FindFacesVerb>("drawing_surfacer", "find_faces",
                              "find the faces between the curves of a drawing",
-                             "find the surfaces that the curves of a stored drawing bound"),
+                             "find the faces that the curves of a stored drawing bound"),
     OnDrawing<EditVerb>("drawing_editor", "edit", "apply edits made by hand to a stored drawing",
                         "apply edits made by hand to a stored drawing, and fit what they touch"),
     OnDrawing<AlignVerb>("drawing_aligner", "align", "find up, axes and scale of a stored drawing",

@@ -2,7 +2,6 @@
 
 #include <iostream>
 
-#include "colmap_ext/host/ranks.h"
 #include "limn/pipeline/pipeline_options.h"
 #include "limn/pipeline/shard.h"
 #include "limn/util/errors.h"
@@ -102,7 +101,9 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
     AddGroup("Drawing", &pipeline.drawing, parser);
     AddGroup("Paper", &pipeline.paper, parser);
   }
-  if (groups.refinement || groups.refit) {
+  // Edits and faces have gaps and gates in common with the drawing.
+  if (groups.refit) AddGroup("Drawing", &pipeline.drawing.topology, parser);
+  if (groups.refinement || groups.refit || groups.surfaces) {
     AddGroup("DrawingRefinement", &pipeline.refinement, parser);
   }
   if (groups.refinement) AddGroup("Belief", &pipeline.belief, parser);
@@ -183,8 +184,6 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
     if (final_pass) {
       options->SetDerived();
       options->Check();
-      const std::string note = parser.NoteOnRetired();
-      if (!note.empty() && Rank() == 0) std::cerr << "NOTE: " << note << "\n";
       return parser;
     }
     const DrawingMethod method = options->pipeline.method;
@@ -192,6 +191,11 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
     SetMethodDefaults(method, &options->pipeline);
   }
   return std::nullopt;
+}
+
+void SayRetired(const OptionParser& parser, Console* console) {
+  const std::string note = parser.NoteOnRetired();
+  if (!note.empty()) console->Say("NOTE: " + note);
 }
 
 }  // namespace limn::colmap_ext

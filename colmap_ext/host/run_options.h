@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "colmap_ext/host/console.h"
 #include "colmap_ext/options/option_parser.h"
 #include "colmap_ext/workspace/layout.h"
 #include "colmap_ext/workspace/to_views.h"
@@ -82,5 +83,8 @@ std::optional<OptionParser> ParseRunOptions(
     const std::string& command, const std::string& summary, const OptionGroups& groups, int argc,
     const char* const* argv, RunOptions* options,
     const std::function<void(OptionParser*)>& add_more = {});
+
+// Says which of the given options are fixed now, if any are (OptionParser::NoteOnRetired).
+void SayRetired(const OptionParser& parser, Console* console);
 
 }  // namespace limn::colmap_ext

@@ -234,8 +234,9 @@ OptionParser::Option* OptionParser::Find(const std::string& name) {
 }
 
 bool OptionParser::Knows(const std::string& name) const {
+  const std::string present = NewName(name).value_or(name);
   return std::any_of(options_.begin(), options_.end(),
-                     [&](const Option& option) { return option.name == name; });
+                     [&](const Option& option) { return option.name == present; });
 }
 
 bool OptionParser::WasGiven(const std::string& name) const {
@@ -253,7 +254,7 @@ bool OptionParser::TakesRetired(const std::string& name, const std::string& text
   const std::optional<std::string> fixed = FixedValue(name);
   if (!fixed || !HasGroupOf(name)) return false;
   if (!AreSameValue(text, *fixed)) {
-    throw OptionError(origin + name + " = " + text + ": is no option any more, but fixed at " +
+    throw OptionError(origin + name + " = " + text + ": is no longer an option; it is fixed at " +
                       *fixed);
   }
   retired_.push_back(name);
@@ -270,7 +271,7 @@ void OptionParser::Set(const std::string& name, const std::string& text,
   const std::string expected = option->set(text);
   if (!expected.empty()) {
     throw OptionError(origin + name + " = " + text + ": " +
-                      (IsRetiredWord(name, text) ? "is no choice any more; " : "") + "must be " +
+                      (IsRetiredWord(name, text) ? "is no longer a choice; " : "") + "must be " +
                       expected);
   }
   option->given = true;
@@ -288,7 +289,7 @@ void OptionParser::ReadIni(const std::string& path) {
   std::set<std::string> seen;
   for (const IniEntry& entry : ReadIniFile(path)) {
     const std::string origin = path + ": line " + std::to_string(entry.line) + ": ";
-    if (!seen.insert(entry.key).second) {
+    if (!seen.insert(NewName(entry.key).value_or(entry.key)).second) {
       throw OptionError(origin + "option '" + entry.key + "' is given twice");
     }
     Set(entry.key, entry.value, origin);
@@ -327,7 +328,7 @@ OptionParser::Outcome OptionParser::Parse(int argc, const char* const* argv,
     }
     const Option* declared = Find(option.string_key);
     const bool repeats = declared && declared->repeats;
-    if (!seen.insert(option.string_key).second && !repeats) {
+    if (!seen.insert(NewName(option.string_key).value_or(option.string_key)).second && !repeats) {
       throw OptionError("option '--" + option.string_key + "' is given twice");
     }
     if (option.string_key == kProjectPath) project_path = option.value.front();

@@ -13,7 +13,7 @@ namespace limn {
 
 // The options of a command in COLMAP's dialect:
 //
-//   --workspace_path my_project --Linking.min_length_px 8 --Drawing.refine=0
+//   --workspace_path my_project --Linking.min_length_px 8 --Belief.judge=0
 //   --project_path file.ini     options from a file; the command line overrides it (unlike COLMAP)
 //   -h, --help                  the basic options with their defaults
 //   --help_all                  every option

@@ -110,8 +110,9 @@ Json PresentOptions(Json options) {
   for (const std::string former : FormerNames()) {
     const std::string name = *NewName(former);
     const auto value = take(former, [](const Json&) { return true; });
-    if (value && is_paper)
+    if (value && is_paper) {
       options[name.substr(0, name.find('.'))][name.substr(name.find('.') + 1)] = *value;
+    }
   }
   return options;
 }
@@ -137,8 +138,9 @@ void CheckReplaceable(const Project& project, const RunOptions& options, const s
   }
   const Json old_options = PresentOptions(Json::parse(metadata.options_json));
   const Json new_options = Json::parse(provenance);
-  if (old_options != new_options) {
-    const Json difference = Json::diff(old_options, new_options);
+  // Whatever the order of keys.
+  const Json difference = Json::diff(old_options, new_options);
+  if (!difference.empty()) {
     refuse("was drawn with other options (" + difference.front().value("path", "") + ")");
   }
 }

@@ -54,7 +54,7 @@ void SayEdits(const std::vector<Edit>& edits, const EditedDrawing& edited, Conso
     if (!warning.empty()) console->Say("WARNING: " + name + warning);
   }
   if (edited.num_dropped_faces > 0) {
-    console->Say("WARNING: the drawing has no faces any more (" +
+    console->Say("WARNING: the drawing has no faces left (" +
                  std::to_string(edited.num_dropped_faces) + " before): run drawing_surfacer again");
   }
   const bool was_regular = !edited.graph.regularities.IsEmpty();

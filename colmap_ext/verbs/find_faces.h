@@ -4,7 +4,7 @@
 
 namespace limn::colmap_ext {
 
-// drawing_surfacer: the drawing with the surfaces that its links bound.
+// drawing_surfacer: the drawing with the faces that its links bound.
 class FindFacesVerb : public DrawingVerb {
  public:
   OptionGroups Groups() const override {

@@ -1,12 +1,15 @@
 // Several models and resources: cases 34 to 36 of tests/README.md.
+#include <fstream>
 #include <map>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "end_to_end/corpus_case.h"
 #include "limn/files/atomic_file.h"
+#include "limn/files/whole_file.h"
 
 namespace limn::testing {
 namespace {
@@ -182,6 +185,36 @@ TEST(CorpusRuns, Case36_RunningTwice) {
   const LimnRun replaced = RunLimn(other, Limits(120));
   EXPECT_EQ(replaced.exit_code, 0) << replaced.err;
   EXPECT_NE(Results(w.path()).at("drawing.json"), after_first.at("drawing.json"));
+}
+
+// The options of an earlier version stood in another order, and there were more of them.
+void WriteAsEarlierVersion(const std::filesystem::path& path, double corner_arm_px) {
+  auto drawing = nlohmann::ordered_json::parse(ReadWholeFile(path.string()));
+  nlohmann::ordered_json& options = drawing["options"];
+  options["Linking"]["corner_arm_px"] = corner_arm_px;
+  const nlohmann::ordered_json edges = options["EdgeDetection"];
+  options.erase("EdgeDetection");
+  options["EdgeDetection"] = edges;
+  std::ofstream(path) << drawing.dump();
+}
+
+TEST(CorpusRuns, Case36_ADrawingOfAnEarlierVersion) {
+  const W w;
+  const std::vector<std::string> arguments = {"automatic_drawer",
+                                              "--workspace_path",
+                                              w.path().string(),
+                                              "--quality",
+                                              "low",
+                                              "--max_image_size",
+                                              "160"};
+  ASSERT_EQ(RunLimn(arguments, Limits(120)).exit_code, 0);
+  WriteAsEarlierVersion(w / "drawing.json", 5);
+  const LimnRun accepted = RunLimn(arguments, Limits(120));
+  EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
+  WriteAsEarlierVersion(w / "drawing.json", 6);
+  const LimnRun refused = RunLimn(arguments, Limits(120));
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("other options (/Linking/corner_arm_px)"));
 }
 
 }  // namespace

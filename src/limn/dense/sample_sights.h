@@ -44,7 +44,7 @@ struct SampleSight {
 // (algorithm/dense.md#samples-against-depths). It is visible if one of them is at its depth or if
 // at least as many are behind it as in front, and occluded if more, and at least three, are in
 // front. The tolerance is that of the options plus the gain in depth of a surface at 60 degrees.
-// Sides are examined across the projected curve, at side_offset_px or two cells, whichever is more.
+// Sides are examined across the projected curve, at 4 px or two cells, whichever is more.
 SampleSight LookAtSample(const View& view, const DepthImage& image, const Eigen::Vector3d& position,
                          const Eigen::Vector3d& tangent, const DenseOptions& options);
 

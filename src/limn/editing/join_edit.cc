@@ -61,8 +61,9 @@ Eigen::Vector3d CornerOf(const EditSession& session, const LinkEnd& a, const Lin
   }
   const Eigen::Vector3d middle = 0.5 * (end_a + end_b);
   const Eigen::FullPivLU<Eigen::Matrix3d> solver(sum);
-  // The sine of the angle between the lines, squared.
-  if (!(solver.determinant() > std::pow(std::sin(session.MaxTurnRad()), 2))) return middle;
+  // The determinant is the sine of the angle between the lines, squared.
+  const double least_sine = std::sin(std::min(session.MaxTurnRad(), M_PI / 2));
+  if (!(solver.determinant() > least_sine * least_sine)) return middle;
   const Eigen::Vector3d corner = end_a + solver.solve(right);
   const double reach =
       std::max(kCornerReach * (end_b - end_a).norm(),

@@ -17,8 +17,9 @@ inline double AngleBetween2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
-// The angle between the lines along two vectors, in [0, pi / 2].
+// The angle between the lines along two vectors, in [0, pi / 2]; pi / 2 if one is zero.
 inline double LineAngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  if (a.isZero(0) || b.isZero(0)) return M_PI / 2;
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 

@@ -49,9 +49,9 @@ std::optional<Foot> FollowTo(const SampleSet& samples, int partner, const Eigen:
   return foot;
 }
 
-// The mean of sample s and its closest points on all curves that it overlaps, which
-// become its partners. A curve beyond whose end the foot once was is left out from then on, so that
-// nothing switches on and off.
+// The mean of sample s and its closest points on all curves that it overlaps, which become its
+// partners. A curve beyond whose end the foot once was is left out from then on, so that nothing
+// switches on and off.
 Eigen::Vector3d Average(const SampleSet& samples, int s, std::vector<CurveOverlap>* overlaps) {
   const int k = samples.NameOf(s).sample;
   Eigen::Vector3d sum = samples.position[s];

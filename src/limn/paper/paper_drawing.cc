@@ -35,7 +35,7 @@ void Summarize(int num_clusters, const AveragingResult& averaging, const Merging
 }  // namespace
 
 DrawingResult BuildPaperDrawing(const DrawingInput& input, const PaperOptions& options,
-                                const RunContext& context) {
+                                const TopologyOptions& topology, const RunContext& context) {
   options.Check();
   const auto edgels = BuildViewEdgels(input.scene.curves, context);
   const TopologyInput images = {input.scene.views, input.scene.curves, edgels, kGate,
@@ -51,7 +51,7 @@ DrawingResult BuildPaperDrawing(const DrawingInput& input, const PaperOptions& o
   FitLinks(samples, network, &result.graph);
   result.fates = FatesOf(input.sketch, samples);
   UpdateFates(result.graph, EdgelFate::kNotTraced, &result.fates);
-  FinishLinks(images, TopologyOptions(), &result.graph);
+  FinishLinks(images, topology, &result.graph);
   result.summary = SummarizeDrawing(input.sketch, result.graph);
   Summarize(network.num_clusters, averaging, merging, &result.summary);
   return result;

@@ -7,9 +7,10 @@ namespace limn {
 
 // The paper's drawing (ECCV 2016, section 3; algorithm/paper.md): builds
 // the local and the curve-level consistency network of the sketch as it is, averages the curves of
-// each cluster, and merges them into links. Every sample ends up in a link. The graph passes
+// each cluster, and merges them into links. Every sample ends up in a link. `topology` says
+// which links continue each other at nodes. The graph passes
 // Validate().
 DrawingResult BuildPaperDrawing(const DrawingInput& input, const PaperOptions& options,
-                                const RunContext& context);
+                                const TopologyOptions& topology, const RunContext& context);
 
 }  // namespace limn

@@ -12,8 +12,9 @@ namespace limn {
 
 DrawingResult DrawSketch(const DrawingInput& input, const PipelineOptions& options,
                          const RunContext& context) {
-  return options.IsPaper() ? BuildPaperDrawing(input, options.paper, context)
-                           : BuildDrawing(input, options.drawing, context);
+  return options.IsPaper()
+             ? BuildPaperDrawing(input, options.paper, options.drawing.topology, context)
+             : BuildDrawing(input, options.drawing, context);
 }
 
 DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options, ResultCache* cache,

@@ -1,5 +1,7 @@
 #include "limn/pipeline/pipeline_options.h"
 
+#include <string_view>
+
 #include <nlohmann/json.hpp>
 
 namespace limn {
@@ -73,8 +75,9 @@ const char* DrawingMethodName(DrawingMethod method) {
 
 std::string OptionsAsJson(const PipelineOptions& options) {
   Json json = {{"mode", SketchModeName(options.mode)}, {"regularize", options.regularize}};
-  json["Drawing"]["method"] = DrawingMethodName(options.method);
   VisitGroups(options, [&](const char* group, const auto& fields) {
+    const bool is_drawing = std::string_view(group) == "Drawing";
+    if (is_drawing) json[group]["method"] = DrawingMethodName(options.method);
     json[group].update(FieldsAsJson(fields));
   });
   if (!options.IsPaper()) json.erase("Paper");

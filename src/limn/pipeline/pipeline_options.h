@@ -103,7 +103,7 @@ std::string OptionsAsJson(const PipelineOptions& options);
 std::string OptionsAsJson(const DenseOptions& options);
 
 // One group as "name=value" lines: two structs have the same text if and only if the options that
-// users can set are equal.
+// users can set are equal. Do not set other fields where results are cached.
 std::string OptionsAsText(const EdgeDetectionOptions& options);
 std::string OptionsAsText(const RidgeOptions& options);
 std::string OptionsAsText(const LinkingOptions& options);

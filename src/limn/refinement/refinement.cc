@@ -239,7 +239,9 @@ RefinementResult RefineEdges(const RefinementInput& input, const RefinementOptio
   const double unit = SceneUnit(input.scene.views, input.graph);
   const std::vector<View> views = Scaled(input.scene.views, 1 / unit);
   const DrawingGraph graph = Scaled(input.graph, 1 / unit);
-  SceneHints hints = input.scene.hints;
+  // Only cameras are refined by points.
+  SceneHints hints;
+  if (options.refine_poses) hints = input.scene.hints;
   for (ScenePoint& point : hints.points) point.position_in_world /= unit;
   RefinementResult result =
       DrawingRefiner({{views, input.scene.curves, hints}, graph}, options, topology, context).Run();

@@ -169,7 +169,7 @@ void JoinFacingEnds(const MeetingTask& task) {
     const LinkTip& a = free.tips[i];
     const LinkTip& b = free.tips[j];
     if (TurnBetween(a, b) > task.options.max_continuation_angle_deg * kDeg) continue;
-    const double turn = AngleBetween(a.outward, -b.outward);
+    const double turn = TurnBetween(a.outward, -b.outward);
     if (!task.reach.To(a, b.point, turn) || !task.reach.To(b, a.point, turn)) continue;
     candidates.push_back({(b.point - a.point).norm() / a.footprint, i, j});
   }

@@ -82,9 +82,12 @@ LinkTip TipOf(const DrawingLink& link, int end, double footprint) {
   return tip;
 }
 
+double TurnBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a.isZero(0) || b.isZero(0) ? M_PI / 2 : AngleBetween(a, b);
+}
+
 double TurnBetween(const LinkTip& a, const LinkTip& b) {
-  return std::min(AngleBetween(a.outward, -b.outward),
-                  AngleBetween(a.bent_outward, -b.bent_outward));
+  return std::min(TurnBetween(a.outward, -b.outward), TurnBetween(a.bent_outward, -b.bent_outward));
 }
 
 std::vector<std::pair<size_t, size_t>> SmoothPairs(const std::vector<LinkTip>& tips,

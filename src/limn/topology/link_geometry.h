@@ -38,6 +38,9 @@ LinkTip TipOf(const DrawingLink& link, int end);
 // themselves: where both bend alike, the lines differ by the bend between their middles.
 double TurnBetween(const LinkTip& a, const LinkTip& b);
 
+// The angle between two directions, rad; pi / 2 if one is zero, which continues nothing.
+double TurnBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
 // The pairs of tips at one node, by index, that turn by less than this: smoothest first, each tip
 // at most once.
 std::vector<std::pair<size_t, size_t>> SmoothPairs(const std::vector<LinkTip>& tips,

@@ -105,7 +105,7 @@ class EndSnapper {
       if (end == free) return false;
       if (end.link == free.link && !MayClose(LengthPx(own), task_.reach.gap_px)) return false;
       const LinkTip other = TipOf(editor_->link(end.link), end.end, tip.footprint);
-      return AngleBetween(other.outward, tip.outward) > min_parting_rad_;
+      return TurnBetween(other.outward, tip.outward) > min_parting_rad_;
     });
   }
 

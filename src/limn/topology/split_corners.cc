@@ -23,8 +23,8 @@ constexpr int kApartPx = 8;
 bool IsCorner(const std::vector<Eigen::Vector3d>& points, int k) {
   if (k < kArmEndPx || k + kArmEndPx >= static_cast<int>(points.size())) return false;
   const auto turn = [&](int a, int b, int c, int d) {
-    return AngleBetween((points[k + b] - points[k + a]).normalized(),
-                        (points[k + d] - points[k + c]).normalized());
+    return TurnBetween((points[k + b] - points[k + a]).normalized(),
+                       (points[k + d] - points[k + c]).normalized());
   };
   const double whole = turn(-kArmEndPx, -kArmBeginPx, kArmBeginPx, kArmEndPx);
   if (whole < kMinCornerRad) return false;

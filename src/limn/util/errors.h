@@ -51,7 +51,7 @@ void CheckOption(bool ok, const char* name, double value, const char* constraint
 // also depend on other options:
 //
 //   LIMN_CHECK_RANGE(max_gap_px, >= 0, <= 1000);
-//   LIMN_CHECK_RANGE_OR(fine_sigma_px, 0, >= 0.8, <= 5);    0 or in the range
+//   LIMN_CHECK_RANGE_OR(num_threads, -1, >= 1, <= 1e4);     -1 or in the range
 //   LIMN_CHECK_OPTION(max_views, >= min_views);
 #define LIMN_CHECK_OPTION(field, constraint) \
   ::limn::CheckOption(((field)constraint), #field, static_cast<double>(field), #constraint)

@@ -135,7 +135,7 @@ TEST(OptionRanges, OfEveryNumberHaveTwoEnds) {
       ExpectRange(option, kind);
     }
   }
-  EXPECT_GT(num_numbers, 400);
+  EXPECT_GT(num_numbers, 250);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(RetiredOptions, AtTheirValueThereIsOneNote) {
 
 TEST(RetiredOptions, AtAnotherValueAreErrors) {
   EXPECT_EQ(Command().ErrorOf({"--Linking.corner_arm_px", "6"}),
-            "Linking.corner_arm_px = 6: is no option any more, but fixed at 5");
+            "Linking.corner_arm_px = 6: is no longer an option; it is fixed at 5");
 }
 
 TEST(RetiredOptions, AreUnknownToCommandsWithoutTheirGroup) {
@@ -78,13 +78,14 @@ TEST(RetiredOptions, AreReadFromFilesOfEarlierVersions) {
   EXPECT_EQ(command.merge_distance_px, 1.25);  // moved to Paper
   EXPECT_THAT(command.parser.NoteOnRetired(), StartsWith("Linking.corner_arm_px"));
   write("[Linking]\ncorner_arm_px=5.5\n");
-  EXPECT_EQ(Command().ErrorOf({"--project_path", path.c_str()}),
-            path + ": line 2: Linking.corner_arm_px = 5.5: is no option any more, but fixed at 5");
+  EXPECT_EQ(
+      Command().ErrorOf({"--project_path", path.c_str()}),
+      path + ": line 2: Linking.corner_arm_px = 5.5: is no longer an option; it is fixed at 5");
 }
 
 TEST(RetiredOptions, ARetiredWordIsToldFromANewOne) {
   EXPECT_EQ(Command().ErrorOf({"--Drawing.method", "merged"}),
-            "Drawing.method = merged: is no choice any more; must be one of {traced, paper}");
+            "Drawing.method = merged: is no longer a choice; must be one of {traced, paper}");
   EXPECT_EQ(Command().ErrorOf({"--Drawing.method", "merge"}),
             "Drawing.method = merge: must be one of {traced, paper}");
 }

@@ -199,13 +199,13 @@ class Drawings(unittest.TestCase):
     def test_regularize(self):
         path, folder = self.output / "irregular.json", self.output / "regular"
         self.drawing.save(path)
-        regular = limn.regularize(self.drawing, Regularity={"min_length_px": 10})
+        regular = limn.regularize(self.drawing, Regularity={"max_shift_px": 1})
         limn.run("drawing_regularizer", workspace_path=scenes.DAY, drawing_path=path, output_path=folder,
-                 Regularity={"min_length_px": 10}, **scenes.small_options())
+                 Regularity={"max_shift_px": 1}, **scenes.small_options())
         stored = limn.read_drawing(folder / "drawing.json")
         self.assertEqual([link.points.tobytes() for link in stored.links],
                          [link.points.tobytes() for link in regular.links])
-        at_once = limn.draw(scenes.DAY, regularize=True, Regularity={"min_length_px": 10}, **scenes.small_options())
+        at_once = limn.draw(scenes.DAY, regularize=True, Regularity={"max_shift_px": 1}, **scenes.small_options())
         self.assertEqual([link.points.tobytes() for link in at_once.links],
                          [link.points.tobytes() for link in regular.links])
         regular.save(self.output / "regular.json")

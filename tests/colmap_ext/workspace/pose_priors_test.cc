@@ -109,7 +109,7 @@ TEST_F(PosePriorsTest, BadDatabasesAreNamed) {
 
 TEST_F(PosePriorsTest, BadValuesAreNamed) {
   WriteDatabase(path_, DatabaseVersion::k4_1, {{"a\n.jpg", {1, 2, 3}}, {"b", {91, 2, 3}}});
-  EXPECT_THAT(ErrorOf(path_), HasSubstr("prior of image \"b\": is no latitude, longitude"));
+  EXPECT_THAT(ErrorOf(path_), HasSubstr("prior of image \"b\": is not a latitude, longitude"));
   RunSql(path_, "UPDATE pose_priors SET coordinate_system = 1 WHERE corr_data_id = 98");
   EXPECT_THAT(ErrorOf(path_), HasSubstr("prior of image \"b\": is in another coordinate system"));
   RunSql(path_, "UPDATE pose_priors SET gravity = x'00'");

@@ -216,7 +216,7 @@ TEST(JudgeLinksTest, ADrawingWithoutLinks) {
 
 TEST(JudgeLinksTest, OptionsAreChecked) {
   BeliefOptions options;
-  options.min_own_share = 1.5;
+  options.min_evidence = -1;
   EXPECT_THROW(Judged(BeliefScene(), {}, options), OptionError);
 }
 

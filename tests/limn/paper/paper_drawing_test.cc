@@ -37,7 +37,8 @@ const CurveSketch& Sketch() {
 }
 
 DrawingResult Draw(const CurveSketch& sketch, const PaperOptions& options, int num_threads = 2) {
-  return BuildPaperDrawing({{Views(), NoisyCurves()}, sketch}, options, Threads(num_threads));
+  return BuildPaperDrawing({{Views(), NoisyCurves()}, sketch}, options, TopologyOptions(),
+                           Threads(num_threads));
 }
 
 int64_t Count(const StageSummary::Counts& counts, const std::string& name) {

@@ -220,7 +220,7 @@ TEST(FitPrimitives, RegularitiesAndFacesEnd) {
 
 TEST(FitPrimitives, OptionsAreChecked) {
   PrimitiveOptions options;
-  options.noise_px = 0;
+  options.max_residual_px = 0;
   EXPECT_THROW(FitPrimitives({}, Views(), options, {}), OptionError);
 }
 

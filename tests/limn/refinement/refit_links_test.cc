@@ -147,7 +147,7 @@ TEST(RefitLinks, WithoutRoundsNothingChanges) {
   const RefitResult result =
       RefitLinks({{RefitViews(), RefitCurves()}, graph}, {1, 1, 1, 1}, options, {});
   EXPECT_EQ(result.graph.links[0].points_in_world, graph.links[0].points_in_world);
-  options.max_angle_deg = -1;
+  options.max_distance_px = -1;
   EXPECT_THROW(RefitLinks({{RefitViews(), RefitCurves()}, graph}, {1, 1, 1, 1}, options, {}),
                OptionError);
 }

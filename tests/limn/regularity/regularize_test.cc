@@ -235,7 +235,7 @@ TEST(Regularize, OptionsAreChecked) {
   options.max_growth_px = -1;
   EXPECT_THROW(Regularize({}, testing::ViewsOfNoisyDrawing(), options, {}, {}), OptionError);
   PrimitiveOptions primitives;
-  primitives.noise_px = 0;
+  primitives.max_residual_px = 0;
   EXPECT_THROW(Regularize({}, testing::ViewsOfNoisyDrawing(), {}, primitives, {}), OptionError);
 }
 

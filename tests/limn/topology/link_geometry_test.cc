@@ -16,6 +16,20 @@ using testing::DrawingSceneTest;
 using testing::Path;
 using testing::Polar;
 
+TEST(TurnBetweenTest, WithoutDirectionNothingContinues) {
+  const Vector3d none = Vector3d::Zero();
+  for (const Vector3d& direction :
+       {Vector3d(1, 0, 0), Vector3d(-0.6, 0.8, 0), Vector3d(0, 0, -1)}) {
+    EXPECT_EQ(TurnBetween(none, direction), M_PI / 2);
+    EXPECT_EQ(TurnBetween(-direction, none), M_PI / 2);
+    LinkTip with, without;
+    with.outward = with.bent_outward = direction;
+    without.outward = without.bent_outward = none;
+    EXPECT_EQ(TurnBetween(with, without), M_PI / 2);
+    EXPECT_EQ(TurnBetween(without, with), M_PI / 2);
+  }
+}
+
 class LinkGeometryTest : public DrawingSceneTest {};
 
 TEST_P(LinkGeometryTest, TipLeavesWhatIsRoundedOut) {
