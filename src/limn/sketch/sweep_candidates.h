@@ -7,6 +7,7 @@
 #include "limn/sketch/crossing_table.h"
 #include "limn/sketch/depth_modes.h"
 #include "limn/sketch/epipolar_crossings.h"
+#include "limn/sketch/sketch_options.h"
 
 namespace limn {
 
