@@ -32,7 +32,7 @@ TEST(DepthFusionTest, ModeWithMostSupportWins) {
   const int count = 20;
   std::vector<std::vector<DepthCandidate>> candidates(count);
   for (auto& of_vertex : candidates) {
-    of_vertex = {Candidate(0.3, 4, 0), Candidate(0.2, 9, 1), Candidate(0.1, 5, 2)};
+    of_vertex = {Candidate(0.35, 4, 0), Candidate(0.2, 9, 1), Candidate(0.1, 5, 2)};
   }
   const auto fused = FuseDepths(StraightFragment(count), candidates, SketchOptions());
   ASSERT_EQ(fused.size(), candidates.size());
