@@ -22,4 +22,8 @@ CurvesResult ExtractImageCurves(const Job& job, const FragmentsObserver& on_frag
   return result;
 }
 
+std::shared_ptr<const std::vector<ImageCurves>> SharedImageCurves(const Job& job) {
+  return std::make_shared<const std::vector<ImageCurves>>(ExtractImageCurves(job).curves);
+}
+
 }  // namespace limn::colmap_ext

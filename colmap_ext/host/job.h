@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,5 +32,8 @@ Job JobOf(const Project& project, const RunOptions& options, Console* console);
 
 // The image curves of all views, from the cache where possible; prints a summary.
 CurvesResult ExtractImageCurves(const Job& job, const FragmentsObserver& on_fragments = {});
+
+// The curves alone, for several drawings to share.
+std::shared_ptr<const std::vector<ImageCurves>> SharedImageCurves(const Job& job);
 
 }  // namespace limn::colmap_ext

@@ -59,7 +59,8 @@ struct OptionGroups {
   bool sketch = false;
   bool drawing = false;
   bool refinement = false;
-  // The options of the refinement that apply to refitting some links of a finished drawing.
+  // The options of the drawing and the refinement that apply to editing and refitting some links of
+  // a finished drawing.
   bool refit = false;
   bool regularities = false;
   bool surfaces = false;

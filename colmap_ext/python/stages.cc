@@ -101,10 +101,6 @@ std::shared_ptr<SceneDrawing> FromScene(DrawingInScene made, std::shared_ptr<con
   return drawing;
 }
 
-std::shared_ptr<const std::vector<ImageCurves>> CurvesOf(const Job& job) {
-  return std::make_shared<const std::vector<ImageCurves>>(ExtractImageCurves(job).curves);
-}
-
 // Those that make sense in memory, on top of what the drawing was made with.
 OptionGroups GroupsInMemory(const Verb& verb) {
   OptionGroups groups = verb.Groups();
@@ -194,7 +190,7 @@ std::shared_ptr<SceneCurves> LinkScene(std::shared_ptr<const OpenScene> scene,
   auto curves = std::make_shared<SceneCurves>();
   curves->made = AddOptions(scene->made, "link", {.linking = true}, options, {});
   LibraryConsole console(curves->made.options.num_threads, monitor);
-  curves->curves = CurvesOf(MemoryJob(scene->scene, curves->made.options, &console));
+  curves->curves = SharedImageCurves(MemoryJob(scene->scene, curves->made.options, &console));
   curves->scene = std::move(scene);
   curves->made.log = console.log();
   return curves;

@@ -37,7 +37,7 @@ void DrawSketchVerb::Run(const Project& project, const RunOptions& options, Cons
   CheckDrawingFiles(project, options);
   const SceneAligner aligner(project, options.layout, align_, console);
   const Job job = JobOf(project, options, console);
-  auto curves = std::make_shared<const std::vector<ImageCurves>>(ExtractImageCurves(job).curves);
+  auto curves = SharedImageCurves(job);
   const StoredCurveSketch stored =
       ReadSketchResult(project, SketchFileName(options.pipeline.mode), *curves, job.context());
   const std::string provenance = ProvenanceOfDrawing(options, stored.metadata.options_json);

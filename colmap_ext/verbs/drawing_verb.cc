@@ -53,7 +53,7 @@ void DrawingVerb::Run(const Project& project, const RunOptions& options, Console
 std::shared_ptr<const std::vector<ImageCurves>> CurvesOf(const Job& job,
                                                          const DrawingInScene& drawing) {
   if (drawing.curves) return drawing.curves;
-  return std::make_shared<const std::vector<ImageCurves>>(ExtractImageCurves(job).curves);
+  return SharedImageCurves(job);
 }
 
 }  // namespace limn::colmap_ext
