@@ -22,7 +22,7 @@ LIMN_LAYERS = [
     ["topology"],
     ["edges", "linking", "sketch", "drawing", "refinement", "belief", "primitives", "kinds", "dense", "tiles",
      "alignment"],
-    ["regularity", "surfaces", "editing", "plans", "paper"],
+    ["regularity", "surfaces", "editing", "plans", "paper", "cameras"],
     ["formats"],
     ["cache", "pictures", "evaluation", "viewer"],
     ["pipeline"],

@@ -24,7 +24,7 @@ void CheckOptions(const CurveDrawerOptions& options) {
   const DrawerOptions& drawer = options.drawer;
   const double point_spacing_px = options.point_spacing_px;
   LIMN_CHECK_RANGE_OR(point_spacing_px, 0, >= 0.1, <= 1e4);
-  if (point_spacing_px > 0 && drawer.run.pipeline.refinement.refine_poses) {
+  if (point_spacing_px > 0 && drawer.run.pipeline.refine_cameras != CameraRefinement::kOff) {
     throw OptionError("point_spacing_px: the reconstruction lacks the refined poses");
   }
   drawer.Check();

@@ -13,7 +13,7 @@ WorkspaceLayout ChooseLayoutInMemory(const SparseModel& model, const RunOptions&
                                      Console* console) {
   WorkspaceLayout layout = LayoutInMemory(options.layout, model.images.size());
   console->Say(layout.description);
-  if (options.pipeline.refinement.refine_poses) CheckTextNames(model);
+  if (options.pipeline.refine_cameras != CameraRefinement::kOff) CheckTextNames(model);
   return layout;
 }
 

@@ -84,6 +84,13 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
     }
     parser->AddOption("mode", &pipeline.mode, modes, BasicOption("how the sketch is made"));
   }
+  if (groups.sketch && groups.drawing) {
+    parser->AddOption("refine_cameras", &pipeline.refine_cameras,
+                      {{"auto", CameraRefinement::kAuto},
+                       {"0", CameraRefinement::kOff},
+                       {"1", CameraRefinement::kOn}},
+                      BasicOption("refine the cameras by the curves, auto = if it is needed"));
+  }
   AddGroup("EdgeDetection", &pipeline.edges, parser);
   AddGroup("EdgeMaps", &options->edge_maps, parser);
   if (groups.linking) AddGroup("Linking", &pipeline.linking, parser);

@@ -68,7 +68,7 @@ std::string ShrinkingNote(const ViewSet& set) {
 Scene::Scene(WorkspaceLayout layout, const RunOptions& options, Console* console)
     : layout_(std::move(layout)) {
   SparseModel model = ReadModel(layout_.model_dir);
-  if (options.pipeline.refinement.refine_poses) CheckTextNames(model);
+  if (options.pipeline.refine_cameras != CameraRefinement::kOff) CheckTextNames(model);
   SetModel(std::move(model), {}, options, console);
 }
 
@@ -104,10 +104,8 @@ void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptio
 
 void Scene::CheckPanoramas(const RunOptions& options) const {
   if (!view_set_.HasPanoramas()) return;
-  if (options.pipeline.refinement.refine_poses) {
-    throw OptionError(
-        "DrawingRefinement.refine_poses = 1: the model has EQUIRECTANGULAR images, whose parts "
-        "would move apart");
+  if (options.pipeline.refine_cameras == CameraRefinement::kOn) {
+    throw OptionError("refine_cameras = 1: not with EQUIRECTANGULAR images, which the model has");
   }
   if (!options.edges_path.empty()) {
     throw OptionError("edges_path = " + options.edges_path +
@@ -116,6 +114,10 @@ void Scene::CheckPanoramas(const RunOptions& options) const {
 }
 
 void Scene::UseEdges(const RunOptions& options, Console* console) {
+  if (options.pipeline.refine_cameras == CameraRefinement::kOn) {
+    throw OptionError("refine_cameras = 1: needs edges of small pictures, but edges_path = " +
+                      options.edges_path + " has those of the images as stored only");
+  }
   edge_files_ = FindEdgeFiles(options.edges_path, view_set_);
   console->Say("Edges of all images from " + options.edges_path);
   images_.given_edges = [this, maps = options.edge_maps](ViewId view) {

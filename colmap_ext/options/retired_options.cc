@@ -74,6 +74,7 @@ constexpr RetiredOption kRetired[] = {
     {"Drawing.covered_share", "0.8"},
     {"DrawingRefinement.control_spacing_px", "3"},
     {"DrawingRefinement.max_angle_deg", "15"},
+    {"DrawingRefinement.refine_poses", "0"},
     {"DrawingRefinement.support_window_px", "6"},
     {"DrawingRefinement.min_window_support", "0.5"},
     {"DrawingRefinement.min_views", "3"},
@@ -138,6 +139,7 @@ bool IsRetiredWord(std::string_view name, std::string_view word) {
 }
 
 bool AreSameValue(const std::string& a, const std::string& b) {
+  if (a == "false" || a == "true") return AreSameValue(a == "true" ? "1" : "0", b);
   if (a == b) return true;
   const std::optional<double> number = AsNumber(a);
   return number && number == AsNumber(b);

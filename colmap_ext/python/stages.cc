@@ -85,7 +85,7 @@ class MemoryJob {
 
 DrawingInScene ToScene(const SceneDrawing& drawing) {
   return {Moved(drawing.graph, -drawing.scene->scene.origin()), drawing.metadata, drawing.views,
-          drawing.curves, std::nullopt};
+          drawing.curves};
 }
 
 std::shared_ptr<SceneDrawing> FromScene(DrawingInScene made, std::shared_ptr<const OpenScene> scene,
@@ -349,10 +349,12 @@ std::shared_ptr<SceneDrawing> DrawInFolder(const OptionTexts& options, RunMonito
     }
   }
   const OptionTexts of_scene = OptionsOfScene(options);
-  const bool moves_cameras =
-      ParseTexts("draw", OptionsOfAllStages(), of_scene).pipeline.refinement.refine_poses;
+  const auto start = fs::file_time_type::clock::now();
   RunLog log = RunCommand("automatic_drawer", options, monitor);
   const fs::path folder = options.at("output_path");
+  // An earlier run may have left some.
+  const fs::path refined = folder / "refined" / "images.txt";
+  const bool moves_cameras = fs::exists(refined) && fs::last_write_time(refined) >= start;
   auto drawing = ReadSceneDrawing(folder / "drawing.json",
                                   moves_cameras ? nullptr : OpenWorkspace(of_scene, monitor));
   drawing->made.log = std::move(log);

@@ -38,10 +38,9 @@ std::optional<PipelineResult> DrawByRanks(const PipelineInput& input, const Job&
 // once.
 std::vector<Tile> PlanSceneTiles(const PipelineInput& input, const DrawerOptions& options,
                                  Console* console) {
-  const PipelineOptions& pipeline = options.run.pipeline;
-  std::vector<Tile> tiles = PlanTiles(input.views, input.hints, input.box, pipeline.tiles);
+  std::vector<Tile> tiles =
+      PlanTiles(input.views, input.hints, input.box, options.run.pipeline.tiles);
   if (!IsInTiles(tiles, input.views)) return tiles;
-  CheckTiled(pipeline);
   const std::string in_tiles = "the scene is drawn in " + std::to_string(tiles.size()) + " tiles";
   if (options.account) throw OptionError("account = 1: " + in_tiles + ", which keep no account");
   console->Say("Views are many: " + in_tiles + ", and there will be no file of its sketch");
@@ -66,13 +65,13 @@ std::optional<PipelineResult> DrawSceneOrTiles(const PipelineInput& input,
   return DrawScene(input, options, job.context(), job.reporter());
 }
 
-DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles) {
+DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles,
+                        const std::optional<RefinedCameras>& cameras) {
   DrawnScene drawn;
+  drawn.cameras_are_off = result.cameras_are_off;
   DrawingInScene& drawing = drawn.drawing;
   drawing.graph = std::move(result.graph);
   drawing.metadata = Metadata(job.scene, Provenance(job.options));
-  drawing.views = result.cameras ? result.cameras->views : job.views();
-  drawing.cameras = std::move(result.cameras);
   if (!is_in_tiles) {
     drawing.curves = std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
   }
@@ -81,16 +80,49 @@ DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles)
   drawn.sample_fates = std::move(result.sample_fates);
   drawn.new_views = std::move(result.new_views);
   drawn.keep = std::move(result.keep);
+  drawing.views = cameras ? cameras->views : job.views();
+  drawn.cameras = cameras;
   return drawn;
 }
 
-}  // namespace
+// Why cameras are never refined in this run; empty if they may be.
+std::string WhyCamerasStay(const Job& job) {
+  const PipelineOptions& options = job.options.pipeline;
+  const int max_views = options.tiles.max_views;
+  if (options.IsPaper()) return "Drawing.method paper draws with the cameras as given";
+  if (NumRanks() > 1) return "not by several processes";
+  if (job.scene.images().given_edges) return "edges of small pictures are not given";
+  if (job.scene.view_set().HasPanoramas()) return "the model has EQUIRECTANGULAR images";
+  if (max_views > 0 && std::ssize(job.views()) > max_views) {
+    return "takes all views together, but more than Tiles.max_views = " +
+           std::to_string(max_views) + " are drawn in tiles";
+  }
+  return "";
+}
 
-std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& options) {
+// Throws OptionError if it is on and not possible.
+CameraRefinement CameraRefinementOf(const Job& job) {
+  const CameraRefinement how = job.options.pipeline.refine_cameras;
+  const std::string why_not = WhyCamerasStay(job);
+  if (why_not.empty()) return how;
+  if (how == CameraRefinement::kOn) throw OptionError("refine_cameras = 1: " + why_not);
+  return CameraRefinement::kOff;
+}
+
+// With the refined cameras, if there are any; else, on request, only if those of the scene are
+// good.
+std::optional<DrawnScene> DrawWithCameras(const Job& job, const DrawerOptions& options,
+                                          const std::optional<RefinedCameras>& cameras,
+                                          bool check_cameras) {
   const RunOptions& run = options.run;
-  const PipelineInput input{job.views(),        job.scene.view_set().hints,
-                            job.scene.images(), SceneBox(job.scene, run),
-                            job.cache,          run.update};
+  const ViewSet& set = job.scene.view_set();
+  const PipelineInput input{cameras ? cameras->views : set.views,
+                            cameras ? cameras->hints : set.hints,
+                            job.scene.images(),
+                            SceneBox(job.scene, run),
+                            job.cache,
+                            check_cameras ? &set.mounts : nullptr,
+                            run.update};
   const std::vector<Tile> tiles = PlanSceneTiles(input, options, job.console);
   if (!run.shard.empty()) {
     DoShard(input, tiles, run, job.console);
@@ -99,7 +131,20 @@ std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& opti
   auto result = DrawSceneOrTiles(input, tiles, job);
   if (!result) return std::nullopt;
   CheckGraph(result->graph);
-  return ToDrawnScene(std::move(*result), job, IsInTiles(tiles, input.views));
+  return ToDrawnScene(std::move(*result), job, IsInTiles(tiles, input.views), cameras);
+}
+
+}  // namespace
+
+std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& options) {
+  const CameraRefinement how = CameraRefinementOf(job);
+  std::optional<RefinedCameras> cameras = RefineSceneCameras(job, how);
+  const bool check_cameras = how == CameraRefinement::kAuto && !cameras;
+  std::optional<DrawnScene> drawn = DrawWithCameras(job, options, cameras, check_cameras);
+  if (!drawn || !drawn->cameras_are_off) return drawn;
+  job.console->Say("The edges fit much better when the cameras move");
+  cameras = RefineSceneCameras(job, CameraRefinement::kOn);
+  return DrawWithCameras(job, options, cameras, false);
 }
 
 std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOptions& options,
@@ -113,10 +158,10 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   DrawingInScene& drawing = drawn->drawing;
   const auto& curves = drawing.curves;
   if (curves) {
-    WriteSketchResults(project, SketchFileName(run.pipeline.mode), *curves, drawn->sketch,
-                       drawing.metadata.options_json, console->context());
+    WriteSketchResults(project, SketchFileName(run.pipeline.mode), drawing.views, *curves,
+                       drawn->sketch, drawing.metadata.options_json, console->context());
   }
-  WriteRefinedModel(project, drawing.cameras, console);
+  WriteRefinedModel(project, drawn->cameras, console);
   drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
   WriteDrawingResults(project, drawing, console, drawn->new_views);
   if (options.account) {

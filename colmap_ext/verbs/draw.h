@@ -9,11 +9,13 @@
 #include "colmap_ext/verbs/drawing_in_scene.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/pipeline/pipeline.h"
+#include "limn/pipeline/refine_cameras.h"
 
 namespace limn::colmap_ext {
 
 // What is drawn of a scene. One that is drawn in tiles has no curves, sketch and fates.
 struct DrawnScene {
+  bool cameras_are_off = false;  // see PipelineResult
   DrawingInScene drawing;
   CurveSketch sketch;
   EdgelFates sketch_fates;
@@ -21,6 +23,8 @@ struct DrawnScene {
   // See PipelineResult.
   ViewSubset new_views;
   std::function<void()> keep;
+  // The drawing fits them, if there are any, instead of those of the scene.
+  std::optional<RefinedCameras> cameras;
 };
 
 // Draws a scene, alone or together with the other ranks. Nothing for a shard, which is only kept,

@@ -23,8 +23,7 @@ DrawingInScene DrawSketchInScene(const Job& job,
       DrawSketch({job.WithCurves(*curves), sketch}, job.options.pipeline, job.context());
   job.console->Report(result.summary);
   CheckGraph(result.graph);
-  return {
-      std::move(result.graph), Metadata(job.scene, provenance), job.views(), std::move(curves), {}};
+  return {std::move(result.graph), Metadata(job.scene, provenance), job.views(), std::move(curves)};
 }
 
 void DrawSketchVerb::AddOptions(OptionParser* parser) {

@@ -25,7 +25,7 @@ DrawingFile ReadDrawingOf(const Scene& scene, const std::string& path) {
 DrawingInScene ReadDrawingInScene(const Scene& scene, const std::string& path) {
   DrawingFile file = ReadDrawingOf(scene, path);
   return {Moved(std::move(file.graph), -scene.origin()), std::move(file.metadata), scene.views(),
-          nullptr, std::nullopt};
+          nullptr};
 }
 
 }  // namespace limn::colmap_ext

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,6 @@
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/view.h"
-#include "limn/refinement/refinement.h"
 
 namespace limn::colmap_ext {
 
@@ -23,8 +21,6 @@ struct DrawingInScene {
   std::vector<View> views;
   // Per view; null if they are not in memory.
   std::shared_ptr<const std::vector<ImageCurves>> curves;
-  // What the verb that made the drawing did to the cameras; nothing if they stayed.
-  std::optional<RefinedCameras> cameras;
 };
 
 // The names of the scene's views, and the provenance of a result made from them.

@@ -149,7 +149,7 @@ void CheckDrawingFiles(const Project& project, const RunOptions& options) {
   for (const char* name : {"drawing.ply", "drawing.obj", "drawing.html"}) {
     CheckResultFile(project.DrawingPath(name), options.overwrite);
   }
-  for (const char* name : {"tracks.txt", "account.csv", "project.ini"}) {
+  for (const char* name : {"tracks.txt", "account.csv", "cameras.csv", "project.ini"}) {
     CheckResultFile(project.CurvesPath(name), options.overwrite);
   }
   CheckPicturePaths(project);
@@ -189,10 +189,11 @@ void CheckGraph(const DrawingGraph& graph) {
 }
 
 void WriteSketchResults(const Project& project, const std::string& name,
-                        const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
-                        const std::string& provenance, const RunContext& context) {
+                        const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                        const CurveSketch& sketch, const std::string& provenance,
+                        const RunContext& context) {
   WriteCurveSketch(project.CurvesPath(name + ".bin"), sketch, Metadata(project, provenance),
-                   CurvesKey(project.views(), curves, context));
+                   CurvesKey(views, curves, context));
   WriteSketch(project.CurvesPath(name + ".ply"), Moved(sketch, project.origin()));
 }
 
@@ -218,7 +219,7 @@ void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Cons
 
 void WriteDrawingResults(const Project& project, const DrawingInScene& drawing, Console* console,
                          const ViewSubset& pictures) {
-  const auto& [graph, metadata, views, curves, cameras] = drawing;
+  const auto& [graph, metadata, views, curves] = drawing;
   const DrawingGraph in_model = Moved(graph, project.origin());
   WriteDrawing(project.DrawingPath("drawing.json"), in_model, metadata);
   const DrawingGraph selected = Selected(in_model, {});

@@ -41,8 +41,9 @@ void CheckGraph(const DrawingGraph& graph);
 // Writes <curves>/<name>.bin, relative to the project's origin, and .ply, in the model's
 // coordinates.
 void WriteSketchResults(const Project& project, const std::string& name,
-                        const std::vector<ImageCurves>& curves, const CurveSketch& sketch,
-                        const std::string& provenance, const RunContext& context);
+                        const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                        const CurveSketch& sketch, const std::string& provenance,
+                        const RunContext& context);
 
 // Reads <curves>/<name>.bin. Throws IoError if it is missing, damaged or not made from these
 // curves.

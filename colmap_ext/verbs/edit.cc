@@ -71,11 +71,7 @@ void EditVerb::AddOptions(OptionParser* parser) {
   parser->AddOption("edits", &edits_path_, BasicOption("edits.json, as made in drawing.html"));
 }
 
-void EditVerb::Prepare(RunOptions* options, Console*) {
-  if (options->pipeline.refinement.refine_poses) {
-    throw OptionError(
-        "DrawingRefinement.refine_poses = 1: edits do not move cameras; drawing_refiner does");
-  }
+void EditVerb::Prepare(RunOptions*, Console*) {
   if (edits_path_.empty()) throw OptionError("--edits must be given");
   const std::string text = ReadWholeFile(edits_path_, kMaxJsonBytes);
   ContentHash hash;
@@ -101,7 +97,7 @@ DrawingInScene EditVerb::Apply(const Job& job, const DrawingInScene& given) {
   }
   SayEdits(edits_, edited, job.console);
   CheckGraph(edited.graph);
-  return {std::move(edited.graph), given.metadata, given.views, std::move(curves), {}};
+  return {std::move(edited.graph), given.metadata, given.views, std::move(curves)};
 }
 
 }  // namespace limn::colmap_ext

@@ -32,7 +32,7 @@ DrawingInScene FindFacesVerb::Apply(const Job& job, const DrawingInScene& given)
   job.console->Report(result.summary);
   SayLinksBehind(result.links_behind, job.console);
   CheckGraph(result.graph);
-  return {std::move(result.graph), given.metadata, given.views, std::move(curves), {}};
+  return {std::move(result.graph), given.metadata, given.views, std::move(curves)};
 }
 
 }  // namespace limn::colmap_ext

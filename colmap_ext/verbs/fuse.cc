@@ -134,10 +134,7 @@ DrawingInScene FuseVerb::Apply(const Job& job, const DrawingInScene& given) {
   SayLengths(result, job.options.dense, job.console);
   points_ = std::move(result.points);
   return {remove_occluded_ ? WithoutOccluded(result.graph) : std::move(result.graph),
-          given.metadata,
-          given.views,
-          given.curves,
-          {}};
+          given.metadata, given.views, given.curves};
 }
 
 void FuseVerb::CheckFiles(const Project& project, const RunOptions& options) const {

@@ -18,8 +18,6 @@ class RefineVerb : public DrawingVerb {
     return {.taken = {"DrawingRefinement", "Belief", "Primitives", "regularize", "Regularity"},
             .dropped = {"Surfaces"}};  // faces end as links move
   }
-  void CheckFiles(const Project& project, const RunOptions& options) const override;
-  void Write(const Job& job, const Project& project, const DrawingInScene& made) override;
 };
 
 }  // namespace limn::colmap_ext

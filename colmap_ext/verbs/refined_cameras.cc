@@ -1,24 +1,26 @@
 #include "colmap_ext/verbs/refined_cameras.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <filesystem>
+#include <functional>
+#include <ostream>
 #include <set>
+#include <utility>
 
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/model/model_writer.h"
-#include "colmap_ext/model/mounted_images.h"
 #include "colmap_ext/model/refined_model.h"
 #include "colmap_ext/model/rig_fit.h"
 #include "colmap_ext/workspace/output_check.h"
+#include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"
+#include "limn/util/name_list.h"
+#include "limn/util/number_text.h"
 
 namespace limn::colmap_ext {
 namespace {
-
-// Poses of images that a rigid rig does not explain.
-constexpr double kMaxRigShiftPx = 1;
 
 std::string RefinedPath(const Project& project, const std::string& name) {
   return project.DrawingPath("refined/" + name);
@@ -30,45 +32,89 @@ bool ReadsRefinedFolder(const Project& project) {
                                      ignored);
 }
 
-// Poses of views were refined each for itself: those of frames and sensors follow them, and give
-// new ones to the images. Says how much is lost by that.
-void FitRefinedRigs(const std::vector<View>& views, SparseModel* model, Console* console) {
-  std::set<size_t> images;
-  for (const View& view : views) images.insert(view.model_index);
-  const std::set<size_t> tied = ImagesOfSharedRigs(images, *model);
-  if (tied.empty()) return FitRigs(images, model);
-  const SparseModel refined = *model;
-  FitRigs(images, model);
-  const std::vector<double> shifts = PoseShiftsPx(tied, refined, *model);
-  if (shifts.empty()) {
-    return console->Say(
-        "Rigs are kept: how far their images are from where they were refined is not known, since "
-        "they see no points");
+// The largest relative change of a focal length, unless no optics changed.
+void SayOptics(const RefinedCameras& cameras, const ViewSet& set, Console* console) {
+  double largest = 0;
+  bool changed = false;
+  for (size_t v = 0; v < cameras.views.size(); ++v) {
+    changed |= cameras.views[v].calibration != set.views[v].calibration;
+    const double ratio = cameras.views[v].camera.MeanFocal() / set.views[v].camera.MeanFocal();
+    largest = std::max(largest, std::abs(ratio - 1));
   }
-  const double median = Median(shifts);
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "their images are %.2f px (median; at most %.2f px) from where they were refined",
-                median, *std::max_element(shifts.begin(), shifts.end()));
-  console->Say(std::string(median > kMaxRigShiftPx ? "WARNING: rigs are kept but fit badly: "
-                                                   : "Rigs are kept: ") +
-               text);
+  if (!changed) return console->Say("Focal lengths, principal points and distortion stay");
+  console->Say("Focal lengths changed by up to " + ShortNumber(100 * largest) +
+               " %, and with them principal points and distortion");
+}
+
+// Per image, what became of its camera.
+std::string ChangesAsCsv(const RefinedCameras& cameras) {
+  std::string csv = "image,moved px,edgels,residual px,certain by px,misfit\n";
+  for (size_t v = 0; v < cameras.views.size(); ++v) {
+    const CameraChange& change = cameras.of_view[v];
+    csv += cameras.views[v].name + "," + ShortNumber(change.moved_px) + "," +
+           std::to_string(change.num_edgels) + "," + ShortNumber(change.residual_px) + "," +
+           ShortNumber(change.certain_by_px) + "," + (change.is_misfit ? "1" : "0") + "\n";
+  }
+  return csv;
+}
+
+void SayChanges(const RefinedCameras& cameras, const ViewSet& set, Console* console) {
+  std::vector<double> residuals;
+  std::vector<NamedNumber> misfits;
+  size_t num_unseen = 0;
+  for (size_t v = 0; v < cameras.views.size(); ++v) {
+    const CameraChange& change = cameras.of_view[v];
+    if (change.num_edgels > 0) residuals.push_back(change.residual_px);
+    num_unseen += change.num_edgels == 0;
+    if (change.is_misfit) misfits.push_back({set.views[v].name, change.moved_px});
+  }
+  console->Say("Cameras refined: their images of the scene moved by " +
+               ShortNumber(cameras.median_move_px) + " px (median); edges are now within " +
+               ShortNumber(Median(std::move(residuals))) + " px of their curves (median)");
+  SayOptics(cameras, set, console);
+  if (num_unseen > 0) {
+    console->Say("WARNING: " + std::to_string(num_unseen) + " of " +
+                 std::to_string(cameras.views.size()) +
+                 " images show no curve that others show, and their cameras stay");
+  }
+  if (misfits.empty()) return;
+  std::ranges::sort(misfits, std::greater{}, &NamedNumber::number);
+  console->Say("WARNING: the cameras of " + std::to_string(misfits.size()) + " of " +
+               std::to_string(cameras.views.size()) + " images seem wrong and moved far: " +
+               ListNumbers(misfits, "px") + "; the median is " +
+               ShortNumber(cameras.median_move_px) + " px: look at their overlays");
 }
 
 }  // namespace
 
+std::optional<RefinedCameras> RefineSceneCameras(const Job& job, CameraRefinement how) {
+  PipelineOptions options = job.options.pipeline;
+  options.refine_cameras = how;
+  if (how == CameraRefinement::kOff) return std::nullopt;
+  const ViewSet& set = job.scene.view_set();
+  auto cameras = RefineCameras({set.views, set.hints, job.scene.images(),
+                                SceneBox(job.scene, job.options), job.cache, set.mounts},
+                               options, job.context());
+  if (cameras) {
+    SayChanges(*cameras, set, job.console);
+  } else if (how == CameraRefinement::kOn) {
+    job.console->Say("WARNING: cameras stay as they are: the images show too few curves");
+  }
+  return cameras;
+}
+
 void CheckRefinedFolder(const Project& project, const RunOptions& options) {
-  if (!options.pipeline.refinement.refine_poses) return;
+  if (options.pipeline.refine_cameras == CameraRefinement::kOff) return;
   const std::string folder = project.DrawingPath("refined");
   if (ReadsRefinedFolder(project)) {
-    throw OptionError("DrawingRefinement.refine_poses = 1: " + folder +
+    throw OptionError("refine_cameras = 1: " + folder +
                       " would be overwritten, but is the model that is read: choose another "
                       "output_path");
   }
   for (const ModelFile& file : kBinaryModelFiles) {
     const std::string path = RefinedPath(project, file.name);
     if (std::error_code ignored; !std::filesystem::exists(path, ignored)) continue;
-    throw OptionError("DrawingRefinement.refine_poses = 1: " + path +
+    throw OptionError("refine_cameras = 1: " + path +
                       " would be read instead of what is refined, or change it: remove it or "
                       "choose another output_path");
   }
@@ -90,19 +136,19 @@ void WriteRefinedModel(const Project& project, const std::optional<RefinedCamera
   }
   SparseModel model = project.ReadModel();
   const std::vector<View> views = Moved(cameras->views, project.origin());
-  std::vector<Eigen::Vector3d> points = cameras->points;
-  for (Eigen::Vector3d& point : points) point += project.origin();
-  ApplyRefinement({views, project.views(), project.view_set().hints, points}, &model);
-  FitRefinedRigs(views, &model, console);
+  SceneHints hints = cameras->hints;
+  for (ScenePoint& point : hints.points) point.position_in_world += project.origin();
+  ApplyRefinement(views, hints, &model);
+  std::set<size_t> images;
+  for (const View& view : views) images.insert(view.model_index);
+  FitRigs(images, &model);
   WriteModelText(model, project.DrawingPath("refined"));
+  WriteFileAtomically(project.CurvesPath("cameras.csv"),
+                      [&](std::ostream& out) { out << ChangesAsCsv(*cameras); });
   console->Say("Written: " +
                RefinedPath(project, model.rigs.empty()
                                         ? "{cameras,images,points3D}.txt"
                                         : "{cameras,images,points3D,rigs,frames}.txt"));
-  char moved[100];
-  std::snprintf(moved, sizeof moved, "by %.2f px (median), focal lengths by up to %.3f %%",
-                cameras->median_shift_px, 100 * cameras->largest_focal_change);
-  console->Say(std::string("Refined cameras move their images ") + moved);
 }
 
 }  // namespace limn::colmap_ext

@@ -29,7 +29,7 @@ DrawingInScene RegularizeVerb::Apply(const Job& job, const DrawingInScene& given
   CheckGraph(result.graph);
   SayRegularities(result.graph, result.moves, job.console);
   SayDroppedFaces(given.graph, result.graph, job.console);
-  DrawingInScene made = {std::move(result.graph), given.metadata, given.views, given.curves, {}};
+  DrawingInScene made = {std::move(result.graph), given.metadata, given.views, given.curves};
   return made;
 }
 

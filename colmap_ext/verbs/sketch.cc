@@ -22,8 +22,8 @@ void SketchVerb::Run(const Project& project, const RunOptions& options, Console*
   const CurvesResult image_curves = ExtractImageCurves(job);
   const CurveSketch sketch = MakeSketch(job, image_curves.curves);
   const std::string name = SketchFileName(options.pipeline.mode);
-  WriteSketchResults(project, name, image_curves.curves, sketch, Provenance(options),
-                     job.context());
+  WriteSketchResults(project, name, project.views(), image_curves.curves, sketch,
+                     Provenance(options), job.context());
   console->Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");
 }
 

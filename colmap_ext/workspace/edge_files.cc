@@ -16,7 +16,7 @@
 #include "limn/formats/edg_file.h"
 #include "limn/formats/image_polylines_reader.h"
 #include "limn/linking/given_curves.h"
-#include "limn/pipeline/extract_curves.h"
+#include "limn/model/usable_edgels.h"
 #include "limn/util/errors.h"
 #include "limn/util/name_list.h"
 

@@ -51,6 +51,7 @@ constexpr Mark kMarks[] = {
     {"# EDGE_MAP v3.0\n\n# Format :  ", " by limn\n"},
     {".CEM v2.0\n# Curve fragments by limn\n"},
     {"view,not linked,"},     // account.csv
+    {"image,moved px,"},      // cameras.csv
     {"workspace_path="},      // project.ini
     {"# CAMERA_ID, MODEL,"},  // refined/, where COLMAP begins with other comments
     {"# IMAGE_ID, QW,"},

@@ -15,9 +15,10 @@
 
 #include <Eigen/LU>
 
-#include "colmap_ext/model/camera_lens_map.h"
+#include "colmap_ext/model/camera_calibration.h"
 #include "colmap_ext/model/scene_reach.h"
 #include "colmap_ext/workspace/camera_check.h"
+#include "colmap_ext/workspace/mounts_of_model.h"
 #include "colmap_ext/workspace/select_images.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
@@ -46,49 +47,49 @@ void CheckSizeFitsCamera(const std::string& path, ImageSize file, const Camera& 
 }
 
 // What all images of one camera and one file size share.
-struct Optics {
-  PinholeCamera camera;
-  std::shared_ptr<const LensMap> lens;
+struct SharedOptics {
+  Optics optics;
   ImageRegion region;  // without mask
   std::optional<ImageWindow> window;
   Eigen::Quaterniond part_from_image = Eigen::Quaterniond::Identity();
 };
 
-Optics MakePartOptics(ImageSize size, int part, double margin_px) {
+SharedOptics MakePartOptics(ImageSize size, int part, double margin_px) {
   const int margin = static_cast<int>(std::ceil(margin_px));
   const PanoramaPart made = PanoramaParts(size.width, size.height, margin)[part];
-  return {made.camera, made.lens, MakeImageRegion(made.camera, made.lens.get(), {}, margin_px),
-          made.window, made.part_from_image};
+  return {{made.camera, made.lens, nullptr},
+          MakeImageRegion(made.camera, made.lens.get(), {}, margin_px),
+          made.window,
+          made.part_from_image};
 }
 
 // `part` is that of a panorama.
-Optics MakeOptics(const Camera& stored, ImageSize file, int part, const ViewOptions& options) {
+SharedOptics MakeSharedOptics(const Camera& stored, ImageSize file, int part,
+                              const ViewOptions& options) {
   const ImageSize size =
       ShrunkSize(file, MaxSizeOfFile(stored.IsPanorama(), options.max_image_size));
   if (stored.IsPanorama()) return MakePartOptics(size, part, options.border_margin_px);
-  const Intrinsics intrinsics =
-      Rescaled(IntrinsicsOf(stored), size.width / static_cast<double>(stored.width),
-               size.height / static_cast<double>(stored.height));
-  Optics optics;
-  optics.camera = VirtualPinhole(intrinsics, size.width, size.height);
-  if (!IsPinhole(intrinsics)) optics.lens = std::make_shared<CameraLensMap>(intrinsics);
-  optics.region = MakeImageRegion(optics.camera, optics.lens.get(), {}, options.border_margin_px);
-  return optics;
+  SharedOptics shared;
+  shared.optics = MakeOptics(stored, size.width, size.height);
+  shared.region =
+      MakeImageRegion(shared.optics.camera, shared.optics.lens.get(), {}, options.border_margin_px);
+  return shared;
 }
 
 // Camera, file size and part.
 using OpticsKey = std::tuple<uint32_t, int, int, int>;
 
-// One Optics per key, made in parallel.
-std::map<OpticsKey, Optics> MakeAllOptics(const std::map<OpticsKey, const Camera*>& inputs,
-                                          const ViewOptions& options, const RunContext& context) {
-  std::map<OpticsKey, Optics> result;
-  std::vector<std::pair<Optics*, const std::pair<const OpticsKey, const Camera*>*>> jobs;
+// One per key, made in parallel.
+std::map<OpticsKey, SharedOptics> MakeAllOptics(const std::map<OpticsKey, const Camera*>& inputs,
+                                                const ViewOptions& options,
+                                                const RunContext& context) {
+  std::map<OpticsKey, SharedOptics> result;
+  std::vector<std::pair<SharedOptics*, const std::pair<const OpticsKey, const Camera*>*>> jobs;
   for (const auto& input : inputs) jobs.emplace_back(&result[input.first], &input);
   ParallelFor(context, "cameras", jobs.size(), [&](size_t i) {
     const auto& [key, camera] = *jobs[i].second;
     const ImageSize size{std::get<1>(key), std::get<2>(key)};
-    *jobs[i].first = MakeOptics(*camera, size, std::get<3>(key), options);
+    *jobs[i].first = MakeSharedOptics(*camera, size, std::get<3>(key), options);
   });
   return result;
 }
@@ -299,15 +300,16 @@ std::vector<ViewSource> SourcesOf(const SparseModel& model, const std::vector<in
   return sources;
 }
 
-View MakeView(const SparseModel& model, int model_index, int part, const Optics& optics) {
+View MakeView(const SparseModel& model, int model_index, int part, const SharedOptics& optics) {
   const ModelImage& image = model.images[model_index];
   View view;
   view.model_index = model_index;
   view.name = image.name;
   view.camera_index = static_cast<int>(&model.CameraOf(image) - model.cameras.data());
-  view.camera = optics.camera;
+  view.camera = optics.optics.camera;
   view.cam_from_world = image.cam_from_world;
-  view.lens = optics.lens;
+  view.lens = optics.optics.lens;
+  view.calibration = optics.optics.calibration;
   view.region = optics.region;
   if (!optics.window) return view;
   char suffix[20];
@@ -341,10 +343,10 @@ void AddViews(const SparseModel& model, const std::vector<int>& images,
     keys.emplace_back(camera.id, size.width, size.height, part);
     cameras[keys.back()] = &camera;
   }
-  const std::map<OpticsKey, Optics> optics = MakeAllOptics(cameras, options, context);
+  const std::map<OpticsKey, SharedOptics> optics = MakeAllOptics(cameras, options, context);
   for (size_t v = 0; v < sources.size(); ++v) {
     const auto& [i, part] = sources[v];
-    const Optics& of_view = optics.at(keys[v]);
+    const SharedOptics& of_view = optics.at(keys[v]);
     set->views.push_back(MakeView(model, images[i], part, of_view));
     set->files.push_back(files[i]);
     set->files.back().window = of_view.window;
@@ -395,6 +397,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
     LeaveOutMisfits(model, used.reach, options.max_reprojection_px, &set);
   }
   WarnOfMisfits(&set);
+  set.mounts = MountsOf(model, set);
   return set;
 }
 

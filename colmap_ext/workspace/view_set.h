@@ -12,6 +12,7 @@
 #include "colmap_ext/workspace/image_size.h"
 #include "colmap_ext/workspace/last_decoded.h"
 #include "colmap_ext/workspace/photo_store.h"
+#include "limn/cameras/camera_mounts.h"
 #include "limn/model/image.h"
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
@@ -43,6 +44,7 @@ struct ViewSet {
   std::vector<View> views;      // sorted by name of the image and part; View::id is the index
   std::vector<ViewFile> files;  // per view
   SceneHints hints;             // points sorted by id
+  CameraMounts mounts;          // by rigs and frames, and by panoramas
   std::shared_ptr<DecodedPanoramas> decoded;  // panoramas kept by ReadViewImage and ReadViewMask
   int max_image_size = -1;
   PhotoStore photos;  // what is at the paths of the images

@@ -23,7 +23,6 @@ struct NoiseOptions {
   std::string output_path;
   std::vector<double> errors_px = {0, 0.5, 1, 2};
   int seed = 1;
-  bool refine_poses = false;
 };
 
 // Every hundredth view, one at least, chosen and turned at random.
@@ -45,13 +44,11 @@ std::vector<View> WithWrongViews(std::vector<View> views, unsigned seed) {
   return views;
 }
 
-void MeasureViews(const std::string& name, const SampleStudy& study, const NoiseOptions& options,
-                  const std::vector<View>& views, const RunContext& context) {
-  const RefinementResult refined =
-      Refine(study, views, Draw(study, views, context), options.refine_poses, context);
-  const std::vector<View>& fitted = refined.cameras ? refined.cameras->views : views;
-  const Json report = MeasureAligned(study, fitted, refined.graph, context);
-  Cells cells = {name, std::to_string(refined.graph.links.size())};
+void MeasureViews(const std::string& name, const SampleStudy& study, const std::vector<View>& views,
+                  const RunContext& context) {
+  const DrawingGraph refined = Refine(study, views, Draw(study, views, context), context);
+  const Json report = MeasureAligned(study, views, refined, context);
+  Cells cells = {name, std::to_string(refined.links.size())};
   for (const Json& row : report["all"]["rows"]) cells.push_back(Shares(row));
   PrintRow(cells, std::cout);
   std::cout.flush();
@@ -71,9 +68,9 @@ void Run(const NoiseOptions& options) {
         error_px > 0
             ? testing::PerturbCameras(study.scene.views, study.truth_points, error_px, seed)
             : study.scene.views;
-    MeasureViews(Short(error_px) + " px off", study, options, views, context);
+    MeasureViews(Short(error_px) + " px off", study, views, context);
   }
-  MeasureViews("one turned by " + Short(kWrongDeg) + " degrees", study, options,
+  MeasureViews("one turned by " + Short(kWrongDeg) + " degrees", study,
                WithWrongViews(study.scene.views, seed), context);
 }
 
@@ -86,6 +83,5 @@ int main(int argc, char** argv) {
   parser.AddOption("output_path", &options.output_path, "folder for the cache of image curves");
   parser.AddOption("errors_px", &options.errors_px, "mean displacements of the cameras, px");
   parser.AddOption("seed", &options.seed, "of the disturbances");
-  parser.AddOption("refine_poses", &options.refine_poses, "refine the cameras too");
   return limn::bench::BenchMain(argc, argv, &parser, [&] { limn::bench::Run(options); });
 }

@@ -34,12 +34,9 @@ DrawingGraph Draw(const SampleStudy& study, const std::vector<View>& views,
   return BuildDrawing({{views, curves}, sketch}, {}, context).graph;
 }
 
-RefinementResult Refine(const SampleStudy& study, const std::vector<View>& views,
-                        const DrawingGraph& graph, bool refine_poses, const RunContext& context) {
-  RefinementOptions options;
-  options.refine_poses = refine_poses;
-  return RefineDrawing({{views, study.scene.curves, study.scene.hints}, graph}, options, {},
-                       context);
+DrawingGraph Refine(const SampleStudy& study, const std::vector<View>& views,
+                    const DrawingGraph& graph, const RunContext& context) {
+  return RefineDrawing({{views, study.scene.curves}, graph}, {}, {}, context).graph;
 }
 
 Json MeasureAligned(const SampleStudy& study, const std::vector<View>& views,

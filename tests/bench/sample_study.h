@@ -29,8 +29,8 @@ SampleStudy LoadSampleStudy(const std::string& output_path, bool use_points,
 DrawingGraph Draw(const SampleStudy& study, const std::vector<View>& views,
                   const RunContext& context);
 
-RefinementResult Refine(const SampleStudy& study, const std::vector<View>& views,
-                        const DrawingGraph& graph, bool refine_poses, const RunContext& context);
+DrawingGraph Refine(const SampleStudy& study, const std::vector<View>& views,
+                    const DrawingGraph& graph, const RunContext& context);
 
 // What MeasureAgainstTruth says of a drawing that was made with these views, after the similarity
 // that best aligns their centers with the true ones.

@@ -158,7 +158,7 @@ TEST(CorpusRuns, Case36_RunningTwice) {
                                               "160",
                                               "--num_threads",
                                               "2",
-                                              "--DrawingRefinement.refine_poses",
+                                              "--refine_cameras",
                                               "1"};
   const LimnRun first = RunLimn(arguments, Limits(120));
   ASSERT_EQ(first.exit_code, 0) << first.err;

@@ -36,11 +36,11 @@ class Determinism : public ::testing::Test {
   // one.
   std::map<std::string, std::string> Draw(const std::string& output, const fs::path& model,
                                           int num_threads) const {
-    const LimnRun run = RunLimn({"automatic_drawer", "--input_path", model.string(), "--image_path",
-                                 LIMN_SAMPLE_DIR "/day/images", "--image_list_path", list_,
-                                 "--output_path", (dir_ / output).string(), "--max_image_size",
-                                 "320", "--quality", "low", "--DrawingRefinement.refine_poses", "1",
-                                 "--num_threads", std::to_string(num_threads)});
+    const LimnRun run =
+        RunLimn({"automatic_drawer", "--input_path", model.string(), "--image_path",
+                 LIMN_SAMPLE_DIR "/day/images", "--image_list_path", list_, "--output_path",
+                 (dir_ / output).string(), "--max_image_size", "320", "--quality", "low",
+                 "--refine_cameras", "1", "--num_threads", std::to_string(num_threads)});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     auto files = ReadTree(dir_ / output);
     EXPECT_EQ(files.erase("curves/project.ini") + files.erase("drawing.html"), 2u);

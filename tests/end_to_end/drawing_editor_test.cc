@@ -131,8 +131,6 @@ TEST_F(DrawingEditor, ARefusedFileWritesNothing) {
   EXPECT_EQ(run.err,
             "ERROR: " + path + ": edits[0].links[0].points[15]: a list of 3 expected, not of 2\n");
   EXPECT_EQ(Edit("").exit_code, 1);
-  const LimnRun poses = Edit(path, {"--DrawingRefinement.refine_poses", "1"});
-  EXPECT_THAT(poses.err, HasSubstr("refine_poses = 1"));
   EXPECT_EQ(ReadTree(dir_.path()), before);
 }
 

@@ -114,8 +114,8 @@ TEST_F(GeoReferenced, AnyShiftGivesAsGoodADrawing) {
 // Boxes are given, drawings read back, sketches and cameras written in the model's coordinates.
 TEST_F(GeoReferenced, AllFilesAreInTheModelsCoordinates) {
   Move("far", shift_);
-  Run("automatic_drawer", "far", {"--box=499999.5,500000.5,3999999.5,4000000.5,100.04,101.05"});
-  Run("drawing_refiner", "far", {"--DrawingRefinement.refine_poses", "1"});
+  Run("automatic_drawer", "far",
+      {"--box=499999.5,500000.5,3999999.5,4000000.5,100.04,101.05", "--refine_cameras", "1"});
   const DrawingGraph inside = Drawing("far");
   ASSERT_FALSE(inside.links.empty());
   // Averaging may move what lies on the border by a few pixel footprints (1 cm each).

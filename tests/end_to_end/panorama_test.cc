@@ -162,10 +162,9 @@ TEST(Panoramas, AreDrawnAsWellAsPhotographs) {
               *of_photographs.precision, *of_photographs.recall, *of_photographs.f);
   EXPECT_GT(*of_panoramas.f, *of_photographs.f - 0.05);
 
-  const LimnRun posed = workspace.Draw({"--DrawingRefinement.refine_poses", "1"});
+  const LimnRun posed = workspace.Draw({"--refine_cameras", "1"});
   EXPECT_EQ(posed.exit_code, 1);
-  EXPECT_THAT(posed.err, HasSubstr("ERROR: DrawingRefinement.refine_poses = 1: the model has "
-                                   "EQUIRECTANGULAR images"));
+  EXPECT_THAT(posed.err, HasSubstr("ERROR: refine_cameras = 1: not with EQUIRECTANGULAR images"));
   const LimnRun given = workspace.Draw({"--edges_path", workspace.dir().path().string()});
   EXPECT_EQ(given.exit_code, 1);
   EXPECT_THAT(given.err, HasSubstr("ERROR: edges_path"));

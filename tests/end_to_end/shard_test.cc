@@ -163,7 +163,7 @@ TEST(Tiles, AreSharedOutToShards) {
 
 TEST(Tiles, RefuseWhatTakesTheWholeScene) {
   const SmallScene scene;
-  for (const char* option : {"--account", "--DrawingRefinement.refine_poses"}) {
+  for (const char* option : {"--account", "--refine_cameras"}) {
     const LimnRun run = RunLimn(scene.Arguments(TilesAnd({option, "1"})));
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_THAT(run.err, HasSubstr("tiles"));

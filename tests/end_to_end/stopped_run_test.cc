@@ -111,6 +111,14 @@ TEST(StoppedRun, InterruptsStopTheWholeSampleSceneSoon) {
                          dir / "out", NumStops(3));
 }
 
+TEST(StoppedRun, InterruptsStopTheRefinementOfCamerasSoon) {
+  const TempDir dir;
+  ExpectInterruptsToStop(
+      {"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day", "--quality", "low",
+       "--refine_cameras", "1", "--output_path", (dir / "out").string()},
+      dir / "out", NumStops(3));
+}
+
 // As many rounds as there may be: nobody waits for their end.
 TEST(StoppedRun, InterruptsStopManyRoundsOfRefinementSoon) {
   const TempDir dir;
@@ -129,11 +137,8 @@ TEST(StoppedRun, InterruptsStopManyRoundsOfRefinementSoon) {
   const auto before = Results(output);
   const std::vector<std::string> refiner =
       run({"drawing_refiner", "--quality", "low", "--DrawingRefinement.num_rounds", "100"});
-  std::vector<std::string> with_poses = refiner;
-  with_poses.insert(with_poses.end(), {"--DrawingRefinement.refine_poses", "1"});
   for (int i = 0; i < NumStops(5); ++i) {
-    const LimnProcess::End end =
-        StopAfter(0.2 + 2 * i, SIGINT, i % 2 == 0 ? refiner : with_poses, output);
+    const LimnProcess::End end = StopAfter(0.2 + 2 * i, SIGINT, refiner, output);
     ExpectInterrupted(end);
     EXPECT_THAT(WrongFiles(output, before, Leftovers::kLock), IsEmpty()) << end.err;
     EXPECT_GE(Results(output).size(), before.size());

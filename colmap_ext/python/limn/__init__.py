@@ -87,7 +87,7 @@ def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = No
     on; for a scene or a sketch those that come after it. Writes nothing, unless `output_path` names a folder: then a
     project is drawn as by the command, including its options about files (overwrite, page, account,
     align, truth_path, ...). It resumes a stopped run, and writes drawing.json, drawing.html, overlays and so on there.
-    With DrawingRefinement={"refine_poses": True} such a drawing has no cameras: they are in refined/.
+    If refine_cameras has refined them, such a drawing has no cameras: they are in refined/.
     """
     if isinstance(source, Sketch):
         _no_output(output_path, "a sketch")

@@ -41,6 +41,23 @@ void VirtualBox(const PinholeCamera& camera, const LensMap& lens, ImageRegion* r
   }
 }
 
+void AddCells(const LensMap* lens, const std::function<bool(const Eigen::Vector2d&)>& is_valid,
+              ImageRegion* region) {
+  const Eigen::Vector2d extent = region->max_px - region->min_px;
+  region->cell_px = kRegionCellPx;
+  region->cols = std::max(1, static_cast<int>(std::ceil(extent.x() / kRegionCellPx)));
+  region->rows = std::max(1, static_cast<int>(std::ceil(extent.y() / kRegionCellPx)));
+  region->valid.assign(static_cast<size_t>(region->rows) * region->cols, 0);
+  for (int row = 0; row < region->rows; ++row) {
+    for (int col = 0; col < region->cols; ++col) {
+      const Eigen::Vector2d pixel =
+          region->min_px + kRegionCellPx * Eigen::Vector2d(col + 0.5, row + 0.5);
+      const auto stored = lens ? lens->StoredFromVirtual(pixel) : std::optional(pixel);
+      region->valid[static_cast<size_t>(row) * region->cols + col] = stored && is_valid(*stored);
+    }
+  }
+}
+
 }  // namespace
 
 bool ImageRegion::CellIsValid(const Eigen::Vector2d& pixel) const {
@@ -65,6 +82,15 @@ std::optional<Eigen::Vector2d> View::StoredFromVirtual(const Eigen::Vector2d& vi
 }
 
 ImageRegion MakeImageRegion(const PinholeCamera& camera, const LensMap* lens,
+                            const std::function<bool(const Eigen::Vector2d&)>& is_valid) {
+  ImageRegion region;
+  region.max_px = {camera.width - 1, camera.height - 1};
+  if (lens) VirtualBox(camera, *lens, &region);
+  AddCells(lens, is_valid, &region);
+  return region;
+}
+
+ImageRegion MakeImageRegion(const PinholeCamera& camera, const LensMap* lens,
                             const std::vector<unsigned char>& mask, double margin_px) {
   ImageRegion region;
   if (!lens) {
@@ -74,20 +100,12 @@ ImageRegion MakeImageRegion(const PinholeCamera& camera, const LensMap* lens,
   } else {
     VirtualBox(camera, *lens, &region);
   }
-  const Eigen::Vector2d extent = region.max_px - region.min_px;
-  region.cell_px = kRegionCellPx;
-  region.cols = std::max(1, static_cast<int>(std::ceil(extent.x() / kRegionCellPx)));
-  region.rows = std::max(1, static_cast<int>(std::ceil(extent.y() / kRegionCellPx)));
-  region.valid.assign(static_cast<size_t>(region.rows) * region.cols, 0);
-  for (int row = 0; row < region.rows; ++row) {
-    for (int col = 0; col < region.cols; ++col) {
-      const Eigen::Vector2d pixel =
-          region.min_px + kRegionCellPx * Eigen::Vector2d(col + 0.5, row + 0.5);
-      const auto stored = lens ? lens->StoredFromVirtual(pixel) : std::optional(pixel);
-      region.valid[static_cast<size_t>(row) * region.cols + col] =
-          stored && StoredPixelIsValid(*stored, camera, mask, margin_px);
-    }
-  }
+  AddCells(
+      lens,
+      [&](const Eigen::Vector2d& stored) {
+        return StoredPixelIsValid(stored, camera, mask, margin_px);
+      },
+      &region);
   return region;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "limn/geometry/pinhole_camera.h"
 #include "limn/geometry/rigid3.h"
+#include "limn/model/calibration.h"
 #include "limn/model/lens_map.h"
 
 namespace limn {
@@ -40,13 +42,15 @@ struct View {
   int model_index = 0;
   // As in the model: relative to the image folder, with subfolders.
   std::string name;
-  // Views with the same number were taken by one camera and share its focal length.
+  // Views with the same number were taken by one camera and share its optics.
   int camera_index = 0;
   PinholeCamera camera;
   Rigid3d cam_from_world;
   ImageRegion region;
   // Null if the stored image is a pinhole image.
   std::shared_ptr<const LensMap> lens;
+  // Null if the optics are not to change.
+  std::shared_ptr<const Calibration> calibration;
 
   Eigen::Vector3d CenterInWorld() const;
   // Nothing if the point is behind the camera or outside the region.
@@ -59,5 +63,9 @@ struct View {
 // (stored pixels, one byte each, 0 = do not use; empty = none), without what the lens cannot map.
 ImageRegion MakeImageRegion(const PinholeCamera& camera, const LensMap* lens,
                             const std::vector<unsigned char>& mask, double margin_px);
+
+// The region of what `is_valid` of the pixels as stored.
+ImageRegion MakeImageRegion(const PinholeCamera& camera, const LensMap* lens,
+                            const std::function<bool(const Eigen::Vector2d&)>& is_valid);
 
 }  // namespace limn

@@ -28,18 +28,19 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
   return {std::move(sketch), std::move(drawing)};
 }
 
-JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
-                             const RunContext& context, const StageObserver& on_stage_end) {
-  if (options.IsPaper()) return {input.graph, std::nullopt};
+DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
+                            const RunContext& context, const StageObserver& on_stage_end) {
+  if (options.IsPaper()) return input.graph;
   RefinementResult refined =
       RefineDrawing(input, options.refinement, options.drawing.topology, context);
   on_stage_end(refined.summary);
-  const std::vector<View>& views = refined.cameras ? refined.cameras->views : input.scene.views;
-  BeliefResult judged = JudgeLinks(
-      {{views, input.scene.curves}, refined.graph, refined.fitted, options.refinement.Gate()},
-      options.belief, options.drawing.topology, context);
+  BeliefResult judged = JudgeLinks({{input.scene.views, input.scene.curves},
+                                    refined.graph,
+                                    refined.fitted,
+                                    options.refinement.Gate()},
+                                   options.belief, options.drawing.topology, context);
   on_stage_end(judged.summary);
-  return {std::move(judged.graph), std::move(refined.cameras)};
+  return std::move(judged.graph);
 }
 
 DrawingGraph DescribeLinks(DrawingGraph graph, const std::vector<View>& views,

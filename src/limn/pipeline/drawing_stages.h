@@ -38,15 +38,10 @@ DrawnCurves DrawCurves(const CurvesScene& scene, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end,
                        const std::string& part = "");
 
-struct JudgedDrawing {
-  DrawingGraph graph;
-  std::optional<RefinedCameras> cameras;
-};
-
 // Refines a drawing and judges its links (RefineDrawing, JudgeLinks). The paper's drawing stays as
 // it is (PipelineOptions::IsPaper).
-JudgedDrawing RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
-                             const RunContext& context, const StageObserver& on_stage_end);
+DrawingGraph RefineAndJudge(const RefinementInput& input, const PipelineOptions& options,
+                            const RunContext& context, const StageObserver& on_stage_end);
 
 // Fits primitives to the links, finds their kinds if images can be read, and makes them regular if
 // the options say so (FitPrimitives, ClassifyKinds, Regularize). The paper's drawing stays as it

@@ -63,8 +63,4 @@ EdgeMapsResult ExtractEdgeMaps(const ExtractionInput& input, const EdgeDetection
 CurvesResult ExtractCurves(const ExtractionInput& input, const EdgeDetectionOptions& edges,
                            const LinkingOptions& linking, const RunContext& context);
 
-// Removes unusable edgels from fragments and link graph: fragments are cut there, runs of fewer
-// than two edgels dropped, a closed fragment becomes open.
-void RemoveUnusableEdgels(const std::vector<bool>& usable, ImageCurves* curves);
-
 }  // namespace limn

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "limn/pipeline/refine_cameras.h"
 #include "limn/pipeline/update_scene.h"
 
 namespace limn {
@@ -62,19 +63,24 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
   RunContext alone = context;
   alone.team = nullptr;
 
-  JudgedDrawing judged =
+  if (input.checked_mounts && CamerasAreOff(drawing.graph, input.views, image_curves.curves,
+                                            input.hints, *input.checked_mounts, options, alone)) {
+    PipelineResult unfinished;
+    unfinished.cameras_are_off = true;
+    return unfinished;
+  }
+  DrawingGraph graph =
       RefineAndJudge({{input.views, image_curves.curves, input.hints}, drawing.graph}, options,
                      alone, on_stage_end);
-  const std::vector<View>& views = judged.cameras ? judged.cameras->views : input.views;
-  DrawingGraph graph = DescribeLinks(std::move(judged.graph), views, input.images.read, options,
-                                     alone, on_stage_end);
+  graph =
+      DescribeLinks(std::move(graph), input.views, input.images.read, options, alone, on_stage_end);
   if (input.images.release) input.images.release();
   auto keep = RecordWriter(input, image_curves.curves, sketch.plans, graph, options, context);
-  return {std::move(image_curves.curves),
+  return {false,
+          std::move(image_curves.curves),
           std::move(sketch.sketch),
           std::move(sketch.fates),
           std::move(graph),
-          std::move(judged.cameras),
           std::move(drawing.fates),
           std::nullopt,
           std::move(keep)};

@@ -6,13 +6,13 @@
 
 #include <Eigen/Geometry>
 
+#include "limn/cameras/camera_mounts.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/edgel_fate.h"
 #include "limn/model/scene_hints.h"
 #include "limn/model/view_subset.h"
 #include "limn/pipeline/extract_curves.h"
-#include "limn/refinement/refinement.h"
 
 namespace limn {
 
@@ -25,17 +25,19 @@ struct PipelineInput {
   std::optional<Eigen::AlignedBox3d> box;
   // Image curves and sketches of earlier runs, where new ones are stored. Never null.
   ResultCache* cache;
+  // If set, and by these mounts the cameras turn out to be off, the drawing is left unfinished.
+  const CameraMounts* checked_mounts = nullptr;
   // Instead bring the drawing stored last up to date, if possible (update_scene.h).
   bool update = false;
 };
 
 struct PipelineResult {
+  // Then nothing else is set (PipelineInput::checked_mounts).
+  bool cameras_are_off = false;
   std::vector<ImageCurves> curves;
   CurveSketch sketch;
   EdgelFates sketch_fates;
   DrawingGraph graph;
-  // The cameras that the drawing fits; only with RefinementOptions::refine_poses.
-  std::optional<RefinedCameras> cameras;
   SampleFates sample_fates;
   // Of a drawing that was brought up to date, the views that are new or changed.
   ViewSubset new_views = std::nullopt;

@@ -37,8 +37,8 @@ std::string FieldsAsText(const Options& options) {
 
 void PipelineOptions::Check() const {
   VisitGroups(*this, [](const char* group, const auto& options) { CheckGroup(group, options); });
-  if (IsPaper() && refinement.refine_poses) {
-    throw OptionError("DrawingRefinement.refine_poses = 1: Drawing.method paper has no refinement");
+  if (IsPaper() && refine_cameras == CameraRefinement::kOn) {
+    throw OptionError("refine_cameras = 1: Drawing.method paper draws with the cameras as given");
   }
 }
 

@@ -23,6 +23,9 @@ namespace limn {
 // paper, without re-triangulation, completion, refinement or belief (ECCV 2016).
 enum class DrawingMethod { kTraced, kPaper };
 
+// Whether cameras are refined before the drawing: if it looks necessary, never, always.
+enum class CameraRefinement { kAuto, kOff, kOn };
+
 // The options of all stages from photographs to the drawing.
 struct PipelineOptions {
   EdgeDetectionOptions edges;
@@ -30,6 +33,7 @@ struct PipelineOptions {
   SketchMode mode = SketchMode::kSweep;
   SketchOptions sketch;
   DrawingMethod method = DrawingMethod::kTraced;
+  CameraRefinement refine_cameras = CameraRefinement::kOff;
   DrawingOptions drawing;
   PaperOptions paper;
   RefinementOptions refinement;

@@ -71,7 +71,6 @@ class TileDrawer {
              const StageObserver& on_stage_end)
       : input_(input), options_(options), context_(context), on_stage_end_(on_stage_end) {
     options.Check();
-    CheckTiled(options);
   }
 
   // Supporting views are ids in the whole scene. Throws InputError if the tile is not drawable.
@@ -99,10 +98,9 @@ class TileDrawer {
     const CurvesScene curves = {scene.views, image_curves.curves, scene.hints, reach};
     const DrawnCurves drawn =
         DrawCurves(curves, options_, input_.cache, context_, report, TileName(index));
-    JudgedDrawing judged =
-        RefineAndJudge({curves, drawn.drawing.graph}, options_, context_, report);
-    Keep(index, scene, key, judged.graph);
-    return std::move(judged.graph);
+    DrawingGraph graph = RefineAndJudge({curves, drawn.drawing.graph}, options_, context_, report);
+    Keep(index, scene, key, graph);
+    return graph;
   }
 
   std::optional<DrawingGraph> Find(size_t index, const SceneSubset& scene,
@@ -172,15 +170,6 @@ std::function<CurvesResult(const SceneSubset&)> CurvesFromImages(const PipelineI
     return ExtractCurves({scene.views, images, input.cache}, options.edges, options.linking,
                          context);
   };
-}
-
-void CheckTiled(const PipelineOptions& options) {
-  if (options.refinement.refine_poses) {
-    throw OptionError(
-        "DrawingRefinement.refine_poses = 1: takes all views together, but a scene of more than "
-        "Tiles.max_views = " +
-        std::to_string(options.tiles.max_views) + " is drawn in tiles");
-  }
 }
 
 DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,

@@ -28,13 +28,8 @@ std::function<CurvesResult(const SceneSubset&)> CurvesFromImages(const PipelineI
                                                                  const PipelineOptions& options,
                                                                  const RunContext& context);
 
-// Throws OptionError for options that are not possible with tiles: refining poses needs all views
-// together.
-void CheckTiled(const PipelineOptions& options);
-
 // Like DrawScene, but every tile is drawn and refined separately; then the tiles are joined
-// (JoinTiles), primitives are fitted and kinds of edges found. Throws what DrawScene and CheckTiled
-// throw.
+// (JoinTiles), primitives are fitted and kinds of edges found. Throws what DrawScene throws.
 DrawingGraph DrawTiles(const TiledInput& input, const PipelineOptions& options,
                        const RunContext& context, const StageObserver& on_stage_end);
 

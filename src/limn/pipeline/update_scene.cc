@@ -404,7 +404,7 @@ class SceneUpdater {
     DrawingResult drawing = BuildDrawing({in_scene, sketch}, options_.drawing, context_);
     on_stage_end_(drawing.summary);
     DrawingGraph graph =
-        RefineAndJudge({in_scene, drawing.graph}, options_, context_, on_stage_end_).graph;
+        RefineAndJudge({in_scene, drawing.graph}, options_, context_, on_stage_end_);
     for (DrawingLink& link : graph.links) {
       for (ViewId& view : link.supporting_views) view = scene.ids[view];
     }
@@ -457,8 +457,8 @@ std::string WhyNeverUpdated(const PipelineOptions& options) {
            ": this sketch is not made view by view";
   }
   if (options.IsPaper()) return "Drawing.method = paper: keeps its drawings together";
-  if (options.refinement.refine_poses) {
-    return "DrawingRefinement.refine_poses = 1: takes all views together";
+  if (options.refine_cameras == CameraRefinement::kOn) {
+    return "refine_cameras = 1: takes all views together";
   }
   if (options.regularize) return "regularize = 1: takes all links together";
   return "";

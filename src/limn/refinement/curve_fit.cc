@@ -105,29 +105,18 @@ void AddBend(const Bend& bend, const RefinementOptions& options, ControlGraph* c
                             position[bend[2]].data());
 }
 
-// All pulls of a sample share one block; if cameras move, each has its own, since their cameras
-// differ.
+// All pulls of a sample share one block.
 void AddPulls(const std::vector<View>& views, const FitSample& sample, const ControlLink& link,
-              double robust_px, CameraCorrections* cameras, ControlGraph* control,
-              ceres::Problem* problem) {
-  const std::vector<double> weights = {1 - sample.t, sample.t};
-  double* from = control->position[link.points[sample.segment]].data();
-  double* to = control->position[link.points[sample.segment + 1]].data();
-  std::vector<LinePull> all;
+              double robust_px, ControlGraph* control, ceres::Problem* problem) {
+  if (sample.pulls.empty()) return;
+  std::vector<LinePull> pulls;
   for (const EdgelPull& pull : sample.pulls) {
-    const View& view = views[pull.ref.view];
-    const LinePull line_pull = {&view, pull.line, std::sqrt(pull.weight)};
-    if (!cameras) {
-      all.push_back(line_pull);
-      continue;
-    }
-    problem->AddResidualBlock(new PullCost({line_pull}, weights, robust_px, true), nullptr, from,
-                              to, cameras->motion[pull.ref.view].data(),
-                              &cameras->log_focal.at(view.camera_index));
+    pulls.push_back({&views[pull.ref.view], pull.line, std::sqrt(pull.weight)});
   }
-  if (all.empty()) return;
-  problem->AddResidualBlock(new PullCost(std::move(all), weights, robust_px, false), nullptr, from,
-                            to);
+  const std::vector<double> weights = {1 - sample.t, sample.t};
+  problem->AddResidualBlock(new PullCost(std::move(pulls), weights, robust_px), nullptr,
+                            control->position[link.points[sample.segment]].data(),
+                            control->position[link.points[sample.segment + 1]].data());
 }
 
 // Stops a solver between iterations when the run is canceled.
@@ -143,6 +132,41 @@ class StopIfCancelled : public ceres::IterationCallback {
  private:
   const RunContext& context_;
 };
+
+// Adds the terms of a component to a least squares problem whose unknowns are the positions in
+// `control`.
+void AddTerms(const std::vector<View>& views, const RefinementOptions& options,
+              const Component& component, ControlGraph* control, ceres::Problem* problem) {
+  for (const int point : component.points) AddHold(point, control, problem);
+  for (const int id : component.links) {
+    const ControlLink& link = control->links[id];
+    for (const FitSample& sample : link.samples) {
+      AddPulls(views, sample, link, options.robust_residual_px, control, problem);
+    }
+  }
+  for (const Bend& bend : component.bends) AddBend(bend, options, control, problem);
+}
+
+// By sparse Cholesky factorization of the normal matrix, on one thread. Changes nothing if there is
+// no usable solution.
+void Minimize(const RunContext& context, ceres::Problem* problem) {
+  StopIfCancelled stop(context);
+  ceres::Solver::Options options;
+  options.callbacks = {&stop};
+  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  // Without BLAS and threads, so that results are reproducible to the bit.
+  options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
+  options.num_threads = 1;
+  options.max_num_iterations = kMaxIterations;
+  options.function_tolerance = 1e-5;
+  // Disabled, because these two depend on the unit of length.
+  options.parameter_tolerance = 0;
+  options.gradient_tolerance = 0;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, problem, &summary);
+  ThrowIfCancelled(context);
+}
 
 // Sets the covariances of a component's points, unless the normal matrix is singular, which the
 // holds prevent except with extreme numbers.
@@ -199,39 +223,6 @@ std::vector<Component> FindComponents(const ControlGraph& control) {
   return components;
 }
 
-void AddTerms(const std::vector<View>& views, const RefinementOptions& options,
-              const Component& component, CameraCorrections* cameras, ControlGraph* control,
-              ceres::Problem* problem) {
-  for (const int point : component.points) AddHold(point, control, problem);
-  for (const int id : component.links) {
-    const ControlLink& link = control->links[id];
-    for (const FitSample& sample : link.samples) {
-      AddPulls(views, sample, link, options.robust_residual_px, cameras, control, problem);
-    }
-  }
-  for (const Bend& bend : component.bends) AddBend(bend, options, control, problem);
-}
-
-bool Minimize(int max_iterations, const RunContext& context, ceres::Problem* problem) {
-  StopIfCancelled stop(context);
-  ceres::Solver::Options options;
-  options.callbacks = {&stop};
-  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  // Without BLAS and threads, so that results are reproducible to the bit.
-  options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
-  options.num_threads = 1;
-  options.max_num_iterations = max_iterations;
-  options.function_tolerance = 1e-5;
-  // Disabled, because these two depend on the unit of length.
-  options.parameter_tolerance = 0;
-  options.gradient_tolerance = 0;
-  options.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, problem, &summary);
-  ThrowIfCancelled(context);
-  return summary.IsSolutionUsable();
-}
-
 double SquaredBend(const Bend& bend, const RefinementOptions& options,
                    const ControlGraph& control) {
   const std::array<double, 3> factor = BendFactors(bend, options, control);
@@ -247,12 +238,12 @@ void FitCurves(const std::vector<View>& views, const RefinementOptions& options,
   const std::vector<Component> components = FindComponents(*control);
   ParallelFor(context, "fitting curves", components.size(), [&](size_t c) {
     ceres::Problem problem;
-    AddTerms(views, options, components[c], nullptr, control, &problem);
+    AddTerms(views, options, components[c], control, &problem);
     for (const int point : components[c].points) {
       double* position = control->position[point].data();
       if (HeldAt(point, *control)) problem.SetParameterBlockConstant(position);
     }
-    Minimize(kMaxIterations, context, &problem);
+    Minimize(context, &problem);
     // Points that stay are not more certain for that.
     for (const int point : components[c].points) {
       problem.SetParameterBlockVariable(control->position[point].data());

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "limn/model/drawing_graph.h"
-#include "limn/model/view.h"
 #include "limn/refinement/refinement_input.h"
 #include "limn/refinement/refinement_options.h"
 #include "limn/topology/topology_options.h"
@@ -16,22 +14,10 @@
 
 namespace limn {
 
-// The refined cameras, to which the drawing was fitted.
-struct RefinedCameras {
-  std::vector<View> views;              // as in the input; poses and focal lengths are new
-  std::vector<Eigen::Vector3d> points;  // positions of the input's points
-  // Effect of the refinement: median shift of the drawing's control points in the images, and the
-  // largest relative change of a focal length.
-  double median_shift_px = 0;
-  double largest_focal_change = 0;
-};
-
 struct RefinementResult {
   DrawingGraph graph;
   // Per link whether enough views show it to be fitted; empty without rounds.
   std::vector<uint8_t> fitted;
-  // Only with refine_poses.
-  std::optional<RefinedCameras> cameras;
   StageSummary summary;
 };
 
@@ -45,11 +31,8 @@ struct RefinementResult {
 // blur are ignored where enough others remain (crowding.h). After half of the rounds, covered links
 // are removed and the topology is repaired (RepairTopology). Sigmas come from the inverse normal
 // matrix, scaled by how well the views agree (variance_factors.h). Links that too few views show
-// keep their shape, with sigmas of at least max_distance_px. With `refine_poses`, earlier rounds
-// move the cameras together with curves and points (pose_fit.h); position, orientation and scale of
-// the whole are then restored to those of the given cameras (gauge.h). The result passes
-// Validate(). Throws OptionError and Cancelled. Time: rounds times length of all links in px times
-// views.
+// keep their shape, with sigmas of at least max_distance_px. The result passes Validate(). Throws
+// OptionError and Cancelled. Time: rounds times length of all links in px times views.
 RefinementResult RefineDrawing(const RefinementInput& input, const RefinementOptions& options,
                                const TopologyOptions& topology, const RunContext& context);
 

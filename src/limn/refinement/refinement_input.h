@@ -6,7 +6,6 @@
 namespace limn {
 
 // The supporting views of the links are ids of the scene's views. The graph passes Validate().
-// Hints are used to refine poses only.
 struct RefinementInput {
   CurvesScene scene;
   const DrawingGraph& graph;

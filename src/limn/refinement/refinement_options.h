@@ -3,7 +3,6 @@
 #include "limn/support/edgel_index.h"
 #include "limn/util/angles.h"
 #include "limn/util/option_fields.h"
-#include "limn/util/option_help.h"
 
 namespace limn {
 
@@ -13,8 +12,6 @@ struct RefinementOptions {
   double max_distance_px = 1;
   // Well determined places prevail over it. Smaller is smoother.
   double bending_sigma = 0.08;
-  // One focal length per camera, from curves and points.
-  bool refine_poses = false;
 
   // Set by tests only: spacing of the control points of a link, px.
   double control_spacing_px = 3;
@@ -38,8 +35,6 @@ struct RefinementOptions {
           "largest distance of an edgel that pulls at a link, px");
     visit("bending_sigma", self.bending_sigma, Between(1e-6, 1e4),
           "standard deviation of the change of direction over 1 px, rad");
-    visit("refine_poses", self.refine_poses, OnOrOff(),
-          BasicOption("refine camera poses and focal lengths too"));
   }
   // Throws OptionError.
   void Check() const;

@@ -85,7 +85,7 @@ TEST(CurveDrawerOptions, AreChecked) {
   options.point_spacing_px = -1;
   EXPECT_FALSE(options.Check());
   options.point_spacing_px = 2;
-  options.drawer.run.pipeline.refinement.refine_poses = true;
+  options.drawer.run.pipeline.refine_cameras = CameraRefinement::kOn;
   EXPECT_FALSE(options.Check());
   options.point_spacing_px = 0;
   EXPECT_TRUE(options.Check());

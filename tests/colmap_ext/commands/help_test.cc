@@ -36,11 +36,10 @@ TEST(Help, OfEveryCommandShowsNoMoreThanAUserUnderstands) {
 TEST(Help, OfTheMainJobNamesWhatUsersSet) {
   const Command& drawer = Commands().front();
   const std::set<std::string> basic = OptionsIn(HelpOf(drawer, "-h"));
-  EXPECT_THAT(basic,
-              IsSupersetOf({"help", "help_all", "project_path", "workspace_path", "output_path",
-                            "image_path", "box", "quality", "mode", "overwrite", "num_threads",
-                            "max_image_size", "account", "Drawing.min_supporting_views",
-                            "DrawingRefinement.refine_poses"}));
+  EXPECT_THAT(basic, IsSupersetOf({"help", "help_all", "project_path", "workspace_path",
+                                   "output_path", "image_path", "box", "quality", "mode",
+                                   "overwrite", "num_threads", "max_image_size", "account",
+                                   "Drawing.min_supporting_views", "refine_cameras"}));
   const std::string all = HelpOf(drawer, "--help_all");
   EXPECT_THAT(OptionsIn(all), IsSupersetOf({"shard", "Linking.max_bridge_px", "Tiles.max_views",
                                             "DrawingRefinement.bending_sigma", "taus"}));

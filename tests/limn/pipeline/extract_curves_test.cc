@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "limn/cache/curves_key.h"
+#include "limn/model/usable_edgels.h"
 #include "support/synthetic_image.h"
 
 namespace limn {

@@ -68,11 +68,11 @@ TEST(PipelineOptions, CheckNamesGroupAndOption) {
   }
 }
 
-TEST(PipelineOptions, ThePaperHasNoRefinementOfPoses) {
+TEST(PipelineOptions, ThePaperHasNoRefinementOfCameras) {
   PipelineOptions options;
   options.method = DrawingMethod::kPaper;
   EXPECT_NO_THROW(options.Check());
-  options.refinement.refine_poses = true;
+  options.refine_cameras = CameraRefinement::kOn;
   EXPECT_THROW(options.Check(), OptionError);
 }
 

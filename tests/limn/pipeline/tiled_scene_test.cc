@@ -73,11 +73,5 @@ TEST_F(TiledSceneTest, TilesThatCannotBeDrawnAreTold) {
   EXPECT_TRUE(Draw({{kLeft, kLeft, {}}}).links.empty());
 }
 
-TEST_F(TiledSceneTest, PosesAreNotRefined) {
-  PipelineOptions options;
-  options.refinement.refine_poses = true;
-  EXPECT_THROW(Draw({{kRight, kRight, all_}}, options), OptionError);
-}
-
 }  // namespace
 }  // namespace limn

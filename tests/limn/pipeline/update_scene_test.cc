@@ -47,10 +47,9 @@ class UpdateSceneTest : public ::testing::Test {
   DrawingGraph Draw() {
     const DrawnCurves drawn =
         DrawCurves({views_, curves_, hints_, box_}, options_, &cache_, {}, ignore_);
-    JudgedDrawing judged =
-        RefineAndJudge({{views_, curves_}, drawn.drawing.graph}, options_, {}, ignore_);
     DrawingGraph graph =
-        DescribeLinks(std::move(judged.graph), views_, images_.read, options_, {}, ignore_);
+        RefineAndJudge({{views_, curves_}, drawn.drawing.graph}, options_, {}, ignore_);
+    graph = DescribeLinks(std::move(graph), views_, images_.read, options_, {}, ignore_);
     RecordWriter(Input(), curves_, drawn.sketch.plans, graph, options_, {})();
     return graph;
   }
@@ -259,9 +258,9 @@ TEST_F(UpdateSceneTest, SomeDrawingsAreNeverUpdated) {
   PipelineOptions original = options_;
   original.mode = SketchMode::kOriginal;
   expect_refused(original);
-  PipelineOptions poses = options_;
-  poses.refinement.refine_poses = true;
-  expect_refused(poses);
+  PipelineOptions cameras = options_;
+  cameras.refine_cameras = CameraRefinement::kOn;
+  expect_refused(cameras);
 }
 
 }  // namespace

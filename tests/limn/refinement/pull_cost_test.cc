@@ -5,15 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "limn/refinement/camera_corrections.h"
-
 namespace limn {
 namespace {
 
 constexpr double kRobustPx = 0.5;
 constexpr double kScale = 3;
-// Parameter blocks: two ends, motion, logarithm of the focal length's factor.
-constexpr int kSizes[] = {3, 3, 6, 1};
+// Parameter blocks: two ends.
+constexpr int kSizes[] = {3, 3};
 
 using Blocks = std::vector<std::vector<double>>;
 
@@ -33,11 +31,8 @@ Edgel SomeEdgel() {
   return edgel;
 }
 
-// `turn`: size of the rotation, rad.
-Blocks SomeBlocks(double turn) {
-  return {
-      {0.2, 0.1, 0.3}, {0.5, -0.2, 0.1}, {turn, -2 * turn, 2 * turn, 0.03, 0.02, -0.04}, {0.02}};
-}
+// The second end at any height.
+Blocks SomeBlocks(double z) { return {{0.2, 0.1, 0.3}, {0.5, -0.2, z}}; }
 
 std::vector<const double*> PointersTo(const Blocks& blocks) {
   std::vector<const double*> pointers;
@@ -51,15 +46,11 @@ double Residual(const PullCost& cost, const Blocks& blocks) {
   return residual;
 }
 
-// Distance from the edgel's tangent line by the definition, with the corrected view.
+// Distance from the edgel's tangent line by the definition.
 double DistancePx(const View& view, const Edgel& edgel, const Blocks& blocks, double t) {
-  CameraCorrections corrections(std::vector<View>{view});
-  std::copy(blocks[2].begin(), blocks[2].end(), corrections.motion[0].begin());
-  corrections.log_focal[0] = blocks[3][0];
-  const View corrected = Corrected({view}, corrections)[0];
   const Eigen::Vector3d place =
       (1 - t) * Eigen::Vector3d(blocks[0].data()) + t * Eigen::Vector3d(blocks[1].data());
-  const Eigen::Vector2d pixel = corrected.camera.Project(corrected.cam_from_world * place);
+  const Eigen::Vector2d pixel = view.camera.Project(view.cam_from_world * place);
   const Eigen::Matrix2d stored_from_virtual = edgel.stored_from_virtual.cast<double>();
   const Eigen::Vector2d offset = stored_from_virtual * (pixel - edgel.position_px);
   const Eigen::Vector2d tangent = (stored_from_virtual * edgel.Tangent()).normalized();
@@ -69,9 +60,9 @@ double DistancePx(const View& view, const Edgel& edgel, const Blocks& blocks, do
 TEST(PullCost, TheSquareIsCauchysLoss) {
   const View view = SomeView();
   const Edgel edgel = SomeEdgel();
-  const PullCost cost({{&view, edgel, kScale}}, {0.7, 0.3}, kRobustPx, true);
-  for (const double turn : {0.0, 1e-3, 0.02}) {
-    const Blocks blocks = SomeBlocks(turn);
+  const PullCost cost({{&view, edgel, kScale}}, {0.7, 0.3}, kRobustPx);
+  for (const double z : {-0.1, 0.1, 0.2}) {
+    const Blocks blocks = SomeBlocks(z);
     const double relative = DistancePx(view, edgel, blocks, 0.3) / kRobustPx;
     const double residual = Residual(cost, blocks);
     const double expected = std::pow(kScale * kRobustPx, 2) * std::log1p(relative * relative);
@@ -81,23 +72,13 @@ TEST(PullCost, TheSquareIsCauchysLoss) {
   }
 }
 
-TEST(PullCost, WithoutACorrectionTheCameraIsTheGivenOne) {
-  const View view = SomeView();
-  const PullCost moving({{&view, SomeEdgel(), kScale}}, {0.7, 0.3}, kRobustPx, true);
-  const PullCost fixed({{&view, SomeEdgel(), kScale}}, {0.7, 0.3}, kRobustPx, false);
-  Blocks blocks = SomeBlocks(0);
-  blocks[2].assign(6, 0);
-  blocks[3] = {0};
-  EXPECT_NEAR(Residual(moving, blocks), Residual(fixed, blocks), 1e-10);
-}
-
 // Central differences: errors of 1e-6 squared times the third derivatives, and of rounding.
 TEST(PullCost, DerivativesAreThoseOfTheResidual) {
   const View view = SomeView();
   for (const double robust_px : {kRobustPx, 50.0, std::numeric_limits<double>::infinity()}) {
-    const PullCost cost({{&view, SomeEdgel(), kScale}}, {0.7, 0.3}, robust_px, true);
-    for (const double turn : {0.0, 1e-5, 0.01, 0.5}) {
-      Blocks blocks = SomeBlocks(turn);
+    const PullCost cost({{&view, SomeEdgel(), kScale}}, {0.7, 0.3}, robust_px);
+    for (const double z : {-0.5, 0.1, 0.4}) {
+      Blocks blocks = SomeBlocks(z);
       Blocks jacobians;
       std::vector<double*> rows;
       for (const int size : kSizes) jacobians.emplace_back(size);
@@ -114,7 +95,7 @@ TEST(PullCost, DerivativesAreThoseOfTheResidual) {
           blocks[b][i] = value;
           const double expected = (above - below) / 2e-6;
           EXPECT_NEAR(jacobians[b][i], expected, 1e-5 * (1 + std::abs(expected)))
-              << "block " << b << " entry " << i << " turn " << turn << " robust " << robust_px;
+              << "block " << b << " entry " << i << " z " << z << " robust " << robust_px;
         }
       }
     }
@@ -125,10 +106,9 @@ TEST(PullCost, EveryPullHasItsOwnLoss) {
   const View view = SomeView();
   Edgel other = SomeEdgel();
   other.position_px.x() += 40;
-  const PullCost both({{&view, SomeEdgel(), kScale}, {&view, other, 1}}, {0.7, 0.3}, kRobustPx,
-                      false);
-  const PullCost second({{&view, other, 1}}, {0.7, 0.3}, kRobustPx, false);
-  const Blocks blocks = SomeBlocks(0);
+  const PullCost both({{&view, SomeEdgel(), kScale}, {&view, other, 1}}, {0.7, 0.3}, kRobustPx);
+  const PullCost second({{&view, other, 1}}, {0.7, 0.3}, kRobustPx);
+  const Blocks blocks = SomeBlocks(0.1);
   double residuals[2] = {0, 0};
   ASSERT_TRUE(both.Evaluate(PointersTo(blocks).data(), residuals, nullptr));
   EXPECT_EQ(residuals[1], Residual(second, blocks));
@@ -136,10 +116,10 @@ TEST(PullCost, EveryPullHasItsOwnLoss) {
 
 TEST(PullCost, NothingIsGainedBehindTheCamera) {
   const View view = SomeView();
-  const PullCost cost({{&view, SomeEdgel(), kScale}}, {0.7, 0.3}, kRobustPx, true);
-  Blocks blocks = SomeBlocks(0);
+  const PullCost cost({{&view, SomeEdgel(), kScale}}, {0.7, 0.3}, kRobustPx);
+  Blocks blocks = SomeBlocks(0.1);
   const double in_front = Residual(cost, blocks);
-  blocks[2][5] = -10;
+  blocks[0] = blocks[1] = {0, 0, -10};
   EXPECT_GT(std::abs(Residual(cost, blocks)), std::abs(in_front));
 }
 

@@ -1,4 +1,4 @@
-#include "limn/refinement/gauge.h"
+#include "limn/cameras/gauge.h"
 
 #include <gtest/gtest.h>
 

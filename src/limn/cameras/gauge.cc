@@ -1,4 +1,4 @@
-#include "limn/refinement/gauge.h"
+#include "limn/cameras/gauge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,10 +68,10 @@ class GaugeFinder {
     const std::vector<int> still = all_.size() < kMinCamerasForMajority ? all_ : StillCameras();
     Gauge gauge;
     gauge.given_from_refined = LeastSquares(still);
-    const std::vector<double> moves = MovesPx(gauge.given_from_refined);
-    gauge.typical_move_px = Median(moves);
+    gauge.moves_px = MovesPx(gauge.given_from_refined);
+    gauge.typical_move_px = Median(gauge.moves_px);
     for (const int v : all_) {
-      if (!std::ranges::binary_search(still, v)) gauge.moved_far.push_back({v, moves[v]});
+      if (!std::ranges::binary_search(still, v)) gauge.moved_far.push_back({v, gauge.moves_px[v]});
     }
     return gauge;
   }

@@ -17,11 +17,12 @@ struct FarMove {
 struct Gauge {
   Eigen::Affine3d given_from_refined = Eigen::Affine3d::Identity();
   std::vector<FarMove> moved_far;  // ascending by view
-  double typical_move_px = 0;      // median over all cameras
+  std::vector<double> moves_px;    // per view, in its image of the scene
+  double typical_move_px = 0;      // their median
 };
 
 // The similarity that best maps most refined cameras to the given ones
-// (algorithm/refinement.md#gauge), so that position, orientation and scale, which images do not
+// (algorithm/cameras.md#gauge), so that position, orientation and scale, which images do not
 // determine, stay as given. Least squares over the centers of cameras and three points per camera,
 // along its axes at the distance of the `middle` of the scene: cameras are weighted by their effect
 // on the image of the scene, and two of them determine the similarity. Of four or more cameras,

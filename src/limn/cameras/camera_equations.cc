@@ -1,0 +1,287 @@
+#include "limn/cameras/camera_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+namespace limn {
+namespace {
+
+// Distance of a landmark behind a view, px: large, so that moving there never lowers the cost.
+constexpr double kBehindPx = 1e3;
+// Standard deviations of what is held, px in the images.
+constexpr double kCameraSigmaPx = 10;
+constexpr double kLandmarkSigmaPx = 10;
+// Sums are made in parts, whose number depends on the problem alone.
+constexpr int kMaxParts = 16;
+constexpr double kMaxNumbersInParts = 2e7;
+
+double Square(double x) { return x * x; }
+
+Vector6d MotionBetween(const Rigid3d& from, const Rigid3d& to) {
+  const Rigid3d change = to * Inverse(from);
+  const Eigen::AngleAxisd turn(change.rotation);
+  Vector6d motion;
+  motion << turn.angle() * turn.axis(), change.translation;
+  return motion;
+}
+
+Rigid3d Moved(const Rigid3d& pose, const Vector6d& motion) {
+  const Eigen::Vector3d turn = motion.head<3>();
+  const Rigid3d change = {Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())),
+                          motion.tail<3>()};
+  Rigid3d moved = change * pose;
+  moved.rotation.normalize();
+  return moved;
+}
+
+}  // namespace
+
+// A distance and its derivatives, times the root of its weight.
+struct CameraEquations::Row {
+  double residual = 0;
+  int body_at = -1;    // first unknown of the body; -1: held
+  int camera_at = -1;  // of the parameters; -1: fixed
+  Vector6d by_body = Vector6d::Zero();
+  ParameterRow by_parameters = {};
+  Eigen::Vector3d by_landmark = Eigen::Vector3d::Zero();
+};
+
+// The equations of one landmark.
+struct CameraEquations::Block {
+  std::vector<Row> rows;
+  Eigen::Matrix3d normal;
+  Eigen::Vector3d gradient;
+};
+
+CameraEquations::CameraEquations(const CameraFitInput& input, const RunContext& context,
+                                 const std::vector<Landmark>& landmarks)
+    : input_(input), context_(context), landmarks_(landmarks) {
+  for (const uint8_t held : input.mounts.held) {
+    body_at_.push_back(held ? -1 : size_);
+    if (!held) size_ += 6;
+  }
+  for (const auto& [camera, parameters] : input.parameters) {
+    camera_at_[camera] = size_;
+    size_ += static_cast<int>(parameters.size());
+  }
+  per_sigma_.resize(body_at_.size());
+  for (size_t v = 0; v < input.views.size(); ++v) {
+    const int body = input.mounts.of_view[v].body;
+    const double focal = input.views[v].camera.MeanFocal();
+    per_sigma_[body] << Eigen::Vector3d::Constant(focal / kCameraSigmaPx),
+        Eigen::Vector3d::Constant(focal / kCameraSigmaPx / input.distances[body]);
+  }
+}
+
+CameraState CameraEquations::Start() const {
+  CameraState state;
+  state.body_poses = BodyPoses(input_.views, input_.mounts);
+  state.parameters = input_.parameters;
+  state.landmarks.assign(landmarks_.size(), Eigen::Vector3d::Zero());
+  return state;
+}
+
+std::vector<Rigid3d> CameraEquations::ViewPoses(const CameraState& state) const {
+  std::vector<Rigid3d> poses;
+  for (const CameraMount& mount : input_.mounts.of_view) {
+    poses.push_back(mount.view_from_body * state.body_poses[mount.body]);
+  }
+  return poses;
+}
+
+int CameraEquations::NumParts() const {
+  return std::clamp(static_cast<int>(kMaxNumbersInParts / Square(size_ + 1)), 1, kMaxParts);
+}
+
+// visit(part, landmark): in each part one after the other.
+template <typename Visit>
+void CameraEquations::ForLandmarks(const Visit& visit) const {
+  const size_t num_parts = NumParts();
+  ParallelFor(context_, "cameras", num_parts, [&](size_t part) {
+    const size_t end = landmarks_.size() * (part + 1) / num_parts;
+    for (size_t l = landmarks_.size() * part / num_parts; l < end; ++l) visit(part, l);
+  });
+}
+
+double CameraEquations::LandmarkCost(const CameraState& state, const std::vector<Rigid3d>& poses,
+                                     size_t l) const {
+  const Landmark& landmark = landmarks_[l];
+  const auto ways = landmark.ways.cols();
+  const Eigen::Vector3d place = landmark.position + landmark.ways * state.landmarks[l].head(ways);
+  double cost = state.landmarks[l].squaredNorm() / Square(kLandmarkSigmaPx);
+  for (const LandmarkLine& line : landmark.lines) {
+    const View& view = input_.views[line.view];
+    const auto distance = ResidualToEdgel(view.camera, poses[line.view], line.line, place);
+    double px = distance ? distance->residual_px : kBehindPx;
+    if (const auto change = state.parameters.find(view.camera_index);
+        distance && change != state.parameters.end()) {
+      px += line.by_parameters * (change->second - input_.parameters.at(view.camera_index));
+    }
+    cost += line.weight * Square(landmark.robust_px) * std::log1p(Square(px / landmark.robust_px));
+  }
+  return cost;
+}
+
+double CameraEquations::Cost(const CameraState& state) const {
+  const std::vector<Rigid3d> poses = ViewPoses(state);
+  std::vector<double> parts(NumParts(), 0);
+  ForLandmarks([&](size_t part, size_t l) { parts[part] += LandmarkCost(state, poses, l); });
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  for (size_t b = 0; b < body_at_.size(); ++b) {
+    if (body_at_[b] >= 0) sum += HeldMotion(state, b).squaredNorm();
+  }
+  for (const auto& [camera, parameters] : state.parameters) {
+    sum += (parameters / kCameraSigmaPx).squaredNorm();
+  }
+  return sum;
+}
+
+Vector6d CameraEquations::HeldMotion(const CameraState& state, size_t body) const {
+  return MotionBetween(input_.given_poses[body], state.body_poses[body])
+      .cwiseProduct(per_sigma_[body]);
+}
+
+void CameraEquations::FillBlock(const CameraState& state, const std::vector<Rigid3d>& poses,
+                                size_t l, Block* block) const {
+  const Landmark& landmark = landmarks_[l];
+  const auto num_ways = landmark.ways.cols();
+  const Eigen::Vector3d& at = state.landmarks[l];
+  const Eigen::Vector3d place = landmark.position + landmark.ways * at.head(num_ways);
+  const double hold = 1 / Square(kLandmarkSigmaPx);
+  block->normal = hold * Eigen::Matrix3d::Identity();
+  block->gradient = hold * at;
+  block->rows.clear();
+  for (const LandmarkLine& line : landmark.lines) {
+    const View& view = input_.views[line.view];
+    const auto distance = ResidualToEdgel(view.camera, poses[line.view], line.line, place);
+    if (!distance) continue;
+    const CameraMount& mount = input_.mounts.of_view[line.view];
+    const Rigid3d& body = state.body_poses[mount.body];
+    Row& row = block->rows.emplace_back();
+    row.residual = distance->residual_px;
+    row.body_at = body_at_[mount.body];
+    const Eigen::Vector3d gradient = body.rotation * distance->gradient;
+    row.by_body << (body * place).cross(gradient), gradient;
+    if (const auto change = state.parameters.find(view.camera_index);
+        change != state.parameters.end()) {
+      row.camera_at = camera_at_.at(view.camera_index);
+      row.by_parameters = line.by_parameters;
+      row.residual +=
+          line.by_parameters * (change->second - input_.parameters.at(view.camera_index));
+    }
+    row.by_landmark.head(num_ways) = landmark.ways.transpose() * distance->gradient;
+    const double factor = std::sqrt(line.weight / (1 + Square(row.residual / landmark.robust_px)));
+    row.residual *= factor;
+    row.by_body *= factor;
+    row.by_parameters *= factor;
+    row.by_landmark *= factor;
+    block->normal += row.by_landmark * row.by_landmark.transpose();
+    block->gradient += row.by_landmark * row.residual;
+  }
+}
+
+void CameraEquations::AddProduct(double factor, const Row& a, const Row& b,
+                                 Eigen::MatrixXd* normal) {
+  if (a.body_at >= 0 && b.body_at >= 0 && a.body_at <= b.body_at) {
+    normal->block<6, 6>(a.body_at, b.body_at) += (factor * a.by_body) * b.by_body.transpose();
+  }
+  if (b.camera_at < 0) return;
+  const auto size = b.by_parameters.size();
+  if (a.body_at >= 0) {
+    normal->block(a.body_at, b.camera_at, 6, size) += (factor * a.by_body) * b.by_parameters;
+  }
+  if (a.camera_at >= 0 && a.camera_at <= b.camera_at) {
+    normal->block(a.camera_at, b.camera_at, a.by_parameters.size(), size) +=
+        (factor * a.by_parameters).transpose() * b.by_parameters;
+  }
+}
+
+// With the Cholesky factor L of the landmark's own equations, rows lose the part that its motion
+// explains: row_i - sum_j (L^-1 l_i) . (L^-1 l_j) row_j.
+void CameraEquations::Eliminate(const Block& block, CameraSystem* system) {
+  const Eigen::LLT<Eigen::Matrix3d> factor(block.normal);
+  const Eigen::Vector3d gradient = factor.matrixL().solve(block.gradient);
+  std::vector<Eigen::Vector3d> reduced;
+  reduced.reserve(block.rows.size());
+  for (const Row& row : block.rows) reduced.push_back(factor.matrixL().solve(row.by_landmark));
+  for (size_t i = 0; i < block.rows.size(); ++i) {
+    const Row& row = block.rows[i];
+    const double residual = row.residual - reduced[i].dot(gradient);
+    if (row.body_at >= 0) system->gradient.segment<6>(row.body_at) += residual * row.by_body;
+    if (row.camera_at >= 0) {
+      system->gradient.segment(row.camera_at, row.by_parameters.size()) +=
+          residual * row.by_parameters.transpose();
+    }
+    for (size_t j = 0; j < block.rows.size(); ++j) {
+      const double product = (i == j ? 1 : 0) - reduced[i].dot(reduced[j]);
+      AddProduct(product, row, block.rows[j], &system->normal);
+    }
+  }
+}
+
+void CameraEquations::AddHolds(const CameraState& state, CameraSystem* system) const {
+  for (size_t b = 0; b < body_at_.size(); ++b) {
+    if (body_at_[b] < 0) continue;
+    system->normal.diagonal().segment<6>(body_at_[b]) += per_sigma_[b].cwiseAbs2();
+    system->gradient.segment<6>(body_at_[b]) += per_sigma_[b].cwiseProduct(HeldMotion(state, b));
+  }
+  const double hold = 1 / Square(kCameraSigmaPx);
+  for (const auto& [camera, at] : camera_at_) {
+    const Eigen::VectorXd& parameters = state.parameters.at(camera);
+    system->normal.diagonal().segment(at, parameters.size()).array() += hold;
+    system->gradient.segment(at, parameters.size()) += hold * parameters;
+  }
+}
+
+CameraSystem CameraEquations::Linearize(const CameraState& state) const {
+  const std::vector<Rigid3d> poses = ViewPoses(state);
+  const CameraSystem empty = {Eigen::MatrixXd::Zero(size_, size_), Eigen::VectorXd::Zero(size_)};
+  std::vector<CameraSystem> parts(NumParts(), empty);
+  std::vector<Block> blocks(parts.size());
+  ForLandmarks([&](size_t part, size_t l) {
+    FillBlock(state, poses, l, &blocks[part]);
+    Eliminate(blocks[part], &parts[part]);
+  });
+  CameraSystem system = std::move(parts.front());
+  for (size_t part = 1; part < parts.size(); ++part) {
+    system.normal += parts[part].normal;
+    system.gradient += parts[part].gradient;
+  }
+  AddHolds(state, &system);
+  return system;
+}
+
+CameraState CameraEquations::After(const CameraState& state, const Eigen::VectorXd& step) const {
+  CameraState next = state;
+  for (size_t b = 0; b < body_at_.size(); ++b) {
+    if (body_at_[b] < 0) continue;
+    next.body_poses[b] = Moved(state.body_poses[b], step.segment<6>(body_at_[b]));
+  }
+  for (auto& [camera, parameters] : next.parameters) {
+    parameters += step.segment(camera_at_.at(camera), parameters.size());
+  }
+  const std::vector<Rigid3d> poses = ViewPoses(state);
+  std::vector<Block> blocks(NumParts());
+  ForLandmarks([&](size_t part, size_t l) {
+    Block& block = blocks[part];
+    FillBlock(state, poses, l, &block);
+    Eigen::Vector3d right = block.gradient;
+    for (const Row& row : block.rows) {
+      double change = 0;
+      if (row.body_at >= 0) change += row.by_body.dot(step.segment<6>(row.body_at));
+      if (row.camera_at >= 0) {
+        change += row.by_parameters * step.segment(row.camera_at, row.by_parameters.size());
+      }
+      right += change * row.by_landmark;
+    }
+    next.landmarks[l] -= block.normal.llt().solve(right);
+  });
+  return next;
+}
+
+}  // namespace limn

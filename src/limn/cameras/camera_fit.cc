@@ -1,0 +1,103 @@
+#include "limn/cameras/camera_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "limn/cameras/camera_equations.h"
+
+namespace limn {
+namespace {
+
+constexpr int kMaxIterations = 10;
+constexpr int kMaxAttempts = 6;
+constexpr int kLandmarkSteps = 4;
+constexpr double kStartDamping = 1e-4;
+constexpr double kMinDamping = 1e-9;
+// Relative decrease of the cost below which a fit has ended.
+constexpr double kMinGain = 1e-4;
+
+// Nothing if the equations have no solution.
+std::optional<Eigen::VectorXd> StepOf(const CameraSystem& system, double damping) {
+  Eigen::MatrixXd normal = system.normal;
+  normal.diagonal() *= 1 + damping;
+  const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper> factor(normal);
+  if (factor.info() != Eigen::Success) return std::nullopt;
+  Eigen::VectorXd step = -factor.solve(system.gradient);
+  return step.allFinite() ? std::optional(std::move(step)) : std::nullopt;
+}
+
+// Minimizes; the state is that of the least cost that was found.
+class Descent {
+ public:
+  // Begins with the landmarks where the cameras as they are see them.
+  Descent(const CameraEquations& equations, int num_unknowns)
+      : equations_(equations), state_(equations.Start()) {
+    const Eigen::VectorXd stay = Eigen::VectorXd::Zero(num_unknowns);
+    for (int i = 0; i < kLandmarkSteps; ++i) state_ = equations.After(state_, stay);
+    cost_ = equations.Cost(state_);
+  }
+
+  // Returns whether the cost decreased so much that another step is worth it.
+  bool Improve() {
+    const CameraSystem system = equations_.Linearize(state_);
+    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+      const auto step = StepOf(system, damping_);
+      if (step) {
+        CameraState next = equations_.After(state_, *step);
+        const double cost = equations_.Cost(next);
+        if (cost < cost_) {
+          const bool goes_on = cost_ - cost > kMinGain * cost_;
+          state_ = std::move(next);
+          cost_ = cost;
+          damping_ = std::max(kMinDamping, damping_ / 10);
+          return goes_on;
+        }
+      }
+      damping_ *= 10;
+    }
+    return false;
+  }
+
+  const CameraState& state() const { return state_; }
+  double cost() const { return cost_; }
+
+ private:
+  const CameraEquations& equations_;
+  CameraState state_;
+  double cost_;
+  double damping_ = kStartDamping;
+};
+
+}  // namespace
+
+std::optional<CameraFitResult> FitCameras(const CameraFitInput& input, const RunContext& context,
+                                          std::vector<Landmark>* landmarks) {
+  const CameraEquations equations(input, context, *landmarks);
+  Descent descent(equations, equations.size());
+  const double cost_of_given = descent.cost();
+  for (int i = 0; i < kMaxIterations; ++i) {
+    ThrowIfCancelled(context);
+    if (!descent.Improve()) break;
+  }
+  if (!std::isfinite(descent.cost())) return std::nullopt;
+  const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper> factor(
+      equations.Linearize(descent.state()).normal);
+  if (factor.info() != Eigen::Success) return std::nullopt;
+  CameraFitResult result;
+  if (cost_of_given > 0) result.gain = 1 - descent.cost() / cost_of_given;
+  const auto size = factor.rows();
+  result.covariance = factor.solve(Eigen::MatrixXd::Identity(size, size));
+  result.covariance_at = equations.body_at();
+  result.body_poses = descent.state().body_poses;
+  result.parameters = descent.state().parameters;
+  for (size_t l = 0; l < landmarks->size(); ++l) {
+    Landmark& landmark = (*landmarks)[l];
+    landmark.position += landmark.ways * descent.state().landmarks[l].head(landmark.ways.cols());
+  }
+  return result;
+}
+
+}  // namespace limn

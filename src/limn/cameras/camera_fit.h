@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/cameras/camera_problem.h"
+#include "limn/geometry/rigid3.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+struct CameraFitResult {
+  std::vector<Rigid3d> body_poses;
+  std::map<int, Eigen::VectorXd> parameters;  // as in the input
+  // Share of the cost that the motion of the cameras explains: what is left after that of the
+  // landmarks alone, and does not remain.
+  double gain = 0;
+  // Covariances of the motions of bodies that are not held (a turn about their axes, rad, and a
+  // shift, world units; one after the other), with all else unknown, as far as the holds determine
+  // place, orientation and scale of the whole.
+  Eigen::MatrixXd covariance;
+  std::vector<int> covariance_at;  // per body its first row; -1: held
+};
+
+// Moves bodies, parameters of cameras and landmarks to minimize
+//   sum over lines of weight * c^2 log(1 + (d / c)^2),   d: distance of the landmark's image, px,
+// with c = robust_px, and weak holds: of bodies and parameters where they were given, with a
+// standard deviation of 10 px of motion in the images, and of landmarks where they are, likewise.
+// Levenberg-Marquardt with reweighted least squares; the landmarks are eliminated from the normal
+// equations, which are then dense, of 6 unknowns per body. Lines of views that have the landmark
+// behind them count as far away. Deterministic for any number of threads. Returns nothing, and
+// changes nothing, if there is no solution. Throws Cancelled. Time per step: the squares of the
+// numbers of lines of landmarks, and the cube of the number of bodies. Memory: up to 16 times the
+// normal equations, or 150 MB.
+std::optional<CameraFitResult> FitCameras(const CameraFitInput& input, const RunContext& context,
+                                          std::vector<Landmark>* landmarks);
+
+}  // namespace limn

@@ -1,0 +1,244 @@
+#include "limn/cameras/camera_rounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "limn/cameras/camera_fit.h"
+#include "limn/cameras/camera_landmarks.h"
+#include "limn/geometry/median_point.h"
+#include "limn/model/shrunk.h"
+#include "limn/refinement/curve_fit.h"
+#include "limn/refinement/edge_links.h"
+#include "limn/refinement/edgel_matches.h"
+#include "limn/refinement/scene_unit.h"
+#include "limn/topology/edit_topology.h"
+#include "limn/util/angles.h"
+#include "limn/util/median.h"
+
+namespace limn {
+namespace {
+
+// A link counts if this share of its samples is shown.
+constexpr double kMinShownShare = 0.3;
+// Measured: more make cameras no better.
+constexpr size_t kMaxLines = 60'000;
+
+class CameraRounds {
+ public:
+  CameraRounds(const CameraRoundsInput& input, const RefinementOptions& options,
+               const RunContext& context, CameraScene* scene)
+      : input_(input),
+        options_(options),
+        context_(context),
+        scene_(*scene),
+        given_poses_(BodyPoses(scene->given, scene->mounts)) {
+    if (input.optics == RefinedOptics::kAll) per_px_ = ParametersPerPx(scene_.given);
+    SeeCurves();
+    control_ = MakeControlGraph(input.graph, small_views_, options.control_spacing_px);
+    // A view that is off supports no link, or the wrong ones.
+    std::vector<ViewId> all(scene_.views.size());
+    std::iota(all.begin(), all.end(), 0);
+    for (ControlLink& link : control_.links) link.views = all;
+  }
+
+  CameraRoundsResult Run() {
+    CameraRoundsResult result;
+    result.of_view.resize(scene_.views.size());
+    for (size_t round = 0; round < input_.reaches.size(); ++round) {
+      const auto gain = Round(input_.reaches[round], &result.of_view);
+      if (round == 0) result.gain = gain.value_or(0);
+      if (!gain || round + 1 == input_.reaches.size()) continue;
+      FitCurves(small_views_, options_, context_, false, &control_);
+      control_.start = control_.position;
+      if (!per_px_.empty()) SeeCurves();
+    }
+    return result;
+  }
+
+ private:
+  // The curves through the lenses as they are now.
+  void SeeCurves() {
+    small_views_ = ShrunkViews(scene_.views, input_.level.factor);
+    curves_ = CurvesThroughLenses(small_views_, input_.level, context_);
+    edgels_ = BuildViewEdgels(curves_, context_);
+  }
+
+  // Returns the gain; nothing if there is no solution.
+  std::optional<double> Round(double reach, std::vector<CameraEvidence>* of_view) {
+    Match(reach);
+    MeasureResiduals(of_view);
+    const LandmarkInput input = {scene_.views, curves_, input_.level.factor, per_px_,
+                                 reach * options_.robust_residual_px};
+    std::vector<Landmark> landmarks = CurveLandmarks(input, control_, kMaxLines);
+    PointLandmarks of_points = LandmarksOfPoints(input, scene_.points);
+    const size_t num_on_curves = landmarks.size();
+    std::ranges::move(of_points.landmarks, std::back_inserter(landmarks));
+    if (landmarks.empty()) return std::nullopt;
+    const Eigen::Vector3d middle = MiddleOf(landmarks);
+    const CameraFitInput fit_input = InputOfFit(middle);
+    const auto fit = FitCameras(fit_input, context_, &landmarks);
+    if (!fit) return std::nullopt;
+    for (size_t i = 0; i < of_points.points.size(); ++i) {
+      SeenPoint& point = scene_.points[of_points.points[i]];
+      point.position = landmarks[num_on_curves + i].position;
+      point.is_fitted = true;
+    }
+    if (!per_px_.empty()) ShiftPulls(input, fit_input, *fit);
+    TakePoses(*fit);
+    MeasureCertainty(*fit, middle, of_view);
+    TakeOptics(*fit);
+    return num_on_curves > 0 ? fit->gain : 0;
+  }
+
+  void Match(double reach) {
+    const TopologyInput images = {
+        small_views_,
+        curves_,
+        edgels_,
+        {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * kDeg}};
+    MatchEdgels(images, options_, context_, &control_);
+    for (ControlLink& link : control_.links) {
+      const auto num_shown = std::ranges::count_if(
+          link.samples, [](const FitSample& sample) { return !sample.pulls.empty(); });
+      link.frozen = num_shown == 0 || static_cast<double>(num_shown) <
+                                          kMinShownShare * static_cast<double>(link.samples.size());
+    }
+  }
+
+  template <typename Visit>
+  void ForPulls(const Visit& visit) {
+    for (ControlLink& link : control_.links) {
+      if (link.frozen) continue;
+      for (FitSample& sample : link.samples) {
+        for (EdgelPull& pull : sample.pulls) visit(&pull);
+      }
+    }
+  }
+
+  void MeasureResiduals(std::vector<CameraEvidence>* of_view) {
+    std::vector<std::vector<double>> residuals(of_view->size());
+    ForPulls([&](EdgelPull* pull) {
+      residuals[pull->ref.view].push_back(input_.level.factor * std::abs(pull->residual_px));
+    });
+    for (size_t v = 0; v < residuals.size(); ++v) {
+      (*of_view)[v].num_edgels = static_cast<int>(residuals[v].size());
+      (*of_view)[v].residual_px = Median(std::move(residuals[v]));
+    }
+  }
+
+  static Eigen::Vector3d MiddleOf(const std::vector<Landmark>& landmarks) {
+    std::vector<Eigen::Vector3d> positions;
+    for (const Landmark& landmark : landmarks) positions.push_back(landmark.position);
+    return MedianPoint(positions);
+  }
+
+  CameraFitInput InputOfFit(const Eigen::Vector3d& middle) const {
+    CameraFitInput input = {scene_.views, scene_.mounts, given_poses_, {}, {}};
+    for (const Rigid3d& pose : given_poses_) {
+      input.distances.push_back(std::max((pose * middle).norm(), 1e-6));
+    }
+    for (size_t v = 0; v < scene_.views.size(); ++v) {
+      const int camera = scene_.views[v].camera_index;
+      const auto per_px = per_px_.find(camera);
+      if (per_px == per_px_.end() || input.parameters.contains(camera)) continue;
+      const Eigen::VectorXd change =
+          scene_.views[v].calibration->Parameters() - scene_.given[v].calibration->Parameters();
+      // Parameters without effect never change.
+      input.parameters[camera] =
+          (per_px->second.array() > 0).select(change.cwiseQuotient(per_px->second), 0.0);
+    }
+    return input;
+  }
+
+  // The fit of the curves sees lenses as they were: edgels move instead.
+  void ShiftPulls(const LandmarkInput& input, const CameraFitInput& before,
+                  const CameraFitResult& fit) {
+    ForPulls([&](EdgelPull* pull) {
+      const int camera = scene_.views[pull->ref.view].camera_index;
+      const auto parameters = fit.parameters.find(camera);
+      if (parameters == fit.parameters.end()) return;
+      const double shift_px =
+          EdgelByParameters(input, *pull) * (parameters->second - before.parameters.at(camera));
+      const Eigen::Vector2d& across = pull->line.across;
+      pull->line.position_px -= shift_px / across.squaredNorm() * across;
+    });
+  }
+
+  void TakePoses(const CameraFitResult& fit) {
+    for (size_t v = 0; v < scene_.views.size(); ++v) {
+      const CameraMount& mount = scene_.mounts.of_view[v];
+      scene_.views[v].cam_from_world = mount.view_from_body * fit.body_poses[mount.body];
+      small_views_[v].cam_from_world = scene_.views[v].cam_from_world;
+    }
+  }
+
+  void TakeOptics(const CameraFitResult& fit) {
+    for (size_t v = 0; v < scene_.views.size(); ++v) {
+      View& view = scene_.views[v];
+      const auto parameters = fit.parameters.find(view.camera_index);
+      if (parameters == fit.parameters.end()) continue;
+      const Optics optics = view.calibration->WithParameters(
+          scene_.given[v].calibration->Parameters() +
+          parameters->second.cwiseProduct(per_px_.at(view.camera_index)));
+      view.camera = optics.camera;
+      view.lens = optics.lens;
+      view.calibration = optics.calibration;
+    }
+  }
+
+  // Of the image of the middle of the scene: the motion of the camera with everything else.
+  void MeasureCertainty(const CameraFitResult& fit, const Eigen::Vector3d& middle,
+                        std::vector<CameraEvidence>* of_view) const {
+    for (size_t v = 0; v < scene_.views.size(); ++v) {
+      const CameraMount& mount = scene_.mounts.of_view[v];
+      const int at = fit.covariance_at[mount.body];
+      if (at < 0) continue;
+      const Eigen::Vector3d point = fit.body_poses[mount.body] * middle;
+      // A turn moves the point by -[point]x.
+      Eigen::Matrix<double, 3, 6> by_motion;
+      by_motion.leftCols<3>() << 0, point.z(), -point.y(), -point.z(), 0, point.x(), point.y(),
+          -point.x(), 0;
+      by_motion.rightCols<3>().setIdentity();
+      const Eigen::Matrix3d covariance =
+          by_motion * fit.covariance.block<6, 6>(at, at) * by_motion.transpose();
+      (*of_view)[v].certain_by_px =
+          scene_.views[v].camera.MeanFocal() / point.norm() * std::sqrt(covariance.trace() / 2);
+    }
+  }
+
+  const CameraRoundsInput& input_;
+  const RefinementOptions& options_;
+  const RunContext& context_;
+  CameraScene& scene_;
+  const std::vector<Rigid3d> given_poses_;
+  std::map<int, Eigen::VectorXd> per_px_;
+  std::vector<View> small_views_;
+  std::vector<ImageCurves> curves_;
+  std::vector<std::unique_ptr<ViewEdgels>> edgels_;
+  ControlGraph control_;
+};
+
+}  // namespace
+
+CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
+                                          const RefinementOptions& options,
+                                          const RunContext& context, CameraScene* scene) {
+  // Ceres has absolute constants.
+  const double unit = SceneUnit(scene->views, input.graph);
+  DrawingGraph edges = Scaled(input.graph, 1 / unit);
+  RemoveLinks(AreEdges(edges), &edges);
+  CameraScene scaled = Scaled(std::move(*scene), 1 / unit);
+  const CameraRoundsResult result =
+      CameraRounds({edges, input.level, input.reaches, input.optics}, options, context, &scaled)
+          .Run();
+  *scene = Scaled(std::move(scaled), unit);
+  return result;
+}
+
+}  // namespace limn

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/cameras/camera_scene.h"
+#include "limn/model/drawing_graph.h"
+#include "limn/refinement/refinement_options.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+// What the curves say about the camera of a view.
+struct CameraEvidence {
+  int num_edgels = 0;        // that curves were fitted to
+  double residual_px = 0;    // of these, median of the size
+  double certain_by_px = 0;  // standard deviation of the image of the scene; 0: held or unknown
+};
+
+// What is refined with the poses.
+enum class RefinedOptics { kNone, kAll };
+
+struct CameraRoundsInput {
+  // Drawn with the cameras of the scene as they are now.
+  const DrawingGraph& graph;
+  const PictureLevel& level;
+  // Per round, gate and scale of the loss in multiples of those of the options.
+  std::vector<double> reaches;
+  RefinedOptics optics = RefinedOptics::kNone;
+};
+
+struct CameraRoundsResult {
+  std::vector<CameraEvidence> of_view;
+  // Share of the cost that the motion of the cameras explains in the first round
+  // (CameraFitResult::gain).
+  double gain = 0;
+};
+
+// Moves the cameras of the scene so that the edges of a drawing lie on the edgels of all views that
+// show them (algorithm/cameras.md). Each round matches the links with edgels, fits cameras and
+// places on links together (FitCameras), then the links under these cameras. The lenses are
+// taken as linear in their parameters within a round. Rounds without a solution change nothing.
+// Throws Cancelled.
+CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
+                                          const RefinementOptions& options,
+                                          const RunContext& context, CameraScene* scene);
+
+}  // namespace limn

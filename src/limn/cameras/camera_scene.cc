@@ -1,0 +1,139 @@
+#include "limn/cameras/camera_scene.h"
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/LU>
+
+#include "limn/model/lens_jacobian.h"
+#include "limn/model/shrunk.h"
+#include "limn/model/usable_edgels.h"
+
+namespace limn {
+namespace {
+
+// Pixels along a side at which effects of parameters are compared.
+constexpr int kEffectSteps = 8;
+
+Eigen::VectorXd ParametersPerPx(const View& view) {
+  Eigen::VectorXd effect_px = Eigen::VectorXd::Zero(view.calibration->Parameters().size());
+  for (int i = 0; i <= kEffectSteps; ++i) {
+    for (int j = 0; j <= kEffectSteps; ++j) {
+      const Eigen::Vector2d stored(i * (view.camera.width - 1.0) / kEffectSteps,
+                                   j * (view.camera.height - 1.0) / kEffectSteps);
+      const auto px = view.lens ? view.lens->VirtualFromStored(stored) : std::optional(stored);
+      if (!px) continue;
+      if (const auto columns = view.calibration->StoredByParameters(*px)) {
+        effect_px = effect_px.cwiseMax(columns->colwise().norm().transpose());
+      }
+    }
+  }
+  return effect_px.unaryExpr([](double px) { return px > 0 ? 1 / px : 0; });
+}
+
+void Scale(double factor, std::vector<View>* views) {
+  for (View& view : *views) view.cam_from_world.translation *= factor;
+}
+
+}  // namespace
+
+CameraScene MakeCameraScene(const std::vector<View>& views, const SceneHints& hints,
+                            const CameraMounts& mounts) {
+  CameraScene scene = {views, mounts, views, {}};
+  for (const ScenePoint& hint : hints.points) {
+    SeenPoint& point = scene.points.emplace_back();
+    point.position = hint.position_in_world;
+    for (const PointPixel& pixel : hint.pixels) {
+      const auto stored_px = views[pixel.view].StoredFromVirtual(pixel.position_px);
+      if (stored_px) point.sights.push_back({pixel.view, *stored_px});
+    }
+  }
+  return scene;
+}
+
+SceneHints HintsOf(const CameraScene& scene, const SceneHints& given,
+                   const std::vector<View>& views) {
+  SceneHints hints = given;
+  for (size_t p = 0; p < hints.points.size(); ++p) {
+    ScenePoint& hint = hints.points[p];
+    hint.position_in_world = scene.points[p].position;
+    hint.pixels.clear();
+    for (const SeenPoint::Sight& sight : scene.points[p].sights) {
+      const auto pixel = PixelThroughLens(views[sight.view], sight.stored_px);
+      if (pixel)
+        hint.pixels.push_back({sight.view, pixel->position_px, pixel->stored_from_virtual});
+    }
+  }
+  return hints;
+}
+
+std::optional<ThroughLens> PixelThroughLens(const View& view, const Eigen::Vector2d& stored_px) {
+  if (!view.lens) return ThroughLens{stored_px};
+  const auto virtual_px = view.lens->VirtualFromStored(stored_px);
+  const auto jacobian = VirtualFromStoredJacobian(*view.lens, stored_px);
+  if (!virtual_px || !jacobian) return std::nullopt;
+  return ThroughLens{*virtual_px, jacobian->inverse()};
+}
+
+CameraScene Scaled(CameraScene scene, double factor) {
+  Scale(factor, &scene.given);
+  Scale(factor, &scene.views);
+  for (CameraMount& mount : scene.mounts.of_view) mount.view_from_body.translation *= factor;
+  for (SeenPoint& point : scene.points) point.position *= factor;
+  return scene;
+}
+
+std::vector<View> ShrunkViews(const std::vector<View>& views, int factor) {
+  std::vector<View> shrunk;
+  for (const View& view : views) shrunk.push_back(Shrunk(view, factor));
+  return shrunk;
+}
+
+std::vector<ImageCurves> CurvesThroughLenses(const std::vector<View>& shrunk_views,
+                                             const PictureLevel& level, const RunContext& context) {
+  std::vector<ImageCurves> curves = level.stored_curves;
+  ParallelFor(context, "lenses", curves.size(), [&](size_t v) {
+    const LensMap* lens = shrunk_views[v].lens.get();
+    RemoveUnusableEdgels(ApplyLens(lens, &curves[v].edge_map), &curves[v]);
+  });
+  return curves;
+}
+
+std::vector<ImageCurves> CurvesAsStored(std::vector<ImageCurves> curves) {
+  for (ImageCurves& of_view : curves) {
+    for (Edgel& edgel : of_view.edge_map.edgels) {
+      const Eigen::Vector2d tangent = edgel.stored_from_virtual.cast<double>() * edgel.Tangent();
+      edgel.position_px = edgel.stored_px.cast<double>();
+      edgel.tangent_rad = std::atan2(tangent.y(), tangent.x());
+      edgel.stored_from_virtual.setIdentity();
+    }
+  }
+  return curves;
+}
+
+View WithOptics(View view, const Optics& optics) {
+  const bool is_pinhole = !view.lens && !optics.lens;
+  if (!is_pinhole) {
+    const View before = view;
+    view.region = MakeImageRegion(optics.camera, optics.lens.get(), [&](const auto& stored_px) {
+      const auto px = before.lens ? before.lens->VirtualFromStored(stored_px)
+                                  : std::optional<Eigen::Vector2d>(stored_px);
+      return px && before.region.Contains(*px);
+    });
+  }
+  view.camera = optics.camera;
+  view.lens = optics.lens;
+  view.calibration = optics.calibration;
+  return view;
+}
+
+std::map<int, Eigen::VectorXd> ParametersPerPx(const std::vector<View>& views) {
+  std::map<int, Eigen::VectorXd> per_px;
+  for (const View& view : views) {
+    if (!view.calibration || per_px.contains(view.camera_index)) continue;
+    per_px[view.camera_index] = ParametersPerPx(view);
+  }
+  return per_px;
+}
+
+}  // namespace limn

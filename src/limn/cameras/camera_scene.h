@@ -1,0 +1,75 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/cameras/camera_mounts.h"
+#include "limn/model/curve_fragment.h"
+#include "limn/model/scene_hints.h"
+#include "limn/model/view.h"
+#include "limn/util/parallel.h"
+
+namespace limn {
+
+// A point of the sparse model as images show it, whatever their lenses.
+struct SeenPoint {
+  struct Sight {
+    ViewId view = -1;
+    Eigen::Vector2d stored_px = Eigen::Vector2d::Zero();
+  };
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  std::vector<Sight> sights;
+  bool is_fitted = false;  // else where it was given
+};
+
+// A scene whose cameras are being refined.
+struct CameraScene {
+  std::vector<View> given;
+  CameraMounts mounts;
+  std::vector<View> views;        // with the cameras as they are now
+  std::vector<SeenPoint> points;  // as those of the hints
+};
+
+CameraScene MakeCameraScene(const std::vector<View>& views, const SceneHints& hints,
+                            const CameraMounts& mounts);
+
+// The hints with the positions of the scene's points, and their pixels as these views see them.
+SceneHints HintsOf(const CameraScene& scene, const SceneHints& given,
+                   const std::vector<View>& views);
+
+// All lengths multiplied.
+CameraScene Scaled(CameraScene scene, double factor);
+
+// Pictures of the scene, smaller by a whole number, and the curves in them, stored pixels of the
+// small pictures.
+struct PictureLevel {
+  int factor = 1;
+  std::vector<ImageCurves> stored_curves;  // per view
+};
+
+// The views of small pictures, and their curves as these views see them.
+std::vector<View> ShrunkViews(const std::vector<View>& views, int factor);
+std::vector<ImageCurves> CurvesThroughLenses(const std::vector<View>& shrunk_views,
+                                             const PictureLevel& level, const RunContext& context);
+
+// Curves that lenses have mapped, back in stored pixels.
+std::vector<ImageCurves> CurvesAsStored(std::vector<ImageCurves> curves);
+
+// A stored pixel in the virtual image of the view; nothing where the lens cannot map.
+struct ThroughLens {
+  Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d stored_from_virtual = Eigen::Matrix2d::Identity();
+};
+std::optional<ThroughLens> PixelThroughLens(const View& view, const Eigen::Vector2d& stored_px);
+
+// The view with other optics; its region stays what it is in the stored image.
+View WithOptics(View view, const Optics& optics);
+
+// By camera_index, how far a parameter of the calibration must change to move some pixel of an
+// image by 1 px.
+std::map<int, Eigen::VectorXd> ParametersPerPx(const std::vector<View>& views);
+
+}  // namespace limn

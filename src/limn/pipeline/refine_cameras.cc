@@ -1,0 +1,228 @@
+#include "limn/pipeline/refine_cameras.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "limn/cameras/camera_rounds.h"
+#include "limn/cameras/gauge.h"
+#include "limn/geometry/median_point.h"
+#include "limn/model/shrunk.h"
+#include "limn/pipeline/drawing_stages.h"
+
+namespace limn {
+namespace {
+
+// Longer sides of pictures, px, above which smaller ones are made: the smallest ones, in which
+// cameras may be off by tens of stored pixels, and those of the first look.
+constexpr int kSmallestSidePx = 80;
+constexpr int kFirstSidePx = 160;
+// Any side of any of them, px.
+constexpr int kLeastPx = 16;
+// Unused border of small pictures, px.
+constexpr double kSmallMarginPx = 4;
+// Gains (CameraFitResult::gain) of cameras that are off, in small pictures and as stored. Exact
+// ones have at most .15 and .03 (algorithm/cameras.md#what-was-measured).
+constexpr double kGainOfOffWhenSmall = 0.3;
+constexpr double kGainOfOff = 0.2;
+// The optics are refined if that explains this share of the cost that poses leave.
+constexpr double kGainOfOptics = 0.05;
+// Cameras that move by more than this, px of a small picture, may be lost: they begin with the
+// smallest. Pictures are drawn again until they move by less than kSettledPx, or so often.
+constexpr double kLostPx = 1.2;
+constexpr double kSettledPx = 0.7;
+constexpr int kMaxDrawings = 6;
+
+// Gates of the rounds with one drawing.
+const std::vector<double> kFirstReaches = {3, 2, 1};
+const std::vector<double> kReaches = {2, 1};
+const std::vector<double> kLastReaches = {1, 1};
+
+// The largest power of two by which pictures can be shrunk.
+int FactorOf(const std::vector<View>& views, int least_side_px) {
+  int longest_px = 0;
+  int shortest_px = std::numeric_limits<int>::max();
+  for (const View& view : views) {
+    const auto [shorter, longer] = std::minmax(view.camera.width, view.camera.height);
+    longest_px = std::max(longest_px, longer);
+    shortest_px = std::min(shortest_px, shorter);
+  }
+  int factor = 1;
+  while (2 * factor * least_side_px <= longest_px && 2 * factor * kLeastPx <= shortest_px) {
+    factor *= 2;
+  }
+  return factor;
+}
+
+class CameraRefiner {
+ public:
+  CameraRefiner(const CameraRefinementInput& input, const PipelineOptions& options,
+                const RunContext& context)
+      : input_(input),
+        options_(options),
+        context_(context),
+        none_(""),
+        scene_(MakeCameraScene(input.views, input.hints, input.mounts)),
+        first_factor_(FactorOf(input.views, kFirstSidePx)),
+        first_images_(input.views.size()) {}
+
+  std::optional<RefinedCameras> Run() {
+    const PictureLevel stored = Extract(1);
+    const PictureLevel first = first_factor_ == 1 ? stored : Extract(first_factor_);
+    const FirstLook look = DrawAndRefine(first, kReaches);
+    if (options_.refine_cameras == CameraRefinement::kAuto && look.gain < kGainOfOffWhenSmall) {
+      return std::nullopt;
+    }
+    if (look.moved_px > kLostPx) {
+      scene_ = MakeCameraScene(input_.views, input_.hints, input_.mounts);
+      for (int factor = FactorOf(input_.views, kSmallestSidePx); factor > first_factor_;
+           factor /= 2) {
+        Settle(Extract(factor));
+      }
+    }
+    if (look.moved_px > kSettledPx) Settle(first);
+    for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
+    if (graph_.links.empty()) return std::nullopt;
+    CameraRoundsResult last = Refine(stored, kReaches, RefinedOptics::kNone);
+    const CameraScene posed = scene_;
+    const CameraRoundsResult with_optics = Refine(stored, kLastReaches, RefinedOptics::kAll);
+    if (with_optics.gain > kGainOfOptics) {
+      last = with_optics;
+    } else {
+      scene_ = posed;
+    }
+    return Cameras(last);
+  }
+
+ private:
+  struct FirstLook {
+    double gain = 0;
+    double moved_px = 0;  // of the pictures
+  };
+
+  // Pictures with their curves as stored, whatever the lenses.
+  PictureLevel Extract(int factor) {
+    std::vector<View> views = ShrunkViews(input_.views, factor);
+    for (View& view : views) view.lens = nullptr;
+    ImageSource images = input_.images;
+    EdgeDetectionOptions edges = options_.edges;
+    images.read = [&](ViewId id) { return ReadShrunk(id, factor); };
+    if (factor > 1) edges.margin_px = std::min(edges.margin_px, kSmallMarginPx);
+    ResultCache* cache = factor == 1 ? input_.cache : &none_;
+    CurvesResult extracted =
+        ExtractCurves({views, images, cache}, edges, options_.linking, context_);
+    return {factor, std::move(extracted.curves)};
+  }
+
+  // Decodes each photograph once for itself and the pictures of the first look.
+  Image ReadShrunk(ViewId id, int factor) {
+    std::optional<Image>& first = first_images_[id];
+    if (first && factor % first_factor_ == 0) return Shrunk(*first, factor / first_factor_);
+    const Image image = input_.images.read(id);
+    if (!first) first = Shrunk(image, first_factor_);
+    return Shrunk(image, factor);
+  }
+
+  // With the cameras as they are now.
+  void Draw(const PictureLevel& level) {
+    const std::vector<View> views = ShrunkViews(scene_.views, level.factor);
+    const std::vector<ImageCurves> curves = CurvesThroughLenses(views, level, context_);
+    PipelineOptions options = options_;
+    options.mode = SketchMode::kSweep;
+    const SceneHints hints = HintsOf(scene_, input_.hints, scene_.views);
+    graph_ = DrawCurves({views, curves, hints, input_.box}, options, &none_, context_,
+                        [](const StageSummary&) {})
+                 .drawing.graph;
+  }
+
+  CameraRoundsResult Refine(const PictureLevel& level, const std::vector<double>& reaches,
+                            RefinedOptics optics) {
+    return RefineCamerasByDrawing({graph_, level, reaches, optics}, options_.refinement, context_,
+                                  &scene_);
+  }
+
+  FirstLook DrawAndRefine(const PictureLevel& level, const std::vector<double>& reaches) {
+    Draw(level);
+    const std::vector<View> before = scene_.views;
+    const CameraRoundsResult rounds = Refine(level, reaches, RefinedOptics::kNone);
+    const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene());
+    return {rounds.gain, gauge.typical_move_px / level.factor};
+  }
+
+  void Settle(const PictureLevel& level) {
+    double moved_px = DrawAndRefine(level, kFirstReaches).moved_px;
+    for (int i = 1; i < kMaxDrawings && moved_px > kSettledPx; ++i) {
+      moved_px = DrawAndRefine(level, kReaches).moved_px;
+    }
+  }
+
+  Eigen::Vector3d MiddleOfScene() const {
+    std::vector<Eigen::Vector3d> places;
+    for (const DrawingLink& link : graph_.links) {
+      places.insert(places.end(), link.points_in_world.begin(), link.points_in_world.end());
+    }
+    for (const SeenPoint& point : scene_.points) {
+      if (point.sights.size() >= 2) places.push_back(point.position);
+    }
+    return places.empty() ? Eigen::Vector3d::Zero() : MedianPoint(places);
+  }
+
+  // As they are now, in the frame of the given ones.
+  RefinedCameras Cameras(const CameraRoundsResult& last) const {
+    const Gauge gauge = FindGauge(input_.views, scene_.views, MiddleOfScene());
+    RefinedCameras cameras;
+    cameras.median_move_px = gauge.typical_move_px;
+    const std::vector<View> moved = Moved(scene_.views, gauge.given_from_refined);
+    for (size_t v = 0; v < moved.size(); ++v) {
+      const View& view = moved[v];
+      View& refined = cameras.views.emplace_back(input_.views[v]);
+      if (view.calibration != refined.calibration) {
+        refined = WithOptics(std::move(refined), {view.camera, view.lens, view.calibration});
+      }
+      refined.cam_from_world = view.cam_from_world;
+      const CameraEvidence& evidence = last.of_view[v];
+      cameras.of_view.push_back(
+          {gauge.moves_px[v], evidence.num_edgels, evidence.residual_px, evidence.certain_by_px});
+    }
+    for (const FarMove& move : gauge.moved_far) cameras.of_view[move.view].is_misfit = true;
+    cameras.hints = HintsOf(scene_, input_.hints, cameras.views);
+    for (size_t p = 0; p < scene_.points.size(); ++p) {
+      if (!scene_.points[p].is_fitted) continue;
+      Eigen::Vector3d& position = cameras.hints.points[p].position_in_world;
+      position = gauge.given_from_refined * position;
+    }
+    return cameras;
+  }
+
+  const CameraRefinementInput& input_;
+  const PipelineOptions& options_;
+  const RunContext& context_;
+  ResultCache none_;
+  CameraScene scene_;
+  const int first_factor_;
+  std::vector<std::optional<Image>> first_images_;
+  DrawingGraph graph_;  // the last drawing
+};
+
+}  // namespace
+
+std::optional<RefinedCameras> RefineCameras(const CameraRefinementInput& input,
+                                            const PipelineOptions& options,
+                                            const RunContext& context) {
+  options.Check();
+  return CameraRefiner(input, options, context).Run();
+}
+
+bool CamerasAreOff(const DrawingGraph& graph, const std::vector<View>& views,
+                   const std::vector<ImageCurves>& curves, const SceneHints& hints,
+                   const CameraMounts& mounts, const PipelineOptions& options,
+                   const RunContext& context) {
+  if (graph.links.empty()) return false;
+  CameraScene scene = MakeCameraScene(views, hints, mounts);
+  const CameraRoundsResult result =
+      RefineCamerasByDrawing({graph, {1, CurvesAsStored(curves)}, {2}, RefinedOptics::kNone},
+                             options.refinement, context, &scene);
+  return result.gain > kGainOfOff;
+}
+
+}  // namespace limn

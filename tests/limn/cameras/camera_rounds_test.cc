@@ -1,0 +1,253 @@
+// Cameras that are off by a pixel come back from the curves of a cube.
+#include "limn/cameras/camera_rounds.h"
+
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "limn/geometry/polyline.h"
+#include "limn/model/curves_scene.h"
+#include "limn/util/errors.h"
+#include "support/camera_errors.h"
+#include "support/synthetic_scene.h"
+
+namespace limn {
+namespace {
+
+constexpr double kHalfSide = 0.8;
+constexpr int kNumPoseViews = 16;
+constexpr double kNoisePx = 0.2;
+constexpr double kErrorPx = 1;
+
+const std::vector<View>& TrueViews() {
+  static const std::vector<View> views = testing::DomeViews(kNumPoseViews, 5);
+  return views;
+}
+
+const std::vector<ImageCurves>& Curves() {
+  static const auto curves =
+      testing::ProjectCurves(TrueViews(), testing::CubeEdges(kHalfSide), kNoisePx);
+  return curves;
+}
+
+std::vector<Eigen::Vector3d> PointsOnCube() {
+  std::vector<Eigen::Vector3d> points;
+  for (const testing::SceneCurve& edge : testing::CubeEdges(kHalfSide)) {
+    const Polyline3d samples = ResampleUniform(edge.points, 0.1);
+    points.insert(points.end(), samples.begin(), samples.end());
+  }
+  return points;
+}
+
+const std::vector<View>& WrongViews() {
+  static const auto views = testing::PerturbCameras(TrueViews(), PointsOnCube(), kErrorPx, 3);
+  return views;
+}
+
+// The true edges: with wrong cameras they project beside their edgels.
+DrawingGraph CubeGraph() {
+  const std::vector<Eigen::Vector3d> corners = testing::CubeCorners(kHalfSide);
+  DrawingGraph graph;
+  graph.nodes.resize(corners.size());
+  for (size_t i = 0; i < corners.size(); ++i) graph.nodes[i].position_in_world = corners[i];
+  for (int i = 0; i < 8; ++i) {
+    for (const int bit : {1, 2, 4}) {
+      if (i & bit) continue;
+      DrawingLink link;
+      link.points_in_world =
+          ResampleUniform(std::vector<Eigen::Vector3d>{corners[i], corners[i | bit]}, 0.01);
+      link.sigma.assign(link.points_in_world.size(), 1);
+      link.node0 = i;
+      link.node1 = i | bit;
+      for (int v = 0; v < kNumPoseViews; ++v) link.supporting_views.push_back(v);
+      graph.links.push_back(std::move(link));
+    }
+  }
+  RebuildIncidence(&graph);
+  return graph;
+}
+
+CameraScene Refine(const std::vector<View>& views, const SceneHints& hints = kNoHints,
+                   int num_threads = 2, const DrawingGraph& graph = CubeGraph()) {
+  RunContext context;
+  context.num_threads = num_threads;
+  CameraScene scene = MakeCameraScene(views, hints, LooseMounts(views.size()));
+  RefineCamerasByDrawing({graph, {1, Curves()}, {3, 2, 1, 1}, RefinedOptics::kAll}, {}, context,
+                         &scene);
+  return scene;
+}
+
+testing::CameraErrors ErrorsOf(const std::vector<View>& views) {
+  return testing::MeasureCameras(views, TrueViews(), PointsOnCube());
+}
+
+// Points on three walls, seen exactly by all true views, at places that are 0.05 off.
+std::vector<ScenePoint> WrongPoints() {
+  std::vector<ScenePoint> points;
+  for (int i = 0; i < 60; ++i) {
+    Eigen::Vector3d truth(std::cos(1.7 * i), std::sin(2.9 * i), std::cos(4.3 * i));
+    truth[i % 3] = -1;
+    ScenePoint point;
+    point.position_in_world = truth + 0.05 * Eigen::Vector3d(1, -1, 1);
+    for (int v = 0; v < kNumPoseViews; ++v) {
+      const auto pixel = TrueViews()[v].Project(truth);
+      if (!pixel) continue;
+      point.views.push_back(v);
+      point.pixels.push_back({v, *pixel});
+    }
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+TEST(CameraRounds, CamerasComeBackFromCurves) {
+  const testing::CameraErrors before = ErrorsOf(WrongViews());
+  const testing::CameraErrors after = ErrorsOf(Refine(WrongViews()).views);
+  EXPECT_NEAR(before.raw_px, kErrorPx, 0.01);
+  // A view sees some 1,000 edgels with noise of 0.2 px.
+  EXPECT_LT(after.aligned_px, 0.1);
+  EXPECT_LT(after.rotation_deg, before.rotation_deg / 4);
+  EXPECT_LT(after.center, before.center / 4);
+  // Nothing but the hold at the given cameras says where the world is.
+  EXPECT_LT(after.raw_px, before.raw_px);
+}
+
+// A pinhole whose parameters are its focal length and its principal point.
+class Pinhole : public Calibration {
+ public:
+  explicit Pinhole(const PinholeCamera& camera) : camera_(camera) {}
+  Eigen::VectorXd Parameters() const override {
+    return Eigen::Vector3d(camera_.fx, camera_.cx, camera_.cy);
+  }
+  std::optional<Eigen::Matrix2Xd> StoredByParameters(const Eigen::Vector2d& px) const override {
+    Eigen::Matrix2Xd columns(2, 3);
+    columns << (px.x() - camera_.cx) / camera_.fx, 1, 0, (px.y() - camera_.cy) / camera_.fy, 0, 1;
+    return columns;
+  }
+  Optics WithParameters(const Eigen::VectorXd& parameters) const override {
+    PinholeCamera camera = camera_;
+    camera.fx = camera.fy = parameters[0];
+    camera.cx = parameters[1];
+    camera.cy = parameters[2];
+    return {camera, nullptr, std::make_shared<Pinhole>(camera)};
+  }
+
+ private:
+  PinholeCamera camera_;
+};
+
+std::vector<View> WithOpticsOff(std::vector<View> views, int first, int step, double focal,
+                                const Eigen::Vector2d& shift_px) {
+  for (size_t v = first; v < views.size(); v += step) {
+    PinholeCamera& camera = views[v].camera;
+    camera.fx = camera.fy = focal;
+    camera.cx += shift_px.x();
+    camera.cy += shift_px.y();
+  }
+  for (View& view : views) view.calibration = std::make_shared<Pinhole>(view.camera);
+  return views;
+}
+
+TEST(CameraRounds, OpticsComeBackFromCurves) {
+  const auto views = WithOpticsOff(TrueViews(), 0, 1, 604, {1.5, -1});
+  const CameraScene scene = Refine(views);
+  for (size_t v = 0; v < views.size(); ++v) {
+    EXPECT_NEAR(scene.views[v].camera.fx, TrueViews()[v].camera.fx, 2);
+    // Up and down, a turn of all these views does the same.
+    EXPECT_NEAR(scene.views[v].camera.cx, TrueViews()[v].camera.cx, 0.3);
+  }
+  EXPECT_LT(ErrorsOf(scene.views).aligned_px, ErrorsOf(views).aligned_px / 4);
+}
+
+TEST(CameraRounds, OnlyViewsOfOneCameraShareItsOptics) {
+  std::vector<View> views = WithOpticsOff(TrueViews(), 0, 2, 604, {0, 0});
+  for (int v = 0; v < kNumPoseViews; ++v) views[v].camera_index = v % 2 == 0 ? 7 : 3;
+  const std::vector<View> refined = Refine(views).views;
+  for (int v = 2; v < kNumPoseViews; ++v) {
+    EXPECT_EQ(refined[v].camera.fx, refined[v - 2].camera.fx);
+  }
+  EXPECT_NEAR(refined[0].camera.fx, refined[1].camera.fx, 1.5);
+}
+
+TEST(CameraRounds, PointsMoveToWhereTheViewsSeeThem) {
+  const std::vector<ScenePoint> points = WrongPoints();
+  const CameraScene scene = Refine(WrongViews(), {points});
+  EXPECT_LT(ErrorsOf(scene.views).aligned_px, 0.1);
+  const SceneHints hints = HintsOf(scene, {points}, scene.views);
+  ASSERT_EQ(hints.points.size(), points.size());
+  for (const ScenePoint& point : hints.points) {
+    for (const PointPixel& pixel : point.pixels) {
+      const auto seen = scene.views[pixel.view].Project(point.position_in_world);
+      ASSERT_TRUE(seen);
+      EXPECT_LT((*seen - pixel.position_px).norm(), 0.3);
+    }
+  }
+}
+
+// Without any curve the points alone determine the cameras.
+TEST(CameraRounds, PointsAloneBringCamerasBack) {
+  const CameraScene scene = Refine(WrongViews(), {WrongPoints()}, 2, DrawingGraph());
+  EXPECT_LT(ErrorsOf(scene.views).aligned_px, 0.1);
+}
+
+TEST(CameraRounds, WithoutCurvesAndPointsCamerasStay) {
+  const CameraScene scene = Refine(WrongViews(), kNoHints, 2, DrawingGraph());
+  EXPECT_EQ(ErrorsOf(scene.views).raw_px, ErrorsOf(WrongViews()).raw_px);
+}
+
+TEST(CameraRounds, RightCamerasStay) {
+  EXPECT_LT(ErrorsOf(Refine(TrueViews()).views).aligned_px, 0.1);
+}
+
+TEST(CameraRounds, HeldViewsStayAndRigsKeepTheirForm) {
+  CameraScene scene = MakeCameraScene(WrongViews(), kNoHints, LooseMounts(kNumPoseViews));
+  CameraMounts& mounts = scene.mounts;
+  mounts.held[5] = 1;
+  // View 1 rides on the body of view 0, where the true one is.
+  const Rigid3d one_from_zero =
+      TrueViews()[1].cam_from_world * Inverse(TrueViews()[0].cam_from_world);
+  mounts.of_view[1] = {0, one_from_zero};
+  scene.views[1].cam_from_world = one_from_zero * scene.views[0].cam_from_world;
+  const DrawingGraph graph = CubeGraph();
+  const auto result = RefineCamerasByDrawing({graph, {1, Curves()}, {3, 2, 1}}, {}, {}, &scene);
+  EXPECT_EQ(scene.views[5].cam_from_world.translation, WrongViews()[5].cam_from_world.translation);
+  const Rigid3d now = scene.views[1].cam_from_world * Inverse(scene.views[0].cam_from_world);
+  EXPECT_LT((now.translation - one_from_zero.translation).norm(), 1e-9);
+  EXPECT_NE(scene.views[0].cam_from_world.translation, WrongViews()[0].cam_from_world.translation);
+  EXPECT_LT(ErrorsOf(scene.views).aligned_px, 0.1);
+  EXPECT_EQ(result.of_view[5].certain_by_px, 0);
+  EXPECT_GT(result.of_view[0].certain_by_px, 0);
+  EXPECT_LT(result.of_view[0].residual_px, kNoisePx);
+}
+
+TEST(CameraRounds, TheGainTellsWrongCamerasFromRightOnes) {
+  const auto gain = [](const std::vector<View>& views) {
+    CameraScene scene = MakeCameraScene(views, kNoHints, LooseMounts(views.size()));
+    const DrawingGraph graph = CubeGraph();
+    return RefineCamerasByDrawing({graph, {1, Curves()}, {2}}, {}, {}, &scene).gain;
+  };
+  EXPECT_LT(gain(TrueViews()), 0.05);
+  EXPECT_GT(gain(WrongViews()), 0.3);
+}
+
+TEST(CameraRounds, ResultDoesNotDependOnThreads) {
+  const CameraScene one = Refine(WrongViews(), kNoHints, 1);
+  const CameraScene two = Refine(WrongViews(), kNoHints, 2);
+  for (int v = 0; v < kNumPoseViews; ++v) {
+    EXPECT_EQ(one.views[v].cam_from_world.translation, two.views[v].cam_from_world.translation);
+  }
+}
+
+TEST(CameraRounds, CanBeCancelled) {
+  std::atomic<bool> cancelled = true;
+  RunContext context;
+  context.cancelled = &cancelled;
+  CameraScene scene = MakeCameraScene(WrongViews(), kNoHints, LooseMounts(kNumPoseViews));
+  const DrawingGraph graph = CubeGraph();
+  EXPECT_THROW(RefineCamerasByDrawing({graph, {1, Curves()}, {1}}, {}, context, &scene), Cancelled);
+}
+
+}  // namespace
+}  // namespace limn
