@@ -23,7 +23,7 @@ constexpr int kLeastPx = 16;
 constexpr double kSmallMarginPx = 4;
 // Gains (CameraFitResult::gain) of cameras that are off, in small pictures and as stored. Exact
 // ones have at most .15 and .03 (algorithm/cameras.md#what-was-measured).
-constexpr double kGainOfOffWhenSmall = 0.3;
+constexpr double kGainOfOffWhenSmall = 0.18;
 constexpr double kGainOfOff = 0.2;
 // The optics are refined if that explains this share of the cost that poses leave.
 constexpr double kGainOfOptics = 0.05;
