@@ -89,7 +89,7 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
                       {{"auto", CameraRefinement::kAuto},
                        {"0", CameraRefinement::kOff},
                        {"1", CameraRefinement::kOn}},
-                      BasicOption("refine the cameras by the curves, auto = if it is needed"));
+                      BasicOption("refine the cameras by the curves, auto = if needed"));
   }
   AddGroup("EdgeDetection", &pipeline.edges, parser);
   AddGroup("EdgeMaps", &options->edge_maps, parser);

@@ -104,9 +104,6 @@ void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptio
 
 void Scene::CheckPanoramas(const RunOptions& options) const {
   if (!view_set_.HasPanoramas()) return;
-  if (options.pipeline.refine_cameras == CameraRefinement::kOn) {
-    throw OptionError("refine_cameras = 1: not with EQUIRECTANGULAR images, which the model has");
-  }
   if (!options.edges_path.empty()) {
     throw OptionError("edges_path = " + options.edges_path +
                       ": the model has EQUIRECTANGULAR images, whose edges are found in parts");
@@ -114,10 +111,6 @@ void Scene::CheckPanoramas(const RunOptions& options) const {
 }
 
 void Scene::UseEdges(const RunOptions& options, Console* console) {
-  if (options.pipeline.refine_cameras == CameraRefinement::kOn) {
-    throw OptionError("refine_cameras = 1: needs edges of small pictures, but edges_path = " +
-                      options.edges_path + " has those of the images as stored only");
-  }
   edge_files_ = FindEdgeFiles(options.edges_path, view_set_);
   console->Say("Edges of all images from " + options.edges_path);
   images_.given_edges = [this, maps = options.edge_maps](ViewId view) {

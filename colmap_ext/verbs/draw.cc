@@ -91,8 +91,12 @@ std::string WhyCamerasStay(const Job& job) {
   const int max_views = options.tiles.max_views;
   if (options.IsPaper()) return "Drawing.method paper draws with the cameras as given";
   if (NumRanks() > 1) return "not by several processes";
-  if (job.scene.images().given_edges) return "edges of small pictures are not given";
-  if (job.scene.view_set().HasPanoramas()) return "the model has EQUIRECTANGULAR images";
+  if (job.scene.images().given_edges) {
+    return "needs edges of small pictures, but those of edges_path are of the images as stored";
+  }
+  if (job.scene.view_set().HasPanoramas()) {
+    return "not with EQUIRECTANGULAR images, which the model has";
+  }
   if (max_views > 0 && std::ssize(job.views()) > max_views) {
     return "takes all views together, but more than Tiles.max_views = " +
            std::to_string(max_views) + " are drawn in tiles";

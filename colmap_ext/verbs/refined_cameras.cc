@@ -75,7 +75,7 @@ void SayChanges(const RefinedCameras& cameras, const ViewSet& set, Console* cons
   if (num_unseen > 0) {
     console->Say("WARNING: " + std::to_string(num_unseen) + " of " +
                  std::to_string(cameras.views.size()) +
-                 " images show no curve that others show, and their cameras stay");
+                 " images show no curve that others show: none refines their cameras");
   }
   if (misfits.empty()) return;
   std::ranges::sort(misfits, std::greater{}, &NamedNumber::number);
@@ -104,17 +104,20 @@ std::optional<RefinedCameras> RefineSceneCameras(const Job& job, CameraRefinemen
 }
 
 void CheckRefinedFolder(const Project& project, const RunOptions& options) {
-  if (options.pipeline.refine_cameras == CameraRefinement::kOff) return;
+  const CameraRefinement how = options.pipeline.refine_cameras;
+  if (how == CameraRefinement::kOff) return;
+  const std::string option =
+      how == CameraRefinement::kOn ? "refine_cameras = 1: " : "refine_cameras = auto: ";
   const std::string folder = project.DrawingPath("refined");
   if (ReadsRefinedFolder(project)) {
-    throw OptionError("refine_cameras = 1: " + folder +
+    throw OptionError(option + folder +
                       " would be overwritten, but is the model that is read: choose another "
                       "output_path");
   }
   for (const ModelFile& file : kBinaryModelFiles) {
     const std::string path = RefinedPath(project, file.name);
     if (std::error_code ignored; !std::filesystem::exists(path, ignored)) continue;
-    throw OptionError("refine_cameras = 1: " + path +
+    throw OptionError(option + path +
                       " would be read instead of what is refined, or change it: remove it or "
                       "choose another output_path");
   }

@@ -11,7 +11,7 @@ namespace limn::colmap_ext {
 // RefineCameras for a scene, unless `how` is kOff; says what was found.
 std::optional<RefinedCameras> RefineSceneCameras(const Job& job, CameraRefinement how);
 
-// Call it before the work (it does nothing unless poses are refined): throws OptionError if
+// Call it before the work (it does nothing if cameras are never refined): throws OptionError if
 // refined/, beside the drawing, is the input model itself, or has binary files that would be read
 // instead of the text files.
 void CheckRefinedFolder(const Project& project, const RunOptions& options);

@@ -13,8 +13,6 @@
 #include <unordered_set>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include "colmap_ext/model/camera_calibration.h"
 #include "colmap_ext/model/scene_reach.h"
 #include "colmap_ext/workspace/camera_check.h"
@@ -124,12 +122,10 @@ std::optional<PointPixel> PixelOf(const SparseModel& model, const ViewSet& set, 
       scale.cwiseProduct(image.observations[observation].position) - Eigen::Vector2d(0.5, 0.5);
   if (!stored_px.allFinite()) return std::nullopt;
   if (window) stored_px = window->WindowFromImage(stored_px);
-  if (!view.lens) return PointPixel{id, stored_px};
-  const auto virtual_px = view.lens->VirtualFromStored(stored_px);
-  const auto jacobian = VirtualFromStoredJacobian(*view.lens, stored_px);
-  if (!virtual_px || !jacobian) return std::nullopt;
-  if (window && !view.region.Contains(*virtual_px)) return std::nullopt;
-  return PointPixel{id, *virtual_px, jacobian->inverse()};
+  const auto pixel = ThroughLens(view.lens.get(), stored_px);
+  if (!pixel) return std::nullopt;
+  if (window && !view.region.Contains(pixel->virtual_px)) return std::nullopt;
+  return PointPixel{id, pixel->virtual_px, pixel->stored_from_virtual};
 }
 
 // Indices into model.points, sorted by id: COLMAP writes points in the order of a hash table.
@@ -306,10 +302,8 @@ View MakeView(const SparseModel& model, int model_index, int part, const SharedO
   view.model_index = model_index;
   view.name = image.name;
   view.camera_index = static_cast<int>(&model.CameraOf(image) - model.cameras.data());
-  view.camera = optics.optics.camera;
+  SetOptics(optics.optics, &view);
   view.cam_from_world = image.cam_from_world;
-  view.lens = optics.optics.lens;
-  view.calibration = optics.optics.calibration;
   view.region = optics.region;
   if (!optics.window) return view;
   char suffix[20];

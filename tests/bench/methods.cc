@@ -18,8 +18,8 @@ DrawingGraph Draw(const Scene& scene, const CurveSketch& sketch, const PipelineO
   const StageObserver unheard = [](const StageSummary&) {};
   const DrawingGraph drawing =
       BuildDrawing({{scene.views, scene.curves}, sketch}, options.drawing, context).graph;
-  DrawingGraph judged = RefineAndJudge({{scene.views, scene.curves, scene.hints}, drawing}, options,
-                                       context, unheard);
+  DrawingGraph judged =
+      RefineAndJudge({{scene.views, scene.curves}, drawing}, options, context, unheard);
   // Kinds, which need the photographs, do not change the curves.
   const DrawingGraph described =
       DescribeLinks(std::move(judged), scene.views, nullptr, options, context, unheard);

@@ -10,8 +10,6 @@
 namespace limn {
 namespace {
 
-// Distance of a landmark behind a view, px: large, so that moving there never lowers the cost.
-constexpr double kBehindPx = 1e3;
 // Standard deviations of what is held, px in the images.
 constexpr double kCameraSigmaPx = 10;
 constexpr double kLandmarkSigmaPx = 10;
@@ -116,7 +114,7 @@ double CameraEquations::LandmarkCost(const CameraState& state, const std::vector
   for (const LandmarkLine& line : landmark.lines) {
     const View& view = input_.views[line.view];
     const auto distance = ResidualToEdgel(view.camera, poses[line.view], line.line, place);
-    double px = distance ? distance->residual_px : kBehindPx;
+    double px = distance ? distance->residual_px : kBehindCameraPx;
     if (const auto change = state.parameters.find(view.camera_index);
         distance && change != state.parameters.end()) {
       px += line.by_parameters * (change->second - input_.parameters.at(view.camera_index));

@@ -33,9 +33,9 @@ std::optional<Eigen::VectorXd> StepOf(const CameraSystem& system, double damping
 class Descent {
  public:
   // Begins with the landmarks where the cameras as they are see them.
-  Descent(const CameraEquations& equations, int num_unknowns)
+  explicit Descent(const CameraEquations& equations)
       : equations_(equations), state_(equations.Start()) {
-    const Eigen::VectorXd stay = Eigen::VectorXd::Zero(num_unknowns);
+    const Eigen::VectorXd stay = Eigen::VectorXd::Zero(equations.size());
     for (int i = 0; i < kLandmarkSteps; ++i) state_ = equations.After(state_, stay);
     cost_ = equations.Cost(state_);
   }
@@ -76,7 +76,7 @@ class Descent {
 std::optional<CameraFitResult> FitCameras(const CameraFitInput& input, const RunContext& context,
                                           std::vector<Landmark>* landmarks) {
   const CameraEquations equations(input, context, *landmarks);
-  Descent descent(equations, equations.size());
+  Descent descent(equations);
   const double cost_of_given = descent.cost();
   for (int i = 0; i < kMaxIterations; ++i) {
     ThrowIfCancelled(context);

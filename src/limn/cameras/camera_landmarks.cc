@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/model/footprint.h"
+#include "limn/model/lens_jacobian.h"
 #include "limn/model/shrunk.h"
 #include "limn/util/angles.h"
 #include "limn/util/median.h"
@@ -63,14 +64,13 @@ Landmark LandmarkOf(const LandmarkInput& input, const ControlGraph& control,
 void AddPixel(const LandmarkInput& input, const SeenPoint::Sight& sight,
               std::vector<LandmarkLine>* lines) {
   const View& view = input.views[sight.view];
-  const auto pixel = PixelThroughLens(view, sight.stored_px);
+  const auto pixel = ThroughLens(view.lens.get(), sight.stored_px);
   if (!pixel) return;
   for (const int axis : {0, 1}) {
     lines->push_back(
-        {sight.view,
-         EdgelLine(pixel->position_px, pixel->stored_from_virtual.row(axis).transpose()),
+        {sight.view, EdgelLine(pixel->virtual_px, pixel->stored_from_virtual.row(axis).transpose()),
          1 / (kPointSigmaPx * kPointSigmaPx),
-         ByParameters(input, view, pixel->position_px, Eigen::RowVector2d::Unit(axis))});
+         ByParameters(input, view, pixel->virtual_px, Eigen::RowVector2d::Unit(axis))});
   }
 }
 

@@ -24,9 +24,7 @@
 namespace limn {
 namespace {
 
-// A link counts if this share of its samples is shown.
-constexpr double kMinShownShare = 0.3;
-// Measured: more make cameras no better.
+// Of the curves, in one fit, about.
 constexpr size_t kMaxLines = 60'000;
 
 class CameraRounds {
@@ -103,12 +101,7 @@ class CameraRounds {
         edgels_,
         {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * kDeg}};
     MatchEdgels(images, options_, context_, &control_);
-    for (ControlLink& link : control_.links) {
-      const auto num_shown = std::ranges::count_if(
-          link.samples, [](const FitSample& sample) { return !sample.pulls.empty(); });
-      link.frozen = num_shown == 0 || static_cast<double>(num_shown) <
-                                          kMinShownShare * static_cast<double>(link.samples.size());
-    }
+    FreezeUnshown(&control_);
   }
 
   template <typename Visit>
@@ -186,9 +179,7 @@ class CameraRounds {
       const Optics optics = view.calibration->WithParameters(
           scene_.given[v].calibration->Parameters() +
           parameters->second.cwiseProduct(per_px_.at(view.camera_index)));
-      view.camera = optics.camera;
-      view.lens = optics.lens;
-      view.calibration = optics.calibration;
+      SetOptics(optics, &view);
     }
   }
 

@@ -3,11 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include "limn/model/lens_jacobian.h"
 #include "limn/model/shrunk.h"
 #include "limn/model/usable_edgels.h"
+#include "limn/refinement/scene_unit.h"
 
 namespace limn {
 namespace {
@@ -21,7 +20,7 @@ Eigen::VectorXd ParametersPerPx(const View& view) {
     for (int j = 0; j <= kEffectSteps; ++j) {
       const Eigen::Vector2d stored(i * (view.camera.width - 1.0) / kEffectSteps,
                                    j * (view.camera.height - 1.0) / kEffectSteps);
-      const auto px = view.lens ? view.lens->VirtualFromStored(stored) : std::optional(stored);
+      const auto px = view.VirtualFromStored(stored);
       if (!px) continue;
       if (const auto columns = view.calibration->StoredByParameters(*px)) {
         effect_px = effect_px.cwiseMax(columns->colwise().norm().transpose());
@@ -29,10 +28,6 @@ Eigen::VectorXd ParametersPerPx(const View& view) {
     }
   }
   return effect_px.unaryExpr([](double px) { return px > 0 ? 1 / px : 0; });
-}
-
-void Scale(double factor, std::vector<View>* views) {
-  for (View& view : *views) view.cam_from_world.translation *= factor;
 }
 
 }  // namespace
@@ -59,25 +54,17 @@ SceneHints HintsOf(const CameraScene& scene, const SceneHints& given,
     hint.position_in_world = scene.points[p].position;
     hint.pixels.clear();
     for (const SeenPoint::Sight& sight : scene.points[p].sights) {
-      const auto pixel = PixelThroughLens(views[sight.view], sight.stored_px);
-      if (pixel)
-        hint.pixels.push_back({sight.view, pixel->position_px, pixel->stored_from_virtual});
+      const auto pixel = ThroughLens(views[sight.view].lens.get(), sight.stored_px);
+      if (!pixel) continue;
+      hint.pixels.push_back({sight.view, pixel->virtual_px, pixel->stored_from_virtual});
     }
   }
   return hints;
 }
 
-std::optional<ThroughLens> PixelThroughLens(const View& view, const Eigen::Vector2d& stored_px) {
-  if (!view.lens) return ThroughLens{stored_px};
-  const auto virtual_px = view.lens->VirtualFromStored(stored_px);
-  const auto jacobian = VirtualFromStoredJacobian(*view.lens, stored_px);
-  if (!virtual_px || !jacobian) return std::nullopt;
-  return ThroughLens{*virtual_px, jacobian->inverse()};
-}
-
 CameraScene Scaled(CameraScene scene, double factor) {
-  Scale(factor, &scene.given);
-  Scale(factor, &scene.views);
+  scene.given = Scaled(std::move(scene.given), factor);
+  scene.views = Scaled(std::move(scene.views), factor);
   for (CameraMount& mount : scene.mounts.of_view) mount.view_from_body.translation *= factor;
   for (SeenPoint& point : scene.points) point.position *= factor;
   return scene;
@@ -116,14 +103,11 @@ View WithOptics(View view, const Optics& optics) {
   if (!is_pinhole) {
     const View before = view;
     view.region = MakeImageRegion(optics.camera, optics.lens.get(), [&](const auto& stored_px) {
-      const auto px = before.lens ? before.lens->VirtualFromStored(stored_px)
-                                  : std::optional<Eigen::Vector2d>(stored_px);
+      const auto px = before.VirtualFromStored(stored_px);
       return px && before.region.Contains(*px);
     });
   }
-  view.camera = optics.camera;
-  view.lens = optics.lens;
-  view.calibration = optics.calibration;
+  SetOptics(optics, &view);
   return view;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -57,13 +56,6 @@ std::vector<ImageCurves> CurvesThroughLenses(const std::vector<View>& shrunk_vie
 
 // Curves that lenses have mapped, back in stored pixels.
 std::vector<ImageCurves> CurvesAsStored(std::vector<ImageCurves> curves);
-
-// A stored pixel in the virtual image of the view; nothing where the lens cannot map.
-struct ThroughLens {
-  Eigen::Vector2d position_px = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d stored_from_virtual = Eigen::Matrix2d::Identity();
-};
-std::optional<ThroughLens> PixelThroughLens(const View& view, const Eigen::Vector2d& stored_px);
 
 // The view with other optics; its region stays what it is in the stored image.
 View WithOptics(View view, const Optics& optics);

@@ -25,4 +25,12 @@ std::optional<Eigen::Matrix2d> VirtualFromStoredJacobian(const LensMap& lens,
   return jacobian;
 }
 
+std::optional<LensPixel> ThroughLens(const LensMap* lens, const Eigen::Vector2d& stored_px) {
+  if (!lens) return LensPixel{stored_px};
+  const auto virtual_px = lens->VirtualFromStored(stored_px);
+  const auto jacobian = VirtualFromStoredJacobian(*lens, stored_px);
+  if (!virtual_px || !jacobian) return std::nullopt;
+  return LensPixel{*virtual_px, jacobian->inverse()};
+}
+
 }  // namespace limn

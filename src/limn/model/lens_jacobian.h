@@ -13,4 +13,13 @@ namespace limn {
 std::optional<Eigen::Matrix2d> VirtualFromStoredJacobian(const LensMap& lens,
                                                          const Eigen::Vector2d& stored_px);
 
+// A stored pixel in the virtual image. A null lens leaves it where it is; nothing where the lens
+// cannot map.
+struct LensPixel {
+  Eigen::Vector2d virtual_px = Eigen::Vector2d::Zero();
+  // Jacobian d stored / d virtual there.
+  Eigen::Matrix2d stored_from_virtual = Eigen::Matrix2d::Identity();
+};
+std::optional<LensPixel> ThroughLens(const LensMap* lens, const Eigen::Vector2d& stored_px);
+
 }  // namespace limn

@@ -81,6 +81,17 @@ std::optional<Eigen::Vector2d> View::StoredFromVirtual(const Eigen::Vector2d& vi
   return lens->StoredFromVirtual(virtual_px);
 }
 
+std::optional<Eigen::Vector2d> View::VirtualFromStored(const Eigen::Vector2d& stored_px) const {
+  if (!lens) return stored_px;
+  return lens->VirtualFromStored(stored_px);
+}
+
+void SetOptics(const Optics& optics, View* view) {
+  view->camera = optics.camera;
+  view->lens = optics.lens;
+  view->calibration = optics.calibration;
+}
+
 ImageRegion MakeImageRegion(const PinholeCamera& camera, const LensMap* lens,
                             const std::function<bool(const Eigen::Vector2d&)>& is_valid) {
   ImageRegion region;

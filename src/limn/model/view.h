@@ -57,7 +57,12 @@ struct View {
   std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& point_in_world) const;
   // From the virtual image to the image as stored; nothing where the lens cannot map.
   std::optional<Eigen::Vector2d> StoredFromVirtual(const Eigen::Vector2d& virtual_px) const;
+  // And back; nothing where the lens cannot map.
+  std::optional<Eigen::Vector2d> VirtualFromStored(const Eigen::Vector2d& stored_px) const;
 };
+
+// Camera, lens and calibration of the view; its region stays.
+void SetOptics(const Optics& optics, View* view);
 
 // The region of a photograph: its rectangle without a margin, without what the mask excludes
 // (stored pixels, one byte each, 0 = do not use; empty = none), without what the lens cannot map.

@@ -69,9 +69,8 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
     unfinished.cameras_are_off = true;
     return unfinished;
   }
-  DrawingGraph graph =
-      RefineAndJudge({{input.views, image_curves.curves, input.hints}, drawing.graph}, options,
-                     alone, on_stage_end);
+  DrawingGraph graph = RefineAndJudge({{input.views, image_curves.curves}, drawing.graph}, options,
+                                      alone, on_stage_end);
   graph =
       DescribeLinks(std::move(graph), input.views, input.images.read, options, alone, on_stage_end);
   if (input.images.release) input.images.release();

@@ -21,8 +21,8 @@ constexpr int kFirstSidePx = 160;
 constexpr int kLeastPx = 16;
 // Unused border of small pictures, px.
 constexpr double kSmallMarginPx = 4;
-// Gains (CameraFitResult::gain) of cameras that are off, in small pictures and as stored. Exact
-// ones have at most .15 and .03 (algorithm/cameras.md#what-was-measured).
+// Gains (CameraFitResult::gain) of cameras that are off, in small pictures and as stored
+// (algorithm/cameras.md#whether-it-is-needed).
 constexpr double kGainOfOffWhenSmall = 0.18;
 constexpr double kGainOfOff = 0.2;
 // The optics are refined if that explains this share of the cost that poses leave.
@@ -67,8 +67,7 @@ class CameraRefiner {
         first_images_(input.views.size()) {}
 
   std::optional<RefinedCameras> Run() {
-    const PictureLevel stored = Extract(1);
-    const PictureLevel first = first_factor_ == 1 ? stored : Extract(first_factor_);
+    const PictureLevel first = Extract(first_factor_);
     const FirstLook look = DrawAndRefine(first, kReaches);
     if (options_.refine_cameras == CameraRefinement::kAuto && look.gain < kGainOfOffWhenSmall) {
       return std::nullopt;
@@ -83,6 +82,7 @@ class CameraRefiner {
     if (look.moved_px > kSettledPx) Settle(first);
     for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
     if (graph_.links.empty()) return std::nullopt;
+    const PictureLevel stored = Extract(1);
     CameraRoundsResult last = Refine(stored, kReaches, RefinedOptics::kNone);
     const CameraScene posed = scene_;
     const CameraRoundsResult with_optics = Refine(stored, kLastReaches, RefinedOptics::kAll);
@@ -114,7 +114,7 @@ class CameraRefiner {
     return {factor, std::move(extracted.curves)};
   }
 
-  // Decodes each photograph once for itself and the pictures of the first look.
+  // Pictures smaller than those of the first look are made of these.
   Image ReadShrunk(ViewId id, int factor) {
     std::optional<Image>& first = first_images_[id];
     if (first && factor % first_factor_ == 0) return Shrunk(*first, factor / first_factor_);
@@ -167,19 +167,26 @@ class CameraRefiner {
     return places.empty() ? Eigen::Vector3d::Zero() : MedianPoint(places);
   }
 
+  // The given views with these poses and optics.
+  std::vector<View> Refined(const std::vector<View>& moved) const {
+    std::vector<View> refined = input_.views;
+    ParallelFor(context_, "cameras", refined.size(), [&](size_t v) {
+      const View& view = moved[v];
+      if (view.calibration != refined[v].calibration) {
+        refined[v] = WithOptics(std::move(refined[v]), {view.camera, view.lens, view.calibration});
+      }
+      refined[v].cam_from_world = view.cam_from_world;
+    });
+    return refined;
+  }
+
   // As they are now, in the frame of the given ones.
   RefinedCameras Cameras(const CameraRoundsResult& last) const {
     const Gauge gauge = FindGauge(input_.views, scene_.views, MiddleOfScene());
     RefinedCameras cameras;
     cameras.median_move_px = gauge.typical_move_px;
-    const std::vector<View> moved = Moved(scene_.views, gauge.given_from_refined);
-    for (size_t v = 0; v < moved.size(); ++v) {
-      const View& view = moved[v];
-      View& refined = cameras.views.emplace_back(input_.views[v]);
-      if (view.calibration != refined.calibration) {
-        refined = WithOptics(std::move(refined), {view.camera, view.lens, view.calibration});
-      }
-      refined.cam_from_world = view.cam_from_world;
+    cameras.views = Refined(Moved(scene_.views, gauge.given_from_refined));
+    for (size_t v = 0; v < cameras.views.size(); ++v) {
       const CameraEvidence& evidence = last.of_view[v];
       cameras.of_view.push_back(
           {gauge.moves_px[v], evidence.num_edgels, evidence.residual_px, evidence.certain_by_px});

@@ -53,8 +53,8 @@ struct RefinedCameras {
 // pictures as stored are not drawn. Returns nothing if the views show too little. With
 // CameraRefinement::kAuto it returns nothing, too, unless a drawing of small pictures says that
 // cameras are off by about a pixel or more; less is seen in the drawing itself (CamerasAreOff).
-// Throws OptionError, what `images` throws, and Cancelled. Time: two thirds of a drawing; a tenth
-// if it stops after the first look.
+// Throws OptionError, what `images` throws, and Cancelled. Time: a large part of that of a drawing;
+// a small one if it stops after the first look.
 std::optional<RefinedCameras> RefineCameras(const CameraRefinementInput& input,
                                             const PipelineOptions& options,
                                             const RunContext& context);

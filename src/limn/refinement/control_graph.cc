@@ -12,6 +12,8 @@ namespace {
 // of a link.
 constexpr double kCornerSkipPx = 3;
 constexpr double kMaxSkippedShare = 0.25;
+// A link is fitted if enough views show this share of its samples.
+constexpr double kMinShownShare = 0.3;
 
 // Returns whether two ends continue each other and no other link ends here.
 bool IsSmooth(const DrawingNode& node) {
@@ -106,6 +108,18 @@ void UpdateTangents(ControlGraph* control) {
     for (int k = 0; k <= link.NumSegments(); ++k) {
       control->tangent[link.points[k]] = Tangent(*control, link, k - 1, k + 1);
     }
+  }
+}
+
+int NumShown(const ControlLink& link) {
+  return static_cast<int>(
+      std::ranges::count_if(link.samples, [](const FitSample& s) { return !s.pulls.empty(); }));
+}
+
+void FreezeUnshown(ControlGraph* control) {
+  for (ControlLink& link : control->links) {
+    const int shown = NumShown(link);
+    link.frozen = shown == 0 || shown < kMinShownShare * static_cast<double>(link.samples.size());
   }
 }
 

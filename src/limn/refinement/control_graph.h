@@ -80,6 +80,12 @@ Eigen::Vector3d Tangent(const ControlGraph& control, const ControlLink& link, in
 // Tangents from the neighbors along the links.
 void UpdateTangents(ControlGraph* control);
 
+// Samples that enough views show, so that they have pulls.
+int NumShown(const ControlLink& link);
+
+// Freezes the links of which too small a share is shown, and no others: they follow their nodes.
+void FreezeUnshown(ControlGraph* control);
+
 // Moves a polyline to new ends: every point by a mean of the motions of both ends, the nearer end
 // weighing more.
 void FollowEnds(const Eigen::Vector3d& first, const Eigen::Vector3d& last, Polyline3d* points);

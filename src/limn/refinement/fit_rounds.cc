@@ -15,16 +15,8 @@
 namespace limn {
 namespace {
 
-// A link is fitted if enough views show this share of its samples.
-constexpr double kMinShownShare = 0.3;
 // A view supports a link if it shows this many of its samples, or half of them.
 constexpr int kMinSupportedSamples = 3;
-
-// Samples that enough views show.
-int NumShown(const ControlLink& link) {
-  return static_cast<int>(
-      std::ranges::count_if(link.samples, [](const FitSample& s) { return !s.pulls.empty(); }));
-}
 
 void SetSupport(const ControlLink& fitted, DrawingLink* link) {
   std::map<ViewId, int> samples;
@@ -69,16 +61,9 @@ TopologyInput FitRounds::Images(double reach) const {
 
 void FitRounds::Match(double reach) { MatchEdgels(Images(reach), options_, context_, &control); }
 
-void FitRounds::FindFrozen() {
-  for (ControlLink& link : control.links) {
-    const int shown = NumShown(link);
-    link.frozen = shown == 0 || shown < kMinShownShare * static_cast<double>(link.samples.size());
-  }
-}
-
 void FitRounds::Fit(const FittedLinks& fitted, bool is_last) {
   Match(1);
-  FindFrozen();
+  FreezeUnshown(&control);
   for (size_t l = 0; l < fitted.size(); ++l) control.links[l].frozen |= !fitted[l];
   FitCurves(views, options_, context_, is_last, &control);
 }

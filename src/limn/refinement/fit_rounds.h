@@ -27,8 +27,6 @@ class FitRounds {
   // `reach`: multiple of max_distance_px.
   TopologyInput Images(double reach) const;
   void Match(double reach);
-  // Links that too few views show follow their nodes.
-  void FindFrozen();
   // Matches and fits the links once. In the last round the points get covariances.
   void Fit(const FittedLinks& fitted, bool is_last);
   // Matches the links a last time and describes them: points, sigmas, and, where they were fitted,

@@ -5,10 +5,6 @@
 namespace limn {
 namespace {
 
-// Distance of a point behind a camera, stored px: large, so that moving there never lowers the
-// cost.
-constexpr double kBehindPx = 1e3;
-
 // The signed root of the Cauchy loss, and its derivative.
 struct Root {
   double value;
@@ -40,7 +36,7 @@ bool PullCost::Evaluate(double const* const* parameters, double* residuals,
   for (size_t i = 0; i < pulls_.size(); ++i) {
     const auto& [view, line, scale] = pulls_[i];
     const EdgelResidual distance =
-        ResidualToEdgel(*view, line, place).value_or(EdgelResidual{kBehindPx});
+        ResidualToEdgel(*view, line, place).value_or(EdgelResidual{kBehindCameraPx});
     const Root root = RootOfLoss(distance.residual_px, robust_px_);
     residuals[i] = scale * root.value;
     if (!jacobians) continue;

@@ -30,6 +30,10 @@ struct EdgelResidual {
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
 };
 
+// What fits take for the distance of a point behind the camera, stored pixels: large, so that
+// moving there never lowers the cost.
+constexpr double kBehindCameraPx = 1e3;
+
 // Empty if the point is behind the camera.
 std::optional<EdgelResidual> ResidualToEdgel(const View& view, const EdgelLine& line,
                                              const Eigen::Vector3d& point_in_world);
