@@ -65,10 +65,8 @@ std::optional<PipelineResult> DrawSceneOrTiles(const PipelineInput& input,
   return DrawScene(input, options, job.context(), job.reporter());
 }
 
-DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles,
-                        const std::optional<RefinedCameras>& cameras) {
+DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles) {
   DrawnScene drawn;
-  drawn.cameras_are_off = result.cameras_are_off;
   DrawingInScene& drawing = drawn.drawing;
   drawing.graph = std::move(result.graph);
   drawing.metadata = Metadata(job.scene, Provenance(job.options));
@@ -80,8 +78,8 @@ DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles,
   drawn.sample_fates = std::move(result.sample_fates);
   drawn.new_views = std::move(result.new_views);
   drawn.keep = std::move(result.keep);
-  drawing.views = cameras ? cameras->views : job.views();
-  drawn.cameras = cameras;
+  drawing.views = result.cameras ? result.cameras->views : job.views();
+  drawn.cameras = std::move(result.cameras);
   return drawn;
 }
 
@@ -113,20 +111,17 @@ CameraRefinement CameraRefinementOf(const Job& job) {
   return CameraRefinement::kOff;
 }
 
-// With the refined cameras, if there are any; else, on request, only if those of the scene are
-// good.
-std::optional<DrawnScene> DrawWithCameras(const Job& job, const DrawerOptions& options,
-                                          const std::optional<RefinedCameras>& cameras,
-                                          bool check_cameras) {
+}  // namespace
+
+std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& options) {
   const RunOptions& run = options.run;
   const ViewSet& set = job.scene.view_set();
-  const PipelineInput input{cameras ? cameras->views : set.views,
-                            cameras ? cameras->hints : set.hints,
-                            job.scene.images(),
-                            SceneBox(job.scene, run),
-                            job.cache,
-                            check_cameras ? &set.mounts : nullptr,
-                            run.update};
+  const CameraRefinement how = CameraRefinementOf(job);
+  const PipelineInput input{
+      set.views,          set.hints,
+      job.scene.images(), SceneBox(job.scene, run),
+      job.cache,          how == CameraRefinement::kOff ? nullptr : &set.mounts,
+      run.update};
   const std::vector<Tile> tiles = PlanSceneTiles(input, options, job.console);
   if (!run.shard.empty()) {
     DoShard(input, tiles, run, job.console);
@@ -135,20 +130,8 @@ std::optional<DrawnScene> DrawWithCameras(const Job& job, const DrawerOptions& o
   auto result = DrawSceneOrTiles(input, tiles, job);
   if (!result) return std::nullopt;
   CheckGraph(result->graph);
-  return ToDrawnScene(std::move(*result), job, IsInTiles(tiles, input.views), cameras);
-}
-
-}  // namespace
-
-std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& options) {
-  const CameraRefinement how = CameraRefinementOf(job);
-  std::optional<RefinedCameras> cameras = RefineSceneCameras(job, how);
-  const bool check_cameras = how == CameraRefinement::kAuto && !cameras;
-  std::optional<DrawnScene> drawn = DrawWithCameras(job, options, cameras, check_cameras);
-  if (!drawn || !drawn->cameras_are_off) return drawn;
-  job.console->Say("The edges fit much better when the cameras move");
-  cameras = RefineSceneCameras(job, CameraRefinement::kOn);
-  return DrawWithCameras(job, options, cameras, false);
+  if (how != CameraRefinement::kOff) SayCameras(result->cameras, set, how, job.console);
+  return ToDrawnScene(std::move(*result), job, IsInTiles(tiles, input.views));
 }
 
 std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOptions& options,

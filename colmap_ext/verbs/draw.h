@@ -9,13 +9,11 @@
 #include "colmap_ext/verbs/drawing_in_scene.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/pipeline/pipeline.h"
-#include "limn/pipeline/refine_cameras.h"
 
 namespace limn::colmap_ext {
 
 // What is drawn of a scene. One that is drawn in tiles has no curves, sketch and fates.
 struct DrawnScene {
-  bool cameras_are_off = false;  // see PipelineResult
   DrawingInScene drawing;
   CurveSketch sketch;
   EdgelFates sketch_fates;

@@ -87,20 +87,14 @@ void SayChanges(const RefinedCameras& cameras, const ViewSet& set, Console* cons
 
 }  // namespace
 
-std::optional<RefinedCameras> RefineSceneCameras(const Job& job, CameraRefinement how) {
-  PipelineOptions options = job.options.pipeline;
-  options.refine_cameras = how;
-  if (how == CameraRefinement::kOff) return std::nullopt;
-  const ViewSet& set = job.scene.view_set();
-  auto cameras = RefineCameras({set.views, set.hints, job.scene.images(),
-                                SceneBox(job.scene, job.options), job.cache, set.mounts},
-                               options, job.context());
-  if (cameras) {
-    SayChanges(*cameras, set, job.console);
-  } else if (how == CameraRefinement::kOn) {
-    job.console->Say("WARNING: cameras stay as they are: the images show too few curves");
+void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set,
+                CameraRefinement how, Console* console) {
+  if (cameras) return SayChanges(*cameras, set, console);
+  if (how == CameraRefinement::kAuto) {
+    console->Say("Cameras are left as they are: edges would fit little better");
+  } else {
+    console->Say("WARNING: cameras stay as they are: the images show too few curves");
   }
-  return cameras;
 }
 
 void CheckRefinedFolder(const Project& project, const RunOptions& options) {

@@ -8,8 +8,9 @@
 
 namespace limn::colmap_ext {
 
-// RefineCameras for a scene, unless `how` is kOff; says what was found.
-std::optional<RefinedCameras> RefineSceneCameras(const Job& job, CameraRefinement how);
+// Says what has become of the cameras of the set, none = left as they are.
+void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set,
+                CameraRefinement how, Console* console);
 
 // Call it before the work (it does nothing if cameras are never refined): throws OptionError if
 // refined/, beside the drawing, is the input model itself, or has binary files that would be read

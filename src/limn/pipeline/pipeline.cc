@@ -2,36 +2,73 @@
 
 #include <utility>
 
-#include "limn/pipeline/refine_cameras.h"
 #include "limn/pipeline/update_scene.h"
 
 namespace limn {
 
 namespace {
 
-CurvesResult ExtractAll(const PipelineInput& input, const PipelineOptions& options,
-                        const RunContext& context, const StageObserver& on_stage_end) {
+std::vector<ImageCurves> ExtractAll(const PipelineInput& input, const PipelineOptions& options,
+                                    const RunContext& context, const StageObserver& on_stage_end) {
   options.Check();
   CurvesResult image_curves = ExtractCurves({input.views, input.images, input.cache}, options.edges,
                                             options.linking, context);
   on_stage_end(image_curves.summary);
-  return image_curves;
+  return std::move(image_curves.curves);
 }
 
-DrawnCurves DrawExtracted(const PipelineInput& input, const CurvesResult& image_curves,
-                          const PipelineOptions& options, const RunContext& context,
-                          const StageObserver& on_stage_end) {
-  return DrawCurves({input.views, image_curves.curves, input.hints, input.box}, options,
-                    input.cache, context, on_stage_end);
+// The input as the refined cameras, if there are any, see it.
+PipelineInput SeenBy(const std::optional<RefinedCameras>& cameras, const PipelineInput& given) {
+  if (!cameras) return given;
+  return {cameras->views, cameras->hints, given.images, given.box, given.cache, given.mounts};
+}
+
+DrawnCurves Draw(const PipelineInput& input, const std::vector<ImageCurves>& curves,
+                 const PipelineOptions& options, const RunContext& context,
+                 const StageObserver& on_stage_end) {
+  return DrawCurves({input.views, curves, input.hints, input.box}, options, input.cache, context,
+                    on_stage_end);
+}
+
+// Draws with the given cameras, or with refined ones.
+UnrefinedScene DrawExtracted(const PipelineInput& input, std::vector<ImageCurves> curves,
+                             const PipelineOptions& options, const RunContext& context,
+                             const StageObserver& on_stage_end) {
+  UnrefinedScene scene;
+  if (!input.mounts || options.refine_cameras == CameraRefinement::kOff) {
+    scene.drawn = Draw(input, curves, options, context, on_stage_end);
+    scene.curves = std::move(curves);
+    return scene;
+  }
+  CameraRefiner refiner({input.views, input.hints, input.images, input.box, *input.mounts}, curves,
+                        options, context);
+  scene.curves = std::move(curves);
+  const auto take_cameras = [&] {
+    if (!refiner.HaveMoved()) return;
+    scene.cameras = refiner.Cameras();
+    scene.curves = refiner.CurvesSeenBy(scene.cameras->views);
+  };
+  const auto draw_and_refine = [&] {
+    scene.drawn = Draw(SeenBy(scene.cameras, input), scene.curves, options, context, on_stage_end);
+    refiner.RefineByDrawing(scene.drawn.drawing.graph);
+    take_cameras();
+  };
+  refiner.RefineBySmallPictures();
+  take_cameras();
+  const bool have_moved = refiner.HaveMoved();
+  draw_and_refine();
+  // What wrong cameras draw is in pieces.
+  if (refiner.HaveMoved() && !have_moved) draw_and_refine();
+  return scene;
 }
 
 // If the drawing of an earlier run can be brought up to date; else says why not.
-std::optional<PipelineResult> Update(const PipelineInput& input, CurvesResult* image_curves,
+std::optional<PipelineResult> Update(const PipelineInput& input, std::vector<ImageCurves>* curves,
                                      const PipelineOptions& options, const RunContext& context,
                                      const StageObserver& on_stage_end) {
   std::string why_not;
   std::optional<PipelineResult> result =
-      UpdateScene(input, &image_curves->curves, options, context, on_stage_end, &why_not);
+      UpdateScene(input, curves, options, context, on_stage_end, &why_not);
   if (!result) {
     StageSummary summary;
     summary.stage = "update";
@@ -45,42 +82,37 @@ std::optional<PipelineResult> Update(const PipelineInput& input, CurvesResult* i
 
 UnrefinedScene DrawUnrefined(const PipelineInput& input, const PipelineOptions& options,
                              const RunContext& context, const StageObserver& on_stage_end) {
-  CurvesResult image_curves = ExtractAll(input, options, context, on_stage_end);
-  DrawnCurves drawn = DrawExtracted(input, image_curves, options, context, on_stage_end);
-  return {std::move(image_curves), std::move(drawn)};
+  return DrawExtracted(input, ExtractAll(input, options, context, on_stage_end), options, context,
+                       on_stage_end);
 }
 
 PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& options,
                          const RunContext& context, const StageObserver& on_stage_end) {
-  CurvesResult image_curves = ExtractAll(input, options, context, on_stage_end);
+  std::vector<ImageCurves> extracted = ExtractAll(input, options, context, on_stage_end);
   if (input.update) {
-    if (auto updated = Update(input, &image_curves, options, context, on_stage_end)) {
+    if (auto updated = Update(input, &extracted, options, context, on_stage_end)) {
       return *std::move(updated);
     }
   }
-  auto [sketch, drawing] = DrawExtracted(input, image_curves, options, context, on_stage_end);
+  auto [curves, drawn, cameras] =
+      DrawExtracted(input, std::move(extracted), options, context, on_stage_end);
+  const PipelineInput seen = SeenBy(cameras, input);
   // What follows is done by this process alone.
   RunContext alone = context;
   alone.team = nullptr;
 
-  if (input.checked_mounts && CamerasAreOff(drawing.graph, input.views, image_curves.curves,
-                                            input.hints, *input.checked_mounts, options, alone)) {
-    PipelineResult unfinished;
-    unfinished.cameras_are_off = true;
-    return unfinished;
-  }
-  DrawingGraph graph = RefineAndJudge({{input.views, image_curves.curves}, drawing.graph}, options,
-                                      alone, on_stage_end);
+  DrawingGraph graph =
+      RefineAndJudge({{seen.views, curves}, drawn.drawing.graph}, options, alone, on_stage_end);
   graph =
-      DescribeLinks(std::move(graph), input.views, input.images.read, options, alone, on_stage_end);
+      DescribeLinks(std::move(graph), seen.views, input.images.read, options, alone, on_stage_end);
   if (input.images.release) input.images.release();
-  auto keep = RecordWriter(input, image_curves.curves, sketch.plans, graph, options, context);
-  return {false,
-          std::move(image_curves.curves),
-          std::move(sketch.sketch),
-          std::move(sketch.fates),
+  auto keep = RecordWriter(seen, curves, drawn.sketch.plans, graph, options, context);
+  return {std::move(cameras),
+          std::move(curves),
+          std::move(drawn.sketch.sketch),
+          std::move(drawn.sketch.fates),
           std::move(graph),
-          std::move(drawing.fates),
+          std::move(drawn.drawing.fates),
           std::nullopt,
           std::move(keep)};
 }

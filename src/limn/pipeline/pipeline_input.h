@@ -13,6 +13,7 @@
 #include "limn/model/scene_hints.h"
 #include "limn/model/view_subset.h"
 #include "limn/pipeline/extract_curves.h"
+#include "limn/pipeline/refine_cameras.h"
 
 namespace limn {
 
@@ -25,15 +26,16 @@ struct PipelineInput {
   std::optional<Eigen::AlignedBox3d> box;
   // Image curves and sketches of earlier runs, where new ones are stored. Never null.
   ResultCache* cache;
-  // If set, and by these mounts the cameras turn out to be off, the drawing is left unfinished.
-  const CameraMounts* checked_mounts = nullptr;
+  // Which views move together if the cameras are refined; null = they stay as they are, whatever
+  // the options say.
+  const CameraMounts* mounts = nullptr;
   // Instead bring the drawing stored last up to date, if possible (update_scene.h).
   bool update = false;
 };
 
 struct PipelineResult {
-  // Then nothing else is set (PipelineInput::checked_mounts).
-  bool cameras_are_off = false;
+  // The drawing fits them, if there are any, instead of those of the input.
+  std::optional<RefinedCameras> cameras;
   std::vector<ImageCurves> curves;
   CurveSketch sketch;
   EdgelFates sketch_fates;

@@ -4,8 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "limn/cameras/camera_rounds.h"
-#include "limn/cameras/gauge.h"
 #include "limn/geometry/median_point.h"
 #include "limn/model/shrunk.h"
 #include "limn/pipeline/drawing_stages.h"
@@ -34,6 +32,7 @@ constexpr double kSettledPx = 0.7;
 constexpr int kMaxDrawings = 6;
 
 // Gates of the rounds with one drawing.
+const std::vector<double> kCheckReaches = {2};
 const std::vector<double> kFirstReaches = {3, 2, 1};
 const std::vector<double> kReaches = {2, 1};
 const std::vector<double> kLastReaches = {1, 1};
@@ -54,182 +53,172 @@ int FactorOf(const std::vector<View>& views, int least_side_px) {
   return factor;
 }
 
-class CameraRefiner {
- public:
-  CameraRefiner(const CameraRefinementInput& input, const PipelineOptions& options,
-                const RunContext& context)
-      : input_(input),
-        options_(options),
-        context_(context),
-        none_(""),
-        scene_(MakeCameraScene(input.views, input.hints, input.mounts)),
-        first_factor_(FactorOf(input.views, kFirstSidePx)),
-        first_images_(input.views.size()) {}
-
-  std::optional<RefinedCameras> Run() {
-    const PictureLevel first = Extract(first_factor_);
-    const FirstLook look = DrawAndRefine(first, kReaches);
-    if (options_.refine_cameras == CameraRefinement::kAuto && look.gain < kGainOfOffWhenSmall) {
-      return std::nullopt;
-    }
-    if (look.moved_px > kLostPx) {
-      scene_ = MakeCameraScene(input_.views, input_.hints, input_.mounts);
-      for (int factor = FactorOf(input_.views, kSmallestSidePx); factor > first_factor_;
-           factor /= 2) {
-        Settle(Extract(factor));
-      }
-    }
-    if (look.moved_px > kSettledPx) Settle(first);
-    for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
-    if (graph_.links.empty()) return std::nullopt;
-    const PictureLevel stored = Extract(1);
-    CameraRoundsResult last = Refine(stored, kReaches, RefinedOptics::kNone);
-    const CameraScene posed = scene_;
-    const CameraRoundsResult with_optics = Refine(stored, kLastReaches, RefinedOptics::kAll);
-    if (with_optics.gain > kGainOfOptics) {
-      last = with_optics;
-    } else {
-      scene_ = posed;
-    }
-    return Cameras(last);
-  }
-
- private:
-  struct FirstLook {
-    double gain = 0;
-    double moved_px = 0;  // of the pictures
-  };
-
-  // Pictures with their curves as stored, whatever the lenses.
-  PictureLevel Extract(int factor) {
-    std::vector<View> views = ShrunkViews(input_.views, factor);
-    for (View& view : views) view.lens = nullptr;
-    ImageSource images = input_.images;
-    EdgeDetectionOptions edges = options_.edges;
-    images.read = [&](ViewId id) { return ReadShrunk(id, factor); };
-    if (factor > 1) edges.margin_px = std::min(edges.margin_px, kSmallMarginPx);
-    ResultCache* cache = factor == 1 ? input_.cache : &none_;
-    CurvesResult extracted =
-        ExtractCurves({views, images, cache}, edges, options_.linking, context_);
-    return {factor, std::move(extracted.curves)};
-  }
-
-  // Pictures smaller than those of the first look are made of these.
-  Image ReadShrunk(ViewId id, int factor) {
-    std::optional<Image>& first = first_images_[id];
-    if (first && factor % first_factor_ == 0) return Shrunk(*first, factor / first_factor_);
-    const Image image = input_.images.read(id);
-    if (!first) first = Shrunk(image, first_factor_);
-    return Shrunk(image, factor);
-  }
-
-  // With the cameras as they are now.
-  void Draw(const PictureLevel& level) {
-    const std::vector<View> views = ShrunkViews(scene_.views, level.factor);
-    const std::vector<ImageCurves> curves = CurvesThroughLenses(views, level, context_);
-    PipelineOptions options = options_;
-    options.mode = SketchMode::kSweep;
-    const SceneHints hints = HintsOf(scene_, input_.hints, scene_.views);
-    graph_ = DrawCurves({views, curves, hints, input_.box}, options, &none_, context_,
-                        [](const StageSummary&) {})
-                 .drawing.graph;
-  }
-
-  CameraRoundsResult Refine(const PictureLevel& level, const std::vector<double>& reaches,
-                            RefinedOptics optics) {
-    return RefineCamerasByDrawing({graph_, level, reaches, optics}, options_.refinement, context_,
-                                  &scene_);
-  }
-
-  FirstLook DrawAndRefine(const PictureLevel& level, const std::vector<double>& reaches) {
-    Draw(level);
-    const std::vector<View> before = scene_.views;
-    const CameraRoundsResult rounds = Refine(level, reaches, RefinedOptics::kNone);
-    const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene());
-    return {rounds.gain, gauge.typical_move_px / level.factor};
-  }
-
-  void Settle(const PictureLevel& level) {
-    double moved_px = DrawAndRefine(level, kFirstReaches).moved_px;
-    for (int i = 1; i < kMaxDrawings && moved_px > kSettledPx; ++i) {
-      moved_px = DrawAndRefine(level, kReaches).moved_px;
-    }
-  }
-
-  Eigen::Vector3d MiddleOfScene() const {
-    std::vector<Eigen::Vector3d> places;
-    for (const DrawingLink& link : graph_.links) {
-      places.insert(places.end(), link.points_in_world.begin(), link.points_in_world.end());
-    }
-    for (const SeenPoint& point : scene_.points) {
-      if (point.sights.size() >= 2) places.push_back(point.position);
-    }
-    return places.empty() ? Eigen::Vector3d::Zero() : MedianPoint(places);
-  }
-
-  // The given views with these poses and optics.
-  std::vector<View> Refined(const std::vector<View>& moved) const {
-    std::vector<View> refined = input_.views;
-    ParallelFor(context_, "cameras", refined.size(), [&](size_t v) {
-      const View& view = moved[v];
-      if (view.calibration != refined[v].calibration) {
-        refined[v] = WithOptics(std::move(refined[v]), {view.camera, view.lens, view.calibration});
-      }
-      refined[v].cam_from_world = view.cam_from_world;
-    });
-    return refined;
-  }
-
-  // As they are now, in the frame of the given ones.
-  RefinedCameras Cameras(const CameraRoundsResult& last) const {
-    const Gauge gauge = FindGauge(input_.views, scene_.views, MiddleOfScene());
-    RefinedCameras cameras;
-    cameras.median_move_px = gauge.typical_move_px;
-    cameras.views = Refined(Moved(scene_.views, gauge.given_from_refined));
-    for (size_t v = 0; v < cameras.views.size(); ++v) {
-      const CameraEvidence& evidence = last.of_view[v];
-      cameras.of_view.push_back(
-          {gauge.moves_px[v], evidence.num_edgels, evidence.residual_px, evidence.certain_by_px});
-    }
-    for (const FarMove& move : gauge.moved_far) cameras.of_view[move.view].is_misfit = true;
-    cameras.hints = HintsOf(scene_, input_.hints, cameras.views);
-    for (size_t p = 0; p < scene_.points.size(); ++p) {
-      if (!scene_.points[p].is_fitted) continue;
-      Eigen::Vector3d& position = cameras.hints.points[p].position_in_world;
-      position = gauge.given_from_refined * position;
-    }
-    return cameras;
-  }
-
-  const CameraRefinementInput& input_;
-  const PipelineOptions& options_;
-  const RunContext& context_;
-  ResultCache none_;
-  CameraScene scene_;
-  const int first_factor_;
-  std::vector<std::optional<Image>> first_images_;
-  DrawingGraph graph_;  // the last drawing
-};
-
 }  // namespace
 
-std::optional<RefinedCameras> RefineCameras(const CameraRefinementInput& input,
-                                            const PipelineOptions& options,
-                                            const RunContext& context) {
-  options.Check();
-  return CameraRefiner(input, options, context).Run();
+CameraRefiner::CameraRefiner(const CameraRefinementInput& input,
+                             const std::vector<ImageCurves>& curves, const PipelineOptions& options,
+                             const RunContext& context)
+    : input_(input),
+      options_(options),
+      context_(context),
+      stored_{1, CurvesAsStored(curves)},
+      scene_(MakeCameraScene(input.views, input.hints, input.mounts)),
+      first_factor_(FactorOf(input.views, kFirstSidePx)),
+      first_images_(input.views.size()) {}
+
+void CameraRefiner::RefineBySmallPictures() {
+  const PictureLevel first = Extract(first_factor_);
+  const FirstLook look = DrawAndRefine(first, kReaches);
+  if (options_.refine_cameras == CameraRefinement::kAuto && look.gain < kGainOfOffWhenSmall) {
+    scene_ = MakeCameraScene(input_.views, input_.hints, input_.mounts);
+    return;
+  }
+  if (look.moved_px > kLostPx) {
+    scene_ = MakeCameraScene(input_.views, input_.hints, input_.mounts);
+    for (int factor = FactorOf(input_.views, kSmallestSidePx); factor > first_factor_;
+         factor /= 2) {
+      Settle(Extract(factor));
+    }
+  }
+  if (look.moved_px > kSettledPx) Settle(first);
+  for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
+  first_images_.clear();
+  if (!graph_.links.empty()) RefineAsStored(graph_, kReaches);
 }
 
-bool CamerasAreOff(const DrawingGraph& graph, const std::vector<View>& views,
-                   const std::vector<ImageCurves>& curves, const SceneHints& hints,
-                   const CameraMounts& mounts, const PipelineOptions& options,
-                   const RunContext& context) {
-  if (graph.links.empty()) return false;
-  CameraScene scene = MakeCameraScene(views, hints, mounts);
-  const CameraRoundsResult result =
-      RefineCamerasByDrawing({graph, {1, CurvesAsStored(curves)}, {2}, RefinedOptics::kNone},
-                             options.refinement, context, &scene);
-  return result.gain > kGainOfOff;
+void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
+  if (graph.links.empty()) return;
+  graph_ = graph;
+  if (have_moved_) return RefineAsStored(graph, kLastReaches);
+  if (options_.refine_cameras == CameraRefinement::kAuto) {
+    CameraScene given = scene_;
+    const double gain = Refine(graph, stored_, kCheckReaches, RefinedOptics::kNone).gain;
+    scene_ = std::move(given);
+    if (gain <= kGainOfOff) return;
+  }
+  RefineAsStored(graph, kReaches);
+}
+
+void CameraRefiner::RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches) {
+  last_ = Refine(graph, stored_, reaches, RefinedOptics::kNone);
+  have_moved_ = true;
+  CameraScene posed = scene_;
+  CameraRoundsResult with_optics = Refine(graph, stored_, kLastReaches, RefinedOptics::kAll);
+  if (with_optics.gain > kGainOfOptics) {
+    last_ = std::move(with_optics);
+  } else {
+    scene_ = std::move(posed);
+  }
+  FixGauge();
+}
+
+std::vector<ImageCurves> CameraRefiner::CurvesSeenBy(const std::vector<View>& views) const {
+  return CurvesThroughLenses(views, stored_, context_);
+}
+
+// Smaller pictures, with their curves whatever the lenses.
+PictureLevel CameraRefiner::Extract(int factor) {
+  if (factor == 1) return stored_;
+  std::vector<View> views = ShrunkViews(input_.views, factor);
+  for (View& view : views) view.lens = nullptr;
+  ImageSource images = input_.images;
+  EdgeDetectionOptions edges = options_.edges;
+  images.read = [&](ViewId id) { return ReadShrunk(id, factor); };
+  edges.margin_px = std::min(edges.margin_px, kSmallMarginPx);
+  ResultCache none("");
+  CurvesResult extracted = ExtractCurves({views, images, &none}, edges, options_.linking, context_);
+  return {factor, std::move(extracted.curves)};
+}
+
+// Pictures smaller than those of the first look are made of these.
+Image CameraRefiner::ReadShrunk(ViewId id, int factor) {
+  std::optional<Image>& first = first_images_[id];
+  if (first && factor % first_factor_ == 0) return Shrunk(*first, factor / first_factor_);
+  const Image image = input_.images.read(id);
+  if (!first) first = Shrunk(image, first_factor_);
+  return Shrunk(image, factor);
+}
+
+// With the cameras as they are now.
+void CameraRefiner::Draw(const PictureLevel& level) {
+  const std::vector<View> views = ShrunkViews(scene_.views, level.factor);
+  const std::vector<ImageCurves> curves = CurvesThroughLenses(views, level, context_);
+  PipelineOptions options = options_;
+  options.mode = SketchMode::kSweep;
+  const SceneHints hints = HintsOf(scene_, input_.hints, scene_.views);
+  ResultCache none("");
+  graph_ = DrawCurves({views, curves, hints, input_.box}, options, &none, context_,
+                      [](const StageSummary&) {})
+               .drawing.graph;
+}
+
+CameraRoundsResult CameraRefiner::Refine(const DrawingGraph& graph, const PictureLevel& level,
+                                         const std::vector<double>& reaches, RefinedOptics optics) {
+  return RefineCamerasByDrawing({graph, level, reaches, optics}, options_.refinement, context_,
+                                &scene_);
+}
+
+CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
+                                                      const std::vector<double>& reaches) {
+  Draw(level);
+  const std::vector<View> before = scene_.views;
+  const CameraRoundsResult rounds = Refine(graph_, level, reaches, RefinedOptics::kNone);
+  const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene());
+  return {rounds.gain, gauge.typical_move_px / level.factor};
+}
+
+void CameraRefiner::Settle(const PictureLevel& level) {
+  double moved_px = DrawAndRefine(level, kFirstReaches).moved_px;
+  for (int i = 1; i < kMaxDrawings && moved_px > kSettledPx; ++i) {
+    moved_px = DrawAndRefine(level, kReaches).moved_px;
+  }
+}
+
+Eigen::Vector3d CameraRefiner::MiddleOfScene() const {
+  std::vector<Eigen::Vector3d> places;
+  for (const DrawingLink& link : graph_.links) {
+    places.insert(places.end(), link.points_in_world.begin(), link.points_in_world.end());
+  }
+  for (const SeenPoint& point : scene_.points) {
+    if (point.sights.size() >= 2) places.push_back(point.position);
+  }
+  return places.empty() ? Eigen::Vector3d::Zero() : MedianPoint(places);
+}
+
+// The given views with these poses and optics.
+std::vector<View> CameraRefiner::Refined(const std::vector<View>& moved) const {
+  std::vector<View> refined = input_.views;
+  ParallelFor(context_, "cameras", refined.size(), [&](size_t v) {
+    const View& view = moved[v];
+    if (view.calibration != refined[v].calibration) {
+      refined[v] = WithOptics(std::move(refined[v]), {view.camera, view.lens, view.calibration});
+    }
+    refined[v].cam_from_world = view.cam_from_world;
+  });
+  return refined;
+}
+
+// Back to the frame of the given cameras.
+void CameraRefiner::FixGauge() {
+  gauge_ = FindGauge(input_.views, scene_.views, MiddleOfScene());
+  scene_.views = Moved(std::move(scene_.views), gauge_.given_from_refined);
+  for (SeenPoint& point : scene_.points) {
+    if (point.is_fitted) point.position = gauge_.given_from_refined * point.position;
+  }
+}
+
+RefinedCameras CameraRefiner::Cameras() const {
+  RefinedCameras cameras;
+  cameras.median_move_px = gauge_.typical_move_px;
+  cameras.views = Refined(scene_.views);
+  for (size_t v = 0; v < cameras.views.size(); ++v) {
+    const CameraEvidence& evidence = last_.of_view[v];
+    cameras.of_view.push_back(
+        {gauge_.moves_px[v], evidence.num_edgels, evidence.residual_px, evidence.certain_by_px});
+  }
+  for (const FarMove& move : gauge_.moved_far) cameras.of_view[move.view].is_misfit = true;
+  cameras.hints = HintsOf(scene_, input_.hints, cameras.views);
+  return cameras;
 }
 
 }  // namespace limn

@@ -5,10 +5,12 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/cache/result_cache.h"
-#include "limn/cameras/camera_mounts.h"
+#include "limn/cameras/camera_rounds.h"
+#include "limn/cameras/camera_scene.h"
+#include "limn/cameras/gauge.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
+#include "limn/model/image.h"
 #include "limn/model/scene_hints.h"
 #include "limn/model/view.h"
 #include "limn/pipeline/extract_curves.h"
@@ -22,8 +24,6 @@ struct CameraRefinementInput {
   const SceneHints& hints;
   const ImageSource& images;
   std::optional<Eigen::AlignedBox3d> box;
-  // Image curves of earlier runs, where new ones are stored. Never null.
-  ResultCache* cache;
   const CameraMounts& mounts;
 };
 
@@ -48,22 +48,64 @@ struct RefinedCameras {
   double median_move_px = 0;
 };
 
-// Refines the cameras by the curves that they see (ours; algorithm/cameras.md), from small pictures
-// to the pictures as stored. Of smaller pictures each is drawn until the cameras settle; the
-// pictures as stored are not drawn. Returns nothing if the views show too little. With
-// CameraRefinement::kAuto it returns nothing, too, unless a drawing of small pictures says that
-// cameras are off by about a pixel or more; less is seen in the drawing itself (CamerasAreOff).
-// Throws OptionError, what `images` throws, and Cancelled. Time: a large part of that of a drawing;
-// a small one if it stops after the first look.
-std::optional<RefinedCameras> RefineCameras(const CameraRefinementInput& input,
-                                            const PipelineOptions& options,
-                                            const RunContext& context);
+// Refines the cameras of a scene by the curves that they see (ours; algorithm/cameras.md): first in
+// small pictures, drawn until the cameras settle, then by drawings of the pictures as stored, which
+// the caller makes. What the input refers to, options and context must outlive it.
+class CameraRefiner {
+ public:
+  // `curves` are those of the pictures as stored, seen by the given views.
+  CameraRefiner(const CameraRefinementInput& input, const std::vector<ImageCurves>& curves,
+                const PipelineOptions& options, const RunContext& context);
 
-// Whether the edgels along a drawing of the pictures as stored, not refined yet, fit much better
-// when the cameras move. `curves` belong to the views.
-bool CamerasAreOff(const DrawingGraph& graph, const std::vector<View>& views,
-                   const std::vector<ImageCurves>& curves, const SceneHints& hints,
-                   const CameraMounts& mounts, const PipelineOptions& options,
-                   const RunContext& context);
+  // Draws small pictures; the pictures as stored are fitted along the last drawing of half their
+  // size. Nothing moves if the pictures show too little; nor with CameraRefinement::kAuto, unless
+  // the first drawing says that cameras are off by about a pixel or more. Throws OptionError, what
+  // the images throw, and Cancelled. Time: a large part of that of a drawing; a small one if it
+  // stops after the first look.
+  void RefineBySmallPictures();
+
+  // By an unrefined drawing of the pictures as stored, made with the cameras as they are now. As
+  // long as nothing has moved, kAuto moves nothing unless the edgels along the drawing then fit
+  // much better.
+  void RefineByDrawing(const DrawingGraph& graph);
+
+  bool HaveMoved() const { return have_moved_; }
+
+  // In the frame of the given ones. Precondition: they have moved.
+  RefinedCameras Cameras() const;
+
+  // The curves of the pictures as stored, as other views of the same pictures see them.
+  std::vector<ImageCurves> CurvesSeenBy(const std::vector<View>& views) const;
+
+ private:
+  struct FirstLook {
+    double gain = 0;
+    double moved_px = 0;  // of the pictures
+  };
+
+  PictureLevel Extract(int factor);
+  Image ReadShrunk(ViewId id, int factor);
+  void Draw(const PictureLevel& level);
+  CameraRoundsResult Refine(const DrawingGraph& graph, const PictureLevel& level,
+                            const std::vector<double>& reaches, RefinedOptics optics);
+  FirstLook DrawAndRefine(const PictureLevel& level, const std::vector<double>& reaches);
+  void Settle(const PictureLevel& level);
+  void RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches);
+  Eigen::Vector3d MiddleOfScene() const;
+  void FixGauge();
+  std::vector<View> Refined(const std::vector<View>& moved) const;
+
+  const CameraRefinementInput input_;
+  const PipelineOptions& options_;
+  const RunContext& context_;
+  const PictureLevel stored_;
+  CameraScene scene_;
+  const int first_factor_;
+  std::vector<std::optional<Image>> first_images_;
+  DrawingGraph graph_;  // the last drawing
+  CameraRoundsResult last_;
+  Gauge gauge_;
+  bool have_moved_ = false;
+};
 
 }  // namespace limn
