@@ -26,6 +26,8 @@ namespace {
 
 // Of the curves, in one fit, about.
 constexpr size_t kMaxLines = 60'000;
+// The optics are refined if that explains this share of the cost that poses leave.
+constexpr double kGainOfOptics = 0.05;
 
 class CameraRounds {
  public:
@@ -36,7 +38,6 @@ class CameraRounds {
         context_(context),
         scene_(*scene),
         given_poses_(BodyPoses(scene->given, scene->mounts)) {
-    if (input.optics == RefinedOptics::kAll) per_px_ = ParametersPerPx(scene_.given);
     SeeCurves();
     control_ = MakeControlGraph(input.graph, small_views_, options.control_spacing_px);
     // A view that is off supports no link, or the wrong ones.
@@ -46,20 +47,29 @@ class CameraRounds {
   }
 
   CameraRoundsResult Run() {
-    CameraRoundsResult result;
-    result.of_view.resize(scene_.views.size());
-    for (size_t round = 0; round < input_.reaches.size(); ++round) {
-      const auto gain = Round(input_.reaches[round], &result.of_view);
-      if (round == 0) result.gain = gain.value_or(0);
-      if (!gain || round + 1 == input_.reaches.size()) continue;
-      FitCurves(small_views_, options_, context_, false, &control_);
-      control_.start = control_.position;
-      if (!per_px_.empty()) SeeCurves();
+    result_.of_view.resize(scene_.views.size());
+    for (const double reach : input_.reaches) {
+      const double gain = Round(reach);
+      if (reach == input_.reaches.front()) result_.gain = gain;
     }
-    return result;
+    if (!input_.optics_reaches.empty()) RefineOptics();
+    return std::move(result_);
   }
 
  private:
+  void RefineOptics() {
+    per_px_ = ParametersPerPx(scene_.given);
+    const CameraScene posed = scene_;
+    const std::vector<CameraEvidence> of_poses = result_.of_view;
+    for (size_t i = 0; i < input_.optics_reaches.size(); ++i) {
+      const double gain = Round(input_.optics_reaches[i]);
+      if (i > 0 || gain > kGainOfOptics) continue;
+      scene_ = posed;
+      result_.of_view = of_poses;
+      return;
+    }
+  }
+
   // The curves through the lenses as they are now.
   void SeeCurves() {
     small_views_ = ShrunkViews(scene_.views, input_.level.factor);
@@ -67,21 +77,23 @@ class CameraRounds {
     edgels_ = BuildViewEdgels(curves_, context_);
   }
 
-  // Returns the gain; nothing if there is no solution.
-  std::optional<double> Round(double reach, std::vector<CameraEvidence>* of_view) {
+  // Returns the gain; without a solution 0.
+  double Round(double reach) {
+    if (has_fitted_) FitCurvesAgain();
     Match(reach);
-    MeasureResiduals(of_view);
+    MeasureResiduals();
     const LandmarkInput input = {scene_.views, curves_, input_.level.factor, per_px_,
                                  reach * options_.robust_residual_px};
     std::vector<Landmark> landmarks = CurveLandmarks(input, control_, kMaxLines);
     PointLandmarks of_points = LandmarksOfPoints(input, scene_.points);
     const size_t num_on_curves = landmarks.size();
     std::ranges::move(of_points.landmarks, std::back_inserter(landmarks));
-    if (landmarks.empty()) return std::nullopt;
+    if (landmarks.empty()) return 0;
     const Eigen::Vector3d middle = MiddleOf(landmarks);
     const CameraFitInput fit_input = InputOfFit(middle);
     const auto fit = FitCameras(fit_input, context_, &landmarks);
-    if (!fit) return std::nullopt;
+    if (!fit) return 0;
+    has_fitted_ = true;
     for (size_t i = 0; i < of_points.points.size(); ++i) {
       SeenPoint& point = scene_.points[of_points.points[i]];
       point.position = landmarks[num_on_curves + i].position;
@@ -89,9 +101,16 @@ class CameraRounds {
     }
     if (!per_px_.empty()) ShiftPulls(input, fit_input, *fit);
     TakePoses(*fit);
-    MeasureCertainty(*fit, middle, of_view);
+    MeasureCertainty(*fit, middle);
     TakeOptics(*fit);
     return num_on_curves > 0 ? fit->gain : 0;
+  }
+
+  // Under the cameras of the last round.
+  void FitCurvesAgain() {
+    FitCurves(small_views_, options_, context_, false, &control_);
+    control_.start = control_.position;
+    if (!per_px_.empty()) SeeCurves();
   }
 
   void Match(double reach) {
@@ -114,14 +133,14 @@ class CameraRounds {
     }
   }
 
-  void MeasureResiduals(std::vector<CameraEvidence>* of_view) {
-    std::vector<std::vector<double>> residuals(of_view->size());
+  void MeasureResiduals() {
+    std::vector<std::vector<double>> residuals(result_.of_view.size());
     ForPulls([&](EdgelPull* pull) {
       residuals[pull->ref.view].push_back(input_.level.factor * std::abs(pull->residual_px));
     });
     for (size_t v = 0; v < residuals.size(); ++v) {
-      (*of_view)[v].num_edgels = static_cast<int>(residuals[v].size());
-      (*of_view)[v].residual_px = Median(std::move(residuals[v]));
+      result_.of_view[v].num_edgels = static_cast<int>(residuals[v].size());
+      result_.of_view[v].residual_px = Median(std::move(residuals[v]));
     }
   }
 
@@ -184,8 +203,7 @@ class CameraRounds {
   }
 
   // Of the image of the middle of the scene: the motion of the camera with everything else.
-  void MeasureCertainty(const CameraFitResult& fit, const Eigen::Vector3d& middle,
-                        std::vector<CameraEvidence>* of_view) const {
+  void MeasureCertainty(const CameraFitResult& fit, const Eigen::Vector3d& middle) {
     for (size_t v = 0; v < scene_.views.size(); ++v) {
       const CameraMount& mount = scene_.mounts.of_view[v];
       const int at = fit.covariance_at[mount.body];
@@ -198,7 +216,7 @@ class CameraRounds {
       by_motion.rightCols<3>().setIdentity();
       const Eigen::Matrix3d covariance =
           by_motion * fit.covariance.block<6, 6>(at, at) * by_motion.transpose();
-      (*of_view)[v].certain_by_px =
+      result_.of_view[v].certain_by_px =
           scene_.views[v].camera.MeanFocal() / point.norm() * std::sqrt(covariance.trace() / 2);
     }
   }
@@ -213,6 +231,8 @@ class CameraRounds {
   std::vector<ImageCurves> curves_;
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
+  bool has_fitted_ = false;
+  CameraRoundsResult result_;
 };
 
 }  // namespace
@@ -226,7 +246,8 @@ CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
   RemoveLinks(AreEdges(edges), &edges);
   CameraScene scaled = Scaled(std::move(*scene), 1 / unit);
   const CameraRoundsResult result =
-      CameraRounds({edges, input.level, input.reaches, input.optics}, options, context, &scaled)
+      CameraRounds({edges, input.level, input.reaches, input.optics_reaches}, options, context,
+                   &scaled)
           .Run();
   *scene = Scaled(std::move(scaled), unit);
   return result;

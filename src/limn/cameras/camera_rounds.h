@@ -16,16 +16,15 @@ struct CameraEvidence {
   double certain_by_px = 0;  // standard deviation of the image of the scene; 0: held or unknown
 };
 
-// What is refined with the poses.
-enum class RefinedOptics { kNone, kAll };
-
 struct CameraRoundsInput {
   // Drawn with the cameras of the scene as they are now.
   const DrawingGraph& graph;
   const PictureLevel& level;
   // Per round, gate and scale of the loss in multiples of those of the options.
   std::vector<double> reaches;
-  RefinedOptics optics = RefinedOptics::kNone;
+  // The same for rounds that follow and refine the optics, too, if the first of them says that this
+  // explains something.
+  std::vector<double> optics_reaches = {};
 };
 
 struct CameraRoundsResult {

@@ -23,8 +23,6 @@ constexpr double kSmallMarginPx = 4;
 // (algorithm/cameras.md#whether-it-is-needed).
 constexpr double kGainOfOffWhenSmall = 0.18;
 constexpr double kGainOfOff = 0.2;
-// The optics are refined if that explains this share of the cost that poses leave.
-constexpr double kGainOfOptics = 0.05;
 // Cameras that move by more than this, px of a small picture, may be lost: they begin with the
 // smallest. Pictures are drawn again until they move by less than kSettledPx, or so often.
 constexpr double kLostPx = 1.2;
@@ -83,32 +81,26 @@ void CameraRefiner::RefineBySmallPictures() {
   if (look.moved_px > kSettledPx) Settle(first);
   for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
   first_images_.clear();
-  if (!graph_.links.empty()) RefineAsStored(graph_, kReaches);
+  if (!graph_.links.empty()) RefineAsStored(graph_, kReaches, {1});
 }
 
 void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   if (graph.links.empty()) return;
   graph_ = graph;
-  if (have_moved_) return RefineAsStored(graph, kLastReaches);
+  if (have_moved_) return RefineAsStored(graph, {1}, kLastReaches);
   if (options_.refine_cameras == CameraRefinement::kAuto) {
     CameraScene given = scene_;
-    const double gain = Refine(graph, stored_, kCheckReaches, RefinedOptics::kNone).gain;
+    const double gain = Refine(graph, stored_, kCheckReaches).gain;
     scene_ = std::move(given);
     if (gain <= kGainOfOff) return;
   }
-  RefineAsStored(graph, kReaches);
+  RefineAsStored(graph, kReaches, {1});
 }
 
-void CameraRefiner::RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches) {
-  last_ = Refine(graph, stored_, reaches, RefinedOptics::kNone);
+void CameraRefiner::RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches,
+                                   const std::vector<double>& optics_reaches) {
+  last_ = Refine(graph, stored_, reaches, optics_reaches);
   have_moved_ = true;
-  CameraScene posed = scene_;
-  CameraRoundsResult with_optics = Refine(graph, stored_, kLastReaches, RefinedOptics::kAll);
-  if (with_optics.gain > kGainOfOptics) {
-    last_ = std::move(with_optics);
-  } else {
-    scene_ = std::move(posed);
-  }
   FixGauge();
 }
 
@@ -153,16 +145,17 @@ void CameraRefiner::Draw(const PictureLevel& level) {
 }
 
 CameraRoundsResult CameraRefiner::Refine(const DrawingGraph& graph, const PictureLevel& level,
-                                         const std::vector<double>& reaches, RefinedOptics optics) {
-  return RefineCamerasByDrawing({graph, level, reaches, optics}, options_.refinement, context_,
-                                &scene_);
+                                         const std::vector<double>& reaches,
+                                         const std::vector<double>& optics_reaches) {
+  return RefineCamerasByDrawing({graph, level, reaches, optics_reaches}, options_.refinement,
+                                context_, &scene_);
 }
 
 CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
                                                       const std::vector<double>& reaches) {
   Draw(level);
   const std::vector<View> before = scene_.views;
-  const CameraRoundsResult rounds = Refine(graph_, level, reaches, RefinedOptics::kNone);
+  const CameraRoundsResult rounds = Refine(graph_, level, reaches);
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene());
   return {rounds.gain, gauge.typical_move_px / level.factor};
 }

@@ -87,10 +87,12 @@ class CameraRefiner {
   Image ReadShrunk(ViewId id, int factor);
   void Draw(const PictureLevel& level);
   CameraRoundsResult Refine(const DrawingGraph& graph, const PictureLevel& level,
-                            const std::vector<double>& reaches, RefinedOptics optics);
+                            const std::vector<double>& reaches,
+                            const std::vector<double>& optics_reaches = {});
   FirstLook DrawAndRefine(const PictureLevel& level, const std::vector<double>& reaches);
   void Settle(const PictureLevel& level);
-  void RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches);
+  void RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches,
+                      const std::vector<double>& optics_reaches);
   Eigen::Vector3d MiddleOfScene() const;
   void FixGauge();
   std::vector<View> Refined(const std::vector<View>& moved) const;
