@@ -30,36 +30,46 @@ DrawnCurves Draw(const PipelineInput& input, const std::vector<ImageCurves>& cur
                     on_stage_end);
 }
 
-// Draws with the given cameras, or with refined ones.
+// Cameras and curves as the refiner has them now.
+void TakeCameras(const CameraRefiner& refiner, UnrefinedScene* scene) {
+  if (!refiner.HaveMoved()) return;
+  scene->cameras = refiner.Cameras();
+  scene->curves = refiner.CurvesSeenBy(scene->cameras->views);
+}
+
+UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<ImageCurves> curves,
+                                   const PipelineOptions& options, const RunContext& context,
+                                   const StageObserver& on_stage_end) {
+  CameraRefiner refiner({input.views, input.hints, input.images, input.box, *input.mounts}, curves,
+                        options, context);
+  const auto draw_and_refine = [&](UnrefinedScene* scene) {
+    TakeCameras(refiner, scene);
+    scene->drawn =
+        Draw(SeenBy(scene->cameras, input), scene->curves, options, context, on_stage_end);
+    refiner.RefineByDrawing(scene->drawn.drawing.graph);
+  };
+  refiner.RefineBySmallPictures();
+  const bool had_moved = refiner.HaveMoved();
+  UnrefinedScene scene{std::move(curves), {}, std::nullopt};
+  draw_and_refine(&scene);
+  if (refiner.HaveMoved() && !had_moved) {
+    // What wrong cameras draw is in pieces.
+    UnrefinedScene again;
+    draw_and_refine(&again);
+    if (refiner.HaveMoved()) scene = std::move(again);
+  }
+  TakeCameras(refiner, &scene);
+  return scene;
+}
+
 UnrefinedScene DrawExtracted(const PipelineInput& input, std::vector<ImageCurves> curves,
                              const PipelineOptions& options, const RunContext& context,
                              const StageObserver& on_stage_end) {
-  UnrefinedScene scene;
-  if (!input.mounts || options.refine_cameras == CameraRefinement::kOff) {
-    scene.drawn = Draw(input, curves, options, context, on_stage_end);
-    scene.curves = std::move(curves);
-    return scene;
+  if (input.mounts && options.refine_cameras != CameraRefinement::kOff) {
+    return DrawRefiningCameras(input, std::move(curves), options, context, on_stage_end);
   }
-  CameraRefiner refiner({input.views, input.hints, input.images, input.box, *input.mounts}, curves,
-                        options, context);
-  scene.curves = std::move(curves);
-  const auto take_cameras = [&] {
-    if (!refiner.HaveMoved()) return;
-    scene.cameras = refiner.Cameras();
-    scene.curves = refiner.CurvesSeenBy(scene.cameras->views);
-  };
-  const auto draw_and_refine = [&] {
-    scene.drawn = Draw(SeenBy(scene.cameras, input), scene.curves, options, context, on_stage_end);
-    refiner.RefineByDrawing(scene.drawn.drawing.graph);
-    take_cameras();
-  };
-  refiner.RefineBySmallPictures();
-  take_cameras();
-  const bool have_moved = refiner.HaveMoved();
-  draw_and_refine();
-  // What wrong cameras draw is in pieces.
-  if (refiner.HaveMoved() && !have_moved) draw_and_refine();
-  return scene;
+  DrawnCurves drawn = Draw(input, curves, options, context, on_stage_end);
+  return {std::move(curves), std::move(drawn), std::nullopt};
 }
 
 // If the drawing of an earlier run can be brought up to date; else says why not.

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "limn/geometry/median_point.h"
+#include "limn/geometry/polyline.h"
+#include "limn/model/footprint.h"
 #include "limn/model/shrunk.h"
 #include "limn/pipeline/drawing_stages.h"
 
@@ -28,12 +30,15 @@ constexpr double kGainOfOff = 0.2;
 constexpr double kLostPx = 1.2;
 constexpr double kSettledPx = 0.7;
 constexpr int kMaxDrawings = 6;
+// With better cameras more of the images is drawn. If it is less than this share, they are not.
+constexpr double kLeastSeen = 0.97;
 
 // Gates of the rounds with one drawing.
 const std::vector<double> kCheckReaches = {2};
 const std::vector<double> kFirstReaches = {3, 2, 1};
 const std::vector<double> kReaches = {2, 1};
-const std::vector<double> kLastReaches = {1, 1};
+const std::vector<double> kOnce = {1};
+const std::vector<double> kTwice = {1, 1};
 
 // The largest power of two by which pictures can be shrunk.
 int FactorOf(const std::vector<View>& views, int least_side_px) {
@@ -49,6 +54,18 @@ int FactorOf(const std::vector<View>& views, int least_side_px) {
     factor *= 2;
   }
   return factor;
+}
+
+// Length of the links in all images that support them.
+double SeenPx(const DrawingGraph& graph, const std::vector<View>& views) {
+  double sum_px = 0;
+  for (const DrawingLink& link : graph.links) {
+    const double footprint = LinkFootprint(link, views);
+    if (!(footprint > 0)) continue;
+    const auto num_views = static_cast<double>(link.supporting_views.size());
+    sum_px += num_views * Length(link.points_in_world) / footprint;
+  }
+  return sum_px;
 }
 
 }  // namespace
@@ -67,34 +84,44 @@ CameraRefiner::CameraRefiner(const CameraRefinementInput& input,
 void CameraRefiner::RefineBySmallPictures() {
   const PictureLevel first = Extract(first_factor_);
   const FirstLook look = DrawAndRefine(first, kReaches);
-  if (options_.refine_cameras == CameraRefinement::kAuto && look.gain < kGainOfOffWhenSmall) {
-    scene_ = MakeCameraScene(input_.views, input_.hints, input_.mounts);
-    return;
-  }
+  const double given_px = SeenPx(graph_, scene_.views);
+  if (look.gain < kGainOfOffWhenSmall) return ReturnToGiven();
   if (look.moved_px > kLostPx) {
-    scene_ = MakeCameraScene(input_.views, input_.hints, input_.mounts);
+    ReturnToGiven();
     for (int factor = FactorOf(input_.views, kSmallestSidePx); factor > first_factor_;
          factor /= 2) {
       Settle(Extract(factor));
     }
   }
-  if (look.moved_px > kSettledPx) Settle(first);
+  Settle(first);
+  if (graph_.links.empty() || SeenPx(graph_, scene_.views) < kLeastSeen * given_px) {
+    return ReturnToGiven();
+  }
   for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
   first_images_.clear();
-  if (!graph_.links.empty()) RefineAsStored(graph_, kReaches, {1});
+  RefineAsStored(graph_, kReaches, kOnce);
 }
 
 void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
-  if (graph.links.empty()) return;
   graph_ = graph;
-  if (have_moved_) return RefineAsStored(graph, {1}, kLastReaches);
+  const double seen_px = SeenPx(graph, scene_.views);
+  if (have_moved_) {
+    if (seen_px < kLeastSeen * given_px_) return ReturnToGiven();
+    return RefineAsStored(graph, kOnce, kTwice);
+  }
+  given_px_ = seen_px;
+  if (graph.links.empty()) return;
   if (options_.refine_cameras == CameraRefinement::kAuto) {
-    CameraScene given = scene_;
     const double gain = Refine(graph, stored_, kCheckReaches).gain;
-    scene_ = std::move(given);
+    ReturnToGiven();
     if (gain <= kGainOfOff) return;
   }
-  RefineAsStored(graph, kReaches, {1});
+  RefineAsStored(graph, kReaches, kOnce);
+}
+
+void CameraRefiner::ReturnToGiven() {
+  scene_ = MakeCameraScene(input_.views, input_.hints, input_.mounts);
+  have_moved_ = false;
 }
 
 void CameraRefiner::RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches,

@@ -58,15 +58,16 @@ class CameraRefiner {
                 const PipelineOptions& options, const RunContext& context);
 
   // Draws small pictures; the pictures as stored are fitted along the last drawing of half their
-  // size. Nothing moves if the pictures show too little; nor with CameraRefinement::kAuto, unless
-  // the first drawing says that cameras are off by about a pixel or more. Throws OptionError, what
+  // size. Nothing moves unless the first drawing says that cameras are off by about a pixel or more;
+  // nor if less is drawn then. Throws OptionError, what
   // the images throw, and Cancelled. Time: a large part of that of a drawing; a small one if it
   // stops after the first look.
   void RefineBySmallPictures();
 
   // By an unrefined drawing of the pictures as stored, made with the cameras as they are now. As
   // long as nothing has moved, kAuto moves nothing unless the edgels along the drawing then fit
-  // much better.
+  // much better. Cameras that have moved since such a drawing return to the given ones if this one
+  // shows less.
   void RefineByDrawing(const DrawingGraph& graph);
 
   bool HaveMoved() const { return have_moved_; }
@@ -93,6 +94,7 @@ class CameraRefiner {
   void Settle(const PictureLevel& level);
   void RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches,
                       const std::vector<double>& optics_reaches);
+  void ReturnToGiven();
   Eigen::Vector3d MiddleOfScene() const;
   void FixGauge();
   std::vector<View> Refined(const std::vector<View>& moved) const;
@@ -108,6 +110,7 @@ class CameraRefiner {
   CameraRoundsResult last_;
   Gauge gauge_;
   bool have_moved_ = false;
+  double given_px_ = 0;  // of the images, in the drawing as stored with the given cameras
 };
 
 }  // namespace limn
