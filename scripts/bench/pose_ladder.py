@@ -3,9 +3,10 @@
 
     pose_ladder.py --limn LIMN --pose_noise POSE_NOISE --output_path FOLDER [--sets room] [--errors 0,1] [--seeds 1]
 
-Errors are px (tests/bench/pose_noise.cc), `turned` for a camera turned by 5 degrees, or models that a set has beside
-the exact one; exact cameras always are the first row. Every run leaves its figures in FOLDER/<set>/<error>-<seed>/; runs of the
-same commit are not repeated. FOLDER/ladder.md and ladder.csv have what was asked for. scripts/pose_ladder.sh builds and calls it.
+Errors are px (tests/bench/pose_noise.cc), `turned` for a camera turned by 5 degrees, models that a set has beside the exact
+one, or what COLMAP makes of the photographs (`colmap-SIMPLE_RADIAL`); exact cameras always are the first row. Every run
+leaves its figures in FOLDER/<set>/<error>-<seed>/; runs of the same commit are not repeated. FOLDER/ladder.md and ladder.csv
+have what was asked for. scripts/pose_ladder.sh builds and calls it.
 """
 
 import argparse
@@ -14,16 +15,18 @@ import json
 import shutil
 from pathlib import Path
 
+from colmap_model import reconstruct
 from measured_run import CommandFailed, Run, main
 
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLE_SETS = ["sample-day", "sample-mixed"]
-DATA_SETS = ["room", "pavilion-midday", "pavilion-mixed", "bench"]
+DATA_SETS = ["room", "pavilion-midday", "pavilion-mixed", "bench", "herz-jesu-p8"]
 EXACT = "0"
 PX_ERRORS = ["0.25", "0.5", "1", "3", "5"]
 TURNED, TURNED_DEG = "turned", 5
-WAYS = ["0", "auto"]  # of --refine_cameras
+COLMAP = {f"colmap-{model}": model for model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL")}
 GIVEN_MODELS = {"bench": ["sparse-sfm", "sparse-rough"]}
+ERRORS = {"sample-day": [*PX_ERRORS, *COLMAP], "pavilion-midday": [*PX_ERRORS, *COLMAP], "herz-jesu-p8": [*COLMAP], **GIVEN_MODELS}
 CAMERA_KEYS = ["num_images", "center", "rotation_px", "rotation_deg", "ray_px", "focal", "num_wrong"]
 CSV_KEYS = ["set", "error", "seed", "refine_cameras", "commit", "failure", "unit", "tau_1", "f_1", "tau_2", "f_2", "links",
             *CAMERA_KEYS, "refined", "cpu_seconds", "seconds", "peak_mb"]
@@ -38,10 +41,10 @@ def is_random(error):
 
 
 def errors_of(name, asked):
-    """Exact cameras, and what was asked for that the set has; by default its models, or px."""
+    """Exact cameras, and what was asked for that the set has; by default those of ERRORS, or px."""
     known = GIVEN_MODELS.get(name, [])
-    errors = asked or known or PX_ERRORS
-    return [EXACT, *(error for error in errors if is_random(error) or error in known)]
+    errors = asked or ERRORS.get(name, PX_ERRORS)
+    return [EXACT, *(error for error in errors if is_random(error) or error in COLMAP or error in known)]
 
 
 def cases_of(name, arguments):
@@ -50,8 +53,16 @@ def cases_of(name, arguments):
             if is_random(error) or seed == arguments.seeds[0]]
 
 
+def ways_of(error):
+    """Values of --refine_cameras."""
+    return ["0", "auto", "1"] if error in COLMAP else ["0", "auto"]
+
+
 def make_workspace(arguments, name, error, seed, folder):
     command = [arguments.pose_noise, "--set", name, "--data_path", arguments.data_path, "--output_path", folder]
+    if error in COLMAP:
+        Run([*command, "--error_px", 0])  # for the images
+        return Run([*command, "--given_model", reconstruct(folder / "images", COLMAP[error], folder.parent / "colmap")])
     if error == TURNED:
         return Run([*command, "--turned_deg", TURNED_DEG, "--seed", seed])
     return Run([*command, "--error_px", error, "--seed", seed] if is_px(error) else [*command, "--given_model", f"{error}/0"])
@@ -101,7 +112,7 @@ def run_case(arguments, commit, name, error, seed):
     folder = arguments.output_path / name / f"{error}-{seed}"
     workspace = folder / "workspace"
     results = []
-    for way in WAYS:
+    for way in ways_of(error):
         path = folder / f"refine-{way}.json"
         result = stored(path, commit)
         if not result:
@@ -152,8 +163,9 @@ def markdown(cases):
 
 HEAD = """## Wrong cameras
 
-Written by `scripts/pose_ladder.sh` at {commit}. Cells: drawn with `--refine_cameras 0` / `auto`. Cameras are off in their rotations about
-the x and y axes and their centers along each axis by that many px (standard deviation); or they are a model that the set has. All is judged in the frame of the true cameras (`drawing_evaluator --true_model_path`), where centers
+Written by `scripts/pose_ladder.sh` at {commit}. Cells: drawn with `--refine_cameras 0` / `auto` (/ `1`). Cameras are off in their rotations about
+the x and y axes and their centers along each axis by that many px (standard deviation); or they are a model that the set has, or what COLMAP makes of
+the photographs with one camera of a model. All is judged in the frame of the true cameras (`drawing_evaluator --true_model_path`), where centers
 (unit of the model), rotations, rays through the same pixels and focal lengths are off by what the table says, in the median. *Of exact*: F of the
 last way, relative to drawing with exact cameras; *refined*: whether cameras were changed.
 
@@ -177,10 +189,10 @@ def parsed():
     parser.add_argument("--output_path", required=True, type=Path)
     parser.add_argument("--data_path", default=ROOT.parent / "shared/data", type=Path)
     parser.add_argument("--sets", type=words, default=[], help="by default the sample and, where there are data, all")
-    parser.add_argument("--errors", type=words, default=[], help="px, turned, or a set's own models")
+    parser.add_argument("--errors", type=words, default=[], help="px, turned, a set's own models, or " + ", ".join(COLMAP))
     parser.add_argument("--seeds", type=words, default=["1", "2"])
     arguments = parser.parse_args()
-    known = [TURNED, *sum(GIVEN_MODELS.values(), [])]
+    known = [TURNED, *COLMAP, *sum(GIVEN_MODELS.values(), [])]
     for error in arguments.errors:
         if not is_px(error) and error not in known:
             parser.error(f"--errors: {error}: must be a number of px or among {', '.join(known)}")

@@ -28,7 +28,8 @@ class Cases(unittest.TestCase):
     def test_models_are_those_of_the_set(self):
         self.assertEqual(cases_of("bench"), [("0", "1"), ("sparse-sfm", "1"), ("sparse-rough", "1")])
         self.assertEqual(cases_of("room", ["sparse-sfm"]), [("0", "1")])
-        self.assertEqual(cases_of("room", ["turned"]), [("0", "1"), ("turned", "1"), ("turned", "2")])
+        self.assertEqual(cases_of("room", ["colmap-SIMPLE_RADIAL", "turned"]),
+                         [("0", "1"), ("colmap-SIMPLE_RADIAL", "1"), ("turned", "1"), ("turned", "2")])
 
     def test_results_of_another_commit_are_not_taken(self):
         with tempfile.TemporaryDirectory() as folder:
