@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the tables and figures of the paper, and of Limn beside it: datasets/RESULTS.md and its pictures. Takes about an hour on two
-# cores. Argument: the folder of the data sets of datasets/README.md, by default ../shared/data.
+# cores, and some more for cameras that are wrong. Argument: the folder of the data sets of datasets/README.md, by default ../shared/data.
 set -euo pipefail
 [ $# -le 1 ] || { echo "usage: scripts/reproduce_results.sh [folder of the data sets]" >&2; exit 1; }
 data=$(realpath "${1:-$(dirname "$0")/../../shared/data}")
@@ -9,5 +9,6 @@ cd "$(dirname "$0")/.."
 sets=sample-day,pavilion-midday,pavilion-mixed,room,vase
 rm -f build/quality/report.json
 scripts/quality_report.sh --sets $sets --data_path "$data"
-/usr/bin/python3 scripts/bench/results_page.py build/quality/report.json "$(git describe --always --dirty)" datasets
+scripts/pose_ladder.sh --data_path "$data"
+/usr/bin/python3 scripts/bench/results_page.py build/quality/report.json "$(git describe --always --dirty)" datasets build/ladder/ladder.md
 echo "Look at: datasets/RESULTS.md"

@@ -1,10 +1,14 @@
 #include "colmap_ext/verbs/evaluate.h"
 
+#include <cmath>
+#include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include "colmap_ext/host/run_options.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
+#include "colmap_ext/verbs/true_frame.h"
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/to_views.h"
@@ -14,6 +18,8 @@
 #include "limn/formats/json_kinds_reader.h"
 #include "limn/formats/mesh_reader.h"
 #include "limn/formats/read_curves.h"
+#include "limn/geometry/median_point.h"
+#include "limn/model/drawing_transform.h"
 #include "limn/pipeline/pipeline_options.h"
 #include "limn/util/errors.h"
 
@@ -55,17 +61,65 @@ KindConfusion KindsOf(const DrawingGraph& drawing, const EvaluatorOptions& optio
                       in_footprints ? views : std::vector<View>(), of_kinds);
 }
 
-// What is evaluated: a drawing, or else curves.
+// What is evaluated: a drawing, or else curves; and a mesh instead of faces.
 struct Judged {
   std::optional<DrawingGraph> drawing;
   CurveSet curves;
+  std::optional<TriangleMesh> mesh;
+  // Folder of the refined cameras that it was made with; empty: those of the workspace.
+  std::string refined_path;
 };
 
-EvaluationReport JudgeCurves(const Judged& judged, const EvaluatorOptions& options,
-                             const std::vector<View>& views, const RunContext& context) {
+// What it is judged by: curves, a surface or both.
+struct Truths {
+  std::optional<Truth> of_curves;
+  std::optional<TriangleMesh> surface;
+};
+
+Truths ReadTruths(const EvaluatorOptions& options) {
+  Truths truths;
+  if (options.truth.IsGiven()) truths.of_curves = ReadTruth(options.truth);
+  if (!options.truth_mesh_path.empty()) truths.surface = ReadMesh(options.truth_mesh_path);
+  return truths;
+}
+
+// If there is nothing to judge, that of the cameras.
+Eigen::Vector3d MiddleOf(const Judged& judged, const std::vector<View>& views) {
+  const CurveSet curves = judged.drawing ? ToCurveSet(*judged.drawing) : judged.curves;
+  std::vector<Eigen::Vector3d> points = curves.points;
+  for (const Polyline3d& line : curves.polylines) {
+    points.insert(points.end(), line.begin(), line.end());
+  }
+  if (points.empty() && judged.mesh) points = judged.mesh->vertices;
+  if (points.empty()) {
+    for (const View& view : views) points.push_back(view.CenterInWorld());
+  }
+  return MedianPoint(points);
+}
+
+void Move(const Eigen::Affine3d& similarity, std::vector<Eigen::Vector3d>* points) {
+  for (Eigen::Vector3d& point : *points) point = similarity * point;
+}
+
+void Move(const Eigen::Affine3d& similarity, Judged* judged) {
+  if (judged->drawing) {
+    const double scale = std::cbrt(similarity.linear().determinant());
+    judged->drawing = Transformed(*std::move(judged->drawing), scale, similarity.linear() / scale,
+                                  similarity.translation());
+  }
+  for (Polyline3d& line : judged->curves.polylines) Move(similarity, &line);
+  for (CurveNode& node : judged->curves.nodes) {
+    node.position_in_world = similarity * node.position_in_world;
+  }
+  Move(similarity, &judged->curves.points);
+  if (judged->mesh) Move(similarity, &judged->mesh->vertices);
+}
+
+EvaluationReport JudgeCurves(const Judged& judged, const Truth& truth,
+                             const EvaluatorOptions& options, const std::vector<View>& views,
+                             const RunContext& context) {
   TruthInput input = options.truth;
   input.evaluation.region = BoxFromNumbers(options.box);
-  const Truth truth = ReadTruth(input);
   EvaluationReport report = Evaluate(judged.curves, truth, input, views, context);
   if (!options.true_kinds_path.empty()) report.kinds = KindsOf(*judged.drawing, options, views);
   if (judged.drawing && !views.empty()) {
@@ -77,16 +131,26 @@ EvaluationReport JudgeCurves(const Judged& judged, const EvaluatorOptions& optio
   return report;
 }
 
-FaceScores JudgeFaces(const std::vector<DrawingFace>& faces, const EvaluatorOptions& options,
-                      const std::vector<View>& views, const RunContext& context) {
+FaceScores JudgeFaces(const PartedSurface& surface, const TriangleMesh& truth,
+                      const EvaluatorOptions& options, const std::vector<View>& views,
+                      const RunContext& context) {
   FaceScoreOptions of_faces = options.faces;
   of_faces.region = BoxFromNumbers(options.box);
-  const PartedSurface surface =
-      options.mesh_path.empty() ? SurfaceOf(faces) : SurfaceOf(ReadMesh(options.mesh_path));
-  return ScoreFaces(surface, ReadMesh(options.truth_mesh_path), views, of_faces, context);
+  return ScoreFaces(surface, truth, views, of_faces, context);
 }
 
 EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const RunContext& context) {
+  const Truths truths = ReadTruths(options);
+  const bool has_views = options.views || !options.layout.workspace_path.empty();
+  std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
+  std::optional<CameraAccuracy> cameras;
+  if (!options.true_model_path.empty()) {
+    if (!judged.refined_path.empty()) views = WithCamerasOf(judged.refined_path, views);
+    TrueFrame frame = FindTrueFrame(views, options.true_model_path, MiddleOf(judged, views));
+    Move(frame.true_from_model, &judged);
+    views = std::move(frame.views);
+    cameras = frame.cameras;
+  }
   std::vector<DrawingFace> faces;
   if (judged.drawing) {
     // Faces do not depend on which links are chosen.
@@ -95,12 +159,15 @@ EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const Run
     judged.drawing = Selected(*std::move(judged.drawing), options.selection.Selection());
     judged.curves = ToCurveSet(*judged.drawing);
   }
-  const bool has_views = options.views || !options.layout.workspace_path.empty();
-  const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
-  EvaluationReport report = options.truth.IsGiven() ? JudgeCurves(judged, options, views, context)
-                                                    : CountCurves(judged.curves);
+  EvaluationReport report = truths.of_curves
+                                ? JudgeCurves(judged, *truths.of_curves, options, views, context)
+                                : CountCurves(judged.curves);
+  report.cameras = cameras;
   if (has_views) report.saw_teeth = MeasureSawTeeth(judged.curves.polylines, views);
-  if (!options.truth_mesh_path.empty()) report.faces = JudgeFaces(faces, options, views, context);
+  if (truths.surface) {
+    const PartedSurface surface = judged.mesh ? SurfaceOf(*judged.mesh) : SurfaceOf(faces);
+    report.faces = JudgeFaces(surface, *truths.surface, options, views, context);
+  }
   return report;
 }
 
@@ -126,7 +193,8 @@ void AddFaceOptions(FaceScoreOptions* faces, OptionParser* parser) {
 // Nothing of what is to be judged is missing.
 void CheckInputs(const EvaluatorOptions& options) {
   const bool has_workspace = !options.layout.workspace_path.empty();
-  if (options.truth.truth_path.empty() && options.truth_mesh_path.empty()) {
+  if (options.truth.truth_path.empty() && options.truth_mesh_path.empty() &&
+      options.true_model_path.empty()) {
     throw OptionError("--truth_path or --truth_mesh_path must be given");
   }
   if (options.input_path.empty() && !has_workspace) {
@@ -144,6 +212,11 @@ void CheckInputs(const EvaluatorOptions& options) {
   if (needs_views && !has_workspace && !options.views) {
     throw OptionError("--workspace_path must be given");
   }
+  if (!options.true_model_path.empty() && !has_workspace && !options.views) {
+    throw OptionError(
+        "true_model_path: needs workspace_path, with the images and the cameras that the drawing "
+        "was made with");
+  }
   if (!options.mesh_path.empty() && options.truth_mesh_path.empty()) {
     throw OptionError("mesh_path: needs truth_mesh_path");
   }
@@ -153,8 +226,21 @@ void CheckInputs(const EvaluatorOptions& options) {
   }
 }
 
-Judged ReadJudged(const EvaluatorOptions& options) {
+// The folder of refined cameras beside a file of curves; empty if there is none.
+std::string RefinedBeside(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path() / "refined";
+  return HoldsModel(folder) ? folder.string() : "";
+}
+
+// A drawing in memory, or the input file if that is null.
+Judged ReadJudged(const DrawingGraph* drawing, const EvaluatorOptions& options) {
   Judged judged;
+  if (!options.mesh_path.empty()) judged.mesh = ReadMesh(options.mesh_path);
+  if (drawing) {
+    judged.drawing = *drawing;
+    return judged;
+  }
+  if (!options.input_path.empty()) judged.refined_path = RefinedBeside(options.input_path);
   if (options.IsOfMeshOnly()) return judged;
   if (IsDrawingJson(options.input_path) || HoldsLimapDrawing(options.input_path)) {
     judged.drawing = ReadDrawing(options.input_path).graph;
@@ -199,6 +285,10 @@ void EvaluatorOptions::AddOptions(OptionParser* parser) {
           "COLMAP project, where the drawing is and whose pixels are the "
           "unit footprint; with it saw-teeth and the normalized errors of a drawing.json are told "
           "too"));
+  parser->AddOption("true_model_path", &true_model_path,
+                    "folder of a model with the true cameras: judge in their frame what was drawn "
+                    "with those of the workspace, or of refined/ beside the drawing, and say how "
+                    "far these are off");
   parser->AddOption("image_path", &layout.image_path, "its images");
   parser->AddOption("model_index", &layout.model_index, "which of its models");
   parser->AddOption("output_csv", &output_csv, BasicOption("also write the table to this file"));
@@ -225,8 +315,11 @@ EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions 
     console->Say("drawing: " + options.input_path);
   }
   CheckOutputs(options);
-  EvaluationReport report =
-      Judge(drawing ? Judged{*drawing, {}} : ReadJudged(options), options, console->context());
+  Judged judged = ReadJudged(drawing, options);
+  if (!options.true_model_path.empty() && !judged.refined_path.empty()) {
+    console->Say("cameras of the drawing: " + judged.refined_path);
+  }
+  EvaluationReport report = Judge(std::move(judged), options, console->context());
   ThrowIfCancelled(console->context());
   WriteReportFiles(report, options);
   return report;

@@ -22,6 +22,9 @@ struct EvaluatorOptions {
   // A true surface, to judge the faces of the drawing too, or those of a mesh instead; empty: none.
   std::string truth_mesh_path, mesh_path;
   FaceScoreOptions faces;
+  // Folder of a model with the true cameras, if what is judged was made with others: those of
+  // refined/ beside it, else of the workspace. Empty: those of the workspace are true.
+  std::string true_model_path;
   // Of a drawing.
   SelectionOptions selection;
   // Curves with their kinds, for a confusion table; empty: none.
@@ -45,8 +48,8 @@ struct EvaluatorOptions {
 // Evaluates a drawing in memory or, if that is null, the input file, by default the newest drawing
 // of the workspace, and writes the report to the requested files. With a workspace or views also
 // measures saw-teeth and, of a drawing, the normalized errors; with true kinds compares those of
-// the links; with a true surface scores faces. Throws IoError, also if an output must not be
-// replaced, and InputError.
+// the links; with a true surface scores faces. With a true model, all of this in its frame. Throws
+// IoError, also if an output must not be replaced, and InputError.
 EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions options,
                                   Console* console);
 

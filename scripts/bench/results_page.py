@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Write the page of results from a complete quality report: tables, what is ahead of Limn, and pictures.
 
-    scripts/bench/results_page.py report.json COMMIT FOLDER
+    scripts/bench/results_page.py report.json COMMIT FOLDER [SECTION.md ...]
 
-Writes FOLDER/RESULTS.md and FOLDER/results/*.png. scripts/reproduce_results.sh calls it.
+The sections, which other benchmarks wrote, are appended. Writes FOLDER/RESULTS.md and FOLDER/results/*.png. scripts/reproduce_results.sh calls it.
 """
 
 import json
@@ -217,10 +217,11 @@ def check_complete(source, data_sets):
 
 
 def main():
-    if len(sys.argv) != 4:
-        sys.exit("usage: results_page.py report.json COMMIT FOLDER")
+    if len(sys.argv) < 4:
+        sys.exit("usage: results_page.py report.json COMMIT FOLDER [SECTION.md ...]")
     source, commit, folder = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3])
     try:
+        sections = [Path(path).read_text(encoding="utf-8").strip() for path in sys.argv[4:]]
         data_sets = json.loads(source.read_text(encoding="utf-8"))["sets"]
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"ERROR: {source}: {error}")
@@ -232,7 +233,7 @@ def main():
         rows = [(box, "precision") for box in group[0]["boxes"]]
         rows.append((group[0]["boxes"][-1], "sample_precision"))
         plot_quality.draw_group(group, rows, pictures[name], PICTURE_DPI)
-    (folder / "RESULTS.md").write_text(page(data_sets, commit, pictures), encoding="utf-8")
+    (folder / "RESULTS.md").write_text("\n".join([page(data_sets, commit, pictures), *(f"{text}\n" for text in sections)]), encoding="utf-8")
 
 
 if __name__ == "__main__":

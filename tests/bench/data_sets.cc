@@ -107,6 +107,11 @@ DataSet Room(const std::string& data_path) {
                   Box("all", -0.05, 5.05, -0.05, 4.5, -0.05, 2.65));
 }
 
+DataSet Bench(const std::string& data_path) {
+  return Rendered("bench", data_path + "/bench", data_path + "/bench/truth",
+                  Box("all", -5.5, 5.7, -3.4, 3.4, 0.48, 3.4));
+}
+
 DataSet WithoutTruth(const std::string& data_path, const std::string& name) {
   DataSet set;
   set.name = set.plot = name;
@@ -135,6 +140,7 @@ std::vector<DataSet> KnownDataSets(const std::string& data_path, const std::stri
           Sample(sample_path, "lamp", "lamp"),
           Sample(sample_path, "mixed", "mixed"),
           Room(data_path),
+          Bench(data_path),
           WithoutTruth(data_path, "herz-jesu-p8"),
           WithoutTruth(data_path, "desk")};
 }

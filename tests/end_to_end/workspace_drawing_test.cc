@@ -7,11 +7,14 @@
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/model_reader.h"
+#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/temp_dir.h"
 #include "end_to_end/run_limn.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/limap_structures.h"
 #include "limn/formats/write_drawing.h"
+#include "limn/geometry/similarity3.h"
+#include "limn/model/drawing_transform.h"
 #include "limn/viewer/viewer_page.h"
 
 namespace limn::testing {
@@ -250,6 +253,32 @@ TEST_F(WorkspaceDrawing, ItsFacesAreJudgedByATrueSurface) {
       Run("drawing_evaluator", {"--truth_mesh_path", truth, "--mesh_path", truth});
   ASSERT_EQ(of_mesh.exit_code, 0) << of_mesh.err;
   EXPECT_THAT(of_mesh.out, HasSubstr("2 rho      100.0      100.0      100.0"));
+}
+
+// Drawn with refined cameras in a world that is turned and twice as large.
+TEST_F(WorkspaceDrawing, IsJudgedInTheFrameOfTheTrueCameras) {
+  Store("truth.json");
+  const Similarity3d moved = {
+      2, Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()).matrix(), {1, 2, 3}};
+  drawing_.graph =
+      Transformed(std::move(drawing_.graph), moved.scale, moved.rotation, moved.translation);
+  fs::create_directories(dir_ / "results");
+  Store("results/drawing.json");
+  colmap_ext::SparseModel model = colmap_ext::ReadColmapModel(dir_ / "sparse");
+  for (auto& image : model.images) image.cam_from_world = CamFromB(image.cam_from_world, moved);
+  colmap_ext::WriteModelText(model, dir_ / "results/refined");
+  const LimnRun judged =
+      Run("drawing_evaluator",
+          {"--input_path", Path("results/drawing.json"), "--truth_path", Path("truth.json"),
+           "--taus", "0.1", "--unit", "footprint", "--true_model_path", Path("sparse")});
+  ASSERT_EQ(judged.exit_code, 0) << judged.err;
+  EXPECT_THAT(judged.out, HasSubstr("cameras of the drawing: " + Path("results/refined") + "\n"));
+  EXPECT_THAT(judged.out, HasSubstr(" 0.1      100.0      100.0      100.0"));
+  EXPECT_THAT(judged.out, HasSubstr("cameras off, median of 24: centers "));
+  const LimnRun without =
+      RunLimn({"drawing_evaluator", "--input_path", Path("truth.json"), "--truth_path",
+               Path("truth.json"), "--taus", "1", "--true_model_path", Path("sparse")});
+  EXPECT_THAT(without.err, HasSubstr("true_model_path: needs workspace_path"));
 }
 
 TEST_F(WorkspaceDrawing, WhatFacesCannotBeJudgedByIsRefused) {

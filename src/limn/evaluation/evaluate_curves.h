@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "limn/evaluation/camera_accuracy.h"
 #include "limn/evaluation/evaluation_options.h"
 #include "limn/evaluation/face_scores.h"
 #include "limn/evaluation/kind_confusion.h"
@@ -66,6 +67,8 @@ struct EvaluationReport {
   std::optional<NormalizedErrors> normalized_errors;
   // Of a drawing. Filled in by callers that have the graph and true kinds.
   std::optional<KindConfusion> kinds;
+  // Of the cameras that the curves were made with. Filled in by callers that have true ones.
+  std::optional<CameraAccuracy> cameras;
   // Filled in by callers that have true surfaces.
   std::optional<FaceScores> faces;
 };

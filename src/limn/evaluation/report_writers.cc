@@ -135,6 +135,26 @@ Json NormalizedErrorsAsJson(const NormalizedErrors& errors) {
           {"num_false", errors.num_false}};
 }
 
+void PrintCameras(const CameraAccuracy& cameras, std::ostream& out) {
+  constexpr int kDigits = 3;
+  out << "cameras off, median of " << cameras.num_views << ": centers "
+      << Cell(cameras.center, kDigits) << ", rotations " << Cell(cameras.rotation_deg, kDigits)
+      << " degrees = " << Cell(cameras.rotation_px, kDigits) << " px, rays "
+      << Cell(cameras.ray_px, kDigits) << " px, focal lengths "
+      << Cell(100 * cameras.focal, kDigits) << " %; " << cameras.num_wrong
+      << " are too far off to count for the frame\n";
+}
+
+Json CamerasAsJson(const CameraAccuracy& cameras) {
+  return {{"num_images", cameras.num_views},
+          {"num_wrong", cameras.num_wrong},
+          {"center", cameras.center},
+          {"rotation_deg", cameras.rotation_deg},
+          {"rotation_px", cameras.rotation_px},
+          {"ray_px", cameras.ray_px},
+          {"focal", cameras.focal}};
+}
+
 // Per true kind ("none": no true curve is near) the drawn length by kind of the link.
 Json KindsAsJson(const KindConfusion& kinds) {
   Json lengths;
@@ -248,6 +268,7 @@ void PrintReport(const EvaluationReport& report, std::ostream& out) {
   const bool of_faces_only = report.faces && report.rows.empty();
   if (!of_faces_only) PrintCurves(report, out);
   if (report.faces) PrintFaces(*report.faces, out);
+  if (report.cameras) PrintCameras(*report.cameras, out);
 }
 
 void WriteReportCsv(const EvaluationReport& report, std::ostream& out) {
@@ -298,6 +319,7 @@ void WriteReportJson(const EvaluationReport& report, std::ostream& out) {
   json["normalised_errors"] =
       report.normalized_errors ? NormalizedErrorsAsJson(*report.normalized_errors) : Json(nullptr);
   json["kinds"] = report.kinds ? KindsAsJson(*report.kinds) : Json(nullptr);
+  json["cameras"] = report.cameras ? CamerasAsJson(*report.cameras) : Json(nullptr);
   json["faces"] = report.faces ? FacesAsJson(*report.faces) : Json(nullptr);
   out << json.dump(2) << '\n';
 }

@@ -135,6 +135,24 @@ TEST(ReportWriters, NormalizedErrorsAreToldWhereKnown) {
   EXPECT_EQ(errors.at("num_false"), 2);
 }
 
+TEST(ReportWriters, CamerasAreToldWhereKnown) {
+  EvaluationReport report = SmallReport();
+  std::ostringstream without, table, json;
+  PrintReport(report, without);
+  EXPECT_THAT(without.str(), Not(HasSubstr("cameras")));
+  report.cameras = CameraAccuracy{28, 1, 0.0625, 0.125, 1.5, 0.75, 0.0025};
+  PrintReport(report, table);
+  EXPECT_THAT(table.str(), HasSubstr("median of 28: centers 0.0625, rotations 0.125 degrees = "
+                                     "1.5 px, rays 0.75 px, focal lengths 0.25 %; 1 "));
+  WriteReportJson(report, json);
+  const nlohmann::json cameras = nlohmann::json::parse(json.str()).at("cameras");
+  EXPECT_EQ(cameras.at("num_images"), 28);
+  EXPECT_EQ(cameras.at("num_wrong"), 1);
+  EXPECT_EQ(cameras.at("center"), 0.0625);
+  EXPECT_EQ(cameras.at("rotation_px"), 1.5);
+  EXPECT_EQ(cameras.at("focal"), 0.0025);
+}
+
 TEST(ReportWriters, SawTeethAreToldWhereKnown) {
   EvaluationReport report = SmallReport();
   std::ostringstream without, table, csv, json;
