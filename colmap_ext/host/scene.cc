@@ -68,7 +68,10 @@ std::string ShrinkingNote(const ViewSet& set) {
 Scene::Scene(WorkspaceLayout layout, const RunOptions& options, Console* console)
     : layout_(std::move(layout)) {
   SparseModel model = ReadModel(layout_.model_dir);
-  if (options.pipeline.refine_cameras != CameraRefinement::kOff) CheckTextNames(model);
+  if (options.pipeline.refine_cameras != CameraRefinement::kOff &&
+      model.flavor == ModelFlavor::kText) {
+    CheckTextNames(model);
+  }
   SetModel(std::move(model), {}, options, console);
 }
 

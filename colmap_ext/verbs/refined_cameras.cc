@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "colmap_ext/host/world_shift.h"
-#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/refined_model.h"
 #include "colmap_ext/model/rig_fit.h"
-#include "colmap_ext/workspace/output_check.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/refined_folder.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"
@@ -114,24 +114,14 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options) {
                       " would be overwritten, but is the model that is read: choose another "
                       "output_path");
   }
-  for (const ModelFile& file : kBinaryModelFiles) {
-    const std::string path = RefinedPath(project, file.name);
-    if (std::error_code ignored; !std::filesystem::exists(path, ignored)) continue;
-    throw OptionError(option + path +
-                      " would be read instead of what is refined, or change it: remove it or "
-                      "choose another output_path");
-  }
-  for (const ModelFile& file : kTextModelFiles) {
-    CheckResultFile(RefinedPath(project, file.name), options.overwrite);
-  }
+  CheckRefinedFolder(folder, options.overwrite);
 }
 
 void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
                        Console* console) {
   if (!cameras) {
-    const std::string stale = RefinedPath(project, "images.txt");
-    std::error_code ignored;
-    if (std::filesystem::exists(stale, ignored) && !ReadsRefinedFolder(project)) {
+    const std::string stale = project.DrawingPath("refined");
+    if (HoldsModel(stale) && !ReadsRefinedFolder(project)) {
       console->Say("WARNING: " + stale +
                    " is of an earlier run and does not belong to this drawing");
     }
@@ -145,13 +135,13 @@ void WriteRefinedModel(const Project& project, const std::optional<RefinedCamera
   std::set<size_t> images;
   for (const View& view : views) images.insert(view.model_index);
   FitRigs(images, &model);
-  WriteModelText(model, project.DrawingPath("refined"));
+  WriteRefinedFolder(model, project.DrawingPath("refined"));
   WriteFileAtomically(project.CurvesPath("cameras.csv"),
                       [&](std::ostream& out) { out << ChangesAsCsv(*cameras); });
-  console->Say("Written: " +
-               RefinedPath(project, model.rigs.empty()
-                                        ? "{cameras,images,points3D}.txt"
-                                        : "{cameras,images,points3D,rigs,frames}.txt"));
+  const std::string names = std::string("{cameras,images,points3D") +
+                            (model.rigs.empty() ? "}" : ",rigs,frames}") +
+                            (model.flavor == ModelFlavor::kBinary ? ".bin" : ".txt");
+  console->Say("Written: " + RefinedPath(project, names));
 }
 
 }  // namespace limn::colmap_ext

@@ -12,13 +12,13 @@ namespace limn::colmap_ext {
 std::optional<RefinedCameras> RefineSceneCameras(const Job& job, CameraRefinement how);
 
 // Call it before the work (it does nothing if cameras are never refined): throws OptionError if
-// refined/, beside the drawing, is the input model itself, or has binary files that would be read
-// instead of the text files.
+// refined/, beside the drawing, is the input model itself, and IoError if it has files that must
+// not be replaced.
 void CheckRefinedFolder(const Project& project, const RunOptions& options);
 
-// Writes refined/cameras.txt, images.txt and points3D.txt: the input model with refined poses,
-// parameters of cameras and points (see ApplyRefinement), and, if it has some, rigs.txt and
-// frames.txt with poses of frames that go with these; and curves/cameras.csv. Without refined
+// Writes refined/, in the flavor of the input model: that model with refined poses, parameters of
+// cameras and points (see ApplyRefinement), and, if it has some, rigs and frames with poses that go
+// with these; and curves/cameras.csv. Without refined
 // cameras it only warns if an earlier run left some. Call it before the drawing is written, so that
 // no drawing lacks its cameras.
 void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,

@@ -128,7 +128,7 @@ TEST_F(SmallRun, StepByStepGivesTheSameDrawing) {
 TEST_F(SmallRun, RefinedCamerasAreAModelOfTheirOwn) {
   const std::vector<std::string> refine = {"--refine_cameras", "1"};
   Run("automatic_drawer", "out", refine);
-  for (const char* name : {"refined/cameras.txt", "refined/images.txt", "refined/points3D.txt"}) {
+  for (const char* name : {"refined/cameras.bin", "refined/images.bin", "refined/points3D.bin"}) {
     EXPECT_TRUE(fs::exists(Output("out", name))) << name;
   }
   const colmap_ext::SparseModel given = colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse");
@@ -199,8 +199,8 @@ TEST_F(SmallRun, RefinedCamerasKeepTheirRig) {
   EXPECT_LT((translation(refined) - translation(given)).norm(), 0.01 * translation(given).norm());
   // A model without rigs leaves none behind.
   run("plain");
-  EXPECT_FALSE(fs::exists(Output("out", "refined/rigs.txt")));
-  EXPECT_FALSE(fs::exists(Output("out", "refined/frames.txt")));
+  EXPECT_FALSE(fs::exists(Output("out", "refined/rigs.bin")));
+  EXPECT_FALSE(fs::exists(Output("out", "refined/frames.bin")));
 }
 
 // Frames of two cameras with the same center, the right one upside down: view_00.jpg and
@@ -311,14 +311,14 @@ TEST_F(SmallRun, WithoutRefinedCamerasNoModelIsWritten) {
   EXPECT_FALSE(fs::exists(Output("out", "refined")));
   EXPECT_THAT(Run("automatic_drawer", "out", {"--refine_cameras", "1", "--overwrite", "1"}),
               HasSubstr("Cameras refined: "));
-  EXPECT_TRUE(fs::exists(Output("out", "refined/images.txt")));
+  EXPECT_TRUE(fs::exists(Output("out", "refined/images.bin")));
   // The files now belong to an earlier drawing.
   EXPECT_THAT(Run("automatic_drawer", "out", {"--overwrite", "1"}),
               HasSubstr("does not belong to this drawing"));
 }
 
 TEST_F(SmallRun, RefinedCamerasDoNotGoBesideOtherModelFiles) {
-  for (const char* name : {"images.bin", "rigs.txt", "frames.txt"}) {
+  for (const char* name : {"images.bin", "images.txt", "rigs.bin", "frames.txt"}) {
     const std::string output = std::string("beside ") + name;
     fs::create_directories(Output(output, "refined"));
     std::ofstream(Output(output, "refined") / name) << "0";
@@ -327,6 +327,7 @@ TEST_F(SmallRun, RefinedCamerasDoNotGoBesideOtherModelFiles) {
                  (dir_ / output).string(), "--image_list_path", list_, "--refine_cameras", "1"});
     EXPECT_EQ(refused.exit_code, 1);
     EXPECT_THAT(refused.err, HasSubstr(name));
+    EXPECT_THAT(refused.err, HasSubstr("--overwrite 1 replaces it"));
   }
 }
 
