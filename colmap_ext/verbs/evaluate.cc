@@ -5,7 +5,6 @@
 #include "colmap_ext/host/run_options.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
-#include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/evaluation/kind_confusion.h"
@@ -20,10 +19,15 @@
 namespace limn::colmap_ext {
 namespace {
 
-std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& context) {
+std::vector<View> ReadViews(const EvaluatorOptions& options, Console* console) {
   if (options.views) return *options.views;
-  const WorkspaceLayout layout = ResolveLayout(options.layout);
-  return ToViews(ReadModel(layout.model_dir), layout.image_dir, {}, context).views;
+  LayoutOptions of_drawing = options.layout;
+  if (!options.input_path.empty()) {
+    of_drawing.starts_from = DrawingsToStartFrom(DrawingChoice::kNewest, options.input_path);
+  }
+  const WorkspaceLayout layout = ResolveLayout(of_drawing);
+  if (!layout.note.empty()) console->Say(layout.note);
+  return ToViews(ReadModelOf(layout), layout.image_dir, {}, console->context()).views;
 }
 
 // Without a path it is the drawing of the workspace.
@@ -86,7 +90,8 @@ FaceScores JudgeFaces(const std::vector<DrawingFace>& faces, const EvaluatorOpti
   return ScoreFaces(surface, ReadMesh(options.truth_mesh_path), views, of_faces, context);
 }
 
-EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const RunContext& context) {
+EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, Console* console) {
+  const RunContext& context = console->context();
   std::vector<DrawingFace> faces;
   if (judged.drawing) {
     // Faces do not depend on which links are chosen.
@@ -96,7 +101,7 @@ EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const Run
     judged.curves = ToCurveSet(*judged.drawing);
   }
   const bool has_views = options.views || !options.layout.workspace_path.empty();
-  const std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
+  const std::vector<View> views = has_views ? ReadViews(options, console) : std::vector<View>();
   EvaluationReport report = options.truth.IsGiven() ? JudgeCurves(judged, options, views, context)
                                                     : CountCurves(judged.curves);
   if (has_views) report.saw_teeth = MeasureSawTeeth(judged.curves.polylines, views);
@@ -226,7 +231,7 @@ EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions 
   }
   CheckOutputs(options);
   EvaluationReport report =
-      Judge(drawing ? Judged{*drawing, {}} : ReadJudged(options), options, console->context());
+      Judge(drawing ? Judged{*drawing, {}} : ReadJudged(options), options, console);
   ThrowIfCancelled(console->context());
   WriteReportFiles(report, options);
   return report;

@@ -11,7 +11,7 @@
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/model/refined_model.h"
 #include "colmap_ext/model/rig_fit.h"
-#include "colmap_ext/workspace/model_folder.h"
+#include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/refined_folder.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
@@ -22,14 +22,13 @@
 namespace limn::colmap_ext {
 namespace {
 
-std::string RefinedPath(const Project& project, const std::string& name) {
-  return project.DrawingPath("refined/" + name);
-}
+constexpr const char* kChangesFile = "cameras.csv";
+
+std::string RefinedFolder(const Project& project) { return project.DrawingPath(kRefinedFolder); }
 
 bool ReadsRefinedFolder(const Project& project) {
   std::error_code ignored;
-  return std::filesystem::equivalent(project.DrawingPath("refined"), project.layout().model_dir,
-                                     ignored);
+  return std::filesystem::equivalent(RefinedFolder(project), project.layout().model_dir, ignored);
 }
 
 // The largest relative change of a focal length, unless no optics changed.
@@ -108,7 +107,7 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options) {
   if (how == CameraRefinement::kOff) return;
   const std::string option =
       how == CameraRefinement::kOn ? "refine_cameras = 1: " : "refine_cameras = auto: ";
-  const std::string folder = project.DrawingPath("refined");
+  const std::string folder = RefinedFolder(project);
   if (ReadsRefinedFolder(project)) {
     throw OptionError(option + folder +
                       " would be overwritten, but is the model that is read: choose another "
@@ -117,15 +116,10 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options) {
   CheckRefinedFolder(folder, options.overwrite);
 }
 
-void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
-                       Console* console) {
+std::string WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
+                              Console* console) {
   if (!cameras) {
-    const std::string stale = project.DrawingPath("refined");
-    if (HoldsModel(stale) && !ReadsRefinedFolder(project)) {
-      console->Say("WARNING: " + stale +
-                   " is of an earlier run and does not belong to this drawing");
-    }
-    return;
+    return ReadsRefinedFolder(project) ? NameOfRefinedCameras(RefinedFolder(project)) : "";
   }
   SparseModel model = project.ReadModel();
   const std::vector<View> views = Moved(cameras->views, project.origin());
@@ -135,13 +129,25 @@ void WriteRefinedModel(const Project& project, const std::optional<RefinedCamera
   std::set<size_t> images;
   for (const View& view : views) images.insert(view.model_index);
   FitRigs(images, &model);
-  WriteRefinedFolder(model, project.DrawingPath("refined"));
-  WriteFileAtomically(project.CurvesPath("cameras.csv"),
+  const std::string name = WriteRefinedFolder(model, RefinedFolder(project));
+  WriteFileAtomically(project.CurvesPath(kChangesFile),
                       [&](std::ostream& out) { out << ChangesAsCsv(*cameras); });
   const std::string names = std::string("{cameras,images,points3D") +
                             (model.rigs.empty() ? "}" : ",rigs,frames}") +
                             (model.flavor == ModelFlavor::kBinary ? ".bin" : ".txt");
-  console->Say("Written: " + RefinedPath(project, names));
+  console->Say("Written: " + RefinedFolder(project) + "/" + names);
+  return name;
+}
+
+void RemoveOtherCameras(const Project& project, const DrawingMetadata& metadata, Console* console) {
+  if (!metadata.refined_cameras.empty() || ReadsRefinedFolder(project)) return;
+  if (!RemoveRefinedFolder(RefinedFolder(project))) {
+    console->Say("WARNING: " + RefinedFolder(project) +
+                 " has files of a model that limn did not write, or that were changed since: they "
+                 "do not belong to this drawing");
+  }
+  const std::string changes = project.CurvesPath(kChangesFile);
+  if (IsFileOfLimn(changes)) std::filesystem::remove(changes);
 }
 
 }  // namespace limn::colmap_ext

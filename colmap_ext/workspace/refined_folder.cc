@@ -8,11 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/workspace/file_identity.h"
 #include "colmap_ext/workspace/output_check.h"
+#include "limn/cache/content_hash.h"
+#include "limn/cache/curve_sketch_file.h"
 #include "limn/files/atomic_file.h"
 #include "limn/files/whole_file.h"
+#include "limn/formats/json_drawing_reader.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -68,8 +72,8 @@ std::map<std::string, std::string> OwnFiles(const fs::path& folder) {
     const std::string path = (folder / name).string();
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) continue;
-    std::string line = Line(name, FileIdentity(path));
-    if (has_record ? record.contains(line) : IsFileOfLimn(path)) own.emplace(name, std::move(line));
+    const std::string line = Line(name, FileIdentity(path));
+    if (has_record ? record.contains(line) : IsFileOfLimn(path)) own.emplace(name, line);
   }
   return own;
 }
@@ -98,6 +102,24 @@ Record RecordOf(const std::map<std::string, std::string>& files) {
   return record;
 }
 
+// Whatever the order and ids.
+std::string NameOfCameras(const SparseModel& model) {
+  std::map<std::string, const ModelImage*> images;
+  for (const ModelImage& image : model.images) images.emplace(image.name, &image);
+  ContentHash hash;
+  for (const auto& [name, image] : images) {
+    hash.AddText(name);
+    for (const double value : image->cam_from_world.rotation.coeffs()) hash.AddNumber(value);
+    for (const double value : image->cam_from_world.translation) hash.AddNumber(value);
+    const Camera& camera = model.CameraOf(*image);
+    hash.AddNumber(static_cast<int32_t>(camera.model));
+    hash.AddNumber(camera.width);
+    hash.AddNumber(camera.height);
+    hash.AddNumbers(camera.params);
+  }
+  return hash.Hex();
+}
+
 }  // namespace
 
 void CheckRefinedFolder(const fs::path& folder, bool overwrite) {
@@ -113,7 +135,7 @@ void CheckRefinedFolder(const fs::path& folder, bool overwrite) {
   }
 }
 
-void WriteRefinedFolder(const SparseModel& model, const fs::path& folder) {
+std::string WriteRefinedFolder(const SparseModel& model, const fs::path& folder) {
   if (model.flavor == ModelFlavor::kText) CheckTextNames(model);
   const std::map<std::string, std::string> files = NewFiles(model);
   const Record record = RecordOf(files);
@@ -126,6 +148,7 @@ void WriteRefinedFolder(const SparseModel& model, const fs::path& folder) {
     if (!files.contains(name)) Remove(folder / name);
   }
   if (with_old != record) WriteRecord(record, folder);
+  return NameOfRefinedCameras(folder);
 }
 
 bool RemoveRefinedFolder(const fs::path& folder) {
@@ -136,9 +159,24 @@ bool RemoveRefinedFolder(const fs::path& folder) {
   if (Exists(folder / kRecord) && IsFileOfLimn((folder / kRecord).string())) {
     Remove(folder / kRecord);
   }
-  std::error_code is_not_empty;
-  fs::remove(folder, is_not_empty);
+  // Fails if it is not empty. A link is not limn's.
+  std::error_code ignored;
+  if (!fs::is_symlink(folder, ignored)) fs::remove(folder, ignored);
   return true;
+}
+
+std::string NameOfRefinedCameras(const fs::path& folder) {
+  if (!HoldsColmapModel(folder)) return "";
+  try {
+    return NameOfCameras(ReadColmapModel(folder));
+  } catch (const IoError&) {
+    return "";
+  }
+}
+
+std::string RefinedCamerasOf(const fs::path& result) {
+  return result.extension() == ".bin" ? RefinedCamerasOfSketch(result.string())
+                                      : RefinedCamerasOfDrawing(result.string());
 }
 
 }  // namespace limn::colmap_ext

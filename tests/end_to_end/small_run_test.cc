@@ -38,9 +38,14 @@ class SmallRun : public ::testing::Test {
   // What it prints.
   std::string Run(const std::string& command, const std::string& output,
                   const std::vector<std::string>& more = {}) const {
+    return RunIn(LIMN_SAMPLE_DIR "/day", command, output, more);
+  }
+
+  std::string RunIn(const fs::path& workspace, const std::string& command,
+                    const std::string& output, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments = {command,
                                           "--workspace_path",
-                                          LIMN_SAMPLE_DIR "/day",
+                                          workspace.string(),
                                           "--output_path",
                                           (dir_ / output).string(),
                                           "--image_list_path",
@@ -278,15 +283,20 @@ TEST_F(SmallRun, ImagesOfAFrameStayTogether) {
   }
 }
 
-// Cameras that are a pixel off. The drawing fits the refined model that was written, and not the
-// one that was read.
-TEST_F(SmallRun, DrawingFitsTheRefinedModel) {
-  colmap_ext::SparseModel model = colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse");
+// Cameras that are a pixel off.
+colmap_ext::SparseModel WithTurns(colmap_ext::SparseModel model) {
   for (size_t i = 0; i < model.images.size(); ++i) {
     Rigid3d turn;
     turn.rotation = Eigen::AngleAxisd(i % 2 == 0 ? 0.003 : -0.003, Eigen::Vector3d::UnitX());
     model.images[i].cam_from_world = turn * model.images[i].cam_from_world;
   }
+  return model;
+}
+
+// The drawing fits the refined model that was written, and not the
+// one that was read.
+TEST_F(SmallRun, DrawingFitsTheRefinedModel) {
+  const auto model = WithTurns(colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse"));
   fs::create_directories(dir_ / "wrong");
   colmap_ext::WriteModelText(model, dir_ / "wrong");
   const auto with_model = [&](const std::string& folder, std::vector<std::string> more) {
@@ -306,15 +316,71 @@ TEST_F(SmallRun, DrawingFitsTheRefinedModel) {
   EXPECT_NEAR(after, ResidualPx(drawing), 0.1 * after);
 }
 
-TEST_F(SmallRun, WithoutRefinedCamerasNoModelIsWritten) {
+// A workspace with the photographs of the sample scene and cameras that are a pixel off.
+fs::path WrongWorkspace(const TempDir& dir) {
+  const auto model = WithTurns(colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse"));
+  fs::create_directories(dir / "wrong/sparse");
+  colmap_ext::WriteModelBinary(model, dir / "wrong/sparse");
+  fs::create_directory_symlink(LIMN_SAMPLE_DIR "/day/images", dir / "wrong/images");
+  return dir / "wrong";
+}
+
+TEST_F(SmallRun, CommandsThatContinueTakeTheRefinedCameras) {
+  const fs::path wrong = WrongWorkspace(dir_);
+  const auto run = [&](const std::string& command, std::vector<std::string> more = {},
+                       const std::string& output = "out") {
+    more.insert(more.end(), {"--overwrite", "1"});
+    return RunIn(wrong, command, output, more);
+  };
+  const std::vector<std::string> by_hand = {"--input_path", (dir_ / "out/refined").string()};
+  run("automatic_drawer", {"--refine_cameras", "1"});
+  const double residual_px = ResidualPx(Output("out", "drawing.json").string());
+  const std::string note = "fits, " + (dir_ / "out/refined").string() + "\n";
+  for (const char* command : {"drawing_viewer", "curve_drawer", "drawing_refiner"}) {
+    // The page has the name of the folder.
+    const std::string copy = std::string(command) + "/out";
+    fs::create_directories(dir_ / command);
+    fs::copy(dir_ / "out", dir_ / copy, fs::copy_options::recursive);
+    EXPECT_THAT(run(command), HasSubstr(note)) << command;
+    EXPECT_THAT(run(command, by_hand, copy), Not(HasSubstr("fits"))) << command;
+    EXPECT_TRUE(ReadTree(dir_ / "out") == ReadTree(dir_ / copy)) << command;
+  }
+  const LimnRun exported =
+      RunLimn({"drawing_exporter", "--workspace_path", wrong.string(), "--input_path",
+               Output("out", "drawing.json").string(), "--view", "view_03.jpg", "--output_path",
+               Output("out", "view.svg").string()});
+  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_THAT(exported.out, HasSubstr(note));
+  EXPECT_NEAR(ResidualPx(Output("out", "drawing.json").string()), residual_px, 0.01 * residual_px);
+  EXPECT_THAT(run("drawing_viewer", {"--input_path", (wrong / "sparse").string()}),
+              HasSubstr("fits refined cameras, not those of this model: --input_path " +
+                        (dir_ / "out/refined").string()));
+  // A sketch of the given cameras, and its drawing.
+  EXPECT_THAT(run("curve_sketcher"), Not(HasSubstr(note)));
+  EXPECT_THAT(run("curve_drawer"), Not(HasSubstr(note)));
+  EXPECT_FALSE(fs::exists(Output("out", "refined")));
+}
+
+TEST_F(SmallRun, WithoutRefinedCamerasNoModelIsLeft) {
   EXPECT_THAT(Run("automatic_drawer", "out"), Not(HasSubstr("refined")));
   EXPECT_FALSE(fs::exists(Output("out", "refined")));
   EXPECT_THAT(Run("automatic_drawer", "out", {"--refine_cameras", "1", "--overwrite", "1"}),
               HasSubstr("Cameras refined: "));
   EXPECT_TRUE(fs::exists(Output("out", "refined/images.bin")));
-  // The files now belong to an earlier drawing.
+  EXPECT_TRUE(fs::exists(Output("out", "curves/cameras.csv")));
+  EXPECT_THAT(Run("automatic_drawer", "out", {"--overwrite", "1"}), Not(HasSubstr("refined")));
+  EXPECT_FALSE(fs::exists(Output("out", "refined")));
+  EXPECT_FALSE(fs::exists(Output("out", "curves/cameras.csv")));
+  EXPECT_THAT(Run("drawing_refiner", "out"), HasSubstr("day/sparse"));
+}
+
+TEST_F(SmallRun, ChangedRefinedCamerasAreNotRemoved) {
+  Run("automatic_drawer", "out", {"--refine_cameras", "1"});
+  std::ofstream(Output("out", "refined/images.bin"), std::ios::app) << " ";
   EXPECT_THAT(Run("automatic_drawer", "out", {"--overwrite", "1"}),
-              HasSubstr("does not belong to this drawing"));
+              HasSubstr("do not belong to this drawing"));
+  EXPECT_TRUE(fs::exists(Output("out", "refined/images.bin")));
+  EXPECT_FALSE(fs::exists(Output("out", "refined/cameras.bin")));
 }
 
 TEST_F(SmallRun, RefinedCamerasDoNotGoBesideOtherModelFiles) {

@@ -1,5 +1,6 @@
 #include "colmap_ext/workspace/refined_folder.h"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
@@ -75,9 +76,24 @@ TEST_F(RefinedFolder, HasTheFlavorOfTheModelAndNoOther) {
 TEST_F(RefinedFolder, OfTheSameModelHasTheSameBytes) {
   Write(ModelFlavor::kBinary);
   const std::string record = ReadWholeFile((folder_ / "limn.txt").string());
+  const std::string name = NameOfRefinedCameras(folder_);
   Write(ModelFlavor::kText);
+  EXPECT_EQ(NameOfRefinedCameras(folder_), name);
   Write(ModelFlavor::kBinary);
   EXPECT_EQ(ReadWholeFile((folder_ / "limn.txt").string()), record);
+}
+
+TEST_F(RefinedFolder, CamerasAreNamedByWhatTheyAre) {
+  EXPECT_EQ(NameOfRefinedCameras(folder_), "");
+  SparseModel model = MakeModel();
+  const std::string name = WriteRefinedFolder(model, folder_);
+  std::reverse(model.images.begin(), model.images.end());
+  model.points.clear();
+  EXPECT_EQ(WriteRefinedFolder(model, folder_), name);
+  model.images[0].cam_from_world.translation.x() += 1e-9;
+  EXPECT_NE(WriteRefinedFolder(model, folder_), name);
+  std::ofstream(folder_ / "images.txt") << "1 2 3\n";
+  EXPECT_EQ(NameOfRefinedCameras(folder_), "");
 }
 
 TEST_F(RefinedFolder, FilesThatOthersWroteOrChangedAreNotReplaced) {
