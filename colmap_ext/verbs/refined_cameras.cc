@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <ostream>
 #include <set>
 #include <utility>
@@ -84,6 +85,16 @@ void SayChanges(const RefinedCameras& cameras, const ViewSet& set, Console* cons
                ShortNumber(cameras.median_move_px) + " px: look at their overlays");
 }
 
+// By the index of the image.
+std::map<size_t, Rigid3d> HeldPoses(const ViewSet& set, const SparseModel& model) {
+  std::map<size_t, Rigid3d> poses;
+  for (const ViewId view : HeldViews(set.mounts)) {
+    const size_t image = set.views[view].model_index;
+    poses.emplace(image, model.images[image].cam_from_world);
+  }
+  return poses;
+}
+
 }  // namespace
 
 std::optional<RefinedCameras> RefineSceneCameras(const Job& job, CameraRefinement how) {
@@ -125,10 +136,15 @@ std::string WriteRefinedModel(const Project& project, const std::optional<Refine
   const std::vector<View> views = Moved(cameras->views, project.origin());
   SceneHints hints = cameras->hints;
   for (ScenePoint& point : hints.points) point.position_in_world += project.origin();
+  const std::map<size_t, Rigid3d> held = HeldPoses(project.view_set(), model);
   ApplyRefinement(views, hints, &model);
-  std::set<size_t> images;
-  for (const View& view : views) images.insert(view.model_index);
-  FitRigs(images, &model);
+  for (const auto& [image, pose] : held) model.images[image].cam_from_world = pose;
+  std::set<size_t> moved;
+  for (const View& view : views) {
+    const size_t image = view.model_index;
+    if (!held.contains(image)) moved.insert(image);
+  }
+  FitRigs(moved, &model);
   const std::string name = WriteRefinedFolder(model, RefinedFolder(project));
   WriteFileAtomically(project.CurvesPath(kChangesFile),
                       [&](std::ostream& out) { out << ChangesAsCsv(*cameras); });

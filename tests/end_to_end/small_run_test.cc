@@ -361,6 +361,23 @@ TEST_F(SmallRun, CommandsThatContinueTakeTheRefinedCameras) {
   EXPECT_FALSE(fs::exists(Output("out", "refined")));
 }
 
+TEST_F(SmallRun, HeldImagesKeepTheirPoses) {
+  const fs::path wrong = WrongWorkspace(dir_);
+  const std::string held = dir_.WriteFile("held.txt", "view_02.jpg\nview_05.jpg\n");
+  RunIn(wrong, "automatic_drawer", "out", {"--refine_cameras", "1", "--hold_images", held});
+  const colmap_ext::SparseModel given = colmap_ext::ReadModel(wrong / "sparse");
+  const colmap_ext::SparseModel refined = colmap_ext::ReadModel(dir_ / "out/refined");
+  for (size_t i = 0; i < given.images.size(); ++i) {
+    const std::string& name = given.images[i].name;
+    const bool moves = name < "view_08" && name != "view_02.jpg" && name != "view_05.jpg";
+    const Rigid3d& before = given.images[i].cam_from_world;
+    const Rigid3d& after = refined.images[i].cam_from_world;
+    EXPECT_EQ(before.translation != after.translation, moves) << name;
+    // Quaternions are normalized on reading.
+    EXPECT_EQ(before.rotation.angularDistance(after.rotation) > 1e-15, moves) << name;
+  }
+}
+
 TEST_F(SmallRun, WithoutRefinedCamerasNoModelIsLeft) {
   EXPECT_THAT(Run("automatic_drawer", "out"), Not(HasSubstr("refined")));
   EXPECT_FALSE(fs::exists(Output("out", "refined")));
