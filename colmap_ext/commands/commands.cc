@@ -37,6 +37,7 @@ int RunOnProject(const Command& command, int argc, const char* const* argv,
   const auto console = make_console(options.num_threads, Printing::kOn);
   SayRetired(*parser, console.get());
   verb->Prepare(&options, console.get());
+  options.layout.starts_from = verb->StartsFrom(options);
   verb->Run(Project(options, console.get()), options, console.get());
   return 0;
 }

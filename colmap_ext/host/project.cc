@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "colmap_ext/model/model_writer.h"
-#include "colmap_ext/workspace/model_folder.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -19,14 +18,15 @@ WorkspaceLayout ChooseLayoutInMemory(const SparseModel& model, const RunOptions&
 
 }  // namespace
 
-WorkspaceLayout ChooseLayout(const RunOptions& options, Console* console) {
-  WorkspaceLayout layout = ResolveLayout(options.layout);
+WorkspaceLayout ChooseLayout(const LayoutOptions& options, Console* console) {
+  WorkspaceLayout layout = ResolveLayout(options);
   console->Say(layout.description);
+  if (!layout.note.empty()) console->Say(layout.note);
   return layout;
 }
 
 Project::Project(const RunOptions& options, Console* console)
-    : Project(ChooseLayout(options, console), options, console) {}
+    : Project(ChooseLayout(options.layout, console), options, console) {}
 
 // Braces evaluate from left to right.
 Project::Project(SparseModel model, const RunOptions& options, Console* console)
@@ -42,7 +42,7 @@ Project::Project(const WorkspaceLayout& layout, SparseModel model, const RunOpti
       given_model_(std::move(model)) {}
 
 SparseModel Project::ReadModel() const {
-  return given_model_ ? *given_model_ : colmap_ext::ReadModel(layout().model_dir);
+  return given_model_ ? *given_model_ : ReadModelOf(layout());
 }
 
 }  // namespace limn::colmap_ext

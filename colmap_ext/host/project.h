@@ -32,6 +32,6 @@ class Project : public OutputFolder, public Scene {
 };
 
 // ResolveLayout, and reports what was chosen.
-WorkspaceLayout ChooseLayout(const RunOptions& options, Console* console);
+WorkspaceLayout ChooseLayout(const LayoutOptions& options, Console* console);
 
 }  // namespace limn::colmap_ext

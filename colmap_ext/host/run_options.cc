@@ -90,6 +90,8 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
                        {"0", CameraRefinement::kOff},
                        {"1", CameraRefinement::kOn}},
                       BasicOption("refine the cameras by the curves, auto = if needed"));
+    parser->AddOption("hold_images", &options->view.hold_images,
+                      "file with the names of images whose cameras are not refined");
   }
   AddGroup("EdgeDetection", &pipeline.edges, parser);
   AddGroup("EdgeMaps", &options->edge_maps, parser);
@@ -163,6 +165,10 @@ void RunOptions::CheckValues() const {
   CheckGroup("DenseFusion", dense);
   BoxFromNumbers(box);
   if (!shard.empty()) ParseShard(shard);
+  if (!view.hold_images.empty() && pipeline.refine_cameras == CameraRefinement::kOff) {
+    throw OptionError("hold_images = " + view.hold_images +
+                      ": no camera is refined: needs refine_cameras = 1 or auto");
+  }
 }
 
 void RunOptions::SetDerived() { view.border_margin_px = pipeline.edges.margin_px; }

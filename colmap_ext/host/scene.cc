@@ -10,7 +10,6 @@
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/workspace/file_identity.h"
-#include "colmap_ext/workspace/model_folder.h"
 #include "limn/sketch/view_selection.h"
 #include "limn/util/errors.h"
 
@@ -67,8 +66,11 @@ std::string ShrinkingNote(const ViewSet& set) {
 
 Scene::Scene(WorkspaceLayout layout, const RunOptions& options, Console* console)
     : layout_(std::move(layout)) {
-  SparseModel model = ReadModel(layout_.model_dir);
-  if (options.pipeline.refine_cameras != CameraRefinement::kOff) CheckTextNames(model);
+  SparseModel model = ReadModelOf(layout_);
+  if (options.pipeline.refine_cameras != CameraRefinement::kOff &&
+      model.flavor == ModelFlavor::kText) {
+    CheckTextNames(model);
+  }
   SetModel(std::move(model), {}, options, console);
 }
 

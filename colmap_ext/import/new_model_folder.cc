@@ -48,11 +48,7 @@ void WriteNewModel(const SparseModel& model, const fs::path& folder, ModelFlavor
   CheckNewModelFolder(folder);
   const fs::path path = Plain(folder);
   TemporaryPath temporary(path.string() + ".tmp", &MakeEmpty);
-  if (flavor == ModelFlavor::kText) {
-    WriteModelText(model, temporary.path());
-  } else {
-    WriteModelBinary(model, temporary.path());
-  }
+  WriteModel(model, flavor, temporary.path());
   if (write_more) write_more(temporary.path());
   // Replaces an empty folder, fails on any other.
   if (const std::error_code error = temporary.RenameTo(path)) {

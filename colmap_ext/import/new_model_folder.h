@@ -7,12 +7,10 @@
 
 namespace limn::colmap_ext {
 
-enum class ModelFlavor { kBinary, kText };
-
 // Throws IoError if the folder exists and is not empty.
 void CheckNewModelFolder(const std::filesystem::path& folder);
 
-// Writes the files of a model (WriteModelBinary, WriteModelText) into a folder that must be new or
+// Writes the files of a model (WriteModel) into a folder that must be new or
 // empty (checked). They appear together or not at all: they are written to "<folder>.tmp", which is
 // then renamed.
 // Missing parent folders are created. `write_more` may write further files into the folder.

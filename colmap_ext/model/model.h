@@ -56,8 +56,13 @@ struct ModelPoint {
   std::vector<TrackElement> track;
 };
 
+// The form of a model's files.
+enum class ModelFlavor { kBinary, kText };
+
 struct SparseModel {
   std::filesystem::path folder;
+  // That of the files it was read from.
+  ModelFlavor flavor = ModelFlavor::kText;
   std::vector<Camera> cameras;
   // In file order, to which .vis files, consistency graphs and PMVS numbers refer.
   std::vector<ModelImage> images;

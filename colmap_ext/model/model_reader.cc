@@ -148,6 +148,7 @@ SparseModel ReadColmapModel(const fs::path& folder) {
   }
   SparseModel model = builder.Finish();
   model.folder = folder;
+  model.flavor = &flavor == &kBinary ? ModelFlavor::kBinary : ModelFlavor::kText;
   ReadRigsAndFrames(folder, flavor, &model);
   return model;
 }

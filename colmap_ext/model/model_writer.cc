@@ -1,6 +1,5 @@
 #include "colmap_ext/model/model_writer.h"
 
-#include <span>
 #include <system_error>
 
 #include "colmap_ext/model/image_name.h"
@@ -52,6 +51,11 @@ void WriteFiles(std::span<const ModelFile> files, const SparseModel& model,
 }
 
 }  // namespace
+
+std::span<const ModelFile> ModelFilesOf(ModelFlavor flavor) {
+  if (flavor == ModelFlavor::kBinary) return kBinaryModelFiles;
+  return kTextModelFiles;
+}
 
 void WriteCamerasBinary(const SparseModel& model, std::ostream& out) {
   Put<uint64_t>(model.cameras.size(), out);
@@ -149,6 +153,11 @@ void WriteModelBinary(const SparseModel& model, const std::filesystem::path& fol
 void WriteModelText(const SparseModel& model, const std::filesystem::path& folder) {
   CheckTextNames(model);
   WriteFiles(kTextModelFiles, model, folder);
+}
+
+void WriteModel(const SparseModel& model, ModelFlavor flavor, const std::filesystem::path& folder) {
+  if (flavor == ModelFlavor::kText) return WriteModelText(model, folder);
+  WriteModelBinary(model, folder);
 }
 
 }  // namespace limn::colmap_ext

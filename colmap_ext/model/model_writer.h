@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <ostream>
+#include <span>
 
 #include "colmap_ext/model/model.h"
 #include "colmap_ext/model/rig.h"
@@ -35,6 +36,7 @@ constexpr ModelFile kTextModelFiles[] = {{"cameras.txt", WriteCamerasText},
                                          {"points3D.txt", WritePointsText},
                                          {"rigs.txt", WriteRigsText, true},
                                          {"frames.txt", WriteFramesText, true}};
+std::span<const ModelFile> ModelFilesOf(ModelFlavor flavor);
 
 // Throws InputError if images.txt could not be read back because of the name of an image.
 void CheckTextNames(const SparseModel& model);
@@ -44,5 +46,6 @@ void CheckTextNames(const SparseModel& model);
 // writer also throws what CheckTextNames throws, before anything is changed.
 void WriteModelBinary(const SparseModel& model, const std::filesystem::path& folder);
 void WriteModelText(const SparseModel& model, const std::filesystem::path& folder);
+void WriteModel(const SparseModel& model, ModelFlavor flavor, const std::filesystem::path& folder);
 
 }  // namespace limn::colmap_ext

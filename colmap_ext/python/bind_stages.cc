@@ -69,8 +69,8 @@ void BindStages(py::module_* module) {
       "read_drawing",
       [](const std::filesystem::path& path,
          const std::optional<std::shared_ptr<OpenScene>>& scene) {
-        return RunFree(py::none(), [path, scene = scene.value_or(nullptr)](RunMonitor*) {
-          return ReadSceneDrawing(path, scene);
+        return RunFree(py::none(), [path, scene = scene.value_or(nullptr)](RunMonitor* monitor) {
+          return ReadSceneDrawing(path, scene, monitor);
         });
       },
       py::arg("path"), py::arg("scene"));

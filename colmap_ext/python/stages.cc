@@ -127,6 +127,17 @@ class CommandConsole : public LibraryConsole {
   RunLog* kept_;
 };
 
+// The scene with the refined cameras that a stored drawing fits, if it does.
+std::shared_ptr<const OpenScene> SceneOfDrawing(const fs::path& drawing,
+                                                std::shared_ptr<const OpenScene> scene,
+                                                RunMonitor* monitor) {
+  WorkspaceLayout layout = scene->scene.layout();
+  const bool is_in_memory = layout.model_dir.empty();
+  if (is_in_memory || !TakeRefinedCameras(drawing, &layout)) return scene;
+  LibraryConsole console(scene->made.options.num_threads, monitor);
+  return std::make_shared<OpenScene>(layout, scene->made, &console);
+}
+
 // Those of the options of automatic_drawer that OpenWorkspace takes.
 OptionTexts OptionsOfScene(const OptionTexts& options) {
   const CommandLine line("open", {{"workspace_path", "."}});
@@ -267,13 +278,15 @@ std::shared_ptr<SceneDrawing> ApplyVerb(const std::string& function,
 }
 
 std::shared_ptr<SceneDrawing> ReadSceneDrawing(const fs::path& path,
-                                               std::shared_ptr<const OpenScene> scene) {
+                                               std::shared_ptr<const OpenScene> scene,
+                                               RunMonitor* monitor) {
   auto drawing = std::make_shared<SceneDrawing>();
   DrawingFile file =
       scene ? ReadDrawingOf(scene->scene, path.string()) : ReadDrawing(path.string());
   drawing->graph = std::move(file.graph);
   drawing->metadata = std::move(file.metadata);
   if (!scene) return drawing;
+  scene = SceneOfDrawing(path, std::move(scene), monitor);
   drawing->made = scene->made;
   drawing->made.log = {};
   drawing->views = scene->scene.views();
@@ -349,14 +362,10 @@ std::shared_ptr<SceneDrawing> DrawInFolder(const OptionTexts& options, RunMonito
     }
   }
   const OptionTexts of_scene = OptionsOfScene(options);
-  const auto start = fs::file_time_type::clock::now();
   RunLog log = RunCommand("automatic_drawer", options, monitor);
   const fs::path folder = options.at("output_path");
-  // An earlier run may have left some.
-  const fs::path refined = folder / "refined" / "images.txt";
-  const bool moves_cameras = fs::exists(refined) && fs::last_write_time(refined) >= start;
-  auto drawing = ReadSceneDrawing(folder / "drawing.json",
-                                  moves_cameras ? nullptr : OpenWorkspace(of_scene, monitor));
+  auto drawing =
+      ReadSceneDrawing(folder / "drawing.json", OpenWorkspace(of_scene, monitor), monitor);
   drawing->made.log = std::move(log);
   return drawing;
 }

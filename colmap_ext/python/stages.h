@@ -101,9 +101,11 @@ std::shared_ptr<SceneDrawing> ApplyVerb(const std::string& function,
                                         std::shared_ptr<const SceneDrawing> drawing,
                                         const OptionTexts& options, RunMonitor* monitor);
 
-// A drawing.json; with its scene, if that is not null.
+// A drawing.json; with its scene, if that is not null, or that with the refined cameras that it
+// fits.
 std::shared_ptr<SceneDrawing> ReadSceneDrawing(const std::filesystem::path& path,
-                                               std::shared_ptr<const OpenScene> scene);
+                                               std::shared_ptr<const OpenScene> scene,
+                                               RunMonitor* monitor);
 
 // The report as JSON, as of drawing_evaluator: of a drawing, or of the file that the options name
 // if it is null.
@@ -123,8 +125,7 @@ void SaveDrawing(const SceneDrawing& drawing, const std::string& path);
 // Throws OptionError if there is no such command.
 RunLog RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor);
 
-// automatic_drawer, and its drawing read again. The drawing has its scene unless cameras were
-// refined.
+// automatic_drawer, and its drawing read again, with its scene.
 std::shared_ptr<SceneDrawing> DrawInFolder(const OptionTexts& options, RunMonitor* monitor);
 
 }  // namespace limn::colmap_ext

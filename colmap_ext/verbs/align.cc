@@ -29,7 +29,7 @@ constexpr double kFarTimesTypical = 5;
 fs::path FindDatabase(const Scene& scene, const LayoutOptions& layout) {
   std::vector<fs::path> folders;
   if (!layout.workspace_path.empty()) folders.push_back(layout.workspace_path);
-  const fs::path& model = scene.layout().model_dir;
+  const fs::path& model = scene.layout().given_model_dir;
   // A model in memory has no folder: its database may be near the images.
   const fs::path& near = model.empty() ? scene.layout().image_dir : model;
   fs::path folder = near.empty() ? fs::path() : fs::absolute(near).lexically_normal();
@@ -328,6 +328,10 @@ DrawingInScene AlignVerb::Apply(const Job& job, const DrawingInScene& given) {
   DrawingInScene made = given;
   made.metadata.alignment = aligner.Align(given.views, given.graph, job.console);
   return made;
+}
+
+std::vector<std::string> AlignVerb::StartsFrom(const RunOptions&) const {
+  return DrawingsToStartFrom(DrawingChoice::kNewest, drawing_path());
 }
 
 void AlignVerb::Run(const Project& project, const RunOptions& options, Console* console) {

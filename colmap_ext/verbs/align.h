@@ -61,6 +61,7 @@ class AlignVerb : public DrawingVerb {
   void AddFileOptions(OptionParser* parser) override;
   void Prepare(RunOptions* options, Console* console) override;
   DrawingInScene Apply(const Job& job, const DrawingInScene& given) override;
+  std::vector<std::string> StartsFrom(const RunOptions& options) const override;
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 
  private:

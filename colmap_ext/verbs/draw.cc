@@ -144,13 +144,14 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   if (!drawn) return std::nullopt;
   DrawingInScene& drawing = drawn->drawing;
   const auto& curves = drawing.curves;
+  drawing.metadata.refined_cameras = WriteRefinedModel(project, drawn->cameras, console);
   if (curves) {
     WriteSketchResults(project, SketchFileName(run.pipeline.mode), drawing.views, *curves,
-                       drawn->sketch, drawing.metadata.options_json, console->context());
+                       drawn->sketch, drawing.metadata, console->context());
   }
-  WriteRefinedModel(project, drawn->cameras, console);
   drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
   WriteDrawingResults(project, drawing, console, drawn->new_views);
+  RemoveOtherCameras(project, drawing.metadata, console);
   if (options.account) {
     WriteAccount(project,
                  {{drawing.views, *curves},

@@ -32,6 +32,10 @@ void DrawSketchVerb::AddOptions(OptionParser* parser) {
 
 void DrawSketchVerb::Prepare(RunOptions*, Console*) { align_.Check(); }
 
+std::vector<std::string> DrawSketchVerb::StartsFrom(const RunOptions& options) const {
+  return {"curves/" + SketchFileName(options.pipeline.mode) + ".bin"};
+}
+
 void DrawSketchVerb::Run(const Project& project, const RunOptions& options, Console* console) {
   CheckDrawingFiles(project, options);
   const SceneAligner aligner(project, options.layout, align_, console);
@@ -42,9 +46,10 @@ void DrawSketchVerb::Run(const Project& project, const RunOptions& options, Cons
   const std::string provenance = ProvenanceOfDrawing(options, stored.metadata.options_json);
   CheckReplaceable(project, options, "drawing.json", provenance);
   DrawingInScene drawing = DrawSketchInScene(job, std::move(curves), stored.sketch, provenance);
-  WriteRefinedModel(project, std::nullopt, console);
+  drawing.metadata.refined_cameras = stored.metadata.refined_cameras;
   drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
   WriteDrawingResults(project, drawing, console);
+  RemoveOtherCameras(project, drawing.metadata, console);
   ReportTrust(project.view_set(), drawing, console);
   console->RepeatWarnings();
 }

@@ -19,6 +19,7 @@ class DrawSketchVerb : public Verb {
   }
   void AddOptions(OptionParser* parser) override;
   void Prepare(RunOptions* options, Console* console) override;
+  std::vector<std::string> StartsFrom(const RunOptions& options) const override;
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 
  private:

@@ -13,24 +13,16 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDrawing = "drawing.json";
 
-// Empty if the folder has none.
-fs::path DrawingIn(const fs::path& folder, DrawingChoice choice) {
-  std::error_code ignored;
-  const fs::path drawing = folder / kDrawing;
-  const fs::path fused = folder / kFusedDrawing;
-  const bool has_drawing = fs::exists(drawing, ignored);
-  if (choice == DrawingChoice::kNewest && fs::exists(fused, ignored) &&
-      (!has_drawing || fs::last_write_time(fused) >= fs::last_write_time(drawing))) {
-    return fused;
-  }
-  return has_drawing ? drawing : fs::path();
+std::vector<std::string> NamesOf(DrawingChoice choice) {
+  if (choice == DrawingChoice::kUnfused) return {kDrawing};
+  return {kFusedDrawing, kDrawing};
 }
 
 std::string FirstDrawing(const std::vector<fs::path>& folders, DrawingChoice choice,
                          const std::string& path_option) {
   std::string looked_in;
   for (const fs::path& folder : folders) {
-    const fs::path found = DrawingIn(folder, choice);
+    const fs::path found = NewestFile(folder, NamesOf(choice));
     if (!found.empty()) return found.string();
     looked_in += (looked_in.empty() ? "" : " and ") + folder.string();
   }
@@ -47,6 +39,11 @@ bool IsMereFolderOfResults(const LayoutOptions& workspace) {
 }
 
 }  // namespace
+
+std::vector<std::string> DrawingsToStartFrom(DrawingChoice choice, const std::string& path) {
+  if (path.empty()) return NamesOf(choice);
+  return {fs::absolute(path).string()};
+}
 
 std::string FindDrawing(const fs::path& folder, DrawingChoice choice,
                         const std::string& path_option) {

@@ -18,6 +18,10 @@ enum class DrawingChoice {
   kNewest,   // that, or drawing-fused.json, which has more, unless it is older: to read from it
 };
 
+// What a command continues from (LayoutOptions::starts_from): the drawing of this path, or, if that
+// is empty, the one of the output folder.
+std::vector<std::string> DrawingsToStartFrom(DrawingChoice choice, const std::string& path);
+
 // The path of the drawing in an output folder. Throws IoError if there is none; it names what was
 // looked for, and the option that takes a path.
 std::string FindDrawing(const std::filesystem::path& folder, DrawingChoice choice,

@@ -15,6 +15,7 @@
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/refined_cameras.h"
 #include "colmap_ext/workspace/output_check.h"
+#include "colmap_ext/workspace/refined_folder.h"
 #include "limn/cache/curves_key.h"
 #include "limn/evaluation/edgel_account.h"
 #include "limn/files/atomic_file.h"
@@ -117,6 +118,13 @@ Json PresentOptions(Json options) {
   return options;
 }
 
+// Refined cameras have other last bits when their file is read again: they go by its name.
+std::string SketchKey(const std::string& refined_cameras, const std::vector<View>& views,
+                      const std::vector<ImageCurves>& curves, const RunContext& context) {
+  if (refined_cameras.empty()) return CurvesKey(views, curves, context);
+  return refined_cameras + " " + StoredCurvesKey(curves);
+}
+
 }  // namespace
 
 void CheckReplaceable(const Project& project, const RunOptions& options, const std::string& name,
@@ -190,10 +198,10 @@ void CheckGraph(const DrawingGraph& graph) {
 
 void WriteSketchResults(const Project& project, const std::string& name,
                         const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                        const CurveSketch& sketch, const std::string& provenance,
+                        const CurveSketch& sketch, const DrawingMetadata& metadata,
                         const RunContext& context) {
-  WriteCurveSketch(project.CurvesPath(name + ".bin"), sketch, Metadata(project, provenance),
-                   CurvesKey(views, curves, context));
+  WriteCurveSketch(project.CurvesPath(name + ".bin"), sketch, metadata,
+                   SketchKey(metadata.refined_cameras, views, curves, context));
   WriteSketch(project.CurvesPath(name + ".ply"), Moved(sketch, project.origin()));
 }
 
@@ -201,7 +209,12 @@ StoredCurveSketch ReadSketchResult(const Project& project, const std::string& na
                                    const std::vector<ImageCurves>& curves,
                                    const RunContext& context) {
   const std::string path = project.CurvesPath(name + ".bin");
-  auto stored = ReadCurveSketch(path, curves, CurvesKey(project.views(), curves, context));
+  const std::string cameras = RefinedCamerasOf(path);
+  const bool has_cameras =
+      cameras.empty() || NameOfRefinedCameras(project.layout().model_dir) == cameras;
+  auto stored = has_cameras ? ReadCurveSketch(path, curves,
+                                              SketchKey(cameras, project.views(), curves, context))
+                            : std::nullopt;
   if (!stored) {
     throw IoError(path,
                   "was made from other images, cameras or options of edges and linking, or "

@@ -42,7 +42,7 @@ void CheckGraph(const DrawingGraph& graph);
 // coordinates.
 void WriteSketchResults(const Project& project, const std::string& name,
                         const std::vector<View>& views, const std::vector<ImageCurves>& curves,
-                        const CurveSketch& sketch, const std::string& provenance,
+                        const CurveSketch& sketch, const DrawingMetadata& metadata,
                         const RunContext& context);
 
 // Reads <curves>/<name>.bin. Throws IoError if it is missing, damaged or not made from these

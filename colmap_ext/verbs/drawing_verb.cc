@@ -34,6 +34,10 @@ void DrawingVerb::Write(const Job& job, const Project& project, const DrawingInS
   WriteDrawingResults(project, made, job.console);
 }
 
+std::vector<std::string> DrawingVerb::StartsFrom(const RunOptions&) const {
+  return DrawingsToStartFrom(DrawingChoice::kUnfused, drawing_path_);
+}
+
 void DrawingVerb::Run(const Project& project, const RunOptions& options, Console* console) {
   CheckFiles(project, options);
   const std::string path = !drawing_path_.empty()

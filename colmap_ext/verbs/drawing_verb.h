@@ -33,6 +33,9 @@ class DrawingVerb : public Verb {
   // By default --drawing_path.
   void AddFileOptions(OptionParser* parser) override;
 
+  // By default drawing.json.
+  std::vector<std::string> StartsFrom(const RunOptions& options) const override;
+
   // Of the drawing in the output folder, or of that of --drawing_path; in the latter case the
   // result must not replace another drawing.
   void Run(const Project& project, const RunOptions& options, Console* console) override;

@@ -9,7 +9,6 @@
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
 #include "colmap_ext/verbs/true_frame.h"
-#include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/evaluation/kind_confusion.h"
@@ -26,10 +25,15 @@
 namespace limn::colmap_ext {
 namespace {
 
-std::vector<View> ReadViews(const EvaluatorOptions& options, const RunContext& context) {
+std::vector<View> ReadViews(const EvaluatorOptions& options, Console* console) {
   if (options.views) return *options.views;
-  const WorkspaceLayout layout = ResolveLayout(options.layout);
-  return ToViews(ReadModel(layout.model_dir), layout.image_dir, {}, context).views;
+  LayoutOptions of_drawing = options.layout;
+  if (!options.input_path.empty()) {
+    of_drawing.starts_from = DrawingsToStartFrom(DrawingChoice::kNewest, options.input_path);
+  }
+  const WorkspaceLayout layout = ResolveLayout(of_drawing);
+  if (!layout.note.empty()) console->Say(layout.note);
+  return ToViews(ReadModelOf(layout), layout.image_dir, {}, console->context()).views;
 }
 
 // Without a path it is the drawing of the workspace.
@@ -66,8 +70,6 @@ struct Judged {
   std::optional<DrawingGraph> drawing;
   CurveSet curves;
   std::optional<TriangleMesh> mesh;
-  // Folder of the refined cameras that it was made with; empty: those of the workspace.
-  std::string refined_path;
 };
 
 // What it is judged by: curves, a surface or both.
@@ -139,13 +141,13 @@ FaceScores JudgeFaces(const PartedSurface& surface, const TriangleMesh& truth,
   return ScoreFaces(surface, truth, views, of_faces, context);
 }
 
-EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, const RunContext& context) {
+EvaluationReport Judge(Judged judged, const EvaluatorOptions& options, Console* console) {
+  const RunContext& context = console->context();
   const Truths truths = ReadTruths(options);
   const bool has_views = options.views || !options.layout.workspace_path.empty();
-  std::vector<View> views = has_views ? ReadViews(options, context) : std::vector<View>();
+  std::vector<View> views = has_views ? ReadViews(options, console) : std::vector<View>();
   std::optional<CameraAccuracy> cameras;
   if (!options.true_model_path.empty()) {
-    if (!judged.refined_path.empty()) views = WithCamerasOf(judged.refined_path, views);
     TrueFrame frame = FindTrueFrame(views, options.true_model_path, MiddleOf(judged, views));
     Move(frame.true_from_model, &judged);
     views = std::move(frame.views);
@@ -226,12 +228,6 @@ void CheckInputs(const EvaluatorOptions& options) {
   }
 }
 
-// The folder of refined cameras beside a file of curves; empty if there is none.
-std::string RefinedBeside(const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path() / "refined";
-  return HoldsModel(folder) ? folder.string() : "";
-}
-
 // A drawing in memory, or the input file if that is null.
 Judged ReadJudged(const DrawingGraph* drawing, const EvaluatorOptions& options) {
   Judged judged;
@@ -240,7 +236,6 @@ Judged ReadJudged(const DrawingGraph* drawing, const EvaluatorOptions& options) 
     judged.drawing = *drawing;
     return judged;
   }
-  if (!options.input_path.empty()) judged.refined_path = RefinedBeside(options.input_path);
   if (options.IsOfMeshOnly()) return judged;
   if (IsDrawingJson(options.input_path) || HoldsLimapDrawing(options.input_path)) {
     judged.drawing = ReadDrawing(options.input_path).graph;
@@ -315,11 +310,7 @@ EvaluationReport EvaluateAndWrite(const DrawingGraph* drawing, EvaluatorOptions 
     console->Say("drawing: " + options.input_path);
   }
   CheckOutputs(options);
-  Judged judged = ReadJudged(drawing, options);
-  if (!options.true_model_path.empty() && !judged.refined_path.empty()) {
-    console->Say("cameras of the drawing: " + judged.refined_path);
-  }
-  EvaluationReport report = Judge(std::move(judged), options, console->context());
+  EvaluationReport report = Judge(ReadJudged(drawing, options), options, console);
   ThrowIfCancelled(console->context());
   WriteReportFiles(report, options);
   return report;

@@ -8,7 +8,6 @@
 #include "colmap_ext/verbs/align.h"
 #include "colmap_ext/verbs/drawing_input.h"
 #include "colmap_ext/verbs/limap_model.h"
-#include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/output_check.h"
 #include "colmap_ext/workspace/to_views.h"
 #include "limn/formats/ply_points_reader.h"
@@ -122,7 +121,8 @@ std::string InputPath(const ExporterOptions& options, Console* console) {
 size_t ExportLimap(DrawingFile drawing, const ExporterOptions& options, Console* console) {
   drawing.graph = Selected(std::move(drawing.graph), options.selection.Selection());
   const WorkspaceLayout layout = ResolveLayout(options.workspace);
-  SparseModel model = ReadModel(layout.model_dir);
+  if (!layout.note.empty()) console->Say(layout.note);
+  SparseModel model = ReadModelOf(layout);
   const ViewSet views = ToViews(model, layout.image_dir, {}, console->context());
   const size_t num_links = drawing.graph.links.size();
   const LimapModel limap =
@@ -284,6 +284,7 @@ void ExporterOptions::Check() const {
 size_t ExportDrawing(const ExporterOptions& options, Console* console) {
   ExporterOptions of_file = options;
   of_file.input_path = InputPath(options, console);
+  of_file.workspace.starts_from = DrawingsToStartFrom(DrawingChoice::kNewest, of_file.input_path);
   CheckOutput(of_file);
   return Export(ReadDrawing(of_file.input_path), of_file, console);
 }

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <ostream>
 #include <set>
 #include <utility>
 
 #include "colmap_ext/host/world_shift.h"
-#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/refined_model.h"
 #include "colmap_ext/model/rig_fit.h"
 #include "colmap_ext/workspace/output_check.h"
+#include "colmap_ext/workspace/refined_folder.h"
 #include "limn/files/atomic_file.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"
@@ -22,14 +23,13 @@
 namespace limn::colmap_ext {
 namespace {
 
-std::string RefinedPath(const Project& project, const std::string& name) {
-  return project.DrawingPath("refined/" + name);
-}
+constexpr const char* kChangesFile = "cameras.csv";
+
+std::string RefinedFolder(const Project& project) { return project.DrawingPath(kRefinedFolder); }
 
 bool ReadsRefinedFolder(const Project& project) {
   std::error_code ignored;
-  return std::filesystem::equivalent(project.DrawingPath("refined"), project.layout().model_dir,
-                                     ignored);
+  return std::filesystem::equivalent(RefinedFolder(project), project.layout().model_dir, ignored);
 }
 
 // The largest relative change of a focal length, unless no optics changed.
@@ -85,6 +85,16 @@ void SayChanges(const RefinedCameras& cameras, const ViewSet& set, Console* cons
                ShortNumber(cameras.median_move_px) + " px: look at their overlays");
 }
 
+// By the index of the image.
+std::map<size_t, Rigid3d> HeldPoses(const ViewSet& set, const SparseModel& model) {
+  std::map<size_t, Rigid3d> poses;
+  for (const ViewId view : HeldViews(set.mounts)) {
+    const size_t image = set.views[view].model_index;
+    poses.emplace(image, model.images[image].cam_from_world);
+  }
+  return poses;
+}
+
 }  // namespace
 
 void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set,
@@ -102,50 +112,52 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options) {
   if (how == CameraRefinement::kOff) return;
   const std::string option =
       how == CameraRefinement::kOn ? "refine_cameras = 1: " : "refine_cameras = auto: ";
-  const std::string folder = project.DrawingPath("refined");
+  const std::string folder = RefinedFolder(project);
   if (ReadsRefinedFolder(project)) {
     throw OptionError(option + folder +
                       " would be overwritten, but is the model that is read: choose another "
                       "output_path");
   }
-  for (const ModelFile& file : kBinaryModelFiles) {
-    const std::string path = RefinedPath(project, file.name);
-    if (std::error_code ignored; !std::filesystem::exists(path, ignored)) continue;
-    throw OptionError(option + path +
-                      " would be read instead of what is refined, or change it: remove it or "
-                      "choose another output_path");
-  }
-  for (const ModelFile& file : kTextModelFiles) {
-    CheckResultFile(RefinedPath(project, file.name), options.overwrite);
-  }
+  CheckRefinedFolder(folder, options.overwrite);
 }
 
-void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
-                       Console* console) {
+std::string WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
+                              Console* console) {
   if (!cameras) {
-    const std::string stale = RefinedPath(project, "images.txt");
-    std::error_code ignored;
-    if (std::filesystem::exists(stale, ignored) && !ReadsRefinedFolder(project)) {
-      console->Say("WARNING: " + stale +
-                   " is of an earlier run and does not belong to this drawing");
-    }
-    return;
+    return ReadsRefinedFolder(project) ? NameOfRefinedCameras(RefinedFolder(project)) : "";
   }
   SparseModel model = project.ReadModel();
   const std::vector<View> views = Moved(cameras->views, project.origin());
   SceneHints hints = cameras->hints;
   for (ScenePoint& point : hints.points) point.position_in_world += project.origin();
+  const std::map<size_t, Rigid3d> held = HeldPoses(project.view_set(), model);
   ApplyRefinement(views, hints, &model);
-  std::set<size_t> images;
-  for (const View& view : views) images.insert(view.model_index);
-  FitRigs(images, &model);
-  WriteModelText(model, project.DrawingPath("refined"));
-  WriteFileAtomically(project.CurvesPath("cameras.csv"),
+  for (const auto& [image, pose] : held) model.images[image].cam_from_world = pose;
+  std::set<size_t> moved;
+  for (const View& view : views) {
+    const size_t image = view.model_index;
+    if (!held.contains(image)) moved.insert(image);
+  }
+  FitRigs(moved, &model);
+  const std::string name = WriteRefinedFolder(model, RefinedFolder(project));
+  WriteFileAtomically(project.CurvesPath(kChangesFile),
                       [&](std::ostream& out) { out << ChangesAsCsv(*cameras); });
-  console->Say("Written: " +
-               RefinedPath(project, model.rigs.empty()
-                                        ? "{cameras,images,points3D}.txt"
-                                        : "{cameras,images,points3D,rigs,frames}.txt"));
+  const std::string names = std::string("{cameras,images,points3D") +
+                            (model.rigs.empty() ? "}" : ",rigs,frames}") +
+                            (model.flavor == ModelFlavor::kBinary ? ".bin" : ".txt");
+  console->Say("Written: " + RefinedFolder(project) + "/" + names);
+  return name;
+}
+
+void RemoveOtherCameras(const Project& project, const DrawingMetadata& metadata, Console* console) {
+  if (!metadata.refined_cameras.empty() || ReadsRefinedFolder(project)) return;
+  if (!RemoveRefinedFolder(RefinedFolder(project))) {
+    console->Say("WARNING: " + RefinedFolder(project) +
+                 " has files of a model that limn did not write, or that were changed since: they "
+                 "do not belong to this drawing");
+  }
+  const std::string changes = project.CurvesPath(kChangesFile);
+  if (IsFileOfLimn(changes)) std::filesystem::remove(changes);
 }
 
 }  // namespace limn::colmap_ext

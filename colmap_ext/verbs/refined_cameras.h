@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "colmap_ext/host/job.h"
 #include "colmap_ext/host/project.h"
+#include "limn/formats/json_drawing_reader.h"
 #include "limn/pipeline/refine_cameras.h"
 
 namespace limn::colmap_ext {
@@ -13,16 +15,20 @@ void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set
                 CameraRefinement how, Console* console);
 
 // Call it before the work (it does nothing if cameras are never refined): throws OptionError if
-// refined/, beside the drawing, is the input model itself, or has binary files that would be read
-// instead of the text files.
+// refined/, beside the drawing, is the input model itself, and IoError if it has files that must
+// not be replaced.
 void CheckRefinedFolder(const Project& project, const RunOptions& options);
 
-// Writes refined/cameras.txt, images.txt and points3D.txt: the input model with refined poses,
-// parameters of cameras and points (see ApplyRefinement), and, if it has some, rigs.txt and
-// frames.txt with poses of frames that go with these; and curves/cameras.csv. Without refined
-// cameras it only warns if an earlier run left some. Call it before the drawing is written, so that
-// no drawing lacks its cameras.
-void WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
-                       Console* console);
+// Writes refined/, in the flavor of the input model: that model with refined poses, parameters of
+// cameras and points (see ApplyRefinement), and, if it has some, rigs and frames with poses that go
+// with these; and curves/cameras.csv. Call it before the drawing is written, so that no drawing
+// lacks its cameras. Returns DrawingMetadata::refined_cameras: also without refined cameras, if
+// refined/ is the model that is read.
+std::string WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
+                              Console* console);
+
+// Call it when the drawing is written: unless it fits refined cameras, removes those that limn
+// wrote for an earlier one. Warns of files in refined/ that are not limn's.
+void RemoveOtherCameras(const Project& project, const DrawingMetadata& metadata, Console* console);
 
 }  // namespace limn::colmap_ext

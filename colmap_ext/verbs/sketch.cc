@@ -23,7 +23,7 @@ void SketchVerb::Run(const Project& project, const RunOptions& options, Console*
   const CurveSketch sketch = MakeSketch(job, image_curves.curves);
   const std::string name = SketchFileName(options.pipeline.mode);
   WriteSketchResults(project, name, project.views(), image_curves.curves, sketch,
-                     Provenance(options), job.context());
+                     Metadata(project, Provenance(options)), job.context());
   console->Say("Written: " + project.CurvesPath(name) + ".{bin,ply}");
 }
 

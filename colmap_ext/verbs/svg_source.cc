@@ -266,7 +266,7 @@ SvgScene SceneInImage(const SvgSource& source, const LayoutOptions& workspace,
                       const std::string& output_path, Console* console) {
   RunOptions options;
   options.layout = workspace;
-  const Scene project(ChooseLayout(options, console), options, console);
+  const Scene project(ChooseLayout(options.layout, console), options, console);
   const ViewId view = FindView(project, source.view);
   SvgScene scene = {{}, Moved(graph, -project.origin())};
   scene.picture.view = project.views()[view];

@@ -8,6 +8,7 @@
 
 #include "colmap_ext/model/camera_calibration.h"
 #include "colmap_ext/workspace/model_folder.h"
+#include "limn/cameras/camera_rays.h"
 #include "limn/cameras/gauge.h"
 #include "limn/util/errors.h"
 
@@ -38,8 +39,7 @@ std::vector<View> InBoth(std::vector<View> views, const std::vector<View>& other
   return views;
 }
 
-}  // namespace
-
+// The views that have an image of their name in the model of a folder, with its pose and optics.
 std::vector<View> WithCamerasOf(const std::string& model_path, const std::vector<View>& views) {
   const SparseModel model = ReadModel(model_path);
   std::unordered_map<std::string, const ModelImage*> images;
@@ -58,6 +58,8 @@ std::vector<View> WithCamerasOf(const std::string& model_path, const std::vector
   return result;
 }
 
+}  // namespace
+
 TrueFrame FindTrueFrame(const std::vector<View>& views, const std::string& true_model_path,
                         const Eigen::Vector3d& middle) {
   TrueFrame frame;
@@ -74,7 +76,7 @@ TrueFrame FindTrueFrame(const std::vector<View>& views, const std::string& true_
   const std::vector<View> made = InBoth(views, frame.views);
   std::vector<View> by_rays;
   for (size_t v = 0; v < made.size(); ++v) {
-    by_rays.push_back(WithRaysInTrueOptics(made[v], frame.views[v]));
+    by_rays.push_back(WithRaysInOpticsOf(frame.views[v], made[v]));
   }
   const Gauge gauge = FindGauge(by_rays, frame.views, middle);
   frame.true_from_model = gauge.given_from_refined.inverse();

@@ -17,10 +17,6 @@ struct TrueFrame {
   CameraAccuracy cameras;                                         // of the others, in this frame
 };
 
-// The views that have an image of their name in the model of a folder, with pose and optics of that
-// image. Throws IoError.
-std::vector<View> WithCamerasOf(const std::string& model_path, const std::vector<View>& views);
-
 // Compares views with the images of the same names in a true model; the others do not count. The
 // frame is that of FindGauge by the rays of the views, for a scene around `middle` in their world.
 // Throws IoError, also for fewer than three common images.

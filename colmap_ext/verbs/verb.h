@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "colmap_ext/host/console.h"
 #include "colmap_ext/host/project.h"
 #include "colmap_ext/host/run_options.h"
@@ -24,6 +27,8 @@ class Verb {
   // Before the scene is read: checks the options, and reads small files that they name. Throws
   // OptionError, InputError and IoError.
   virtual void Prepare(RunOptions*, Console*) {}
+  // After that, which results it continues from (see LayoutOptions::starts_from).
+  virtual std::vector<std::string> StartsFrom(const RunOptions&) const { return {}; }
   // Checks the files to be written, works, and writes them. Throws what the work throws.
   virtual void Run(const Project& project, const RunOptions& options, Console* console) = 0;
 };

@@ -146,6 +146,10 @@ void ViewVerb::Prepare(RunOptions*, Console*) {
   report_json_ = ReadReport(viewer_.report_path);
 }
 
+std::vector<std::string> ViewVerb::StartsFrom(const RunOptions&) const {
+  return DrawingsToStartFrom(DrawingChoice::kNewest, viewer_.drawing_path);
+}
+
 void ViewVerb::Run(const Project& project, const RunOptions& options, Console* console) {
   CheckResultFile(project.DrawingPath(kViewerPage), options.overwrite);
   const std::string path = !viewer_.drawing_path.empty()

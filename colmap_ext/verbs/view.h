@@ -32,6 +32,7 @@ class ViewVerb : public Verb {
   OptionGroups Groups() const override { return {.overwrites = true}; }
   void AddOptions(OptionParser* parser) override;
   void Prepare(RunOptions* options, Console* console) override;
+  std::vector<std::string> StartsFrom(const RunOptions& options) const override;
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 
  private:

@@ -10,6 +10,13 @@
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
+namespace {
+
+std::string IdentityText(uint64_t size, const ContentHash& hash) {
+  return std::to_string(size) + " " + hash.Hex();
+}
+
+}  // namespace
 
 std::string FileIdentity(const std::string& path) {
   std::ifstream in = OpenFile(path);
@@ -21,7 +28,13 @@ std::string FileIdentity(const std::string& path) {
     size += static_cast<uint64_t>(in.gcount());
   }
   if (in.bad()) throw IoError(path, "cannot be read");
-  return std::to_string(size) + " " + hash.Hex();
+  return IdentityText(size, hash);
+}
+
+std::string IdentityOfBytes(std::string_view bytes) {
+  ContentHash hash;
+  hash.Add(bytes);
+  return IdentityText(bytes.size(), hash);
 }
 
 }  // namespace limn::colmap_ext

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "colmap_ext/workspace/model_folder.h"
 #include "colmap_ext/workspace/pmvs_model.h"
+#include "colmap_ext/workspace/refined_folder.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -238,6 +240,33 @@ Candidate GivenModel(const LayoutOptions& options) {
                 "no folder `images` near this model; name it with --image_path");
 }
 
+// The folder with the refined cameras of this name that a result fits. Empty if they are gone.
+fs::path FindRefinedCameras(const std::string& name, const fs::path& result,
+                            const OutputLayout& output) {
+  for (const fs::path& folder : {output.drawing_dir, result.parent_path()}) {
+    if (NameOfRefinedCameras(folder / kRefinedFolder) == name) return folder / kRefinedFolder;
+  }
+  return {};
+}
+
+void ChooseCameras(const LayoutOptions& options, WorkspaceLayout* layout) {
+  const fs::path start = NewestFile(layout->output.drawing_dir, options.starts_from);
+  const std::string name = RefinedCamerasOf(start);
+  if (name.empty()) return;
+  if (options.input_path.empty() && TakeRefinedCameras(start, layout)) {
+    layout->note =
+        "Cameras: the refined ones that " + start.string() + " fits, " + layout->model_dir.string();
+    return;
+  }
+  if (NameOfRefinedCameras(layout->model_dir) == name) return;
+  const fs::path folder = FindRefinedCameras(name, start, layout->output);
+  layout->note = "WARNING: " + start.string() + " fits refined cameras, not those of this model: " +
+                 (folder.empty() ? "those are gone from " +
+                                       (layout->output.drawing_dir / kRefinedFolder).string() +
+                                       ", or were changed: draw again"
+                                 : "--input_path " + folder.string() + " has them");
+}
+
 std::string Describe(const WorkspaceLayout& layout, const std::string& model, uint64_t num_images,
                      const std::string& choice) {
   return "Model " + model + " (" + std::to_string(num_images) + " registered images" + choice +
@@ -270,16 +299,51 @@ WorkspaceLayout ResolveLayout(const LayoutOptions& options) {
                                ? Finder(options.workspace_path, options).Find()
                                : GivenModel(options);
   WorkspaceLayout layout;
-  layout.model_dir = chosen.model_dir;
+  layout.model_dir = layout.given_model_dir = chosen.model_dir;
   layout.image_dir = chosen.image_dir;
   layout.dense_dir = chosen.dense_dir;
   const fs::path base =
       options.output_path.empty() ? chosen.base_dir : fs::path(options.output_path);
   layout.output = {base, base / "curves"};
+  ChooseCameras(options, &layout);
   layout.description = Describe(
       layout, layout.model_dir.string(), CountRegisteredImages(layout.model_dir),
       chosen.num_rivals < 2 ? "" : ", most of " + std::to_string(chosen.num_rivals) + " models");
   return layout;
+}
+
+bool TakeRefinedCameras(const fs::path& result, WorkspaceLayout* layout) {
+  const std::string name = RefinedCamerasOf(result);
+  if (name.empty()) return false;
+  const fs::path folder = FindRefinedCameras(name, result, layout->output);
+  if (folder.empty()) return false;
+  layout->model_dir = folder;
+  return true;
+}
+
+SparseModel ReadModelOf(const WorkspaceLayout& layout) {
+  SparseModel model = ReadModel(layout.model_dir);
+  if (layout.model_dir == layout.given_model_dir || !HoldsPmvsModel(layout.given_model_dir)) {
+    return model;
+  }
+  // Their images have other names than their files, which only the PMVS folder knows.
+  std::map<std::string, std::string> files;
+  for (const ModelImage& image : ReadModel(layout.given_model_dir).images) {
+    files[image.name] = image.file;
+  }
+  for (ModelImage& image : model.images) image.file = files[image.name];
+  return model;
+}
+
+fs::path NewestFile(const fs::path& folder, const std::vector<std::string>& names) {
+  fs::path newest;
+  std::error_code ignored;
+  for (const std::string& name : names) {
+    const fs::path path = folder / name;
+    if (!fs::exists(path, ignored)) continue;
+    if (newest.empty() || fs::last_write_time(path) > fs::last_write_time(newest)) newest = path;
+  }
+  return newest;
 }
 
 bool HoldsSomeModel(const fs::path& workspace) {

@@ -2,6 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "colmap_ext/model/model.h"
 
 namespace limn::colmap_ext {
 
@@ -18,6 +21,9 @@ struct LayoutOptions {
   // Which of several models: the <i> of dense/<i> or sparse/<i>. -1 = the one with the most
   // registered images (the lowest number on ties).
   int model_index = -1;
+  // Results that the command continues from, in the output folder or elsewhere (see NewestFile).
+  // Empty: it starts from images. Not a user option.
+  std::vector<std::string> starts_from = {};
 
   bool operator==(const LayoutOptions&) const = default;
   // Throws OptionError.
@@ -34,12 +40,17 @@ struct OutputLayout {
 
 struct WorkspaceLayout {
   std::filesystem::path model_dir;  // empty for a model in memory
+  // The model of the project: another one if the cameras of model_dir were refined.
+  std::filesystem::path given_model_dir;
   std::filesystem::path image_dir;
   // The dense workspace (fused.ply, stereo/); empty if the model does not belong to one.
   std::filesystem::path dense_dir;
   OutputLayout output;
   // What was chosen, in one line for the user.
   std::string description;
+  // Where refined cameras are taken from, or why they are not, in one line; empty if what the
+  // command starts from fits none.
+  std::string note;
 };
 
 // Finds model, images and output folders. The workspace W is interpreted as the first of
@@ -50,8 +61,23 @@ struct WorkspaceLayout {
 //   W/<i> or W   a model itself, with `images` in W, its parent or the parent of that
 // The other paths override the folders found; with image_path, no `images` folder is required.
 //
+// A drawing or sketch that fits refined cameras was written with them, into refined/ of the output
+// folder. A command that continues from it takes that model, unless input_path names one.
+//
 // Throws OptionError if too few paths are given, IoError saying what was found if nothing matches.
 WorkspaceLayout ResolveLayout(const LayoutOptions& options);
+
+// If this drawing or sketch fits refined cameras, and these are in refined/ of the layout's output
+// folder or beside it, makes them the model of the layout. Returns whether it does.
+bool TakeRefinedCameras(const std::filesystem::path& result, WorkspaceLayout* layout);
+
+// The model of the layout. Throws IoError.
+SparseModel ReadModelOf(const WorkspaceLayout& layout);
+
+// The one of these files in a folder, or elsewhere, that was changed last; of several the first.
+// Empty if there is none.
+std::filesystem::path NewestFile(const std::filesystem::path& folder,
+                                 const std::vector<std::string>& names);
 
 // Whether there is a model, maybe incomplete or without its images, where ResolveLayout looks for
 // one in a workspace.

@@ -50,9 +50,10 @@ constexpr Mark kMarks[] = {
     {"# Curve tracks: links of drawing.json "},
     {"# EDGE_MAP v3.0\n\n# Format :  ", " by limn\n"},
     {".CEM v2.0\n# Curve fragments by limn\n"},
-    {"view,not linked,"},     // account.csv
-    {"image,moved px,"},      // cameras.csv
-    {"workspace_path="},      // project.ini
+    {"view,not linked,"},  // account.csv
+    {"image,moved px,"},   // cameras.csv
+    {"workspace_path="},   // project.ini
+    {"# Files of this model as limn wrote them"},
     {"# CAMERA_ID, MODEL,"},  // refined/, where COLMAP begins with other comments
     {"# IMAGE_ID, QW,"},
     {"# POINT3D_ID, X, Y, Z,"},
@@ -73,10 +74,6 @@ bool IsMadeByLimn(std::string_view beginning) {
   return std::any_of(std::begin(kMarks), std::end(kMarks), [&](const Mark& mark) {
     return beginning.starts_with(mark.begin) && beginning.find(mark.mark) != std::string_view::npos;
   });
-}
-
-bool IsFileOfLimn(const std::string& path) {
-  return IsMadeByLimn(BeginningOf(path, kFirstBytes)) || IsMadeByLimn(BeginningOf(path));
 }
 
 bool IsModelFile(const fs::path& path) {
@@ -143,6 +140,10 @@ void CheckLinkedCurves(const fs::path& curves_dir) {
                                        ", which holds other files than results of limn: link an "
                                        "empty folder, or choose another --output_path");
   }
+}
+
+bool IsFileOfLimn(const std::string& path) {
+  return IsMadeByLimn(BeginningOf(path, kFirstBytes)) || IsMadeByLimn(BeginningOf(path));
 }
 
 void CheckResultFile(const std::string& path, bool overwrite) {

@@ -15,6 +15,9 @@ void CheckWritable(const std::filesystem::path& folder);
 // did not expect must not mix them with other files.
 void CheckLinkedCurves(const std::filesystem::path& curves_dir);
 
+// Whether this is a file that limn writes, by what it begins with. Not for binary files of models.
+bool IsFileOfLimn(const std::string& path);
+
 // Also to be called before the work, for every file that will be written. Throws IoError if the
 // path is not a regular file (see CheckTakesFile) or, unless `overwrite`, a file that limn did not
 // write.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -17,23 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> ReadImageList(const std::string& path) {
-  std::istringstream in(ReadWholeFile(path, kMaxListBytes));
-  std::set<std::string> names;
-  const char* space = " \t\r";
-  for (std::string line; std::getline(in, line);) {
-    const size_t begin = line.find_first_not_of(space);
-    if (begin == std::string::npos) continue;
-    names.insert(line.substr(begin, line.find_last_not_of(space) + 1 - begin));
-  }
-  return names;
-}
-
 // Indices into model.images of the images to use, sorted by name.
 std::vector<int> ListedImages(const SparseModel& model, const std::string& image_list_path) {
   std::vector<int> selected;
   std::set<std::string> wanted;
-  if (!image_list_path.empty()) wanted = ReadImageList(image_list_path);
+  if (!image_list_path.empty()) wanted = ReadListedNames(image_list_path);
   std::set<std::string> unknown = wanted;
   for (size_t i = 0; i < model.images.size(); ++i) {
     const std::string& name = model.images[i].name;
@@ -129,6 +116,18 @@ void CheckImagesExist(const std::vector<std::string>& paths, const fs::path& ima
 }
 
 }  // namespace
+
+std::set<std::string> ReadListedNames(const std::string& path) {
+  std::istringstream in(ReadWholeFile(path, kMaxListBytes));
+  std::set<std::string> names;
+  const char* space = " \t\r";
+  for (std::string line; std::getline(in, line);) {
+    const size_t begin = line.find_first_not_of(space);
+    if (begin == std::string::npos) continue;
+    names.insert(line.substr(begin, line.find_last_not_of(space) + 1 - begin));
+  }
+  return names;
+}
 
 SelectedImages SelectImages(const SparseModel& model, const fs::path& image_dir,
                             const std::string& image_list_path, const PhotoStore& photos,

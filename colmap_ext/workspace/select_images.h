@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "limn/util/parallel.h"
 
 namespace limn::colmap_ext {
+
+// The names in a text file, one per line. Throws IoError.
+std::set<std::string> ReadListedNames(const std::string& path);
 
 // The images of a model to work on.
 struct SelectedImages {

@@ -16,6 +16,7 @@
 #include "colmap_ext/model/camera_calibration.h"
 #include "colmap_ext/model/scene_reach.h"
 #include "colmap_ext/workspace/camera_check.h"
+#include "colmap_ext/workspace/hold_images.h"
 #include "colmap_ext/workspace/mounts_of_model.h"
 #include "colmap_ext/workspace/select_images.h"
 #include "limn/model/lens_jacobian.h"
@@ -392,6 +393,7 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   }
   WarnOfMisfits(&set);
   set.mounts = MountsOf(model, set);
+  if (!options.hold_images.empty()) HoldImages(model, options.hold_images, &set);
   return set;
 }
 

@@ -29,6 +29,8 @@ struct ViewOptions {
   // Images whose sparse points are off by more than this in the median, px of the images as used,
   // are left out. 0 = keep all, and only warn.
   double max_reprojection_px = 0;
+  // Text file with the names of images whose cameras are not refined, one per line. Empty = none.
+  std::string hold_images;
 
   bool operator==(const ViewOptions&) const = default;
   // Throws OptionError.
@@ -46,7 +48,8 @@ struct ViewOptions {
 // points. Photographs may be in memory: those that `photos` has at <image_dir>/<image name>.
 //
 // Throws IoError: an image is missing or unreadable, its size does not match its camera, a name in
-// the list is not registered, a mask has the wrong size. Throws InputError if no image is left.
+// the list is not registered, a mask has the wrong size. Throws InputError if no image is left, and
+// what HoldImages throws.
 ViewSet ToViews(const SparseModel& model, const std::filesystem::path& image_dir,
                 const ViewOptions& options, const RunContext& context = {},
                 const PhotoStore& photos = {});

@@ -101,6 +101,10 @@ TEST_F(BadInput, UnknownOption) {
 TEST_F(BadInput, UnregisteredImageInTheList) {
   const std::string list = dir_.WriteFile("list.txt", "view_00.jpg\nview_77.jpg\n");
   ExpectRefused({"--image_list_path", list}, HasSubstr("view_77.jpg"));
+  ExpectRefused({"--refine_cameras", "1", "--hold_images", list},
+                AllOf(HasSubstr("hold_images = " + list), HasSubstr("\"view_77.jpg\""),
+                      HasSubstr("remove it from the list")));
+  ExpectRefused({"--hold_images", list}, HasSubstr("needs refine_cameras = 1 or auto"));
   ExpectRefused({"--image_list_path", "/no/list.txt"},
                 HasSubstr("/no/list.txt: cannot open: No such file or directory"));
 }

@@ -38,9 +38,14 @@ class SmallRun : public ::testing::Test {
   // What it prints.
   std::string Run(const std::string& command, const std::string& output,
                   const std::vector<std::string>& more = {}) const {
+    return RunIn(LIMN_SAMPLE_DIR "/day", command, output, more);
+  }
+
+  std::string RunIn(const fs::path& workspace, const std::string& command,
+                    const std::string& output, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments = {command,
                                           "--workspace_path",
-                                          LIMN_SAMPLE_DIR "/day",
+                                          workspace.string(),
                                           "--output_path",
                                           (dir_ / output).string(),
                                           "--image_list_path",
@@ -128,7 +133,7 @@ TEST_F(SmallRun, StepByStepGivesTheSameDrawing) {
 TEST_F(SmallRun, RefinedCamerasAreAModelOfTheirOwn) {
   const std::vector<std::string> refine = {"--refine_cameras", "1"};
   Run("automatic_drawer", "out", refine);
-  for (const char* name : {"refined/cameras.txt", "refined/images.txt", "refined/points3D.txt"}) {
+  for (const char* name : {"refined/cameras.bin", "refined/images.bin", "refined/points3D.bin"}) {
     EXPECT_TRUE(fs::exists(Output("out", name))) << name;
   }
   const colmap_ext::SparseModel given = colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse");
@@ -199,8 +204,8 @@ TEST_F(SmallRun, RefinedCamerasKeepTheirRig) {
   EXPECT_LT((translation(refined) - translation(given)).norm(), 0.01 * translation(given).norm());
   // A model without rigs leaves none behind.
   run("plain");
-  EXPECT_FALSE(fs::exists(Output("out", "refined/rigs.txt")));
-  EXPECT_FALSE(fs::exists(Output("out", "refined/frames.txt")));
+  EXPECT_FALSE(fs::exists(Output("out", "refined/rigs.bin")));
+  EXPECT_FALSE(fs::exists(Output("out", "refined/frames.bin")));
 }
 
 // Frames of two cameras with the same center, the right one upside down: view_00.jpg and
@@ -278,15 +283,20 @@ TEST_F(SmallRun, ImagesOfAFrameStayTogether) {
   }
 }
 
-// Cameras that are a pixel off. The drawing fits the refined model that was written, and not the
-// one that was read.
-TEST_F(SmallRun, DrawingFitsTheRefinedModel) {
-  colmap_ext::SparseModel model = colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse");
+// Cameras that are a pixel off.
+colmap_ext::SparseModel WithTurns(colmap_ext::SparseModel model) {
   for (size_t i = 0; i < model.images.size(); ++i) {
     Rigid3d turn;
     turn.rotation = Eigen::AngleAxisd(i % 2 == 0 ? 0.003 : -0.003, Eigen::Vector3d::UnitX());
     model.images[i].cam_from_world = turn * model.images[i].cam_from_world;
   }
+  return model;
+}
+
+// The drawing fits the refined model that was written, and not the
+// one that was read.
+TEST_F(SmallRun, DrawingFitsTheRefinedModel) {
+  const auto model = WithTurns(colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse"));
   fs::create_directories(dir_ / "wrong");
   colmap_ext::WriteModelText(model, dir_ / "wrong");
   const auto with_model = [&](const std::string& folder, std::vector<std::string> more) {
@@ -306,19 +316,96 @@ TEST_F(SmallRun, DrawingFitsTheRefinedModel) {
   EXPECT_NEAR(after, ResidualPx(drawing), 0.1 * after);
 }
 
-TEST_F(SmallRun, WithoutRefinedCamerasNoModelIsWritten) {
+// A workspace with the photographs of the sample scene and cameras that are a pixel off.
+fs::path WrongWorkspace(const TempDir& dir) {
+  const auto model = WithTurns(colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse"));
+  fs::create_directories(dir / "wrong/sparse");
+  colmap_ext::WriteModelBinary(model, dir / "wrong/sparse");
+  fs::create_directory_symlink(LIMN_SAMPLE_DIR "/day/images", dir / "wrong/images");
+  return dir / "wrong";
+}
+
+TEST_F(SmallRun, CommandsThatContinueTakeTheRefinedCameras) {
+  const fs::path wrong = WrongWorkspace(dir_);
+  const auto run = [&](const std::string& command, std::vector<std::string> more = {},
+                       const std::string& output = "out") {
+    more.insert(more.end(), {"--overwrite", "1"});
+    return RunIn(wrong, command, output, more);
+  };
+  const std::vector<std::string> by_hand = {"--input_path", (dir_ / "out/refined").string()};
+  run("automatic_drawer", {"--refine_cameras", "1"});
+  const double residual_px = ResidualPx(Output("out", "drawing.json").string());
+  const std::string note = "fits, " + (dir_ / "out/refined").string() + "\n";
+  for (const char* command : {"drawing_viewer", "curve_drawer", "drawing_refiner"}) {
+    // The page has the name of the folder.
+    const std::string copy = std::string(command) + "/out";
+    fs::create_directories(dir_ / command);
+    fs::copy(dir_ / "out", dir_ / copy, fs::copy_options::recursive);
+    EXPECT_THAT(run(command), HasSubstr(note)) << command;
+    EXPECT_THAT(run(command, by_hand, copy), Not(HasSubstr("fits"))) << command;
+    EXPECT_TRUE(ReadTree(dir_ / "out") == ReadTree(dir_ / copy)) << command;
+  }
+  const LimnRun exported =
+      RunLimn({"drawing_exporter", "--workspace_path", wrong.string(), "--input_path",
+               Output("out", "drawing.json").string(), "--view", "view_03.jpg", "--output_path",
+               Output("out", "view.svg").string()});
+  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_THAT(exported.out, HasSubstr(note));
+  EXPECT_NEAR(ResidualPx(Output("out", "drawing.json").string()), residual_px, 0.01 * residual_px);
+  EXPECT_THAT(run("drawing_viewer", {"--input_path", (wrong / "sparse").string()}),
+              HasSubstr("fits refined cameras, not those of this model: --input_path " +
+                        (dir_ / "out/refined").string()));
+  // A sketch of the given cameras, and its drawing.
+  EXPECT_THAT(run("curve_sketcher"), Not(HasSubstr(note)));
+  EXPECT_THAT(run("curve_drawer"), Not(HasSubstr(note)));
+  EXPECT_FALSE(fs::exists(Output("out", "refined")));
+}
+
+TEST_F(SmallRun, HeldImagesKeepTheirPoses) {
+  const fs::path wrong = WrongWorkspace(dir_);
+  const std::string held = dir_.WriteFile("held.txt", "view_02.jpg\nview_05.jpg\n");
+  RunIn(wrong, "automatic_drawer", "out", {"--refine_cameras", "1", "--hold_images", held});
+  const colmap_ext::SparseModel given = colmap_ext::ReadModel(wrong / "sparse");
+  const colmap_ext::SparseModel refined = colmap_ext::ReadModel(dir_ / "out/refined");
+  for (size_t i = 0; i < given.images.size(); ++i) {
+    const std::string& name = given.images[i].name;
+    const bool moves = name < "view_08" && name != "view_02.jpg" && name != "view_05.jpg";
+    const Rigid3d& before = given.images[i].cam_from_world;
+    const Rigid3d& after = refined.images[i].cam_from_world;
+    EXPECT_EQ(before.translation != after.translation, moves) << name;
+    // Quaternions are normalized on reading.
+    EXPECT_EQ(before.rotation.angularDistance(after.rotation) > 1e-15, moves) << name;
+  }
+  // The others go with them: the drawing fits what was written.
+  const double residual_px = ResidualPx(Output("out", "drawing.json").string());
+  RunIn(wrong, "drawing_refiner", "out");
+  EXPECT_NEAR(ResidualPx(Output("out", "drawing.json").string()), residual_px, 0.1 * residual_px);
+}
+
+TEST_F(SmallRun, WithoutRefinedCamerasNoModelIsLeft) {
   EXPECT_THAT(Run("automatic_drawer", "out"), Not(HasSubstr("refined")));
   EXPECT_FALSE(fs::exists(Output("out", "refined")));
   EXPECT_THAT(Run("automatic_drawer", "out", {"--refine_cameras", "1", "--overwrite", "1"}),
               HasSubstr("Cameras refined: "));
-  EXPECT_TRUE(fs::exists(Output("out", "refined/images.txt")));
-  // The files now belong to an earlier drawing.
+  EXPECT_TRUE(fs::exists(Output("out", "refined/images.bin")));
+  EXPECT_TRUE(fs::exists(Output("out", "curves/cameras.csv")));
+  EXPECT_THAT(Run("automatic_drawer", "out", {"--overwrite", "1"}), Not(HasSubstr("refined")));
+  EXPECT_FALSE(fs::exists(Output("out", "refined")));
+  EXPECT_FALSE(fs::exists(Output("out", "curves/cameras.csv")));
+  EXPECT_THAT(Run("drawing_refiner", "out"), HasSubstr("day/sparse"));
+}
+
+TEST_F(SmallRun, ChangedRefinedCamerasAreNotRemoved) {
+  Run("automatic_drawer", "out", {"--refine_cameras", "1"});
+  std::ofstream(Output("out", "refined/images.bin"), std::ios::app) << " ";
   EXPECT_THAT(Run("automatic_drawer", "out", {"--overwrite", "1"}),
-              HasSubstr("does not belong to this drawing"));
+              HasSubstr("do not belong to this drawing"));
+  EXPECT_TRUE(fs::exists(Output("out", "refined/images.bin")));
+  EXPECT_FALSE(fs::exists(Output("out", "refined/cameras.bin")));
 }
 
 TEST_F(SmallRun, RefinedCamerasDoNotGoBesideOtherModelFiles) {
-  for (const char* name : {"images.bin", "rigs.txt", "frames.txt"}) {
+  for (const char* name : {"images.bin", "images.txt", "rigs.bin", "frames.txt"}) {
     const std::string output = std::string("beside ") + name;
     fs::create_directories(Output(output, "refined"));
     std::ofstream(Output(output, "refined") / name) << "0";
@@ -327,6 +414,7 @@ TEST_F(SmallRun, RefinedCamerasDoNotGoBesideOtherModelFiles) {
                  (dir_ / output).string(), "--image_list_path", list_, "--refine_cameras", "1"});
     EXPECT_EQ(refused.exit_code, 1);
     EXPECT_THAT(refused.err, HasSubstr(name));
+    EXPECT_THAT(refused.err, HasSubstr("--overwrite 1 replaces it"));
   }
 }
 

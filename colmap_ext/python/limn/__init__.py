@@ -87,7 +87,7 @@ def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = No
     on; for a scene or a sketch those that come after it. Writes nothing, unless `output_path` names a folder: then a
     project is drawn as by the command, including its options about files (overwrite, page, account,
     align, truth_path, ...). It resumes a stopped run, and writes drawing.json, drawing.html, overlays and so on there.
-    If refine_cameras has refined them, such a drawing has no cameras: they are in refined/.
+    Its cameras are the refined ones, if refine_cameras has refined them.
     """
     if isinstance(source, Sketch):
         _no_output(output_path, "a sketch")
@@ -188,7 +188,10 @@ def export(drawing: Union[Path, Drawing], output_path: Path, *, progress: Progre
 
 
 def read_drawing(path: Path, source: Union[None, Path, Scene] = None) -> Drawing:
-    """Reads a drawing.json. With the scene or the project that it was drawn from it has cameras and tracks."""
+    """Reads a drawing.json. With the scene or the project that it was drawn from it has cameras and tracks.
+
+    Of a drawing with refined cameras these are taken from refined/ beside it, if they are there.
+    """
     return _limn.read_drawing(path, None if source is None else _scene(source, {}, None)[0])
 
 

@@ -12,6 +12,7 @@ namespace limn {
 void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
                       const DrawingMetadata& metadata, const std::string& identity) {
   ByteWriter out;
+  out.PutString(metadata.refined_cameras);
   out.PutString(metadata.options_json);
   out.PutCount(metadata.view_names.size());
   for (const std::string& name : metadata.view_names) out.PutString(name);
@@ -27,6 +28,7 @@ std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
   if (!payload) return std::nullopt;
   ByteReader in(path, *payload);
   StoredCurveSketch stored;
+  stored.metadata.refined_cameras = in.GetString();
   stored.metadata.options_json = in.GetString();
   in.Check(ParseJson(path, stored.metadata.options_json).is_object(),
            "the options are not an object");
@@ -40,6 +42,10 @@ std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
   }
   in.ExpectEnd();
   return stored;
+}
+
+std::string RefinedCamerasOfSketch(const std::string& path) {
+  return FirstTextOfStageFile(path, StageKind::kCurveSketch);
 }
 
 }  // namespace limn

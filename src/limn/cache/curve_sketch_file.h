@@ -11,7 +11,8 @@ namespace limn {
 
 struct StoredCurveSketch {
   CurveSketch sketch;
-  // Names of the views that the sketch's view ids index, and the options it was made with.
+  // Names of the views that the sketch's view ids index, the options it was made with, and the
+  // refined cameras, if it fits some.
   DrawingMetadata metadata;
 };
 
@@ -26,5 +27,9 @@ void WriteCurveSketch(const std::string& path, const CurveSketch& sketch,
 std::optional<StoredCurveSketch> ReadCurveSketch(const std::string& path,
                                                  const std::vector<ImageCurves>& curves,
                                                  const std::string& identity);
+
+// DrawingMetadata::refined_cameras, from the beginning of the file. Empty if it has none, or cannot
+// be read.
+std::string RefinedCamerasOfSketch(const std::string& path);
 
 }  // namespace limn

@@ -31,6 +31,13 @@ void AddEdgel(const Edgel& edgel, ContentHash* hash) {
   for (int i = 0; i < 4; ++i) hash->AddWord(edgel.stored_from_virtual(i / 2, i % 2));
 }
 
+void AddFragments(const std::vector<CurveFragment>& fragments, ContentHash* hash) {
+  for (const CurveFragment& fragment : fragments) {
+    hash->AddNumber(fragment.closed);
+    hash->AddNumbers(fragment.edgel_ids);
+  }
+}
+
 }  // namespace
 
 std::string BoxKey(const std::optional<Eigen::AlignedBox3d>& box) {
@@ -47,10 +54,7 @@ std::string ViewKey(const View& view, const ImageCurves& curves) {
   AddView(view, &hash);
   hash.AddNumber(curves.edge_map.edgels.size());
   for (const Edgel& edgel : curves.edge_map.edgels) AddEdgel(edgel, &hash);
-  for (const CurveFragment& fragment : curves.fragments) {
-    hash.AddNumber(fragment.closed);
-    hash.AddNumbers(fragment.edgel_ids);
-  }
+  AddFragments(curves.fragments, &hash);
   return hash.Hex();
 }
 
@@ -67,6 +71,18 @@ std::string CurvesKey(const std::vector<View>& views, const std::vector<ImageCur
                       const RunContext& context) {
   ContentHash hash;
   for (const std::string& key : ViewKeys(views, curves, context)) hash.AddText(key);
+  return hash.Hex();
+}
+
+std::string StoredCurvesKey(const std::vector<ImageCurves>& curves) {
+  ContentHash hash;
+  for (const ImageCurves& of_view : curves) {
+    hash.AddNumber(of_view.edge_map.edgels.size());
+    for (const Edgel& edgel : of_view.edge_map.edgels) {
+      for (int i = 0; i < 2; ++i) hash.AddWord(edgel.stored_px[i]);
+    }
+    AddFragments(of_view.fragments, &hash);
+  }
   return hash.Hex();
 }
 

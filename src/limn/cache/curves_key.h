@@ -30,4 +30,8 @@ std::vector<std::string> ViewKeys(const std::vector<View>& views,
 std::string CurvesKey(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
                       const RunContext& context);
 
+// Of their edgels, where these are in the stored images, and of the fragments: the same for any
+// cameras.
+std::string StoredCurvesKey(const std::vector<ImageCurves>& curves);
+
 }  // namespace limn

@@ -30,4 +30,8 @@ void WriteStageFile(const std::string& path, StageKind kind, std::string_view id
 std::optional<std::string> ReadStageFile(const std::string& path, StageKind kind,
                                          std::string_view identity);
 
+// The text that the payload begins with, without reading the rest. Empty if there is no such file
+// of this kind and version.
+std::string FirstTextOfStageFile(const std::string& path, StageKind kind);
+
 }  // namespace limn

@@ -2,6 +2,14 @@
 
 namespace limn {
 
+std::vector<ViewId> HeldViews(const CameraMounts& mounts) {
+  std::vector<ViewId> views;
+  for (size_t v = 0; v < mounts.of_view.size(); ++v) {
+    if (mounts.held[mounts.of_view[v].body]) views.push_back(static_cast<ViewId>(v));
+  }
+  return views;
+}
+
 CameraMounts LooseMounts(size_t num_views) {
   CameraMounts mounts;
   for (size_t v = 0; v < num_views; ++v) mounts.of_view.push_back({static_cast<int>(v), {}});

@@ -23,6 +23,9 @@ struct CameraMounts {
   size_t NumBodies() const { return held.size(); }
 };
 
+// Ascending.
+std::vector<ViewId> HeldViews(const CameraMounts& mounts);
+
 // Each view moves alone.
 CameraMounts LooseMounts(size_t num_views);
 

@@ -51,15 +51,21 @@ Eigen::Matrix3Xd CentersAndArms(const Cameras& cameras, const std::vector<int>& 
   return points;
 }
 
+// Whether centers are one, for views of a scene at these distances.
+bool Coincide(const Eigen::Matrix3Xd& centers, const Eigen::RowVectorXd& arms) {
+  return Spread(centers) <= 1e-6 * arms.mean();
+}
+
 // Finds the similarity. Arms are the distances of the given cameras from the middle of the scene.
 class GaugeFinder {
  public:
   GaugeFinder(const std::vector<View>& given, const std::vector<View>& refined,
-              const Eigen::Vector3d& middle)
+              const Eigen::Vector3d& middle, const std::vector<ViewId>& held)
       : given_(CamerasOf(given)),
         refined_(CamerasOf(refined)),
         arms_((given_.centers.colwise() - middle).colwise().norm()),
-        all_(given.size()) {
+        all_(given.size()),
+        held_(held) {
     std::iota(all_.begin(), all_.end(), 0);
     for (const View& view : given) focals_.push_back(view.camera.MeanFocal());
   }
@@ -67,7 +73,7 @@ class GaugeFinder {
   Gauge Find() const {
     const std::vector<int> still = all_.size() < kMinCamerasForMajority ? all_ : StillCameras();
     Gauge gauge;
-    gauge.given_from_refined = LeastSquares(still);
+    gauge.given_from_refined = BestFor(still);
     gauge.moves_px = MovesPx(gauge.given_from_refined);
     gauge.typical_move_px = Median(gauge.moves_px);
     for (const int v : all_) {
@@ -77,12 +83,28 @@ class GaugeFinder {
   }
 
  private:
+  Eigen::Affine3d BestFor(const std::vector<int>& ids) const {
+    return held_.empty() ? LeastSquares(ids) : ScaleAboutHeld(ids);
+  }
+
+  // That leaves the held cameras where they are.
+  Eigen::Affine3d ScaleAboutHeld(const std::vector<int>& ids) const {
+    const Eigen::Matrix3Xd held = given_.centers(Eigen::all, held_);
+    if (!Coincide(held, arms_(held_))) return Eigen::Affine3d::Identity();
+    const Eigen::Vector3d center = held.rowwise().mean();
+    const Eigen::Matrix3Xd from = refined_.centers(Eigen::all, ids).colwise() - center;
+    const Eigen::Matrix3Xd to = given_.centers(Eigen::all, ids).colwise() - center;
+    const double scale = from.cwiseProduct(to).sum() / from.squaredNorm();
+    if (!std::isfinite(scale) || scale <= 0) return Eigen::Affine3d::Identity();
+    return Eigen::Translation3d(center) * Eigen::Scaling(scale) * Eigen::Translation3d(-center);
+  }
+
   Eigen::Affine3d LeastSquares(const std::vector<int>& ids) const {
     const Eigen::Matrix3Xd centers = given_.centers(Eigen::all, ids);
     // Coinciding centers determine no scale.
-    const double spread = Spread(centers);
-    const double scale =
-        spread > 1e-6 * arms_(ids).mean() ? Spread(refined_.centers(Eigen::all, ids)) / spread : 1;
+    const double scale = Coincide(centers, arms_(ids))
+                             ? 1
+                             : Spread(refined_.centers(Eigen::all, ids)) / Spread(centers);
     const Eigen::Matrix4d similarity = Eigen::umeyama(CentersAndArms(refined_, ids, scale * arms_),
                                                       CentersAndArms(given_, ids, arms_), true);
     return similarity.allFinite() ? Eigen::Affine3d(similarity) : Eigen::Affine3d::Identity();
@@ -108,14 +130,14 @@ class GaugeFinder {
     const size_t stride = (count + kMaxPairs - 1) / kMaxPairs;
     for (size_t i = 0; i < count; i += stride) {
       const int other = static_cast<int>((i + count / 2) % count);
-      std::vector<double> moves = MovesPx(LeastSquares({static_cast<int>(i), other}));
+      std::vector<double> moves = MovesPx(BestFor({static_cast<int>(i), other}));
       if (best.empty() || Median(moves) < Median(best)) best = std::move(moves);
     }
     std::vector<int> majority = all_;
     const auto middle = majority.begin() + static_cast<std::ptrdiff_t>(count / 2);
     std::ranges::nth_element(majority, middle, {}, [&](int v) { return best[v]; });
     majority.erase(middle + 1, majority.end());
-    const std::vector<double> moves = MovesPx(LeastSquares(majority));
+    const std::vector<double> moves = MovesPx(BestFor(majority));
     const double far = std::max(kMinFarMovePx, kFarMoveOfMedian * Median(moves));
     std::vector<int> still = all_;
     std::erase_if(still, [&](int v) { return moves[v] > far; });
@@ -127,13 +149,14 @@ class GaugeFinder {
   Eigen::RowVectorXd arms_;
   std::vector<double> focals_;
   std::vector<int> all_;
+  std::vector<ViewId> held_;
 };
 
 }  // namespace
 
 Gauge FindGauge(const std::vector<View>& given, const std::vector<View>& refined,
-                const Eigen::Vector3d& middle) {
-  return GaugeFinder(given, refined, middle).Find();
+                const Eigen::Vector3d& middle, const std::vector<ViewId>& held) {
+  return GaugeFinder(given, refined, middle, held).Find();
 }
 
 std::vector<View> Moved(const std::vector<View>& views, const Eigen::Affine3d& similarity) {
@@ -146,6 +169,13 @@ std::vector<View> Moved(const std::vector<View>& views, const Eigen::Affine3d& s
     view.cam_from_world.translation = -(view.cam_from_world.rotation * center);
   }
   return moved;
+}
+
+std::vector<View> InGivenFrame(const std::vector<View>& given, const std::vector<View>& refined,
+                               const Gauge& gauge, const std::vector<ViewId>& held) {
+  std::vector<View> views = Moved(refined, gauge.given_from_refined);
+  for (const ViewId view : held) views[view].cam_from_world = given[view].cam_from_world;
+  return views;
 }
 
 }  // namespace limn

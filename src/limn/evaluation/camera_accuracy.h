@@ -19,11 +19,6 @@ struct CameraAccuracy {
   double focal = 0;  // difference of mean focal lengths, relative to the true one
 };
 
-// The view turned about its center such that its rays, through the same pixels as those of the true
-// view, are as they would be with its optics: a wrong principal point turns a camera that fits its
-// image, and this turns it back. Precondition: images of the same size.
-View WithRaysInTrueOptics(View view, const View& truth);
-
 // Precondition: the same views in both, in one frame.
 CameraAccuracy MeasureCameraAccuracy(const std::vector<View>& views,
                                      const std::vector<View>& true_views);

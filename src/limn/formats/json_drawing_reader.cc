@@ -1,5 +1,6 @@
 #include "limn/formats/json_drawing_reader.h"
 
+#include <fstream>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -14,6 +15,10 @@
 
 namespace limn {
 namespace {
+
+constexpr const char* kRefinedCameras = "refined_cameras";
+// It is before the list of views, which may be long.
+constexpr size_t kMaxHeadBytes = 1 << 10;
 
 // Ordered, so that the options come back in the order they were written in.
 using Json = nlohmann::ordered_json;
@@ -229,6 +234,7 @@ DrawingFile ToDrawingFile(const Json& json) {
   }
   if (!json.at("options").is_object()) throw InputError("\"options\" is not an object");
   file.metadata.options_json = json.at("options").dump();
+  file.metadata.refined_cameras = json.value(kRefinedCameras, "");
   if (json.contains("world_from_model")) {
     file.metadata.alignment = ToAlignment(json.at("world_from_model"));
   }
@@ -261,6 +267,17 @@ DrawingFile ParseDrawingJson(const std::string& name, const std::string& text) {
 
 DrawingFile ReadDrawingJson(const std::string& path) {
   return ParseDrawingJson(path, ReadWholeFile(path, kMaxDrawingBytes));
+}
+
+std::string RefinedCamerasOfDrawing(const std::string& path) {
+  std::string head(kMaxHeadBytes, ' ');
+  std::ifstream in(path, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  const std::string key = std::string("\"") + kRefinedCameras + "\": \"";
+  const size_t at = head.find(key);
+  if (at == std::string::npos) return "";
+  const size_t begin = at + key.size();
+  return head.substr(begin, head.find('"', begin) - begin);
 }
 
 }  // namespace limn

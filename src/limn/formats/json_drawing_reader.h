@@ -17,6 +17,8 @@ struct DrawingMetadata {
   std::string options_json = "{}";
   // Where the drawing is in the world, if it was aligned. The graph is in the model's coordinates.
   std::optional<Alignment> alignment = std::nullopt;
+  // Names refined cameras that the drawing fits; empty if it fits those that were given.
+  std::string refined_cameras = "";
 };
 
 struct DrawingFile {
@@ -33,5 +35,9 @@ DrawingFile ReadDrawingJson(const std::string& path);
 
 // The same from the text of a file, called `name` in messages.
 DrawingFile ParseDrawingJson(const std::string& name, const std::string& text);
+
+// DrawingMetadata::refined_cameras, from the beginning of a drawing.json. Empty if it has none, or
+// cannot be read.
+std::string RefinedCamerasOfDrawing(const std::string& path);
 
 }  // namespace limn

@@ -169,8 +169,11 @@ void WriteDrawingJson(const DrawingGraph& graph, const DrawingMetadata& metadata
                       std::ostream& out) {
   out << "{\"format\": \"" << kDrawingJsonFormat
       << "\",\n\"format_version\": " << kDrawingJsonVersion
-      << ",\n\"limn_version\": \"" LIMN_VERSION "\",\n\"views\": "
-      << Json(metadata.view_names).dump()
+      << ",\n\"limn_version\": \"" LIMN_VERSION "\",\n";
+  if (!metadata.refined_cameras.empty()) {
+    out << "\"refined_cameras\": " << Json(metadata.refined_cameras).dump() << ",\n";
+  }
+  out << "\"views\": " << Json(metadata.view_names).dump()
       << ",\n\"options\": " << ParseOptions(metadata.options_json).dump() << ",\n";
   if (metadata.alignment) {
     out << "\"world_from_model\": " << ToJson(*metadata.alignment).dump() << ",\n";

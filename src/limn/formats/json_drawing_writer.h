@@ -9,6 +9,7 @@ namespace limn {
 
 // Writes a drawing as JSON, which ReadDrawingJson reads back without loss:
 //   {"format": "limn-drawing", "format_version": 1, "limn_version": "...",
+//    of refined cameras "refined_cameras": "...", which names them,
 //    "views": [name, ...], "options": {...},
 //    in an aligned drawing "world_from_model": {"scale", "rotation": [3 rows], "translation",
 //               "unit": "m"|"none", "up_from": "gravity"|"positions"|"lines"|"cameras",

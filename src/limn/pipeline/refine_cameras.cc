@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "limn/cameras/camera_rays.h"
 #include "limn/geometry/median_point.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/footprint.h"
@@ -78,6 +79,7 @@ CameraRefiner::CameraRefiner(const CameraRefinementInput& input,
       context_(context),
       stored_{1, CurvesAsStored(curves)},
       scene_(MakeCameraScene(input.views, input.hints, input.mounts)),
+      held_(HeldViews(input.mounts)),
       first_factor_(FactorOf(input.views, kFirstSidePx)),
       first_images_(input.views.size()) {}
 
@@ -183,7 +185,7 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
   Draw(level);
   const std::vector<View> before = scene_.views;
   const CameraRoundsResult rounds = Refine(graph_, level, reaches);
-  const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene());
+  const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
   return {rounds.gain, gauge.typical_move_px / level.factor};
 }
 
@@ -220,8 +222,13 @@ std::vector<View> CameraRefiner::Refined(const std::vector<View>& moved) const {
 
 // Back to the frame of the given cameras.
 void CameraRefiner::FixGauge() {
-  gauge_ = FindGauge(input_.views, scene_.views, MiddleOfScene());
-  scene_.views = Moved(std::move(scene_.views), gauge_.given_from_refined);
+  // A principal point that moves turns its camera, but not its rays.
+  std::vector<View> by_rays = scene_.views;
+  for (size_t v = 0; v < by_rays.size(); ++v) {
+    by_rays[v] = WithRaysInOpticsOf(input_.views[v], std::move(by_rays[v]));
+  }
+  gauge_ = FindGauge(input_.views, by_rays, MiddleOfScene(), held_);
+  scene_.views = InGivenFrame(input_.views, scene_.views, gauge_, held_);
   for (SeenPoint& point : scene_.points) {
     if (point.is_fitted) point.position = gauge_.given_from_refined * point.position;
   }

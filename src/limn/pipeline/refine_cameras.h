@@ -58,10 +58,9 @@ class CameraRefiner {
                 const PipelineOptions& options, const RunContext& context);
 
   // Draws small pictures; the pictures as stored are fitted along the last drawing of half their
-  // size. Nothing moves unless the first drawing says that cameras are off by about a pixel or more;
-  // nor if less is drawn then. Throws OptionError, what
-  // the images throw, and Cancelled. Time: a large part of that of a drawing; a small one if it
-  // stops after the first look.
+  // size. Nothing moves unless the first drawing says that cameras are off by about a pixel or
+  // more; nor if less is drawn then. Throws OptionError, what the images throw, and Cancelled.
+  // Time: a large part of that of a drawing; a small one if it stops after the first look.
   void RefineBySmallPictures();
 
   // By an unrefined drawing of the pictures as stored, made with the cameras as they are now. As
@@ -104,6 +103,7 @@ class CameraRefiner {
   const RunContext& context_;
   const PictureLevel stored_;
   CameraScene scene_;
+  const std::vector<ViewId> held_;
   const int first_factor_;
   std::vector<std::optional<Image>> first_images_;
   DrawingGraph graph_;  // the last drawing

@@ -133,6 +133,17 @@ class Drawings(unittest.TestCase):
         self.assertGreater(compared, 0)
         self.assertEqual(self.drawing.scene.image(name).shape[:2], (camera.height, camera.width))
 
+    def test_refined_cameras_come_with_the_drawing(self):
+        folder = self.output / "refined"
+        options = scenes.small_options()
+        drawing = limn.draw(scenes.DAY, output_path=folder, page=False, refine_cameras=1, **options)
+        scene = limn.open(scenes.DAY, **options)
+        self.assertFalse(np.array_equal(drawing.cameras[0].t, scene.cameras[0].t))
+        read = limn.read_drawing(folder / "drawing.json", scene)
+        for camera, again in zip(drawing.cameras, read.cameras):
+            self.assertTrue(np.array_equal(camera.t, again.t))
+        self.assertTrue(read.links[0].tracks)
+
     def test_read_drawing(self):
         path = self.output / "read.json"
         self.drawing.save(path)

@@ -6,6 +6,8 @@
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/test_model.h"
 #include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/refined_folder.h"
+#include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {
@@ -122,6 +124,52 @@ TEST_F(Layout, GivenModelIsUsedWithTheImagesNearIt) {
   ExpectLayout(options, "sparse/0", "images", ".");
   options.input_path = (dir_ / "dense/0/sparse").string();
   ExpectLayout(options, "dense/0/sparse", "dense/0/images", "dense/0");
+}
+
+// A drawing that fits refined cameras, or does not.
+TEST_F(Layout, RefinedCamerasAreThoseOfTheDrawing) {
+  AddModel("sparse/0");
+  AddFolder("images");
+  LayoutOptions options = Options();
+  options.output_path = (dir_ / "out").string();
+  SparseModel model = MakeModel();
+  model.images[0].cam_from_world.translation.x() += 1;
+  const std::string name = WriteRefinedFolder(model, dir_ / "out/refined");
+  const auto write = [&](const std::string& path, const std::string& cameras) {
+    WriteDrawing((dir_ / path).string(), {}, {{}, "{}", std::nullopt, cameras});
+  };
+  write("out/drawing.json", name);
+  // From images.
+  EXPECT_EQ(ResolveLayout(options).model_dir, dir_ / "sparse/0");
+  options.starts_from = {"drawing-fused.json", "drawing.json"};
+  const WorkspaceLayout layout = ResolveLayout(options);
+  EXPECT_EQ(layout.model_dir, dir_ / "out/refined");
+  EXPECT_EQ(layout.given_model_dir, dir_ / "sparse/0");
+  EXPECT_EQ(layout.image_dir, dir_ / "images");
+  EXPECT_THAT(layout.description, HasSubstr("out/refined"));
+  EXPECT_THAT(layout.note, AllOf(HasSubstr("out/drawing.json"), HasSubstr("out/refined")));
+  // A drawing elsewhere has its cameras beside it.
+  LayoutOptions elsewhere = Options();
+  elsewhere.starts_from = {(dir_ / "out/drawing.json").string()};
+  EXPECT_EQ(ResolveLayout(elsewhere).model_dir, dir_ / "out/refined");
+  // A model that is given stays, with a warning unless it has those cameras.
+  LayoutOptions given = options;
+  given.input_path = (dir_ / "sparse/0").string();
+  EXPECT_EQ(ResolveLayout(given).model_dir, dir_ / "sparse/0");
+  EXPECT_THAT(
+      ResolveLayout(given).note,
+      AllOf(HasSubstr("WARNING: "), HasSubstr("--input_path " + (dir_ / "out/refined").string())));
+  given.input_path = (dir_ / "out/refined").string();
+  EXPECT_EQ(ResolveLayout(given).note, "");
+  // Another drawing, and cameras that were changed.
+  write("out/drawing.json", "");
+  EXPECT_EQ(ResolveLayout(options).model_dir, dir_ / "sparse/0");
+  EXPECT_EQ(ResolveLayout(options).note, "");
+  write("out/drawing.json", name);
+  model.images[0].cam_from_world.translation.x() += 1;
+  WriteRefinedFolder(model, dir_ / "out/refined");
+  EXPECT_EQ(ResolveLayout(options).model_dir, dir_ / "sparse/0");
+  EXPECT_THAT(ResolveLayout(options).note, AllOf(HasSubstr("WARNING: "), HasSubstr("draw again")));
 }
 
 TEST_F(Layout, SparseModelsInAColmapFolder) {

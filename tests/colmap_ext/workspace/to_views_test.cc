@@ -319,6 +319,40 @@ TEST_F(ToViewsTest, UnknownNamesInTheListAreErrors) {
   EXPECT_THAT(ErrorOf(), HasSubstr("none.txt: cannot open"));
 }
 
+// "c.png" and "sub/a b.png" are a frame of a rig.
+TEST_F(ToViewsTest, HeldImagesHoldWhatMovesWithThem) {
+  const auto image = [&](const std::string& name) {
+    return *std::ranges::find(model_.images, name, &ModelImage::name);
+  };
+  const ModelImage left = image("c.png"), right = image("sub/a b.png");
+  const SensorId left_sensor = {kCameraSensor, left.camera_id};
+  const SensorId right_sensor = {kCameraSensor, right.camera_id};
+  model_.rigs = {{1,
+                  {{left_sensor, true, {}},
+                   {right_sensor, true, right.cam_from_world * Inverse(left.cam_from_world)}}}};
+  model_.frames = {{1, 1, left.cam_from_world, {{left_sensor, left.id}, {right_sensor, right.id}}}};
+  EXPECT_THAT(HeldViews(Views().mounts), IsEmpty());
+  options_.hold_images = dir_.WriteFile("held.txt", "sub/a b.png\n");
+  const ViewSet set = Views();
+  ASSERT_EQ(set.views.size(), 3u);
+  EXPECT_THAT(HeldViews(set.mounts), ElementsAre(1, 2));
+  EXPECT_THAT(set.warnings, IsEmpty());
+  // An image that is not in use holds nothing.
+  options_.image_list_path = dir_.WriteFile("list.txt", "b.png\nc.png\n");
+  EXPECT_THAT(HeldViews(Views().mounts), IsEmpty());
+  EXPECT_THAT(Views().warnings,
+              Contains(HasSubstr("are not in use and hold nothing: sub/a b.png")));
+}
+
+TEST_F(ToViewsTest, ListsOfHeldImagesThatMakeNoSenseAreErrors) {
+  options_.hold_images = dir_.WriteFile("held.txt", "d.png\n");
+  EXPECT_THAT(ErrorText<OptionError>([&] { Views(); }),
+              HasSubstr("image \"d.png\" is not registered in the_model: correct its name, or "
+                        "remove it from the list"));
+  options_.hold_images = dir_.WriteFile("held.txt", "\n");
+  EXPECT_THAT(ErrorText<OptionError>([&] { Views(); }), HasSubstr("names no image"));
+}
+
 TEST_F(ToViewsTest, CamerasFarOutsideTheSceneAreLeftOutByName) {
   for (const double far : {1e9, 1e45, 1e200, 1e307}) {
     model_.images[0].cam_from_world.translation.setConstant(far);

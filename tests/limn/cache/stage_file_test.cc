@@ -167,6 +167,19 @@ TEST(CurveSketchFile, RoundTrip) {
   }
 }
 
+TEST(CurveSketchFile, BeginsWithTheRefinedCameras) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.bin");
+  EXPECT_EQ(RefinedCamerasOfSketch(path), "");
+  DrawingMetadata metadata = kMetadata;
+  for (const char* cameras : {"", "0123456789abcdef"}) {
+    metadata.refined_cameras = cameras;
+    WriteCurveSketch(path, SmallSketch(), metadata, "x");
+    EXPECT_EQ(ReadCurveSketch(path, SketchedCurves(), "")->metadata.refined_cameras, cameras);
+    EXPECT_EQ(RefinedCamerasOfSketch(path), cameras);
+  }
+}
+
 // Of view 0.
 ViewSketch SmallViewSketch() {
   const CurveSketch sketch = SmallSketch();

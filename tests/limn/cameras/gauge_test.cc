@@ -69,6 +69,27 @@ TEST(Gauge, FewWrongCamerasDoNotMoveTheWorld) {
   EXPECT_LT(gauge.typical_move_px, 1e-9);
 }
 
+// A held camera leaves only the scale open, cameras held at several places nothing.
+TEST(Gauge, HeldViewsStay) {
+  const std::vector<View> given = testing::DomeViews(8, 4);
+  const Eigen::Vector3d center = given[3].CenterInWorld();
+  const std::vector<View> refined = Moved(
+      given, Eigen::Translation3d(center) * Eigen::Scaling(1.2) * Eigen::Translation3d(-center));
+  const Eigen::Vector3d middle(0.2, -0.1, 0.3);
+  const Gauge gauge = FindGauge(given, refined, middle, {3});
+  EXPECT_LT((gauge.given_from_refined * center - center).norm(), 1e-12);
+  EXPECT_LT((gauge.given_from_refined.linear() - Eigen::Matrix3d::Identity() / 1.2).norm(), 1e-9);
+  const std::vector<View> back = InGivenFrame(given, refined, gauge, {3});
+  for (size_t v = 0; v < given.size(); ++v) {
+    EXPECT_LT((back[v].CenterInWorld() - given[v].CenterInWorld()).norm(), 1e-9);
+  }
+  EXPECT_EQ(back[3].cam_from_world.translation, given[3].cam_from_world.translation);
+  EXPECT_EQ(back[3].cam_from_world.rotation.coeffs(), given[3].cam_from_world.rotation.coeffs());
+  // Whatever the others do.
+  const Gauge of_two = FindGauge(given, Moved(given, SomeSimilarity()), middle, {3, 5});
+  EXPECT_EQ(of_two.given_from_refined.matrix(), Eigen::Matrix4d::Identity());
+}
+
 // Where all cameras move somewhat, all count.
 TEST(Gauge, OrdinaryErrorsAreShared) {
   const std::vector<View> right = testing::DomeViews(24, 4);

@@ -328,6 +328,19 @@ TEST(WriteDrawing, BrokenJsonIsRefused) {
               ThrowsMessage<IoError>(HasSubstr("\"options\" is not an object")));
 }
 
+TEST(WriteDrawing, JsonNamesRefinedCameras) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("d.json");
+  EXPECT_EQ(RefinedCamerasOfDrawing(path), "");
+  DrawingMetadata metadata = SmallMetadata();
+  for (const char* cameras : {"", "0123456789abcdef"}) {
+    metadata.refined_cameras = cameras;
+    WriteDrawing(path, SmallDrawing(), metadata);
+    EXPECT_EQ(ReadDrawingJson(path).metadata.refined_cameras, cameras);
+    EXPECT_EQ(RefinedCamerasOfDrawing(path), cameras);
+  }
+}
+
 TEST(WriteDrawing, JsonKeepsTheAlignment) {
   const TemporaryFolder folder;
   DrawingMetadata metadata = SmallMetadata();
