@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "colmap_ext/model/model_writer.h"
-
 namespace limn::colmap_ext {
 namespace {
 
@@ -12,7 +10,6 @@ WorkspaceLayout ChooseLayoutInMemory(const SparseModel& model, const RunOptions&
                                      Console* console) {
   WorkspaceLayout layout = LayoutInMemory(options.layout, model.images.size());
   console->Say(layout.description);
-  if (options.pipeline.refine_cameras != CameraRefinement::kOff) CheckTextNames(model);
   return layout;
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "colmap_ext/host/world_shift.h"
-#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/scene_origin.h"
 #include "colmap_ext/workspace/file_identity.h"
 #include "limn/sketch/view_selection.h"
@@ -67,10 +66,6 @@ std::string ShrinkingNote(const ViewSet& set) {
 Scene::Scene(WorkspaceLayout layout, const RunOptions& options, Console* console)
     : layout_(std::move(layout)) {
   SparseModel model = ReadModelOf(layout_);
-  if (options.pipeline.refine_cameras != CameraRefinement::kOff &&
-      model.flavor == ModelFlavor::kText) {
-    CheckTextNames(model);
-  }
   SetModel(std::move(model), {}, options, console);
 }
 

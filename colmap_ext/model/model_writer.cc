@@ -1,5 +1,6 @@
 #include "colmap_ext/model/model_writer.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include "colmap_ext/model/image_name.h"
@@ -99,6 +100,12 @@ void WritePointsBinary(const SparseModel& model, std::ostream& out) {
       Put(element.observation, out);
     }
   }
+}
+
+bool HasTextNames(const SparseModel& model) {
+  return std::ranges::all_of(model.images, [](const ModelImage& image) {
+    return ProblemOfNameInText(image.name).empty();
+  });
 }
 
 void CheckTextNames(const SparseModel& model) {

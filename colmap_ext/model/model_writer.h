@@ -38,7 +38,9 @@ constexpr ModelFile kTextModelFiles[] = {{"cameras.txt", WriteCamerasText},
                                          {"frames.txt", WriteFramesText, true}};
 std::span<const ModelFile> ModelFilesOf(ModelFlavor flavor);
 
-// Throws InputError if images.txt could not be read back because of the name of an image.
+// Whether images.txt could be read back, whatever the names of images. CheckTextNames throws
+// InputError if not, and names the image.
+bool HasTextNames(const SparseModel& model);
 void CheckTextNames(const SparseModel& model);
 
 // Write these files, each atomically, into a folder, which is created if missing. Existing files of

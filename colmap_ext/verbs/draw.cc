@@ -89,6 +89,9 @@ std::string WhyCamerasStay(const Job& job) {
   const int max_views = options.tiles.max_views;
   if (options.IsPaper()) return "Drawing.method paper draws with the cameras as given";
   if (NumRanks() > 1) return "not by several processes";
+  if (ReadsRefinedFolder(job.scene.layout())) {
+    return "the result would replace the model that is read: choose another output_path";
+  }
   if (job.scene.images().given_edges) {
     return "needs edges of small pictures, but those of edges_path are of the images as stored";
   }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "colmap_ext/host/world_shift.h"
+#include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/refined_model.h"
 #include "colmap_ext/model/rig_fit.h"
 #include "colmap_ext/workspace/output_check.h"
@@ -26,11 +27,6 @@ namespace {
 constexpr const char* kChangesFile = "cameras.csv";
 
 std::string RefinedFolder(const Project& project) { return project.DrawingPath(kRefinedFolder); }
-
-bool ReadsRefinedFolder(const Project& project) {
-  std::error_code ignored;
-  return std::filesystem::equivalent(RefinedFolder(project), project.layout().model_dir, ignored);
-}
 
 // The largest relative change of a focal length, unless no optics changed.
 void SayOptics(const RefinedCameras& cameras, const ViewSet& set, Console* console) {
@@ -107,29 +103,28 @@ void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set
   }
 }
 
+bool ReadsRefinedFolder(const WorkspaceLayout& layout) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(layout.output.drawing_dir / kRefinedFolder, layout.model_dir,
+                                     ignored);
+}
+
 void CheckRefinedFolder(const Project& project, const RunOptions& options) {
-  const CameraRefinement how = options.pipeline.refine_cameras;
-  if (how == CameraRefinement::kOff) return;
-  const std::string option =
-      how == CameraRefinement::kOn ? "refine_cameras = 1: " : "refine_cameras = auto: ";
-  const std::string folder = RefinedFolder(project);
-  if (ReadsRefinedFolder(project)) {
-    throw OptionError(option + folder +
-                      " would be overwritten, but is the model that is read: choose another "
-                      "output_path");
-  }
-  CheckRefinedFolder(folder, options.overwrite);
+  if (options.pipeline.refine_cameras == CameraRefinement::kOff) return;
+  if (ReadsRefinedFolder(project.layout())) return;
+  CheckRefinedFolder(RefinedFolder(project), options.overwrite);
 }
 
 std::string WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
                               Console* console) {
   if (!cameras) {
-    return ReadsRefinedFolder(project) ? NameOfRefinedCameras(RefinedFolder(project)) : "";
+    return ReadsRefinedFolder(project.layout()) ? NameOfRefinedCameras(RefinedFolder(project)) : "";
   }
   SparseModel model = project.ReadModel();
   const std::vector<View> views = Moved(cameras->views, project.origin());
   SceneHints hints = cameras->hints;
   for (ScenePoint& point : hints.points) point.position_in_world += project.origin();
+  if (!HasTextNames(model)) model.flavor = ModelFlavor::kBinary;
   const std::map<size_t, Rigid3d> held = HeldPoses(project.view_set(), model);
   ApplyRefinement(views, hints, &model);
   for (const auto& [image, pose] : held) model.images[image].cam_from_world = pose;
@@ -150,7 +145,7 @@ std::string WriteRefinedModel(const Project& project, const std::optional<Refine
 }
 
 void RemoveOtherCameras(const Project& project, const DrawingMetadata& metadata, Console* console) {
-  if (!metadata.refined_cameras.empty() || ReadsRefinedFolder(project)) return;
+  if (!metadata.refined_cameras.empty() || ReadsRefinedFolder(project.layout())) return;
   if (!RemoveRefinedFolder(RefinedFolder(project))) {
     console->Say("WARNING: " + RefinedFolder(project) +
                  " has files of a model that limn did not write, or that were changed since: they "

@@ -14,9 +14,11 @@ namespace limn::colmap_ext {
 void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set,
                 CameraRefinement how, Console* console);
 
-// Call it before the work (it does nothing if cameras are never refined): throws OptionError if
-// refined/, beside the drawing, is the input model itself, and IoError if it has files that must
-// not be replaced.
+// Whether the model that is read is the one that refined cameras are written to.
+bool ReadsRefinedFolder(const WorkspaceLayout& layout);
+
+// Call it before the work (it does nothing if cameras are never refined): throws IoError if
+// refined/, beside the drawing, has files that must not be replaced.
 void CheckRefinedFolder(const Project& project, const RunOptions& options);
 
 // Writes refined/, in the flavor of the input model: that model with refined poses, parameters of

@@ -104,7 +104,8 @@ TEST_F(BadInput, UnregisteredImageInTheList) {
   ExpectRefused({"--refine_cameras", "1", "--hold_images", list},
                 AllOf(HasSubstr("hold_images = " + list), HasSubstr("\"view_77.jpg\""),
                       HasSubstr("remove it from the list")));
-  ExpectRefused({"--hold_images", list}, HasSubstr("needs refine_cameras = 1 or auto"));
+  ExpectRefused({"--refine_cameras", "0", "--hold_images", list},
+                HasSubstr("needs refine_cameras = 1 or auto"));
   ExpectRefused({"--image_list_path", "/no/list.txt"},
                 HasSubstr("/no/list.txt: cannot open: No such file or directory"));
 }

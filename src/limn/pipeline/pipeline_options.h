@@ -33,7 +33,7 @@ struct PipelineOptions {
   SketchMode mode = SketchMode::kSweep;
   SketchOptions sketch;
   DrawingMethod method = DrawingMethod::kTraced;
-  CameraRefinement refine_cameras = CameraRefinement::kOff;
+  CameraRefinement refine_cameras = CameraRefinement::kAuto;
   DrawingOptions drawing;
   PaperOptions paper;
   RefinementOptions refinement;
