@@ -8,8 +8,8 @@
 
 #include "colmap_ext/model/camera_calibration.h"
 #include "colmap_ext/workspace/model_folder.h"
-#include "limn/cameras/camera_rays.h"
 #include "limn/cameras/gauge.h"
+#include "limn/model/camera_rays.h"
 #include "limn/util/errors.h"
 
 namespace limn::colmap_ext {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "limn/cameras/camera_rays.h"
+#include "limn/model/camera_rays.h"
 #include "limn/util/angles.h"
 #include "limn/util/median.h"
 

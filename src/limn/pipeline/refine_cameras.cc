@@ -4,9 +4,9 @@
 #include <limits>
 #include <utility>
 
-#include "limn/cameras/camera_rays.h"
 #include "limn/geometry/median_point.h"
 #include "limn/geometry/polyline.h"
+#include "limn/model/camera_rays.h"
 #include "limn/model/footprint.h"
 #include "limn/model/shrunk.h"
 #include "limn/pipeline/drawing_stages.h"

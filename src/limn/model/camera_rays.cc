@@ -1,4 +1,4 @@
-#include "limn/cameras/camera_rays.h"
+#include "limn/model/camera_rays.h"
 
 #include <optional>
 
