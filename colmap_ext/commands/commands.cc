@@ -18,6 +18,7 @@
 #include "colmap_ext/verbs/import_model.h"
 #include "colmap_ext/verbs/link.h"
 #include "colmap_ext/verbs/refine.h"
+#include "colmap_ext/verbs/refine_cameras.h"
 #include "colmap_ext/verbs/regularize.h"
 #include "colmap_ext/verbs/sketch.h"
 #include "colmap_ext/verbs/view.h"
@@ -84,6 +85,9 @@ constexpr Command kCommands[] = {
      .heading = "make the 3D drawing of a COLMAP project",
      .run = RunAutomaticDrawer,
      .has_ranks = true},
+    {"camera_refiner", "refine the cameras of a COLMAP model by the curves",
+     "refine the cameras of a COLMAP model by the curves in its images",
+     OnProject<RefineCamerasVerb>},
     {"edge_extractor", "find the edgels of all images",
      "find the edgels of all images, into the cache", OnProject<ExtractEdgesVerb>},
     {"curve_linker", "link them to curve fragments",

@@ -83,37 +83,6 @@ DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles)
   return drawn;
 }
 
-// Why cameras are never refined in this run; empty if they may be.
-std::string WhyCamerasStay(const Job& job) {
-  const PipelineOptions& options = job.options.pipeline;
-  const int max_views = options.tiles.max_views;
-  if (options.IsPaper()) return "Drawing.method paper draws with the cameras as given";
-  if (NumRanks() > 1) return "not by several processes";
-  if (ReadsRefinedFolder(job.scene.layout())) {
-    return "the result would replace the model that is read: choose another output_path";
-  }
-  if (job.scene.images().given_edges) {
-    return "needs edges of small pictures, but those of edges_path are of the images as stored";
-  }
-  if (job.scene.view_set().HasPanoramas()) {
-    return "not with EQUIRECTANGULAR images, which the model has";
-  }
-  if (max_views > 0 && std::ssize(job.views()) > max_views) {
-    return "takes all views together, but more than Tiles.max_views = " +
-           std::to_string(max_views) + " are drawn in tiles";
-  }
-  return "";
-}
-
-// Throws OptionError if it is on and not possible.
-CameraRefinement CameraRefinementOf(const Job& job) {
-  const CameraRefinement how = job.options.pipeline.refine_cameras;
-  const std::string why_not = WhyCamerasStay(job);
-  if (why_not.empty()) return how;
-  if (how == CameraRefinement::kOn) throw OptionError("refine_cameras = 1: " + why_not);
-  return CameraRefinement::kOff;
-}
-
 }  // namespace
 
 std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& options) {

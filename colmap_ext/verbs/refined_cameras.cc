@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "colmap_ext/host/ranks.h"
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/model/refined_model.h"
@@ -91,6 +92,22 @@ std::map<size_t, Rigid3d> HeldPoses(const ViewSet& set, const SparseModel& model
   return poses;
 }
 
+// Returns NameOfRefinedCameras.
+std::string WriteAndSay(SparseModel model, const Project& project, Console* console) {
+  if (!HasTextNames(model)) model.flavor = ModelFlavor::kBinary;
+  const std::string name = WriteRefinedFolder(model, RefinedFolder(project));
+  const std::string names = std::string("{cameras,images,points3D") +
+                            (model.rigs.empty() ? "}" : ",rigs,frames}") +
+                            (model.flavor == ModelFlavor::kBinary ? ".bin" : ".txt");
+  console->Say("Written: " + RefinedFolder(project) + "/" + names);
+  return name;
+}
+
+void RemoveChanges(const Project& project) {
+  const std::string changes = project.CurvesPath(kChangesFile);
+  if (IsFileOfLimn(changes)) std::filesystem::remove(changes);
+}
+
 }  // namespace
 
 void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set,
@@ -109,6 +126,35 @@ bool ReadsRefinedFolder(const WorkspaceLayout& layout) {
                                      ignored);
 }
 
+std::string WhyCamerasStay(const Job& job) {
+  const PipelineOptions& options = job.options.pipeline;
+  const int max_views = options.tiles.max_views;
+  if (options.IsPaper()) return "Drawing.method paper draws with the cameras as given";
+  if (NumRanks() > 1) return "not by several processes";
+  if (ReadsRefinedFolder(job.scene.layout())) {
+    return "the result would replace the model that is read: choose another output_path";
+  }
+  if (job.scene.images().given_edges) {
+    return "needs edges of small pictures, but those of edges_path are of the images as stored";
+  }
+  if (job.scene.view_set().HasPanoramas()) {
+    return "not with EQUIRECTANGULAR images, which the model has";
+  }
+  if (max_views > 0 && std::ssize(job.views()) > max_views) {
+    return "takes all views together, but more than Tiles.max_views = " +
+           std::to_string(max_views) + " are drawn in tiles";
+  }
+  return "";
+}
+
+CameraRefinement CameraRefinementOf(const Job& job) {
+  const CameraRefinement how = job.options.pipeline.refine_cameras;
+  const std::string why_not = WhyCamerasStay(job);
+  if (why_not.empty()) return how;
+  if (how == CameraRefinement::kOn) throw OptionError("refine_cameras = 1: " + why_not);
+  return CameraRefinement::kOff;
+}
+
 void CheckRefinedFolder(const Project& project, const RunOptions& options) {
   if (options.pipeline.refine_cameras == CameraRefinement::kOff) return;
   if (ReadsRefinedFolder(project.layout())) return;
@@ -124,7 +170,6 @@ std::string WriteRefinedModel(const Project& project, const std::optional<Refine
   const std::vector<View> views = Moved(cameras->views, project.origin());
   SceneHints hints = cameras->hints;
   for (ScenePoint& point : hints.points) point.position_in_world += project.origin();
-  if (!HasTextNames(model)) model.flavor = ModelFlavor::kBinary;
   const std::map<size_t, Rigid3d> held = HeldPoses(project.view_set(), model);
   ApplyRefinement(views, hints, &model);
   for (const auto& [image, pose] : held) model.images[image].cam_from_world = pose;
@@ -134,14 +179,14 @@ std::string WriteRefinedModel(const Project& project, const std::optional<Refine
     if (!held.contains(image)) moved.insert(image);
   }
   FitRigs(moved, &model);
-  const std::string name = WriteRefinedFolder(model, RefinedFolder(project));
   WriteFileAtomically(project.CurvesPath(kChangesFile),
                       [&](std::ostream& out) { out << ChangesAsCsv(*cameras); });
-  const std::string names = std::string("{cameras,images,points3D") +
-                            (model.rigs.empty() ? "}" : ",rigs,frames}") +
-                            (model.flavor == ModelFlavor::kBinary ? ".bin" : ".txt");
-  console->Say("Written: " + RefinedFolder(project) + "/" + names);
-  return name;
+  return WriteAndSay(model, project, console);
+}
+
+void WriteGivenModel(const Project& project, Console* console) {
+  WriteAndSay(project.ReadModel(), project, console);
+  RemoveChanges(project);
 }
 
 void RemoveOtherCameras(const Project& project, const DrawingMetadata& metadata, Console* console) {
@@ -151,8 +196,7 @@ void RemoveOtherCameras(const Project& project, const DrawingMetadata& metadata,
                  " has files of a model that limn did not write, or that were changed since: they "
                  "do not belong to this drawing");
   }
-  const std::string changes = project.CurvesPath(kChangesFile);
-  if (IsFileOfLimn(changes)) std::filesystem::remove(changes);
+  RemoveChanges(project);
 }
 
 }  // namespace limn::colmap_ext

@@ -10,6 +10,12 @@
 
 namespace limn::colmap_ext {
 
+// Why the cameras of a job cannot be refined; empty if they can.
+std::string WhyCamerasStay(const Job& job);
+
+// Whether they are. Throws OptionError if it is on and not possible.
+CameraRefinement CameraRefinementOf(const Job& job);
+
 // Says what has become of the cameras of the set, none = left as they are.
 void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set,
                 CameraRefinement how, Console* console);
@@ -28,6 +34,9 @@ void CheckRefinedFolder(const Project& project, const RunOptions& options);
 // refined/ is the model that is read.
 std::string WriteRefinedModel(const Project& project, const std::optional<RefinedCameras>& cameras,
                               Console* console);
+
+// Writes the model as it is to refined/, whose cameras need no refinement.
+void WriteGivenModel(const Project& project, Console* console);
 
 // Call it when the drawing is written: unless it fits refined cameras, removes those that limn
 // wrote for an earlier one. Warns of files in refined/ that are not limn's.

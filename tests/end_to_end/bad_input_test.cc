@@ -170,8 +170,8 @@ TEST(Commands, AllAreListedAndHaveHelp) {
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_THAT(help.out, AllOf(HasSubstr("-h "), HasSubstr("--help_all")));
   for (const char* command :
-       {"automatic_drawer", "edge_extractor", "curve_linker", "curve_sketcher", "curve_drawer",
-        "drawing_exporter", "drawing_viewer", "model_importer", "drawing_fuser",
+       {"automatic_drawer", "camera_refiner", "edge_extractor", "curve_linker", "curve_sketcher",
+        "curve_drawer", "drawing_exporter", "drawing_viewer", "model_importer", "drawing_fuser",
         "drawing_evaluator", "truth_extractor"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const LimnRun run = RunLimn({command, "-h"});

@@ -361,6 +361,28 @@ TEST_F(SmallRun, CommandsThatContinueTakeTheRefinedCameras) {
   EXPECT_FALSE(fs::exists(Output("out", "refined")));
 }
 
+TEST_F(SmallRun, CameraRefinerWritesTheModelAlone) {
+  const fs::path wrong = WrongWorkspace(dir_);
+  RunIn(wrong, "automatic_drawer", "out", {"--refine_cameras", "1"});
+  RunIn(wrong, "camera_refiner", "cameras", {"--refine_cameras", "1"});
+  EXPECT_TRUE(ReadTree(dir_ / "out/refined") == ReadTree(dir_ / "cameras/refined"));
+  EXPECT_EQ(ReadTree(dir_ / "out/curves").at("cameras.csv"),
+            ReadTree(dir_ / "cameras/curves").at("cameras.csv"));
+  EXPECT_FALSE(fs::exists(Output("cameras", "drawing.json")));
+}
+
+TEST_F(SmallRun, CameraRefinerLeavesGoodCameras) {
+  EXPECT_THAT(Run("camera_refiner", "out"), HasSubstr("Cameras are left as they are"));
+  const colmap_ext::SparseModel given = colmap_ext::ReadModel(LIMN_SAMPLE_DIR "/day/sparse");
+  const colmap_ext::SparseModel left = colmap_ext::ReadModel(Output("out", "refined"));
+  ASSERT_EQ(given.images.size(), left.images.size());
+  for (size_t i = 0; i < given.images.size(); ++i) {
+    EXPECT_EQ(given.images[i].cam_from_world.translation,
+              left.images[i].cam_from_world.translation);
+  }
+  EXPECT_FALSE(fs::exists(Output("out", "curves/cameras.csv")));
+}
+
 TEST_F(SmallRun, HeldImagesKeepTheirPoses) {
   const fs::path wrong = WrongWorkspace(dir_);
   const std::string held = dir_.WriteFile("held.txt", "view_02.jpg\nview_05.jpg\n");

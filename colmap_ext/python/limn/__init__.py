@@ -33,7 +33,7 @@ __all__ = [
     "Alignment", "Camera", "Curves", "Drawing", "Edges", "Error", "Face", "Faces", "ImageCurves", "ImageEdges",
     "InputError", "IoError", "Link", "Links", "Node", "Nodes", "OptionError", "Primitive", "Scene", "Sketch",
     "SketchCurve", "align", "draw", "edit", "evaluate", "export", "extract_edges", "find_faces", "fuse", "link", "open",
-    "read_drawing", "refine", "regularize", "run", "sketch",
+    "read_drawing", "refine", "refine_cameras", "regularize", "run", "sketch",
 ]
 
 __version__: str = _limn.__version__
@@ -112,6 +112,18 @@ def refine(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Dr
     nothing.
     """
     return _limn.apply("refine", drawing, texts_of(options), progress)
+
+
+def refine_cameras(workspace: Path, output_path: Path, *, progress: Progress = None, **options: Any) -> Scene:
+    """The project with cameras refined by the curves in its images, as by camera_refiner.
+
+    Writes the COLMAP model output_path/refined, without a drawing. Options: refine_cameras (1 or auto), hold_images, and
+    those of automatic_drawer on images and on the algorithms.
+    """
+    texts = texts_of(options, workspace_path=workspace, output_path=output_path)
+    _limn.run("camera_refiner", texts, progress)
+    of_scene = {name: value for name, value in options.items() if name != "overwrite"}
+    return open(workspace, progress=progress, **{**of_scene, "input_path": os.path.join(output_path, "refined")})
 
 
 def regularize(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:

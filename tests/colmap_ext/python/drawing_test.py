@@ -143,6 +143,9 @@ class Drawings(unittest.TestCase):
         for camera, again in zip(drawing.cameras, read.cameras):
             self.assertTrue(np.array_equal(camera.t, again.t))
         self.assertTrue(read.links[0].tracks)
+        refined = limn.refine_cameras(scenes.DAY, self.output / "cameras", refine_cameras=1, **options)
+        for camera, again in zip(drawing.cameras, refined.cameras):
+            self.assertTrue(np.array_equal(camera.t, again.t))
 
     def test_read_drawing(self):
         path = self.output / "read.json"

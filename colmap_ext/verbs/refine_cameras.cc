@@ -1,0 +1,35 @@
+#include "colmap_ext/verbs/refine_cameras.h"
+
+#include <string>
+
+#include "colmap_ext/host/job.h"
+#include "colmap_ext/verbs/refined_cameras.h"
+#include "limn/pipeline/pipeline.h"
+#include "limn/util/errors.h"
+
+namespace limn::colmap_ext {
+
+void RefineCamerasVerb::Run(const Project& project, const RunOptions& options, Console* console) {
+  const CameraRefinement how = options.pipeline.refine_cameras;
+  if (how == CameraRefinement::kOff) {
+    throw OptionError("refine_cameras = 0: there is nothing else to do: auto or 1");
+  }
+  CheckRefinedFolder(project, options);
+  CheckSceneViews(project);
+  const Job job = JobOf(project, options, console);
+  const std::string why_not = WhyCamerasStay(job);
+  if (!why_not.empty()) throw OptionError("cameras cannot be refined: " + why_not);
+  const ViewSet& set = project.view_set();
+  const UnrefinedScene scene = DrawUnrefined({set.views, set.hints, project.images(),
+                                              SceneBox(project, options), job.cache, &set.mounts},
+                                             options.pipeline, job.context(), job.reporter());
+  SayCameras(scene.cameras, set, how, console);
+  if (scene.cameras) {
+    WriteRefinedModel(project, scene.cameras, console);
+  } else {
+    WriteGivenModel(project, console);
+  }
+  console->RepeatWarnings();
+}
+
+}  // namespace limn::colmap_ext
