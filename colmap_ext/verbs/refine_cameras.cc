@@ -20,9 +20,9 @@ void RefineCamerasVerb::Run(const Project& project, const RunOptions& options, C
   const std::string why_not = WhyCamerasStay(job);
   if (!why_not.empty()) throw OptionError("cameras cannot be refined: " + why_not);
   const ViewSet& set = project.view_set();
-  const UnrefinedScene scene = DrawUnrefined({set.views, set.hints, project.images(),
-                                              SceneBox(project, options), job.cache, &set.mounts},
-                                             options.pipeline, job.context(), job.reporter());
+  const UnrefinedScene scene = DrawUnrefined(
+      {set.views, set.hints, project.images(), SceneBox(project, options), job.cache, &set.mounts},
+      options.pipeline, job.context(), job.reporter());
   SayCameras(scene.cameras, set, how, console);
   if (scene.cameras) {
     WriteRefinedModel(project, scene.cameras, console);

@@ -25,6 +25,10 @@
 namespace limn::colmap_ext {
 namespace {
 
+constexpr const char* kIsOn = "refine_cameras = 1: ";
+constexpr const char* kWouldReplace =
+    "the result would replace the model that is read: choose another output_path";
+
 constexpr const char* kChangesFile = "cameras.csv";
 
 std::string RefinedFolder(const Project& project) { return project.DrawingPath(kRefinedFolder); }
@@ -132,7 +136,7 @@ std::string WhyCamerasStay(const Job& job) {
   if (options.IsPaper()) return "Drawing.method paper draws with the cameras as given";
   if (NumRanks() > 1) return "not by several processes";
   if (ReadsRefinedFolder(job.scene.layout())) {
-    return "the result would replace the model that is read: choose another output_path";
+    return kWouldReplace;
   }
   if (job.scene.images().given_edges) {
     return "needs edges of small pictures, but those of edges_path are of the images as stored";
@@ -151,13 +155,17 @@ CameraRefinement CameraRefinementOf(const Job& job) {
   const CameraRefinement how = job.options.pipeline.refine_cameras;
   const std::string why_not = WhyCamerasStay(job);
   if (why_not.empty()) return how;
-  if (how == CameraRefinement::kOn) throw OptionError("refine_cameras = 1: " + why_not);
+  if (how == CameraRefinement::kOn) throw OptionError(kIsOn + why_not);
   return CameraRefinement::kOff;
 }
 
 void CheckRefinedFolder(const Project& project, const RunOptions& options) {
-  if (options.pipeline.refine_cameras == CameraRefinement::kOff) return;
-  if (ReadsRefinedFolder(project.layout())) return;
+  const CameraRefinement how = options.pipeline.refine_cameras;
+  if (how == CameraRefinement::kOff) return;
+  if (ReadsRefinedFolder(project.layout())) {
+    if (how == CameraRefinement::kOn) throw OptionError(kIsOn + std::string(kWouldReplace));
+    return;
+  }
   CheckRefinedFolder(RefinedFolder(project), options.overwrite);
 }
 

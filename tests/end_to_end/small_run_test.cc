@@ -351,7 +351,9 @@ TEST_F(SmallRun, CommandsThatContinueTakeTheRefinedCameras) {
                Output("out", "view.svg").string()});
   EXPECT_EQ(exported.exit_code, 0) << exported.err;
   EXPECT_THAT(exported.out, HasSubstr(note));
-  EXPECT_NEAR(ResidualPx(Output("out", "drawing.json").string()), residual_px, 0.01 * residual_px);
+  // Sketches are made before the last step of the cameras, and curve_drawer has begun with it
+  // again.
+  EXPECT_NEAR(ResidualPx(Output("out", "drawing.json").string()), residual_px, 0.1 * residual_px);
   EXPECT_THAT(run("drawing_viewer", {"--input_path", (wrong / "sparse").string()}),
               HasSubstr("fits refined cameras, not those of this model: --input_path " +
                         (dir_ / "out/refined").string()));
