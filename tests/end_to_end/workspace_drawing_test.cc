@@ -9,6 +9,7 @@
 #include "colmap_ext/model/model_reader.h"
 #include "colmap_ext/model/model_writer.h"
 #include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/refined_folder.h"
 #include "end_to_end/run_limn.h"
 #include "limn/formats/json_drawing_reader.h"
 #include "limn/formats/limap_structures.h"
@@ -263,16 +264,17 @@ TEST_F(WorkspaceDrawing, IsJudgedInTheFrameOfTheTrueCameras) {
   drawing_.graph =
       Transformed(std::move(drawing_.graph), moved.scale, moved.rotation, moved.translation);
   fs::create_directories(dir_ / "results");
-  Store("results/drawing.json");
   colmap_ext::SparseModel model = colmap_ext::ReadColmapModel(dir_ / "sparse");
   for (auto& image : model.images) image.cam_from_world = CamFromB(image.cam_from_world, moved);
   colmap_ext::WriteModelText(model, dir_ / "results/refined");
+  drawing_.metadata.refined_cameras = colmap_ext::NameOfRefinedCameras(dir_ / "results/refined");
+  Store("results/drawing.json");
   const LimnRun judged =
       Run("drawing_evaluator",
           {"--input_path", Path("results/drawing.json"), "--truth_path", Path("truth.json"),
            "--taus", "0.1", "--unit", "footprint", "--true_model_path", Path("sparse")});
   ASSERT_EQ(judged.exit_code, 0) << judged.err;
-  EXPECT_THAT(judged.out, HasSubstr("cameras of the drawing: " + Path("results/refined") + "\n"));
+  EXPECT_THAT(judged.out, HasSubstr("fits, " + Path("results/refined") + "\n"));
   EXPECT_THAT(judged.out, HasSubstr(" 0.1      100.0      100.0      100.0"));
   EXPECT_THAT(judged.out, HasSubstr("cameras off, median of 24: centers "));
   const LimnRun without =

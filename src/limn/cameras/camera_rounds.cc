@@ -26,8 +26,8 @@ namespace {
 
 // Of the curves, in one fit, about.
 constexpr size_t kMaxLines = 60'000;
-// The optics are refined if that explains this share of the cost that poses leave.
-constexpr double kGainOfOptics = 0.05;
+// The optics begin to be refined if that explains this share of the cost that poses leave.
+constexpr double kGainOfOptics = 0.015;
 
 class CameraRounds {
  public:
@@ -60,10 +60,12 @@ class CameraRounds {
   void RefineOptics() {
     per_px_ = ParametersPerPx(scene_.given);
     const CameraScene posed = scene_;
+    const bool are_refined =
+        !std::ranges::equal(scene_.views, scene_.given, {}, &View::calibration, &View::calibration);
     const std::vector<CameraEvidence> of_poses = result_.of_view;
     for (size_t i = 0; i < input_.optics_reaches.size(); ++i) {
       const double gain = Round(input_.optics_reaches[i]);
-      if (i > 0 || gain > kGainOfOptics) continue;
+      if (i > 0 || are_refined || gain > kGainOfOptics) continue;
       scene_ = posed;
       result_.of_view = of_poses;
       return;

@@ -22,8 +22,8 @@ struct CameraRoundsInput {
   const PictureLevel& level;
   // Per round, gate and scale of the loss in multiples of those of the options.
   std::vector<double> reaches;
-  // The same for rounds that follow and refine the optics, too, if the first of them says that this
-  // explains something.
+  // The same for rounds that follow and refine the optics, too: unless these have been refined
+  // before, only if the first round says that it explains something.
   std::vector<double> optics_reaches = {};
 };
 

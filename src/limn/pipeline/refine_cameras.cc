@@ -38,6 +38,8 @@ constexpr double kLeastSeen = 0.97;
 const std::vector<double> kCheckReaches = {2};
 const std::vector<double> kFirstReaches = {3, 2, 1};
 const std::vector<double> kReaches = {2, 1};
+// Of the pictures as stored, before optics join in: these must not explain what poses will.
+const std::vector<double> kStoredReaches = {2, 1, 1};
 const std::vector<double> kOnce = {1};
 const std::vector<double> kTwice = {1, 1};
 
@@ -101,7 +103,7 @@ void CameraRefiner::RefineBySmallPictures() {
   }
   for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
   first_images_.clear();
-  RefineAsStored(graph_, kReaches, kOnce);
+  RefineAsStored(graph_, kStoredReaches, kOnce);
 }
 
 void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
@@ -118,7 +120,7 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
     ReturnToGiven();
     if (gain <= kGainOfOff) return;
   }
-  RefineAsStored(graph, kReaches, kOnce);
+  RefineAsStored(graph, kStoredReaches, kOnce);
 }
 
 void CameraRefiner::ReturnToGiven() {

@@ -74,7 +74,7 @@ CameraScene Refine(const std::vector<View>& views, const SceneHints& hints = kNo
   RunContext context;
   context.num_threads = num_threads;
   CameraScene scene = MakeCameraScene(views, hints, LooseMounts(views.size()));
-  RefineCamerasByDrawing({graph, {1, Curves()}, {3, 2}, {1, 1}}, {}, context, &scene);
+  RefineCamerasByDrawing({graph, {1, Curves()}, {3, 2}, {1, 1, 1}}, {}, context, &scene);
   return scene;
 }
 
