@@ -37,7 +37,7 @@ size_t NumBytes(const std::map<std::string, std::string>& files);
 
 // What a run may leave beside results: nothing; the file of its lock, if it ended in a hurry; and
 // temporary files too, if it was killed.
-enum class Leftovers { kNone, kLock, kAll };
+enum class Leftovers { kNone, kLock, kLockAndSketches, kAll };
 
 // The names of files that are not those of a whole run with these results, or have other bytes; the
 // page must end.

@@ -65,7 +65,7 @@ void ExpectInterrupted(const LimnProcess::End& end) {
 
 // SIGINT and SIGTERM in turn, at moments that are spread over the duration of the run.
 void ExpectInterruptsToStop(const std::vector<std::string>& arguments, const fs::path& output,
-                            int num_stops) {
+                            int num_stops, Leftovers allowed = Leftovers::kLock) {
   const WholeRun whole = RunUndisturbed(arguments, output);
   int num_interrupted = 0, num_told = 0;
   double longest = 0;
@@ -73,7 +73,7 @@ void ExpectInterruptsToStop(const std::vector<std::string>& arguments, const fs:
     const LimnProcess::End end =
         StopAfter(whole.seconds * i / num_stops, i % 2 == 0 ? SIGINT : SIGTERM, arguments, output);
     longest = std::max(longest, end.seconds);
-    EXPECT_THAT(WrongFiles(output, whole.files, Leftovers::kLock), IsEmpty())
+    EXPECT_THAT(WrongFiles(output, whole.files, allowed), IsEmpty())
         << "stop " << i << " " << end.err;
     if (end.exit_code == 0) {  // it had ended
       fs::remove_all(output);
@@ -116,7 +116,7 @@ TEST(StoppedRun, InterruptsStopTheRefinementOfCamerasSoon) {
   ExpectInterruptsToStop(
       {"automatic_drawer", "--workspace_path", LIMN_SAMPLE_DIR "/day", "--quality", "low",
        "--refine_cameras", "1", "--output_path", (dir / "out").string()},
-      dir / "out", NumStops(3));
+      dir / "out", NumStops(3), Leftovers::kLockAndSketches);
 }
 
 // As many rounds as there may be: nobody waits for their end.

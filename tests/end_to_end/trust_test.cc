@@ -79,7 +79,7 @@ TEST_F(Trust, RightCamerasGiveNoWarning) {
 TEST_F(Trust, OneWrongPoseIsNamed) {
   model_.images[kViewStride].cam_from_world.translation.x() += 0.3;
   const std::string name = model_.images[kViewStride].name;
-  const std::string out = Draw();
+  const std::string out = Draw({"--refine_cameras", "0"});
   EXPECT_THAT(out, HasSubstr("miss 1 of 8 images by more than 2 px: " + name));
   const std::string less = "1 of 8 images agree much less with the drawing: " + name;
   EXPECT_THAT(Run("curve_drawer", {"--overwrite", "1"}),
@@ -88,6 +88,20 @@ TEST_F(Trust, OneWrongPoseIsNamed) {
   for (const std::string& said : {out, Run("drawing_refiner")}) {
     EXPECT_THAT(said, AllOf(HasSubstr("WARNING: " + less), HasSubstr("expected error"),
                             HasSubstr("Warnings of this run (2):\n"), HasSubstr("\n  " + less)));
+  }
+}
+
+TEST_F(Trust, OneWrongPoseIsRefined) {
+  const Rigid3d right = model_.images[kViewStride].cam_from_world;
+  model_.images[kViewStride].cam_from_world.translation.x() += 0.3;
+  const std::string name = model_.images[kViewStride].name;
+  EXPECT_THAT(Draw(), HasSubstr("the cameras of 1 of 8 images seem wrong and moved far: " + name));
+  const SparseModel refined = colmap_ext::ReadModel(dir_ / "out/refined");
+  const auto center = [](const Rigid3d& pose) { return Inverse(pose).translation; };
+  for (size_t i = 0; i < model_.images.size(); i += kViewStride) {
+    const Rigid3d& truth = i == kViewStride ? right : model_.images[i].cam_from_world;
+    EXPECT_LT((center(refined.images[i].cam_from_world) - center(truth)).norm(), 0.005)
+        << model_.images[i].name;
   }
 }
 
