@@ -118,9 +118,11 @@ void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set
                 CameraRefinement how, Console* console) {
   if (cameras) return SayChanges(*cameras, set, console);
   if (how == CameraRefinement::kAuto) {
-    console->Say("Cameras are left as they are: edges would fit little better");
+    console->Say("Cameras are left as they are: the curves do not say that they are off");
   } else {
-    console->Say("WARNING: cameras stay as they are: the images show too few curves");
+    console->Say(
+        "WARNING: cameras stay as they are: the images show too few curves, or fewer with "
+        "refined cameras");
   }
 }
 

@@ -33,6 +33,8 @@ constexpr double kSettledPx = 0.7;
 constexpr int kMaxDrawings = 6;
 // With better cameras more of the images is drawn. If it is less than this share, they are not.
 constexpr double kLeastSeen = 0.97;
+// A drawing that shows less than this share of the edgels on image curves may be an accident.
+constexpr double kLeastShown = 0.05;
 
 // Gates of the rounds with one drawing.
 const std::vector<double> kCheckReaches = {2};
@@ -71,6 +73,15 @@ double SeenPx(const DrawingGraph& graph, const std::vector<View>& views) {
   return sum_px;
 }
 
+// Whether a drawing that shows so much of the images says something about their cameras.
+bool IsEnough(double seen_px, const PictureLevel& level) {
+  size_t num_edgels = 0;
+  for (const ImageCurves& curves : level.stored_curves) {
+    for (const CurveFragment& fragment : curves.fragments) num_edgels += fragment.edgel_ids.size();
+  }
+  return seen_px > kLeastShown * level.factor * static_cast<double>(num_edgels);
+}
+
 }  // namespace
 
 CameraRefiner::CameraRefiner(const CameraRefinementInput& input,
@@ -98,9 +109,8 @@ void CameraRefiner::RefineBySmallPictures() {
     }
   }
   Settle(first);
-  if (graph_.links.empty() || SeenPx(graph_, scene_.views) < kLeastSeen * given_px) {
-    return ReturnToGiven();
-  }
+  const double seen_px = SeenPx(graph_, scene_.views);
+  if (seen_px < kLeastSeen * given_px || !IsEnough(seen_px, first)) return ReturnToGiven();
   for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
   first_images_.clear();
   RefineAsStored(graph_, kStoredReaches, kOnce);
@@ -114,7 +124,7 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
     return RefineAsStored(graph, kOnce, kTwice);
   }
   given_px_ = seen_px;
-  if (graph.links.empty()) return;
+  if (!IsEnough(seen_px, stored_)) return;
   if (options_.refine_cameras == CameraRefinement::kAuto) {
     const double gain = Refine(graph, stored_, kCheckReaches).gain;
     ReturnToGiven();

@@ -1,0 +1,225 @@
+// What becomes of cameras that the images say little about: nothing gets worse, and the words are
+// clear.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "colmap_ext/model/model_writer.h"
+#include "colmap_ext/temp_dir.h"
+#include "colmap_ext/workspace/model_folder.h"
+#include "end_to_end/run_limn.h"
+
+namespace limn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using colmap_ext::SparseModel;
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
+constexpr double kFocal = 500;
+
+const Eigen::Matrix3d& Intrinsics() {
+  static const Eigen::Matrix3d k = Eigen::Matrix3d{
+      {kFocal, 0, kWidth / 2.0}, {0, kFocal, kHeight / 2.0}, {0, 0, 1}};
+  return k;
+}
+
+// A camera at `center` that looks at the origin.
+Rigid3d LookingAtOrigin(const Eigen::Vector3d& center) {
+  const Eigen::Vector3d forward = -center.normalized();
+  const Eigen::Vector3d right = Eigen::Vector3d::UnitY().cross(forward).normalized();
+  Eigen::Matrix3d rotation;
+  rotation << right.transpose(), forward.cross(right).transpose(), forward.transpose();
+  const Eigen::Quaterniond turn(rotation);
+  return {turn, -(turn * center)};
+}
+
+std::string NameOf(size_t image) { return "view_" + std::to_string(image) + ".png"; }
+
+// A model of these cameras, without points.
+SparseModel ModelOf(const std::vector<Rigid3d>& poses) {
+  SparseModel model;
+  colmap_ext::Camera camera;
+  camera.id = 1;
+  camera.width = kWidth;
+  camera.height = kHeight;
+  camera.params = {kFocal, kFocal, kWidth / 2.0, kHeight / 2.0};
+  model.cameras.push_back(camera);
+  for (size_t i = 0; i < poses.size(); ++i) {
+    model.images.push_back({static_cast<uint32_t>(i + 1), poses[i], 1, NameOf(i), {}});
+  }
+  return model;
+}
+
+cv::Mat Photo() { return cv::imread(LIMN_SAMPLE_DIR "/day/images/view_00.jpg"); }
+
+// The photograph warped by a map of its pixels to those of an image, both in homogeneous
+// coordinates.
+cv::Mat Warped(const cv::Mat& photo, const Eigen::Matrix3d& map) {
+  cv::Matx33d of_pixels;
+  for (int i = 0; i < 9; ++i) of_pixels(i / 3, i % 3) = map(i / 3, i % 3);
+  cv::Mat image;
+  cv::warpPerspective(photo, image, of_pixels, {kWidth, kHeight}, cv::INTER_AREA,
+                      cv::BORDER_REFLECT);
+  return image;
+}
+
+// A photograph, 2 wide, on the plane z = 0.
+cv::Mat PictureOnPlane(const Rigid3d& pose) {
+  const cv::Mat photo = Photo();
+  const double size = 2.0 / photo.cols;
+  const Eigen::Matrix3d plane_from_photo{
+      {size, 0, -1}, {0, size, -0.5 * size * photo.rows}, {0, 0, 1}};
+  Eigen::Matrix3d camera_from_plane = pose.rotation.toRotationMatrix();
+  camera_from_plane.col(2) = pose.translation;
+  return Warped(photo, Intrinsics() * camera_from_plane * plane_from_photo);
+}
+
+std::vector<Rigid3d> PosesAroundPlane() {
+  std::vector<Rigid3d> poses;
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.25 * M_PI * i;
+    poses.push_back(LookingAtOrigin({1.2 * std::cos(angle), 0.9 * std::sin(angle), -2}));
+  }
+  return poses;
+}
+
+std::vector<Rigid3d> Turned(std::vector<Rigid3d> poses, double rad) {
+  for (size_t i = 0; i < poses.size(); ++i) {
+    Rigid3d turn;
+    turn.rotation = Eigen::AngleAxisd(i % 2 == 0 ? rad : -rad, Eigen::Vector3d::UnitX());
+    poses[i] = turn * poses[i];
+  }
+  return poses;
+}
+
+class CameraRefiner : public ::testing::Test {
+ protected:
+  void Store(const SparseModel& model, const std::function<cv::Mat(size_t)>& image) const {
+    fs::create_directories(dir_ / "sparse");
+    fs::create_directories(dir_ / "images");
+    colmap_ext::WriteModelBinary(model, dir_ / "sparse");
+    for (size_t i = 0; i < model.images.size(); ++i) {
+      cv::imwrite((dir_ / "images" / NameOf(i)).string(), image(i));
+    }
+  }
+
+  std::string Refine(const std::string& how) const {
+    const LimnRun run =
+        RunLimn({"camera_refiner", "--workspace_path", dir_.path().string(), "--output_path",
+                 (dir_ / "out").string(), "--refine_cameras", how, "--overwrite", "1"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out;
+  }
+
+  std::vector<Rigid3d> RefinedPoses() const {
+    std::vector<Rigid3d> poses;
+    for (const auto& image : colmap_ext::ReadModel(dir_ / "out/refined").images) {
+      poses.push_back(image.cam_from_world);
+    }
+    return poses;
+  }
+
+  void ExpectLeft(const std::vector<Rigid3d>& given) const {
+    const std::vector<Rigid3d> left = RefinedPoses();
+    ASSERT_EQ(left.size(), given.size());
+    for (size_t i = 0; i < left.size(); ++i) {
+      EXPECT_EQ(left[i].translation, given[i].translation) << i;
+    }
+  }
+
+  TempDir dir_;
+};
+
+// The largest angle by which rotations between images differ.
+double RotationError(const std::vector<Rigid3d>& poses, const std::vector<Rigid3d>& truth) {
+  double largest = 0;
+  for (size_t i = 1; i < poses.size(); ++i) {
+    const auto turn = [&](const std::vector<Rigid3d>& of) {
+      return of[i].rotation * of[0].rotation.conjugate();
+    };
+    largest = std::max(largest, turn(poses).angularDistance(turn(truth)));
+  }
+  return largest;
+}
+
+TEST_F(CameraRefiner, PlanarScene) {
+  const std::vector<Rigid3d> truth = PosesAroundPlane();
+  const std::vector<Rigid3d> given = Turned(truth, 0.002);
+  Store(ModelOf(given), [&](size_t i) { return PictureOnPlane(truth[i]); });
+  EXPECT_THAT(Refine("auto"), HasSubstr("Cameras refined: "));
+  EXPECT_LT(RotationError(RefinedPoses(), truth), 0.5 * RotationError(given, truth));
+}
+
+TEST_F(CameraRefiner, OneImageSeesNothing) {
+  const std::vector<Rigid3d> truth = PosesAroundPlane();
+  const std::vector<Rigid3d> given = Turned(truth, 0.002);
+  Store(ModelOf(given), [&](size_t i) {
+    return i == 3 ? cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar(90, 90, 90))
+                  : PictureOnPlane(truth[i]);
+  });
+  EXPECT_THAT(Refine("auto"), HasSubstr("1 of 8 images show no curve that others show"));
+  // It is where it was, while the others have moved.
+  const std::vector<Rigid3d> refined = RefinedPoses();
+  EXPECT_LT(refined[3].rotation.angularDistance(given[3].rotation), 0.002);
+  EXPECT_LT(RotationError({refined[0], refined[1], refined[2], refined[4]},
+                          {truth[0], truth[1], truth[2], truth[4]}),
+            0.5 * RotationError(given, truth));
+}
+
+TEST_F(CameraRefiner, NoCurves) {
+  const std::vector<Rigid3d> given = PosesAroundPlane();
+  Store(ModelOf(given),
+        [](size_t i) { return cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar::all(90.0 + i)); });
+  EXPECT_THAT(Refine("auto"), HasSubstr("Cameras are left as they are"));
+  EXPECT_THAT(Refine("1"), HasSubstr("the images show too few curves"));
+  ExpectLeft(given);
+}
+
+// All but the same center: curves have no depth.
+TEST_F(CameraRefiner, PureRotation) {
+  std::vector<Rigid3d> truth;
+  for (int i = 0; i < 6; ++i) {
+    Rigid3d pose;
+    pose.rotation = Eigen::AngleAxisd(0.04 * i, Eigen::Vector3d(0.3, 1, 0).normalized());
+    pose.translation.x() = 1e-4 * i;
+    truth.push_back(pose);
+  }
+  const std::vector<Rigid3d> given = Turned(truth, 0.002);
+  const Eigen::Matrix3d center{{1, 0, -100}, {0, 1, 0}, {0, 0, 1}};
+  Store(ModelOf(given), [&](size_t i) {
+    const Eigen::Matrix3d turn = truth[i].rotation.toRotationMatrix();
+    return Warped(Photo(), Intrinsics() * turn * Intrinsics().inverse() * center);
+  });
+  EXPECT_THAT(Refine("1"), HasSubstr("the images show too few curves"));
+  ExpectLeft(given);
+}
+
+TEST_F(CameraRefiner, FewImages) {
+  for (const size_t count : {3, 4}) {
+    std::vector<Rigid3d> truth = PosesAroundPlane();
+    truth.resize(count);
+    const std::vector<Rigid3d> given = Turned(truth, 0.002);
+    fs::remove_all(dir_.path() / "images");
+    Store(ModelOf(given), [&](size_t i) { return PictureOnPlane(truth[i]); });
+    EXPECT_THAT(Refine("auto"), AnyOf(HasSubstr("Cameras refined: "),
+                                      HasSubstr("Cameras are left as they are")));
+    EXPECT_LT(RotationError(RefinedPoses(), truth), 1.01 * RotationError(given, truth)) << count;
+  }
+}
+
+}  // namespace
+}  // namespace limn::testing
