@@ -96,6 +96,15 @@ std::map<size_t, Rigid3d> HeldPoses(const ViewSet& set, const SparseModel& model
   return poses;
 }
 
+bool HasDenseResults(const std::filesystem::path& dense_dir) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (dense_dir.empty()) return false;
+  if (fs::exists(dense_dir / "fused.ply", ignored)) return true;
+  const fs::directory_iterator depth_maps(dense_dir / "stereo/depth_maps", ignored);
+  return depth_maps != fs::directory_iterator();
+}
+
 // Returns NameOfRefinedCameras.
 std::string WriteAndSay(SparseModel model, const Project& project, Console* console) {
   if (!HasTextNames(model)) model.flavor = ModelFlavor::kBinary;
@@ -191,6 +200,13 @@ std::string WriteRefinedModel(const Project& project, const std::optional<Refine
   FitRigs(moved, &model);
   WriteFileAtomically(project.CurvesPath(kChangesFile),
                       [&](std::ostream& out) { out << ChangesAsCsv(*cameras); });
+  const std::filesystem::path& dense_dir = project.layout().dense_dir;
+  if (HasDenseResults(dense_dir)) {
+    console->Say("WARNING: dense results in " + dense_dir.string() +
+                 " were made with the cameras as given, which are " +
+                 ShortNumber(cameras->median_move_px) +
+                 " px off (median): make them again with the refined ones");
+  }
   return WriteAndSay(model, project, console);
 }
 

@@ -32,8 +32,8 @@ constexpr int kHeight = 480;
 constexpr double kFocal = 500;
 
 const Eigen::Matrix3d& Intrinsics() {
-  static const Eigen::Matrix3d k = Eigen::Matrix3d{
-      {kFocal, 0, kWidth / 2.0}, {0, kFocal, kHeight / 2.0}, {0, 0, 1}};
+  static const Eigen::Matrix3d k =
+      Eigen::Matrix3d{{kFocal, 0, kWidth / 2.0}, {0, kFocal, kHeight / 2.0}, {0, 0, 1}};
   return k;
 }
 
@@ -215,8 +215,8 @@ TEST_F(CameraRefiner, FewImages) {
     const std::vector<Rigid3d> given = Turned(truth, 0.002);
     fs::remove_all(dir_.path() / "images");
     Store(ModelOf(given), [&](size_t i) { return PictureOnPlane(truth[i]); });
-    EXPECT_THAT(Refine("auto"), AnyOf(HasSubstr("Cameras refined: "),
-                                      HasSubstr("Cameras are left as they are")));
+    EXPECT_THAT(Refine("auto"),
+                AnyOf(HasSubstr("Cameras refined: "), HasSubstr("Cameras are left as they are")));
     EXPECT_LT(RotationError(RefinedPoses(), truth), 1.01 * RotationError(given, truth)) << count;
   }
 }
