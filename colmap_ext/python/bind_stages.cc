@@ -51,6 +51,14 @@ void BindStages(py::module_* module) {
                        [options](RunMonitor* monitor) { return DrawInFolder(options, monitor); });
       },
       py::arg("options"), py::arg("progress"));
+  module->def(
+      "refine_cameras_in_folder",
+      [](const OptionTexts& options, const py::object& progress) {
+        return RunFree(progress, [options](RunMonitor* monitor) {
+          return RefineCamerasInFolder(options, monitor);
+        });
+      },
+      py::arg("options"), py::arg("progress"));
   BindStage(module, "extract_edges", ExtractSceneEdges);
   BindStage(module, "link", LinkScene);
   BindStage(module, "sketch", SketchScene);

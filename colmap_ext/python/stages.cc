@@ -17,6 +17,7 @@
 #include "colmap_ext/verbs/extract_edges.h"
 #include "colmap_ext/verbs/sketch.h"
 #include "colmap_ext/verbs/trust.h"
+#include "colmap_ext/workspace/refined_folder.h"
 #include "limn/evaluation/report_writers.h"
 #include "limn/formats/write_drawing.h"
 #include "limn/util/errors.h"
@@ -244,6 +245,9 @@ std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> sce
       {.linking = true, .sketch = true, .drawing = true, .refinement = true, .tiles = true},
       options, {});
   DrawerOptions drawer;
+  // The scene keeps its cameras.
+  CameraRefinement& how = made.options.pipeline.refine_cameras;
+  if (how == CameraRefinement::kAuto) how = CameraRefinement::kOff;
   drawer.run = made.options;
   LibraryConsole console(made.options.num_threads, monitor);
   CheckSceneViews(scene->scene);
@@ -353,6 +357,17 @@ RunLog RunCommand(const std::string& command, const OptionTexts& options, RunMon
     return std::make_unique<CommandConsole>(num_threads, monitor, &log);
   });
   return log;
+}
+
+std::shared_ptr<OpenScene> RefineCamerasInFolder(const OptionTexts& options, RunMonitor* monitor) {
+  RunCommand("camera_refiner", options, monitor);
+  OptionTexts of_scene = OptionsOfScene(options);
+  const CommandLine line("open", of_scene);
+  RunOptions given;
+  ParseRunOptions("open", "", OptionsOfAllStages(), line.argc(), line.argv(), &given);
+  of_scene["image_path"] = ResolveLayout(given.layout).image_dir.string();
+  of_scene["input_path"] = (fs::path(options.at("output_path")) / kRefinedFolder).string();
+  return OpenWorkspace(of_scene, monitor);
 }
 
 std::shared_ptr<SceneDrawing> DrawInFolder(const OptionTexts& options, RunMonitor* monitor) {

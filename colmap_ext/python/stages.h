@@ -125,6 +125,9 @@ void SaveDrawing(const SceneDrawing& drawing, const std::string& path);
 // Throws OptionError if there is no such command.
 RunLog RunCommand(const std::string& command, const OptionTexts& options, RunMonitor* monitor);
 
+// camera_refiner, and the workspace with the refined model.
+std::shared_ptr<OpenScene> RefineCamerasInFolder(const OptionTexts& options, RunMonitor* monitor);
+
 // automatic_drawer, and its drawing read again, with its scene.
 std::shared_ptr<SceneDrawing> DrawInFolder(const OptionTexts& options, RunMonitor* monitor);
 

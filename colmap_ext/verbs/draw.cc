@@ -102,7 +102,8 @@ std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& opti
   auto result = DrawSceneOrTiles(input, tiles, job);
   if (!result) return std::nullopt;
   CheckGraph(result->graph);
-  if (how != CameraRefinement::kOff) SayCameras(result->cameras, set, how, job.console);
+  if (how != CameraRefinement::kOff && !result->new_views)
+    SayCameras(result->cameras, set, how, job.console);
   return ToDrawnScene(std::move(*result), job, IsInTiles(tiles, input.views));
 }
 
@@ -111,6 +112,7 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   const RunOptions& run = options.run;
   CheckRunOutputs(project, run);
   CheckSceneViews(project);
+  const std::string replaced_cameras = CamerasOfDrawing(project);
   const SceneAligner aligner(project, run.layout, options.align, console);
   auto drawn = DrawInMemory(JobOf(project, run, console), options);
   if (!drawn) return std::nullopt;
@@ -123,7 +125,6 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   }
   drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
   WriteDrawingResults(project, drawing, console, drawn->new_views);
-  RemoveOtherCameras(project, drawing.metadata, console);
   if (options.account) {
     WriteAccount(project,
                  {{drawing.views, *curves},
@@ -136,6 +137,7 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   const Trust trust = ReportTrust(project.view_set(), drawing, console);
   if (options.page) WritePageWithReport(project, drawing, run, trust, options.truth, console);
   drawn->keep();
+  RemoveOtherCameras(project, replaced_cameras, drawing.metadata, console);
   console->RepeatWarnings();
   return std::move(drawing.graph);
 }

@@ -38,6 +38,7 @@ std::vector<std::string> DrawSketchVerb::StartsFrom(const RunOptions& options) c
 
 void DrawSketchVerb::Run(const Project& project, const RunOptions& options, Console* console) {
   CheckDrawingFiles(project, options);
+  const std::string replaced_cameras = CamerasOfDrawing(project);
   const SceneAligner aligner(project, options.layout, align_, console);
   const Job job = JobOf(project, options, console);
   auto curves = SharedImageCurves(job);
@@ -49,7 +50,7 @@ void DrawSketchVerb::Run(const Project& project, const RunOptions& options, Cons
   drawing.metadata.refined_cameras = stored.metadata.refined_cameras;
   drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
   WriteDrawingResults(project, drawing, console);
-  RemoveOtherCameras(project, drawing.metadata, console);
+  RemoveOtherCameras(project, replaced_cameras, drawing.metadata, console);
   ReportTrust(project.view_set(), drawing, console);
   console->RepeatWarnings();
 }

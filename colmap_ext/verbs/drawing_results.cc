@@ -157,7 +157,7 @@ void CheckDrawingFiles(const Project& project, const RunOptions& options) {
   for (const char* name : {"drawing.ply", "drawing.obj", "drawing.html"}) {
     CheckResultFile(project.DrawingPath(name), options.overwrite);
   }
-  for (const char* name : {"tracks.txt", "account.csv", "cameras.csv", "project.ini"}) {
+  for (const char* name : {"tracks.txt", "account.csv", "project.ini"}) {
     CheckResultFile(project.CurvesPath(name), options.overwrite);
   }
   CheckPicturePaths(project);

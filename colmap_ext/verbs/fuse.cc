@@ -127,7 +127,7 @@ DrawingInScene FuseVerb::Apply(const Job& job, const DrawingInScene& given) {
     throw InputError("fuse: dense results belong to a project, not to a scene in memory");
   }
   dense_ = OpenDenseInput(job.scene, paths_, job.options.layout.workspace_path, job.console);
-  FusionResult result = FuseDrawing({job.views(), given.graph, dense_.depths,
+  FusionResult result = FuseDrawing({given.views, given.graph, dense_.depths,
                                      dense_.cloud ? std::optional(dense_.points) : std::nullopt},
                                     job.options.dense, job.context());
   job.console->Report(result.summary);

@@ -15,6 +15,11 @@ void RefineCamerasVerb::Run(const Project& project, const RunOptions& options, C
     throw OptionError("refine_cameras = 0: there is nothing else to do: auto or 1");
   }
   CheckRefinedFolder(project, options);
+  if (!options.overwrite && !CamerasOfDrawing(project).empty()) {
+    throw IoError(project.DrawingPath("drawing.json"),
+                  "fits the cameras in refined/: --overwrite 1 replaces them, --output_path writes "
+                  "elsewhere");
+  }
   CheckSceneViews(project);
   const Job job = JobOf(project, options, console);
   const std::string why_not = WhyCamerasStay(job);

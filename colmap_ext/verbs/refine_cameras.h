@@ -8,8 +8,12 @@ namespace limn::colmap_ext {
 class RefineCamerasVerb : public Verb {
  public:
   OptionGroups Groups() const override {
-    return {
-        .linking = true, .sketch = true, .drawing = true, .refinement = true, .overwrites = true};
+    return {.linking = true,
+            .sketch = true,
+            .drawing = true,
+            .refinement = true,
+            .tiles = true,
+            .overwrites = true};
   }
   void Run(const Project& project, const RunOptions& options, Console* console) override;
 };

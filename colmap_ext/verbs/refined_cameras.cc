@@ -136,6 +136,7 @@ void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set
 }
 
 bool ReadsRefinedFolder(const WorkspaceLayout& layout) {
+  if (layout.output.drawing_dir.empty()) return false;  // in memory
   std::error_code ignored;
   return std::filesystem::equivalent(layout.output.drawing_dir / kRefinedFolder, layout.model_dir,
                                      ignored);
@@ -145,19 +146,26 @@ std::string WhyCamerasStay(const Job& job) {
   const PipelineOptions& options = job.options.pipeline;
   const int max_views = options.tiles.max_views;
   if (options.IsPaper()) return "Drawing.method paper draws with the cameras as given";
-  if (NumRanks() > 1) return "not by several processes";
-  if (ReadsRefinedFolder(job.scene.layout())) {
-    return kWouldReplace;
-  }
+  if (NumRanks() > 1) return "several processes draw with the cameras as given: run one";
   if (job.scene.images().given_edges) {
-    return "needs edges of small pictures, but those of edges_path are of the images as stored";
+    return "this needs edges of small pictures, but those of edges_path are of the images as "
+           "stored: leave out edges_path";
   }
   if (job.scene.view_set().HasPanoramas()) {
-    return "not with EQUIRECTANGULAR images, which the model has";
+    return "not with EQUIRECTANGULAR images, which the model has: name the others in "
+           "image_list_path";
   }
   if (max_views > 0 && std::ssize(job.views()) > max_views) {
-    return "takes all views together, but more than Tiles.max_views = " +
-           std::to_string(max_views) + " are drawn in tiles";
+    return "this takes all views together, but more than Tiles.max_views = " +
+           std::to_string(max_views) + " are drawn in tiles: Tiles.max_views 0 draws none";
+  }
+  const WorkspaceLayout& layout = job.scene.layout();
+  if (layout.output.drawing_dir.empty()) return "";
+  if (ReadsRefinedFolder(layout)) return kWouldReplace;
+  try {
+    CheckRefinedFolder(layout.output.drawing_dir / kRefinedFolder, job.options.overwrite);
+  } catch (const IoError& error) {
+    return error.what();
   }
   return "";
 }
@@ -167,16 +175,16 @@ CameraRefinement CameraRefinementOf(const Job& job) {
   const std::string why_not = WhyCamerasStay(job);
   if (why_not.empty()) return how;
   if (how == CameraRefinement::kOn) throw OptionError(kIsOn + why_not);
+  if (how == CameraRefinement::kAuto) {
+    job.console->Say("Cameras are left as they are: " + why_not);
+  }
   return CameraRefinement::kOff;
 }
 
 void CheckRefinedFolder(const Project& project, const RunOptions& options) {
-  const CameraRefinement how = options.pipeline.refine_cameras;
-  if (how == CameraRefinement::kOff) return;
-  if (ReadsRefinedFolder(project.layout())) {
-    if (how == CameraRefinement::kOn) throw OptionError(kIsOn + std::string(kWouldReplace));
-    return;
-  }
+  CheckResultFile(project.CurvesPath(kChangesFile), options.overwrite);
+  if (options.pipeline.refine_cameras != CameraRefinement::kOn) return;
+  if (ReadsRefinedFolder(project.layout())) throw OptionError(kIsOn + std::string(kWouldReplace));
   CheckRefinedFolder(RefinedFolder(project), options.overwrite);
 }
 
@@ -215,8 +223,16 @@ void WriteGivenModel(const Project& project, Console* console) {
   RemoveChanges(project);
 }
 
-void RemoveOtherCameras(const Project& project, const DrawingMetadata& metadata, Console* console) {
-  if (!metadata.refined_cameras.empty() || ReadsRefinedFolder(project.layout())) return;
+std::string CamerasOfDrawing(const Project& project) {
+  return RefinedCamerasOf(project.DrawingPath("drawing.json"));
+}
+
+void RemoveOtherCameras(const Project& project, const std::string& replaced,
+                        const DrawingMetadata& metadata, Console* console) {
+  if (replaced.empty() || !metadata.refined_cameras.empty()) return;
+  if (ReadsRefinedFolder(project.layout())) return;
+  const std::string present = NameOfRefinedCameras(RefinedFolder(project));
+  if (!present.empty() && present != replaced) return;
   if (!RemoveRefinedFolder(RefinedFolder(project))) {
     console->Say("WARNING: " + RefinedFolder(project) +
                  " has files of a model that limn did not write, or that were changed since: they "

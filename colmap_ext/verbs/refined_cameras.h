@@ -13,7 +13,8 @@ namespace limn::colmap_ext {
 // Why the cameras of a job cannot be refined; empty if they can.
 std::string WhyCamerasStay(const Job& job);
 
-// Whether they are. Throws OptionError if it is on and not possible.
+// Whether they are; says why not if they could be off. Throws OptionError if it is on and not
+// possible.
 CameraRefinement CameraRefinementOf(const Job& job);
 
 // Says what has become of the cameras of the set, none = left as they are.
@@ -23,8 +24,8 @@ void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set
 // Whether the model that is read is the one that refined cameras are written to.
 bool ReadsRefinedFolder(const WorkspaceLayout& layout);
 
-// Call it before the work (it does nothing if cameras are never refined): throws IoError if
-// refined/, beside the drawing, has files that must not be replaced.
+// Call it before the work: throws IoError if curves/cameras.csv must not be replaced, nor, if
+// cameras are refined in any case, the files in refined/, beside the drawing.
 void CheckRefinedFolder(const Project& project, const RunOptions& options);
 
 // Writes refined/, in the flavor of the input model: that model with refined poses, parameters of
@@ -38,8 +39,13 @@ std::string WriteRefinedModel(const Project& project, const std::optional<Refine
 // Writes the model as it is to refined/, whose cameras need no refinement.
 void WriteGivenModel(const Project& project, Console* console);
 
-// Call it when the drawing is written: unless it fits refined cameras, removes those that limn
-// wrote for an earlier one. Warns of files in refined/ that are not limn's.
-void RemoveOtherCameras(const Project& project, const DrawingMetadata& metadata, Console* console);
+// The name of the refined cameras that drawing.json fits; empty if there is no such drawing.
+std::string CamerasOfDrawing(const Project& project);
+
+// Call it when the drawing is written, with the name of the refined cameras that the one it
+// replaced fitted: unless the new one fits refined cameras, removes those. Warns of files in
+// refined/ that are not limn's.
+void RemoveOtherCameras(const Project& project, const std::string& replaced,
+                        const DrawingMetadata& metadata, Console* console);
 
 }  // namespace limn::colmap_ext

@@ -8,6 +8,7 @@
 
 #include "colmap_ext/model/camera_calibration.h"
 #include "colmap_ext/workspace/model_folder.h"
+#include "limn/cameras/camera_scene.h"
 #include "limn/cameras/gauge.h"
 #include "limn/model/camera_rays.h"
 #include "limn/util/errors.h"
@@ -52,8 +53,8 @@ std::vector<View> WithCamerasOf(const std::string& model_path, const std::vector
     const Camera& camera = model.CameraOf(*image->second);
     if (camera.IsPanorama()) continue;
     view.cam_from_world = image->second->cam_from_world;
-    SetOptics(optics.Of(camera, view.camera), &view);
-    result.push_back(std::move(view));
+    const Optics& of_image = optics.Of(camera, view.camera);
+    result.push_back(WithOptics(std::move(view), of_image));
   }
   return result;
 }

@@ -175,6 +175,10 @@ std::string NameOfRefinedCameras(const fs::path& folder) {
 }
 
 std::string RefinedCamerasOf(const fs::path& result) {
+  // The same drawing, in a format without a place for the name.
+  if (result.filename() == "drawing.ply" || result.filename() == "drawing.obj") {
+    return RefinedCamerasOf(result.parent_path() / "drawing.json");
+  }
   return result.extension() == ".bin" ? RefinedCamerasOfSketch(result.string())
                                       : RefinedCamerasOfDrawing(result.string());
 }

@@ -87,7 +87,7 @@ def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = No
     on; for a scene or a sketch those that come after it. Writes nothing, unless `output_path` names a folder: then a
     project is drawn as by the command, including its options about files (overwrite, page, account,
     align, truth_path, ...). It resumes a stopped run, and writes drawing.json, drawing.html, overlays and so on there.
-    Its cameras are the refined ones, if refine_cameras has refined them.
+    Its cameras are the refined ones, if refine_cameras has refined them: by default only with `output_path`.
     """
     if isinstance(source, Sketch):
         _no_output(output_path, "a sketch")
@@ -121,9 +121,7 @@ def refine_cameras(workspace: Path, output_path: Path, *, progress: Progress = N
     those of automatic_drawer on images and on the algorithms.
     """
     texts = texts_of(options, workspace_path=workspace, output_path=output_path)
-    _limn.run("camera_refiner", texts, progress)
-    of_scene = {name: value for name, value in options.items() if name != "overwrite"}
-    return open(workspace, progress=progress, **{**of_scene, "input_path": os.path.join(output_path, "refined")})
+    return _limn.refine_cameras_in_folder(texts, progress)
 
 
 def regularize(drawing: Drawing, *, progress: Progress = None, **options: Any) -> Drawing:

@@ -48,9 +48,9 @@ class CameraRounds {
 
   CameraRoundsResult Run() {
     result_.of_view.resize(scene_.views.size());
-    for (const double reach : input_.reaches) {
-      const double gain = Round(reach);
-      if (reach == input_.reaches.front()) result_.gain = gain;
+    for (size_t i = 0; i < input_.reaches.size(); ++i) {
+      const double gain = Round(input_.reaches[i]);
+      if (i == 0) result_.gain = gain;
     }
     if (!input_.optics_reaches.empty()) RefineOptics();
     return std::move(result_);

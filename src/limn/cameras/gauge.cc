@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "limn/util/median.h"
 
@@ -67,6 +69,9 @@ class GaugeFinder {
         all_(given.size()),
         held_(held) {
     std::iota(all_.begin(), all_.end(), 0);
+    std::ranges::copy_if(all_, std::back_inserter(free_),
+                         [&](int v) { return std::ranges::count(held, v) == 0; });
+    if (free_.empty()) free_ = all_;
     for (const View& view : given) focals_.push_back(view.camera.MeanFocal());
   }
 
@@ -75,7 +80,7 @@ class GaugeFinder {
     Gauge gauge;
     gauge.given_from_refined = BestFor(still);
     gauge.moves_px = MovesPx(gauge.given_from_refined);
-    gauge.typical_move_px = Median(gauge.moves_px);
+    gauge.typical_move_px = MedianOfFree(gauge.moves_px);
     for (const int v : all_) {
       if (!std::ranges::binary_search(still, v)) gauge.moved_far.push_back({v, gauge.moves_px[v]});
     }
@@ -110,6 +115,13 @@ class GaugeFinder {
     return similarity.allFinite() ? Eigen::Affine3d(similarity) : Eigen::Affine3d::Identity();
   }
 
+  // Held cameras do not move at all.
+  double MedianOfFree(const std::vector<double>& moves) const {
+    std::vector<double> of_free;
+    for (const int v : free_) of_free.push_back(moves[v]);
+    return Median(std::move(of_free));
+  }
+
   // Per camera, how far it is from the given one after the similarity, px in the image of the
   // scene.
   std::vector<double> MovesPx(const Eigen::Affine3d& similarity) const {
@@ -131,14 +143,14 @@ class GaugeFinder {
     for (size_t i = 0; i < count; i += stride) {
       const int other = static_cast<int>((i + count / 2) % count);
       std::vector<double> moves = MovesPx(BestFor({static_cast<int>(i), other}));
-      if (best.empty() || Median(moves) < Median(best)) best = std::move(moves);
+      if (best.empty() || MedianOfFree(moves) < MedianOfFree(best)) best = std::move(moves);
     }
     std::vector<int> majority = all_;
     const auto middle = majority.begin() + static_cast<std::ptrdiff_t>(count / 2);
     std::ranges::nth_element(majority, middle, {}, [&](int v) { return best[v]; });
     majority.erase(middle + 1, majority.end());
     const std::vector<double> moves = MovesPx(BestFor(majority));
-    const double far = std::max(kMinFarMovePx, kFarMoveOfMedian * Median(moves));
+    const double far = std::max(kMinFarMovePx, kFarMoveOfMedian * MedianOfFree(moves));
     std::vector<int> still = all_;
     std::erase_if(still, [&](int v) { return moves[v] > far; });
     return still;
@@ -149,6 +161,7 @@ class GaugeFinder {
   Eigen::RowVectorXd arms_;
   std::vector<double> focals_;
   std::vector<int> all_;
+  std::vector<int> free_;  // not held, unless all are
   std::vector<ViewId> held_;
 };
 

@@ -23,7 +23,7 @@ namespace limn {
 // paper, without re-triangulation, completion, refinement or belief (ECCV 2016).
 enum class DrawingMethod { kTraced, kPaper };
 
-// Whether cameras are refined before the drawing: if it looks necessary, never, always.
+// Whether cameras are refined with the drawing: if it looks necessary, never, always.
 enum class CameraRefinement { kAuto, kOff, kOn };
 
 // The options of all stages from photographs to the drawing.

@@ -1,6 +1,7 @@
 #include "limn/pipeline/refine_cameras.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -93,13 +94,17 @@ CameraRefiner::CameraRefiner(const CameraRefinementInput& input,
       stored_{1, CurvesAsStored(curves)},
       scene_(MakeCameraScene(input.views, input.hints, input.mounts)),
       held_(HeldViews(input.mounts)),
-      first_factor_(FactorOf(input.views, kFirstSidePx)),
-      first_images_(input.views.size()) {}
+      first_factor_(FactorOf(input.views, kFirstSidePx)) {}
 
 void CameraRefiner::RefineBySmallPictures() {
+  first_images_.resize(input_.views.size());
+  LookAtSmallPictures();
+  first_images_.clear();
+}
+
+void CameraRefiner::LookAtSmallPictures() {
   const PictureLevel first = Extract(first_factor_);
   const FirstLook look = DrawAndRefine(first, kReaches);
-  const double given_px = SeenPx(graph_, scene_.views);
   if (look.gain < kGainOfOffWhenSmall) return ReturnToGiven();
   if (look.moved_px > kLostPx) {
     ReturnToGiven();
@@ -110,9 +115,8 @@ void CameraRefiner::RefineBySmallPictures() {
   }
   Settle(first);
   const double seen_px = SeenPx(graph_, scene_.views);
-  if (seen_px < kLeastSeen * given_px || !IsEnough(seen_px, first)) return ReturnToGiven();
+  if (seen_px < kLeastSeen * look.seen_px || !IsEnough(seen_px, first)) return ReturnToGiven();
   for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
-  first_images_.clear();
   RefineAsStored(graph_, kStoredReaches, kOnce);
 }
 
@@ -120,7 +124,7 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   graph_ = graph;
   const double seen_px = SeenPx(graph, scene_.views);
   if (have_moved_) {
-    if (seen_px < kLeastSeen * given_px_) return ReturnToGiven();
+    if (graph.links.empty() || seen_px < kLeastSeen * given_px_) return ReturnToGiven();
     return RefineAsStored(graph, kOnce, kTwice);
   }
   given_px_ = seen_px;
@@ -196,9 +200,10 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
                                                       const std::vector<double>& reaches) {
   Draw(level);
   const std::vector<View> before = scene_.views;
+  const double seen_px = SeenPx(graph_, before);
   const CameraRoundsResult rounds = Refine(graph_, level, reaches);
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
-  return {rounds.gain, gauge.typical_move_px / level.factor};
+  return {rounds.gain, gauge.typical_move_px / level.factor, seen_px};
 }
 
 void CameraRefiner::Settle(const PictureLevel& level) {
@@ -240,6 +245,8 @@ void CameraRefiner::FixGauge() {
     by_rays[v] = WithRaysInOpticsOf(input_.views[v], std::move(by_rays[v]));
   }
   gauge_ = FindGauge(input_.views, by_rays, MiddleOfScene(), held_);
+  const double scale = std::cbrt(gauge_.given_from_refined.linear().determinant());
+  for (CameraMount& mount : scene_.mounts.of_view) mount.view_from_body.translation *= scale;
   scene_.views = InGivenFrame(input_.views, scene_.views, gauge_, held_);
   for (SeenPoint& point : scene_.points) {
     if (point.is_fitted) point.position = gauge_.given_from_refined * point.position;

@@ -81,8 +81,10 @@ class CameraRefiner {
   struct FirstLook {
     double gain = 0;
     double moved_px = 0;  // of the pictures
+    double seen_px = 0;   // of the images as stored, that the drawing shows
   };
 
+  void LookAtSmallPictures();
   PictureLevel Extract(int factor);
   Image ReadShrunk(ViewId id, int factor);
   void Draw(const PictureLevel& level);
@@ -105,8 +107,8 @@ class CameraRefiner {
   CameraScene scene_;
   const std::vector<ViewId> held_;
   const int first_factor_;
-  std::vector<std::optional<Image>> first_images_;
-  DrawingGraph graph_;  // the last drawing
+  std::vector<std::optional<Image>> first_images_;  // while small pictures are made
+  DrawingGraph graph_;                              // the last drawing
   CameraRoundsResult last_;
   Gauge gauge_;
   bool have_moved_ = false;
