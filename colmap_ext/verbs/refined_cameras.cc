@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "colmap_ext/dense_files/products.h"
 #include "colmap_ext/host/ranks.h"
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/model/model_writer.h"
@@ -94,15 +95,6 @@ std::map<size_t, Rigid3d> HeldPoses(const ViewSet& set, const SparseModel& model
     poses.emplace(image, model.images[image].cam_from_world);
   }
   return poses;
-}
-
-bool HasDenseResults(const std::filesystem::path& dense_dir) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (dense_dir.empty()) return false;
-  if (fs::exists(dense_dir / "fused.ply", ignored)) return true;
-  const fs::directory_iterator depth_maps(dense_dir / "stereo/depth_maps", ignored);
-  return depth_maps != fs::directory_iterator();
 }
 
 // Returns NameOfRefinedCameras.
@@ -208,9 +200,8 @@ std::string WriteRefinedModel(const Project& project, const std::optional<Refine
   FitRigs(moved, &model);
   WriteFileAtomically(project.CurvesPath(kChangesFile),
                       [&](std::ostream& out) { out << ChangesAsCsv(*cameras); });
-  const std::filesystem::path& dense_dir = project.layout().dense_dir;
-  if (HasDenseResults(dense_dir)) {
-    console->Say("WARNING: dense results in " + dense_dir.string() +
+  if (const auto dense = LookForDenseProducts({}, {}, project.layout().dense_dir)) {
+    console->Say("WARNING: dense results in " + dense->path.string() +
                  " were made with the cameras as given, which are " +
                  ShortNumber(cameras->median_move_px) +
                  " px off (median): make them again with the refined ones");
