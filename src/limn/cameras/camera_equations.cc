@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -11,8 +12,8 @@ namespace limn {
 namespace {
 
 // Standard deviations of what is held, px in the images.
-constexpr double kCameraSigmaPx = 10;
-constexpr double kLandmarkSigmaPx = 10;
+constexpr double kCameraSigmaPx = 30;
+constexpr double kLandmarkSigmaPx = 30;
 // Sums are made in parts, whose number depends on the problem alone.
 constexpr int kMaxParts = 16;
 constexpr double kMaxNumbersInParts = 2e7;
@@ -46,6 +47,9 @@ struct CameraEquations::Row {
   Vector6d by_body = Vector6d::Zero();
   ParameterRow by_parameters = {};
   Eigen::Vector3d by_landmark = Eigen::Vector3d::Zero();
+  // Once the landmark is eliminated: the residual that is left, and L^-1 by_landmark.
+  double residual_left = 0;
+  Eigen::Vector3d reduced = Eigen::Vector3d::Zero();
 };
 
 // The equations of one landmark.
@@ -73,6 +77,14 @@ CameraEquations::CameraEquations(const CameraFitInput& input, const RunContext& 
     per_sigma_[body] << Eigen::Vector3d::Constant(focal / kCameraSigmaPx),
         Eigen::Vector3d::Constant(focal / kCameraSigmaPx / input.distances[body]);
   }
+}
+
+Eigen::VectorXd CameraEquations::BodiesPerSigma() const {
+  Eigen::VectorXd per_sigma = Eigen::VectorXd::Zero(size_);
+  for (size_t b = 0; b < body_at_.size(); ++b) {
+    if (body_at_[b] >= 0) per_sigma.segment<6>(body_at_[b]) = per_sigma_[b];
+  }
+  return per_sigma;
 }
 
 CameraState CameraEquations::Start() const {
@@ -124,12 +136,23 @@ double CameraEquations::LandmarkCost(const CameraState& state, const std::vector
   return cost;
 }
 
-double CameraEquations::Cost(const CameraState& state) const {
+// Of those that count.
+template <typename Counts>
+double CameraEquations::LandmarksCost(const CameraState& state, const Counts& counts) const {
   const std::vector<Rigid3d> poses = ViewPoses(state);
   std::vector<double> parts(NumParts(), 0);
-  ForLandmarks([&](size_t part, size_t l) { parts[part] += LandmarkCost(state, poses, l); });
-  double sum = 0;
-  for (const double part : parts) sum += part;
+  ForLandmarks([&](size_t part, size_t l) {
+    if (counts(landmarks_[l])) parts[part] += LandmarkCost(state, poses, l);
+  });
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+double CameraEquations::CurveCost(const CameraState& state) const {
+  return LandmarksCost(state, [](const Landmark& landmark) { return landmark.curve >= 0; });
+}
+
+double CameraEquations::Cost(const CameraState& state) const {
+  double sum = LandmarksCost(state, [](const Landmark&) { return true; });
   for (size_t b = 0; b < body_at_.size(); ++b) {
     if (body_at_[b] >= 0) sum += HeldMotion(state, b).squaredNorm();
   }
@@ -183,6 +206,35 @@ void CameraEquations::FillBlock(const CameraState& state, const std::vector<Rigi
   }
 }
 
+// With the Cholesky factor L of the landmark's own equations, rows lose the part that its motion
+// explains: row_i - sum_j (L^-1 l_i) . (L^-1 l_j) row_j.
+void CameraEquations::Eliminate(Block* block) {
+  const Eigen::LLT<Eigen::Matrix3d> factor(block->normal);
+  const Eigen::Vector3d gradient = factor.matrixL().solve(block->gradient);
+  for (Row& row : block->rows) {
+    row.reduced = factor.matrixL().solve(row.by_landmark);
+    row.residual_left = row.residual - row.reduced.dot(gradient);
+  }
+}
+
+void CameraEquations::AddGradient(const Block& block, Eigen::VectorXd* gradient) {
+  for (const Row& row : block.rows) {
+    if (row.body_at >= 0) gradient->segment<6>(row.body_at) += row.residual_left * row.by_body;
+    if (row.camera_at < 0) continue;
+    gradient->segment(row.camera_at, row.by_parameters.size()) +=
+        row.residual_left * row.by_parameters.transpose();
+  }
+}
+
+void CameraEquations::AddNormal(const Block& block, Eigen::MatrixXd* normal) {
+  for (size_t i = 0; i < block.rows.size(); ++i) {
+    for (size_t j = 0; j < block.rows.size(); ++j) {
+      const double product = (i == j ? 1 : 0) - block.rows[i].reduced.dot(block.rows[j].reduced);
+      AddProduct(product, block.rows[i], block.rows[j], normal);
+    }
+  }
+}
+
 void CameraEquations::AddProduct(double factor, const Row& a, const Row& b,
                                  Eigen::MatrixXd* normal) {
   if (a.body_at >= 0 && b.body_at >= 0 && a.body_at <= b.body_at) {
@@ -196,29 +248,6 @@ void CameraEquations::AddProduct(double factor, const Row& a, const Row& b,
   if (a.camera_at >= 0 && a.camera_at <= b.camera_at) {
     normal->block(a.camera_at, b.camera_at, a.by_parameters.size(), size) +=
         (factor * a.by_parameters).transpose() * b.by_parameters;
-  }
-}
-
-// With the Cholesky factor L of the landmark's own equations, rows lose the part that its motion
-// explains: row_i - sum_j (L^-1 l_i) . (L^-1 l_j) row_j.
-void CameraEquations::Eliminate(const Block& block, CameraSystem* system) {
-  const Eigen::LLT<Eigen::Matrix3d> factor(block.normal);
-  const Eigen::Vector3d gradient = factor.matrixL().solve(block.gradient);
-  std::vector<Eigen::Vector3d> reduced;
-  reduced.reserve(block.rows.size());
-  for (const Row& row : block.rows) reduced.push_back(factor.matrixL().solve(row.by_landmark));
-  for (size_t i = 0; i < block.rows.size(); ++i) {
-    const Row& row = block.rows[i];
-    const double residual = row.residual - reduced[i].dot(gradient);
-    if (row.body_at >= 0) system->gradient.segment<6>(row.body_at) += residual * row.by_body;
-    if (row.camera_at >= 0) {
-      system->gradient.segment(row.camera_at, row.by_parameters.size()) +=
-          residual * row.by_parameters.transpose();
-    }
-    for (size_t j = 0; j < block.rows.size(); ++j) {
-      const double product = (i == j ? 1 : 0) - reduced[i].dot(reduced[j]);
-      AddProduct(product, row, block.rows[j], &system->normal);
-    }
   }
 }
 
@@ -243,7 +272,9 @@ CameraSystem CameraEquations::Linearize(const CameraState& state) const {
   std::vector<Block> blocks(parts.size());
   ForLandmarks([&](size_t part, size_t l) {
     FillBlock(state, poses, l, &blocks[part]);
-    Eliminate(blocks[part], &parts[part]);
+    Eliminate(&blocks[part]);
+    AddGradient(blocks[part], &parts[part].gradient);
+    AddNormal(blocks[part], &parts[part].normal);
   });
   CameraSystem system = std::move(parts.front());
   for (size_t part = 1; part < parts.size(); ++part) {
@@ -252,6 +283,42 @@ CameraSystem CameraEquations::Linearize(const CameraState& state) const {
   }
   AddHolds(state, &system);
   return system;
+}
+
+Eigen::MatrixXd CameraEquations::Scatter(const CameraState& state) const {
+  struct Part {
+    Block block;
+    int curve = -1;
+    Eigen::VectorXd gradient;  // of the curve so far
+    Eigen::MatrixXd sum;
+    void EndCurve() {
+      sum.selfadjointView<Eigen::Upper>().rankUpdate(gradient);
+      gradient.setZero();
+    }
+  };
+  const std::vector<Rigid3d> poses = ViewPoses(state);
+  std::vector<Part> parts(NumParts());
+  for (Part& part : parts) {
+    part.gradient.setZero(size_);
+    part.sum.setZero(size_, size_);
+  }
+  ForLandmarks([&](size_t p, size_t l) {
+    Part& part = parts[p];
+    if (const int curve = landmarks_[l].curve; curve < 0 || curve != part.curve) {
+      part.EndCurve();
+      part.curve = curve;
+    }
+    FillBlock(state, poses, l, &part.block);
+    Eliminate(&part.block);
+    AddGradient(part.block, &part.gradient);
+  });
+  CameraSystem system = {Eigen::MatrixXd::Zero(size_, size_), Eigen::VectorXd::Zero(size_)};
+  AddHolds(Start(), &system);
+  for (Part& part : parts) {
+    part.EndCurve();
+    system.normal += part.sum;
+  }
+  return system.normal;
 }
 
 CameraState CameraEquations::After(const CameraState& state, const Eigen::VectorXd& step) const {

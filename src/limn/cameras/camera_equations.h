@@ -33,14 +33,24 @@ class CameraEquations {
 
   CameraState Start() const;
   double Cost(const CameraState& state) const;
+  // Of landmarks on curves alone.
+  double CurveCost(const CameraState& state) const;
   // Without the landmarks, which are eliminated.
   CameraSystem Linearize(const CameraState& state) const;
+  // Sum over curves of the squares of their gradients, and of the holds: upper triangle. What a
+  // curve adds to the gradient at the minimum is chance, and as large as that of its edgels
+  // together, which err together.
+  Eigen::MatrixXd Scatter(const CameraState& state) const;
   // The state after a step of bodies and parameters, and the steps of landmarks that go with it.
   CameraState After(const CameraState& state, const Eigen::VectorXd& step) const;
 
   int size() const { return size_; }
   // Per body its first unknown; -1 = held.
   const std::vector<int>& body_at() const { return body_at_; }
+  // Per camera that is adjusted its first unknown.
+  const std::map<int, int>& camera_at() const { return camera_at_; }
+  // Per unknown of bodies, standard deviations of the holds per unit; 0 for parameters.
+  Eigen::VectorXd BodiesPerSigma() const;
 
  private:
   struct Row;
@@ -49,10 +59,14 @@ class CameraEquations {
   int NumParts() const;
   template <typename Visit>
   void ForLandmarks(const Visit& visit) const;
+  template <typename Counts>
+  double LandmarksCost(const CameraState& state, const Counts& counts) const;
   double LandmarkCost(const CameraState& state, const std::vector<Rigid3d>& poses, size_t l) const;
   void FillBlock(const CameraState& state, const std::vector<Rigid3d>& poses, size_t l,
                  Block* block) const;
-  static void Eliminate(const Block& block, CameraSystem* system);
+  static void Eliminate(Block* block);
+  static void AddGradient(const Block& block, Eigen::VectorXd* gradient);
+  static void AddNormal(const Block& block, Eigen::MatrixXd* normal);
   static void AddProduct(double factor, const Row& a, const Row& b, Eigen::MatrixXd* normal);
   void AddHolds(const CameraState& state, CameraSystem* system) const;
   // Motion from the given pose, in standard deviations.

@@ -77,20 +77,19 @@ std::optional<CameraFitResult> FitCameras(const CameraFitInput& input, const Run
                                           std::vector<Landmark>* landmarks) {
   const CameraEquations equations(input, context, *landmarks);
   Descent descent(equations);
-  const double cost_of_given = descent.cost();
+  const double cost_of_given = equations.CurveCost(descent.state());
   for (int i = 0; i < kMaxIterations; ++i) {
     ThrowIfCancelled(context);
     if (!descent.Improve()) break;
   }
   if (!std::isfinite(descent.cost())) return std::nullopt;
-  const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper> factor(
-      equations.Linearize(descent.state()).normal);
-  if (factor.info() != Eigen::Success) return std::nullopt;
   CameraFitResult result;
-  if (cost_of_given > 0) result.gain = 1 - descent.cost() / cost_of_given;
-  const auto size = factor.rows();
-  result.covariance = factor.solve(Eigen::MatrixXd::Identity(size, size));
-  result.covariance_at = equations.body_at();
+  if (cost_of_given > 0) {
+    result.gain = 1 - equations.CurveCost(descent.state()) / cost_of_given;
+  }
+  if (input.with_covariance) {
+    result.covariance = CovarianceOfCameras(equations, descent.state());
+  }
   result.body_poses = descent.state().body_poses;
   result.parameters = descent.state().parameters;
   for (size_t l = 0; l < landmarks->size(); ++l) {

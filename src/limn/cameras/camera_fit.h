@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "limn/cameras/camera_covariance.h"
 #include "limn/cameras/camera_problem.h"
 #include "limn/geometry/rigid3.h"
 #include "limn/util/parallel.h"
@@ -15,14 +16,10 @@ namespace limn {
 struct CameraFitResult {
   std::vector<Rigid3d> body_poses;
   std::map<int, Eigen::VectorXd> parameters;  // as in the input
-  // Share of the cost that the motion of the cameras explains: what is left after that of the
-  // landmarks alone, and does not remain.
+  // Share of the cost of curves that the motion of the cameras explains: what is left after that of
+  // the landmarks alone, and does not remain. Below 0 if points gain what curves lose.
   double gain = 0;
-  // Covariances of the motions of bodies that are not held (a turn about their axes, rad, and a
-  // shift, world units; one after the other), with all else unknown, as far as the holds determine
-  // place, orientation and scale of the whole.
-  Eigen::MatrixXd covariance;
-  std::vector<int> covariance_at;  // per body its first row; -1: held
+  std::optional<CameraCovariance> covariance;  // if the input asks for it
 };
 
 // Moves bodies, parameters of cameras and landmarks to minimize

@@ -15,6 +15,8 @@
 namespace limn {
 namespace {
 
+// Edgels of a curve err together: so many of them, one next to the other, count as one.
+constexpr double kEdgelsPerPoint = 30;
 constexpr double kPointSigmaPx = 0.5;
 constexpr double kPointRobustPx = 1;
 // Some ray to a point must differ from the mean ray by this angle.
@@ -101,11 +103,13 @@ std::vector<Landmark> CurveLandmarks(const LandmarkInput& input, const ControlGr
   const size_t stride = CountPulls(control) / max_lines + 1;
   std::vector<Landmark> landmarks;
   size_t count = 0;
-  for (const ControlLink& link : control.links) {
+  for (size_t l = 0; l < control.links.size(); ++l) {
+    const ControlLink& link = control.links[l];
     if (link.frozen) continue;
     for (const FitSample& sample : link.samples) {
       if (sample.pulls.empty() || count++ % stride > 0) continue;
-      landmarks.push_back(LandmarkOf(input, control, link, sample, static_cast<double>(stride)));
+      landmarks.push_back(LandmarkOf(input, control, link, sample, static_cast<double>(stride) / kEdgelsPerPoint));
+      landmarks.back().curve = static_cast<int>(l);
     }
   }
   return landmarks;

@@ -29,6 +29,7 @@ struct Landmark {
   // How it can move, a column each, world units per px: in all directions, or across a curve.
   Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3> ways;
   double robust_px = 0.5;  // scale of the Cauchy loss
+  int curve = -1;          // whose landmarks follow one another; -1: none
   std::vector<LandmarkLine> lines;
 };
 
@@ -42,6 +43,7 @@ struct CameraFitInput {
   // Per camera that is adjusted, how far its parameters are from the given ones. Each is counted in
   // px: by how much it moves the border of an image.
   std::map<int, Eigen::VectorXd> parameters;
+  bool with_covariance = false;
 };
 
 }  // namespace limn

@@ -11,6 +11,7 @@
 
 #include "limn/cameras/camera_fit.h"
 #include "limn/cameras/camera_landmarks.h"
+#include "limn/cameras/camera_uncertainty.h"
 #include "limn/geometry/median_point.h"
 #include "limn/model/shrunk.h"
 #include "limn/refinement/curve_fit.h"
@@ -26,8 +27,8 @@ namespace {
 
 // Of the curves, in one fit, about.
 constexpr size_t kMaxLines = 60'000;
-// The optics begin to be refined if that explains this share of the cost that poses leave.
-constexpr double kGainOfOptics = 0.015;
+// The optics begin to be refined if they move with at least this evidence (EvidenceOfOptics).
+constexpr double kLeastEvidence = 20;
 
 class CameraRounds {
  public:
@@ -49,25 +50,30 @@ class CameraRounds {
   CameraRoundsResult Run() {
     result_.of_view.resize(scene_.views.size());
     for (size_t i = 0; i < input_.reaches.size(); ++i) {
-      const double gain = Round(input_.reaches[i]);
-      if (i == 0) result_.gain = gain;
+      const Outcome outcome = Round(input_.reaches[i], i + 1 == input_.reaches.size());
+      if (i == 0) result_.gain = outcome.gain;
     }
     if (!input_.optics_reaches.empty()) RefineOptics();
     return std::move(result_);
   }
 
  private:
+  struct Outcome {
+    double gain = 0;
+    double evidence_of_optics = 0;
+  };
+
   void RefineOptics() {
     per_px_ = ParametersPerPx(scene_.given);
     const CameraScene posed = scene_;
     const bool are_refined =
         !std::ranges::equal(scene_.views, scene_.given, {}, &View::calibration, &View::calibration);
-    const std::vector<CameraEvidence> of_poses = result_.of_view;
+    const CameraRoundsResult of_poses = result_;
     for (size_t i = 0; i < input_.optics_reaches.size(); ++i) {
-      const double gain = Round(input_.optics_reaches[i]);
-      if (i > 0 || are_refined || gain > kGainOfOptics) continue;
+      const Outcome outcome = Round(input_.optics_reaches[i], true);
+      if (i > 0 || are_refined || outcome.evidence_of_optics > kLeastEvidence) continue;
       scene_ = posed;
-      result_.of_view = of_poses;
+      result_ = of_poses;
       return;
     }
   }
@@ -79,8 +85,8 @@ class CameraRounds {
     edgels_ = BuildViewEdgels(curves_, context_);
   }
 
-  // Returns the gain; without a solution 0.
-  double Round(double reach) {
+  // Nothing has moved, and nothing is gained, without a solution.
+  Outcome Round(double reach, bool with_certainty) {
     if (has_fitted_) FitCurvesAgain();
     Match(reach);
     MeasureResiduals();
@@ -90,11 +96,12 @@ class CameraRounds {
     PointLandmarks of_points = LandmarksOfPoints(input, scene_.points);
     const size_t num_on_curves = landmarks.size();
     std::ranges::move(of_points.landmarks, std::back_inserter(landmarks));
-    if (landmarks.empty()) return 0;
+    if (landmarks.empty()) return {};
     const Eigen::Vector3d middle = MiddleOf(landmarks);
-    const CameraFitInput fit_input = InputOfFit(middle);
+    CameraFitInput fit_input = InputOfFit(middle);
+    fit_input.with_covariance = with_certainty;
     const auto fit = FitCameras(fit_input, context_, &landmarks);
-    if (!fit) return 0;
+    if (!fit) return {};
     has_fitted_ = true;
     for (size_t i = 0; i < of_points.points.size(); ++i) {
       SeenPoint& point = scene_.points[of_points.points[i]];
@@ -103,9 +110,13 @@ class CameraRounds {
     }
     if (!per_px_.empty()) ShiftPulls(input, fit_input, *fit);
     TakePoses(*fit);
-    MeasureCertainty(*fit, middle);
     TakeOptics(*fit);
-    return num_on_curves > 0 ? fit->gain : 0;
+    Outcome outcome{num_on_curves > 0 ? fit->gain : 0, 0};
+    if (fit->covariance) {
+      outcome.evidence_of_optics = EvidenceOfOptics(*fit->covariance, fit->parameters);
+      MeasureCertainty(*fit->covariance, middle);
+    }
+    return outcome;
   }
 
   // Under the cameras of the last round.
@@ -204,22 +215,12 @@ class CameraRounds {
     }
   }
 
-  // Of the image of the middle of the scene: the motion of the camera with everything else.
-  void MeasureCertainty(const CameraFitResult& fit, const Eigen::Vector3d& middle) {
+  // Of the image of the middle of the scene.
+  void MeasureCertainty(CameraCovariance covariance, const Eigen::Vector3d& middle) {
+    result_.uncertainty = {std::move(covariance), 1, scene_.mounts, per_px_};
     for (size_t v = 0; v < scene_.views.size(); ++v) {
-      const CameraMount& mount = scene_.mounts.of_view[v];
-      const int at = fit.covariance_at[mount.body];
-      if (at < 0) continue;
-      const Eigen::Vector3d point = fit.body_poses[mount.body] * middle;
-      // A turn moves the point by -[point]x.
-      Eigen::Matrix<double, 3, 6> by_motion;
-      by_motion.leftCols<3>() << 0, point.z(), -point.y(), -point.z(), 0, point.x(), point.y(),
-          -point.x(), 0;
-      by_motion.rightCols<3>().setIdentity();
-      const Eigen::Matrix3d covariance =
-          by_motion * fit.covariance.block<6, 6>(at, at) * by_motion.transpose();
       result_.of_view[v].certain_by_px =
-          scene_.views[v].camera.MeanFocal() / point.norm() * std::sqrt(covariance.trace() / 2);
+          CertainByPx(*result_.uncertainty, scene_.views, static_cast<ViewId>(v), middle);
     }
   }
 
@@ -247,11 +248,12 @@ CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
   DrawingGraph edges = Scaled(input.graph, 1 / unit);
   RemoveLinks(AreEdges(edges), &edges);
   CameraScene scaled = Scaled(std::move(*scene), 1 / unit);
-  const CameraRoundsResult result =
+  CameraRoundsResult result =
       CameraRounds({edges, input.level, input.reaches, input.optics_reaches}, options, context,
                    &scaled)
           .Run();
   *scene = Scaled(std::move(scaled), unit);
+  if (result.uncertainty) result.uncertainty->shift_unit = unit;
   return result;
 }
 

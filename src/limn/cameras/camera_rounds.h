@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "limn/cameras/camera_scene.h"
+#include "limn/cameras/camera_uncertainty.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/refinement/refinement_options.h"
 #include "limn/util/parallel.h"
@@ -32,6 +34,8 @@ struct CameraRoundsResult {
   // Share of the cost that the motion of the cameras explains in the first round
   // (CameraFitResult::gain).
   double gain = 0;
+  // After the last round, if that has a solution, in the frame of the cameras as they are then.
+  std::optional<CameraUncertainty> uncertainty;
 };
 
 // Moves the cameras of the scene so that the edges of a drawing lie on the edgels of all views that

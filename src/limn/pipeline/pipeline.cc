@@ -115,6 +115,9 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
       RefineAndJudge({{seen.views, curves}, drawn.drawing.graph}, options, alone, on_stage_end);
   graph =
       DescribeLinks(std::move(graph), seen.views, input.images.read, options, alone, on_stage_end);
+  if (cameras && cameras->uncertainty) {
+    AddShareOfCameras(*cameras->uncertainty, seen.views, alone, &graph);
+  }
   if (input.images.release) input.images.release();
   auto keep = RecordWriter(seen, curves, drawn.sketch.plans, graph, options, context);
   return {std::move(cameras),

@@ -247,6 +247,10 @@ void CameraRefiner::FixGauge() {
   gauge_ = FindGauge(input_.views, by_rays, MiddleOfScene(), held_);
   const double scale = std::cbrt(gauge_.given_from_refined.linear().determinant());
   for (CameraMount& mount : scene_.mounts.of_view) mount.view_from_body.translation *= scale;
+  if (last_.uncertainty) {
+    last_.uncertainty->shift_unit *= scale;
+    last_.uncertainty->mounts = scene_.mounts;
+  }
   scene_.views = InGivenFrame(input_.views, scene_.views, gauge_, held_);
   for (SeenPoint& point : scene_.points) {
     if (point.is_fitted) point.position = gauge_.given_from_refined * point.position;
@@ -263,6 +267,7 @@ RefinedCameras CameraRefiner::Cameras() const {
         {gauge_.moves_px[v], evidence.num_edgels, evidence.residual_px, evidence.certain_by_px});
   }
   for (const FarMove& move : gauge_.moved_far) cameras.of_view[move.view].is_misfit = true;
+  cameras.uncertainty = last_.uncertainty;
   cameras.hints = HintsOf(scene_, input_.hints, cameras.views);
   return cameras;
 }

@@ -7,6 +7,7 @@
 
 #include "limn/cameras/camera_rounds.h"
 #include "limn/cameras/camera_scene.h"
+#include "limn/cameras/camera_uncertainty.h"
 #include "limn/cameras/gauge.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
@@ -46,6 +47,7 @@ struct RefinedCameras {
   SceneHints hints;         // the same points, elsewhere
   std::vector<CameraChange> of_view;
   double median_move_px = 0;
+  std::optional<CameraUncertainty> uncertainty;
 };
 
 // Refines the cameras of a scene by the curves that they see (ours; algorithm/cameras.md): first in

@@ -1,0 +1,68 @@
+#include "limn/cameras/camera_covariance.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+namespace limn {
+namespace {
+
+// How a body moves if the world is turned, shifted and scaled about its origin: a column each.
+Eigen::Matrix<double, 6, 7> MotionWithWorld(const Rigid3d& pose) {
+  const Eigen::Matrix3d rotation = pose.rotation.toRotationMatrix();
+  Eigen::Matrix<double, 6, 7> motion = Eigen::Matrix<double, 6, 7>::Zero();
+  motion.topLeftCorner<3, 3>() = -rotation;
+  motion.bottomLeftCorner<3, 3>() = rotation.colwise().cross(pose.translation);
+  motion.block<3, 3>(3, 3) = -rotation;
+  motion.bottomRightCorner<3, 1>() = pose.translation;
+  return motion;
+}
+
+// Of all unknowns, for each motion of the world that leaves held bodies where they are.
+Eigen::MatrixXd MotionsWithWorld(const CameraEquations& equations, const CameraState& state) {
+  Eigen::MatrixXd free = Eigen::MatrixXd::Zero(equations.size(), 7);
+  Eigen::MatrixXd held = Eigen::MatrixXd::Zero(6 * state.body_poses.size() + 1, 7);
+  for (size_t b = 0; b < state.body_poses.size(); ++b) {
+    const int at = equations.body_at()[b];
+    if (at >= 0) free.middleRows<6>(at) = MotionWithWorld(state.body_poses[b]);
+    if (at < 0) held.middleRows<6>(6 * b) = MotionWithWorld(state.body_poses[b]);
+  }
+  return held.isZero(0) ? free : Eigen::MatrixXd(free * held.fullPivLu().kernel());
+}
+
+// Takes from motions of the unknowns the motion of the world that best explains them, bodies
+// counted in px.
+Eigen::MatrixXd WithoutMotionOfWorld(const CameraEquations& equations, const CameraState& state) {
+  const Eigen::VectorXd weights = equations.BodiesPerSigma();
+  const Eigen::MatrixXd motions = MotionsWithWorld(equations, state);
+  const Eigen::MatrixXd explained =
+      (weights.asDiagonal() * motions).completeOrthogonalDecomposition().pseudoInverse() *
+      weights.asDiagonal();
+  return Eigen::MatrixXd::Identity(equations.size(), equations.size()) - motions * explained;
+}
+
+}  // namespace
+
+CameraCovariance CovarianceOfCameras(const CameraEquations& equations, const CameraState& state) {
+  const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper> normal(equations.Linearize(state).normal);
+  const Eigen::MatrixXd scatter = equations.Scatter(state).selfadjointView<Eigen::Upper>();
+  const Eigen::MatrixXd project =
+      normal.solve(WithoutMotionOfWorld(equations, state).transpose()).transpose();
+  return {project * scatter * project.transpose(), equations.body_at(), equations.camera_at()};
+}
+
+double EvidenceOfOptics(const CameraCovariance& covariance,
+                        const std::map<int, Eigen::VectorXd>& motions) {
+  double sum = 0;
+  Eigen::Index count = 0;
+  for (const auto& [camera, motion] : motions) {
+    const int at = covariance.camera_at.at(camera);
+    const Eigen::MatrixXd own = covariance.matrix.block(at, at, motion.size(), motion.size());
+    const auto factor = own.completeOrthogonalDecomposition();
+    sum += motion.dot(factor.solve(motion));
+    count += factor.rank();
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+}  // namespace limn

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limn/cameras/camera_equations.h"
+
+namespace limn {
+
+// Of motions of bodies that are not held (a turn about their axes, rad, and a shift, world units;
+// one after the other) and of the parameters of cameras, with all else unknown.
+struct CameraCovariance {
+  Eigen::MatrixXd matrix;
+  std::vector<int> body_at;      // per body its first row; -1: held
+  std::map<int, int> camera_at;  // per camera that is adjusted
+};
+
+// At a minimum. Edgels of a curve err together, hence the covariance of an M-estimator with curves
+// as the independent samples, H^-1 (sum g g') H^-1 with g the gradients of curves (Huber 1967;
+// Liang and Zeger 1986). Place, orientation and scale of the world, which images do not determine,
+// are as close as can be to where they are. Precondition: the equations have a solution. Time: the
+// cube of the number of unknowns, and its square times the number of curves.
+CameraCovariance CovarianceOfCameras(const CameraEquations& equations, const CameraState& state);
+
+// Mean square of the motions of parameters in terms of their standard deviations, each camera by
+// itself, without parameters that have no effect (Wald 1943): 1 if they move by chance alone.
+double EvidenceOfOptics(const CameraCovariance& covariance,
+                        const std::map<int, Eigen::VectorXd>& motions);
+
+}  // namespace limn
