@@ -24,7 +24,8 @@ void CheckOptions(const CurveDrawerOptions& options) {
   const DrawerOptions& drawer = options.drawer;
   const double point_spacing_px = options.point_spacing_px;
   LIMN_CHECK_RANGE_OR(point_spacing_px, 0, >= 0.1, <= 1e4);
-  if (point_spacing_px > 0 && drawer.run.pipeline.refine_cameras == CameraRefinement::kOn) {
+  if (point_spacing_px > 0 && drawer.run.pipeline.refine_cameras == CameraRefinement::kOn &&
+      drawer.run.pipeline.output_cameras == OutputCameras::kRefined) {
     throw OptionError("point_spacing_px: the reconstruction lacks the refined poses");
   }
   drawer.Check();
@@ -67,7 +68,10 @@ void CurveDrawerController::Draw() {
   options.run.layout.image_path = options_.image_path;
   options.run.layout.output_path = options_.output_path;
   // Points get the cameras of the reconstruction.
-  if (options_.point_spacing_px > 0) options.run.pipeline.refine_cameras = CameraRefinement::kOff;
+  PipelineOptions& pipeline = options.run.pipeline;
+  if (options_.point_spacing_px > 0 && pipeline.output_cameras == OutputCameras::kRefined) {
+    pipeline.refine_cameras = CameraRefinement::kOff;
+  }
   options.SetDerived();
   LogConsole console(options.run.num_threads, [this] { return IsColmapStopped(this); });
   const Project project(ToSparseModel(*reconstruction_), options.run, &console);

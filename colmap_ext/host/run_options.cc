@@ -93,6 +93,13 @@ void AddOptions(const OptionGroups& groups, RunOptions* options, OptionParser* p
     parser->AddOption("hold_images", &options->view.hold_images,
                       "file with the names of images whose cameras are not refined");
   }
+  if (groups.output_cameras) {
+    parser->AddOption(
+        "output_cameras", &pipeline.output_cameras,
+        {{"refined", OutputCameras::kRefined}, {"given", OutputCameras::kGiven}},
+        "cameras that the drawing fits if they were refined; given: for dense results "
+        "that were made with those");
+  }
   AddGroup("EdgeDetection", &pipeline.edges, parser);
   AddGroup("EdgeMaps", &options->edge_maps, parser);
   if (groups.linking) AddGroup("Linking", &pipeline.linking, parser);

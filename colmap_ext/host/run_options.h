@@ -66,6 +66,8 @@ struct OptionGroups {
   bool surfaces = false;
   bool dense = false;
   bool tiles = false;
+  // Has --output_cameras.
+  bool output_cameras = false;
   // Has --shard.
   bool shards = false;
   // Writes files that may replace others, and has --overwrite.

@@ -162,7 +162,8 @@ OptionGroups OptionsOfAllStages() {
           .refinement = true,
           .surfaces = true,
           .dense = true,
-          .tiles = true};
+          .tiles = true,
+          .output_cameras = true};
 }
 
 OpenScene::OpenScene(SparseModel model, const std::filesystem::path& image_dir,
@@ -240,14 +241,21 @@ std::shared_ptr<SceneDrawing> DrawSketch(std::shared_ptr<const SceneSketch> sket
 
 std::shared_ptr<SceneDrawing> DrawOpenScene(std::shared_ptr<const OpenScene> scene,
                                             const OptionTexts& options, RunMonitor* monitor) {
-  MadeWith made = AddOptions(
-      scene->made, "draw",
-      {.linking = true, .sketch = true, .drawing = true, .refinement = true, .tiles = true},
-      options, {});
+  MadeWith made = AddOptions(scene->made, "draw",
+                             {.linking = true,
+                              .sketch = true,
+                              .drawing = true,
+                              .refinement = true,
+                              .tiles = true,
+                              .output_cameras = true},
+                             options, {});
   DrawerOptions drawer;
   // The scene keeps its cameras.
-  CameraRefinement& how = made.options.pipeline.refine_cameras;
-  if (how == CameraRefinement::kAuto) how = CameraRefinement::kOff;
+  PipelineOptions& pipeline = made.options.pipeline;
+  if (pipeline.refine_cameras == CameraRefinement::kAuto &&
+      pipeline.output_cameras == OutputCameras::kRefined) {
+    pipeline.refine_cameras = CameraRefinement::kOff;
+  }
   drawer.run = made.options;
   LibraryConsole console(made.options.num_threads, monitor);
   CheckSceneViews(scene->scene);

@@ -71,7 +71,9 @@ DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles)
   drawing.graph = std::move(result.graph);
   drawing.metadata = Metadata(job.scene, Provenance(job.options));
   if (!is_in_tiles) {
-    drawing.curves = std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
+    drawn.curves_of_sketch =
+        std::make_shared<const std::vector<ImageCurves>>(std::move(result.curves));
+    drawing.curves = drawn.curves_of_sketch;
   }
   drawn.sketch = std::move(result.sketch);
   drawn.sketch_fates = std::move(result.sketch_fates);
@@ -80,6 +82,12 @@ DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles)
   drawn.keep = std::move(result.keep);
   drawing.views = result.cameras ? result.cameras->views : job.views();
   drawn.cameras = std::move(result.cameras);
+  if (result.fit_to_given) {
+    drawn.fits_given = true;
+    drawing.views = job.views();
+    drawing.curves =
+        std::make_shared<const std::vector<ImageCurves>>(std::move(result.fit_to_given->curves));
+  }
   return drawn;
 }
 
@@ -104,6 +112,7 @@ std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& opti
   CheckGraph(result->graph);
   if (how != CameraRefinement::kOff && !result->new_views)
     SayCameras(result->cameras, set, how, job.console);
+  if (result->fit_to_given) SayFitToGiven(*result->fit_to_given, job.console);
   return ToDrawnScene(std::move(*result), job, IsInTiles(tiles, input.views));
 }
 
@@ -112,17 +121,21 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   const RunOptions& run = options.run;
   CheckRunOutputs(project, run);
   CheckSceneViews(project);
-  const std::string replaced_cameras = CamerasOfDrawing(project);
+  const std::string replaced_cameras = CamerasOfResults(project, SketchFileName(run.pipeline.mode));
   const SceneAligner aligner(project, run.layout, options.align, console);
   auto drawn = DrawInMemory(JobOf(project, run, console), options);
   if (!drawn) return std::nullopt;
   DrawingInScene& drawing = drawn->drawing;
-  const auto& curves = drawing.curves;
-  drawing.metadata.refined_cameras = WriteRefinedModel(project, drawn->cameras, console);
+  const auto& curves = drawn->curves_of_sketch;
+  if (drawn->cameras && !drawn->fits_given) WarnOfDense(project, *drawn->cameras, console);
+  const std::string cameras = WriteRefinedModel(project, drawn->cameras, console);
+  drawing.metadata.refined_cameras = cameras;
   if (curves) {
-    WriteSketchResults(project, SketchFileName(run.pipeline.mode), drawing.views, *curves,
+    WriteSketchResults(project, SketchFileName(run.pipeline.mode),
+                       drawn->cameras ? drawn->cameras->views : drawing.views, *curves,
                        drawn->sketch, drawing.metadata, console->context());
   }
+  if (drawn->fits_given) drawing.metadata.refined_cameras.clear();
   drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
   WriteDrawingResults(project, drawing, console, drawn->new_views);
   if (options.account) {
@@ -137,7 +150,7 @@ std::optional<DrawingGraph> DrawProject(const Project& project, const DrawerOpti
   const Trust trust = ReportTrust(project.view_set(), drawing, console);
   if (options.page) WritePageWithReport(project, drawing, run, trust, options.truth, console);
   drawn->keep();
-  RemoveOtherCameras(project, replaced_cameras, drawing.metadata, console);
+  RemoveOtherCameras(project, replaced_cameras, cameras, console);
   console->RepeatWarnings();
   return std::move(drawing.graph);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "colmap_ext/host/job.h"
 #include "colmap_ext/host/project.h"
@@ -16,13 +18,17 @@ namespace limn::colmap_ext {
 struct DrawnScene {
   DrawingInScene drawing;
   CurveSketch sketch;
+  // As the cameras of the sketch see them.
+  std::shared_ptr<const std::vector<ImageCurves>> curves_of_sketch;
   EdgelFates sketch_fates;
   SampleFates sample_fates;
   // See PipelineResult.
   ViewSubset new_views;
   std::function<void()> keep;
-  // The drawing fits them, if there are any, instead of those of the scene.
+  // The sketch is of them, if there are any, instead of those of the scene, and the drawing fits
+  // them, too, unless it fits the given ones.
   std::optional<RefinedCameras> cameras;
+  bool fits_given = false;
 };
 
 // Draws a scene, alone or together with the other ranks. Nothing for a shard, which is only kept,

@@ -30,6 +30,11 @@ void DrawerOptions::Check() const {
   if (account && run.pipeline.mode == SketchMode::kOriginal) {
     throw OptionError("account = 1: the original sketch judges whole curves, not edgels");
   }
+  if (account && run.pipeline.output_cameras == OutputCameras::kGiven) {
+    throw OptionError(
+        "account = 1: tells what became of edgels with the cameras that curves were drawn with: "
+        "needs output_cameras = refined");
+  }
   if (run.update) CheckUpdate("update", *this);
   if (watch) CheckUpdate("watch", *this);
   if (truth.IsGiven()) truth.Check();
@@ -48,6 +53,7 @@ std::optional<OptionParser> ParseDrawerOptions(const char* heading, int argc,
                                .drawing = true,
                                .refinement = true,
                                .tiles = true,
+                               .output_cameras = true,
                                .shards = true,
                                .overwrites = true};
   auto parser = ParseRunOptions(

@@ -50,7 +50,7 @@ void DrawSketchVerb::Run(const Project& project, const RunOptions& options, Cons
   drawing.metadata.refined_cameras = stored.metadata.refined_cameras;
   drawing.metadata.alignment = aligner.Align(drawing.views, drawing.graph, console);
   WriteDrawingResults(project, drawing, console);
-  RemoveOtherCameras(project, replaced_cameras, drawing.metadata, console);
+  RemoveOtherCameras(project, replaced_cameras, drawing.metadata.refined_cameras, console);
   ReportTrust(project.view_set(), drawing, console);
   console->RepeatWarnings();
 }

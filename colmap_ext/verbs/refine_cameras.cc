@@ -30,6 +30,7 @@ void RefineCamerasVerb::Run(const Project& project, const RunOptions& options, C
       options.pipeline, job.context(), job.reporter());
   SayCameras(scene.cameras, set, how, console);
   if (scene.cameras) {
+    WarnOfDense(project, *scene.cameras, console);
     WriteRefinedModel(project, scene.cameras, console);
   } else {
     WriteGivenModel(project, console);

@@ -127,6 +127,23 @@ void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set
   }
 }
 
+void SayFitToGiven(const FitToGiven& fit, Console* console) {
+  console->Say("The drawing fits the cameras as given: its curves are " +
+               ShortNumber(fit.given_px) +
+               " px off their edges in the images of these (median), of " +
+               ShortNumber(fit.refined_px) + " px before");
+}
+
+void WarnOfDense(const Project& project, const RefinedCameras& cameras, Console* console) {
+  const auto dense = LookForDenseProducts({}, {}, project.layout().dense_dir);
+  if (!dense) return;
+  console->Say("WARNING: dense results in " + dense->path.string() +
+               " were made with the cameras as given, which are " +
+               ShortNumber(cameras.median_move_px) +
+               " px off (median): make them again with the refined ones, or draw for them with "
+               "--output_cameras given");
+}
+
 bool ReadsRefinedFolder(const WorkspaceLayout& layout) {
   if (layout.output.drawing_dir.empty()) return false;  // in memory
   std::error_code ignored;
@@ -200,12 +217,6 @@ std::string WriteRefinedModel(const Project& project, const std::optional<Refine
   FitRigs(moved, &model);
   WriteFileAtomically(project.CurvesPath(kChangesFile),
                       [&](std::ostream& out) { out << ChangesAsCsv(*cameras); });
-  if (const auto dense = LookForDenseProducts({}, {}, project.layout().dense_dir)) {
-    console->Say("WARNING: dense results in " + dense->path.string() +
-                 " were made with the cameras as given, which are " +
-                 ShortNumber(cameras->median_move_px) +
-                 " px off (median): make them again with the refined ones");
-  }
   return WriteAndSay(model, project, console);
 }
 
@@ -218,12 +229,18 @@ std::string CamerasOfDrawing(const Project& project) {
   return RefinedCamerasOf(project.DrawingPath("drawing.json"));
 }
 
+std::string CamerasOfResults(const Project& project, const std::string& sketch) {
+  const std::string cameras = CamerasOfDrawing(project);
+  if (!cameras.empty()) return cameras;
+  return RefinedCamerasOf(project.CurvesPath(sketch + ".bin"));
+}
+
 void RemoveOtherCameras(const Project& project, const std::string& replaced,
-                        const DrawingMetadata& metadata, Console* console) {
-  if (replaced.empty() || !metadata.refined_cameras.empty()) return;
+                        const std::string& present, Console* console) {
+  if (replaced.empty() || !present.empty()) return;
   if (ReadsRefinedFolder(project.layout())) return;
-  const std::string present = NameOfRefinedCameras(RefinedFolder(project));
-  if (!present.empty() && present != replaced) return;
+  const std::string in_folder = NameOfRefinedCameras(RefinedFolder(project));
+  if (!in_folder.empty() && in_folder != replaced) return;
   if (!RemoveRefinedFolder(RefinedFolder(project))) {
     console->Say("WARNING: " + RefinedFolder(project) +
                  " has files of a model that limn did not write, or that were changed since: they "

@@ -5,8 +5,8 @@
 
 #include "colmap_ext/host/job.h"
 #include "colmap_ext/host/project.h"
-#include "limn/formats/json_drawing_reader.h"
-#include "limn/pipeline/refine_cameras.h"
+#include "limn/pipeline/pipeline_input.h"
+#include "limn/pipeline/pipeline_options.h"
 
 namespace limn::colmap_ext {
 
@@ -20,6 +20,13 @@ CameraRefinement CameraRefinementOf(const Job& job);
 // Says what has become of the cameras of the set, none = left as they are.
 void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set,
                 CameraRefinement how, Console* console);
+
+// How well a drawing fits the given cameras although they were refined.
+void SayFitToGiven(const FitToGiven& fit, Console* console);
+
+// Warns if there are dense results, which were made with other cameras than these. Call it before
+// WriteRefinedModel.
+void WarnOfDense(const Project& project, const RefinedCameras& cameras, Console* console);
 
 // Whether the model that is read is the one that refined cameras are written to.
 bool ReadsRefinedFolder(const WorkspaceLayout& layout);
@@ -42,10 +49,14 @@ void WriteGivenModel(const Project& project, Console* console);
 // The name of the refined cameras that drawing.json fits; empty if there is no such drawing.
 std::string CamerasOfDrawing(const Project& project);
 
-// Call it when the drawing is written, with the name of the refined cameras that the one it
-// replaced fitted: unless the new one fits refined cameras, removes those. Warns of files in
-// refined/ that are not limn's.
+// The same of drawing.json, or else of the sketch of this name (SketchFileName): a drawing may fit
+// the given cameras although they were refined.
+std::string CamerasOfResults(const Project& project, const std::string& sketch);
+
+// Call it when the drawing is written, with the names of the refined cameras that the results it
+// replaced fitted and that it was made with: unless there are such now, removes those. Warns of
+// files in refined/ that are not limn's.
 void RemoveOtherCameras(const Project& project, const std::string& replaced,
-                        const DrawingMetadata& metadata, Console* console);
+                        const std::string& present, Console* console);
 
 }  // namespace limn::colmap_ext

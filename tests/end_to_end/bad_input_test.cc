@@ -110,6 +110,16 @@ TEST_F(BadInput, UnregisteredImageInTheList) {
                 HasSubstr("/no/list.txt: cannot open: No such file or directory"));
 }
 
+TEST_F(BadInput, DrawingOfGivenCamerasThatAreNotRefined) {
+  const auto expect = [&](const std::string& option, const std::string& value,
+                          const std::string& error) {
+    ExpectRefused({"--output_cameras", "given", "--" + option, value}, HasSubstr(error));
+  };
+  expect("refine_cameras", "0", "output_cameras = given: no camera is refined");
+  expect("account", "1", "needs output_cameras = refined");
+  expect("DrawingRefinement.num_rounds", "0", "output_cameras = given: needs DrawingRefinement");
+}
+
 TEST_F(BadInput, PipesAndFoldersInPlaceOfFiles) {
   const std::string pipe = (dir_ / "pipe").string();
   ASSERT_EQ(mkfifo(pipe.c_str(), 0666), 0);

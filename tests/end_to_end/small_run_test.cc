@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <string>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -361,6 +363,70 @@ TEST_F(SmallRun, CommandsThatContinueTakeTheRefinedCameras) {
   EXPECT_THAT(run("curve_sketcher"), Not(HasSubstr(note)));
   EXPECT_THAT(run("curve_drawer"), Not(HasSubstr(note)));
   EXPECT_FALSE(fs::exists(Output("out", "refined")));
+}
+
+// The two numbers in what it says about a drawing that fits the given cameras: residuals, px.
+std::pair<double, double> ResidualsInGiven(const std::string& log) {
+  std::smatch numbers;
+  const std::regex line(
+      R"(its curves are (\S+) px off their edges in the images of these \(median\), of (\S+) px)");
+  EXPECT_TRUE(std::regex_search(log, numbers, line)) << log;
+  if (numbers.size() != 3) return {0, 0};
+  return {std::stod(numbers[1]), std::stod(numbers[2])};
+}
+
+TEST_F(SmallRun, DrawingMayFitTheGivenCameras) {
+  const fs::path wrong = WrongWorkspace(dir_);
+  const auto draw = [&](const std::string& output, const std::string& output_cameras) {
+    return RunIn(wrong, "automatic_drawer", output,
+                 {"--refine_cameras", "1", "--output_cameras", output_cameras});
+  };
+  draw("refined", "refined");
+  fs::copy(dir_ / "refined", dir_ / "given", fs::copy_options::recursive);
+  const auto [residual_px, before_px] = ResidualsInGiven(draw("given", "given"));
+  EXPECT_LT(residual_px, 0.9 * before_px);
+  const std::string drawing = Output("given", "drawing.json").string();
+  const std::string refined_drawing = Output("refined", "drawing.json").string();
+  EXPECT_GT(ResidualPx(drawing), ResidualPx(refined_drawing));
+  EXPECT_NE(RefinedCamerasOfDrawing(refined_drawing), "");
+  EXPECT_EQ(RefinedCamerasOfDrawing(drawing), "");
+
+  // The same curves, elsewhere.
+  const DrawingGraph graph = ReadDrawingJson(drawing).graph;
+  const DrawingGraph refined = ReadDrawingJson(refined_drawing).graph;
+  ASSERT_EQ(graph.links.size(), refined.links.size());
+  for (size_t l = 0; l < graph.links.size(); ++l) {
+    EXPECT_NE(graph.links[l].points_in_world, refined.links[l].points_in_world) << l;
+    EXPECT_EQ(graph.links[l].supporting_views, refined.links[l].supporting_views) << l;
+    EXPECT_EQ(graph.links[l].kind, refined.links[l].kind) << l;
+    EXPECT_EQ(graph.links[l].tentative, refined.links[l].tentative) << l;
+  }
+  // Cameras and sketch are the same, too.
+  EXPECT_TRUE(ReadTree(dir_ / "given/refined") == ReadTree(dir_ / "refined/refined"));
+  for (const char* name : {"curves/cameras.csv", "curves/swept-sketch.bin"}) {
+    EXPECT_EQ(ReadTree(dir_ / "given").at(name), ReadTree(dir_ / "refined").at(name)) << name;
+  }
+}
+
+TEST_F(SmallRun, CommandsThatContinueTakeTheGivenCamerasThatADrawingFits) {
+  const fs::path wrong = WrongWorkspace(dir_);
+  RunIn(wrong, "automatic_drawer", "out", {"--refine_cameras", "1", "--output_cameras", "given"});
+  for (const char* command : {"drawing_viewer", "drawing_refiner"}) {
+    const std::string log = RunIn(wrong, command, "out", {"--overwrite", "1"});
+    EXPECT_THAT(log, HasSubstr("Model " + (wrong / "sparse").string())) << command;
+    EXPECT_THAT(log, Not(HasSubstr("refined"))) << command;
+  }
+  // Without refined cameras those of the earlier drawing go.
+  RunIn(wrong, "automatic_drawer", "out", {"--refine_cameras", "0", "--overwrite", "1"});
+  EXPECT_FALSE(fs::exists(Output("out", "refined")));
+  EXPECT_FALSE(fs::exists(Output("out", "curves/cameras.csv")));
+}
+
+TEST_F(SmallRun, OutputCamerasDoNotMatterIfCamerasStay) {
+  Run("automatic_drawer", "refined");
+  EXPECT_THAT(Run("automatic_drawer", "given", {"--output_cameras", "given"}),
+              HasSubstr("Cameras are left as they are"));
+  EXPECT_TRUE(Results(dir_ / "given") == Results(dir_ / "refined"));
 }
 
 TEST_F(SmallRun, CameraRefinerWritesTheModelAlone) {

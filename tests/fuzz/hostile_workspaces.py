@@ -280,7 +280,7 @@ class Case:
                              '--max_image_size': str(IMAGE_SIZE), '--num_threads': '2'})
         names = self.defaults()
         for option, value, probability in (
-                ('--refine_cameras', '1', 0.2), ('--account', '1', 0.15), ('--page', '0', 0.5),
+                ('--refine_cameras', '1', 0.2), ('--output_cameras', 'given', 0.2), ('--account', '1', 0.15), ('--page', '0', 0.5),
                 ('--mode', 'enhanced', 0.1), ('--mode', 'original', 0.1), ('--Drawing.method', 'paper', 0.05),
                 ('--cloud', 'dense', 0.3), ('--cloud', 'sparse', 0.3), ('--dense_type', self.dense, 0.3),
                 ('--Tiles.max_views', '5', 1.0 if self.tiles else 0.05)):

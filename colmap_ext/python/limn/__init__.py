@@ -87,7 +87,8 @@ def draw(source: Union[Path, Scene, Sketch], *, output_path: Optional[Path] = No
     on; for a scene or a sketch those that come after it. Writes nothing, unless `output_path` names a folder: then a
     project is drawn as by the command, including its options about files (overwrite, page, account,
     align, truth_path, ...). It resumes a stopped run, and writes drawing.json, drawing.html, overlays and so on there.
-    Its cameras are the refined ones, if refine_cameras has refined them: by default only with `output_path`.
+    Its cameras are the refined ones, if refine_cameras has refined them: by default only with `output_path`. With
+    output_cameras="given" they are refined by default, but those of the drawing are the given ones, which it fits.
     """
     if isinstance(source, Sketch):
         _no_output(output_path, "a sketch")

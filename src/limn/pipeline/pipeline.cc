@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "limn/cameras/camera_scene.h"
 #include "limn/pipeline/update_scene.h"
+#include "limn/refinement/fit_other_cameras.h"
 
 namespace limn {
 
@@ -72,6 +74,22 @@ UnrefinedScene DrawExtracted(const PipelineInput& input, std::vector<ImageCurves
   return {std::move(curves), std::move(drawn), std::nullopt};
 }
 
+// A drawing that fits refined cameras, fitted to the given ones instead.
+FitToGiven FitGivenCameras(const PipelineInput& given, const CurvesScene& refined,
+                           const PipelineOptions& options, const RunContext& context,
+                           const StageObserver& on_stage_end, DrawingGraph* graph) {
+  FitToGiven fit;
+  fit.curves = CurvesThroughLenses(given.views, {1, CurvesAsStored(refined.curves)}, context);
+  OtherCamerasResult result =
+      FitOtherCameras({{refined, *graph}, {given.views, fit.curves}}, options.refinement, context);
+  on_stage_end(result.summary);
+  fit.refined_px = result.before_px;
+  fit.given_px = result.after_px;
+  // Their kinds are known.
+  *graph = DescribeLinks(std::move(result.graph), given.views, {}, options, context, on_stage_end);
+  return fit;
+}
+
 // If the drawing of an earlier run can be brought up to date; else says why not.
 std::optional<PipelineResult> Update(const PipelineInput& input, std::vector<ImageCurves>* curves,
                                      const PipelineOptions& options, const RunContext& context,
@@ -113,13 +131,21 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
 
   DrawingGraph graph =
       RefineAndJudge({{seen.views, curves}, drawn.drawing.graph}, options, alone, on_stage_end);
-  graph =
-      DescribeLinks(std::move(graph), seen.views, input.images.read, options, alone, on_stage_end);
-  if (cameras && cameras->uncertainty) {
+  const bool fits_given = cameras && options.output_cameras == OutputCameras::kGiven;
+  PipelineOptions described = options;
+  if (fits_given) described.regularize = false;  // once it fits them
+  graph = DescribeLinks(std::move(graph), seen.views, input.images.read, described, alone,
+                        on_stage_end);
+  if (cameras && cameras->uncertainty && !fits_given) {
     AddShareOfCameras(*cameras->uncertainty, seen.views, alone, &graph);
   }
   if (input.images.release) input.images.release();
   auto keep = RecordWriter(seen, curves, drawn.sketch.plans, graph, options, context);
+  std::optional<FitToGiven> fit_to_given;
+  if (fits_given) {
+    fit_to_given =
+        FitGivenCameras(input, {seen.views, curves}, options, alone, on_stage_end, &graph);
+  }
   return {std::move(cameras),
           std::move(curves),
           std::move(drawn.sketch.sketch),
@@ -127,6 +153,7 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
           std::move(graph),
           std::move(drawn.drawing.fates),
           std::nullopt,
+          std::move(fit_to_given),
           std::move(keep)};
 }
 

@@ -33,8 +33,18 @@ struct PipelineInput {
   bool update = false;
 };
 
+// Of a drawing that fits the cameras of the input although they were refined.
+struct FitToGiven {
+  std::vector<ImageCurves> curves;  // as these cameras see them
+  // Median distance of the curves from their edgels in the images of these cameras, px: of the
+  // drawing that fits the refined cameras, and of this one.
+  double refined_px = 0;
+  double given_px = 0;
+};
+
 struct PipelineResult {
-  // The drawing fits them, if there are any, instead of those of the input.
+  // Sketch and curves are of them, if there are any, instead of those of the input; the drawing
+  // fits them, too, unless it fits the given ones.
   std::optional<RefinedCameras> cameras;
   std::vector<ImageCurves> curves;
   CurveSketch sketch;
@@ -43,6 +53,7 @@ struct PipelineResult {
   SampleFates sample_fates;
   // Of a drawing that was brought up to date, the views that are new or changed.
   ViewSubset new_views = std::nullopt;
+  std::optional<FitToGiven> fit_to_given = std::nullopt;
   // Stores the drawing for updates. Call it once all results are written, so that an interrupted
   // run does not count as done.
   std::function<void()> keep = [] {};

@@ -40,6 +40,14 @@ void PipelineOptions::Check() const {
   if (IsPaper() && refine_cameras == CameraRefinement::kOn) {
     throw OptionError("refine_cameras = 1: Drawing.method paper draws with the cameras as given");
   }
+  if (output_cameras == OutputCameras::kRefined) return;
+  if (refine_cameras == CameraRefinement::kOff) {
+    throw OptionError(
+        "output_cameras = given: no camera is refined: needs refine_cameras = 1 or auto");
+  }
+  if (refinement.num_rounds == 0) {
+    throw OptionError("output_cameras = given: needs DrawingRefinement.num_rounds of 1 or more");
+  }
 }
 
 QualityPreset PresetOf(Quality quality) {

@@ -26,6 +26,9 @@ enum class DrawingMethod { kTraced, kPaper };
 // Whether cameras are refined with the drawing: if it looks necessary, never, always.
 enum class CameraRefinement { kAuto, kOff, kOn };
 
+// Which cameras the drawing fits if they were refined.
+enum class OutputCameras { kRefined, kGiven };
+
 // The options of all stages from photographs to the drawing.
 struct PipelineOptions {
   EdgeDetectionOptions edges;
@@ -34,6 +37,7 @@ struct PipelineOptions {
   SketchOptions sketch;
   DrawingMethod method = DrawingMethod::kTraced;
   CameraRefinement refine_cameras = CameraRefinement::kAuto;
+  OutputCameras output_cameras = OutputCameras::kRefined;
   DrawingOptions drawing;
   PaperOptions paper;
   RefinementOptions refinement;

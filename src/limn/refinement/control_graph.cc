@@ -111,6 +111,14 @@ void UpdateTangents(ControlGraph* control) {
   }
 }
 
+std::vector<double> ResidualsPx(const ControlLink& link) {
+  std::vector<double> residuals;
+  for (const FitSample& sample : link.samples) {
+    for (const EdgelPull& pull : sample.pulls) residuals.push_back(std::abs(pull.residual_px));
+  }
+  return residuals;
+}
+
 int NumShown(const ControlLink& link) {
   return static_cast<int>(
       std::ranges::count_if(link.samples, [](const FitSample& s) { return !s.pulls.empty(); }));

@@ -67,6 +67,9 @@ struct ControlGraph {
   std::vector<std::optional<double>> held;
   std::vector<ControlLink> links;  // as in the graph
   std::vector<Bend> bends;         // also through smooth nodes
+  // Whether bends are those of the motion from the start, so that the shape is kept, instead of
+  // those of the curve.
+  bool keeps_shape = false;
 };
 
 // Control points about `spacing_px` apart along every link. Linear time.
@@ -79,6 +82,9 @@ Eigen::Vector3d Tangent(const ControlGraph& control, const ControlLink& link, in
 
 // Tangents from the neighbors along the links.
 void UpdateTangents(ControlGraph* control);
+
+// Distances of a link from the edgels that pull at it, px.
+std::vector<double> ResidualsPx(const ControlLink& link);
 
 // Samples that enough views show, so that they have pulls.
 int NumShown(const ControlLink& link);

@@ -68,6 +68,13 @@ std::array<double, 3> BendFactors(const Bend& bend, const RefinementOptions& opt
   return {factor / first, factor * (-1 / first - 1 / second), factor / second};
 }
 
+Eigen::Vector3d WeightedSum(const std::array<double, 3>& factors, const Bend& bend,
+                            const std::vector<Eigen::Vector3d>& points) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i) sum += factors[i] * points[bend[i]];
+  return sum;
+}
+
 const std::optional<double>* HeldAt(int point, const ControlGraph& control) {
   return control.held.empty() || !control.held[point] ? nullptr : &control.held[point];
 }
@@ -99,7 +106,9 @@ void AddBend(const Bend& bend, const RefinementOptions& options, ControlGraph* c
   std::vector<Eigen::Matrix3d> matrices;
   for (const double of_point : factor) matrices.push_back(of_point * Eigen::Matrix3d::Identity());
   const bool at_corner = control->corner[bend[0]] || control->corner[bend[2]];
-  problem->AddResidualBlock(new LinearCost(std::move(matrices), Eigen::Vector3d::Zero()),
+  const Eigen::Vector3d target =
+      control->keeps_shape ? WeightedSum(factor, bend, control->start) : Eigen::Vector3d::Zero();
+  problem->AddResidualBlock(new LinearCost(std::move(matrices), target),
                             at_corner ? new ceres::CauchyLoss(kCornerBendSigmas) : nullptr,
                             position[bend[0]].data(), position[bend[1]].data(),
                             position[bend[2]].data());
@@ -226,8 +235,8 @@ std::vector<Component> FindComponents(const ControlGraph& control) {
 double SquaredBend(const Bend& bend, const RefinementOptions& options,
                    const ControlGraph& control) {
   const std::array<double, 3> factor = BendFactors(bend, options, control);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = 0; i < 3; ++i) sum += factor[i] * control.position[bend[i]];
+  Eigen::Vector3d sum = WeightedSum(factor, bend, control.position);
+  if (control.keeps_shape) sum -= WeightedSum(factor, bend, control.start);
   return sum.squaredNorm();
 }
 

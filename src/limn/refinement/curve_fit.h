@@ -22,7 +22,8 @@ double SquaredBend(const Bend& bend, const RefinementOptions& options, const Con
 // Moves the control points, world units, to minimize (algorithm/refinement.md#data-term)
 //   the pulls of the edgels, weight * c^2 log(1 + (d / c)^2), where d is the distance to the
 //   tangent line of the edgel, stored px, and c = robust_residual_px (pull_cost.h); |change of
-//   direction|^2 / (bending_sigma^2 * length) for every bend, with a Cauchy loss next to corners;
+//   direction|^2 / (bending_sigma^2 * length) for every bend, of the motion from the start if the
+//   graph keeps its shape, with a Cauchy loss next to corners;
 //   weak holds of points at their places in the drawing: along their curve, and at corners.
 // Ceres solves each component separately; one without a usable solution stays. On request the
 // covariances are set to the diagonal blocks of the inverse normal matrix at the minimum.

@@ -20,19 +20,15 @@ constexpr int kMinSupportedSamples = 3;
 
 void SetSupport(const ControlLink& fitted, DrawingLink* link) {
   std::map<ViewId, int> samples;
-  std::vector<double> residuals;
   for (const FitSample& sample : fitted.samples) {
-    for (const EdgelPull& pull : sample.pulls) {
-      ++samples[pull.ref.view];
-      residuals.push_back(std::abs(pull.residual_px));
-    }
+    for (const EdgelPull& pull : sample.pulls) ++samples[pull.ref.view];
   }
   const int needed = std::min(kMinSupportedSamples, (NumShown(fitted) + 1) / 2);
   link->supporting_views.clear();
   for (const auto& [view, count] : samples) {
     if (count >= needed) link->supporting_views.push_back(view);
   }
-  link->residual_px = Median(std::move(residuals));
+  link->residual_px = Median(ResidualsPx(fitted));
 }
 
 }  // namespace
@@ -70,11 +66,15 @@ void FitRounds::Fit(const FittedLinks& fitted, bool is_last) {
 
 void FitRounds::Finish(const FittedLinks& fitted) {
   Match(1);
-  ScaleCovariances();
-  SetGeometry(fitted);
+  SetFinalGeometry(fitted);
   for (size_t l = 0; l < graph.links.size(); ++l) {
     if (!control.links[l].frozen) SetSupport(control.links[l], &graph.links[l]);
   }
+}
+
+void FitRounds::SetFinalGeometry(const FittedLinks& fitted) {
+  ScaleCovariances();
+  SetGeometry(fitted);
 }
 
 void FitRounds::SetGeometry(const FittedLinks& fitted) {

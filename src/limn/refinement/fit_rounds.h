@@ -34,6 +34,8 @@ class FitRounds {
   void Finish(const FittedLinks& fitted);
   // Moves nodes and links of the graph to the control points; frozen links follow their nodes.
   void SetGeometry(const FittedLinks& fitted);
+  // The same after the last fit, with sigmas that tell how well the views agree. Call it once.
+  void SetFinalGeometry(const FittedLinks& fitted);
   FittedLinks AllLinks() const { return FittedLinks(graph.links.size(), 1); }
 
   std::vector<View> views;  // with the cameras as they are now

@@ -87,6 +87,10 @@ TEST(CurveDrawerOptions, AreChecked) {
   options.point_spacing_px = 2;
   options.drawer.run.pipeline.refine_cameras = CameraRefinement::kOn;
   EXPECT_FALSE(options.Check());
+  // The points are then of the given poses.
+  options.drawer.run.pipeline.output_cameras = OutputCameras::kGiven;
+  EXPECT_TRUE(options.Check());
+  options.drawer.run.pipeline.output_cameras = OutputCameras::kRefined;
   options.point_spacing_px = 0;
   EXPECT_TRUE(options.Check());
   options.drawer.run.pipeline.sketch.min_supporting_views = -1;

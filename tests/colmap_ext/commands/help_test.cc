@@ -12,6 +12,7 @@ namespace limn::colmap_ext {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsSubsetOf;
 using ::testing::IsSupersetOf;
@@ -41,8 +42,11 @@ TEST(Help, OfTheMainJobNamesWhatUsersSet) {
                                    "overwrite", "num_threads", "max_image_size", "account",
                                    "Drawing.min_supporting_views", "refine_cameras"}));
   const std::string all = HelpOf(drawer, "--help_all");
-  EXPECT_THAT(OptionsIn(all), IsSupersetOf({"shard", "Linking.max_bridge_px", "Tiles.max_views",
-                                            "DrawingRefinement.bending_sigma", "taus"}));
+  EXPECT_THAT(OptionsIn(all),
+              IsSupersetOf({"shard", "Linking.max_bridge_px", "Tiles.max_views",
+                            "DrawingRefinement.bending_sigma", "taus", "output_cameras"}));
+  EXPECT_THAT(OptionsIn(HelpOf(*FindCommand("camera_refiner"), "--help_all")),
+              Not(Contains("output_cameras")));
   EXPECT_THAT(all, AllOf(HasSubstr("box"), Not(HasSubstr("more options"))));
 }
 

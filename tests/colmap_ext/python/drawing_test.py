@@ -147,6 +147,16 @@ class Drawings(unittest.TestCase):
         for camera, again in zip(drawing.cameras, refined.cameras):
             self.assertTrue(np.array_equal(camera.t, again.t))
 
+    def test_drawing_of_the_given_cameras(self):
+        folder = self.output / "given"
+        options = dict(scenes.small_options(), refine_cameras=1, output_cameras="given")
+        scene = limn.open(scenes.DAY, **scenes.small_options())
+        in_folder = limn.draw(scenes.DAY, output_path=folder, page=False, **options)
+        for drawing in in_folder, limn.draw(scenes.DAY, **options):
+            for camera, given in zip(drawing.cameras, scene.cameras):
+                self.assertTrue(np.array_equal(camera.t, given.t))
+        self.assertTrue((folder / "refined" / "images.bin").exists())
+
     def test_read_drawing(self):
         path = self.output / "read.json"
         self.drawing.save(path)

@@ -76,6 +76,17 @@ TEST(PipelineOptions, ThePaperHasNoRefinementOfCameras) {
   EXPECT_THROW(options.Check(), OptionError);
 }
 
+TEST(PipelineOptions, DrawingsFitGivenCamerasOnlyWhereTheseMayBeRefined) {
+  PipelineOptions options;
+  options.output_cameras = OutputCameras::kGiven;
+  EXPECT_NO_THROW(options.Check());
+  options.refinement.num_rounds = 0;
+  EXPECT_THROW(options.Check(), OptionError);
+  options.refinement.num_rounds = 1;
+  options.refine_cameras = CameraRefinement::kOff;
+  EXPECT_THROW(options.Check(), OptionError);
+}
+
 TEST(PipelineOptions, JsonHasWordsOfEnumsAndThePaperOnlyWithItsMethod) {
   PipelineOptions options;
   options.edges.channel = EdgeChannel::kLuminance;
