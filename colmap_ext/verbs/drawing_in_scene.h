@@ -21,6 +21,8 @@ struct DrawingInScene {
   std::vector<View> views;
   // Per view; null if they are not in memory.
   std::shared_ptr<const std::vector<ImageCurves>> curves;
+  // Whether sigmas have the share of cameras (AddShareOfCameras), or hold if these are right.
+  bool has_share_of_cameras = false;
 };
 
 // The names of the scene's views, and the provenance of a result made from them.

@@ -122,6 +122,7 @@ Json ToJson(const Trust& trust) {
           {"well_seen", OrNull(trust.well_seen)},
           {"error_px", OrNull(trust.error_px)},
           {"error_90_px", OrNull(trust.error_90_px)},
+          {"has_share_of_cameras", trust.has_share_of_cameras},
           {"tentative", OrNull(trust.tentative)}};
 }
 

@@ -148,8 +148,9 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
   if (!trust.error_px || !trust.error_90_px) return;
   console->Say(Percent(*trust.well_seen) + " of the drawing's length is seen by " +
                std::to_string(kManyImages) +
-               " or more images; expected error, if the cameras are "
-               "right: " +
+               " or more images; expected error, " +
+               (trust.has_share_of_cameras ? "refined cameras included: "
+                                           : "if the cameras are right: ") +
                ShortNumber(*trust.error_px) + " px (median), " + ShortNumber(*trust.error_90_px) +
                " px (90 %)");
 }
@@ -157,7 +158,8 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
 Trust ReportTrust(const ViewSet& set, const DrawingInScene& drawing, Console* console) {
   static const std::vector<ImageCurves> unknown;
   const auto& curves = drawing.curves ? *drawing.curves : unknown;
-  const Trust trust = MeasureTrust(set, drawing.views, curves, drawing.graph);
+  Trust trust = MeasureTrust(set, drawing.views, curves, drawing.graph);
+  trust.has_share_of_cameras = drawing.has_share_of_cameras;
   SayTrust(trust, HasBox(drawing.metadata.options_json), console);
   return trust;
 }

@@ -27,8 +27,10 @@ struct Trust {
   std::vector<NamedNumber> without_edges, agree_less;
   // Share of the length that kManyImages or more see.
   std::optional<double> well_seen;
-  // Expected error if the cameras are right, median and 90 % of the length, px.
+  // Expected error, median and 90 % of the length, px: with that of refined cameras, or if the
+  // cameras are right.
   std::optional<double> error_px, error_90_px;
+  bool has_share_of_cameras = false;
   // Share of the drawn length that is tentative. Wrong cameras raise it, and so do short baselines.
   std::optional<double> tentative;
 };

@@ -15,7 +15,7 @@ namespace limn {
 struct CameraEvidence {
   int num_edgels = 0;        // that curves were fitted to
   double residual_px = 0;    // of these, median of the size
-  double certain_by_px = 0;  // standard deviation of the image of the scene; 0: held or unknown
+  double certain_by_px = 0;  // of the image of the scene (CertainByPx); 0: held or unknown
 };
 
 struct CameraRoundsInput {

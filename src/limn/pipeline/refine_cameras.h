@@ -35,7 +35,7 @@ struct CameraChange {
   // Of the edgels that curves were fitted to: number, and median distance before the last step.
   int num_edgels = 0;
   double residual_px = 0;
-  // Standard deviation of the image of the scene, as far as edgels are independent; 0 = not known.
+  // Standard deviation of the image of the scene (CertainByPx); 0 = not known.
   double certain_by_px = 0;
   // Moved much farther than most: it was wrong, and may still be.
   bool is_misfit = false;
@@ -47,6 +47,7 @@ struct RefinedCameras {
   SceneHints hints;         // the same points, elsewhere
   std::vector<CameraChange> of_view;
   double median_move_px = 0;
+  // Of the cameras as they are here.
   std::optional<CameraUncertainty> uncertainty;
 };
 

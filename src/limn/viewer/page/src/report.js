@@ -67,7 +67,7 @@ function trust({ images, explained, agree_less: less, many_views: many, ...share
       isKnown(shares.well_seen) ? percent(shares.well_seen) : null,
     ],
     [
-      'Expected error, if the cameras are right',
+      `Expected error, ${shares.has_share_of_cameras ? 'refined cameras included' : 'if the cameras are right'}`,
       isKnown(shares.error_px)
         ? `${number(shares.error_px, 3)} px (median), ${number(shares.error_90_px, 3)} px (90 %)`
         : null,
