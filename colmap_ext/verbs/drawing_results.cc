@@ -232,19 +232,18 @@ void SayDroppedFaces(const DrawingGraph& before, const DrawingGraph& after, Cons
 
 void WriteDrawingResults(const Project& project, const DrawingInScene& drawing, Console* console,
                          const ViewSubset& pictures) {
-  const auto& [graph, metadata, views, curves] = drawing;
-  const DrawingGraph in_model = Moved(graph, project.origin());
-  WriteDrawing(project.DrawingPath("drawing.json"), in_model, metadata);
+  const DrawingGraph in_model = Moved(drawing.graph, project.origin());
+  WriteDrawing(project.DrawingPath("drawing.json"), in_model, drawing.metadata);
   const DrawingGraph selected = Selected(in_model, {});
   for (const char* name : {"drawing.ply", "drawing.obj"}) {
-    WriteDrawing(project.DrawingPath(name), selected, metadata);
+    WriteDrawing(project.DrawingPath(name), selected, drawing.metadata);
   }
-  WriteTracks(project.CurvesPath("tracks.txt"), graph, {},
-              InWholeImages(project.view_set(), views));
+  WriteTracks(project.CurvesPath("tracks.txt"), drawing.graph, {},
+              InWholeImages(project.view_set(), drawing.views));
   WritePictures(project, "overlays", pictures, console->context(), [&](ViewId v) {
     return DrawOverlay(project.images().read(v), drawing.views[v], v, drawing.graph);
   });
-  SayPrimitives(graph, console);
+  SayPrimitives(drawing.graph, console);
   console->Say("Written: " + project.DrawingPath("drawing.{ply,json,obj}") + ", " +
                project.CurvesPath("tracks.txt") + ", " + project.CurvesPath("overlays"));
 }
