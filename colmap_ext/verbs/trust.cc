@@ -146,13 +146,12 @@ void SayTrust(const Trust& trust, bool has_box, Console* console) {
                  " of the length found is doubtful, hence tentative and not exported");
   }
   if (!trust.error_px || !trust.error_90_px) return;
-  console->Say(Percent(*trust.well_seen) + " of the drawing's length is seen by " +
-               std::to_string(kManyImages) +
-               " or more images; expected error, " +
-               (trust.has_share_of_cameras ? "refined cameras included: "
-                                           : "if the cameras are right: ") +
-               ShortNumber(*trust.error_px) + " px (median), " + ShortNumber(*trust.error_90_px) +
-               " px (90 %)");
+  console->Say(
+      Percent(*trust.well_seen) + " of the drawing's length is seen by " +
+      std::to_string(kManyImages) + " or more images; expected error, " +
+      (trust.has_share_of_cameras ? "refined cameras included: " : "if the cameras are right: ") +
+      ShortNumber(*trust.error_px) + " px (median), " + ShortNumber(*trust.error_90_px) +
+      " px (90 %)");
 }
 
 Trust ReportTrust(const ViewSet& set, const DrawingInScene& drawing, Console* console) {

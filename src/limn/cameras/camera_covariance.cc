@@ -1,5 +1,7 @@
 #include "limn/cameras/camera_covariance.h"
 
+#include <algorithm>
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -41,14 +43,32 @@ Eigen::MatrixXd WithoutMotionOfWorld(const CameraEquations& equations, const Cam
   return Eigen::MatrixXd::Identity(equations.size(), equations.size()) - motions * explained;
 }
 
+// The covariance of the gradient. Curves fit better than they err, by as many freedoms as there are
+// unknowns, and few of them do not tell about all directions: these are those of the normal
+// equations then.
+Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter,
+                                     const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper>& normal) {
+  const auto size = static_cast<double>(scatter.sum.rows());
+  const double count = scatter.num_curves;
+  const Eigen::MatrixXd sum = scatter.sum.selfadjointView<Eigen::Upper>();
+  const double per_unknown = normal.solve(sum).trace() / size;
+  const double share_of_curves = count / (count + size);
+  const double of_freedoms = count > 0 ? count / (count - std::min(size, count / 2)) : 1;
+  return of_freedoms * (share_of_curves * sum +
+                        (1 - share_of_curves) * per_unknown * normal.reconstructedMatrix());
+}
+
 }  // namespace
 
-CameraCovariance CovarianceOfCameras(const CameraEquations& equations, const CameraState& state) {
+std::optional<CameraCovariance> CovarianceOfCameras(const CameraEquations& equations,
+                                                    const CameraState& state) {
   const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper> normal(equations.Linearize(state).normal);
-  const Eigen::MatrixXd scatter = equations.Scatter(state).selfadjointView<Eigen::Upper>();
+  if (equations.size() == 0 || normal.info() != Eigen::Success) return std::nullopt;
+  const CurveScatter scatter = equations.Scatter(state);
   const Eigen::MatrixXd project =
       normal.solve(WithoutMotionOfWorld(equations, state).transpose()).transpose();
-  return {project * scatter * project.transpose(), equations.body_at(), equations.camera_at()};
+  return CameraCovariance{project * CovarianceOfGradient(scatter, normal) * project.transpose(),
+                          equations.body_at(), equations.camera_at()};
 }
 
 double EvidenceOfOptics(const CameraCovariance& covariance,

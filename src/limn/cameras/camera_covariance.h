@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -20,9 +21,10 @@ struct CameraCovariance {
 // At a minimum. Edgels of a curve err together, hence the covariance of an M-estimator with curves
 // as the independent samples, H^-1 (sum g g') H^-1 with g the gradients of curves (Huber 1967;
 // Liang and Zeger 1986). Place, orientation and scale of the world, which images do not determine,
-// are as close as can be to where they are. Precondition: the equations have a solution. Time: the
-// cube of the number of unknowns, and its square times the number of curves.
-CameraCovariance CovarianceOfCameras(const CameraEquations& equations, const CameraState& state);
+// are as close as can be to where they are. Nothing without unknowns, or if the equations have no
+// solution. Time: the cube of the number of unknowns, and its square times the number of curves.
+std::optional<CameraCovariance> CovarianceOfCameras(const CameraEquations& equations,
+                                                    const CameraState& state);
 
 // Mean square of the motions of parameters in terms of their standard deviations, each camera by
 // itself, without parameters that have no effect (Wald 1943): 1 if they move by chance alone.

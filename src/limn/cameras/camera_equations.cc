@@ -12,8 +12,8 @@ namespace limn {
 namespace {
 
 // Standard deviations of what is held, px in the images.
-constexpr double kCameraSigmaPx = 30;
-constexpr double kLandmarkSigmaPx = 30;
+constexpr double kCameraSigmaPx = 10;
+constexpr double kLandmarkSigmaPx = 50;
 // Sums are made in parts, whose number depends on the problem alone.
 constexpr int kMaxParts = 16;
 constexpr double kMaxNumbersInParts = 2e7;
@@ -285,14 +285,16 @@ CameraSystem CameraEquations::Linearize(const CameraState& state) const {
   return system;
 }
 
-Eigen::MatrixXd CameraEquations::Scatter(const CameraState& state) const {
+CurveScatter CameraEquations::Scatter(const CameraState& state) const {
   struct Part {
     Block block;
     int curve = -1;
     Eigen::VectorXd gradient;  // of the curve so far
-    Eigen::MatrixXd sum;
+    CurveScatter scatter;
     void EndCurve() {
-      sum.selfadjointView<Eigen::Upper>().rankUpdate(gradient);
+      if (gradient.isZero(0)) return;
+      scatter.sum.selfadjointView<Eigen::Upper>().rankUpdate(gradient);
+      ++scatter.num_curves;
       gradient.setZero();
     }
   };
@@ -300,7 +302,7 @@ Eigen::MatrixXd CameraEquations::Scatter(const CameraState& state) const {
   std::vector<Part> parts(NumParts());
   for (Part& part : parts) {
     part.gradient.setZero(size_);
-    part.sum.setZero(size_, size_);
+    part.scatter.sum.setZero(size_, size_);
   }
   ForLandmarks([&](size_t p, size_t l) {
     Part& part = parts[p];
@@ -312,13 +314,13 @@ Eigen::MatrixXd CameraEquations::Scatter(const CameraState& state) const {
     Eliminate(&part.block);
     AddGradient(part.block, &part.gradient);
   });
-  CameraSystem system = {Eigen::MatrixXd::Zero(size_, size_), Eigen::VectorXd::Zero(size_)};
-  AddHolds(Start(), &system);
+  CurveScatter scatter = {Eigen::MatrixXd::Zero(size_, size_), 0};
   for (Part& part : parts) {
     part.EndCurve();
-    system.normal += part.sum;
+    scatter.sum += part.scatter.sum;
+    scatter.num_curves += part.scatter.num_curves;
   }
-  return system.normal;
+  return scatter;
 }
 
 CameraState CameraEquations::After(const CameraState& state, const Eigen::VectorXd& step) const {

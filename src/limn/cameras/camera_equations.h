@@ -25,6 +25,12 @@ struct CameraSystem {
   Eigen::VectorXd gradient;
 };
 
+// What curves, and landmarks on none, each add to the gradient.
+struct CurveScatter {
+  Eigen::MatrixXd sum;  // of the squares, upper triangle
+  int num_curves = 0;
+};
+
 // The least squares problem of FitCameras.
 class CameraEquations {
  public:
@@ -37,10 +43,8 @@ class CameraEquations {
   double CurveCost(const CameraState& state) const;
   // Without the landmarks, which are eliminated.
   CameraSystem Linearize(const CameraState& state) const;
-  // Sum over curves of the squares of their gradients, and of the holds: upper triangle. What a
-  // curve adds to the gradient at the minimum is chance, and as large as that of its edgels
-  // together, which err together.
-  Eigen::MatrixXd Scatter(const CameraState& state) const;
+  // At a minimum.
+  CurveScatter Scatter(const CameraState& state) const;
   // The state after a step of bodies and parameters, and the steps of landmarks that go with it.
   CameraState After(const CameraState& state, const Eigen::VectorXd& step) const;
 

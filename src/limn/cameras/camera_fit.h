@@ -24,8 +24,8 @@ struct CameraFitResult {
 
 // Moves bodies, parameters of cameras and landmarks to minimize
 //   sum over lines of weight * c^2 log(1 + (d / c)^2),   d: distance of the landmark's image, px,
-// with c = robust_px, and weak holds: of bodies and parameters where they were given, with a
-// standard deviation of 10 px of motion in the images, and of landmarks where they are, likewise.
+// with c = robust_px, and weak holds, in px of motion in the images: standard deviations of 10 px
+// of bodies and parameters from where they were given, of 50 px of landmarks from where they are.
 // Levenberg-Marquardt with reweighted least squares; the landmarks are eliminated from the normal
 // equations, which are then dense, of 6 unknowns per body. Lines of views that have the landmark
 // behind them count as far away. Deterministic for any number of threads. Returns nothing, and

@@ -108,7 +108,8 @@ std::vector<Landmark> CurveLandmarks(const LandmarkInput& input, const ControlGr
     if (link.frozen) continue;
     for (const FitSample& sample : link.samples) {
       if (sample.pulls.empty() || count++ % stride > 0) continue;
-      landmarks.push_back(LandmarkOf(input, control, link, sample, static_cast<double>(stride) / kEdgelsPerPoint));
+      landmarks.push_back(
+          LandmarkOf(input, control, link, sample, static_cast<double>(stride) / kEdgelsPerPoint));
       landmarks.back().curve = static_cast<int>(l);
     }
   }

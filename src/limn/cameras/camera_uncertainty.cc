@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "limn/geometry/polyline.h"
 #include "limn/support/edgel_residual.h"
@@ -19,7 +19,8 @@ struct ImageMotion {
   Eigen::Matrix2Xd by_unknowns;
 };
 
-Eigen::Matrix<double, 2, 3> PixelByPoint(const PinholeCamera& camera, const Eigen::Vector3d& point) {
+Eigen::Matrix<double, 2, 3> PixelByPoint(const PinholeCamera& camera,
+                                         const Eigen::Vector3d& point) {
   Eigen::Matrix<double, 2, 3> by_point;
   by_point << camera.fx, 0, -camera.fx * point.x() / point.z(),  //
       0, camera.fy, -camera.fy * point.y() / point.z();
@@ -79,9 +80,9 @@ class MotionOfCurve {
     const auto sight = See(view, point_, tangent_);
     if (!sight) return;
     const Eigen::RowVector2d normal = sight->Across().transpose();
-    const Eigen::RowVector2d by_motion =
-        normal * PixelByPoint(view.camera, view.cam_from_world * point_) *
-        view.cam_from_world.rotation.toRotationMatrix() * across_;
+    const Eigen::RowVector2d by_motion = normal *
+                                         PixelByPoint(view.camera, view.cam_from_world * point_) *
+                                         view.cam_from_world.rotation.toRotationMatrix() * across_;
     const ImageMotion image = MotionOfImage(cameras, view, mount, point_);
     normal_ += by_motion.transpose() * by_motion;
     const auto first = by_unknowns_.cols();
@@ -93,9 +94,9 @@ class MotionOfCurve {
 
   // Mean of the variances in the two directions; 0 if the views do not determine them.
   double Variance(const Eigen::MatrixXd& covariance) const {
-    const Eigen::LDLT<Eigen::Matrix2d> factor(normal_);
-    if (!(factor.rcond() > kLeastCondition)) return 0;
-    const Eigen::Matrix2Xd motion = factor.solve(by_unknowns_);
+    const double condition = normal_.determinant() / std::pow(normal_.trace(), 2);
+    if (!(condition > kLeastCondition)) return 0;
+    const Eigen::Matrix2Xd motion = normal_.inverse() * by_unknowns_;
     return (motion * covariance(unknowns_, unknowns_) * motion.transpose()).trace() / 2;
   }
 
@@ -118,8 +119,7 @@ double CertainByPx(const CameraUncertainty& cameras, const std::vector<View>& vi
   const ImageMotion motion =
       MotionOfImage(cameras, views[view], cameras.mounts.of_view[view], point_in_world);
   const Eigen::MatrixXd covariance = cameras.covariance.matrix(motion.unknowns, motion.unknowns);
-  return std::sqrt(
-      (motion.by_unknowns * covariance * motion.by_unknowns.transpose()).trace() / 2);
+  return std::sqrt((motion.by_unknowns * covariance * motion.by_unknowns.transpose()).trace() / 2);
 }
 
 void AddShareOfCameras(const CameraUncertainty& cameras, const std::vector<View>& views,
@@ -135,7 +135,8 @@ void AddShareOfCameras(const CameraUncertainty& cameras, const std::vector<View>
       for (const ViewId view : link.supporting_views) {
         motion.AddView(cameras, views[view], cameras.mounts.of_view[view]);
       }
-      link.sigma[k] = std::hypot(link.sigma[k], std::sqrt(motion.Variance(cameras.covariance.matrix)));
+      link.sigma[k] =
+          std::hypot(link.sigma[k], std::sqrt(motion.Variance(cameras.covariance.matrix)));
     }
   });
 }

@@ -7,10 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/cameras/gauge.h"
 #include "limn/geometry/polyline.h"
 #include "limn/model/curves_scene.h"
 #include "limn/util/errors.h"
 #include "support/camera_errors.h"
+#include "support/pinhole_calibration.h"
 #include "support/synthetic_scene.h"
 
 namespace limn {
@@ -113,30 +115,6 @@ TEST(CameraRounds, CamerasComeBackFromCurves) {
   EXPECT_LT(after.raw_px, before.raw_px);
 }
 
-// A pinhole whose parameters are its focal length and its principal point.
-class Pinhole : public Calibration {
- public:
-  explicit Pinhole(const PinholeCamera& camera) : camera_(camera) {}
-  Eigen::VectorXd Parameters() const override {
-    return Eigen::Vector3d(camera_.fx, camera_.cx, camera_.cy);
-  }
-  std::optional<Eigen::Matrix2Xd> StoredByParameters(const Eigen::Vector2d& px) const override {
-    Eigen::Matrix2Xd columns(2, 3);
-    columns << (px.x() - camera_.cx) / camera_.fx, 1, 0, (px.y() - camera_.cy) / camera_.fy, 0, 1;
-    return columns;
-  }
-  Optics WithParameters(const Eigen::VectorXd& parameters) const override {
-    PinholeCamera camera = camera_;
-    camera.fx = camera.fy = parameters[0];
-    camera.cx = parameters[1];
-    camera.cy = parameters[2];
-    return {camera, nullptr, std::make_shared<Pinhole>(camera)};
-  }
-
- private:
-  PinholeCamera camera_;
-};
-
 std::vector<View> WithOpticsOff(std::vector<View> views, int first, int step, double focal,
                                 const Eigen::Vector2d& shift_px) {
   for (size_t v = first; v < views.size(); v += step) {
@@ -145,7 +123,8 @@ std::vector<View> WithOpticsOff(std::vector<View> views, int first, int step, do
     camera.cx += shift_px.x();
     camera.cy += shift_px.y();
   }
-  for (View& view : views) view.calibration = std::make_shared<Pinhole>(view.camera);
+  for (View& view : views)
+    view.calibration = std::make_shared<testing::PinholeCalibration>(view.camera);
   return views;
 }
 
@@ -229,6 +208,33 @@ TEST(CameraRounds, TheGainTellsWrongCamerasFromRightOnes) {
   };
   EXPECT_LT(gain(TrueViews()), 0.05);
   EXPECT_GT(gain(WrongViews()), 0.3);
+}
+
+// Errors of cameras in terms of what is said of them, for edgels with other noise each time.
+TEST(CameraRounds, CertaintyIsRight) {
+  const DrawingGraph graph = CubeGraph();
+  double squares = 0;
+  int count = 0;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    std::vector<ImageCurves> curves;
+    for (const View& view : TrueViews()) {
+      curves.push_back(testing::ProjectCurves(view, testing::CubeEdges(kHalfSide), kNoisePx,
+                                              100 * seed + static_cast<unsigned>(curves.size())));
+    }
+    CameraScene scene = MakeCameraScene(TrueViews(), kNoHints, LooseMounts(kNumPoseViews));
+    const auto result = RefineCamerasByDrawing({graph, {1, curves}, {1, 1}}, {}, {}, &scene);
+    const Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    const Gauge gauge = FindGauge(TrueViews(), scene.views, middle);
+    const std::vector<View> aligned = Moved(scene.views, gauge.given_from_refined);
+    for (int v = 0; v < kNumPoseViews; ++v) {
+      const Eigen::Vector2d error_px = *aligned[v].Project(middle) - *TrueViews()[v].Project(middle);
+      const double sigma_px = result.of_view[v].certain_by_px;
+      squares += error_px.squaredNorm() / (2 * sigma_px * sigma_px);
+      ++count;
+    }
+  }
+  EXPECT_GT(squares / count, 0.3);
+  EXPECT_LT(squares / count, 3);
 }
 
 TEST(CameraRounds, ResultDoesNotDependOnThreads) {
