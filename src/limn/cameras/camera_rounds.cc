@@ -27,8 +27,8 @@ namespace {
 
 // Of the curves, in one fit, about.
 constexpr size_t kMaxLines = 60'000;
-// The optics begin to be refined if they move with at least this evidence (EvidenceOfOptics).
-constexpr double kLeastEvidence = 20;
+// The optics begin to be refined if curves gain, and with this evidence (EvidenceOfOptics).
+constexpr double kLeastEvidence = 50;
 
 class CameraRounds {
  public:
@@ -71,7 +71,8 @@ class CameraRounds {
     const CameraRoundsResult of_poses = result_;
     for (size_t i = 0; i < input_.optics_reaches.size(); ++i) {
       const Outcome outcome = Round(input_.optics_reaches[i], true);
-      if (i > 0 || are_refined || outcome.evidence_of_optics > kLeastEvidence) continue;
+      if (i > 0 || are_refined) continue;
+      if (outcome.gain > 0 && outcome.evidence_of_optics > kLeastEvidence) continue;
       scene_ = posed;
       result_ = of_poses;
       return;

@@ -227,7 +227,8 @@ TEST(CameraRounds, CertaintyIsRight) {
     const Gauge gauge = FindGauge(TrueViews(), scene.views, middle);
     const std::vector<View> aligned = Moved(scene.views, gauge.given_from_refined);
     for (int v = 0; v < kNumPoseViews; ++v) {
-      const Eigen::Vector2d error_px = *aligned[v].Project(middle) - *TrueViews()[v].Project(middle);
+      const Eigen::Vector2d error_px =
+          *aligned[v].Project(middle) - *TrueViews()[v].Project(middle);
       const double sigma_px = result.of_view[v].certain_by_px;
       squares += error_px.squaredNorm() / (2 * sigma_px * sigma_px);
       ++count;
