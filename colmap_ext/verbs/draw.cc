@@ -82,7 +82,8 @@ DrawnScene ToDrawnScene(PipelineResult result, const Job& job, bool is_in_tiles)
   drawn.keep = std::move(result.keep);
   drawing.views = result.cameras ? result.cameras->views : job.views();
   drawn.cameras = std::move(result.cameras);
-  drawing.has_share_of_cameras = drawn.cameras && !result.fit_to_given;
+  drawing.has_share_of_cameras =
+      drawn.cameras && drawn.cameras->uncertainty && !result.fit_to_given;
   if (result.fit_to_given) {
     drawn.fits_given = true;
     drawing.views = job.views();

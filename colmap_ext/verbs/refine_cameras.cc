@@ -3,6 +3,7 @@
 #include <string>
 
 #include "colmap_ext/host/job.h"
+#include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/refined_cameras.h"
 #include "limn/pipeline/pipeline.h"
 #include "limn/util/errors.h"
@@ -15,10 +16,11 @@ void RefineCamerasVerb::Run(const Project& project, const RunOptions& options, C
     throw OptionError("refine_cameras = 0: there is nothing else to do: auto or 1");
   }
   CheckRefinedFolder(project, options);
-  if (!options.overwrite && !CamerasOfDrawing(project).empty()) {
+  const std::string sketch = SketchFileName(options.pipeline.mode);
+  if (!options.overwrite && !CamerasOfResults(project, sketch).empty()) {
     throw IoError(project.DrawingPath("drawing.json"),
-                  "fits the cameras in refined/: --overwrite 1 replaces them, --output_path writes "
-                  "elsewhere");
+                  "was made with the cameras in refined/: --overwrite 1 replaces them, "
+                  "--output_path writes elsewhere");
   }
   CheckSceneViews(project);
   const Job job = JobOf(project, options, console);

@@ -9,6 +9,9 @@
 namespace limn {
 namespace {
 
+// Centers of held bodies that differ by less, relative to the scene, are one.
+constexpr double kSameCenter = 1e-6;
+
 // How a body moves if the world is turned, shifted and scaled about its origin: a column each.
 Eigen::Matrix<double, 6, 7> MotionWithWorld(const Rigid3d& pose) {
   const Eigen::Matrix3d rotation = pose.rotation.toRotationMatrix();
@@ -29,13 +32,18 @@ Eigen::MatrixXd MotionsWithWorld(const CameraEquations& equations, const CameraS
     if (at >= 0) free.middleRows<6>(at) = MotionWithWorld(state.body_poses[b]);
     if (at < 0) held.middleRows<6>(6 * b) = MotionWithWorld(state.body_poses[b]);
   }
-  return held.isZero(0) ? free : Eigen::MatrixXd(free * held.fullPivLu().kernel());
+  if (held.isZero(0)) return free;
+  Eigen::FullPivLU<Eigen::MatrixXd> factor(held);
+  factor.setThreshold(kSameCenter);
+  return free * factor.kernel();
 }
 
 // Takes from motions of the unknowns the motion of the world that best explains them, bodies
 // counted in px.
 Eigen::MatrixXd WithoutMotionOfWorld(const CameraEquations& equations, const CameraState& state) {
-  const Eigen::VectorXd weights = equations.BodiesPerSigma();
+  Eigen::VectorXd weights = equations.PerSigma();
+  for (const auto& [camera, at] : equations.camera_at())
+    weights.tail(weights.size() - at).setZero();
   const Eigen::MatrixXd motions = MotionsWithWorld(equations, state);
   const Eigen::MatrixXd explained =
       (weights.asDiagonal() * motions).completeOrthogonalDecomposition().pseudoInverse() *
@@ -45,8 +53,8 @@ Eigen::MatrixXd WithoutMotionOfWorld(const CameraEquations& equations, const Cam
 
 // The covariance of the gradient. Curves fit better than they err, by as many freedoms as there are
 // unknowns, and few of them do not tell about all directions: these are those of the normal
-// equations then.
-Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter,
+// equations then. Holds are samples of their own.
+Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter, const Eigen::VectorXd& per_sigma,
                                      const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper>& normal) {
   const auto size = static_cast<double>(scatter.sum.rows());
   const double count = scatter.num_curves;
@@ -54,8 +62,11 @@ Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter,
   const double per_unknown = normal.solve(sum).trace() / size;
   const double share_of_curves = count / (count + size);
   const double of_freedoms = count > 0 ? count / (count - std::min(size, count / 2)) : 1;
-  return of_freedoms * (share_of_curves * sum +
-                        (1 - share_of_curves) * per_unknown * normal.reconstructedMatrix());
+  Eigen::MatrixXd covariance =
+      of_freedoms *
+      (share_of_curves * sum + (1 - share_of_curves) * per_unknown * normal.reconstructedMatrix());
+  covariance.diagonal() += per_sigma.cwiseAbs2();
+  return covariance;
 }
 
 }  // namespace
@@ -67,8 +78,9 @@ std::optional<CameraCovariance> CovarianceOfCameras(const CameraEquations& equat
   const CurveScatter scatter = equations.Scatter(state);
   const Eigen::MatrixXd project =
       normal.solve(WithoutMotionOfWorld(equations, state).transpose()).transpose();
-  return CameraCovariance{project * CovarianceOfGradient(scatter, normal) * project.transpose(),
-                          equations.body_at(), equations.camera_at()};
+  const Eigen::MatrixXd of_gradient = CovarianceOfGradient(scatter, equations.PerSigma(), normal);
+  return CameraCovariance{project * of_gradient * project.transpose(), equations.body_at(),
+                          equations.camera_at()};
 }
 
 double EvidenceOfOptics(const CameraCovariance& covariance,

@@ -79,8 +79,8 @@ CameraEquations::CameraEquations(const CameraFitInput& input, const RunContext& 
   }
 }
 
-Eigen::VectorXd CameraEquations::BodiesPerSigma() const {
-  Eigen::VectorXd per_sigma = Eigen::VectorXd::Zero(size_);
+Eigen::VectorXd CameraEquations::PerSigma() const {
+  Eigen::VectorXd per_sigma = Eigen::VectorXd::Constant(size_, 1 / kCameraSigmaPx);
   for (size_t b = 0; b < body_at_.size(); ++b) {
     if (body_at_[b] >= 0) per_sigma.segment<6>(body_at_[b]) = per_sigma_[b];
   }
@@ -107,13 +107,23 @@ int CameraEquations::NumParts() const {
   return std::clamp(static_cast<int>(kMaxNumbersInParts / Square(size_ + 1)), 1, kMaxParts);
 }
 
+// Parts have whole curves.
+size_t CameraEquations::BeginOfPart(size_t part) const {
+  size_t begin = landmarks_.size() * part / NumParts();
+  while (begin > 0 && begin < landmarks_.size() && landmarks_[begin].curve >= 0 &&
+         landmarks_[begin].curve == landmarks_[begin - 1].curve) {
+    ++begin;
+  }
+  return begin;
+}
+
 // visit(part, landmark): in each part one after the other.
 template <typename Visit>
 void CameraEquations::ForLandmarks(const Visit& visit) const {
   const size_t num_parts = NumParts();
   ParallelFor(context_, "cameras", num_parts, [&](size_t part) {
-    const size_t end = landmarks_.size() * (part + 1) / num_parts;
-    for (size_t l = landmarks_.size() * part / num_parts; l < end; ++l) visit(part, l);
+    const size_t end = BeginOfPart(part + 1);
+    for (size_t l = BeginOfPart(part); l < end; ++l) visit(part, l);
   });
 }
 
@@ -291,10 +301,18 @@ CurveScatter CameraEquations::Scatter(const CameraState& state) const {
     int curve = -1;
     Eigen::VectorXd gradient;  // of the curve so far
     CurveScatter scatter;
+    // Points move few unknowns.
     void EndCurve() {
-      if (gradient.isZero(0)) return;
-      scatter.sum.selfadjointView<Eigen::Upper>().rankUpdate(gradient);
-      ++scatter.num_curves;
+      std::vector<Eigen::Index> moved;
+      for (Eigen::Index i = 0; i < gradient.size(); ++i) {
+        if (gradient[i] != 0) moved.push_back(i);
+      }
+      for (size_t j = 0; j < moved.size(); ++j) {
+        for (size_t i = 0; i <= j; ++i) {
+          scatter.sum(moved[i], moved[j]) += gradient[moved[i]] * gradient[moved[j]];
+        }
+      }
+      scatter.num_curves += moved.empty() ? 0 : 1;
       gradient.setZero();
     }
   };

@@ -28,7 +28,7 @@ struct CameraSystem {
 // What curves, and landmarks on none, each add to the gradient.
 struct CurveScatter {
   Eigen::MatrixXd sum;  // of the squares, upper triangle
-  int num_curves = 0;
+  int num_curves = 0;   // that add something
 };
 
 // The least squares problem of FitCameras.
@@ -53,14 +53,15 @@ class CameraEquations {
   const std::vector<int>& body_at() const { return body_at_; }
   // Per camera that is adjusted its first unknown.
   const std::map<int, int>& camera_at() const { return camera_at_; }
-  // Per unknown of bodies, standard deviations of the holds per unit; 0 for parameters.
-  Eigen::VectorXd BodiesPerSigma() const;
+  // Per unknown, standard deviations of its hold per unit.
+  Eigen::VectorXd PerSigma() const;
 
  private:
   struct Row;
   struct Block;
 
   int NumParts() const;
+  size_t BeginOfPart(size_t part) const;
   template <typename Visit>
   void ForLandmarks(const Visit& visit) const;
   template <typename Counts>

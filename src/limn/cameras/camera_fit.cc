@@ -45,6 +45,7 @@ class Descent {
     const CameraSystem system = equations_.Linearize(state_);
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
       const auto step = StepOf(system, damping_);
+      has_solution_ |= step.has_value();
       if (step) {
         CameraState next = equations_.After(state_, *step);
         const double cost = equations_.Cost(next);
@@ -63,12 +64,14 @@ class Descent {
 
   const CameraState& state() const { return state_; }
   double cost() const { return cost_; }
+  bool has_solution() const { return has_solution_; }
 
  private:
   const CameraEquations& equations_;
   CameraState state_;
   double cost_;
   double damping_ = kStartDamping;
+  bool has_solution_ = false;
 };
 
 }  // namespace
@@ -82,7 +85,7 @@ std::optional<CameraFitResult> FitCameras(const CameraFitInput& input, const Run
     ThrowIfCancelled(context);
     if (!descent.Improve()) break;
   }
-  if (!std::isfinite(descent.cost())) return std::nullopt;
+  if (!descent.has_solution() || !std::isfinite(descent.cost())) return std::nullopt;
   CameraFitResult result;
   if (cost_of_given > 0) {
     result.gain = 1 - equations.CurveCost(descent.state()) / cost_of_given;

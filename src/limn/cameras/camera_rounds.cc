@@ -50,7 +50,8 @@ class CameraRounds {
   CameraRoundsResult Run() {
     result_.of_view.resize(scene_.views.size());
     for (size_t i = 0; i < input_.reaches.size(); ++i) {
-      const Outcome outcome = Round(input_.reaches[i], i + 1 == input_.reaches.size());
+      const bool is_last = i + 1 == input_.reaches.size();
+      const Outcome outcome = Round(input_.reaches[i], is_last && !input_.optics_reaches.empty());
       if (i == 0) result_.gain = outcome.gain;
     }
     if (!input_.optics_reaches.empty()) RefineOptics();
@@ -113,6 +114,7 @@ class CameraRounds {
     TakePoses(*fit);
     TakeOptics(*fit);
     Outcome outcome{num_on_curves > 0 ? fit->gain : 0, 0};
+    result_.uncertainty.reset();
     if (fit->covariance) {
       outcome.evidence_of_optics = EvidenceOfOptics(*fit->covariance, fit->parameters);
       MeasureCertainty(*fit->covariance, middle);
@@ -254,7 +256,10 @@ CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
                    &scaled)
           .Run();
   *scene = Scaled(std::move(scaled), unit);
-  if (result.uncertainty) result.uncertainty->shift_unit = unit;
+  if (result.uncertainty) {
+    result.uncertainty->shift_unit = unit;
+    result.uncertainty->mounts = scene->mounts;
+  }
   return result;
 }
 

@@ -15,7 +15,7 @@ namespace limn {
 struct CameraEvidence {
   int num_edgels = 0;        // that curves were fitted to
   double residual_px = 0;    // of these, median of the size
-  double certain_by_px = 0;  // of the image of the scene (CertainByPx); 0: held or unknown
+  double certain_by_px = 0;  // of the image of the scene (CertainByPx); 0: held or not known
 };
 
 struct CameraRoundsInput {
@@ -25,7 +25,7 @@ struct CameraRoundsInput {
   // Per round, gate and scale of the loss in multiples of those of the options.
   std::vector<double> reaches;
   // The same for rounds that follow and refine the optics, too: unless these have been refined
-  // before, only if the first round says that it explains something.
+  // before, only if the first round says that they are off.
   std::vector<double> optics_reaches = {};
 };
 
@@ -34,7 +34,7 @@ struct CameraRoundsResult {
   // Share of the cost that the motion of the cameras explains in the first round
   // (CameraFitResult::gain).
   double gain = 0;
-  // After the last round, if that has a solution, in the frame of the cameras as they are then.
+  // After the last round, if optics might be refined and it has a solution.
   std::optional<CameraUncertainty> uncertainty;
 };
 

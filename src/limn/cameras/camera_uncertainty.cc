@@ -97,7 +97,8 @@ class MotionOfCurve {
     const double condition = normal_.determinant() / std::pow(normal_.trace(), 2);
     if (!(condition > kLeastCondition)) return 0;
     const Eigen::Matrix2Xd motion = normal_.inverse() * by_unknowns_;
-    return (motion * covariance(unknowns_, unknowns_) * motion.transpose()).trace() / 2;
+    const double sum = (motion * covariance(unknowns_, unknowns_) * motion.transpose()).trace();
+    return std::max(0.0, sum / 2);
   }
 
  private:
@@ -119,7 +120,8 @@ double CertainByPx(const CameraUncertainty& cameras, const std::vector<View>& vi
   const ImageMotion motion =
       MotionOfImage(cameras, views[view], cameras.mounts.of_view[view], point_in_world);
   const Eigen::MatrixXd covariance = cameras.covariance.matrix(motion.unknowns, motion.unknowns);
-  return std::sqrt((motion.by_unknowns * covariance * motion.by_unknowns.transpose()).trace() / 2);
+  const double sum = (motion.by_unknowns * covariance * motion.by_unknowns.transpose()).trace();
+  return std::sqrt(std::max(0.0, sum / 2));
 }
 
 void AddShareOfCameras(const CameraUncertainty& cameras, const std::vector<View>& views,

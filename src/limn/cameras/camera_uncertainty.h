@@ -16,7 +16,7 @@ namespace limn {
 struct CameraUncertainty {
   CameraCovariance covariance;
   double shift_unit = 1;  // of shifts in the covariance, world units
-  CameraMounts mounts;
+  CameraMounts mounts;    // exact
   // Per camera that is adjusted (ParametersPerPx).
   std::map<int, Eigen::VectorXd> parameters_per_px;
 };

@@ -139,7 +139,8 @@ struct LinkVertex {
 struct DrawingLink {
   // First and last point are the positions of node0 and node1.
   std::vector<Eigen::Vector3d> points_in_world;
-  // Isotropic standard deviation across the curve per point, world units.
+  // Isotropic standard deviation across the curve per point, world units: that of the fit, and,
+  // where cameras were refined, of these (AddShareOfCameras).
   std::vector<double> sigma;
   // One per point while the drawing is built, otherwise empty.
   std::vector<LinkVertex> vertices;

@@ -102,6 +102,7 @@ OtherCamerasResult FitInUnits(const OtherCamerasInput& input, const RefinementOp
   rounds.control = std::move(own.control);
   rounds.control.keeps_shape = true;
   SeeEdgels(rounds.Images(1), &rounds.control);
+  FreezeUnshown(&rounds.control);
   OtherCamerasResult result;
   std::tie(result.before_px, result.after_px) = Fit(rounds.views, stiff, context, &rounds.control);
   const int64_t num_frozen = Describe(&rounds);

@@ -188,7 +188,7 @@ TEST(FitOtherCameras, LinksWithoutEdgelsStay) {
   EXPECT_LT(FarthestPx(result.graph.links[0], graph.links[0].points_in_world), 0.05);
   EXPECT_EQ(result.graph.links[2].points_in_world, graph.links[2].points_in_world);
   EXPECT_GE(result.graph.links[2].sigma[0], 0.9 * OwnPx());
-  EXPECT_EQ(result.summary.kept.back().second, 1);
+  EXPECT_EQ(result.summary.kept.back().second, 2);
 }
 
 TEST(FitOtherCameras, ChecksOptions) {
