@@ -12,7 +12,8 @@ namespace limn {
 namespace {
 
 // Standard deviations of what is held, px in the images.
-constexpr double kCameraSigmaPx = 10;
+constexpr double kBodySigmaPx = 50;
+constexpr double kOpticsSigmaPx = 10;
 constexpr double kLandmarkSigmaPx = 50;
 // Sums are made in parts, whose number depends on the problem alone.
 constexpr int kMaxParts = 16;
@@ -74,13 +75,13 @@ CameraEquations::CameraEquations(const CameraFitInput& input, const RunContext& 
   for (size_t v = 0; v < input.views.size(); ++v) {
     const int body = input.mounts.of_view[v].body;
     const double focal = input.views[v].camera.MeanFocal();
-    per_sigma_[body] << Eigen::Vector3d::Constant(focal / kCameraSigmaPx),
-        Eigen::Vector3d::Constant(focal / kCameraSigmaPx / input.distances[body]);
+    per_sigma_[body] << Eigen::Vector3d::Constant(focal / kBodySigmaPx),
+        Eigen::Vector3d::Constant(focal / kBodySigmaPx / input.distances[body]);
   }
 }
 
 Eigen::VectorXd CameraEquations::PerSigma() const {
-  Eigen::VectorXd per_sigma = Eigen::VectorXd::Constant(size_, 1 / kCameraSigmaPx);
+  Eigen::VectorXd per_sigma = Eigen::VectorXd::Constant(size_, 1 / kOpticsSigmaPx);
   for (size_t b = 0; b < body_at_.size(); ++b) {
     if (body_at_[b] >= 0) per_sigma.segment<6>(body_at_[b]) = per_sigma_[b];
   }
@@ -167,7 +168,7 @@ double CameraEquations::Cost(const CameraState& state) const {
     if (body_at_[b] >= 0) sum += HeldMotion(state, b).squaredNorm();
   }
   for (const auto& [camera, parameters] : state.parameters) {
-    sum += (parameters / kCameraSigmaPx).squaredNorm();
+    sum += (parameters / kOpticsSigmaPx).squaredNorm();
   }
   return sum;
 }
@@ -267,7 +268,7 @@ void CameraEquations::AddHolds(const CameraState& state, CameraSystem* system) c
     system->normal.diagonal().segment<6>(body_at_[b]) += per_sigma_[b].cwiseAbs2();
     system->gradient.segment<6>(body_at_[b]) += per_sigma_[b].cwiseProduct(HeldMotion(state, b));
   }
-  const double hold = 1 / Square(kCameraSigmaPx);
+  const double hold = 1 / Square(kOpticsSigmaPx);
   for (const auto& [camera, at] : camera_at_) {
     const Eigen::VectorXd& parameters = state.parameters.at(camera);
     system->normal.diagonal().segment(at, parameters.size()).array() += hold;

@@ -80,15 +80,17 @@ std::optional<CameraFitResult> FitCameras(const CameraFitInput& input, const Run
                                           std::vector<Landmark>* landmarks) {
   const CameraEquations equations(input, context, *landmarks);
   Descent descent(equations);
-  const double cost_of_given = equations.CurveCost(descent.state());
+  const double cost_of_given = descent.cost();
+  const double curve_cost_of_given = equations.CurveCost(descent.state());
   for (int i = 0; i < kMaxIterations; ++i) {
     ThrowIfCancelled(context);
     if (!descent.Improve()) break;
   }
   if (!descent.has_solution() || !std::isfinite(descent.cost())) return std::nullopt;
   CameraFitResult result;
-  if (cost_of_given > 0) {
-    result.gain = 1 - equations.CurveCost(descent.state()) / cost_of_given;
+  if (cost_of_given > 0) result.gain = 1 - descent.cost() / cost_of_given;
+  if (curve_cost_of_given > 0) {
+    result.gain_of_curves = 1 - equations.CurveCost(descent.state()) / curve_cost_of_given;
   }
   if (input.with_covariance) {
     result.covariance = CovarianceOfCameras(equations, descent.state());

@@ -16,16 +16,18 @@ namespace limn {
 struct CameraFitResult {
   std::vector<Rigid3d> body_poses;
   std::map<int, Eigen::VectorXd> parameters;  // as in the input
-  // Share of the cost of curves that the motion of the cameras explains: what is left after that of
-  // the landmarks alone, and does not remain. Below 0 if points gain what curves lose.
+  // Share of the cost that the motion of the cameras explains: what is left after that of the
+  // landmarks alone, and does not remain.
   double gain = 0;
+  // The same of curves alone. Below 0 if points gain what curves lose.
+  double gain_of_curves = 0;
   std::optional<CameraCovariance> covariance;  // if the input asks for it
 };
 
 // Moves bodies, parameters of cameras and landmarks to minimize
 //   sum over lines of weight * c^2 log(1 + (d / c)^2),   d: distance of the landmark's image, px,
-// with c = robust_px, and weak holds, in px of motion in the images: standard deviations of 10 px
-// of bodies and parameters from where they were given, of 50 px of landmarks from where they are.
+// with c = robust_px, and weak holds, in px of motion in the images: standard deviations of 50 px of
+// bodies from where they were given and of landmarks from where they are, of 10 px of parameters.
 // Levenberg-Marquardt with reweighted least squares; the landmarks are eliminated from the normal
 // equations, which are then dense, of 6 unknowns per body. Lines of views that have the landmark
 // behind them count as far away. Deterministic for any number of threads. Returns nothing, and

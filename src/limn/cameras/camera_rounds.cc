@@ -61,6 +61,7 @@ class CameraRounds {
  private:
   struct Outcome {
     double gain = 0;
+    double gain_of_curves = 0;
     double evidence_of_optics = 0;
   };
 
@@ -73,7 +74,7 @@ class CameraRounds {
     for (size_t i = 0; i < input_.optics_reaches.size(); ++i) {
       const Outcome outcome = Round(input_.optics_reaches[i], true);
       if (i > 0 || are_refined) continue;
-      if (outcome.gain > 0 && outcome.evidence_of_optics > kLeastEvidence) continue;
+      if (outcome.gain_of_curves > 0 && outcome.evidence_of_optics > kLeastEvidence) continue;
       scene_ = posed;
       result_ = of_poses;
       return;
@@ -113,7 +114,9 @@ class CameraRounds {
     if (!per_px_.empty()) ShiftPulls(input, fit_input, *fit);
     TakePoses(*fit);
     TakeOptics(*fit);
-    Outcome outcome{num_on_curves > 0 ? fit->gain : 0, 0};
+    Outcome outcome;
+    if (num_on_curves > 0) outcome.gain = std::max(fit->gain, fit->gain_of_curves);
+    outcome.gain_of_curves = fit->gain_of_curves;
     result_.uncertainty.reset();
     if (fit->covariance) {
       outcome.evidence_of_optics = EvidenceOfOptics(*fit->covariance, fit->parameters);

@@ -32,7 +32,7 @@ struct CameraRoundsInput {
 struct CameraRoundsResult {
   std::vector<CameraEvidence> of_view;
   // Share of the cost that the motion of the cameras explains in the first round
-  // (CameraFitResult::gain).
+  // (CameraFitResult::gain), or that of curves if it is more.
   double gain = 0;
   // After the last round, if optics might be refined and it has a solution.
   std::optional<CameraUncertainty> uncertainty;

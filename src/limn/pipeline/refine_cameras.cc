@@ -26,7 +26,7 @@ constexpr double kSmallMarginPx = 4;
 // Gains (CameraFitResult::gain) of cameras that are off, in small pictures and as stored
 // (algorithm/cameras.md#whether-it-is-needed).
 constexpr double kGainOfOffWhenSmall = 0.18;
-constexpr double kGainOfOff = 0.15;
+constexpr double kGainOfOff = 0.2;
 // Cameras that move by more than this, px of a small picture, may be lost: they begin with the
 // smallest. Pictures are drawn again until they move by less than kSettledPx, or so often.
 constexpr double kLostPx = 1.2;
