@@ -42,8 +42,8 @@ Eigen::MatrixXd MotionsWithWorld(const CameraEquations& equations, const CameraS
 // counted in px.
 Eigen::MatrixXd WithoutMotionOfWorld(const CameraEquations& equations, const CameraState& state) {
   Eigen::VectorXd weights = equations.PerSigma();
-  for (const auto& [camera, at] : equations.camera_at())
-    weights.tail(weights.size() - at).setZero();
+  const std::map<int, int>& camera_at = equations.camera_at();  // after all bodies
+  if (!camera_at.empty()) weights.tail(weights.size() - camera_at.begin()->second).setZero();
   const Eigen::MatrixXd motions = MotionsWithWorld(equations, state);
   const Eigen::MatrixXd explained =
       (weights.asDiagonal() * motions).completeOrthogonalDecomposition().pseudoInverse() *

@@ -27,7 +27,7 @@ std::optional<CameraCovariance> CovarianceOfCameras(const CameraEquations& equat
                                                     const CameraState& state);
 
 // Mean square of the motions of parameters in terms of their standard deviations, each camera by
-// itself, without parameters that have no effect (Wald 1943): 1 if they move by chance alone.
+// itself, without parameters whose variance is 0 (Wald 1943): 1 if they move by chance alone.
 double EvidenceOfOptics(const CameraCovariance& covariance,
                         const std::map<int, Eigen::VectorXd>& motions);
 
