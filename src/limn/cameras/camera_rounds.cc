@@ -27,6 +27,8 @@ namespace {
 
 // Of the curves, in one fit, about.
 constexpr size_t kMaxLines = 60'000;
+// Of the samples of links in pictures as stored, px: there are many.
+constexpr double kStoredSpacingPx = 3;
 // The optics begin to be refined if curves gain, and with this evidence (EvidenceOfOptics).
 constexpr double kLeastEvidence = 50;
 
@@ -39,6 +41,7 @@ class CameraRounds {
         context_(context),
         scene_(*scene),
         given_poses_(BodyPoses(scene->given, scene->mounts)) {
+    if (input.level.factor == 1) options_.sample_spacing_px = kStoredSpacingPx;
     SeeCurves();
     control_ = MakeControlGraph(input.graph, small_views_, options.control_spacing_px);
     // A view that is off supports no link, or the wrong ones.
@@ -231,7 +234,7 @@ class CameraRounds {
   }
 
   const CameraRoundsInput& input_;
-  const RefinementOptions& options_;
+  RefinementOptions options_;
   const RunContext& context_;
   CameraScene& scene_;
   const std::vector<Rigid3d> given_poses_;

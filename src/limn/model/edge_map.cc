@@ -10,14 +10,12 @@ namespace limn {
 namespace {
 
 bool ApplyLensToEdgel(const LensMap& lens, Edgel* edgel) {
-  const Eigen::Vector2d stored = edgel->position_px;
-  const auto position = lens.VirtualFromStored(stored);
-  const auto jacobian = VirtualFromStoredJacobian(lens, stored);
-  if (!position || !jacobian) return false;
-  const Eigen::Vector2d tangent = *jacobian * edgel->Tangent();
-  edgel->position_px = *position;
+  const auto pixel = ThroughLens(&lens, edgel->position_px);
+  if (!pixel) return false;
+  const Eigen::Vector2d tangent = pixel->stored_from_virtual.inverse() * edgel->Tangent();
+  edgel->position_px = pixel->virtual_px;
   edgel->tangent_rad = std::atan2(tangent.y(), tangent.x());
-  edgel->stored_from_virtual = jacobian->inverse().cast<float>();
+  edgel->stored_from_virtual = pixel->stored_from_virtual.cast<float>();
   return true;
 }
 

@@ -8,15 +8,14 @@ namespace {
 
 constexpr double kDerivativeStepPx = 0.5;
 
-}  // namespace
-
-std::optional<Eigen::Matrix2d> VirtualFromStoredJacobian(const LensMap& lens,
-                                                         const Eigen::Vector2d& stored_px) {
+// By central differences of the direction that needs no iteration.
+std::optional<Eigen::Matrix2d> StoredFromVirtualJacobian(const LensMap& lens,
+                                                         const Eigen::Vector2d& virtual_px) {
   Eigen::Matrix2d jacobian;
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector2d step = kDerivativeStepPx * Eigen::Vector2d::Unit(axis);
-    const auto ahead = lens.VirtualFromStored(stored_px + step);
-    const auto behind = lens.VirtualFromStored(stored_px - step);
+    const auto ahead = lens.StoredFromVirtual(virtual_px + step);
+    const auto behind = lens.StoredFromVirtual(virtual_px - step);
     if (!ahead || !behind) return std::nullopt;
     jacobian.col(axis) = (*ahead - *behind) / (2 * kDerivativeStepPx);
   }
@@ -25,12 +24,15 @@ std::optional<Eigen::Matrix2d> VirtualFromStoredJacobian(const LensMap& lens,
   return jacobian;
 }
 
+}  // namespace
+
 std::optional<LensPixel> ThroughLens(const LensMap* lens, const Eigen::Vector2d& stored_px) {
   if (!lens) return LensPixel{stored_px};
   const auto virtual_px = lens->VirtualFromStored(stored_px);
-  const auto jacobian = VirtualFromStoredJacobian(*lens, stored_px);
-  if (!virtual_px || !jacobian) return std::nullopt;
-  return LensPixel{*virtual_px, jacobian->inverse()};
+  if (!virtual_px) return std::nullopt;
+  const auto jacobian = StoredFromVirtualJacobian(*lens, *virtual_px);
+  if (!jacobian) return std::nullopt;
+  return LensPixel{*virtual_px, *jacobian};
 }
 
 }  // namespace limn

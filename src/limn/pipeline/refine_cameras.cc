@@ -23,9 +23,11 @@ constexpr int kFirstSidePx = 160;
 constexpr int kLeastPx = 16;
 // Unused border of small pictures, px.
 constexpr double kSmallMarginPx = 4;
-// Gains (CameraFitResult::gain) of cameras that are off, in small pictures and as stored
+// Gains (CameraFitResult::gain) of cameras that are off, in small pictures and as stored, and how
+// many curves' shares of the cost an unknown of theirs explains in small pictures
 // (algorithm/cameras.md#whether-it-is-needed).
-constexpr double kGainOfOffWhenSmall = 0.18;
+constexpr double kGainOfOffWhenSmall = 0.09;
+constexpr double kSharesOfOffWhenSmall = 0.15;
 constexpr double kGainOfOff = 0.2;
 // Cameras that move by more than this, px of a small picture, may be lost: they begin with the
 // smallest. Pictures are drawn again until they move by less than kSettledPx, or so often.
@@ -105,7 +107,7 @@ void CameraRefiner::RefineBySmallPictures() {
 void CameraRefiner::LookAtSmallPictures() {
   const PictureLevel first = Extract(first_factor_);
   const FirstLook look = DrawAndRefine(first, kReaches);
-  if (look.gain < kGainOfOffWhenSmall) return ReturnToGiven();
+  if (!look.is_off) return ReturnToGiven();
   if (look.moved_px > kLostPx) {
     ReturnToGiven();
     for (int factor = FactorOf(input_.views, kSmallestSidePx); factor > first_factor_;
@@ -203,7 +205,11 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
   const double seen_px = SeenPx(graph_, before);
   const CameraRoundsResult rounds = Refine(graph_, level, reaches);
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
-  return {rounds.gain, gauge.typical_move_px / level.factor, seen_px};
+  const auto num_links = static_cast<double>(graph_.links.size());
+  const auto num_unknowns = 6.0 * static_cast<double>(std::ranges::count(input_.mounts.held, 0));
+  const double shares = rounds.gain * num_links / num_unknowns;
+  return {rounds.gain > kGainOfOffWhenSmall && shares > kSharesOfOffWhenSmall,
+          gauge.typical_move_px / level.factor, seen_px};
 }
 
 void CameraRefiner::Settle(const PictureLevel& level) {

@@ -82,7 +82,7 @@ class CameraRefiner {
 
  private:
   struct FirstLook {
-    double gain = 0;
+    bool is_off = false;  // the cameras were
     double moved_px = 0;  // of the pictures
     double seen_px = 0;   // of the images as stored, that the drawing shows
   };

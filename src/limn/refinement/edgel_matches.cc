@@ -12,7 +12,6 @@
 namespace limn {
 namespace {
 
-constexpr double kSampleSpacingPx = 1.5;
 // Of a segment: only one that the fit has thrown far away is longer.
 constexpr double kMaxSegmentSamples = 1000;
 // Image edges nearer to each other than this displace each other or merge, px.
@@ -35,7 +34,8 @@ double SegmentPx(const ControlGraph& control, int from, int to) {
   return (control.position[to] - control.position[from]).norm() / footprint;
 }
 
-std::vector<FitSample> MakeSamples(const ControlGraph& control, const ControlLink& link) {
+std::vector<FitSample> MakeSamples(const ControlGraph& control, const ControlLink& link,
+                                   double spacing_px) {
   std::vector<double> arc_px = {0};
   for (int s = 0; s < link.NumSegments(); ++s) {
     arc_px.push_back(arc_px.back() + SegmentPx(control, link.points[s], link.points[s + 1]));
@@ -47,7 +47,7 @@ std::vector<FitSample> MakeSamples(const ControlGraph& control, const ControlLin
     // Over the neighbors, too: the direction of a short segment alone is unreliable.
     const Eigen::Vector3d tangent = Tangent(control, link, s - 1, s + 2);
     const double length_px = arc_px[s + 1] - arc_px[s];
-    const double num_steps = std::min(length_px / kSampleSpacingPx, kMaxSegmentSamples);
+    const double num_steps = std::min(length_px / spacing_px, kMaxSegmentSamples);
     const int count = std::max(1, static_cast<int>(std::lround(num_steps)));
     for (int k = 0; k < count; ++k) {
       const double t = (k + 0.5) / count;
@@ -207,7 +207,9 @@ void KeepBest(const std::vector<ImageCurves>& curves, int min_views, ControlGrap
 
 void MatchEdgels(const TopologyInput& input, const RefinementOptions& options,
                  const RunContext& context, ControlGraph* control) {
-  for (ControlLink& link : control->links) link.samples = MakeSamples(*control, link);
+  for (ControlLink& link : control->links) {
+    link.samples = MakeSamples(*control, link, options.sample_spacing_px);
+  }
   std::vector<std::optional<Crowding>> crowding(input.views.size());
   ParallelFor(context, "projecting links", crowding.size(), [&](size_t v) {
     crowding[v].emplace(PlacesIn(static_cast<ViewId>(v), input.views[v], *control));

@@ -13,8 +13,10 @@ struct RefinementOptions {
   // Well determined places prevail over it. Smaller is smoother.
   double bending_sigma = 0.08;
 
-  // Set by tests only: spacing of the control points of a link, px.
+  // Not set by users: spacing of the control points of a link, and of the samples that are matched
+  // with edgels, px.
   double control_spacing_px = 3;
+  double sample_spacing_px = 1.5;
   // And within this angle, edgels pull at a link.
   double max_angle_deg = 15;
   // Views that must show a sample for its edgels to count.
