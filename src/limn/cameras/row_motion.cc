@@ -24,7 +24,7 @@ constexpr size_t kLeastDistances = 24;
 constexpr int kLeastCurves = 4;
 // Of rows that were exposed one after the other, if it matters (algorithm/cameras.md#rows).
 constexpr double kLeastEvidence = 10;
-constexpr double kLeastSkewPx = 0.3;
+constexpr double kLeastSkewPx = 0.5;
 
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
@@ -47,8 +47,7 @@ std::vector<SeenLine> SeenLines(const std::vector<View>& views, const Landmark& 
     if (!distance) continue;
     Eigen::Vector3d by_landmark = Eigen::Vector3d::Zero();
     by_landmark.head(landmark.ways.cols()) = landmark.ways.transpose() * distance->gradient;
-    const double weight =
-        line.weight / (1 + Square(distance->residual_px / landmark.robust_px));
+    const double weight = line.weight / (1 + Square(distance->residual_px / landmark.robust_px));
     seen.push_back({&line, distance->residual_px, weight, distance->gradient, by_landmark});
   }
   return seen;
@@ -158,8 +157,8 @@ class SkewFit {
 
   Equations Linearize() const {
     const Vector12d holds = per_sigma_.cwiseAbs2();
-    Equations equations = {holds.asDiagonal(), holds.cwiseProduct(motion_),
-                           {Eigen::MatrixXd::Zero(12, 12), 0}};
+    Equations equations = {
+        holds.asDiagonal(), holds.cwiseProduct(motion_), {Eigen::MatrixXd::Zero(12, 12), 0}};
     ForCurves(distances_, [&](size_t begin, size_t end) {
       Vector12d gradient = Vector12d::Zero();
       for (size_t i = begin; i < end; ++i) AddDistance(distances_[i], &equations.normal, &gradient);
@@ -234,9 +233,8 @@ RowMotion MeasureRowMotion(const std::vector<View>& views, const std::vector<Lan
   const FreeDistances distances = MakeDistances(views, landmarks);
   RowMotion motion;
   motion.of_view.resize(views.size());
-  ParallelFor(context, "cameras", views.size(), [&](size_t v) {
-    motion.of_view[v] = SkewOf(views[v].camera, distances.OfView(v));
-  });
+  ParallelFor(context, "cameras", views.size(),
+              [&](size_t v) { motion.of_view[v] = SkewOf(views[v].camera, distances.OfView(v)); });
   Summarize(&motion);
   return motion;
 }

@@ -18,7 +18,7 @@ namespace {
 constexpr int kNumViews = 12;
 constexpr int kNumCurves = 60;
 constexpr int kNumOnCurve = 10;
-constexpr double kNoisePx = 0.15;  // of each edgel, and of all those of a curve in a view
+constexpr double kEdgelNoisePx = 0.15;  // of each edgel, and of all those of a curve in a view
 constexpr double kWeight = 1;
 constexpr size_t kMoving = 4;
 
@@ -47,7 +47,8 @@ Eigen::Vector3d At(const Motion& motion, double row, const Eigen::Vector3d& in_c
   return Eigen::AngleAxisd(turn.norm(), turn.normalized()) * in_camera + row * motion.shift;
 }
 
-Eigen::Vector2d Image(const View& view, const Motion& motion, const Eigen::Vector3d& in_world) {
+Eigen::Vector2d SeenWhileMoving(const View& view, const Motion& motion,
+                                const Eigen::Vector3d& in_world) {
   const Eigen::Vector3d in_camera = view.cam_from_world * in_world;
   Eigen::Vector2d px = view.camera.Project(in_camera);
   for (int i = 0; i < 5; ++i) {
@@ -58,9 +59,9 @@ Eigen::Vector2d Image(const View& view, const Motion& motion, const Eigen::Vecto
 }
 
 // Points of straight curves and how these cameras see them.
-class Scene {
+class CurvesOnRows {
  public:
-  explicit Scene(const std::vector<Motion>& motions, int num_curves = kNumCurves) {
+  explicit CurvesOnRows(const std::vector<Motion>& motions, int num_curves = kNumCurves) {
     for (int curve = 0; curve < num_curves; ++curve) AddCurve(motions, curve);
   }
 
@@ -95,8 +96,8 @@ class Scene {
                       Landmark* landmark) {
     const View& view = Views()[v];
     if (!view.Project(landmark->position)) return;
-    const Eigen::Vector2d px = Image(view, motion, landmark->position);
-    const Eigen::Vector2d beside = Image(view, motion, landmark->position + 1e-3 * along);
+    const Eigen::Vector2d px = SeenWhileMoving(view, motion, landmark->position);
+    const Eigen::Vector2d beside = SeenWhileMoving(view, motion, landmark->position + 1e-3 * along);
     const Eigen::Vector2d direction = (beside - px).normalized();
     const Eigen::Vector2d across(-direction.y(), direction.x());
     landmark->lines.push_back({v, EdgelLine(px + noise_px * across, across), kWeight});
@@ -105,11 +106,11 @@ class Scene {
   double Noise() { return noise_(random_); }
 
   std::mt19937 random_{5};
-  std::normal_distribution<double> noise_{0, kNoisePx};
+  std::normal_distribution<double> noise_{0, kEdgelNoisePx};
   std::vector<Landmark> landmarks_;
 };
 
-double TrueSkewPx(const Scene& scene, size_t v, const Motion& motion) {
+double TrueSkewPx(const CurvesOnRows& scene, size_t v, const Motion& motion) {
   std::vector<Eigen::Vector3d> places;
   for (const Landmark& landmark : scene.landmarks()) {
     places.push_back(Views()[v].cam_from_world * landmark.position);
@@ -120,12 +121,12 @@ double TrueSkewPx(const Scene& scene, size_t v, const Motion& motion) {
       .norm();
 }
 
-RowMotion Measure(const Scene& scene, const std::vector<View>& views = Views()) {
+RowMotion Measure(const CurvesOnRows& scene, const std::vector<View>& views = Views()) {
   return MeasureRowMotion(views, scene.landmarks(), {});
 }
 
 TEST(RowMotion, StillCamerasHaveNoSkewButByChance) {
-  const RowMotion rows = Measure(Scene(Still()));
+  const RowMotion rows = Measure(CurvesOnRows(Still()));
   ASSERT_EQ(rows.of_view.size(), kNumViews);
   double squares = 0;
   for (const ViewSkew& skew : rows.of_view) {
@@ -143,7 +144,7 @@ TEST(RowMotion, StillCamerasHaveNoSkewButByChance) {
 TEST(RowMotion, TheSkewOfOneViewIsFound) {
   std::vector<Motion> motions = Still();
   motions[kMoving] = SomeMotion(kMoving);
-  const Scene scene(motions);
+  const CurvesOnRows scene(motions);
   const RowMotion rows = Measure(scene);
   const ViewSkew& skew = rows.of_view[kMoving];
   const double truth_px = TrueSkewPx(scene, kMoving, motions[kMoving]);
@@ -157,7 +158,7 @@ TEST(RowMotion, TheSkewOfOneViewIsFound) {
 TEST(RowMotion, ViewsThatAllMoveAreTold) {
   std::vector<Motion> motions;
   for (size_t v = 0; v < kNumViews; ++v) motions.push_back(SomeMotion(v));
-  const Scene scene(motions);
+  const CurvesOnRows scene(motions);
   const RowMotion rows = Measure(scene);
   EXPECT_TRUE(rows.IsRollingShutter());
   std::vector<double> truths_px;
@@ -172,13 +173,13 @@ TEST(RowMotion, SkewsThatDoNotMatterAreNotTold) {
     const Motion motion = SomeMotion(v);
     motions.push_back({motion.turn / 20, motion.shift / 20});
   }
-  EXPECT_FALSE(Measure(Scene(motions)).IsRollingShutter());
+  EXPECT_FALSE(Measure(CurvesOnRows(motions)).IsRollingShutter());
 }
 
 TEST(RowMotion, AWrongPoseIsNoSkew) {
   std::vector<View> views = Views();
   views[kMoving].cam_from_world.translation += Eigen::Vector3d(0.006, -0.01, 0.01);
-  const Scene scene(Still());
+  const CurvesOnRows scene(Still());
   const ViewSkew right = Measure(scene).of_view[kMoving];
   const ViewSkew wrong = Measure(scene, views).of_view[kMoving];
   EXPECT_NEAR(wrong.px, right.px, right.sigma_px);
@@ -189,7 +190,7 @@ TEST(RowMotion, WithoutEnoughCurvesItIsNotKnown) {
   std::vector<Motion> motions = Still();
   motions[kMoving] = SomeMotion(kMoving);
   for (const int num_curves : {0, 3}) {
-    const RowMotion rows = Measure(Scene(motions, num_curves));
+    const RowMotion rows = Measure(CurvesOnRows(motions, num_curves));
     ASSERT_EQ(rows.of_view.size(), kNumViews);
     for (const ViewSkew& skew : rows.of_view) {
       EXPECT_EQ(skew.px, 0);
@@ -201,7 +202,7 @@ TEST(RowMotion, WithoutEnoughCurvesItIsNotKnown) {
 }
 
 TEST(RowMotion, AViewThatSeesNothingDoesNotCount) {
-  const Scene scene(Still());
+  const CurvesOnRows scene(Still());
   std::vector<View> views = Views();
   views.push_back(views[0]);
   const RowMotion with = Measure(scene, views);
