@@ -95,7 +95,8 @@ class FreeDistances {
     distance.curve = curve;
     distance.px = line.distance_px + line.by_landmark.dot(factor.solve(right));
     distance.weight = 1 / (1 / line.line->weight + variance);
-    distance.robust_px = landmark.robust_px;
+    // The noise of where the others place it counts, too.
+    distance.robust_px = landmark.robust_px * std::sqrt(1 + line.line->weight * variance);
     distance.place_in_camera = view.cam_from_world * landmark.position;
     const Eigen::Vector3d gradient = view.cam_from_world.rotation * line.gradient;
     distance.by_motion << distance.place_in_camera.cross(gradient), gradient;
