@@ -23,7 +23,7 @@ constexpr int kNumReweightings = 10;
 constexpr size_t kLeastDistances = 24;
 constexpr int kLeastCurves = 4;
 // Of rows that were exposed one after the other, if it matters (algorithm/cameras.md#rows).
-constexpr double kLeastEvidence = 10;
+constexpr double kLeastEvidence = 8;
 constexpr double kLeastSkewPx = 0.5;
 
 using Vector12d = Eigen::Matrix<double, 12, 1>;
