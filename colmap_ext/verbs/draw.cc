@@ -114,6 +114,7 @@ std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& opti
   CheckGraph(result->graph);
   if (how != CameraRefinement::kOff && !result->new_views)
     SayCameras(result->cameras, set, how, job.console);
+  SayRows(result->rows, job.console);
   if (result->fit_to_given) SayFitToGiven(*result->fit_to_given, job.console);
   return ToDrawnScene(std::move(*result), job, IsInTiles(tiles, input.views));
 }

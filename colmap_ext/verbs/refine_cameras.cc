@@ -31,6 +31,7 @@ void RefineCamerasVerb::Run(const Project& project, const RunOptions& options, C
       {set.views, set.hints, project.images(), SceneBox(project, options), job.cache, &set.mounts},
       options.pipeline, job.context(), job.reporter());
   SayCameras(scene.cameras, set, how, console);
+  SayRows(scene.rows, console);
   if (scene.cameras) {
     WarnOfDense(project, *scene.cameras, console);
     WriteRefinedModel(project, scene.cameras, console);

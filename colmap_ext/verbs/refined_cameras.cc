@@ -50,12 +50,14 @@ void SayOptics(const RefinedCameras& cameras, const ViewSet& set, Console* conso
 
 // Per image, what became of its camera.
 std::string ChangesAsCsv(const RefinedCameras& cameras) {
-  std::string csv = "image,moved px,edgels,residual px,certain by px,misfit\n";
+  std::string csv =
+      "image,moved px,edgels,residual px,certain by px,skew px,skew certain by px,misfit\n";
   for (size_t v = 0; v < cameras.views.size(); ++v) {
     const CameraChange& change = cameras.of_view[v];
     csv += cameras.views[v].name + "," + ShortNumber(change.moved_px) + "," +
            std::to_string(change.num_edgels) + "," + ShortNumber(change.residual_px) + "," +
-           ShortNumber(change.certain_by_px) + "," + (change.is_misfit ? "1" : "0") + "\n";
+           ShortNumber(change.certain_by_px) + "," + ShortNumber(change.skew_px) + "," +
+           ShortNumber(change.skew_sigma_px) + "," + (change.is_misfit ? "1" : "0") + "\n";
   }
   return csv;
 }
@@ -125,6 +127,14 @@ void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set
         "WARNING: cameras stay as they are: the images show too few curves, or fewer with "
         "refined cameras");
   }
+}
+
+void SayRows(const RowMotion& rows, Console* console) {
+  if (!rows.IsRollingShutter()) return;
+  console->Say("Rows are out of step: the scene moves by " + ShortNumber(rows.skew_px) +
+               " px from the first row of an image to the last (median), as with a rolling "
+               "shutter; curves stay off by as much. Hold the camera still for each image, or use "
+               "one with a global shutter");
 }
 
 void SayFitToGiven(const FitToGiven& fit, Console* console) {

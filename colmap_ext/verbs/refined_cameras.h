@@ -21,6 +21,9 @@ CameraRefinement CameraRefinementOf(const Job& job);
 void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set,
                 CameraRefinement how, Console* console);
 
+// Says that rows of the images were exposed one after the other, if they were.
+void SayRows(const RowMotion& rows, Console* console);
+
 // How well a drawing fits the given cameras although they were refined.
 void SayFitToGiven(const FitToGiven& fit, Console* console);
 

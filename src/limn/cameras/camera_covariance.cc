@@ -51,9 +51,8 @@ Eigen::MatrixXd WithoutMotionOfWorld(const CameraEquations& equations, const Cam
   return Eigen::MatrixXd::Identity(equations.size(), equations.size()) - motions * explained;
 }
 
-// The covariance of the gradient. Curves fit better than they err, by as many freedoms as there are
-// unknowns, and few of them do not tell about all directions: these are those of the normal
-// equations then. Holds are samples of their own.
+}  // namespace
+
 Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter, const Eigen::VectorXd& per_sigma,
                                      const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper>& normal) {
   const auto size = static_cast<double>(scatter.sum.rows());
@@ -68,8 +67,6 @@ Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter, const Eigen::V
   covariance.diagonal() += per_sigma.cwiseAbs2();
   return covariance;
 }
-
-}  // namespace
 
 std::optional<CameraCovariance> CovarianceOfCameras(const CameraEquations& equations,
                                                     const CameraState& state) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "limn/cameras/camera_equations.h"
@@ -25,6 +26,12 @@ struct CameraCovariance {
 // solution. Time: the cube of the number of unknowns, and its square times the number of curves.
 std::optional<CameraCovariance> CovarianceOfCameras(const CameraEquations& equations,
                                                     const CameraState& state);
+
+// The covariance of the gradient at a minimum. Curves fit better than they err, by as many freedoms
+// as there are unknowns, and few of them do not tell about all directions: these are those of the
+// normal equations then. Holds, in standard deviations per unit, are samples of their own.
+Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter, const Eigen::VectorXd& per_sigma,
+                                     const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper>& normal);
 
 // Mean square of the motions of parameters in terms of their standard deviations, each camera by
 // itself, without parameters whose variance is 0 (Wald 1943): 1 if they move by chance alone.

@@ -31,6 +31,9 @@ constexpr size_t kMaxLines = 60'000;
 constexpr double kStoredSpacingPx = 3;
 // The optics begin to be refined if curves gain, and with this evidence (EvidenceOfOptics).
 constexpr double kLeastEvidence = 50;
+// Gate within which the motion of rows is measured, and scale of its loss, in multiples of those of
+// the options: what rows are off must not be left out.
+constexpr double kReachOfRows = 2;
 
 class CameraRounds {
  public:
@@ -58,6 +61,7 @@ class CameraRounds {
       if (i == 0) result_.gain = outcome.gain;
     }
     if (!input_.optics_reaches.empty()) RefineOptics();
+    if (input_.level.factor == 1) MeasureRows();
     return std::move(result_);
   }
 
@@ -222,6 +226,19 @@ class CameraRounds {
           parameters->second.cwiseProduct(per_px_.at(view.camera_index)));
       SetOptics(optics, &view);
     }
+  }
+
+  // Under the cameras as they are now.
+  void MeasureRows() {
+    if (!per_px_.empty()) SeeCurves();
+    Match(kReachOfRows);
+    const std::map<int, Eigen::VectorXd> none;
+    const LandmarkInput input = {scene_.views, curves_, 1, none,
+                                 kReachOfRows * options_.robust_residual_px};
+    std::vector<Landmark> landmarks = CurveLandmarks(input, control_, kMaxLines);
+    std::ranges::move(LandmarksOfPoints(input, scene_.points).landmarks,
+                      std::back_inserter(landmarks));
+    result_.rows = MeasureRowMotion(scene_.views, landmarks, context_);
   }
 
   // Of the image of the middle of the scene.

@@ -5,6 +5,7 @@
 
 #include "limn/cameras/camera_scene.h"
 #include "limn/cameras/camera_uncertainty.h"
+#include "limn/cameras/row_motion.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/refinement/refinement_options.h"
 #include "limn/util/parallel.h"
@@ -36,6 +37,7 @@ struct CameraRoundsResult {
   double gain = 0;
   // After the last round, if optics might be refined and it has a solution.
   std::optional<CameraUncertainty> uncertainty;
+  RowMotion rows;  // after the last round, of pictures as stored; else of no view
 };
 
 // Moves the cameras of the scene so that the edges of a drawing lie on the edgels of all views that

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "limn/cameras/pixel_by_point.h"
 #include "limn/geometry/polyline.h"
 #include "limn/support/edgel_residual.h"
 
@@ -18,14 +19,6 @@ struct ImageMotion {
   std::vector<int> unknowns;
   Eigen::Matrix2Xd by_unknowns;
 };
-
-Eigen::Matrix<double, 2, 3> PixelByPoint(const PinholeCamera& camera,
-                                         const Eigen::Vector3d& point) {
-  Eigen::Matrix<double, 2, 3> by_point;
-  by_point << camera.fx, 0, -camera.fx * point.x() / point.z(),  //
-      0, camera.fy, -camera.fy * point.y() / point.z();
-  return by_point / point.z();
-}
 
 Eigen::Matrix<double, 2, 6> PixelByBody(const CameraUncertainty& cameras, const View& view,
                                         const CameraMount& mount, const Eigen::Vector3d& point) {

@@ -52,7 +52,7 @@ UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<Image
   };
   refiner.RefineBySmallPictures();
   const bool had_moved = refiner.HaveMoved();
-  UnrefinedScene scene{std::move(curves), {}, std::nullopt};
+  UnrefinedScene scene{std::move(curves), {}, std::nullopt, {}};
   draw_and_refine(&scene);
   if (refiner.HaveMoved() && !had_moved) {
     // What wrong cameras draw is in pieces.
@@ -61,6 +61,7 @@ UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<Image
     if (refiner.HaveMoved()) scene = std::move(again);
   }
   TakeCameras(refiner, &scene);
+  scene.rows = refiner.Rows();
   return scene;
 }
 
@@ -71,7 +72,7 @@ UnrefinedScene DrawExtracted(const PipelineInput& input, std::vector<ImageCurves
     return DrawRefiningCameras(input, std::move(curves), options, context, on_stage_end);
   }
   DrawnCurves drawn = Draw(input, curves, options, context, on_stage_end);
-  return {std::move(curves), std::move(drawn), std::nullopt};
+  return {std::move(curves), std::move(drawn), std::nullopt, {}};
 }
 
 // A drawing that fits refined cameras, fitted to the given ones instead.
@@ -122,7 +123,7 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
       return *std::move(updated);
     }
   }
-  auto [curves, drawn, cameras] =
+  auto [curves, drawn, cameras, rows] =
       DrawExtracted(input, std::move(extracted), options, context, on_stage_end);
   const PipelineInput seen = SeenBy(cameras, input);
   // What follows is done by this process alone.
@@ -153,6 +154,7 @@ PipelineResult DrawScene(const PipelineInput& input, const PipelineOptions& opti
           std::move(graph),
           std::move(drawn.drawing.fates),
           std::nullopt,
+          std::move(rows),
           std::move(fit_to_given),
           std::move(keep)};
 }

@@ -194,8 +194,10 @@ void CameraRefiner::Draw(const PictureLevel& level) {
 CameraRoundsResult CameraRefiner::Refine(const DrawingGraph& graph, const PictureLevel& level,
                                          const std::vector<double>& reaches,
                                          const std::vector<double>& optics_reaches) {
-  return RefineCamerasByDrawing({graph, level, reaches, optics_reaches}, options_.refinement,
-                                context_, &scene_);
+  CameraRoundsResult rounds = RefineCamerasByDrawing({graph, level, reaches, optics_reaches},
+                                                     options_.refinement, context_, &scene_);
+  if (level.factor == 1) rows_ = rounds.rows;
+  return rounds;
 }
 
 CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
@@ -269,8 +271,9 @@ RefinedCameras CameraRefiner::Cameras() const {
   cameras.views = Refined(scene_.views);
   for (size_t v = 0; v < cameras.views.size(); ++v) {
     const CameraEvidence& evidence = last_.of_view[v];
-    cameras.of_view.push_back(
-        {gauge_.moves_px[v], evidence.num_edgels, evidence.residual_px, evidence.certain_by_px});
+    const ViewSkew& skew = last_.rows.of_view[v];
+    cameras.of_view.push_back({gauge_.moves_px[v], evidence.num_edgels, evidence.residual_px,
+                               evidence.certain_by_px, skew.px, skew.sigma_px});
   }
   for (const FarMove& move : gauge_.moved_far) cameras.of_view[move.view].is_misfit = true;
   cameras.uncertainty = last_.uncertainty;

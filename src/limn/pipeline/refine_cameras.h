@@ -9,6 +9,7 @@
 #include "limn/cameras/camera_scene.h"
 #include "limn/cameras/camera_uncertainty.h"
 #include "limn/cameras/gauge.h"
+#include "limn/cameras/row_motion.h"
 #include "limn/model/curve_fragment.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/image.h"
@@ -37,6 +38,9 @@ struct CameraChange {
   double residual_px = 0;
   // Standard deviation of the image of the scene (CertainByPx); 0 = not known.
   double certain_by_px = 0;
+  // Motion of the image of the scene between its first and its last line; 0, 0 = not known.
+  double skew_px = 0;
+  double skew_sigma_px = 0;
   // Moved much farther than most: it was wrong, and may still be.
   bool is_misfit = false;
 };
@@ -77,6 +81,10 @@ class CameraRefiner {
   // In the frame of the given ones. Precondition: they have moved.
   RefinedCameras Cameras() const;
 
+  // Of the pictures as stored, under the cameras that were measured last: those of Cameras(), or
+  // the given ones after a check, fitted. Of no view if there were too few curves.
+  const RowMotion& Rows() const { return rows_; }
+
   // The curves of the pictures as stored, as other views of the same pictures see them.
   std::vector<ImageCurves> CurvesSeenBy(const std::vector<View>& views) const;
 
@@ -113,6 +121,7 @@ class CameraRefiner {
   std::vector<std::optional<Image>> first_images_;  // while small pictures are made
   DrawingGraph graph_;                              // the last drawing
   CameraRoundsResult last_;
+  RowMotion rows_;
   Gauge gauge_;
   bool have_moved_ = false;
   double given_px_ = 0;  // of the images, in the drawing as stored with the given cameras

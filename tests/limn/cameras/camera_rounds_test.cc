@@ -254,6 +254,30 @@ TEST(CameraRounds, CertaintyIsRight) {
   EXPECT_LT(squares / count, 3);
 }
 
+// Sheared images, as of cameras that turn while they expose one row after the other.
+TEST(CameraRounds, RowsThatAreOutOfStepAreSeen) {
+  std::vector<ImageCurves> curves = Curves();
+  const auto rows_of = [&] {
+    CameraScene scene = MakeCameraScene(TrueViews(), kNoHints, LooseMounts(kNumPoseViews));
+    const DrawingGraph graph = CubeGraph();
+    return RefineCamerasByDrawing({graph, {1, curves}, {2, 1}, {1}}, {}, {}, &scene).rows;
+  };
+  const RowMotion straight = rows_of();
+  ASSERT_EQ(straight.of_view.size(), kNumPoseViews);
+  EXPECT_GT(straight.of_view[0].sigma_px, 0);
+  EXPECT_FALSE(straight.IsRollingShutter());
+  for (int v = 0; v < kNumPoseViews; ++v) {
+    for (Edgel& edgel : curves[v].edge_map.edgels) {
+      const double row = edgel.position_px.y() / TrueViews()[v].camera.height - 0.5;
+      edgel.position_px.x() += (v % 2 == 0 ? 3 : -3) * row;
+      edgel.stored_px = edgel.position_px.cast<float>();
+    }
+  }
+  const RowMotion sheared = rows_of();
+  EXPECT_TRUE(sheared.IsRollingShutter());
+  EXPECT_NEAR(sheared.skew_px, 3, 1);
+}
+
 TEST(CameraRounds, ResultDoesNotDependOnThreads) {
   const CameraScene one = Refine(WrongViews(), kNoHints, 1);
   const CameraScene two = Refine(WrongViews(), kNoHints, 2);
