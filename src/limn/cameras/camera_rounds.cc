@@ -61,7 +61,7 @@ class CameraRounds {
       if (i == 0) result_.gain = outcome.gain;
     }
     if (!input_.optics_reaches.empty()) RefineOptics();
-    if (input_.level.factor == 1) MeasureRows();
+    if (input_.measures_rows) MeasureRows();
     return std::move(result_);
   }
 

@@ -28,6 +28,8 @@ struct CameraRoundsInput {
   // The same for rounds that follow and refine the optics, too: unless these have been refined
   // before, only if the first round says that they are off.
   std::vector<double> optics_reaches = {};
+  // After the last round; only of pictures as stored.
+  bool measures_rows = false;
 };
 
 struct CameraRoundsResult {
@@ -37,7 +39,7 @@ struct CameraRoundsResult {
   double gain = 0;
   // After the last round, if optics might be refined and it has a solution.
   std::optional<CameraUncertainty> uncertainty;
-  RowMotion rows;  // after the last round, of pictures as stored; else of no view
+  RowMotion rows;  // if the input asks for them; else of no view
 };
 
 // Moves the cameras of the scene so that the edges of a drawing lie on the edgels of all views that

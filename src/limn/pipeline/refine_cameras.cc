@@ -119,7 +119,7 @@ void CameraRefiner::LookAtSmallPictures() {
   const double seen_px = SeenPx(graph_, scene_.views);
   if (seen_px < kLeastSeen * look.seen_px || !IsEnough(seen_px, first)) return ReturnToGiven();
   for (int factor = first_factor_ / 2; factor > 1; factor /= 2) Settle(Extract(factor));
-  RefineAsStored(graph_, kStoredReaches, kOnce);
+  RefineAsStored({graph_, stored_, kStoredReaches, kOnce});
 }
 
 void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
@@ -127,16 +127,16 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   const double seen_px = SeenPx(graph, scene_.views);
   if (have_moved_) {
     if (graph.links.empty() || seen_px < kLeastSeen * given_px_) return ReturnToGiven();
-    return RefineAsStored(graph, kOnce, kTwice);
+    return RefineAsStored({graph, stored_, kOnce, kTwice, true});
   }
   given_px_ = seen_px;
   if (!IsEnough(seen_px, stored_)) return;
   if (options_.refine_cameras == CameraRefinement::kAuto) {
-    const double gain = Refine(graph, stored_, kCheckReaches).gain;
+    const double gain = Refine({graph, stored_, kCheckReaches, {}, true}).gain;
     ReturnToGiven();
     if (gain <= kGainOfOff) return;
   }
-  RefineAsStored(graph, kStoredReaches, kOnce);
+  RefineAsStored({graph, stored_, kStoredReaches, kOnce});
 }
 
 void CameraRefiner::ReturnToGiven() {
@@ -144,9 +144,8 @@ void CameraRefiner::ReturnToGiven() {
   have_moved_ = false;
 }
 
-void CameraRefiner::RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches,
-                                   const std::vector<double>& optics_reaches) {
-  last_ = Refine(graph, stored_, reaches, optics_reaches);
+void CameraRefiner::RefineAsStored(const CameraRoundsInput& input) {
+  last_ = Refine(input);
   have_moved_ = true;
   FixGauge();
 }
@@ -191,12 +190,9 @@ void CameraRefiner::Draw(const PictureLevel& level) {
                .drawing.graph;
 }
 
-CameraRoundsResult CameraRefiner::Refine(const DrawingGraph& graph, const PictureLevel& level,
-                                         const std::vector<double>& reaches,
-                                         const std::vector<double>& optics_reaches) {
-  CameraRoundsResult rounds = RefineCamerasByDrawing({graph, level, reaches, optics_reaches},
-                                                     options_.refinement, context_, &scene_);
-  if (level.factor == 1) rows_ = rounds.rows;
+CameraRoundsResult CameraRefiner::Refine(const CameraRoundsInput& input) {
+  CameraRoundsResult rounds = RefineCamerasByDrawing(input, options_.refinement, context_, &scene_);
+  if (input.measures_rows) rows_ = rounds.rows;
   return rounds;
 }
 
@@ -205,7 +201,7 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
   Draw(level);
   const std::vector<View> before = scene_.views;
   const double seen_px = SeenPx(graph_, before);
-  const CameraRoundsResult rounds = Refine(graph_, level, reaches);
+  const CameraRoundsResult rounds = Refine({graph_, level, reaches});
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
   const auto num_links = static_cast<double>(graph_.links.size());
   const auto num_unknowns = 6.0 * static_cast<double>(std::ranges::count(input_.mounts.held, 0));
@@ -271,7 +267,7 @@ RefinedCameras CameraRefiner::Cameras() const {
   cameras.views = Refined(scene_.views);
   for (size_t v = 0; v < cameras.views.size(); ++v) {
     const CameraEvidence& evidence = last_.of_view[v];
-    const ViewSkew& skew = last_.rows.of_view[v];
+    const ViewSkew skew = rows_.of_view.empty() ? ViewSkew() : rows_.of_view[v];
     cameras.of_view.push_back({gauge_.moves_px[v], evidence.num_edgels, evidence.residual_px,
                                evidence.certain_by_px, skew.px, skew.sigma_px});
   }

@@ -38,7 +38,8 @@ struct CameraChange {
   double residual_px = 0;
   // Standard deviation of the image of the scene (CertainByPx); 0 = not known.
   double certain_by_px = 0;
-  // Motion of the image of the scene between its first and its last line; 0, 0 = not known.
+  // Motion of the image of the scene from its first row to its last (MeasureRowMotion), with its
+  // standard deviation; 0, 0 = not known.
   double skew_px = 0;
   double skew_sigma_px = 0;
   // Moved much farther than most: it was wrong, and may still be.
@@ -82,7 +83,7 @@ class CameraRefiner {
   RefinedCameras Cameras() const;
 
   // Of the pictures as stored, under the cameras that were measured last: those of Cameras(), or
-  // the given ones after a check, fitted. Of no view if there were too few curves.
+  // the given ones after a check, fitted. Of no view if nothing was measured.
   const RowMotion& Rows() const { return rows_; }
 
   // The curves of the pictures as stored, as other views of the same pictures see them.
@@ -99,13 +100,10 @@ class CameraRefiner {
   PictureLevel Extract(int factor);
   Image ReadShrunk(ViewId id, int factor);
   void Draw(const PictureLevel& level);
-  CameraRoundsResult Refine(const DrawingGraph& graph, const PictureLevel& level,
-                            const std::vector<double>& reaches,
-                            const std::vector<double>& optics_reaches = {});
+  CameraRoundsResult Refine(const CameraRoundsInput& input);
   FirstLook DrawAndRefine(const PictureLevel& level, const std::vector<double>& reaches);
   void Settle(const PictureLevel& level);
-  void RefineAsStored(const DrawingGraph& graph, const std::vector<double>& reaches,
-                      const std::vector<double>& optics_reaches);
+  void RefineAsStored(const CameraRoundsInput& input);
   void ReturnToGiven();
   Eigen::Vector3d MiddleOfScene() const;
   void FixGauge();

@@ -146,8 +146,7 @@ void CompareJacobians(const ColmapLens& colmap, const CameraLensMap& lens, const
   Eigen::Matrix2d differences;
   for (const int axis : {0, 1}) {
     const Eigen::Vector2d step = per_focal.cwiseProduct(0.5 * Eigen::Vector2d::Unit(axis));
-    differences.col(axis) =
-        colmap.Pixel(*ray + step, &unused) - colmap.Pixel(*ray - step, &unused);
+    differences.col(axis) = colmap.Pixel(*ray + step, &unused) - colmap.Pixel(*ray - step, &unused);
   }
   Raise((jacobian - differences).cwiseAbs().maxCoeff() / size, &worst->derivative);
   Eigen::Matrix2d exact;

@@ -260,7 +260,7 @@ TEST(CameraRounds, RowsThatAreOutOfStepAreSeen) {
   const auto rows_of = [&] {
     CameraScene scene = MakeCameraScene(TrueViews(), kNoHints, LooseMounts(kNumPoseViews));
     const DrawingGraph graph = CubeGraph();
-    return RefineCamerasByDrawing({graph, {1, curves}, {2, 1}, {1}}, {}, {}, &scene).rows;
+    return RefineCamerasByDrawing({graph, {1, curves}, {2, 1}, {1}, true}, {}, {}, &scene).rows;
   };
   const RowMotion straight = rows_of();
   ASSERT_EQ(straight.of_view.size(), kNumPoseViews);
