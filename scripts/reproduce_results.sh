@@ -10,5 +10,7 @@ sets=sample-day,pavilion-midday,pavilion-mixed,room,vase
 rm -f build/quality/report.json
 scripts/quality_report.sh --sets $sets --data_path "$data"
 scripts/pose_ladder.sh --data_path "$data"
-/usr/bin/python3 scripts/bench/results_page.py build/quality/report.json "$(git describe --always --dirty)" datasets build/ladder/ladder.md
+scripts/stereo_worth.sh
+/usr/bin/python3 scripts/bench/results_page.py build/quality/report.json "$(git describe --always --dirty)" datasets build/ladder/ladder.md \
+  build/stereo_worth/section.md
 echo "Look at: datasets/RESULTS.md"

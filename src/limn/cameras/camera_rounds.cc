@@ -78,14 +78,17 @@ class CameraRounds {
     const bool are_refined =
         !std::ranges::equal(scene_.views, scene_.given, {}, &View::calibration, &View::calibration);
     const CameraRoundsResult of_poses = result_;
+    double evidence = 0;
     for (size_t i = 0; i < input_.optics_reaches.size(); ++i) {
       const Outcome outcome = Round(input_.optics_reaches[i], true);
       if (i > 0 || are_refined) continue;
-      if (outcome.gain_of_curves > 0 && outcome.evidence_of_optics > kLeastEvidence) continue;
+      if (outcome.gain_of_curves > 0) evidence = outcome.evidence_of_optics;
+      if (evidence > kLeastEvidence) continue;
       scene_ = posed;
       result_ = of_poses;
-      return;
+      break;
     }
+    result_.evidence_of_optics = evidence;
   }
 
   // The curves through the lenses as they are now.

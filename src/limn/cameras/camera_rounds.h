@@ -37,6 +37,8 @@ struct CameraRoundsResult {
   // Share of the cost that the motion of the cameras explains in the first round
   // (CameraFitResult::gain), or that of curves if it is more.
   double gain = 0;
+  // That given optics are off (EvidenceOfOptics), if curves gain; 0 if that was not asked.
+  double evidence_of_optics = 0;
   // After the last round, if optics might be refined and it has a solution.
   std::optional<CameraUncertainty> uncertainty;
   RowMotion rows;  // if the input asks for them; else of no view

@@ -29,6 +29,8 @@ constexpr double kSmallMarginPx = 4;
 constexpr double kGainOfOffWhenSmall = 0.09;
 constexpr double kSharesOfOffWhenSmall = 0.15;
 constexpr double kGainOfOff = 0.2;
+// And the evidence that only their optics are.
+constexpr double kEvidenceOfOff = 150;
 // Cameras that move by more than this, px of a small picture, may be lost: they begin with the
 // smallest. Pictures are drawn again until they move by less than kSettledPx, or so often.
 constexpr double kLostPx = 1.2;
@@ -132,9 +134,9 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   given_px_ = seen_px;
   if (!IsEnough(seen_px, stored_)) return;
   if (options_.refine_cameras == CameraRefinement::kAuto) {
-    const double gain = Refine({graph, stored_, kCheckReaches, {}, true}).gain;
+    const CameraRoundsResult check = Refine({graph, stored_, kCheckReaches, kOnce, true});
     ReturnToGiven();
-    if (gain <= kGainOfOff) return;
+    if (check.gain <= kGainOfOff && check.evidence_of_optics <= kEvidenceOfOff) return;
   }
   RefineAsStored({graph, stored_, kStoredReaches, kOnce});
 }

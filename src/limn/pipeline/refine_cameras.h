@@ -73,8 +73,8 @@ class CameraRefiner {
 
   // By an unrefined drawing of the pictures as stored, made with the cameras as they are now. As
   // long as nothing has moved, kAuto moves nothing unless the edgels along the drawing then fit
-  // much better. Cameras that have moved since such a drawing return to the given ones if this one
-  // shows less.
+  // much better, or clearly contradict the optics. Cameras that have moved since such a drawing
+  // return to the given ones if this one shows less.
   void RefineByDrawing(const DrawingGraph& graph);
 
   bool HaveMoved() const { return have_moved_; }
