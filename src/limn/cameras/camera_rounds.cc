@@ -277,10 +277,9 @@ CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
   DrawingGraph edges = Scaled(input.graph, 1 / unit);
   RemoveLinks(AreEdges(edges), &edges);
   CameraScene scaled = Scaled(std::move(*scene), 1 / unit);
-  CameraRoundsResult result =
-      CameraRounds({edges, input.level, input.reaches, input.optics_reaches}, options, context,
-                   &scaled)
-          .Run();
+  const CameraRoundsInput of_edges = {edges, input.level, input.reaches, input.optics_reaches,
+                                      input.measures_rows};
+  CameraRoundsResult result = CameraRounds(of_edges, options, context, &scaled).Run();
   *scene = Scaled(std::move(scaled), unit);
   if (result.uncertainty) {
     result.uncertainty->shift_unit = unit;
