@@ -60,8 +60,9 @@ class CameraRounds {
       const Outcome outcome = Round(input_.reaches[i], is_last && !input_.optics_reaches.empty());
       if (i == 0) result_.gain = outcome.gain;
     }
+    if (input_.measures_rows && !HaveOtherOptics()) MeasureRows();
     if (!input_.optics_reaches.empty()) RefineOptics();
-    if (input_.measures_rows) MeasureRows();
+    if (input_.measures_rows && HaveOtherOptics()) MeasureRows();
     return std::move(result_);
   }
 
@@ -72,11 +73,15 @@ class CameraRounds {
     double evidence_of_optics = 0;
   };
 
+  bool HaveOtherOptics() const {
+    return !std::ranges::equal(scene_.views, scene_.given, {}, &View::calibration,
+                               &View::calibration);
+  }
+
   void RefineOptics() {
     per_px_ = ParametersPerPx(scene_.given);
     const CameraScene posed = scene_;
-    const bool are_refined =
-        !std::ranges::equal(scene_.views, scene_.given, {}, &View::calibration, &View::calibration);
+    const bool are_refined = HaveOtherOptics();
     const CameraRoundsResult of_poses = result_;
     double evidence = 0;
     for (size_t i = 0; i < input_.optics_reaches.size(); ++i) {
@@ -94,8 +99,11 @@ class CameraRounds {
   // The curves through the lenses as they are now.
   void SeeCurves() {
     small_views_ = ShrunkViews(scene_.views, input_.level.factor);
+    if (std::ranges::equal(scene_.views, seen_through_, {}, &View::calibration)) return;
     curves_ = CurvesThroughLenses(small_views_, input_.level, context_);
     edgels_ = BuildViewEdgels(curves_, context_);
+    seen_through_.clear();
+    for (const View& view : scene_.views) seen_through_.push_back(view.calibration);
   }
 
   // Nothing has moved, and nothing is gained, without a solution.
@@ -139,10 +147,11 @@ class CameraRounds {
   void FitCurvesAgain() {
     FitCurves(small_views_, options_, context_, false, &control_);
     control_.start = control_.position;
-    if (!per_px_.empty()) SeeCurves();
+    SeeCurves();
   }
 
   void Match(double reach) {
+    matched_reach_ = reach;
     const TopologyInput images = {
         small_views_,
         curves_,
@@ -233,8 +242,10 @@ class CameraRounds {
 
   // Under the cameras as they are now.
   void MeasureRows() {
-    if (!per_px_.empty()) SeeCurves();
-    Match(kReachOfRows);
+    if (matched_reach_ != kReachOfRows) {
+      SeeCurves();
+      Match(kReachOfRows);
+    }
     const std::map<int, Eigen::VectorXd> none;
     const LandmarkInput input = {scene_.views, curves_, 1, none,
                                  kReachOfRows * options_.robust_residual_px};
@@ -260,9 +271,11 @@ class CameraRounds {
   const std::vector<Rigid3d> given_poses_;
   std::map<int, Eigen::VectorXd> per_px_;
   std::vector<View> small_views_;
+  std::vector<std::shared_ptr<const Calibration>> seen_through_;  // curves_
   std::vector<ImageCurves> curves_;
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
+  double matched_reach_ = 0;  // its samples
   bool has_fitted_ = false;
   CameraRoundsResult result_;
 };
