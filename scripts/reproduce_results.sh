@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Makes the tables and figures of the paper, and of Limn beside it: datasets/RESULTS.md and its pictures. Takes about an hour on two
-# cores, and some more for cameras that are wrong. Argument: the folder of the data sets of datasets/README.md, by default ../shared/data.
+# cores, and some more for cameras that are wrong. Needs Debian's python3-opencv.
+# Argument: the folder of the data sets of datasets/README.md, by default ../shared/data.
 set -euo pipefail
 [ $# -le 1 ] || { echo "usage: scripts/reproduce_results.sh [folder of the data sets]" >&2; exit 1; }
 data=$(realpath "${1:-$(dirname "$0")/../../shared/data}")
 cd "$(dirname "$0")/.."
+/usr/bin/python3 -c "import cv2" || { echo "ERROR: scripts/stereo_worth.sh needs OpenCV for Python: apt-get install python3-opencv" >&2; exit 1; }
 
 sets=sample-day,pavilion-midday,pavilion-mixed,room,vase
 rm -f build/quality/report.json

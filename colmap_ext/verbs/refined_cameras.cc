@@ -131,10 +131,13 @@ void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set
 
 void SayRows(const RowMotion& rows, Console* console) {
   if (!rows.IsRollingShutter()) return;
-  console->Say("Rows are out of step: the scene moves by " + ShortNumber(rows.skew_px) +
-               " px from the first row of an image to the last (median), as with a rolling "
-               "shutter; curves stay off by as much. Hold the camera still for each image, or use "
-               "one with a global shutter");
+  console->Say(
+      "WARNING: images seem to have been exposed row by row while the camera moved (rolling "
+      "shutter): the scene moves by " +
+      ShortNumber(rows.skew_px) +
+      " px from the first row to the last (median), and curves may be off by half of that. Hold "
+      "the "
+      "camera still for each image, or use one with a global shutter");
 }
 
 void SayFitToGiven(const FitToGiven& fit, Console* console) {

@@ -5,6 +5,7 @@
 
 #include "colmap_ext/host/job.h"
 #include "colmap_ext/host/project.h"
+#include "limn/cameras/row_motion.h"
 #include "limn/pipeline/pipeline_input.h"
 #include "limn/pipeline/pipeline_options.h"
 

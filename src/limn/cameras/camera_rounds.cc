@@ -240,9 +240,11 @@ class CameraRounds {
     }
   }
 
-  // Under the cameras as they are now.
+  // Under the cameras as they are now. The curves stay matched as they are.
   void MeasureRows() {
-    if (matched_reach_ != kReachOfRows) {
+    const ControlGraph matched = control_;
+    const double reach = matched_reach_;
+    if (reach != kReachOfRows) {
       SeeCurves();
       Match(kReachOfRows);
     }
@@ -253,6 +255,8 @@ class CameraRounds {
     std::ranges::move(LandmarksOfPoints(input, scene_.points).landmarks,
                       std::back_inserter(landmarks));
     result_.rows = MeasureRowMotion(scene_.views, landmarks, context_);
+    control_ = matched;
+    matched_reach_ = reach;
   }
 
   // Of the image of the middle of the scene.
@@ -271,11 +275,11 @@ class CameraRounds {
   const std::vector<Rigid3d> given_poses_;
   std::map<int, Eigen::VectorXd> per_px_;
   std::vector<View> small_views_;
-  std::vector<std::shared_ptr<const Calibration>> seen_through_;  // curves_
+  std::vector<std::shared_ptr<const Calibration>> seen_through_;  // what curves_ were mapped with
   std::vector<ImageCurves> curves_;
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
-  double matched_reach_ = 0;  // its samples
+  double matched_reach_ = 0;  // of the last Match
   bool has_fitted_ = false;
   CameraRoundsResult result_;
 };

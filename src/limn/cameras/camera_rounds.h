@@ -28,7 +28,7 @@ struct CameraRoundsInput {
   // The same for rounds that follow and refine the optics, too: unless these have been refined
   // before, only if the first round says that they are off.
   std::vector<double> optics_reaches = {};
-  // After the last round; only of pictures as stored.
+  // After the rounds; only of pictures as stored.
   bool measures_rows = false;
 };
 
@@ -37,7 +37,8 @@ struct CameraRoundsResult {
   // Share of the cost that the motion of the cameras explains in the first round
   // (CameraFitResult::gain), or that of curves if it is more.
   double gain = 0;
-  // That given optics are off (EvidenceOfOptics), if curves gain; 0 if that was not asked.
+  // Against the given optics (EvidenceOfOptics), if curves gain without them; 0 if that was not
+  // asked, or if they had been refined before.
   double evidence_of_optics = 0;
   // After the last round, if optics might be refined and it has a solution.
   std::optional<CameraUncertainty> uncertainty;

@@ -23,7 +23,7 @@ constexpr int kNumReweightings = 10;
 constexpr size_t kLeastDistances = 24;
 constexpr int kLeastCurves = 4;
 // Of rows that were exposed one after the other, if it matters (algorithm/cameras.md#rows).
-constexpr double kLeastEvidence = 8;
+constexpr double kEvidenceOfShutter = 8;
 constexpr double kLeastSkewPx = 0.5;
 
 using Vector12d = Eigen::Matrix<double, 12, 1>;
@@ -226,7 +226,7 @@ void Summarize(RowMotion* motion) {
 }  // namespace
 
 bool RowMotion::IsRollingShutter() const {
-  return evidence > kLeastEvidence && skew_px > kLeastSkewPx;
+  return evidence > kEvidenceOfShutter && skew_px > kLeastSkewPx;
 }
 
 RowMotion MeasureRowMotion(const std::vector<View>& views, const std::vector<Landmark>& landmarks,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "limn/cameras/row_motion.h"
 #include "limn/pipeline/drawing_stages.h"
 #include "limn/pipeline/pipeline_input.h"
 

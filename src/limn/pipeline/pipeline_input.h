@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/cameras/camera_mounts.h"
+#include "limn/cameras/row_motion.h"
 #include "limn/model/curve3d.h"
 #include "limn/model/drawing_graph.h"
 #include "limn/model/edgel_fate.h"

@@ -28,8 +28,10 @@ constexpr double kSmallMarginPx = 4;
 // (algorithm/cameras.md#whether-it-is-needed).
 constexpr double kGainOfOffWhenSmall = 0.09;
 constexpr double kSharesOfOffWhenSmall = 0.15;
+// Where cameras are lost few curves are drawn. This gain tells without them.
+constexpr double kClearGainWhenSmall = 0.3;
 constexpr double kGainOfOff = 0.2;
-// And the evidence that only their optics are.
+// Evidence against their optics (CameraRoundsResult::evidence_of_optics) if poses gain little.
 constexpr double kEvidenceOfOff = 150;
 // Cameras that move by more than this, px of a small picture, may be lost: they begin with the
 // smallest. Pictures are drawn again until they move by less than kSettledPx, or so often.
@@ -136,7 +138,8 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   if (options_.refine_cameras == CameraRefinement::kAuto) {
     const CameraRoundsResult check = Refine({graph, stored_, kCheckReaches, kOnce, true});
     ReturnToGiven();
-    if (check.gain <= kGainOfOff && check.evidence_of_optics <= kEvidenceOfOff) return;
+    if (!(check.gain > kGainOfOff || check.evidence_of_optics > kEvidenceOfOff)) return;
+    rows_ = {};  // wrong cameras look much like moving ones
   }
   RefineAsStored({graph, stored_, kStoredReaches, kOnce});
 }
@@ -208,8 +211,9 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
   const auto num_links = static_cast<double>(graph_.links.size());
   const auto num_unknowns = 6.0 * static_cast<double>(std::ranges::count(input_.mounts.held, 0));
   const double shares = rounds.gain * num_links / num_unknowns;
-  return {rounds.gain > kGainOfOffWhenSmall && shares > kSharesOfOffWhenSmall,
-          gauge.typical_move_px / level.factor, seen_px};
+  const bool is_off = rounds.gain > kClearGainWhenSmall ||
+                      (rounds.gain > kGainOfOffWhenSmall && shares > kSharesOfOffWhenSmall);
+  return {is_off, gauge.typical_move_px / level.factor, seen_px};
 }
 
 void CameraRefiner::Settle(const PictureLevel& level) {

@@ -82,8 +82,8 @@ class CameraRefiner {
   // In the frame of the given ones. Precondition: they have moved.
   RefinedCameras Cameras() const;
 
-  // Of the pictures as stored, under the cameras that were measured last: those of Cameras(), or
-  // the given ones after a check, fitted. Of no view if nothing was measured.
+  // Measured in the check of cameras that stay, or in the last fit of those that moved; of no view
+  // if neither happened.
   const RowMotion& Rows() const { return rows_; }
 
   // The curves of the pictures as stored, as other views of the same pictures see them.

@@ -13,8 +13,8 @@ struct RefinementOptions {
   // Well determined places prevail over it. Smaller is smoother.
   double bending_sigma = 0.08;
 
-  // Not set by users: spacing of the control points of a link, and of the samples that are matched
-  // with edgels, px.
+  // Spacing of the control points of a link, px: set by tests only. And of the samples that are
+  // matched with edgels: set by what needs fewer.
   double control_spacing_px = 3;
   double sample_spacing_px = 1.5;
   // And within this angle, edgels pull at a link.

@@ -153,6 +153,38 @@ TEST(CameraRounds, OpticsComeBackFromCurves) {
   EXPECT_LT(ErrorsOf(scene.views).aligned_px, ErrorsOf(views).aligned_px / 4);
 }
 
+// As the check of given cameras asks: a round of poses at twice the gate, then optics.
+CameraRoundsResult Check(const std::vector<View>& views, const std::vector<ImageCurves>& curves,
+                         bool measures_rows = true) {
+  CameraScene scene = MakeCameraScene(views, kNoHints, LooseMounts(kNumPoseViews));
+  const DrawingGraph graph = CubeGraph();
+  return RefineCamerasByDrawing({graph, {1, curves}, {2}, {1}, measures_rows}, {}, {}, &scene);
+}
+
+TEST(CameraRounds, EvidenceTellsWrongOpticsFromRightOnes) {
+  const double focal = TrueViews()[0].camera.fx;
+  EXPECT_LT(Check(WithOpticsOff(TrueViews(), 0, 1, focal, {0, 0}), Curves()).evidence_of_optics,
+            30);
+  EXPECT_GT(Check(WithOpticsOff(TrueViews(), 0, 1, 618, {1.5, -1}), Curves()).evidence_of_optics,
+            150);
+}
+
+TEST(CameraRounds, MeasuringRowsMovesNothing) {
+  const std::vector<View> views = WithOpticsOff(TrueViews(), 0, 1, 618, {1.5, -1});
+  const DrawingGraph graph = CubeGraph();
+  const std::vector<ImageCurves> curves = Curves();
+  std::vector<std::vector<View>> refined;
+  for (const bool measures_rows : {false, true}) {
+    CameraScene scene = MakeCameraScene(views, kNoHints, LooseMounts(kNumPoseViews));
+    RefineCamerasByDrawing({graph, {1, curves}, {1}, {1, 1}, measures_rows}, {}, {}, &scene);
+    refined.push_back(scene.views);
+  }
+  for (int v = 0; v < kNumPoseViews; ++v) {
+    EXPECT_EQ(refined[0][v].cam_from_world.translation, refined[1][v].cam_from_world.translation);
+    EXPECT_EQ(refined[0][v].camera.fx, refined[1][v].camera.fx);
+  }
+}
+
 TEST(CameraRounds, OnlyViewsOfOneCameraShareItsOptics) {
   std::vector<View> views = WithOpticsOff(TrueViews(), 0, 2, 618, {0, 0});
   for (int v = 0; v < kNumPoseViews; ++v) views[v].camera_index = v % 2 == 0 ? 7 : 3;
@@ -273,9 +305,10 @@ TEST(CameraRounds, RowsThatAreOutOfStepAreSeen) {
       edgel.stored_px = edgel.position_px.cast<float>();
     }
   }
-  const RowMotion sheared = rows_of();
-  EXPECT_TRUE(sheared.IsRollingShutter());
-  EXPECT_NEAR(sheared.skew_px, 3, 1);
+  for (const RowMotion& sheared : {rows_of(), Check(TrueViews(), curves).rows}) {
+    EXPECT_TRUE(sheared.IsRollingShutter());
+    EXPECT_NEAR(sheared.skew_px, 3, 1);
+  }
 }
 
 TEST(CameraRounds, ResultDoesNotDependOnThreads) {
