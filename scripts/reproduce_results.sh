@@ -6,13 +6,12 @@ set -euo pipefail
 [ $# -le 1 ] || { echo "usage: scripts/reproduce_results.sh [folder of the data sets]" >&2; exit 1; }
 data=$(realpath "${1:-$(dirname "$0")/../../shared/data}")
 cd "$(dirname "$0")/.."
-/usr/bin/python3 -c "import cv2" || { echo "ERROR: scripts/stereo_worth.sh needs OpenCV for Python: apt-get install python3-opencv" >&2; exit 1; }
 
 sets=sample-day,pavilion-midday,pavilion-mixed,room,vase
 rm -f build/quality/report.json
+scripts/stereo_worth.sh
 scripts/quality_report.sh --sets $sets --data_path "$data"
 scripts/pose_ladder.sh --data_path "$data"
-scripts/stereo_worth.sh
 /usr/bin/python3 scripts/bench/results_page.py build/quality/report.json "$(git describe --always --dirty)" datasets build/ladder/ladder.md \
   build/stereo_worth/section.md
 echo "Look at: datasets/RESULTS.md"

@@ -135,9 +135,8 @@ void SayRows(const RowMotion& rows, Console* console) {
       "WARNING: images seem to have been exposed row by row while the camera moved (rolling "
       "shutter): the scene moves by " +
       ShortNumber(rows.skew_px) +
-      " px from the first row to the last (median), and curves may be off by half of that. Hold "
-      "the "
-      "camera still for each image, or use one with a global shutter");
+      " px from the first row to the last (median), and curves may be off by half of "
+      "that. Hold the camera still for each image, or use one with a global shutter");
 }
 
 void SayFitToGiven(const FitToGiven& fit, Console* console) {

@@ -37,8 +37,9 @@ constexpr double kReachOfRows = 2;
 
 class CameraRounds {
  public:
-  CameraRounds(const CameraRoundsInput& input, const RefinementOptions& options,
-               const RunContext& context, CameraScene* scene)
+  // `edges` instead of the graph of the input, in the unit of the scene.
+  CameraRounds(const CameraRoundsInput& input, const DrawingGraph& edges,
+               const RefinementOptions& options, const RunContext& context, CameraScene* scene)
       : input_(input),
         options_(options),
         context_(context),
@@ -46,7 +47,7 @@ class CameraRounds {
         given_poses_(BodyPoses(scene->given, scene->mounts)) {
     if (input.level.factor == 1) options_.sample_spacing_px = kStoredSpacingPx;
     SeeCurves();
-    control_ = MakeControlGraph(input.graph, small_views_, options.control_spacing_px);
+    control_ = MakeControlGraph(edges, small_views_, options.control_spacing_px);
     // A view that is off supports no link, or the wrong ones.
     std::vector<ViewId> all(scene_.views.size());
     std::iota(all.begin(), all.end(), 0);
@@ -60,9 +61,9 @@ class CameraRounds {
       const Outcome outcome = Round(input_.reaches[i], is_last && !input_.optics_reaches.empty());
       if (i == 0) result_.gain = outcome.gain;
     }
-    if (input_.measures_rows && !HaveOtherOptics()) MeasureRows();
+    if (input_.measures_rows && !HaveOtherOptics()) MeasureRows(input_.reaches.back());
     if (!input_.optics_reaches.empty()) RefineOptics();
-    if (input_.measures_rows && HaveOtherOptics()) MeasureRows();
+    if (input_.measures_rows && HaveOtherOptics()) MeasureRows(input_.optics_reaches.back());
     return std::move(result_);
   }
 
@@ -109,7 +110,7 @@ class CameraRounds {
   // Nothing has moved, and nothing is gained, without a solution.
   Outcome Round(double reach, bool with_certainty) {
     if (has_fitted_) FitCurvesAgain();
-    Match(reach);
+    Match(reach, &control_);
     MeasureResiduals();
     const LandmarkInput input = {scene_.views, curves_, input_.level.factor, per_px_,
                                  reach * options_.robust_residual_px};
@@ -150,15 +151,14 @@ class CameraRounds {
     SeeCurves();
   }
 
-  void Match(double reach) {
-    matched_reach_ = reach;
+  void Match(double reach, ControlGraph* control) {
     const TopologyInput images = {
         small_views_,
         curves_,
         edgels_,
         {reach * options_.max_distance_px, 1.0, options_.max_angle_deg * kDeg}};
-    MatchEdgels(images, options_, context_, &control_);
-    FreezeUnshown(&control_);
+    MatchEdgels(images, options_, context_, control);
+    FreezeUnshown(control);
   }
 
   template <typename Visit>
@@ -240,23 +240,23 @@ class CameraRounds {
     }
   }
 
-  // Under the cameras as they are now. The curves stay matched as they are.
-  void MeasureRows() {
-    const ControlGraph matched = control_;
-    const double reach = matched_reach_;
-    if (reach != kReachOfRows) {
-      SeeCurves();
-      Match(kReachOfRows);
-    }
+  // Under the cameras as they are now. The curves stay matched as they are, with the given reach.
+  void MeasureRows(double matched_reach) {
+    if (matched_reach == kReachOfRows) return MeasureRows(control_);
+    SeeCurves();
+    ControlGraph control = control_;
+    Match(kReachOfRows, &control);
+    MeasureRows(control);
+  }
+
+  void MeasureRows(const ControlGraph& control) {
     const std::map<int, Eigen::VectorXd> none;
     const LandmarkInput input = {scene_.views, curves_, 1, none,
                                  kReachOfRows * options_.robust_residual_px};
-    std::vector<Landmark> landmarks = CurveLandmarks(input, control_, kMaxLines);
+    std::vector<Landmark> landmarks = CurveLandmarks(input, control, kMaxLines);
     std::ranges::move(LandmarksOfPoints(input, scene_.points).landmarks,
                       std::back_inserter(landmarks));
     result_.rows = MeasureRowMotion(scene_.views, landmarks, context_);
-    control_ = matched;
-    matched_reach_ = reach;
   }
 
   // Of the image of the middle of the scene.
@@ -279,7 +279,6 @@ class CameraRounds {
   std::vector<ImageCurves> curves_;
   std::vector<std::unique_ptr<ViewEdgels>> edgels_;
   ControlGraph control_;
-  double matched_reach_ = 0;  // of the last Match
   bool has_fitted_ = false;
   CameraRoundsResult result_;
 };
@@ -294,9 +293,7 @@ CameraRoundsResult RefineCamerasByDrawing(const CameraRoundsInput& input,
   DrawingGraph edges = Scaled(input.graph, 1 / unit);
   RemoveLinks(AreEdges(edges), &edges);
   CameraScene scaled = Scaled(std::move(*scene), 1 / unit);
-  const CameraRoundsInput of_edges = {edges, input.level, input.reaches, input.optics_reaches,
-                                      input.measures_rows};
-  CameraRoundsResult result = CameraRounds(of_edges, options, context, &scaled).Run();
+  CameraRoundsResult result = CameraRounds(input, edges, options, context, &scaled).Run();
   *scene = Scaled(std::move(scaled), unit);
   if (result.uncertainty) {
     result.uncertainty->shift_unit = unit;

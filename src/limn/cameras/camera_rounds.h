@@ -23,7 +23,7 @@ struct CameraRoundsInput {
   // Drawn with the cameras of the scene as they are now.
   const DrawingGraph& graph;
   const PictureLevel& level;
-  // Per round, gate and scale of the loss in multiples of those of the options.
+  // Per round, gate and scale of the loss in multiples of those of the options; not empty.
   std::vector<double> reaches;
   // The same for rounds that follow and refine the optics, too: unless these have been refined
   // before, only if the first round says that they are off.

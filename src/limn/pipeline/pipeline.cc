@@ -52,7 +52,7 @@ UnrefinedScene DrawRefiningCameras(const PipelineInput& input, std::vector<Image
   };
   refiner.RefineBySmallPictures();
   const bool had_moved = refiner.HaveMoved();
-  UnrefinedScene scene{std::move(curves), {}, std::nullopt, {}};
+  UnrefinedScene scene{std::move(curves), {}, std::nullopt};
   draw_and_refine(&scene);
   if (refiner.HaveMoved() && !had_moved) {
     // What wrong cameras draw is in pieces.
@@ -72,7 +72,7 @@ UnrefinedScene DrawExtracted(const PipelineInput& input, std::vector<ImageCurves
     return DrawRefiningCameras(input, std::move(curves), options, context, on_stage_end);
   }
   DrawnCurves drawn = Draw(input, curves, options, context, on_stage_end);
-  return {std::move(curves), std::move(drawn), std::nullopt, {}};
+  return {std::move(curves), std::move(drawn), std::nullopt};
 }
 
 // A drawing that fits refined cameras, fitted to the given ones instead.

@@ -111,7 +111,7 @@ void CameraRefiner::RefineBySmallPictures() {
 void CameraRefiner::LookAtSmallPictures() {
   const PictureLevel first = Extract(first_factor_);
   const FirstLook look = DrawAndRefine(first, kReaches);
-  if (!look.is_off) return ReturnToGiven();
+  if (!AreOff(look.gain)) return ReturnToGiven();
   if (look.moved_px > kLostPx) {
     ReturnToGiven();
     for (int factor = FactorOf(input_.views, kSmallestSidePx); factor > first_factor_;
@@ -208,12 +208,16 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
   const double seen_px = SeenPx(graph_, before);
   const CameraRoundsResult rounds = Refine({graph_, level, reaches});
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
+  return {rounds.gain, gauge.typical_move_px / level.factor, seen_px};
+}
+
+// By the gain along the drawing of small pictures.
+bool CameraRefiner::AreOff(double gain) const {
   const auto num_links = static_cast<double>(graph_.links.size());
   const auto num_unknowns = 6.0 * static_cast<double>(std::ranges::count(input_.mounts.held, 0));
-  const double shares = rounds.gain * num_links / num_unknowns;
-  const bool is_off = rounds.gain > kClearGainWhenSmall ||
-                      (rounds.gain > kGainOfOffWhenSmall && shares > kSharesOfOffWhenSmall);
-  return {is_off, gauge.typical_move_px / level.factor, seen_px};
+  const double shares = gain * num_links / num_unknowns;
+  return gain > kClearGainWhenSmall ||
+         (gain > kGainOfOffWhenSmall && shares > kSharesOfOffWhenSmall);
 }
 
 void CameraRefiner::Settle(const PictureLevel& level) {

@@ -91,7 +91,7 @@ class CameraRefiner {
 
  private:
   struct FirstLook {
-    bool is_off = false;  // the cameras were
+    double gain = 0;
     double moved_px = 0;  // of the pictures
     double seen_px = 0;   // of the images as stored, that the drawing shows
   };
@@ -102,6 +102,7 @@ class CameraRefiner {
   void Draw(const PictureLevel& level);
   CameraRoundsResult Refine(const CameraRoundsInput& input);
   FirstLook DrawAndRefine(const PictureLevel& level, const std::vector<double>& reaches);
+  bool AreOff(double gain) const;
   void Settle(const PictureLevel& level);
   void RefineAsStored(const CameraRoundsInput& input);
   void ReturnToGiven();
