@@ -11,8 +11,9 @@
 namespace limn {
 namespace {
 
-// Standard deviations of what is held, px in the images.
-constexpr double kBodySigmaPx = 50;
+// Standard deviations of what is held, px in the images. Bodies may be lost: theirs is the scale of
+// a Cauchy loss, per unknown.
+constexpr double kBodySigmaPx = 5;
 constexpr double kOpticsSigmaPx = 10;
 constexpr double kLandmarkSigmaPx = 50;
 // Sums are made in parts, whose number depends on the problem alone.
@@ -20,6 +21,10 @@ constexpr int kMaxParts = 16;
 constexpr double kMaxNumbersInParts = 2e7;
 
 double Square(double x) { return x * x; }
+
+// Of a motion in standard deviations.
+double CostOfHold(const Vector6d& motion) { return 6 * std::log1p(motion.squaredNorm() / 6); }
+double WeightOfHold(const Vector6d& motion) { return 1 / (1 + motion.squaredNorm() / 6); }
 
 Vector6d MotionBetween(const Rigid3d& from, const Rigid3d& to) {
   const Rigid3d change = to * Inverse(from);
@@ -165,7 +170,7 @@ double CameraEquations::CurveCost(const CameraState& state) const {
 double CameraEquations::Cost(const CameraState& state) const {
   double sum = LandmarksCost(state, [](const Landmark&) { return true; });
   for (size_t b = 0; b < body_at_.size(); ++b) {
-    if (body_at_[b] >= 0) sum += HeldMotion(state, b).squaredNorm();
+    if (body_at_[b] >= 0) sum += CostOfHold(HeldMotion(state, b));
   }
   for (const auto& [camera, parameters] : state.parameters) {
     sum += (parameters / kOpticsSigmaPx).squaredNorm();
@@ -265,8 +270,10 @@ void CameraEquations::AddProduct(double factor, const Row& a, const Row& b,
 void CameraEquations::AddHolds(const CameraState& state, CameraSystem* system) const {
   for (size_t b = 0; b < body_at_.size(); ++b) {
     if (body_at_[b] < 0) continue;
-    system->normal.diagonal().segment<6>(body_at_[b]) += per_sigma_[b].cwiseAbs2();
-    system->gradient.segment<6>(body_at_[b]) += per_sigma_[b].cwiseProduct(HeldMotion(state, b));
+    const Vector6d motion = HeldMotion(state, b);
+    const Vector6d weighted = WeightOfHold(motion) * per_sigma_[b];
+    system->normal.diagonal().segment<6>(body_at_[b]) += weighted.cwiseProduct(per_sigma_[b]);
+    system->gradient.segment<6>(body_at_[b]) += weighted.cwiseProduct(motion);
   }
   const double hold = 1 / Square(kOpticsSigmaPx);
   for (const auto& [camera, at] : camera_at_) {

@@ -16,7 +16,7 @@ namespace limn {
 namespace {
 
 // Edgels of a curve err together: so many of them, one next to the other, count as one.
-constexpr double kEdgelsPerPoint = 30;
+constexpr double kEdgelsPerPoint = 10;
 constexpr double kPointSigmaPx = 0.5;
 constexpr double kPointRobustPx = 1;
 // Some ray to a point must differ from the mean ray by this angle.

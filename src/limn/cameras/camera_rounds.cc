@@ -29,8 +29,8 @@ namespace {
 constexpr size_t kMaxLines = 60'000;
 // Of the samples of links in pictures as stored, px: there are many.
 constexpr double kStoredSpacingPx = 3;
-// The optics begin to be refined if curves gain, and with this evidence (EvidenceOfOptics).
-constexpr double kLeastEvidence = 50;
+// Optics are off if curves gain without them, and with this evidence (EvidenceOfOptics).
+constexpr double kLeastEvidence = 100;
 // Gate within which the motion of rows is measured, and scale of its loss, in multiples of those of
 // the options: what rows are off must not be left out.
 constexpr double kReachOfRows = 2;
@@ -84,17 +84,16 @@ class CameraRounds {
     const CameraScene posed = scene_;
     const bool are_refined = HaveOtherOptics();
     const CameraRoundsResult of_poses = result_;
-    double evidence = 0;
     for (size_t i = 0; i < input_.optics_reaches.size(); ++i) {
       const Outcome outcome = Round(input_.optics_reaches[i], true);
       if (i > 0 || are_refined) continue;
-      if (outcome.gain_of_curves > 0) evidence = outcome.evidence_of_optics;
-      if (evidence > kLeastEvidence) continue;
+      result_.optics_are_off =
+          outcome.gain_of_curves > 0 && outcome.evidence_of_optics > kLeastEvidence;
+      if (result_.optics_are_off) continue;
       scene_ = posed;
       result_ = of_poses;
-      break;
+      return;
     }
-    result_.evidence_of_optics = evidence;
   }
 
   // The curves through the lenses as they are now.

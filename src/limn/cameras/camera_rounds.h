@@ -37,9 +37,9 @@ struct CameraRoundsResult {
   // Share of the cost that the motion of the cameras explains in the first round
   // (CameraFitResult::gain), or that of curves if it is more.
   double gain = 0;
-  // Against the given optics (EvidenceOfOptics), if curves gain without them; 0 if that was not
-  // asked, or if they had been refined before.
-  double evidence_of_optics = 0;
+  // Whether the given optics were found to be off; false if that was not asked, or if they had been
+  // refined before.
+  bool optics_are_off = false;
   // After the last round, if optics might be refined and it has a solution.
   std::optional<CameraUncertainty> uncertainty;
   RowMotion rows;  // if the input asks for them; else of no view

@@ -23,16 +23,12 @@ constexpr int kFirstSidePx = 160;
 constexpr int kLeastPx = 16;
 // Unused border of small pictures, px.
 constexpr double kSmallMarginPx = 4;
-// Gains (CameraFitResult::gain) of cameras that are off, in small pictures and as stored, and how
-// many curves' shares of the cost an unknown of theirs explains in small pictures
-// (algorithm/cameras.md#whether-it-is-needed).
-constexpr double kGainOfOffWhenSmall = 0.09;
-constexpr double kSharesOfOffWhenSmall = 0.15;
-// Where cameras are lost few curves are drawn. This gain tells without them.
-constexpr double kClearGainWhenSmall = 0.3;
-constexpr double kGainOfOff = 0.2;
-// Evidence against their optics (CameraRoundsResult::evidence_of_optics) if poses gain little.
-constexpr double kEvidenceOfOff = 150;
+// Cameras are off if this share of the cost is gained (CameraFitResult::gain), and an unknown of
+// theirs explains that of so many links (algorithm/cameras.md#whether-it-is-needed).
+constexpr double kGainOfOff = 0.1;
+constexpr double kLinksPerUnknown = 0.15;
+// Lost cameras draw few links. This gain tells without them.
+constexpr double kClearGain = 0.3;
 // Cameras that move by more than this, px of a small picture, may be lost: they begin with the
 // smallest. Pictures are drawn again until they move by less than kSettledPx, or so often.
 constexpr double kLostPx = 1.2;
@@ -138,7 +134,7 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   if (options_.refine_cameras == CameraRefinement::kAuto) {
     const CameraRoundsResult check = Refine({graph, stored_, kCheckReaches, kOnce, true});
     ReturnToGiven();
-    if (!(check.gain > kGainOfOff || check.evidence_of_optics > kEvidenceOfOff)) return;
+    if (!AreOff(check.gain) && !check.optics_are_off) return;
     rows_ = {};  // wrong cameras look much like moving ones
   }
   RefineAsStored({graph, stored_, kStoredReaches, kOnce});
@@ -211,13 +207,12 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
   return {rounds.gain, gauge.typical_move_px / level.factor, seen_px};
 }
 
-// By the gain along the drawing of small pictures.
+// By the gain of the first fit along the last drawing.
 bool CameraRefiner::AreOff(double gain) const {
   const auto num_links = static_cast<double>(graph_.links.size());
   const auto num_unknowns = 6.0 * static_cast<double>(std::ranges::count(input_.mounts.held, 0));
-  const double shares = gain * num_links / num_unknowns;
-  return gain > kClearGainWhenSmall ||
-         (gain > kGainOfOffWhenSmall && shares > kSharesOfOffWhenSmall);
+  return gain > kClearGain ||
+         (gain > kGainOfOff && gain * num_links > kLinksPerUnknown * num_unknowns);
 }
 
 void CameraRefiner::Settle(const PictureLevel& level) {
