@@ -45,6 +45,8 @@ const std::vector<double> kFirstReaches = {3, 2, 1};
 const std::vector<double> kReaches = {2, 1};
 // Of the pictures as stored, before optics join in: these must not explain what poses will.
 const std::vector<double> kStoredReaches = {2, 1, 1};
+const std::vector<double> kLastReaches = {1, 1, 1};
+// With optics.
 const std::vector<double> kOnce = {1};
 const std::vector<double> kTwice = {1, 1};
 
@@ -127,7 +129,7 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   const double seen_px = SeenPx(graph, scene_.views);
   if (have_moved_) {
     if (graph.links.empty() || seen_px < kLeastSeen * given_px_) return ReturnToGiven();
-    return RefineAsStored({graph, stored_, kOnce, kTwice, true});
+    return RefineAsStored({graph, stored_, kLastReaches, kTwice, true});
   }
   given_px_ = seen_px;
   if (!IsEnough(seen_px, stored_)) return;
