@@ -190,6 +190,17 @@ TEST_F(CameraRefiner, PlanarScene) {
   EXPECT_LT(SceneError(Refined(), truth, all), kThirdOfPixel);
 }
 
+// Poses fit, optics do not: nothing that moves poses would gain.
+TEST_F(CameraRefiner, WrongFocalLength) {
+  const std::vector<Rigid3d> truth = PosesAroundPlane();
+  SparseModel given = ModelOf(truth);
+  given.cameras[0].params[0] *= 1.01;
+  given.cameras[0].params[1] *= 1.01;
+  Store(given, [&](size_t i) { return PictureOnPlane(truth[i]); });
+  EXPECT_THAT(Refine("auto"), HasSubstr("Focal lengths changed by up to "));
+  EXPECT_NEAR(Refined().cameras[0].params[0], kFocal, 0.003 * kFocal);
+}
+
 TEST_F(CameraRefiner, OneImageSeesNothing) {
   const std::vector<Rigid3d> truth = PosesAroundPlane();
   const SparseModel given = ModelOf(Turned(truth, 0.002));

@@ -26,12 +26,13 @@ struct CameraFitResult {
 
 // Moves bodies, parameters of cameras and landmarks to minimize
 //   sum over lines of weight * c^2 log(1 + (d / c)^2),   d: distance of the landmark's image, px,
-// with c = robust_px, and weak holds, in px of motion in the images: standard deviations of 50 px
-// of bodies from where they were given and of landmarks from where they are, of 10 px of
-// parameters. Levenberg-Marquardt with reweighted least squares; the landmarks are eliminated from
-// the normal equations, which are then dense, of 6 unknowns per body. Lines of views that have the
-// landmark behind them count as far away. Deterministic for any number of threads. Returns nothing,
-// and changes nothing, if there is no solution. Throws Cancelled. Time per step: the squares of the
+// with c = robust_px, and holds, in px of motion in the images: of bodies where they were given, a
+// loss of the same form with a scale of 5 px per unknown, since some may be lost; of landmarks
+// where they are, with a standard deviation of 50 px; of parameters, with 10 px.
+// Levenberg-Marquardt with reweighted least squares; the landmarks are eliminated from the normal
+// equations, which are then dense, of 6 unknowns per body. Lines of views that have the landmark
+// behind them count as far away. Deterministic for any number of threads. Returns nothing, and
+// changes nothing, if there is no solution. Throws Cancelled. Time per step: the squares of the
 // numbers of lines of landmarks, and the cube of the number of bodies. Memory: up to 16 times the
 // normal equations, or 150 MB.
 std::optional<CameraFitResult> FitCameras(const CameraFitInput& input, const RunContext& context,
