@@ -190,7 +190,6 @@ TEST_F(CameraRefiner, PlanarScene) {
   EXPECT_LT(SceneError(Refined(), truth, all), kThirdOfPixel);
 }
 
-// Poses fit, optics do not: nothing that moves poses would gain.
 TEST_F(CameraRefiner, WrongFocalLength) {
   const std::vector<Rigid3d> truth = PosesAroundPlane();
   SparseModel given = ModelOf(truth);

@@ -53,7 +53,7 @@ Eigen::MatrixXd WithoutMotionOfWorld(const CameraEquations& equations, const Cam
 
 }  // namespace
 
-Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter, const Eigen::VectorXd& per_sigma,
+Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter, const Eigen::VectorXd& holds,
                                      const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper>& normal) {
   const auto size = static_cast<double>(scatter.sum.rows());
   const double count = scatter.num_curves;
@@ -64,7 +64,7 @@ Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter, const Eigen::V
   Eigen::MatrixXd covariance =
       of_freedoms *
       (share_of_curves * sum + (1 - share_of_curves) * per_unknown * normal.reconstructedMatrix());
-  covariance.diagonal() += per_sigma.cwiseAbs2();
+  covariance.diagonal() += holds;
   return covariance;
 }
 
@@ -75,7 +75,7 @@ std::optional<CameraCovariance> CovarianceOfCameras(const CameraEquations& equat
   const CurveScatter scatter = equations.Scatter(state);
   const Eigen::MatrixXd project =
       normal.solve(WithoutMotionOfWorld(equations, state).transpose()).transpose();
-  const Eigen::MatrixXd of_gradient = CovarianceOfGradient(scatter, equations.PerSigma(), normal);
+  const Eigen::MatrixXd of_gradient = CovarianceOfGradient(scatter, equations.Holds(state), normal);
   return CameraCovariance{project * of_gradient * project.transpose(), equations.body_at(),
                           equations.camera_at()};
 }

@@ -29,8 +29,8 @@ std::optional<CameraCovariance> CovarianceOfCameras(const CameraEquations& equat
 
 // The covariance of the gradient at a minimum. Curves fit better than they err, by as many freedoms
 // as there are unknowns, and few of them do not tell about all directions: these are those of the
-// normal equations then. Holds, in standard deviations per unit, are samples of their own.
-Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter, const Eigen::VectorXd& per_sigma,
+// normal equations then. Holds (CameraEquations::Holds) are samples of their own.
+Eigen::MatrixXd CovarianceOfGradient(const CurveScatter& scatter, const Eigen::VectorXd& holds,
                                      const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper>& normal);
 
 // Mean square of the motions of parameters in terms of their standard deviations, each camera by

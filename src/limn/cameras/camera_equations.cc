@@ -11,8 +11,8 @@
 namespace limn {
 namespace {
 
-// Standard deviations of what is held, px in the images. Bodies may be lost: theirs is the scale of
-// a Cauchy loss, per unknown.
+// Standard deviations of what is held, px in the images; of bodies, which may be lost, as long as
+// they move little (CostOfHold).
 constexpr double kBodySigmaPx = 5;
 constexpr double kOpticsSigmaPx = 10;
 constexpr double kLandmarkSigmaPx = 50;
@@ -22,9 +22,14 @@ constexpr double kMaxNumbersInParts = 2e7;
 
 double Square(double x) { return x * x; }
 
-// Of a motion in standard deviations.
-double CostOfHold(const Vector6d& motion) { return 6 * std::log1p(motion.squaredNorm() / 6); }
-double WeightOfHold(const Vector6d& motion) { return 1 / (1 + motion.squaredNorm() / 6); }
+// The Cauchy loss of a motion in standard deviations, all unknowns together.
+constexpr double kBodyUnknowns = Vector6d::SizeAtCompileTime;
+double CostOfHold(const Vector6d& motion) {
+  return kBodyUnknowns * std::log1p(motion.squaredNorm() / kBodyUnknowns);
+}
+double WeightOfHold(const Vector6d& motion) {
+  return 1 / (1 + motion.squaredNorm() / kBodyUnknowns);
+}
 
 Vector6d MotionBetween(const Rigid3d& from, const Rigid3d& to) {
   const Rigid3d change = to * Inverse(from);
@@ -91,6 +96,14 @@ Eigen::VectorXd CameraEquations::PerSigma() const {
     if (body_at_[b] >= 0) per_sigma.segment<6>(body_at_[b]) = per_sigma_[b];
   }
   return per_sigma;
+}
+
+Eigen::VectorXd CameraEquations::Holds(const CameraState& state) const {
+  Eigen::VectorXd holds = PerSigma().cwiseAbs2();
+  for (size_t b = 0; b < body_at_.size(); ++b) {
+    if (body_at_[b] >= 0) holds.segment<6>(body_at_[b]) *= WeightOfHold(HeldMotion(state, b));
+  }
+  return holds;
 }
 
 CameraState CameraEquations::Start() const {
@@ -178,9 +191,12 @@ double CameraEquations::Cost(const CameraState& state) const {
   return sum;
 }
 
+Vector6d CameraEquations::MotionFromGiven(const CameraState& state, size_t body) const {
+  return MotionBetween(input_.given_poses[body], state.body_poses[body]);
+}
+
 Vector6d CameraEquations::HeldMotion(const CameraState& state, size_t body) const {
-  return MotionBetween(input_.given_poses[body], state.body_poses[body])
-      .cwiseProduct(per_sigma_[body]);
+  return MotionFromGiven(state, body).cwiseProduct(per_sigma_[body]);
 }
 
 void CameraEquations::FillBlock(const CameraState& state, const std::vector<Rigid3d>& poses,
@@ -268,18 +284,17 @@ void CameraEquations::AddProduct(double factor, const Row& a, const Row& b,
 }
 
 void CameraEquations::AddHolds(const CameraState& state, CameraSystem* system) const {
+  const Eigen::VectorXd holds = Holds(state);
+  system->normal.diagonal() += holds;
   for (size_t b = 0; b < body_at_.size(); ++b) {
-    if (body_at_[b] < 0) continue;
-    const Vector6d motion = HeldMotion(state, b);
-    const Vector6d weighted = WeightOfHold(motion) * per_sigma_[b];
-    system->normal.diagonal().segment<6>(body_at_[b]) += weighted.cwiseProduct(per_sigma_[b]);
-    system->gradient.segment<6>(body_at_[b]) += weighted.cwiseProduct(motion);
+    const int at = body_at_[b];
+    if (at < 0) continue;
+    system->gradient.segment<6>(at) += holds.segment<6>(at).cwiseProduct(MotionFromGiven(state, b));
   }
-  const double hold = 1 / Square(kOpticsSigmaPx);
   for (const auto& [camera, at] : camera_at_) {
     const Eigen::VectorXd& parameters = state.parameters.at(camera);
-    system->normal.diagonal().segment(at, parameters.size()).array() += hold;
-    system->gradient.segment(at, parameters.size()) += hold * parameters;
+    system->gradient.segment(at, parameters.size()) +=
+        holds.segment(at, parameters.size()).cwiseProduct(parameters);
   }
 }
 

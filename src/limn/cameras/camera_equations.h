@@ -53,8 +53,10 @@ class CameraEquations {
   const std::vector<int>& body_at() const { return body_at_; }
   // Per camera that is adjusted its first unknown.
   const std::map<int, int>& camera_at() const { return camera_at_; }
-  // Per unknown, standard deviations of its hold per unit.
+  // Per unknown, standard deviations of its hold per unit, near where it is held.
   Eigen::VectorXd PerSigma() const;
+  // Per unknown, what its hold adds to the diagonal of the normal equations.
+  Eigen::VectorXd Holds(const CameraState& state) const;
 
  private:
   struct Row;
@@ -74,7 +76,8 @@ class CameraEquations {
   static void AddNormal(const Block& block, Eigen::MatrixXd* normal);
   static void AddProduct(double factor, const Row& a, const Row& b, Eigen::MatrixXd* normal);
   void AddHolds(const CameraState& state, CameraSystem* system) const;
-  // Motion from the given pose, in standard deviations.
+  Vector6d MotionFromGiven(const CameraState& state, size_t body) const;
+  // The same in standard deviations.
   Vector6d HeldMotion(const CameraState& state, size_t body) const;
   std::vector<Rigid3d> ViewPoses(const CameraState& state) const;
 

@@ -29,7 +29,8 @@ namespace {
 constexpr size_t kMaxLines = 60'000;
 // Of the samples of links in pictures as stored, px: there are many.
 constexpr double kStoredSpacingPx = 3;
-// Optics are off if curves gain without them, and with this evidence (EvidenceOfOptics).
+// Optics are off if curves gain from the first round that frees them, with more evidence
+// (EvidenceOfOptics).
 constexpr double kLeastEvidence = 100;
 // Gate within which the motion of rows is measured, and scale of its loss, in multiples of those of
 // the options: what rows are off must not be left out.
@@ -59,7 +60,9 @@ class CameraRounds {
     for (size_t i = 0; i < input_.reaches.size(); ++i) {
       const bool is_last = i + 1 == input_.reaches.size();
       const Outcome outcome = Round(input_.reaches[i], is_last && !input_.optics_reaches.empty());
-      if (i == 0) result_.gain = outcome.gain;
+      if (i > 0) continue;
+      result_.gain = outcome.gain;
+      result_.num_links = outcome.num_links;
     }
     if (input_.measures_rows && !HaveOtherOptics()) MeasureRows(input_.reaches.back());
     if (!input_.optics_reaches.empty()) RefineOptics();
@@ -69,6 +72,7 @@ class CameraRounds {
 
  private:
   struct Outcome {
+    size_t num_links = 0;
     double gain = 0;
     double gain_of_curves = 0;
     double evidence_of_optics = 0;
@@ -133,6 +137,7 @@ class CameraRounds {
     TakePoses(*fit);
     TakeOptics(*fit);
     Outcome outcome;
+    outcome.num_links = std::ranges::count(control_.links, false, &ControlLink::frozen);
     if (num_on_curves > 0) outcome.gain = std::max(fit->gain, fit->gain_of_curves);
     outcome.gain_of_curves = fit->gain_of_curves;
     result_.uncertainty.reset();
@@ -262,7 +267,9 @@ class CameraRounds {
   void MeasureCertainty(CameraCovariance covariance, const Eigen::Vector3d& middle) {
     result_.uncertainty = {std::move(covariance), 1, scene_.mounts, per_px_};
     for (size_t v = 0; v < scene_.views.size(); ++v) {
-      result_.of_view[v].certain_by_px =
+      CameraEvidence& evidence = result_.of_view[v];
+      if (evidence.num_edgels == 0) continue;  // the hold says nothing of the scene
+      evidence.certain_by_px =
           CertainByPx(*result_.uncertainty, scene_.views, static_cast<ViewId>(v), middle);
     }
   }

@@ -14,9 +14,10 @@ namespace limn {
 
 // What the curves say about the camera of a view.
 struct CameraEvidence {
-  int num_edgels = 0;        // that curves were fitted to
-  double residual_px = 0;    // of these, median of the size
-  double certain_by_px = 0;  // of the image of the scene (CertainByPx); 0: held or not known
+  int num_edgels = 0;      // that curves were fitted to
+  double residual_px = 0;  // of these, median of the size
+  // Of the image of the scene (CertainByPx); 0: held, or not known, as without edgels.
+  double certain_by_px = 0;
 };
 
 struct CameraRoundsInput {
@@ -37,6 +38,7 @@ struct CameraRoundsResult {
   // Share of the cost that the motion of the cameras explains in the first round
   // (CameraFitResult::gain), or that of curves if it is more.
   double gain = 0;
+  size_t num_links = 0;  // on which this fit found edgels
   // Whether the given optics were found to be off; false if that was not asked, or if they had been
   // refined before.
   bool optics_are_off = false;

@@ -188,7 +188,8 @@ class SkewFit {
     const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper> normal(equations.normal);
     const Eigen::MatrixXd project = normal.solve(by_motion.transpose()).transpose();
     const Eigen::Matrix2d covariance =
-        project * CovarianceOfGradient(equations.scatter, per_sigma_, normal) * project.transpose();
+        project * CovarianceOfGradient(equations.scatter, per_sigma_.cwiseAbs2(), normal) *
+        project.transpose();
     const Eigen::Vector2d skew_px = by_motion * motion_;
     return {skew_px.norm(), std::sqrt(covariance.trace() / 2),
             skew_px.dot(covariance.llt().solve(skew_px)) / 2};

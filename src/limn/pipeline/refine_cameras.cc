@@ -109,7 +109,7 @@ void CameraRefiner::RefineBySmallPictures() {
 void CameraRefiner::LookAtSmallPictures() {
   const PictureLevel first = Extract(first_factor_);
   const FirstLook look = DrawAndRefine(first, kReaches);
-  if (!AreOff(look.gain)) return ReturnToGiven();
+  if (!look.are_off) return ReturnToGiven();
   if (look.moved_px > kLostPx) {
     ReturnToGiven();
     for (int factor = FactorOf(input_.views, kSmallestSidePx); factor > first_factor_;
@@ -136,7 +136,7 @@ void CameraRefiner::RefineByDrawing(const DrawingGraph& graph) {
   if (options_.refine_cameras == CameraRefinement::kAuto) {
     const CameraRoundsResult check = Refine({graph, stored_, kCheckReaches, kOnce, true});
     ReturnToGiven();
-    if (!AreOff(check.gain) && !check.optics_are_off) return;
+    if (!AreOff(check) && !check.optics_are_off) return;
     rows_ = {};  // wrong cameras look much like moving ones
   }
   RefineAsStored({graph, stored_, kStoredReaches, kOnce});
@@ -206,15 +206,15 @@ CameraRefiner::FirstLook CameraRefiner::DrawAndRefine(const PictureLevel& level,
   const double seen_px = SeenPx(graph_, before);
   const CameraRoundsResult rounds = Refine({graph_, level, reaches});
   const Gauge gauge = FindGauge(before, scene_.views, MiddleOfScene(), held_);
-  return {rounds.gain, gauge.typical_move_px / level.factor, seen_px};
+  return {AreOff(rounds), gauge.typical_move_px / level.factor, seen_px};
 }
 
-// By the gain of the first fit along the last drawing.
-bool CameraRefiner::AreOff(double gain) const {
-  const auto num_links = static_cast<double>(graph_.links.size());
+// By the first of the rounds.
+bool CameraRefiner::AreOff(const CameraRoundsResult& rounds) const {
+  const auto num_links = static_cast<double>(rounds.num_links);
   const auto num_unknowns = 6.0 * static_cast<double>(std::ranges::count(input_.mounts.held, 0));
-  return gain > kClearGain ||
-         (gain > kGainOfOff && gain * num_links > kLinksPerUnknown * num_unknowns);
+  return rounds.gain > kClearGain ||
+         (rounds.gain > kGainOfOff && rounds.gain * num_links > kLinksPerUnknown * num_unknowns);
 }
 
 void CameraRefiner::Settle(const PictureLevel& level) {

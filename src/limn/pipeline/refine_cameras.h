@@ -66,15 +66,16 @@ class CameraRefiner {
                 const PipelineOptions& options, const RunContext& context);
 
   // Draws small pictures; the pictures as stored are fitted along the last drawing of half their
-  // size. Nothing moves unless the first drawing says that cameras are off by about a pixel or
-  // more; nor if less is drawn then. Throws OptionError, what the images throw, and Cancelled.
-  // Time: a large part of that of a drawing; a small one if it stops after the first look.
+  // size. Nothing moves unless the first drawing says that cameras are off
+  // (algorithm/cameras.md#whether-it-is-needed); nor if less is drawn then. Throws OptionError,
+  // what the images throw, and Cancelled. Time: a large part of that of a drawing; a small one if
+  // it stops after the first look.
   void RefineBySmallPictures();
 
   // By an unrefined drawing of the pictures as stored, made with the cameras as they are now. As
-  // long as nothing has moved, kAuto moves nothing unless the edgels along the drawing then fit
-  // much better, or clearly contradict the optics. Cameras that have moved since such a drawing
-  // return to the given ones if this one shows less.
+  // long as nothing has moved, kAuto moves nothing unless the edgels along the drawing say that
+  // cameras are off, by the same rule, or contradict their optics. Cameras that have moved since
+  // such a drawing return to the given ones if this one shows less.
   void RefineByDrawing(const DrawingGraph& graph);
 
   bool HaveMoved() const { return have_moved_; }
@@ -91,7 +92,7 @@ class CameraRefiner {
 
  private:
   struct FirstLook {
-    double gain = 0;
+    bool are_off = false;
     double moved_px = 0;  // of the pictures
     double seen_px = 0;   // of the images as stored, that the drawing shows
   };
@@ -102,7 +103,7 @@ class CameraRefiner {
   void Draw(const PictureLevel& level);
   CameraRoundsResult Refine(const CameraRoundsInput& input);
   FirstLook DrawAndRefine(const PictureLevel& level, const std::vector<double>& reaches);
-  bool AreOff(double gain) const;
+  bool AreOff(const CameraRoundsResult& rounds) const;
   void Settle(const PictureLevel& level);
   void RefineAsStored(const CameraRoundsInput& input);
   void ReturnToGiven();
