@@ -26,9 +26,9 @@ struct CameraFitResult {
 
 // Moves bodies, parameters of cameras and landmarks to minimize
 //   sum over lines of weight * c^2 log(1 + (d / c)^2),   d: distance of the landmark's image, px,
-// with c = robust_px, and holds, in px of motion in the images: of bodies where they were given, a
-// loss of the same form with a scale of 5 px per unknown, since some may be lost; of landmarks
-// where they are, with a standard deviation of 50 px; of parameters, with 10 px.
+// with c = robust_px, and holds: 6 log(1 + m^2 / 6) of each body, m the length of its motion from
+// where it was given, unknowns in units of 5 px in the images, since some may be lost; squares of
+// landmarks from where they are, with a standard deviation of 50 px, and of parameters, with 10 px.
 // Levenberg-Marquardt with reweighted least squares; the landmarks are eliminated from the normal
 // equations, which are then dense, of 6 unknowns per body. Lines of views that have the landmark
 // behind them count as far away. Deterministic for any number of threads. Returns nothing, and

@@ -165,6 +165,7 @@ TEST(CameraRounds, TellsWrongOpticsFromRightOnes) {
   const double focal = TrueViews()[0].camera.fx;
   EXPECT_FALSE(Check(WithOpticsOff(TrueViews(), 0, 1, focal, {0, 0}), Curves()).optics_are_off);
   EXPECT_TRUE(Check(WithOpticsOff(TrueViews(), 0, 1, 618, {1.5, -1}), Curves()).optics_are_off);
+  EXPECT_TRUE(Check(WithOpticsOff(TrueViews(), 0, 1, 609, {0.8, -0.5}), Curves()).optics_are_off);
 }
 
 TEST(CameraRounds, MeasuringRowsMovesNothing) {
