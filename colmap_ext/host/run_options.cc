@@ -178,7 +178,11 @@ void RunOptions::CheckValues() const {
   }
 }
 
-void RunOptions::SetDerived() { view.border_margin_px = pipeline.edges.margin_px; }
+void RunOptions::SetDerived() {
+  view.border_margin_px = pipeline.edges.margin_px;
+  // Edges from elsewhere are as fine as they are.
+  if (!edges_path.empty()) view.max_scale = 1;
+}
 
 RunOptions DefaultRunOptions(Quality quality) {
   const QualityPreset preset = PresetOf(quality);
@@ -186,6 +190,7 @@ RunOptions DefaultRunOptions(Quality quality) {
   options.quality = quality;
   options.pipeline = preset.options;
   options.view.max_image_size = preset.max_image_size;
+  options.view.max_scale = preset.max_scale;
   return options;
 }
 

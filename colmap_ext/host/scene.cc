@@ -1,5 +1,6 @@
 #include "colmap_ext/host/scene.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -61,6 +62,22 @@ std::string ShrinkingNote(const ViewSet& set) {
          " times as many, and that much more time and memory";
 }
 
+// How many images are used as if enlarged, and how far. Empty = none.
+std::string EnlargingNote(const ViewSet& set) {
+  int num_enlarged = 0;
+  double largest = 1;
+  for (const ViewFile& file : set.files) {
+    num_enlarged += file.scale > 1;
+    largest = std::max(largest, file.scale);
+  }
+  if (num_enlarged == 0) return "";
+  char factor[40];
+  std::snprintf(factor, sizeof(factor), "%g", largest);
+  return std::to_string(num_enlarged) +
+         " images resolve more than their pixels show: drawn as if enlarged up to " + factor +
+         " times";
+}
+
 }  // namespace
 
 Scene::Scene(WorkspaceLayout layout, const RunOptions& options, Console* console)
@@ -87,7 +104,9 @@ void Scene::SetModel(SparseModel model, const PhotoStore& photos, const RunOptio
                     ? ""
                     : " (in " + std::to_string(views().size()) + " views: panoramas in parts)") +
                ", " + std::to_string(view_set_.hints.points.size()) + " 3D points");
-  if (const std::string note = ShrinkingNote(view_set_); !note.empty()) console->Say(note);
+  for (const std::string& note : {ShrinkingNote(view_set_), EnlargingNote(view_set_)}) {
+    if (!note.empty()) console->Say(note);
+  }
   if (!origin_.isZero()) {
     console->Say("Coordinates are large: working around " + TextOf(origin_) +
                  ", all files keep the model's coordinates");

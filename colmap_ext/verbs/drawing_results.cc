@@ -239,7 +239,7 @@ void WriteDrawingResults(const Project& project, const DrawingInScene& drawing, 
     WriteDrawing(project.DrawingPath(name), selected, drawing.metadata);
   }
   WriteTracks(project.CurvesPath("tracks.txt"), drawing.graph, {},
-              InWholeImages(project.view_set(), drawing.views));
+              InStoredImages(project.view_set(), drawing.views));
   WritePictures(project, "overlays", pictures, console->context(), [&](ViewId v) {
     return DrawOverlay(project.images().read(v), drawing.views[v], v, drawing.graph);
   });

@@ -4,6 +4,7 @@
 
 #include "colmap_ext/workspace/file_set.h"
 #include "colmap_ext/workspace/output_check.h"
+#include "limn/edges/given_edgels.h"
 #include "limn/files/atomic_file.h"
 #include "limn/formats/cem_file.h"
 #include "limn/formats/edg_file.h"
@@ -23,6 +24,12 @@ std::string PathOf(const Project& project, EdgeFormat format, const std::string&
   return (fs::path(project.CurvesPath(FolderOf(format))) / (image_name + extension)).string();
 }
 
+// An image that was used as if enlarged has the edges of its pixels.
+void ShrinkToImage(const Project& project, ViewId view, EdgeMap* edge_map) {
+  const ImageSize image = project.view_set().ReadSize(view);
+  if (project.view_set().files[view].scale > 1) ResizeEdgeMap(image.width, image.height, edge_map);
+}
+
 }  // namespace
 
 void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite) {
@@ -37,13 +44,15 @@ void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite)
   }
 }
 
-void WriteEdgResult(const Project& project, ViewId view, const EdgeMap& edge_map) {
+void WriteEdgResult(const Project& project, ViewId view, EdgeMap edge_map) {
+  ShrinkToImage(project, view, &edge_map);
   WriteFileAtomically(PathOf(project, EdgeFormat::kEdg, project.views()[view].name),
                       [&](std::ostream& out) { WriteEdg(edge_map, out); });
 }
 
 FragmentsObserver CemWriter(const Project& project) {
-  return [&project](ViewId view, const ImageCurves& curves) {
+  return [&project](ViewId view, ImageCurves curves) {
+    ShrinkToImage(project, view, &curves.edge_map);
     WriteFileAtomically(PathOf(project, EdgeFormat::kCem, project.views()[view].name),
                         [&](std::ostream& out) { WriteCem(curves, out); });
   };

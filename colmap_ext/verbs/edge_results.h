@@ -18,7 +18,7 @@ enum class EdgeFormat { kNone, kEdg, kCem };
 void CheckEdgeResults(const Project& project, EdgeFormat format, bool overwrite);
 
 // Writes the file of a view, before ApplyLens. Thread-safe for different views.
-void WriteEdgResult(const Project& project, ViewId view, const EdgeMap& edge_map);
+void WriteEdgResult(const Project& project, ViewId view, EdgeMap edge_map);
 
 // The same for fragments, as an observer of ExtractImageCurves. The project must outlive it.
 FragmentsObserver CemWriter(const Project& project);

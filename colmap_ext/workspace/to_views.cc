@@ -19,8 +19,10 @@
 #include "colmap_ext/workspace/hold_images.h"
 #include "colmap_ext/workspace/mounts_of_model.h"
 #include "colmap_ext/workspace/select_images.h"
+#include "limn/edges/edge_blur.h"
 #include "limn/model/lens_jacobian.h"
 #include "limn/util/errors.h"
+#include "limn/util/median.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -62,21 +64,23 @@ SharedOptics MakePartOptics(ImageSize size, int part, double margin_px) {
           made.part_from_image};
 }
 
+int Enlarged(int side, double scale) { return static_cast<int>(std::lround(scale * side)); }
+
 // `part` is that of a panorama.
-SharedOptics MakeSharedOptics(const Camera& stored, ImageSize file, int part,
+SharedOptics MakeSharedOptics(const Camera& stored, ImageSize file, int part, double scale,
                               const ViewOptions& options) {
   const ImageSize size =
       ShrunkSize(file, MaxSizeOfFile(stored.IsPanorama(), options.max_image_size));
   if (stored.IsPanorama()) return MakePartOptics(size, part, options.border_margin_px);
   SharedOptics shared;
-  shared.optics = MakeOptics(stored, size.width, size.height);
-  shared.region =
-      MakeImageRegion(shared.optics.camera, shared.optics.lens.get(), {}, options.border_margin_px);
+  shared.optics = MakeOptics(stored, Enlarged(size.width, scale), Enlarged(size.height, scale));
+  shared.region = MakeImageRegion(shared.optics.camera, shared.optics.lens.get(), {},
+                                  scale * options.border_margin_px);
   return shared;
 }
 
-// Camera, file size and part.
-using OpticsKey = std::tuple<uint32_t, int, int, int>;
+// Camera, file size, part and scale.
+using OpticsKey = std::tuple<uint32_t, int, int, int, double>;
 
 // One per key, made in parallel.
 std::map<OpticsKey, SharedOptics> MakeAllOptics(const std::map<OpticsKey, const Camera*>& inputs,
@@ -88,7 +92,7 @@ std::map<OpticsKey, SharedOptics> MakeAllOptics(const std::map<OpticsKey, const 
   ParallelFor(context, "cameras", jobs.size(), [&](size_t i) {
     const auto& [key, camera] = *jobs[i].second;
     const ImageSize size{std::get<1>(key), std::get<2>(key)};
-    *jobs[i].first = MakeSharedOptics(*camera, size, std::get<3>(key), options);
+    *jobs[i].first = MakeSharedOptics(*camera, size, std::get<3>(key), std::get<4>(key), options);
   });
   return result;
 }
@@ -214,6 +218,41 @@ std::vector<ViewFile> ReadFiles(const SparseModel& model, const SelectedImages& 
   return files;
 }
 
+// Images of one camera and size that tell how sharp all of them are.
+constexpr size_t kMaxMeasured = 12;
+
+// Decodes some of the images, in parallel.
+void SetScales(const SparseModel& model, const SelectedImages& used, const ViewOptions& options,
+               const PhotoStore& photos, const RunContext& context, std::vector<ViewFile>* files) {
+  if (options.max_scale == 1) return;
+  std::map<std::tuple<uint32_t, int, int>, std::vector<size_t>> alike;
+  for (size_t i = 0; i < files->size(); ++i) {
+    const Camera& camera = model.CameraOf(model.images[used.images[i]]);
+    const ViewFile& file = (*files)[i];
+    if (camera.IsPanorama() || file.is_damaged) continue;
+    alike[{camera.id, file.stored_size.width, file.stored_size.height}].push_back(i);
+  }
+  std::vector<size_t> measured;
+  for (const auto& [key, of_camera] : alike) {
+    const size_t count = std::min(kMaxMeasured, of_camera.size());
+    for (size_t k = 0; k < count; ++k) measured.push_back(of_camera[k * of_camera.size() / count]);
+  }
+  std::vector<std::optional<double>> blurs(files->size());
+  ParallelFor(context, "sharpness of images", measured.size(), [&](size_t k) {
+    const std::string& path = (*files)[measured[k]].image_path;
+    blurs[measured[k]] = MeasureEdgeBlur(photos.Read(path, options.max_image_size));
+  });
+  for (const auto& [key, of_camera] : alike) {
+    std::vector<double> of_images;
+    for (const size_t i : of_camera) {
+      if (blurs[i]) of_images.push_back(*blurs[i]);
+    }
+    if (of_images.empty()) continue;
+    const double scale = ScaleOf(Median(std::move(of_images)), options.max_scale);
+    for (const size_t i : of_camera) (*files)[i].scale = scale;
+  }
+}
+
 // Points that no image sees, though maybe in no part of a panorama, or far outside the scene.
 int64_t CountLostPoints(const SparseModel& model, const SceneReach& reach) {
   std::unordered_set<uint32_t> images;
@@ -335,7 +374,7 @@ void AddViews(const SparseModel& model, const std::vector<int>& images,
     const Camera& camera = model.CameraOf(model.images[images[i]]);
     const ImageSize size = files[i].stored_size;
     CheckSizeFitsCamera(files[i].image_path, size, camera);
-    keys.emplace_back(camera.id, size.width, size.height, part);
+    keys.emplace_back(camera.id, size.width, size.height, part, files[i].scale);
     cameras[keys.back()] = &camera;
   }
   const std::map<OpticsKey, SharedOptics> optics = MakeAllOptics(cameras, options, context);
@@ -357,7 +396,8 @@ void ApplyMasks(double margin_px, const RunContext& context, ViewSet* set) {
     View& view = set->views[i];
     const auto mask = ReadViewMask(*set, static_cast<ViewId>(i));
     if (mask.empty()) return;
-    view.region = MakeImageRegion(view.camera, view.lens.get(), mask, margin_px);
+    view.region = MakeImageRegion(view.camera, view.lens.get(), mask,
+                                  set->files[i].scale * margin_px);
   });
   ReleaseDecoded(*set);
 }
@@ -366,8 +406,16 @@ void ApplyMasks(double margin_px, const RunContext& context, ViewSet* set) {
 
 void ViewOptions::Check() const {
   LIMN_CHECK_RANGE_OR(max_image_size, -1, >= 16, <= 1e5);
+  LIMN_CHECK_RANGE(max_scale, >= 1, <= 4);
   LIMN_CHECK_RANGE(border_margin_px, >= 0, <= 1e5);
   LIMN_CHECK_RANGE(max_reprojection_px, >= 0, <= 1e6);
+}
+
+double ScaleOf(double edge_blur_px, double max_scale) {
+  constexpr double kBlurInView = 0.8;
+  constexpr double kSteps = 4;
+  const double scale = std::floor(kSteps * kBlurInView / std::max(edge_blur_px, 1e-3) + 0.5) / kSteps;
+  return std::clamp(scale, 1.0, max_scale);
 }
 
 ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewOptions& options,
@@ -382,8 +430,8 @@ ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewO
   set.left_out = used.warnings;
   set.max_image_size = options.max_image_size;
   set.photos = photos;
-  const std::vector<ViewFile> files =
-      ReadFiles(model, used, options, photos, context, &set.warnings);
+  std::vector<ViewFile> files = ReadFiles(model, used, options, photos, context, &set.warnings);
+  SetScales(model, used, options, photos, context, &files);
   AddViews(model, used.images, files, options, context, &set);
   ApplyMasks(options.border_margin_px, context, &set);
   set.hints = MakeHints(model, used.reach, set);

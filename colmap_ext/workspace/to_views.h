@@ -23,6 +23,9 @@ struct ViewOptions {
   // Longer side of the images in pixels, of panoramas that of a quarter of their width; larger ones
   // are shrunk by an area filter, which is faster and coarser. -1 = as stored.
   int max_image_size = -1;
+  // Images that resolve more than their pixels show are used as if they were enlarged, at most so
+  // many times (ScaleOf). 1 = never. Panoramas never are.
+  double max_scale = 1;
   // Width of the ignored strip along the image borders, pixels: lenses are worst there, and filters
   // reach beyond the image.
   double border_margin_px = 8;
@@ -36,6 +39,10 @@ struct ViewOptions {
   // Throws OptionError.
   void Check() const;
 };
+
+// Pixels of the view per pixel of an image whose edges are blurred by so many px (MeasureEdgeBlur):
+// such that they are blurred by 0.8 px of the view, in quarters, at least 1.
+double ScaleOf(double edge_blur_px, double max_scale);
 
 // The only place where COLMAP's conventions become Limn's. Principal points move by -0.5 pixel;
 // cameras with distortion get a LensMap onto a virtual pinhole of the same focal length and

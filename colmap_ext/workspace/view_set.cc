@@ -9,26 +9,29 @@
 namespace limn::colmap_ext {
 namespace {
 
-// From the pixels of a part to those of the image.
-class WholeImageLens : public LensMap {
+// From the pixels of a view to those of its file.
+class FileLens : public LensMap {
  public:
-  WholeImageLens(std::shared_ptr<const LensMap> part, const ImageWindow& window)
-      : part_(std::move(part)), origin_px_(window.x, window.y) {}
+  FileLens(std::shared_ptr<const LensMap> lens, const Eigen::Array2d& file_per_view,
+           const Eigen::Array2d& origin_px)
+      : lens_(std::move(lens)), file_per_view_(file_per_view), origin_px_(origin_px) {}
 
-  std::optional<Eigen::Vector2d> VirtualFromStored(
-      const Eigen::Vector2d& stored_px) const override {
-    return part_->VirtualFromStored(stored_px - origin_px_);
+  std::optional<Eigen::Vector2d> VirtualFromStored(const Eigen::Vector2d& file_px) const override {
+    const Eigen::Vector2d px =
+        ((file_px.array() + 0.5) / file_per_view_ - 0.5 - origin_px_).matrix();
+    return lens_ ? lens_->VirtualFromStored(px) : px;
   }
   std::optional<Eigen::Vector2d> StoredFromVirtual(
       const Eigen::Vector2d& virtual_px) const override {
-    const auto stored_px = part_->StoredFromVirtual(virtual_px);
-    if (!stored_px) return std::nullopt;
-    return *stored_px + origin_px_;
+    const auto px = lens_ ? lens_->StoredFromVirtual(virtual_px) : virtual_px;
+    if (!px) return std::nullopt;
+    return ((px->array() + origin_px_ + 0.5) * file_per_view_ - 0.5).matrix();
   }
 
  private:
-  std::shared_ptr<const LensMap> part_;
-  Eigen::Vector2d origin_px_;
+  std::shared_ptr<const LensMap> lens_;  // may be null
+  Eigen::Array2d file_per_view_;
+  Eigen::Array2d origin_px_;  // of the view in the whole image, px of the view
 };
 
 Image BlackImage(int width, int height) {
@@ -79,25 +82,36 @@ int ViewSet::MaxFileSize(ViewId view) const {
   return MaxSizeOfFile(Window(view) != nullptr, max_image_size);
 }
 
+ImageSize ViewSet::ReadSize(ViewId view) const {
+  if (const ImageWindow* window = Window(view)) return {window->width, window->height};
+  return ShrunkSize(files[view].stored_size, MaxFileSize(view));
+}
+
 int MaxSizeOfFile(bool is_panorama, int max_image_size) {
   return is_panorama && max_image_size > 0 ? 4 * max_image_size : max_image_size;
 }
 
-std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views) {
+std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> views) {
   for (size_t v = 0; v < views.size(); ++v) {
+    const ViewFile& file = view_set.files[v];
     const ImageWindow* window = view_set.Window(static_cast<ViewId>(v));
-    if (!window) continue;
-    views[v].name = view_set.files[v].image_name;
-    views[v].lens = std::make_shared<WholeImageLens>(views[v].lens, *window);
+    const PinholeCamera& camera = views[v].camera;
+    const Eigen::Array2d stored(file.stored_size.width, file.stored_size.height);
+    const Eigen::Array2d used(window ? window->image_width : camera.width,
+                              window ? window->image_height : camera.height);
+    if (!window && (stored == used).all()) continue;
+    const Eigen::Array2d origin = window ? Eigen::Array2d(window->x, window->y)
+                                         : Eigen::Array2d(Eigen::Array2d::Zero());
+    views[v].name = file.image_name;
+    views[v].lens = std::make_shared<FileLens>(views[v].lens, stored / used, origin);
   }
   return views;
 }
 
-std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
-  const PinholeCamera& camera = view_set.views[view].camera;
-  if (view_set.files[view].is_damaged) {
-    return std::vector<unsigned char>(static_cast<size_t>(camera.width) * camera.height, 0);
-  }
+namespace {
+
+// Of the image of the view.
+std::vector<unsigned char> ReadImageMask(const ViewSet& view_set, ViewId view) {
   const std::string& path = view_set.files[view].mask_path;
   if (path.empty()) return {};
   const auto decode = [&] {
@@ -109,19 +123,42 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
                    1);
 }
 
+}  // namespace
+
+std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
+  const PinholeCamera& camera = view_set.views[view].camera;
+  const size_t size = static_cast<size_t>(camera.width) * camera.height;
+  if (view_set.files[view].is_damaged) return std::vector<unsigned char>(size, 0);
+  std::vector<unsigned char> mask = ReadImageMask(view_set, view);
+  if (mask.empty() || mask.size() == size) return mask;
+  const ImageSize image = view_set.ReadSize(view);
+  std::vector<unsigned char> enlarged(size);
+  for (int y = 0; y < camera.height; ++y) {
+    const size_t row = static_cast<size_t>(y) * image.height / camera.height;
+    for (int x = 0; x < camera.width; ++x) {
+      enlarged[static_cast<size_t>(y) * camera.width + x] =
+          mask[row * image.width + static_cast<size_t>(x) * image.width / camera.width];
+    }
+  }
+  return enlarged;
+}
+
 Image ReadViewImage(const ViewSet& view_set, ViewId view) {
   const PinholeCamera& camera = view_set.views[view].camera;
-  Image image;
   if (view_set.files[view].is_damaged) {
-    image = BlackImage(camera.width, camera.height);
-  } else {
-    image = ReadPixels(view_set, view);
+    Image image = BlackImage(camera.width, camera.height);
+    image.mask = ReadViewMask(view_set, view);
+    return image;
   }
-  if (image.width != camera.width || image.height != camera.height) {
+  Image image = ReadPixels(view_set, view);
+  const ImageSize expected = view_set.ReadSize(view);
+  if (image.width != expected.width || image.height != expected.height) {
     throw IoError(view_set.files[view].image_path,
                   "the image changed its size while Limn was running");
   }
-  image.mask = ReadViewMask(view_set, view);
+  image.mask = ReadImageMask(view_set, view);
+  image.scale = {camera.width / static_cast<double>(image.width),
+                 camera.height / static_cast<double>(image.height)};
   return image;
 }
 

@@ -25,6 +25,8 @@ struct ViewFile {
   std::string image_path;
   std::string mask_path;  // empty = no mask
   ImageSize stored_size;  // before max_image_size
+  // Pixels of the view per pixel of the image, after max_image_size.
+  double scale = 1;
   // As CheckJpeg says; then all of it is masked.
   bool is_damaged = false;
   // Of a part: where it is in the image, after max_image_size, and how it is turned in it.
@@ -57,6 +59,8 @@ struct ViewSet {
   size_t CountImages(const std::vector<ViewId>& of_views) const;
   // The longer side, px, that the file of a view is shrunk to; -1 = as stored.
   int MaxFileSize(ViewId view) const;
+  // Of the image that ReadViewImage returns, px.
+  ImageSize ReadSize(ViewId view) const;
   // Null if the view is not part of a panorama.
   const ImageWindow* Window(ViewId view) const {
     return files[view].window ? &*files[view].window : nullptr;
@@ -67,10 +71,11 @@ struct ViewSet {
 // stored.
 int MaxSizeOfFile(bool is_panorama, int max_image_size);
 
-// These views of the set (with refined cameras, maybe), with the names of their images, and stored
-// pixels of the whole images. Columns of a panorama continue across its left border: they run from
-// -1/8 to 7/8 of its width. For tracks: the sizes of parts stay.
-std::vector<View> InWholeImages(const ViewSet& view_set, std::vector<View> views);
+// These views of the set (with refined cameras, maybe), with the names of their images, and pixels
+// of the whole images as they are stored, whatever the size at which they are used. Columns of a
+// panorama continue across its left border: they run from -1/8 to 7/8 of its width. For tracks: the
+// sizes of cameras stay.
+std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> views);
 
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
 // pixels may be used. Throws IoError.

@@ -17,7 +17,7 @@ PaddedPlane SamplePlane() {
   const Image& image = SamplePhotograph();
   std::vector<float> values(static_cast<size_t>(image.width) * image.height);
   for (size_t i = 0; i < values.size(); ++i) values[i] = image.data[i * image.channels];
-  return MakePaddedPlane(values, image.width, image.height, GaussianPadding(kSigmaPx));
+  return MakePaddedPlane(values, image.width, image.height, GaussianPadding(kSigmaPx, 1));
 }
 
 void ReadImage(benchmark::State& state) {
@@ -39,7 +39,7 @@ BENCHMARK(DetectEdges)->Unit(benchmark::kMillisecond);
 void SmoothedGradient(benchmark::State& state) {
   const PaddedPlane plane = SamplePlane();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(limn::SmoothedGradient(plane, kSigmaPx).dx.data());
+    benchmark::DoNotOptimize(limn::SmoothedGradient(plane, GaussianKernels(kSigmaPx, 1), plane.width, plane.height).dx.data());
   }
   ReportPerMegapixel(state);
 }
@@ -47,7 +47,7 @@ BENCHMARK(SmoothedGradient)->Unit(benchmark::kMillisecond);
 
 void MeasureNoise(benchmark::State& state) {
   const PaddedPlane plane = SamplePlane();
-  const GradientField gradient = limn::SmoothedGradient(plane, kSigmaPx);
+  const GradientField gradient = limn::SmoothedGradient(plane, GaussianKernels(kSigmaPx, 1), plane.width, plane.height);
   for (auto _ : state) benchmark::DoNotOptimize(limn::MeasureNoise(plane, gradient, kSigmaPx));
   ReportPerMegapixel(state);
 }
@@ -55,7 +55,7 @@ BENCHMARK(MeasureNoise)->Unit(benchmark::kMillisecond);
 
 void FindGridMaxima(benchmark::State& state) {
   const PaddedPlane plane = SamplePlane();
-  const GradientField gradient = limn::SmoothedGradient(plane, kSigmaPx);
+  const GradientField gradient = limn::SmoothedGradient(plane, GaussianKernels(kSigmaPx, 1), plane.width, plane.height);
   const std::vector<float> magnitude = GradientMagnitude(gradient);
   std::vector<int32_t> near_maximum(plane.width);
   for (auto _ : state) {
@@ -71,11 +71,12 @@ BENCHMARK(FindGridMaxima)->Unit(benchmark::kMillisecond);
 // Time of one point.
 void SubpixelDerivatives(benchmark::State& state) {
   const PaddedPlane plane = SamplePlane();
-  const limn::SubpixelDerivatives derivatives(plane, kSigmaPx);
+  const GaussianKernels kernels(kSigmaPx, 1);
+  const limn::SubpixelDerivatives derivatives(plane, kernels, Eigen::Array2d::Ones());
   double x = 100;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(derivatives.At(x, 200.25));
-    x = x < 200 ? x + 1.0 / limn::SubpixelDerivatives::kNodesPerPx : 100;
+    benchmark::DoNotOptimize(derivatives.At({x, 200.25}));
+    x = x < 200 ? x + 1.0 / GaussianKernels::kNodesPerPx : 100;
   }
 }
 BENCHMARK(SubpixelDerivatives);

@@ -42,24 +42,29 @@ constexpr double kIsoluminantMinStrength = 1.5;
 // Red and blue edgels within this of a similar main one show the same edge, dispersed by the lens.
 constexpr double kIsoluminantDistancePx = 3;
 
-// 1 where edgels may be: inside the margin and away from masked pixels.
+// Per pixel of the view, 1 where edgels may be: inside the margin and away from masked pixels.
 std::vector<unsigned char> UsablePixels(const Image& image, const EdgeDetectionOptions& options) {
-  const int width = image.width;
-  const int height = image.height;
+  const int width = image.ViewWidth();
+  const int height = image.ViewHeight();
   // The grid test needs one pixel on each side.
-  const int margin = std::max(1, static_cast<int>(std::ceil(options.margin_px)));
+  const int margin =
+      std::max(1, static_cast<int>(std::ceil(options.margin_px * image.scale.mean())));
   std::vector<unsigned char> usable(static_cast<size_t>(width) * height, 0);
   for (int y = margin; y < height - margin; ++y) {
     for (int x = margin; x < width - margin; ++x) usable[static_cast<size_t>(y) * width + x] = 1;
   }
   if (image.mask.empty()) return usable;
-  const int reach = static_cast<int>(std::ceil(options.sigma_px));
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      if (image.mask[static_cast<size_t>(y) * width + x] != 0) continue;
-      for (int v = std::max(0, y - reach); v <= std::min(height - 1, y + reach); ++v) {
+  const double reach = std::ceil(options.sigma_px);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      if (image.mask[static_cast<size_t>(y) * image.width + x] != 0) continue;
+      const Eigen::Array2d half = 0.5 * image.scale.array() - 0.5 + reach;
+      const Eigen::Array2d center = image.ToView({x, y}).array();
+      const Eigen::Array2i low = (center - half).ceil().cast<int>().max(0);
+      const Eigen::Array2i high = (center + half).floor().cast<int>().min(Eigen::Array2i(width, height) - 1);
+      for (int v = low.y(); v <= high.y(); ++v) {
         const auto row = usable.begin() + static_cast<std::ptrdiff_t>(v) * width;
-        std::fill(row + std::max(0, x - reach), row + std::min(width - 1, x + reach) + 1, 0);
+        std::fill(row + low.x(), row + high.x() + 1, 0);
       }
     }
   }
@@ -74,7 +79,11 @@ bool InUsablePixel(const std::vector<unsigned char>& usable, int width, const Ed
 
 RefinementContext ContextOf(const EdgeSignal& signal, double noise_factor, double min_strength) {
   if (signal.planes.size() > 1) noise_factor *= kJointNoiseFactor;
-  return {signal.sigma_px, signal.noise, noise_factor, min_strength};
+  // The share of pixels where noise makes an edgel falls as exp(-factor^2 / 2): as many of them in
+  // the image at any scale.
+  const double more_pixels = std::max(1.0, signal.scale.prod());
+  noise_factor = std::sqrt(noise_factor * noise_factor + 2 * std::log(more_pixels));
+  return {signal.scale.mean(), signal.sigma_px, signal.noise, noise_factor, min_strength};
 }
 
 // Below this magnitude the pixel grid shows no edge at any gray level.
@@ -95,7 +104,9 @@ std::vector<RefinedEdgel> DetectInSignal(const EdgeSignal& signal, const Refinem
                                          const std::vector<unsigned char>& usable,
                                          const Skip& skip) {
   std::vector<SubpixelDerivatives> derivatives;
-  for (const PaddedPlane& plane : signal.planes) derivatives.emplace_back(plane, signal.sigma_px);
+  for (const PaddedPlane& plane : signal.planes) {
+    derivatives.emplace_back(plane, *signal.kernels, signal.scale.array());
+  }
   const GradientField& gradient = signal.gradient;
   const int width = gradient.width;
   const float lowest = static_cast<float>(LowestMagnitude(context));
@@ -126,10 +137,11 @@ bool HasMoreColors(const Image& image, const EdgeDetectionOptions& options) {
   return options.find_isoluminant && image.channels == 3 && options.channel != EdgeChannel::kColor;
 }
 
-void AddFineEdgels(const std::vector<ChannelValues>& channels, const EdgeDetectionOptions& options,
-                   const std::vector<unsigned char>& usable, EdgelRaster* raster) {
+void AddFineEdgels(const Image& image, const std::vector<ChannelValues>& channels,
+                   const EdgeDetectionOptions& options, const std::vector<unsigned char>& usable,
+                   EdgelRaster* raster) {
   const EdgeSignal signal =
-      PrepareSignal(channels, raster->width(), raster->height(), options.fine_sigma_px);
+      PrepareSignal(channels, image, options.fine_sigma_px);
   const RefinementContext context = ContextOf(signal, options.fine_noise_factor, kFineMinStrength);
   raster->AddStrongestFirst(
       DetectInSignal(signal, context, usable, [](const auto&, const auto&) { return false; }));
@@ -147,8 +159,8 @@ void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& option
   std::vector<RefinedEdgel> of_channel[2];
   double total_strength[2] = {0, 0};
   for (int k = 0; k < 2; ++k) {
-    const EdgeSignal signal = PrepareSignal({ExtractChannel(image, k == 0 ? 0 : 2)}, image.width,
-                                            image.height, options.sigma_px);
+    const EdgeSignal signal = PrepareSignal({ExtractChannel(image, k == 0 ? 0 : 2)}, image,
+                                            options.sigma_px);
     const RefinementContext context =
         ContextOf(signal, kIsoluminantNoiseFactor, kIsoluminantMinStrength);
     of_channel[k] = DetectInSignal(signal, context, usable, explained);
@@ -184,12 +196,12 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   options.Check();
   CheckImage(image);
   const std::vector<ChannelValues> channels = SearchedChannels(image, options.channel);
-  const EdgeSignal signal = PrepareSignal(channels, image.width, image.height, options.sigma_px);
+  const EdgeSignal signal = PrepareSignal(channels, image, options.sigma_px);
   const RefinementContext context = ContextOf(signal, options.noise_factor, options.min_strength);
   const std::vector<unsigned char> usable = UsablePixels(image, options);
 
-  EdgelRaster raster(image.width, image.height);
-  if (HasFineScale(options)) AddFineEdgels(channels, options, usable, &raster);
+  EdgelRaster raster(image.ViewWidth(), image.ViewHeight());
+  if (HasFineScale(options)) AddFineEdgels(image, channels, options, usable, &raster);
   const auto is_fine = [&](const Vector2d& position, const Vector2d& tangent) {
     return raster.HasParallelNear(position, tangent, kSameEdgePx, /*min_cosine=*/0);
   };
@@ -198,8 +210,8 @@ EdgeMap DetectEdges(const Image& image, const EdgeDetectionOptions& options) {
   if (HasMoreColors(image, options)) AddIsoluminantEdgels(image, options, usable, &raster);
 
   EdgeMap map;
-  map.width = image.width;
-  map.height = image.height;
+  map.width = image.ViewWidth();
+  map.height = image.ViewHeight();
   map.edgels = raster.Edgels();
   map.texture = raster.Texture(options.texture_density);
   map.gradient_noise = signal.noise[0].Mean();

@@ -47,20 +47,20 @@ double NormalCorrection(const LocalJet& jet, double sigma_px) {
   return (1 - gradient_weight) * std::atan(f_t / f_n);
 }
 
-// Smoothing moves a curved edge towards its center of curvature by about (s^2 + 1/12) / 2R. Returns
-// the shift along the normal that undoes it, with the curvature shrunk by its noise so that
-// straight noisy edges stay in place.
-double CurvatureShift(const LocalJet& jet, double sigma_px, double noise) {
+// Smoothing moves a curved edge towards its center of curvature by about (s^2 + p^2 / 12) / 2R, with
+// pixels of the image of size p. Returns the shift along the normal that undoes it, with the
+// curvature shrunk by its noise so that straight noisy edges stay in place.
+double CurvatureShift(const LocalJet& jet, double sigma_px, double scale, double noise) {
   const double curvature = std::clamp(jet.tt / jet.n, -kMaxCurvature, kMaxCurvature);
   const double sigma_curvature = noise * std::sqrt(1.5) / (sigma_px * jet.n);
   const double ratio = sigma_curvature / std::max(std::abs(curvature), 1e-9);
   const double shrink = std::max(0.0, 1 - ratio * ratio);
-  return 0.5 * shrink * curvature * (sigma_px * sigma_px + 1.0 / 12);
+  return 0.5 * shrink * curvature * (sigma_px * sigma_px + scale * scale / 12);
 }
 
 LocalJet JetAt(std::span<const SubpixelDerivatives> derivatives, const Vector2d& node) {
   std::array<Jet, kMaxChannels> jets;
-  for (size_t k = 0; k < derivatives.size(); ++k) jets[k] = derivatives[k].At(node.x(), node.y());
+  for (size_t k = 0; k < derivatives.size(); ++k) jets[k] = derivatives[k].At(node);
   return derivatives.size() == 1 ? AlongGradient(jets[0]) : AlongJointGradient(jets);
 }
 
@@ -81,8 +81,7 @@ std::optional<RefinedEdgel> RefineEdgel(std::span<const SubpixelDerivatives> der
   Vector2d position = pixel;
   LocalJet jet;
   for (int iteration = 0;; ++iteration) {
-    const Vector2d node(SubpixelDerivatives::NearestNode(position.x()),
-                        SubpixelDerivatives::NearestNode(position.y()));
+    const Vector2d node = derivatives[0].NearestNode(position);
     jet = JetAt(derivatives, node);
     if (jet.n == 0) return std::nullopt;
     const auto step = StepToMaximum(jet);
@@ -98,7 +97,7 @@ std::optional<RefinedEdgel> RefineEdgel(std::span<const SubpixelDerivatives> der
 
   const double normal_rad =
       std::atan2(jet.normal.y(), jet.normal.x()) + NormalCorrection(jet, context.sigma_px);
-  position += CurvatureShift(jet, context.sigma_px, noise) * jet.normal;
+  position += CurvatureShift(jet, context.sigma_px, context.scale, noise) * jet.normal;
 
   Edgel edgel;
   edgel.position_px = position;
@@ -109,7 +108,9 @@ std::optional<RefinedEdgel> RefineEdgel(std::span<const SubpixelDerivatives> der
   const double noise_nn = noise * std::sqrt(1.5) / context.sigma_px;
   edgel.position_sigma_px =
       static_cast<float>(std::max(kMinPositionSigmaPx, noise_nn / std::abs(jet.nnn)));
-  return RefinedEdgel{edgel, threshold > 0 ? jet.n / threshold : 1};
+  const double variance = jet.n / -jet.nnn - context.sigma_px * context.sigma_px;
+  return RefinedEdgel{edgel, threshold > 0 ? jet.n / threshold : 1,
+                      std::sqrt(std::max(0.0, variance))};
 }
 
 }  // namespace limn

@@ -14,6 +14,8 @@ namespace limn {
 
 // Parameters of the refinement of a candidate.
 struct RefinementContext {
+  // Lengths are in pixels of the view, of which there are so many per pixel of the image.
+  double scale = 1;
   double sigma_px = 1.5;
   // Of every channel, by the level of the first one.
   std::vector<NoiseModel> noise;
@@ -29,10 +31,12 @@ struct RefinementContext {
   double NoiseOf(double level, const ChannelShares& shares) const;
 };
 
-// An edgel and its strength in multiples of the threshold that applied to it, >= 1.
+// An edgel, its strength in multiples of the threshold that applied to it, >= 1, and the blur of the
+// edge in the image: standard deviation of the Gaussian that a step is convolved with, px.
 struct RefinedEdgel {
   Edgel edgel;
   double significance = 1;
+  double blur_px = 0;
 };
 
 // The maximum of the gradient magnitude along the gradient near the pixel (x, y), or nothing if

@@ -46,13 +46,18 @@ ChannelShares EdgeSignal::SharesAt(size_t pixel) const {
   return SharesOf(gradients, JoinGradients(gradients));
 }
 
-EdgeSignal PrepareSignal(const std::vector<ChannelValues>& channels, int width, int height,
+EdgeSignal PrepareSignal(const std::vector<ChannelValues>& channels, const Image& image,
                          double sigma_px) {
   EdgeSignal signal;
+  signal.scale = image.scale;
   signal.sigma_px = sigma_px;
+  const double scale = image.scale.mean();
+  signal.kernels = std::make_shared<const GaussianKernels>(sigma_px, scale);
+  const int padding = GaussianPadding(sigma_px, scale);
   for (const ChannelValues& values : channels) {
-    signal.planes.push_back(MakePaddedPlane(values, width, height, GaussianPadding(sigma_px)));
-    GradientField field = SmoothedGradient(signal.planes.back(), sigma_px);
+    signal.planes.push_back(MakePaddedPlane(values, image.width, image.height, padding));
+    GradientField field = SmoothedGradient(signal.planes.back(), *signal.kernels,
+                                           image.ViewWidth(), image.ViewHeight());
     // Noise depends on the brightness.
     if (!signal.channel_gradients.empty()) field.smooth = signal.channel_gradients[0].smooth;
     signal.noise.push_back(MeasureNoise(signal.planes.back(), field, sigma_px));

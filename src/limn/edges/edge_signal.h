@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "limn/edges/edge_channel.h"
@@ -15,7 +16,10 @@ using ChannelValues = std::vector<float>;
 
 // One channel, or L, a and b jointly, prepared for detection at one scale.
 struct EdgeSignal {
-  double sigma_px = 0;
+  // Pixels of the view per pixel of the image, in both directions.
+  Eigen::Vector2d scale = Eigen::Vector2d::Ones();
+  double sigma_px = 0;  // of the view
+  std::shared_ptr<const GaussianKernels> kernels;
   std::vector<PaddedPlane> planes;  // of every channel
   // The joint gradient, directed as that of the first channel, or see JointGradient. `smooth` is
   // the first channel.
@@ -29,8 +33,8 @@ struct EdgeSignal {
   std::vector<GradientField> channel_gradients;  // without `smooth`; empty if there is one channel
 };
 
-// Of one or three channels. Linear time.
-EdgeSignal PrepareSignal(const std::vector<ChannelValues>& channels, int width, int height,
+// Of one or three channels of an image. Linear time.
+EdgeSignal PrepareSignal(const std::vector<ChannelValues>& channels, const Image& image,
                          double sigma_px);
 
 // A channel of an image.

@@ -14,42 +14,60 @@ namespace {
 // Taps are padded with zeros to whole blocks of this size.
 constexpr int kBlock = 8;
 
-int GridHalfSize(double sigma_px) { return static_cast<int>(std::ceil(4 * sigma_px)); }
+// Narrower Gaussians are those of interpolated pixels.
+constexpr double kNarrowPx = 1;
 
-int SubpixelHalfSize(double sigma_px) { return static_cast<int>(std::ceil(4 * sigma_px + 0.5)); }
+int HalfSize(double sigma_px) {
+  return static_cast<int>(std::ceil(4 * sigma_px + (sigma_px < kNarrowPx ? 1 : 0.5)));
+}
 
 double Gaussian(double x, double sigma) {
   return std::exp(-0.5 * x * x / (sigma * sigma)) / (std::sqrt(2 * std::numbers::pi) * sigma);
 }
 
-// A symmetric and an antisymmetric kernel: the taps from the center on.
-struct HalfKernels {
-  std::vector<float> even;
-  std::vector<float> odd;
-};
-
-// The Gaussian, of sum 1, and its derivative.
-HalfKernels GridKernels(double sigma_px) {
-  const int half = GridHalfSize(sigma_px);
-  double sum = 0;
-  for (int k = -half; k <= half; ++k) sum += Gaussian(k, sigma_px);
-  HalfKernels kernels;
-  for (int k = 0; k <= half; ++k) {
-    const double g = Gaussian(k, sigma_px) / sum;
-    kernels.even.push_back(static_cast<float>(g));
-    // Correlation, not convolution: the sign of the kernel is flipped.
-    kernels.odd.push_back(static_cast<float>(g * k / (sigma_px * sigma_px)));
-  }
-  return kernels;
+// Keys' interpolation kernel, 0 beyond 2.
+double Cubic(double x) {
+  x = std::abs(x);
+  if (x < 1) return (1.5 * x - 2.5) * x * x + 1;
+  return x < 2 ? ((-0.5 * x + 2.5) * x - 4) * x + 2 : 0;
 }
 
-// What a filter reads and writes. Rows are read up to kBlock - 1 values beyond the count.
-struct FilterRows {
-  const float* const* center;  // row k of the input is center[k]
-  int count;                   // values of a row
-  float* even;
-  float* odd;  // or null
+// The Gaussian and its derivatives at u px from the place, correlated, not convolved.
+Eigen::Array4d GaussianAt(double u, double sigma_px) {
+  const double inverse_variance = 1 / (sigma_px * sigma_px);
+  const double v = u * inverse_variance;
+  return Gaussian(u, sigma_px) * Eigen::Array4d(1, v, v * v - inverse_variance,
+                                                v * (v * v - 3 * inverse_variance));
+}
+
+// The same of interpolated pixels.
+Eigen::Array4d KernelAt(double u, double sigma_px) {
+  if (sigma_px >= kNarrowPx) return GaussianAt(u, sigma_px);
+  constexpr int kStepsPerPx = 8;
+  Eigen::Array4d sum = Eigen::Array4d::Zero();
+  for (int i = -2 * kStepsPerPx + 1; i < 2 * kStepsPerPx; ++i) {
+    const double x = static_cast<double>(i) / kStepsPerPx;
+    sum += Cubic(x) / kStepsPerPx * GaussianAt(u - x, sigma_px);
+  }
+  return sum;
+}
+
+// Where pixels of the view are in the plane, along x or y: the nearest pixels and the kernels.
+struct GridTaps {
+  std::vector<int> pixel;
+  std::vector<const float*> kernel;
 };
+
+GridTaps TapsOf(const GaussianKernels& kernels, int count, int count_in_view) {
+  const double scale = static_cast<double>(count_in_view) / count;
+  GridTaps taps;
+  for (int i = 0; i < count_in_view; ++i) {
+    const double place = (i + 0.5) / scale - 0.5;
+    taps.pixel.push_back(static_cast<int>(std::lround(place)));
+    taps.kernel.push_back(kernels.At(place - taps.pixel.back()));
+  }
+  return taps;
+}
 
 LIMN_INLINE_KERNEL void StoreUpTo(int count, const Float8& values, float* to) {
   if (count >= kBlock) {
@@ -59,43 +77,65 @@ LIMN_INLINE_KERNEL void StoreUpTo(int count, const Float8& values, float* to) {
   }
 }
 
-// even[x] = sum over k of kernels.even[|k|] center[k][x], and so odd.
-LIMN_INLINE_KERNEL void Filter(const HalfKernels& kernels, const FilterRows& rows) {
-  const int half = static_cast<int>(kernels.even.size()) - 1;
-  const float* even_taps = kernels.even.data();
-  const float* odd_taps = kernels.odd.data();
-  for (int x = 0; x < rows.count; x += kBlock) {
-    Float8 here, before, after;
-    Load8(rows.center[0] + x, &here);
-    Float8 even = even_taps[0] * here;
-    Float8 odd = {};
-    for (int k = 1; k <= half; ++k) {
-      Load8(rows.center[k] + x, &after);
-      Load8(rows.center[-k] + x, &before);
-      even += even_taps[k] * (after + before);
-      if (rows.odd) odd += odd_taps[k] * (after - before);
+// A row of the plane filtered along x. Its first pixel is row[0]; it is read half_size before and
+// row_size - half_size beyond every pixel.
+LIMN_INLINE_KERNEL void FilterAlong(const GridTaps& taps, const GaussianKernels& kernels,
+                                    const float* row, float* even, float* odd) {
+  const int row_size = kernels.row_size();
+  const float* first = row - kernels.half_size();
+  for (size_t x = 0; x < taps.pixel.size(); ++x) {
+    Float8 sums[2] = {};
+    for (int k = 0; k < row_size; k += kBlock) {
+      Float8 here, tap;
+      Load8(first + taps.pixel[x] + k, &here);
+      for (int a = 0; a < 2; ++a) {
+        Load8(taps.kernel[x] + a * row_size + k, &tap);
+        sums[a] += tap * here;
+      }
     }
-    StoreUpTo(rows.count - x, even, rows.even + x);
-    if (rows.odd) StoreUpTo(rows.count - x, odd, rows.odd + x);
+    Float4 halves[4];
+    std::memcpy(halves, sums, sizeof(sums));
+    even[x] = Sum4(halves[0] + halves[1]);
+    odd[x] = Sum4(halves[2] + halves[3]);
   }
 }
 
-LIMN_FOR_AVX2 void FilterByAvx2(const HalfKernels& kernels, const FilterRows& rows) {
-  Filter(kernels, rows);
+LIMN_FOR_AVX2 void FilterAlongByAvx2(const GridTaps& taps, const GaussianKernels& kernels,
+                                     const float* row, float* even, float* odd) {
+  FilterAlong(taps, kernels, row, even, odd);
 }
 
-void FilterBySse2(const HalfKernels& kernels, const FilterRows& rows) { Filter(kernels, rows); }
+void FilterAlongBySse2(const GridTaps& taps, const GaussianKernels& kernels, const float* row,
+                       float* even, float* odd) {
+  FilterAlong(taps, kernels, row, even, odd);
+}
 
-// `row_at(k)`: row k of the input.
-template <typename RowAt>
-void FilterAcross(const HalfKernels& kernels, int count, const RowAt& row_at, float* even,
-                  float* odd) {
-  const int half = static_cast<int>(kernels.even.size()) - 1;
+// What a filter across rows reads and writes. Rows are read up to kBlock - 1 values beyond the
+// count.
+struct FilterRows {
   std::vector<const float*> rows;
-  for (int k = -half; k <= half; ++k) rows.push_back(row_at(k));
-  const FilterRows filter_rows{rows.data() + half, count, even, odd};
-  HasAvx2() ? FilterByAvx2(kernels, filter_rows) : FilterBySse2(kernels, filter_rows);
+  int count;  // values of a row
+  float* to;
+};
+
+LIMN_INLINE_KERNEL void FilterAcross(const float* taps, const FilterRows& filter) {
+  const int num_rows = static_cast<int>(filter.rows.size());
+  for (int x = 0; x < filter.count; x += kBlock) {
+    Float8 sum = {};
+    for (int k = 0; k < num_rows; ++k) {
+      Float8 here;
+      Load8(filter.rows[k] + x, &here);
+      sum += taps[k] * here;
+    }
+    StoreUpTo(filter.count - x, sum, filter.to + x);
+  }
 }
+
+LIMN_FOR_AVX2 void FilterAcrossByAvx2(const float* taps, const FilterRows& filter) {
+  FilterAcross(taps, filter);
+}
+
+void FilterAcrossBySse2(const float* taps, const FilterRows& filter) { FilterAcross(taps, filter); }
 
 // The last rows of a plane, filtered along x: what the filter across them needs.
 class RowRing {
@@ -114,7 +154,7 @@ class RowRing {
 
 }  // namespace
 
-int GaussianPadding(double sigma_px) { return SubpixelHalfSize(sigma_px) + kBlock; }
+int GaussianPadding(double sigma_px, double scale) { return HalfSize(sigma_px / scale) + kBlock; }
 
 PaddedPlane MakePaddedPlane(const std::vector<float>& values, int width, int height, int pad) {
   PaddedPlane plane;
@@ -133,58 +173,66 @@ PaddedPlane MakePaddedPlane(const std::vector<float>& values, int width, int hei
   return plane;
 }
 
-GradientField SmoothedGradient(const PaddedPlane& plane, double sigma_px) {
-  const HalfKernels kernels = GridKernels(sigma_px);
-  const int half = GridHalfSize(sigma_px);
-  const int width = plane.width;
-  const int height = plane.height;
-  const size_t size = static_cast<size_t>(width) * height;
-  GradientField field{width, height, std::vector<float>(size), std::vector<float>(size),
-                      std::vector<float>(size)};
-  RowRing smooth(2 * half + 1, width);
-  RowRing derived(2 * half + 1, width);
-  for (int last = 0; last < height + 2 * half; ++last) {
-    const float* source = plane.Row(last - half);
-    FilterAcross(
-        kernels, width, [&](int k) { return source + k; }, smooth.Row(last), derived.Row(last));
-    const int center = last - half;
-    if (center < half) continue;
-    const size_t out = static_cast<size_t>(center - half) * width;
-    FilterAcross(
-        kernels, width, [&](int k) { return smooth.Row(center + k); }, field.smooth.data() + out,
-        field.dy.data() + out);
-    FilterAcross(
-        kernels, width, [&](int k) { return derived.Row(center + k); }, field.dx.data() + out,
-        nullptr);
-  }
-  return field;
-}
-
-SubpixelDerivatives::SubpixelDerivatives(const PaddedPlane& plane, double sigma_px)
-    : plane_(plane), half_size_(SubpixelHalfSize(sigma_px)) {
+GaussianKernels::GaussianKernels(double sigma_px, double scale)
+    : half_size_(HalfSize(sigma_px / scale)) {
   const int taps = 2 * half_size_ + 1;
   row_size_ = (taps + kBlock - 1) / kBlock * kBlock;
   kernels_.assign(static_cast<size_t>(kNodesPerPx + 1) * 4 * row_size_, 0.f);
-  const double inverse_variance = 1 / (sigma_px * sigma_px);
   for (int node = 0; node <= kNodesPerPx; ++node) {
     const double fraction = static_cast<double>(node) / kNodesPerPx - 0.5;
     float* kernel = kernels_.data() + static_cast<size_t>(node) * 4 * row_size_;
+    std::vector<Eigen::Array4d> values;
+    Eigen::Array4d sums = Eigen::Array4d::Zero();
     for (int i = 0; i < taps; ++i) {
-      // Derivatives with respect to the position of the kernel (u = pixel - position).
-      const double u = i - half_size_ - fraction;
-      const double v = u * inverse_variance;
-      const double g = Gaussian(u, sigma_px);
-      kernel[i] = static_cast<float>(g);
-      kernel[row_size_ + i] = static_cast<float>(g * v);
-      kernel[2 * row_size_ + i] = static_cast<float>(g * (v * v - inverse_variance));
-      kernel[3 * row_size_ + i] = static_cast<float>(g * v * (v * v - 3 * inverse_variance));
+      values.push_back(KernelAt(i - half_size_ - fraction, sigma_px / scale));
+      sums += values.back();
+    }
+    // What truncation takes from a constant image is given back.
+    for (int i = 0; i < taps; ++i) {
+      const double share = values[i][0] / sums[0];
+      kernel[i] = static_cast<float>(share);
+      for (int a = 1; a < 4; ++a) {
+        const double derivative = (values[i][a] - share * sums[a]) * std::pow(scale, -a);
+        kernel[a * row_size_ + i] = static_cast<float>(derivative);
+      }
     }
   }
 }
 
-const float* SubpixelDerivatives::KernelAt(double fraction) const {
+const float* GaussianKernels::At(double fraction) const {
   const int node = static_cast<int>((fraction + 0.5) * kNodesPerPx + 0.5);
   return kernels_.data() + static_cast<size_t>(node) * 4 * row_size_;
+}
+
+GradientField SmoothedGradient(const PaddedPlane& plane, const GaussianKernels& kernels, int width,
+                               int height) {
+  const int half = kernels.half_size();
+  const int num_rows = 2 * half + 1;
+  const GridTaps columns = TapsOf(kernels, plane.width, width);
+  const GridTaps rows = TapsOf(kernels, plane.height, height);
+  const size_t size = static_cast<size_t>(width) * height;
+  GradientField field{width, height, std::vector<float>(size), std::vector<float>(size),
+                      std::vector<float>(size)};
+  RowRing smooth(num_rows, width);
+  RowRing derived(num_rows, width);
+  const auto filter_across = [&](RowRing* ring, int first, const float* taps, float* to) {
+    FilterRows filter{{}, width, to};
+    for (int k = 0; k < num_rows; ++k) filter.rows.push_back(ring->Row(first + k));
+    HasAvx2() ? FilterAcrossByAvx2(taps, filter) : FilterAcrossBySse2(taps, filter);
+  };
+  int next = 0;  // rows of the plane that are in the rings, counted from -half
+  for (int y = 0; y < height; ++y) {
+    for (; next <= rows.pixel[y] + 2 * half; ++next) {
+      const auto filter = HasAvx2() ? FilterAlongByAvx2 : FilterAlongBySse2;
+      filter(columns, kernels, plane.Row(next - half), smooth.Row(next), derived.Row(next));
+    }
+    const size_t out = static_cast<size_t>(y) * width;
+    const float* taps = rows.kernel[y];
+    filter_across(&smooth, rows.pixel[y], taps, field.smooth.data() + out);
+    filter_across(&smooth, rows.pixel[y], taps + kernels.row_size(), field.dy.data() + out);
+    filter_across(&derived, rows.pixel[y], taps, field.dx.data() + out);
+  }
+  return field;
 }
 
 namespace {
@@ -233,21 +281,32 @@ void JetSumsBySse2(const JetPlace& place, Float4 (&sums)[4][4]) { JetSums(place,
 
 }  // namespace
 
-Jet SubpixelDerivatives::At(double x, double y) const {
-  const int column = static_cast<int>(x + 0.5);
-  const int row = static_cast<int>(y + 0.5);
+Eigen::Vector2d SubpixelDerivatives::NearestNode(const Eigen::Vector2d& px) const {
+  constexpr double kNodesPerPx = GaussianKernels::kNodesPerPx;
+  // Not below 0, so that casts round down.
+  const Eigen::Array2d from_minus_one = (px.array() + 0.5) / scale_ + 0.5;
+  const Eigen::Array2d node =
+      (from_minus_one * kNodesPerPx + 0.5).cast<int>().cast<double>() / kNodesPerPx;
+  return ((node - 0.5) * scale_ - 0.5).matrix();
+}
+
+Jet SubpixelDerivatives::At(const Eigen::Vector2d& node) const {
+  const Eigen::Array2d place = (node.array() + 0.5) / scale_ - 0.5;
+  const int column = static_cast<int>(place.x() + 0.5);
+  const int row = static_cast<int>(place.y() + 0.5);
+  const int half = kernels_->half_size();
   // Truncated, shifted derivative kernels do not sum to zero exactly; subtracting the level of the
   // center pixel keeps a bright plane from leaking into the derivatives.
-  const float level = plane_.Row(row)[column];
-  const JetPlace place{KernelAt(x - column),
-                       KernelAt(y - row),
-                       plane_.Row(row - half_size_) + column - half_size_,
-                       2 * half_size_ + 1,
-                       row_size_,
-                       plane_.stride,
+  const float level = plane_->Row(row)[column];
+  const JetPlace taps{kernels_->At(place.x() - column),
+                       kernels_->At(place.y() - row),
+                       plane_->Row(row - half) + column - half,
+                       2 * half + 1,
+                       kernels_->row_size(),
+                       plane_->stride,
                        level};
   Float4 sums[4][4] = {};
-  HasAvx2() ? JetSumsByAvx2(place, sums) : JetSumsBySse2(place, sums);
+  HasAvx2() ? JetSumsByAvx2(taps, sums) : JetSumsBySse2(taps, sums);
   Jet jet;
   jet.value = Sum4(sums[0][0]) + level;
   jet.x = Sum4(sums[0][1]);

@@ -38,13 +38,19 @@ struct Block {
   int x0, y0, x1, y1;
 };
 
-double RayleighNoise(const GradientField& gradient, const Block& block) {
+// The pixel of the gradient at one of the plane.
+size_t IndexAt(const PaddedPlane& plane, const GradientField& gradient, int x, int y) {
+  const size_t row = static_cast<size_t>(y) * gradient.height / plane.height;
+  return row * gradient.width + static_cast<size_t>(x) * gradient.width / plane.width;
+}
+
+double RayleighNoise(const PaddedPlane& plane, const GradientField& gradient, const Block& block) {
   // Every second pixel is enough, neighbors are correlated.
   std::vector<float> squared;
   squared.reserve(kBlockPx * kBlockPx / 4);
   for (int y = block.y0; y < block.y1; y += 2) {
     for (int x = block.x0; x < block.x1; x += 2) {
-      const size_t i = static_cast<size_t>(y) * gradient.width + x;
+      const size_t i = IndexAt(plane, gradient, x, y);
       squared.push_back(gradient.dx[i] * gradient.dx[i] + gradient.dy[i] * gradient.dy[i]);
     }
   }
@@ -69,10 +75,10 @@ double WhitePixelNoise(const PaddedPlane& plane, const Block& block) {
   return std::sqrt(0.5 * std::numbers::pi) * sum / (6 * count);
 }
 
-float MeanLevel(const GradientField& gradient, const Block& block) {
+float MeanLevel(const PaddedPlane& plane, const Block& block) {
   double sum = 0;
   for (int y = block.y0; y < block.y1; ++y) {
-    const float* row = gradient.smooth.data() + static_cast<size_t>(y) * gradient.width;
+    const float* row = plane.Row(y);
     sum = std::accumulate(row + block.x0, row + block.x1, sum);
   }
   return static_cast<float>(sum / ((block.x1 - block.x0) * (block.y1 - block.y0)));
@@ -85,7 +91,7 @@ struct Sample {
   float white;
 };
 
-double NoiseOfGroup(std::span<const Sample> group, double sigma_px) {
+double NoiseOfGroup(std::span<const Sample> group, double sigma_px, double scale) {
   std::vector<float> rayleigh;
   std::vector<float> white;
   for (const Sample& sample : group) {
@@ -95,25 +101,26 @@ double NoiseOfGroup(std::span<const Sample> group, double sigma_px) {
   const double upper = QuantileOf(&rayleigh, kGradientBlockQuantile) / kGradientBlockBias;
   const double white_noise = QuantileOf(&white, kWhiteBlockQuantile);
   const double highest = std::hypot(kMaxOverWhiteNoise * white_noise, kHiddenPixelNoise);
-  return std::min(upper, GradientNoiseFromPixelNoise(highest, sigma_px));
+  return std::min(upper, GradientNoiseFromPixelNoise(highest, sigma_px, scale));
 }
 
 }  // namespace
 
-double GradientNoiseFromPixelNoise(double pixel_noise, double sigma_px) {
-  return pixel_noise / (std::sqrt(8 * std::numbers::pi) * sigma_px * sigma_px);
+double GradientNoiseFromPixelNoise(double pixel_noise, double sigma_px, double scale) {
+  return pixel_noise * scale / (std::sqrt(8 * std::numbers::pi) * sigma_px * sigma_px);
 }
 
 NoiseModel MeasureNoise(const PaddedPlane& plane, const GradientField& gradient, double sigma_px) {
-  const double quietest = GradientNoiseFromPixelNoise(kQuietestPixelNoise, sigma_px);
+  const double scale = static_cast<double>(gradient.width) / plane.width;
+  const double quietest = GradientNoiseFromPixelNoise(kQuietestPixelNoise, sigma_px, scale);
   std::vector<Sample> samples;
   for (int y = 0; y < plane.height; y += kBlockPx) {
     for (int x = 0; x < plane.width; x += kBlockPx) {
       const Block block{x, y, std::min(x + kBlockPx, plane.width),
                         std::min(y + kBlockPx, plane.height)};
-      const double noise = RayleighNoise(gradient, block);
+      const double noise = RayleighNoise(plane, gradient, block);
       if (noise < quietest) continue;
-      samples.push_back({MeanLevel(gradient, block), static_cast<float>(noise),
+      samples.push_back({MeanLevel(plane, block), static_cast<float>(noise),
                          static_cast<float>(WhitePixelNoise(plane, block))});
     }
   }
@@ -127,7 +134,7 @@ NoiseModel MeasureNoise(const PaddedPlane& plane, const GradientField& gradient,
     const auto end =
         samples.begin() + static_cast<std::ptrdiff_t>((g + 1) * samples.size() / groups);
     model.level.push_back(begin[(end - begin) / 2].level);
-    model.noise.push_back(NoiseOfGroup({begin, end}, sigma_px));
+    model.noise.push_back(NoiseOfGroup({begin, end}, sigma_px, scale));
   }
   return model;
 }

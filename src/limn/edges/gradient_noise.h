@@ -18,7 +18,7 @@ struct NoiseModel {
   double Mean() const;
 };
 
-// Measures the noise of an image. Blocks of 32 x 32 px are divided by their mean gray level into up
+// Measures the noise of an image. Blocks of 32 x 32 px of the plane are divided by their mean gray level into up
 // to six groups of about equal size; in each group two measurements bound the noise:
 //
 // - From above: where the image is flat, the gradient magnitude of Gaussian noise has a Rayleigh
@@ -32,8 +32,9 @@ struct NoiseModel {
 // quantization allows are clipped or synthetic and are ignored. Linear time.
 NoiseModel MeasureNoise(const PaddedPlane& plane, const GradientField& gradient, double sigma_px);
 
-// Gradient noise caused by white noise of `pixel_noise` gray levels: pixel_noise / (sqrt(8 pi)
-// sigma^2).
-double GradientNoiseFromPixelNoise(double pixel_noise, double sigma_px);
+// Gradient noise caused by white noise of `pixel_noise` gray levels in the pixels of a plane:
+// pixel_noise scale / (sqrt(8 pi) sigma^2), with `scale` pixels of the view, in which the others
+// are, per pixel of the plane.
+double GradientNoiseFromPixelNoise(double pixel_noise, double sigma_px, double scale);
 
 }  // namespace limn

@@ -39,7 +39,7 @@ struct Ridge {
 // Nothing where the map is not curved like a ridge.
 std::optional<Ridge> RidgeAt(const SubpixelDerivatives& derivatives, const Vector2d& px,
                              double sigma_px) {
-  const Jet jet = derivatives.At(px.x(), px.y());
+  const Jet jet = derivatives.At(px);
   Eigen::Matrix2d hessian;
   hessian << jet.xx, jet.xy, jet.xy, jet.yy;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
@@ -52,10 +52,6 @@ std::optional<Ridge> RidgeAt(const SubpixelDerivatives& derivatives, const Vecto
   const double slope_along = jet.y * across.x() - jet.x * across.y();
   if (std::abs(slope_along) > kMaxSlopeAlong * sigma_px * -curvature) return std::nullopt;
   return Ridge{across, jet.x * across.x() + jet.y * across.y(), curvature, jet.value};
-}
-
-Vector2d NearestNode(const Vector2d& px) {
-  return {SubpixelDerivatives::NearestNode(px.x()), SubpixelDerivatives::NearestNode(px.y())};
 }
 
 // The edgel of the ridge that passes through a pixel, except its strength, and the value of the map
@@ -80,7 +76,7 @@ std::optional<std::pair<Edgel, double>> FindRidge(const SubpixelDerivatives& der
       edgel.tangent_rad = std::atan(tangent.y() / tangent.x());
       return std::pair(edgel, ridge->value);
     }
-    place = NearestNode(next);
+    place = derivatives.NearestNode(next);
   }
   return std::nullopt;
 }
@@ -109,8 +105,9 @@ EdgeMap DetectRidges(const ProbabilityMap& map, const RidgeOptions& options) {
   CheckMap(map);
   const double sigma_px = options.sigma_px;
   const PaddedPlane plane =
-      MakePaddedPlane(map.values, map.width, map.height, GaussianPadding(sigma_px));
-  const SubpixelDerivatives derivatives(plane, sigma_px);
+      MakePaddedPlane(map.values, map.width, map.height, GaussianPadding(sigma_px, 1));
+  const GaussianKernels kernels(sigma_px, 1);
+  const SubpixelDerivatives derivatives(plane, kernels, Eigen::Array2d::Ones());
   const double of_thin_line = std::sqrt(2 * M_PI) * sigma_px;
   std::vector<RefinedEdgel> edgels;
   for (int y = 1; y < map.height - 1; ++y) {

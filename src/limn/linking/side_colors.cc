@@ -13,8 +13,8 @@ std::vector<SideColors> MeasureSideColors(const std::vector<Edgel>& edgels, cons
   if (!image) return colors;
   for (size_t i = 0; i < edgels.size(); ++i) {
     const Eigen::Vector2d across = kSideDistancePx * edgels[i].Normal();
-    colors[i] = {ColorAt(*image, edgels[i].position_px - across),
-                 ColorAt(*image, edgels[i].position_px + across)};
+    colors[i] = {ColorAt(*image, image->FromView(edgels[i].position_px - across)),
+                 ColorAt(*image, image->FromView(edgels[i].position_px + across))};
   }
   return colors;
 }

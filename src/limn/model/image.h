@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,6 +15,19 @@ struct Image {
   int channels = 0;  // 1 or 3
   std::vector<float> data;
   std::vector<unsigned char> mask;
+  // Pixels of the view per pixel of the photograph.
+  Eigen::Vector2d scale = Eigen::Vector2d::Ones();
+
+  // A place in the view's pixels, lens distortion included, in those of the photograph, and back.
+  Eigen::Vector2d FromView(const Eigen::Vector2d& view_px) const {
+    return ((view_px.array() + 0.5) / scale.array() - 0.5).matrix();
+  }
+  Eigen::Vector2d ToView(const Eigen::Vector2d& image_px) const {
+    return ((image_px.array() + 0.5) * scale.array() - 0.5).matrix();
+  }
+  // Whole pixels of the view.
+  int ViewWidth() const { return static_cast<int>(width * scale.x() + 1e-6); }
+  int ViewHeight() const { return static_cast<int>(height * scale.y() + 1e-6); }
 };
 
 // RGB at a place, bilinear between the centers of pixels, which are at whole numbers; beyond the

@@ -1,5 +1,6 @@
 #include "limn/model/shrunk.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace limn {
@@ -26,6 +27,32 @@ class ShrunkLens : public LensMap {
   int factor_;
 };
 
+// The mean of blocks.
+Image MeanOfBlocks(const Image& image, int factor) {
+  if (factor == 1) return image;
+  Image shrunk;
+  shrunk.width = image.width / factor;
+  shrunk.height = image.height / factor;
+  shrunk.channels = image.channels;
+  const size_t channels = image.channels;
+  shrunk.data.assign(static_cast<size_t>(shrunk.width) * shrunk.height * channels, 0);
+  if (!image.mask.empty()) {
+    shrunk.mask.assign(static_cast<size_t>(shrunk.width) * shrunk.height, 255);
+  }
+  const float share = 1.0F / static_cast<float>(factor * factor);
+  for (int y = 0; y < shrunk.height * factor; ++y) {
+    for (int x = 0; x < shrunk.width * factor; ++x) {
+      const size_t from = static_cast<size_t>(y) * image.width + x;
+      const size_t to = static_cast<size_t>(y / factor) * shrunk.width + x / factor;
+      for (size_t c = 0; c < channels; ++c) {
+        shrunk.data[to * channels + c] += share * image.data[from * channels + c];
+      }
+      if (!image.mask.empty() && image.mask[from] == 0) shrunk.mask[to] = 0;
+    }
+  }
+  return shrunk;
+}
+
 }  // namespace
 
 View Shrunk(const View& view, int factor) {
@@ -49,27 +76,9 @@ View Shrunk(const View& view, int factor) {
 }
 
 Image Shrunk(const Image& image, int factor) {
-  if (factor == 1) return image;
-  Image shrunk;
-  shrunk.width = image.width / factor;
-  shrunk.height = image.height / factor;
-  shrunk.channels = image.channels;
-  const size_t channels = image.channels;
-  shrunk.data.assign(static_cast<size_t>(shrunk.width) * shrunk.height * channels, 0);
-  if (!image.mask.empty()) {
-    shrunk.mask.assign(static_cast<size_t>(shrunk.width) * shrunk.height, 255);
-  }
-  const float share = 1.0F / static_cast<float>(factor * factor);
-  for (int y = 0; y < shrunk.height * factor; ++y) {
-    for (int x = 0; x < shrunk.width * factor; ++x) {
-      const size_t from = static_cast<size_t>(y) * image.width + x;
-      const size_t to = static_cast<size_t>(y / factor) * shrunk.width + x / factor;
-      for (size_t c = 0; c < channels; ++c) {
-        shrunk.data[to * channels + c] += share * image.data[from * channels + c];
-      }
-      if (!image.mask.empty() && image.mask[from] == 0) shrunk.mask[to] = 0;
-    }
-  }
+  const int block = std::max(1, static_cast<int>(factor / image.scale.mean() + 1e-6));
+  Image shrunk = MeanOfBlocks(image, block);
+  shrunk.scale = image.scale * block / factor;
   return shrunk;
 }
 

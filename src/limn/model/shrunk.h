@@ -9,8 +9,9 @@ namespace limn {
 // not change: it has no calibration.
 View Shrunk(const View& view, int factor);
 
-// The mean of blocks of factor x factor pixels; rows and columns that do not fill one are dropped.
-// A block with a masked pixel is masked. Precondition: the image has a block.
+// The photograph of the shrunk view. Of one with no more pixels than its view, the mean of blocks of
+// factor x factor pixels; rows and columns that do not fill one are dropped. A block with a masked
+// pixel is masked. Of others, of smaller blocks. Precondition: the image has a block.
 Image Shrunk(const Image& image, int factor);
 
 // Pixels of a shrunk image in the image itself, and back.

@@ -41,12 +41,13 @@ uint8_t ToByte(double value) { return static_cast<uint8_t>(std::clamp(value, 0.0
 }  // namespace
 
 Canvas::Canvas(int width, int height, int scale)
-    : scale_(scale), picture_{width * scale, height * scale, {}} {
+    : scale_(scale, scale), picture_{width * scale, height * scale, {}} {
   picture_.rgb.assign(3 * static_cast<size_t>(picture_.width) * picture_.height, 255);
 }
 
 Canvas::Canvas(const Image& photo, double brightness, int scale)
     : Canvas(photo.width, photo.height, scale) {
+  scale_ /= photo.scale.array();
   uint8_t* to = picture_.rgb.data();
   const int second = photo.channels == 3 ? 1 : 0;
   for (int y = 0; y < picture_.height; ++y) {

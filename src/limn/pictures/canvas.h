@@ -10,8 +10,8 @@
 
 namespace limn {
 
-// A picture to draw on. Positions are in pixels of the photograph (center of the top-left pixel at
-// (0, 0)) at any enlargement. Lines and marks are anti-aliased.
+// A picture to draw on. Positions are in pixels of the view (center of the top-left pixel at (0, 0))
+// at any enlargement. Lines and marks are anti-aliased.
 class Canvas {
  public:
   // White, or a photograph multiplied by `brightness`, enlarged `scale` times.
@@ -31,7 +31,7 @@ class Canvas {
                    const Color& color);
   Eigen::Vector2d OnPicture(const Eigen::Vector2d& pixel) const;
 
-  int scale_;
+  Eigen::Array2d scale_;  // pixels of the picture per pixel of the view
   Picture picture_;
 };
 

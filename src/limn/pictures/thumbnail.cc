@@ -49,12 +49,14 @@ cv::Mat Undistorted(const cv::Mat& stored, const View& view, const Thumbnail& th
                     int height) {
   const Eigen::Vector2d extent = thumbnail.max_px - thumbnail.min_px;
   const Eigen::Vector2d step = extent.cwiseQuotient(Eigen::Vector2d(width, height));
-  const double shrink = std::max(1.0, step.maxCoeff());
+  // Pixels of the view per pixel of the photograph.
+  const double enlarged = view.camera.width / static_cast<double>(stored.cols);
+  const double shrink = std::max(1.0, step.maxCoeff() / enlarged);
   const cv::Mat small =
       Shrunk(stored, std::max(1, static_cast<int>(std::lround(stored.cols / shrink))),
              std::max(1, static_cast<int>(std::lround(stored.rows / shrink))));
-  const Eigen::Vector2d scale(static_cast<double>(small.cols) / stored.cols,
-                              static_cast<double>(small.rows) / stored.rows);
+  const Eigen::Vector2d scale(static_cast<double>(small.cols) / view.camera.width,
+                              static_cast<double>(small.rows) / view.camera.height);
   const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5);
   cv::Mat map(height, width, CV_32FC2);
   for (int row = 0; row < height; ++row) {
@@ -75,7 +77,7 @@ cv::Mat Undistorted(const cv::Mat& stored, const View& view, const Thumbnail& th
 
 Thumbnail MakeThumbnail(const Image& photo, const View& view, int longer_side) {
   LIMN_CHECK_OPTION(longer_side, >= 16);
-  if (photo.width != view.camera.width || photo.height != view.camera.height) {
+  if (photo.ViewWidth() != view.camera.width || photo.ViewHeight() != view.camera.height) {
     throw InputError(view.name + ": the photograph has not the size of its camera");
   }
   Thumbnail thumbnail;

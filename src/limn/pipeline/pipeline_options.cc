@@ -60,9 +60,11 @@ QualityPreset PresetOf(Quality quality) {
       views.max_confirmation_views = 16;
       break;
     case Quality::kMedium:
+      preset.max_scale = 1.5;
       preset.max_image_size = 2048;
       break;
     case Quality::kHigh:
+      preset.max_scale = 2;
       views.max_second_views = 20;
       views.max_confirmation_views = 32;
       break;

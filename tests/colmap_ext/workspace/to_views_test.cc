@@ -553,7 +553,7 @@ TEST_F(PanoramaViewsTest, EveryPartIsAViewOfItsPixels) {
 
 TEST_F(PanoramaViewsTest, TracksAreInPixelsOfTheImage) {
   const ViewSet set = Views();
-  const std::vector<View> whole = InWholeImages(set, set.views);
+  const std::vector<View> whole = InStoredImages(set, set.views);
   ASSERT_EQ(whole.size(), set.views.size());
   for (ViewId v = 0; v < kNumPanoramaParts; ++v) {
     EXPECT_EQ(whole[v].name, "b.png");

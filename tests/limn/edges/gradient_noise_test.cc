@@ -11,15 +11,15 @@ constexpr double kNoiseSigma = 1.5;
 
 NoiseModel Measure(const Image& image) {
   const PaddedPlane plane =
-      MakePaddedPlane(image.data, image.width, image.height, GaussianPadding(kNoiseSigma));
-  return MeasureNoise(plane, SmoothedGradient(plane, kNoiseSigma), kNoiseSigma);
+      MakePaddedPlane(image.data, image.width, image.height, GaussianPadding(kNoiseSigma, 1));
+  return MeasureNoise(plane, SmoothedGradient(plane, GaussianKernels(kNoiseSigma, 1), plane.width, plane.height), kNoiseSigma);
 }
 
 TEST(MeasureNoise, WhiteNoise) {
   for (const double noise : {1.0, 3.0, 8.0}) {
     Image image = testing::ConstantImage(320, 256, {128});
     testing::AddNoise(noise, 5, &image);
-    const double truth = GradientNoiseFromPixelNoise(noise, kNoiseSigma);
+    const double truth = GradientNoiseFromPixelNoise(noise, kNoiseSigma, 1);
     const NoiseModel model = Measure(image);
     EXPECT_NEAR(model.Mean() / truth, 1, 0.1) << noise;
     EXPECT_NEAR(model.At(128) / truth, 1, 0.1) << noise;
@@ -35,8 +35,8 @@ TEST(MeasureNoise, DependsOnGrayLevel) {
     std::copy_n(bright.data.begin() + y * 512 + 256, 256, image.data.begin() + y * 512 + 256);
   }
   const NoiseModel model = Measure(image);
-  EXPECT_NEAR(model.At(40) / GradientNoiseFromPixelNoise(2, kNoiseSigma), 1, 0.15);
-  EXPECT_NEAR(model.At(200) / GradientNoiseFromPixelNoise(6, kNoiseSigma), 1, 0.15);
+  EXPECT_NEAR(model.At(40) / GradientNoiseFromPixelNoise(2, kNoiseSigma, 1), 1, 0.15);
+  EXPECT_NEAR(model.At(200) / GradientNoiseFromPixelNoise(6, kNoiseSigma, 1), 1, 0.15);
   EXPECT_GT(model.At(120), model.At(40));
   EXPECT_LT(model.At(120), model.At(200));
 }

@@ -22,7 +22,8 @@ GradientField StepGradient(double normal_x, double normal_y) {
       values.push_back(static_cast<float>(100 + 30 * std::erf(offset)));
     }
   }
-  return SmoothedGradient(MakePaddedPlane(values, kSize, kSize, GaussianPadding(kSigma)), kSigma);
+  return SmoothedGradient(MakePaddedPlane(values, kSize, kSize, GaussianPadding(kSigma, 1)),
+                          GaussianKernels(kSigma, 1), kSize, kSize);
 }
 
 std::vector<int32_t> Row(const GradientField& gradient, int y, float lowest) {
