@@ -213,6 +213,7 @@ std::optional<OptionParser> ParseRunOptions(const std::string& command, const st
     }
     const DrawingMethod method = options->pipeline.method;
     *options = DefaultRunOptions(options->quality);
+    if (!groups.linking && !groups.regularities) options->view.max_scale = 1;
     SetMethodDefaults(method, &options->pipeline);
   }
   return std::nullopt;

@@ -55,6 +55,8 @@ RunOptions DefaultRunOptions(Quality quality);
 
 // The option groups of a command, in addition to paths and selection.
 struct OptionGroups {
+  // Of image curves. Commands with these options, or with those of regularities, use images at the
+  // size at which they are drawn (ViewOptions::max_scale), others as they are.
   bool linking = false;
   bool sketch = false;
   bool drawing = false;

@@ -33,7 +33,8 @@ std::vector<std::string> NamesOf(const OpenScene& scene) {
 py::array_t<float> ImageOf(std::shared_ptr<const OpenScene> scene, const std::string& name) {
   const ViewId view = ViewNamed(scene->scene.views(), name);
   const Image image = RunFree(py::none(), [scene = std::move(scene), view](RunMonitor*) {
-    return ReadViewImage(scene->scene.view_set(), view);
+    Image photo = ReadViewImage(scene->scene.view_set(), view);
+    return photo.scale.isOnes() ? std::move(photo) : AtViewSize(photo);
   });
   const auto height = static_cast<py::ssize_t>(image.height);
   std::vector<py::ssize_t> shape = {height, image.width};

@@ -112,6 +112,9 @@ std::optional<DrawnScene> DrawInMemory(const Job& job, const DrawerOptions& opti
   auto result = DrawSceneOrTiles(input, tiles, job);
   if (!result) return std::nullopt;
   CheckGraph(result->graph);
+  if (result->cameras) ToImagePixels(set, &*result->cameras);
+  ToImagePixels(set, &result->rows);
+  if (result->fit_to_given) ToImagePixels(set, &*result->fit_to_given);
   if (how != CameraRefinement::kOff && !result->new_views)
     SayCameras(result->cameras, set, how, job.console);
   SayRows(result->rows, job.console);

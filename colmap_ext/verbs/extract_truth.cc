@@ -98,6 +98,7 @@ void ExtractTruthVerb::Prepare(RunOptions* options, Console* console) {
   }
   sharp_edges_.Check();
   truth_.Check();
+  options->view.max_scale = 1;  // its lengths are in pixels of the images
   output_path_ = TakeTruthPath(&options->layout);
   CheckNamedOutput(output_path_, {mesh_path_, cloud_path_}, options->overwrite);
   source_ = ReadTruthSource(mesh_path_, cloud_path_, sharp_edges_, console);

@@ -202,7 +202,8 @@ void ColorCurvePoints(const Scene& scene, const RunContext& context,
       const auto pixel = view.Project(point.position);
       const auto stored = pixel ? view.StoredFromVirtual(*pixel) : std::nullopt;
       if (!stored) continue;
-      const Eigen::Vector3f color = ColorAt(image, image.FromView(*stored)).cwiseMax(0.F).cwiseMin(255.F);
+      const Eigen::Vector3f color =
+          ColorAt(image, image.FromView(*stored)).cwiseMax(0.F).cwiseMin(255.F);
       for (int c = 0; c < 3; ++c) point.color[c] = static_cast<uint8_t>(std::lround(color[c]));
     }
   });

@@ -27,9 +27,11 @@ void RefineCamerasVerb::Run(const Project& project, const RunOptions& options, C
   const std::string why_not = WhyCamerasStay(job);
   if (!why_not.empty()) throw OptionError("cameras cannot be refined: " + why_not);
   const ViewSet& set = project.view_set();
-  const UnrefinedScene scene = DrawUnrefined(
+  UnrefinedScene scene = DrawUnrefined(
       {set.views, set.hints, project.images(), SceneBox(project, options), job.cache, &set.mounts},
       options.pipeline, job.context(), job.reporter());
+  if (scene.cameras) ToImagePixels(set, &*scene.cameras);
+  ToImagePixels(set, &scene.rows);
   SayCameras(scene.cameras, set, how, console);
   SayRows(scene.rows, console);
   if (scene.cameras) {

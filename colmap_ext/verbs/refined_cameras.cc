@@ -129,6 +129,30 @@ void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set
   }
 }
 
+void ToImagePixels(const ViewSet& set, RefinedCameras* cameras) {
+  for (size_t v = 0; v < cameras->of_view.size(); ++v) {
+    CameraChange& change = cameras->of_view[v];
+    for (double* px : {&change.moved_px, &change.residual_px, &change.certain_by_px,
+                       &change.skew_px, &change.skew_sigma_px}) {
+      *px /= set.files[v].scale;
+    }
+  }
+  cameras->median_move_px /= set.TypicalScale();
+}
+
+void ToImagePixels(const ViewSet& set, RowMotion* rows) {
+  for (size_t v = 0; v < rows->of_view.size(); ++v) {
+    rows->of_view[v].px /= set.files[v].scale;
+    rows->of_view[v].sigma_px /= set.files[v].scale;
+  }
+  rows->skew_px /= set.TypicalScale();
+}
+
+void ToImagePixels(const ViewSet& set, FitToGiven* fit) {
+  fit->refined_px /= set.TypicalScale();
+  fit->given_px /= set.TypicalScale();
+}
+
 void SayRows(const RowMotion& rows, Console* console) {
   if (!rows.IsRollingShutter()) return;
   console->Say(

@@ -80,6 +80,7 @@ void AddAgreement(const std::vector<ImageAgreement>& images, Trust* trust) {
 void AddCertainty(const ViewSet& set, const std::vector<View>& views, const DrawingGraph& graph,
                   Trust* trust) {
   const LinkSelection selection;
+  const double scale = set.TypicalScale();
   double length = 0, well_seen = 0, tentative = 0;
   std::vector<WeightedValue> sigmas_px;
   for (const DrawingLink& link : graph.links) {
@@ -88,7 +89,7 @@ void AddCertainty(const ViewSet& set, const std::vector<View>& views, const Draw
     if (!selection.Has(link)) continue;
     length += of_link;
     if (set.CountImages(link.supporting_views) >= kManyImages) well_seen += of_link;
-    const double footprint = LinkFootprint(link, views);
+    const double footprint = scale * LinkFootprint(link, views);
     if (!(footprint > 0)) continue;
     for (const double sigma : link.sigma) {
       sigmas_px.emplace_back(sigma / footprint, of_link / static_cast<double>(link.sigma.size()));

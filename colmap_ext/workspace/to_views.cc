@@ -396,8 +396,8 @@ void ApplyMasks(double margin_px, const RunContext& context, ViewSet* set) {
     View& view = set->views[i];
     const auto mask = ReadViewMask(*set, static_cast<ViewId>(i));
     if (mask.empty()) return;
-    view.region = MakeImageRegion(view.camera, view.lens.get(), mask,
-                                  set->files[i].scale * margin_px);
+    view.region =
+        MakeImageRegion(view.camera, view.lens.get(), mask, set->files[i].scale * margin_px);
   });
   ReleaseDecoded(*set);
 }
@@ -414,7 +414,8 @@ void ViewOptions::Check() const {
 double ScaleOf(double edge_blur_px, double max_scale) {
   constexpr double kBlurInView = 0.8;
   constexpr double kSteps = 4;
-  const double scale = std::floor(kSteps * kBlurInView / std::max(edge_blur_px, 1e-3) + 0.5) / kSteps;
+  const double scale =
+      std::floor(kSteps * kBlurInView / std::max(edge_blur_px, 1e-3) + 0.5) / kSteps;
   return std::clamp(scale, 1.0, max_scale);
 }
 

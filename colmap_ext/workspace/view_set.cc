@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "limn/util/errors.h"
+#include "limn/util/median.h"
 
 namespace limn::colmap_ext {
 namespace {
@@ -82,6 +83,12 @@ int ViewSet::MaxFileSize(ViewId view) const {
   return MaxSizeOfFile(Window(view) != nullptr, max_image_size);
 }
 
+double ViewSet::TypicalScale() const {
+  std::vector<double> scales;
+  for (const ViewFile& file : files) scales.push_back(file.scale);
+  return Median(std::move(scales));
+}
+
 ImageSize ViewSet::ReadSize(ViewId view) const {
   if (const ImageWindow* window = Window(view)) return {window->width, window->height};
   return ShrunkSize(files[view].stored_size, MaxFileSize(view));
@@ -100,8 +107,8 @@ std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> view
     const Eigen::Array2d used(window ? window->image_width : camera.width,
                               window ? window->image_height : camera.height);
     if (!window && (stored == used).all()) continue;
-    const Eigen::Array2d origin = window ? Eigen::Array2d(window->x, window->y)
-                                         : Eigen::Array2d(Eigen::Array2d::Zero());
+    const Eigen::Array2d origin =
+        window ? Eigen::Array2d(window->x, window->y) : Eigen::Array2d(Eigen::Array2d::Zero());
     views[v].name = file.image_name;
     views[v].lens = std::make_shared<FileLens>(views[v].lens, stored / used, origin);
   }

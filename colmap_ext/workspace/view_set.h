@@ -61,6 +61,8 @@ struct ViewSet {
   int MaxFileSize(ViewId view) const;
   // Of the image that ReadViewImage returns, px.
   ImageSize ReadSize(ViewId view) const;
+  // The median of the views' scales: lengths in messages are in pixels of the images.
+  double TypicalScale() const;
   // Null if the view is not part of a panorama.
   const ImageWindow* Window(ViewId view) const {
     return files[view].window ? &*files[view].window : nullptr;

@@ -39,7 +39,9 @@ BENCHMARK(DetectEdges)->Unit(benchmark::kMillisecond);
 void SmoothedGradient(benchmark::State& state) {
   const PaddedPlane plane = SamplePlane();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(limn::SmoothedGradient(plane, GaussianKernels(kSigmaPx, 1), plane.width, plane.height).dx.data());
+    benchmark::DoNotOptimize(
+        limn::SmoothedGradient(plane, GaussianKernels(kSigmaPx, 1), plane.width, plane.height)
+            .dx.data());
   }
   ReportPerMegapixel(state);
 }
@@ -47,7 +49,8 @@ BENCHMARK(SmoothedGradient)->Unit(benchmark::kMillisecond);
 
 void MeasureNoise(benchmark::State& state) {
   const PaddedPlane plane = SamplePlane();
-  const GradientField gradient = limn::SmoothedGradient(plane, GaussianKernels(kSigmaPx, 1), plane.width, plane.height);
+  const GradientField gradient =
+      limn::SmoothedGradient(plane, GaussianKernels(kSigmaPx, 1), plane.width, plane.height);
   for (auto _ : state) benchmark::DoNotOptimize(limn::MeasureNoise(plane, gradient, kSigmaPx));
   ReportPerMegapixel(state);
 }
@@ -55,7 +58,8 @@ BENCHMARK(MeasureNoise)->Unit(benchmark::kMillisecond);
 
 void FindGridMaxima(benchmark::State& state) {
   const PaddedPlane plane = SamplePlane();
-  const GradientField gradient = limn::SmoothedGradient(plane, GaussianKernels(kSigmaPx, 1), plane.width, plane.height);
+  const GradientField gradient =
+      limn::SmoothedGradient(plane, GaussianKernels(kSigmaPx, 1), plane.width, plane.height);
   const std::vector<float> magnitude = GradientMagnitude(gradient);
   std::vector<int32_t> near_maximum(plane.width);
   for (auto _ : state) {

@@ -61,7 +61,8 @@ std::vector<unsigned char> UsablePixels(const Image& image, const EdgeDetectionO
       const Eigen::Array2d half = 0.5 * image.scale.array() - 0.5 + reach;
       const Eigen::Array2d center = image.ToView({x, y}).array();
       const Eigen::Array2i low = (center - half).ceil().cast<int>().max(0);
-      const Eigen::Array2i high = (center + half).floor().cast<int>().min(Eigen::Array2i(width, height) - 1);
+      const Eigen::Array2i high =
+          (center + half).floor().cast<int>().min(Eigen::Array2i(width, height) - 1);
       for (int v = low.y(); v <= high.y(); ++v) {
         const auto row = usable.begin() + static_cast<std::ptrdiff_t>(v) * width;
         std::fill(row + low.x(), row + high.x() + 1, 0);
@@ -140,8 +141,7 @@ bool HasMoreColors(const Image& image, const EdgeDetectionOptions& options) {
 void AddFineEdgels(const Image& image, const std::vector<ChannelValues>& channels,
                    const EdgeDetectionOptions& options, const std::vector<unsigned char>& usable,
                    EdgelRaster* raster) {
-  const EdgeSignal signal =
-      PrepareSignal(channels, image, options.fine_sigma_px);
+  const EdgeSignal signal = PrepareSignal(channels, image, options.fine_sigma_px);
   const RefinementContext context = ContextOf(signal, options.fine_noise_factor, kFineMinStrength);
   raster->AddStrongestFirst(
       DetectInSignal(signal, context, usable, [](const auto&, const auto&) { return false; }));
@@ -159,8 +159,8 @@ void AddIsoluminantEdgels(const Image& image, const EdgeDetectionOptions& option
   std::vector<RefinedEdgel> of_channel[2];
   double total_strength[2] = {0, 0};
   for (int k = 0; k < 2; ++k) {
-    const EdgeSignal signal = PrepareSignal({ExtractChannel(image, k == 0 ? 0 : 2)}, image,
-                                            options.sigma_px);
+    const EdgeSignal signal =
+        PrepareSignal({ExtractChannel(image, k == 0 ? 0 : 2)}, image, options.sigma_px);
     const RefinementContext context =
         ContextOf(signal, kIsoluminantNoiseFactor, kIsoluminantMinStrength);
     of_channel[k] = DetectInSignal(signal, context, usable, explained);

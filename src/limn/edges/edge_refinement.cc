@@ -47,8 +47,8 @@ double NormalCorrection(const LocalJet& jet, double sigma_px) {
   return (1 - gradient_weight) * std::atan(f_t / f_n);
 }
 
-// Smoothing moves a curved edge towards its center of curvature by about (s^2 + p^2 / 12) / 2R, with
-// pixels of the image of size p. Returns the shift along the normal that undoes it, with the
+// Smoothing moves a curved edge towards its center of curvature by about (s^2 + p^2 / 12) / 2R,
+// with pixels of the image of size p. Returns the shift along the normal that undoes it, with the
 // curvature shrunk by its noise so that straight noisy edges stay in place.
 double CurvatureShift(const LocalJet& jet, double sigma_px, double scale, double noise) {
   const double curvature = std::clamp(jet.tt / jet.n, -kMaxCurvature, kMaxCurvature);

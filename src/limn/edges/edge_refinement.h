@@ -31,8 +31,8 @@ struct RefinementContext {
   double NoiseOf(double level, const ChannelShares& shares) const;
 };
 
-// An edgel, its strength in multiples of the threshold that applied to it, >= 1, and the blur of the
-// edge in the image: standard deviation of the Gaussian that a step is convolved with, px.
+// An edgel, its strength in multiples of the threshold that applied to it, >= 1, and the blur of
+// the edge in the image: standard deviation of the Gaussian that a step is convolved with, px.
 struct RefinedEdgel {
   Edgel edgel;
   double significance = 1;

@@ -56,8 +56,8 @@ EdgeSignal PrepareSignal(const std::vector<ChannelValues>& channels, const Image
   const int padding = GaussianPadding(sigma_px, scale);
   for (const ChannelValues& values : channels) {
     signal.planes.push_back(MakePaddedPlane(values, image.width, image.height, padding));
-    GradientField field = SmoothedGradient(signal.planes.back(), *signal.kernels,
-                                           image.ViewWidth(), image.ViewHeight());
+    GradientField field = SmoothedGradient(signal.planes.back(), *signal.kernels, image.ViewWidth(),
+                                           image.ViewHeight());
     // Noise depends on the brightness.
     if (!signal.channel_gradients.empty()) field.smooth = signal.channel_gradients[0].smooth;
     signal.noise.push_back(MeasureNoise(signal.planes.back(), field, sigma_px));

@@ -36,8 +36,8 @@ double Cubic(double x) {
 Eigen::Array4d GaussianAt(double u, double sigma_px) {
   const double inverse_variance = 1 / (sigma_px * sigma_px);
   const double v = u * inverse_variance;
-  return Gaussian(u, sigma_px) * Eigen::Array4d(1, v, v * v - inverse_variance,
-                                                v * (v * v - 3 * inverse_variance));
+  return Gaussian(u, sigma_px) *
+         Eigen::Array4d(1, v, v * v - inverse_variance, v * (v * v - 3 * inverse_variance));
 }
 
 // The same of interpolated pixels.
@@ -299,12 +299,12 @@ Jet SubpixelDerivatives::At(const Eigen::Vector2d& node) const {
   // center pixel keeps a bright plane from leaking into the derivatives.
   const float level = plane_->Row(row)[column];
   const JetPlace taps{kernels_->At(place.x() - column),
-                       kernels_->At(place.y() - row),
-                       plane_->Row(row - half) + column - half,
-                       2 * half + 1,
-                       kernels_->row_size(),
-                       plane_->stride,
-                       level};
+                      kernels_->At(place.y() - row),
+                      plane_->Row(row - half) + column - half,
+                      2 * half + 1,
+                      kernels_->row_size(),
+                      plane_->stride,
+                      level};
   Float4 sums[4][4] = {};
   HasAvx2() ? JetSumsByAvx2(taps, sums) : JetSumsBySse2(taps, sums);
   Jet jet;

@@ -25,8 +25,8 @@ int GaussianPadding(double sigma_px, double scale);
 // Pads a plane of width x height values in row-major order. Both sizes must be positive.
 PaddedPlane MakePaddedPlane(const std::vector<float>& values, int width, int height, int pad);
 
-// The Gaussian-smoothed channel and its first derivatives at the pixels of the view, row-major, gray
-// levels and gray levels per px.
+// The Gaussian-smoothed channel and its first derivatives at the pixels of the view, row-major,
+// gray levels and gray levels per px.
 struct GradientField {
   int width = 0;
   int height = 0;
@@ -69,14 +69,14 @@ class GaussianKernels {
   std::vector<float> kernels_;  // by node, from -0.5 to 0.5
 };
 
-// Of a plane that is width x height pixels of the view. Separable filters: linear in these times the
-// size of the kernels.
+// Of a plane that is width x height pixels of the view. Separable filters: linear in these times
+// the size of the kernels.
 GradientField SmoothedGradient(const PaddedPlane& plane, const GaussianKernels& kernels, int width,
                                int height);
 
 // Derivatives between the pixels, by direct convolution with kernels shifted by the fraction of a
-// pixel. They are evaluated at nodes, kNodesPerPx per pixel of the plane, with precomputed kernels. Pixels are
-// area samples, so a step appears blurred with variance sigma^2 + 1/12.
+// pixel. They are evaluated at nodes, kNodesPerPx per pixel of the plane, with precomputed kernels.
+// Pixels are area samples, so a step appears blurred with variance sigma^2 + 1/12.
 class SubpixelDerivatives {
  public:
   // Both must outlive this object; the plane has GaussianPadding. `scale`: pixels of the view per

@@ -18,8 +18,8 @@ struct NoiseModel {
   double Mean() const;
 };
 
-// Measures the noise of an image. Blocks of 32 x 32 px of the plane are divided by their mean gray level into up
-// to six groups of about equal size; in each group two measurements bound the noise:
+// Measures the noise of an image. Blocks of 32 x 32 px of the plane are divided by their mean gray
+// level into up to six groups of about equal size; in each group two measurements bound the noise:
 //
 // - From above: where the image is flat, the gradient magnitude of Gaussian noise has a Rayleigh
 //   distribution, so its quantile q lies at noise * sqrt(-2 ln(1 - q)). A low quantile of a block

@@ -86,7 +86,8 @@ std::vector<LinkProfile> MeasureProfiles(const View& view, const Image& image,
       const ProfilePlace& place = plan.places[link][p];
       const auto sight = SeeStored(view, place);
       if (!sight) continue;
-      const auto profile = MeasureProfile(image, image.FromView(sight->position_px), sight->direction);
+      const auto profile =
+          MeasureProfile(image, image.FromView(sight->position_px), sight->direction);
       if (!profile) continue;
       const double depth = (view.cam_from_world * place.position_in_world).z();
       profiles.push_back({link, static_cast<int>(p), static_cast<float>(depth), *profile});

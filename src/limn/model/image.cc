@@ -39,4 +39,16 @@ Eigen::Vector3f ColorAt(const Image& image, const Eigen::Vector2d& px) {
   return color;
 }
 
+Image AtViewSize(const Image& image) {
+  Image enlarged{image.ViewWidth(), image.ViewHeight(), image.channels, {}, {}};
+  enlarged.data.reserve(static_cast<size_t>(enlarged.width) * enlarged.height * image.channels);
+  for (int y = 0; y < enlarged.height; ++y) {
+    for (int x = 0; x < enlarged.width; ++x) {
+      const Eigen::Vector3f color = ColorAt(image, image.FromView({x, y}));
+      for (int c = 0; c < image.channels; ++c) enlarged.data.push_back(color[c]);
+    }
+  }
+  return enlarged;
+}
+
 }  // namespace limn

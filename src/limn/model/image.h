@@ -30,9 +30,12 @@ struct Image {
   int ViewHeight() const { return static_cast<int>(height * scale.y() + 1e-6); }
 };
 
-// RGB at a place, bilinear between the centers of pixels, which are at whole numbers; beyond the
-// border the color of the border; gray as three equal values. Precondition: the image is not empty.
-// Ignores masks.
+// RGB at a place in the photograph's pixels, bilinear between the centers of pixels, which are at
+// whole numbers; beyond the border the color of the border; gray as three equal values.
+// Precondition: the image is not empty. Ignores masks.
 Eigen::Vector3f ColorAt(const Image& image, const Eigen::Vector2d& px);
+
+// A photograph with a pixel per pixel of its view, and no mask, bilinear.
+Image AtViewSize(const Image& image);
 
 }  // namespace limn

@@ -8,7 +8,7 @@ namespace {
 
 class ShrunkLens : public LensMap {
  public:
-  ShrunkLens(std::shared_ptr<const LensMap> lens, int factor)
+  ShrunkLens(std::shared_ptr<const LensMap> lens, double factor)
       : lens_(std::move(lens)), factor_(factor) {}
 
   std::optional<Eigen::Vector2d> VirtualFromStored(
@@ -24,7 +24,7 @@ class ShrunkLens : public LensMap {
 
  private:
   std::shared_ptr<const LensMap> lens_;
-  int factor_;
+  double factor_;
 };
 
 // The mean of blocks.
@@ -55,7 +55,7 @@ Image MeanOfBlocks(const Image& image, int factor) {
 
 }  // namespace
 
-View Shrunk(const View& view, int factor) {
+View Shrunk(const View& view, double factor) {
   View shrunk = view;
   shrunk.calibration = nullptr;
   if (factor == 1) return shrunk;
@@ -65,8 +65,8 @@ View Shrunk(const View& view, int factor) {
   const Eigen::Vector2d center = ShrunkPx({camera.cx, camera.cy}, factor);
   camera.cx = center.x();
   camera.cy = center.y();
-  camera.width /= factor;
-  camera.height /= factor;
+  camera.width = static_cast<int>(camera.width / factor);
+  camera.height = static_cast<int>(camera.height / factor);
   ImageRegion& region = shrunk.region;
   region.min_px = ShrunkPx(region.min_px, factor);
   region.max_px = ShrunkPx(region.max_px, factor);

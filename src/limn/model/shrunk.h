@@ -5,20 +5,20 @@
 
 namespace limn {
 
-// The view of a photograph that Shrunk has made smaller by the same whole number. Its optics do
-// not change: it has no calibration.
-View Shrunk(const View& view, int factor);
+// A view with pixels `factor` times as large: that of a photograph that Shrunk has made smaller by
+// the same whole number. Its optics do not change: it has no calibration.
+View Shrunk(const View& view, double factor);
 
-// The photograph of the shrunk view. Of one with no more pixels than its view, the mean of blocks of
-// factor x factor pixels; rows and columns that do not fill one are dropped. A block with a masked
-// pixel is masked. Of others, of smaller blocks. Precondition: the image has a block.
+// The photograph of the shrunk view. Of one with no more pixels than its view, the mean of blocks
+// of factor x factor pixels; rows and columns that do not fill one are dropped. A block with a
+// masked pixel is masked. Of others, of smaller blocks. Precondition: the image has a block.
 Image Shrunk(const Image& image, int factor);
 
 // Pixels of a shrunk image in the image itself, and back.
-inline Eigen::Vector2d GrownPx(const Eigen::Vector2d& px, int factor) {
+inline Eigen::Vector2d GrownPx(const Eigen::Vector2d& px, double factor) {
   return (factor * px.array() + 0.5 * (factor - 1)).matrix();
 }
-inline Eigen::Vector2d ShrunkPx(const Eigen::Vector2d& px, int factor) {
+inline Eigen::Vector2d ShrunkPx(const Eigen::Vector2d& px, double factor) {
   return ((px.array() - 0.5 * (factor - 1)) / factor).matrix();
 }
 

@@ -10,8 +10,8 @@
 
 namespace limn {
 
-// A picture to draw on. Positions are in pixels of the view (center of the top-left pixel at (0, 0))
-// at any enlargement. Lines and marks are anti-aliased.
+// A picture to draw on. Positions are in pixels of the view (center of the top-left pixel at (0,
+// 0)) at any enlargement. Lines and marks are anti-aliased.
 class Canvas {
  public:
   // White, or a photograph multiplied by `brightness`, enlarged `scale` times.

@@ -25,8 +25,8 @@ Canvas MakeCanvas(const Image& photo, const PictureOptions& options) {
 void CheckSize(const Image& photo, int width, int height, const std::string& what) {
   if (photo.ViewWidth() == width && photo.ViewHeight() == height) return;
   throw InputError(what + ": the photograph has " + std::to_string(photo.ViewWidth()) + "x" +
-                   std::to_string(photo.ViewHeight()) + " pixels, not " + std::to_string(width) + "x" +
-                   std::to_string(height));
+                   std::to_string(photo.ViewHeight()) + " pixels, not " + std::to_string(width) +
+                   "x" + std::to_string(height));
 }
 
 Color Faded(const Color& color) {

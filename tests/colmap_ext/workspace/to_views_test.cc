@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "colmap_ext/model/camera_projection.h"
 #include "colmap_ext/model/test_model.h"
@@ -291,6 +292,95 @@ TEST_F(ToViewsTest, MaxImageSizeShrinksImageAndIntrinsicsAlike) {
   EXPECT_EQ(image.data[99], 0);
   EXPECT_EQ(image.data[100], 200);
   EXPECT_EQ(view.camera.cx, 99.5);
+}
+
+// A sharp checkerboard, slanted so that its edges have all places between pixels.
+cv::Mat Checkerboard(double blur_px) {
+  constexpr int kSubpixels = 4;
+  cv::Mat board(600 * kSubpixels, 800 * kSubpixels, CV_8UC1);
+  for (int y = 0; y < board.rows; ++y) {
+    for (int x = 0; x < board.cols; ++x) {
+      const double u = (x + 0.2 * y) / kSubpixels;
+      const double v = (y - 0.2 * x) / kSubpixels;
+      const bool is_bright = (static_cast<int>(u / 40 + 100) + static_cast<int>(v / 40 + 100)) % 2;
+      board.at<uchar>(y, x) = is_bright ? 200 : 50;
+    }
+  }
+  if (blur_px > 0) cv::GaussianBlur(board, board, {}, kSubpixels * blur_px);
+  cv::Mat small;
+  cv::resize(board, small, {800, 600}, 0, 0, cv::INTER_AREA);
+  return small;
+}
+
+TEST_F(ToViewsTest, SharpImagesHaveFinerViews) {
+  Write("c.png", Checkerboard(0));
+  options_.max_scale = 1.5;
+  const ViewSet set = Views();
+  const View& view = set.views[1];
+  EXPECT_EQ(set.files[1].scale, 1.5);
+  EXPECT_EQ(view.camera.width, 1200);
+  EXPECT_EQ(view.camera.height, 900);
+  EXPECT_DOUBLE_EQ(view.camera.fx, 1.5 * 503);
+  EXPECT_FALSE(view.region.Contains({11.9, 400}));
+  EXPECT_TRUE(view.region.Contains({12, 400}));
+  const Image image = ReadViewImage(set, 1);
+  EXPECT_EQ(image.width, 800);
+  EXPECT_EQ(image.scale, Eigen::Vector2d(1.5, 1.5));
+  EXPECT_EQ(set.ReadSize(1), (ImageSize{800, 600}));
+  // Images of one color tell nothing.
+  EXPECT_EQ(set.views[2].camera.width, 800);
+}
+
+TEST_F(ToViewsTest, BlurredImagesAndLowQualityHaveNone) {
+  Write("c.png", Checkerboard(1.2));
+  options_.max_scale = 2;
+  EXPECT_EQ(Views().views[1].camera.width, 800);
+  Write("c.png", Checkerboard(0));
+  options_.max_scale = 1;
+  EXPECT_EQ(Views().views[1].camera.width, 800);
+}
+
+TEST_F(ToViewsTest, MasksOfFinerViews) {
+  Write("c.png", Checkerboard(0));
+  cv::Mat mask(600, 800, CV_8UC1, cv::Scalar(255));
+  mask.colRange(0, 400).setTo(0);
+  Write("masks/c.png.png", mask);
+  options_.max_scale = 1.5;
+  options_.mask_path = (dir_.path() / "masks").string();
+  const ViewSet set = Views();
+  const auto of_view = ReadViewMask(set, 1);
+  ASSERT_EQ(of_view.size(), size_t{1200} * 900);
+  EXPECT_EQ(of_view[599], 0);
+  EXPECT_NE(of_view[600], 0);
+  EXPECT_EQ(ReadViewImage(set, 1).mask.size(), size_t{800} * 600);
+  EXPECT_FALSE(set.views[1].region.Contains({590, 450}));
+  EXPECT_TRUE(set.views[1].region.Contains({610, 450}));
+}
+
+// Of images that are used smaller or larger than they are.
+TEST_F(ToViewsTest, TracksAreInPixelsOfTheFile) {
+  Write("c.png", Checkerboard(0));
+  for (const auto& [max_image_size, max_scale] : {std::pair(-1, 1.5), std::pair(200, 1.0)}) {
+    options_.max_image_size = max_image_size;
+    options_.max_scale = max_scale;
+    const ViewSet set = Views();
+    const std::vector<View> stored = InStoredImages(set, set.views);
+    const Eigen::Vector2d px = *set.views[1].Project(Eigen::Vector3d(0, 0, 5));
+    ASSERT_NE(set.views[1].camera.width, 800);
+    const double scale = set.views[1].camera.width / 800.0;
+    const Eigen::Vector2d expected = ((px.array() + 0.5) / scale - 0.5).matrix();
+    EXPECT_LT((*stored[1].StoredFromVirtual(px) - expected).norm(), 1e-9);
+    EXPECT_LT((*stored[1].VirtualFromStored(expected) - px).norm(), 1e-9);
+  }
+}
+
+TEST(ScaleOf, IsInQuartersAndLimited) {
+  EXPECT_EQ(ScaleOf(0, 2), 2);
+  EXPECT_EQ(ScaleOf(0.4, 2), 2);
+  EXPECT_EQ(ScaleOf(0.45, 2), 1.75);
+  EXPECT_EQ(ScaleOf(0.45, 1.5), 1.5);
+  EXPECT_EQ(ScaleOf(0.8, 2), 1);
+  EXPECT_EQ(ScaleOf(3, 2), 1);
 }
 
 TEST_F(ToViewsTest, RegionLeavesAMargin) {

@@ -460,5 +460,78 @@ TEST(DetectEdges, BadInput) {
   EXPECT_THROW(DetectEdges(Image(), {}), InputError);
 }
 
+// A bright bar across the image, by its width and the direction across it.
+Image BarImage(int size, double width_px, const Vector2d& across) {
+  Image image = ConstantImage(size, size, {60});
+  const Vector2d center = Vector2d::Constant(0.5 * size - 0.3);
+  const Vector2d half = 0.5 * width_px * across;
+  Paint(Intersection(HalfPlane(center - half, across), HalfPlane(center + half, -across)), {160},
+        &image);
+  AddNoise(2, 5, &image);
+  Quantize(&image);
+  return image;
+}
+
+// RMS distance of the edgels near a bar from its nearer edge, px of the image.
+double BarError(const Image& image, double width_px, const Vector2d& across) {
+  const Vector2d center = Vector2d::Constant(0.5 * image.width - 0.3);
+  double sum = 0;
+  int count = 0;
+  for (const Edgel& edgel : DetectEdges(image, {}).edgels) {
+    const Vector2d offset = image.FromView(edgel.position_px) - center;
+    const double distance = std::abs(std::abs(offset.dot(across)) - 0.5 * width_px);
+    if (offset.norm() > 0.4 * image.width || distance > 1) continue;
+    sum += distance * distance;
+    ++count;
+  }
+  EXPECT_GT(count, image.width);
+  return std::sqrt(sum / count);
+}
+
+TEST(DetectEdges, ViewsFinerThanTheirImagesSeparateNarrowBars) {
+  for (const double width_px : {2.0, 2.5, 3.0}) {
+    for (const double angle : {0.3, 1.1, 2.2}) {
+      const Vector2d across(std::cos(angle), std::sin(angle));
+      Image image = BarImage(64, width_px, across);
+      const double as_stored = BarError(image, width_px, across);
+      image.scale.setConstant(2);
+      const double finer = BarError(image, width_px, across);
+      EXPECT_LT(finer, 0.06) << width_px << " px at " << angle;
+      EXPECT_LT(finer, as_stored) << width_px << " px at " << angle;
+    }
+  }
+}
+
+// At scales that are no whole numbers, too; the border and masks are those of the image.
+TEST(DetectEdges, PlacesAreInPixelsOfTheView) {
+  const Vector2d normal(std::cos(0.4), std::sin(0.4));
+  const Vector2d point(30.2, 33.1);
+  for (const double scale : {1.0, 1.25, 1.5, 2.0}) {
+    Image image = StepImage(64, point, normal, 100);
+    image.mask.assign(64 * 64, 1);
+    for (int i = 0; i < 64 * 20; ++i) image.mask[i] = 0;
+    image.scale.setConstant(scale);
+    const EdgeMap map = DetectEdges(image, {});
+    EXPECT_EQ(map.width, static_cast<int>(64 * scale));
+    EXPECT_GT(map.edgels.size(), 25 * scale);
+    for (const Edgel& edgel : map.edgels) {
+      const Vector2d place = image.FromView(edgel.position_px);
+      EXPECT_NEAR((place - point).dot(normal), 0, 0.08) << scale;
+      EXPECT_NEAR(NormalError(edgel, normal), 0, 0.12) << scale;
+      EXPECT_GT(place.y(), 19.5 + 1 / scale);
+      EXPECT_LT(place.y(), 56);
+    }
+  }
+}
+
+TEST(DetectEdges, NoMoreFalseEdgelsInFinerViews) {
+  Image image = ConstantImage(300, 300, {100});
+  AddNoise(5, 3, &image);
+  Quantize(&image);
+  const size_t as_stored = DetectEdges(image, {}).edgels.size();
+  image.scale.setConstant(2);
+  EXPECT_LT(DetectEdges(image, {}).edgels.size(), 3 * as_stored);
+}
+
 }  // namespace
 }  // namespace limn

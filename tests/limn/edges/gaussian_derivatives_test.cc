@@ -56,8 +56,7 @@ TEST(SubpixelDerivatives, BrightConstantHasNoDerivatives) {
   const PaddedPlane plane =
       MakePaddedPlane(std::vector<float>(400, 255.f), 20, 20, GaussianPadding(kDerivativeSigma, 1));
   const GaussianKernels kernels(kDerivativeSigma, 1);
-  const Jet jet =
-      SubpixelDerivatives(plane, kernels, Eigen::Array2d::Ones()).At({10.375, 9.6875});
+  const Jet jet = SubpixelDerivatives(plane, kernels, Eigen::Array2d::Ones()).At({10.375, 9.6875});
   EXPECT_EQ(jet.value, 255);
   EXPECT_EQ(jet.x, 0);
   EXPECT_EQ(jet.yy, 0);

@@ -12,7 +12,9 @@ constexpr double kNoiseSigma = 1.5;
 NoiseModel Measure(const Image& image) {
   const PaddedPlane plane =
       MakePaddedPlane(image.data, image.width, image.height, GaussianPadding(kNoiseSigma, 1));
-  return MeasureNoise(plane, SmoothedGradient(plane, GaussianKernels(kNoiseSigma, 1), plane.width, plane.height), kNoiseSigma);
+  return MeasureNoise(
+      plane, SmoothedGradient(plane, GaussianKernels(kNoiseSigma, 1), plane.width, plane.height),
+      kNoiseSigma);
 }
 
 TEST(MeasureNoise, WhiteNoise) {

@@ -40,5 +40,21 @@ TEST(Shrunk, TheViewSeesTheSamePlacesInTheSmallPicture) {
   EXPECT_EQ(small.Project({1.3, 0, 2}).has_value(), view.Project({1.3, 0, 2}).has_value());
 }
 
+// Of a photograph with fewer pixels than its view, blocks are smaller: places stay.
+TEST(Shrunk, PhotographsOfFinerViews) {
+  Image image = {12, 12, 1, std::vector<float>(144, 1), {}};
+  image.scale.setConstant(1.5);
+  const Image half = Shrunk(image, 2);
+  EXPECT_EQ(half.width, 12);
+  EXPECT_EQ(half.ViewWidth(), 9);
+  const Eigen::Vector2d in_view(4.2, 7);
+  EXPECT_LT((half.FromView(ShrunkPx(in_view, 2)) - image.FromView(in_view)).norm(), 1e-12);
+  const Image quarter = Shrunk(image, 4);
+  EXPECT_EQ(quarter.width, 6);
+  EXPECT_EQ(quarter.ViewWidth(), 4);
+  EXPECT_LT((quarter.FromView(ShrunkPx(in_view, 4)) - ShrunkPx(image.FromView(in_view), 2)).norm(),
+            1e-12);
+}
+
 }  // namespace
 }  // namespace limn
