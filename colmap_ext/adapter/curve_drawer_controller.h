@@ -20,7 +20,7 @@ struct CurveDrawerOptions {
   std::string output_path;
   // The options of automatic_drawer except its paths, at medium quality. For another quality:
   // drawer.run = DefaultRunOptions(Quality::kHigh).
-  DrawerOptions drawer;
+  DrawerOptions drawer = {.run = DefaultRunOptions(Quality::kMedium)};
   // Adds the drawing to the reconstruction as 3D points with tracks, this many pixels apart, seen
   // by the images that support the curves. 0 = off. Not with refined poses, which the
   // reconstruction does not have.

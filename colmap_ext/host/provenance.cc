@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 std::string Provenance(const RunOptions& options) {
   Json json = Json::parse(OptionsAsJson(options.pipeline));
   json["max_image_size"] = options.view.max_image_size;
+  json["max_scale"] = options.view.max_scale;
   json["box"] = options.box;
   json["Surfaces"] = nullptr;  // faces are found later
   return json.dump();

@@ -180,8 +180,10 @@ void RunOptions::CheckValues() const {
 
 void RunOptions::SetDerived() {
   view.border_margin_px = pipeline.edges.margin_px;
-  // Edges from elsewhere are as fine as they are.
-  if (!edges_path.empty()) view.max_scale = 1;
+  // Edges from elsewhere are as fine as they are, and the paper's methods know pixels only.
+  if (!edges_path.empty() || pipeline.IsPaper() || pipeline.mode != SketchMode::kSweep) {
+    view.max_scale = 1;
+  }
 }
 
 RunOptions DefaultRunOptions(Quality quality) {

@@ -30,7 +30,10 @@ std::string ImageIdentity(const ViewSet& set, ViewId view) {
   if (file.is_damaged) identity += "\ndamaged";
   if (!file.mask_path.empty()) identity += "\nmask " + FileIdentity(file.mask_path);
   const PinholeCamera& camera = set.views[view].camera;
-  return identity + "\nsize " + std::to_string(camera.width) + " " + std::to_string(camera.height);
+  identity += "\nsize " + std::to_string(camera.width) + " " + std::to_string(camera.height);
+  // An image that is shrunk first shows less.
+  if (file.scale > 1) identity += "\nread at " + Text(set.ReadSize(view));
+  return identity;
 }
 
 std::string TextOf(const Eigen::Vector3d& point) {

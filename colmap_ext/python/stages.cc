@@ -319,7 +319,8 @@ std::string EvaluateAsJson(std::shared_ptr<const SceneDrawing> drawing, const Op
   parser.Parse(line.argc(), line.argv(), std::cout);
   if (drawing) evaluator.input_path = kDrawingInMemory;
   if (drawing && drawing->scene) {
-    evaluator.views = Moved(drawing->views, drawing->scene->scene.origin());
+    const Scene& scene = drawing->scene->scene;
+    evaluator.views = InImagePixels(scene.view_set(), Moved(drawing->views, scene.origin()));
   }
   evaluator.Check();
   LibraryConsole console(evaluator.num_threads, monitor);

@@ -26,8 +26,11 @@ std::string PathOf(const Project& project, EdgeFormat format, const std::string&
 
 // An image that was used as if enlarged has the edges of its pixels.
 void ShrinkToImage(const Project& project, ViewId view, EdgeMap* edge_map) {
+  const double scale = project.view_set().files[view].scale;
+  if (scale == 1) return;
   const ImageSize image = project.view_set().ReadSize(view);
-  if (project.view_set().files[view].scale > 1) ResizeEdgeMap(image.width, image.height, edge_map);
+  ResizeEdgeMap(image.width, image.height, edge_map);
+  for (Edgel& edgel : edge_map->edgels) edgel.strength *= static_cast<float>(scale);
 }
 
 }  // namespace

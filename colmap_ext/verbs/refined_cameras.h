@@ -22,12 +22,12 @@ CameraRefinement CameraRefinementOf(const Job& job);
 void SayCameras(const std::optional<RefinedCameras>& cameras, const ViewSet& set,
                 CameraRefinement how, Console* console);
 
-// Says that rows of the images were exposed one after the other, if they were.
 // From pixels of the views to those of the images.
 void ToImagePixels(const ViewSet& set, RefinedCameras* cameras);
 void ToImagePixels(const ViewSet& set, RowMotion* rows);
 void ToImagePixels(const ViewSet& set, FitToGiven* fit);
 
+// Says that rows of the images were exposed one after the other, if they were.
 void SayRows(const RowMotion& rows, Console* console);
 
 // How well a drawing fits the given cameras although they were refined.

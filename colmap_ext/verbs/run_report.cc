@@ -7,7 +7,6 @@
 #include "colmap_ext/host/world_shift.h"
 #include "colmap_ext/verbs/drawing_results.h"
 #include "colmap_ext/verbs/view.h"
-#include "limn/model/shrunk.h"
 #include "limn/viewer/viewer_page.h"
 
 namespace limn::colmap_ext {
@@ -145,14 +144,6 @@ std::string RunReportJson(const Project& project, const RunOptions& options,
   return report.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// Footprints of an evaluation are those of the images.
-std::vector<View> InImagePixels(const Project& project, std::vector<View> views) {
-  for (size_t v = 0; v < views.size(); ++v) {
-    views[v] = Shrunk(views[v], project.view_set().files[v].scale);
-  }
-  return views;
-}
-
 }  // namespace
 
 void WritePageWithReport(const Project& project, const DrawingInScene& drawing,
@@ -163,9 +154,10 @@ void WritePageWithReport(const Project& project, const DrawingInScene& drawing,
     return;
   }
   // Truth files are in the model's coordinates.
-  const std::string report = RunReportJson(
-      project, options, Moved(drawing.graph, project.origin()),
-      InImagePixels(project, Moved(drawing.views, project.origin())), trust, truth, *console);
+  const std::string report =
+      RunReportJson(project, options, Moved(drawing.graph, project.origin()),
+                    InImagePixels(project.view_set(), Moved(drawing.views, project.origin())),
+                    trust, truth, *console);
   WriteViewerResult(project, options.layout.workspace_path, drawing, {}, report, std::nullopt,
                     console);
 }

@@ -16,6 +16,7 @@ namespace {
 // The images of a set: their names, and by view, which one it is of. Its views are neighbors.
 struct Images {
   std::vector<std::string> names;
+  std::vector<double> scales;
   std::vector<int> of_view;
 };
 
@@ -23,7 +24,10 @@ Images ImagesOf(const ViewSet& set) {
   Images images;
   for (size_t v = 0; v < set.views.size(); ++v) {
     const std::string& name = set.ImageName(static_cast<ViewId>(v));
-    if (v == 0 || images.names.back() != name) images.names.push_back(name);
+    if (v == 0 || images.names.back() != name) {
+      images.names.push_back(name);
+      images.scales.push_back(set.files[v].scale);
+    }
     images.of_view.push_back(static_cast<int>(images.names.size()) - 1);
   }
   return images;
@@ -39,10 +43,11 @@ CameraCheck CheckCameras(const ViewSet& set, double max_px) {
   std::vector<double> fits;
   for (size_t i = 0; i < errors.size(); ++i) {
     if (!errors[i]) continue;
-    if (*errors[i] > max_px) {
-      check.misfits.push_back({images.names[i], *errors[i]});
+    const double px = *errors[i] / images.scales[i];
+    if (px > max_px) {
+      check.misfits.push_back({images.names[i], px});
     } else {
-      fits.push_back(*errors[i]);
+      fits.push_back(px);
     }
   }
   std::ranges::stable_sort(check.misfits, std::greater{}, &Misfit::px);

@@ -220,6 +220,8 @@ std::vector<ViewFile> ReadFiles(const SparseModel& model, const SelectedImages& 
 
 // Images of one camera and size that tell how sharp all of them are.
 constexpr size_t kMaxMeasured = 12;
+// Of a view that is finer than its image: more would take gigabytes.
+constexpr double kMaxViewPixels = 24e6;
 
 // Decodes some of the images, in parallel.
 void SetScales(const SparseModel& model, const SelectedImages& used, const ViewOptions& options,
@@ -229,18 +231,25 @@ void SetScales(const SparseModel& model, const SelectedImages& used, const ViewO
   for (size_t i = 0; i < files->size(); ++i) {
     const Camera& camera = model.CameraOf(model.images[used.images[i]]);
     const ViewFile& file = (*files)[i];
-    if (camera.IsPanorama() || file.is_damaged) continue;
+    if (camera.IsPanorama()) continue;
     alike[{camera.id, file.stored_size.width, file.stored_size.height}].push_back(i);
   }
   std::vector<size_t> measured;
   for (const auto& [key, of_camera] : alike) {
     const size_t count = std::min(kMaxMeasured, of_camera.size());
-    for (size_t k = 0; k < count; ++k) measured.push_back(of_camera[k * of_camera.size() / count]);
+    for (size_t k = 0; k < count; ++k) {
+      const size_t i = of_camera[k * of_camera.size() / count];
+      if (!(*files)[i].is_damaged) measured.push_back(i);
+    }
   }
   std::vector<std::optional<double>> blurs(files->size());
   ParallelFor(context, "sharpness of images", measured.size(), [&](size_t k) {
-    const std::string& path = (*files)[measured[k]].image_path;
-    blurs[measured[k]] = MeasureEdgeBlur(photos.Read(path, options.max_image_size));
+    const ViewFile& file = (*files)[measured[k]];
+    Image image = photos.Read(file.image_path, options.max_image_size);
+    if (!file.mask_path.empty()) {
+      image.mask = ReadMask(file.mask_path, file.stored_size, options.max_image_size);
+    }
+    blurs[measured[k]] = MeasureEdgeBlur(image);
   });
   for (const auto& [key, of_camera] : alike) {
     std::vector<double> of_images;
@@ -248,7 +257,10 @@ void SetScales(const SparseModel& model, const SelectedImages& used, const ViewO
       if (blurs[i]) of_images.push_back(*blurs[i]);
     }
     if (of_images.empty()) continue;
-    const double scale = ScaleOf(Median(std::move(of_images)), options.max_scale);
+    const ImageSize stored = (*files)[of_camera[0]].stored_size;
+    const ImageSize read = ShrunkSize(stored, options.max_image_size);
+    const double most = std::sqrt(kMaxViewPixels / static_cast<double>(read.NumPixels()));
+    const double scale = ScaleOf(Median(std::move(of_images)), std::min(options.max_scale, most));
     for (const size_t i : of_camera) (*files)[i].scale = scale;
   }
 }
@@ -414,9 +426,8 @@ void ViewOptions::Check() const {
 double ScaleOf(double edge_blur_px, double max_scale) {
   constexpr double kBlurInView = 0.8;
   constexpr double kSteps = 4;
-  const double scale =
-      std::floor(kSteps * kBlurInView / std::max(edge_blur_px, 1e-3) + 0.5) / kSteps;
-  return std::clamp(scale, 1.0, max_scale);
+  const double scale = std::min(kBlurInView / std::max(edge_blur_px, 1e-3), max_scale);
+  return std::max(1.0, std::floor(kSteps * scale + 0.5) / kSteps);
 }
 
 ViewSet ToViews(const SparseModel& model, const fs::path& image_dir, const ViewOptions& options,

@@ -1,9 +1,11 @@
 #include "colmap_ext/workspace/view_set.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
+#include "limn/model/shrunk.h"
 #include "limn/util/errors.h"
 #include "limn/util/median.h"
 
@@ -20,20 +22,40 @@ class FileLens : public LensMap {
   std::optional<Eigen::Vector2d> VirtualFromStored(const Eigen::Vector2d& file_px) const override {
     const Eigen::Vector2d px =
         ((file_px.array() + 0.5) / file_per_view_ - 0.5 - origin_px_).matrix();
-    return lens_ ? lens_->VirtualFromStored(px) : px;
+    return lens_->VirtualFromStored(px);
   }
   std::optional<Eigen::Vector2d> StoredFromVirtual(
       const Eigen::Vector2d& virtual_px) const override {
-    const auto px = lens_ ? lens_->StoredFromVirtual(virtual_px) : virtual_px;
+    const auto px = lens_->StoredFromVirtual(virtual_px);
     if (!px) return std::nullopt;
     return ((px->array() + origin_px_ + 0.5) * file_per_view_ - 0.5).matrix();
   }
 
  private:
-  std::shared_ptr<const LensMap> lens_;  // may be null
+  std::shared_ptr<const LensMap> lens_;
   Eigen::Array2d file_per_view_;
   Eigen::Array2d origin_px_;  // of the view in the whole image, px of the view
 };
+
+// A pinhole with so many pixels per pixel.
+View Resized(View view, const Eigen::Array2d& scale) {
+  const auto resize = [&](double x, double y) -> Eigen::Vector2d {
+    return ((Eigen::Array2d(x, y) + 0.5) * scale - 0.5).matrix();
+  };
+  PinholeCamera& camera = view.camera;
+  camera.fx *= scale.x();
+  camera.fy *= scale.y();
+  const Eigen::Vector2d center = resize(camera.cx, camera.cy);
+  camera.cx = center.x();
+  camera.cy = center.y();
+  camera.width = static_cast<int>(std::lround(camera.width * scale.x()));
+  camera.height = static_cast<int>(std::lround(camera.height * scale.y()));
+  ImageRegion& region = view.region;
+  region.min_px = resize(region.min_px.x(), region.min_px.y());
+  region.max_px = resize(region.max_px.x(), region.max_px.y());
+  region.cell_px *= scale.mean();
+  return view;
+}
 
 Image BlackImage(int width, int height) {
   Image image;
@@ -110,8 +132,17 @@ std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> view
     const Eigen::Array2d origin =
         window ? Eigen::Array2d(window->x, window->y) : Eigen::Array2d(Eigen::Array2d::Zero());
     views[v].name = file.image_name;
-    views[v].lens = std::make_shared<FileLens>(views[v].lens, stored / used, origin);
+    if (views[v].lens) {
+      views[v].lens = std::make_shared<FileLens>(views[v].lens, stored / used, origin);
+    } else {
+      views[v] = Resized(std::move(views[v]), stored / used);
+    }
   }
+  return views;
+}
+
+std::vector<View> InImagePixels(const ViewSet& view_set, std::vector<View> views) {
+  for (size_t v = 0; v < views.size(); ++v) views[v] = Shrunk(views[v], view_set.files[v].scale);
   return views;
 }
 
@@ -141,10 +172,10 @@ std::vector<unsigned char> ReadViewMask(const ViewSet& view_set, ViewId view) {
   const ImageSize image = view_set.ReadSize(view);
   std::vector<unsigned char> enlarged(size);
   for (int y = 0; y < camera.height; ++y) {
-    const size_t row = static_cast<size_t>(y) * image.height / camera.height;
+    const size_t row = (2 * static_cast<size_t>(y) + 1) * image.height / (2 * camera.height);
     for (int x = 0; x < camera.width; ++x) {
-      enlarged[static_cast<size_t>(y) * camera.width + x] =
-          mask[row * image.width + static_cast<size_t>(x) * image.width / camera.width];
+      const size_t column = (2 * static_cast<size_t>(x) + 1) * image.width / (2 * camera.width);
+      enlarged[static_cast<size_t>(y) * camera.width + x] = mask[row * image.width + column];
     }
   }
   return enlarged;

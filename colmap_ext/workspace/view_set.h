@@ -75,9 +75,12 @@ int MaxSizeOfFile(bool is_panorama, int max_image_size);
 
 // These views of the set (with refined cameras, maybe), with the names of their images, and pixels
 // of the whole images as they are stored, whatever the size at which they are used. Columns of a
-// panorama continue across its left border: they run from -1/8 to 7/8 of its width. For tracks: the
-// sizes of cameras stay.
+// panorama continue across its left border: they run from -1/8 to 7/8 of its width. For tracks: of
+// views with a lens cameras stay.
 std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> views);
+
+// The same with pixels as large as those of the images that are read: for lengths in footprints.
+std::vector<View> InImagePixels(const ViewSet& view_set, std::vector<View> views);
 
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all
 // pixels may be used. Throws IoError.

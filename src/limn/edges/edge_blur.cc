@@ -29,10 +29,8 @@ bool IsMasked(const Image& image, int x, int y) {
 }  // namespace
 
 std::optional<double> MeasureEdgeBlur(const Image& image) {
-  Image plain = image;
-  plain.scale.setOnes();
   const EdgeSignal signal =
-      PrepareSignal(SearchedChannels(plain, EdgeChannel::kGreen), plain, kSigmaPx);
+      PrepareSignal(SearchedChannels(image, EdgeChannel::kGreen), image, kSigmaPx);
   const RefinementContext context{1, kSigmaPx, signal.noise, kNoiseFactor, kMinStrength};
   const std::vector<SubpixelDerivatives> derivatives = {
       {signal.planes[0], *signal.kernels, Eigen::Array2d::Ones()}};

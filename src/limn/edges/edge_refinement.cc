@@ -18,6 +18,7 @@ constexpr double kMaxStepPx = 0.6;
 // The error left after a step this small is far below 0.01 px.
 constexpr double kConvergedPx = 0.05;
 constexpr double kMaxOffsetPx = 0.7;
+// Of the image: sampling by pixels displaces edges.
 constexpr double kMinPositionSigmaPx = 0.05;
 // Curvature above this is a corner, where the correction for a smooth curve means nothing.
 constexpr double kMaxCurvature = 0.2;
@@ -106,8 +107,10 @@ std::optional<RefinedEdgel> RefineEdgel(std::span<const SubpixelDerivatives> der
   edgel.tangent_rad = std::remainder(normal_rad + M_PI_2, 2 * M_PI);
   edgel.strength = static_cast<float>(jet.n);
   const double noise_nn = noise * std::sqrt(1.5) / context.sigma_px;
-  edgel.position_sigma_px =
-      static_cast<float>(std::max(kMinPositionSigmaPx, noise_nn / std::abs(jet.nnn)));
+  const double sigma_px =
+      std::max(kMinPositionSigmaPx * context.scale, noise_nn / std::abs(jet.nnn));
+  // The pixels of an edge do not tell more if it has more edgels.
+  edgel.position_sigma_px = static_cast<float>(std::sqrt(context.scale) * sigma_px);
   const double variance = jet.n / -jet.nnn - context.sigma_px * context.sigma_px;
   return RefinedEdgel{edgel, threshold > 0 ? jet.n / threshold : 1,
                       std::sqrt(std::max(0.0, variance))};

@@ -38,10 +38,11 @@ struct Block {
   int x0, y0, x1, y1;
 };
 
-// The pixel of the gradient at one of the plane.
+// The pixel of the gradient at the center of one of the plane.
 size_t IndexAt(const PaddedPlane& plane, const GradientField& gradient, int x, int y) {
-  const size_t row = static_cast<size_t>(y) * gradient.height / plane.height;
-  return row * gradient.width + static_cast<size_t>(x) * gradient.width / plane.width;
+  const size_t row = (2 * static_cast<size_t>(y) + 1) * gradient.height / (2 * plane.height);
+  return row * gradient.width +
+         (2 * static_cast<size_t>(x) + 1) * gradient.width / (2 * plane.width);
 }
 
 double RayleighNoise(const PaddedPlane& plane, const GradientField& gradient, const Block& block) {
@@ -75,11 +76,11 @@ double WhitePixelNoise(const PaddedPlane& plane, const Block& block) {
   return std::sqrt(0.5 * std::numbers::pi) * sum / (6 * count);
 }
 
-float MeanLevel(const PaddedPlane& plane, const Block& block) {
+float MeanLevel(const PaddedPlane& plane, const GradientField& gradient, const Block& block) {
   double sum = 0;
   for (int y = block.y0; y < block.y1; ++y) {
-    const float* row = plane.Row(y);
-    sum = std::accumulate(row + block.x0, row + block.x1, sum);
+    for (int x = block.x0; x < block.x1; ++x)
+      sum += gradient.smooth[IndexAt(plane, gradient, x, y)];
   }
   return static_cast<float>(sum / ((block.x1 - block.x0) * (block.y1 - block.y0)));
 }
@@ -120,7 +121,7 @@ NoiseModel MeasureNoise(const PaddedPlane& plane, const GradientField& gradient,
                         std::min(y + kBlockPx, plane.height)};
       const double noise = RayleighNoise(plane, gradient, block);
       if (noise < quietest) continue;
-      samples.push_back({MeanLevel(plane, block), static_cast<float>(noise),
+      samples.push_back({MeanLevel(plane, gradient, block), static_cast<float>(noise),
                          static_cast<float>(WhitePixelNoise(plane, block))});
     }
   }

@@ -93,7 +93,7 @@ class Memory(unittest.TestCase):
         cls.options = scenes.small_options()
         cls.scene = limn.open(scenes.DAY, **cls.options)
         cls.of_files = links_of(limn.draw(cls.scene))
-        whole = limn.open(scenes.DAY)  # images as stored
+        whole = limn.open(scenes.DAY, quality="low", max_image_size=-1)  # images as stored
         cls.images = {name: np.rint(whole.image(name)).astype(np.uint8) for name in whole.names}
 
     def test_reconstruction_with_files(self):

@@ -28,6 +28,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class ToViewsTest : public ::testing::Test {
  protected:
@@ -365,13 +366,29 @@ TEST_F(ToViewsTest, TracksAreInPixelsOfTheFile) {
     options_.max_scale = max_scale;
     const ViewSet set = Views();
     const std::vector<View> stored = InStoredImages(set, set.views);
-    const Eigen::Vector2d px = *set.views[1].Project(Eigen::Vector3d(0, 0, 5));
     ASSERT_NE(set.views[1].camera.width, 800);
-    const double scale = set.views[1].camera.width / 800.0;
-    const Eigen::Vector2d expected = ((px.array() + 0.5) / scale - 0.5).matrix();
-    EXPECT_LT((*stored[1].StoredFromVirtual(px) - expected).norm(), 1e-9);
-    EXPECT_LT((*stored[1].VirtualFromStored(expected) - px).norm(), 1e-9);
+    EXPECT_EQ(stored[1].camera.width, 800);
+    EXPECT_FALSE(stored[1].lens);
+    for (const Eigen::Vector3d& place : {Eigen::Vector3d(0, 0, 5), Eigen::Vector3d(1, -1, 5)}) {
+      const Eigen::Vector2d px = *set.views[1].Project(place);
+      const double scale = set.views[1].camera.width / 800.0;
+      const Eigen::Vector2d expected = ((px.array() + 0.5) / scale - 0.5).matrix();
+      EXPECT_LT((*stored[1].Project(place) - expected).norm(), 1e-9);
+    }
   }
+}
+
+// Errors of points are told in pixels of the images.
+TEST_F(ToViewsTest, ErrorsOfPointsDoNotGrowWithTheView) {
+  Write("c.png", Checkerboard(0));
+  GivePoints(40);
+  for (ModelImage& image : model_.images) {
+    for (auto& observation : image.observations) observation.position.x() += 1.6;
+  }
+  options_.max_scale = 1.5;
+  const ViewSet set = Views();
+  ASSERT_EQ(set.files[1].scale, 1.5);
+  EXPECT_THAT(set.warnings, Not(Contains(HasSubstr("points of the sparse model miss"))));
 }
 
 TEST(ScaleOf, IsInQuartersAndLimited) {

@@ -19,6 +19,7 @@ using testing::AddNoise;
 using testing::ConstantImage;
 using testing::Disc;
 using testing::HalfPlane;
+using testing::Intersection;
 using testing::Paint;
 using testing::Polygon;
 using testing::Quantize;
@@ -530,7 +531,8 @@ TEST(DetectEdges, NoMoreFalseEdgelsInFinerViews) {
   Quantize(&image);
   const size_t as_stored = DetectEdges(image, {}).edgels.size();
   image.scale.setConstant(2);
-  EXPECT_LT(DetectEdges(image, {}).edgels.size(), 3 * as_stored);
+  // Twice as many for the same length.
+  EXPECT_LT(DetectEdges(image, {}).edgels.size(), 2.2 * as_stored);
 }
 
 }  // namespace
