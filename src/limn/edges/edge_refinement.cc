@@ -20,6 +20,8 @@ constexpr double kConvergedPx = 0.05;
 constexpr double kMaxOffsetPx = 0.7;
 // Of the image: sampling by pixels displaces edges.
 constexpr double kMinPositionSigmaPx = 0.05;
+// What else displaces edgels from curves, of which ResidualVariance counts one pixel of the view.
+constexpr double kCurveSigmaPx = 0.2;
 // Curvature above this is a corner, where the correction for a smooth curve means nothing.
 constexpr double kMaxCurvature = 0.2;
 
@@ -57,6 +59,13 @@ double CurvatureShift(const LocalJet& jet, double sigma_px, double scale, double
   const double ratio = sigma_curvature / std::max(std::abs(curvature), 1e-9);
   const double shrink = std::max(0.0, 1 - ratio * ratio);
   return 0.5 * shrink * curvature * (sigma_px * sigma_px + scale * scale / 12);
+}
+
+// The pixels of an edge do not tell more if a finer view has more edgels. Nor do they if curves, in
+// the end, are off by fractions of them (ResidualVariance), not of the view's.
+double SigmaInView(double sigma_px, double scale) {
+  return std::sqrt(scale * sigma_px * sigma_px +
+                   kCurveSigmaPx * kCurveSigmaPx * (scale * scale - 1));
 }
 
 LocalJet JetAt(std::span<const SubpixelDerivatives> derivatives, const Vector2d& node) {
@@ -109,8 +118,7 @@ std::optional<RefinedEdgel> RefineEdgel(std::span<const SubpixelDerivatives> der
   const double noise_nn = noise * std::sqrt(1.5) / context.sigma_px;
   const double sigma_px =
       std::max(kMinPositionSigmaPx * context.scale, noise_nn / std::abs(jet.nnn));
-  // The pixels of an edge do not tell more if it has more edgels.
-  edgel.position_sigma_px = static_cast<float>(std::sqrt(context.scale) * sigma_px);
+  edgel.position_sigma_px = static_cast<float>(SigmaInView(sigma_px, context.scale));
   const double variance = jet.n / -jet.nnn - context.sigma_px * context.sigma_px;
   return RefinedEdgel{edgel, threshold > 0 ? jet.n / threshold : 1,
                       std::sqrt(std::max(0.0, variance))};

@@ -145,7 +145,8 @@ class Memory(unittest.TestCase):
 
     def test_arrays(self):
         names = self.scene.names
-        cameras = limn.open(scenes.DAY, image_list_path=self.options["image_list_path"]).cameras
+        as_stored = {"quality": "low", "max_image_size": -1}
+        cameras = limn.open(scenes.DAY, image_list_path=self.options["image_list_path"], **as_stored).cameras
         K, R, t = ([getattr(camera, one) for camera in cameras] for one in "KRt")
         options = {**self.options, "image_list_path": None}
         images = [self.images[name] for name in names]
