@@ -88,7 +88,7 @@ void CurveDrawerController::Draw() {
 void CurveDrawerController::AddPoints(const Project& project, const DrawingGraph& graph,
                                       const Console& console) {
   DenseOptions spacing;
-  spacing.sample_spacing_px = options_.point_spacing_px;
+  spacing.sample_spacing_px = options_.point_spacing_px * project.view_set().TypicalScale();
   const DepthSource no_depths = [](ViewId) { return std::nullopt; };
   std::vector<CurvePoint> points =
       FuseDrawing({project.views(), Selected(graph, {}), no_depths, std::nullopt}, spacing,

@@ -13,6 +13,12 @@ namespace limn::colmap_ext {
 class Project;
 class Console;
 
+inline DrawerOptions AtMediumQuality() {
+  DrawerOptions options;
+  options.run = DefaultRunOptions(Quality::kMedium);
+  return options;
+}
+
 struct CurveDrawerOptions {
   // Folder that the names of the images are relative to.
   std::string image_path;
@@ -20,7 +26,7 @@ struct CurveDrawerOptions {
   std::string output_path;
   // The options of automatic_drawer except its paths, at medium quality. For another quality:
   // drawer.run = DefaultRunOptions(Quality::kHigh).
-  DrawerOptions drawer = {.run = DefaultRunOptions(Quality::kMedium)};
+  DrawerOptions drawer = AtMediumQuality();
   // Adds the drawing to the reconstruction as 3D points with tracks, this many pixels apart, seen
   // by the images that support the curves. 0 = off. Not with refined poses, which the
   // reconstruction does not have.
