@@ -79,7 +79,7 @@ int MaxSizeOfFile(bool is_panorama, int max_image_size);
 // views with a lens cameras stay.
 std::vector<View> InStoredImages(const ViewSet& view_set, std::vector<View> views);
 
-// The same with pixels as large as those of the images that are read: for lengths in footprints.
+// Views with pixels as large as those of the images that are read: for lengths in footprints.
 std::vector<View> InImagePixels(const ViewSet& view_set, std::vector<View> views);
 
 // One byte per pixel of the view, 0 = do not use; all 0 if the photograph is damaged. Empty = all

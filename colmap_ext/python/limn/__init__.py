@@ -9,8 +9,9 @@
 Options are those of the commands of `limn`, with the same names, ranges and defaults: names in snake case are keyword
 arguments, options of a group a dictionary: `limn.draw("my_project", max_image_size=800, Drawing={"method": "paper"})`.
 
-Units: px are pixels of the images as used (after max_image_size; sharp photographs are used as if enlarged up to 1.5 times with quality medium, twice with high), and the center of the top-left pixel is (0, 0);
-coordinates in space are the model's.
+Units: px are pixels of the images as used (after max_image_size; sharp photographs are used as if enlarged, up to 1.5
+times with quality medium, twice with high), and the center of the top-left pixel is (0, 0); coordinates in space are
+the model's.
 
 Long functions take `progress`, called as progress(stage, done, total) by the calling thread, at most 20 times a
 second. They release the GIL; in the main thread Ctrl-C stops them within two seconds. Errors are

@@ -13,12 +13,10 @@ namespace limn {
 namespace {
 
 constexpr double kSigmaPx = 1;
-// Weakest edge that counts, noise and gray levels per px: at a tenth of its contrast noise would
-// change the blur of a sharp edge by a tenth of a pixel.
+// Weakest edge that counts, noise and gray levels per px: noise changes the blur of weaker ones.
 constexpr double kNoiseFactor = 20;
 constexpr double kMinStrength = 5;
 constexpr int kMarginPx = 8;
-// Every third row tells enough, and is faster.
 constexpr int kRowStep = 3;
 constexpr size_t kLeastEdgels = 100;
 

@@ -12,8 +12,7 @@ namespace limn {
 // third derivative I_nnn there has the variance -I_n / I_nnn - 1 (ours, after the blur estimate of
 // Elder and Zucker, "Local scale control for edge detection and blur estimation", PAMI 1998). Edges
 // near each other look sharper than they are; sharpened ones have 0. Nothing if there are too few
-// strong edges to tell. Precondition: the image's scale is 1. Time: linear in pixels, about a third
-// of that of DetectEdges.
+// strong edges to tell. Precondition: the image's scale is 1. Time: linear in pixels.
 std::optional<double> MeasureEdgeBlur(const Image& image);
 
 }  // namespace limn

@@ -32,7 +32,7 @@ struct RefinementContext {
 };
 
 // An edgel, its strength in multiples of the threshold that applied to it, >= 1, and the blur of
-// the edge in the image: standard deviation of the Gaussian that a step is convolved with, px.
+// the edge: standard deviation of the Gaussian that a step is convolved with, px of the view.
 struct RefinedEdgel {
   Edgel edgel;
   double significance = 1;
